@@ -1,0 +1,28 @@
+//! What a symbol makes the turtle do.
+
+/// One thing the turtle does. A symbol has a list of them, in a [`Dialect`](crate::Dialect) or overridden one by one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Action {
+    /// Go forward and draw. Length in model units, times the length scale; `None` for the system's step length.
+    Draw(Option<f64>),
+    /// Go forward without drawing; length as in [`Action::Draw`].
+    Move(Option<f64>),
+    /// Turn counter-clockwise, by degrees or by the system's left angle.
+    TurnLeft(Option<f64>),
+    /// Turn clockwise, by degrees or by the system's right angle.
+    TurnRight(Option<f64>),
+    /// Turn by 180 degrees.
+    TurnRound,
+    /// Save position, heading, colour, width and length, and go one branch level deeper.
+    Push,
+    /// Return to what the matching [`Action::Push`] saved.
+    Pop,
+    /// Use the palette's colour at this index.
+    SetColour(i32),
+    /// Go this many places along the palette, backwards when negative.
+    AddColour(i32),
+    /// Set the stroke width, in multiples of the step length.
+    SetWidth(f64),
+    /// Multiply the stroke width.
+    ScaleWidth(f64),
+}

@@ -1,0 +1,67 @@
+//! An L-system as its author wrote it: the one flat value that files, links, controls and undo share.
+
+use crate::{Dialect, Style};
+use serde::{Deserialize, Serialize};
+
+/// Everything that decides the picture, as text and plain numbers. [`System::new`](crate::System::new) makes it
+/// ready for use and reports what is wrong with it. Field names in camel case are those of the page's state.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub struct Definition {
+    /// A short name, unique within its folder.
+    pub name: String,
+    /// A title for people.
+    pub title: String,
+    /// Where the system was published.
+    pub source: String,
+    /// Anything a reader should know.
+    pub notes: String,
+    /// The axiom, in the notation.
+    pub axiom: String,
+    /// Productions and constants, in the notation, a line each.
+    pub rules: String,
+    /// Derivation steps, 0 to 1,000.
+    pub iterations: u32,
+    /// The angle of a left turn, in degrees, counter-clockwise; also of a right turn unless `right_angle` is given.
+    pub angle: f64,
+    /// The angle of a right turn, in degrees, clockwise.
+    pub right_angle: Option<f64>,
+    /// The heading at the start: degrees counter-clockwise from +x.
+    pub heading: f64,
+    /// The step length, in model units.
+    pub step: f64,
+    /// Where the turtle starts, in model units, y up.
+    pub start: [f64; 2],
+    /// What the symbols do.
+    pub dialect: Dialect,
+    /// Exceptions from the dialect, a line each: `G: move`, `B: turn left 90, draw 10`.
+    pub overrides: String,
+    /// Selects among the outcomes of stochastic productions.
+    pub seed: u32,
+    /// Colours and widths.
+    #[serde(flatten)]
+    pub style: Style,
+}
+
+impl Default for Definition {
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            title: String::new(),
+            source: String::new(),
+            notes: String::new(),
+            axiom: String::new(),
+            rules: String::new(),
+            iterations: 1,
+            angle: 0.0,
+            right_angle: None,
+            heading: 90.0,
+            step: 1.0,
+            start: [0.0, 0.0],
+            dialect: Dialect::default(),
+            overrides: String::new(),
+            seed: 0,
+            style: Style::default(),
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Named tables of what symbols do.
+
+use crate::Action;
+use serde::{Deserialize, Serialize};
+
+/// A named table symbol -> actions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Dialect {
+    /// The Algorithmic Beauty of Plants, section 1.3 and 1.5, and cpfg's additions.
+    #[default]
+    Abop,
+    /// Every symbol except `+ - [ ]` draws (the course in C++).
+    EveryLetter,
+    /// `F` and `G` draw, with a left and a right angle (the course in Python).
+    Practical,
+    /// Lower-case letters draw; `+` also sets red and `-` green, from blue.
+    Lowercase,
+}
+
+impl Dialect {
+    /// All dialects, in the order to offer them.
+    pub const ALL: [Self; 4] = [Self::Abop, Self::EveryLetter, Self::Practical, Self::Lowercase];
+
+    /// What `symbol` does; empty for a symbol without action.
+    #[must_use]
+    pub fn actions(self, symbol: char) -> &'static [Action] {
+        use Action::{Draw, Move, Pop, Push, TurnLeft, TurnRight};
+        match (self, symbol) {
+            (Self::Lowercase, '+') => &[TurnLeft(None), Action::SetColour(1)],
+            (Self::Lowercase, '-') => &[TurnRight(None), Action::SetColour(2)],
+            (_, '+') => &[TurnLeft(None)],
+            (_, '-') => &[TurnRight(None)],
+            (_, '[') => &[Push],
+            (_, ']') => &[Pop],
+            (Self::Abop | Self::Practical, 'F' | 'G') => &[Draw(None)],
+            (Self::Abop, 'f' | 'g') => &[Move(None)],
+            (Self::Abop, '|') => &[Action::TurnRound],
+            (Self::Abop, '!') => &[Action::ScaleWidth(core::f64::consts::FRAC_1_SQRT_2)],
+            (Self::Abop, '#') => &[Action::ScaleWidth(core::f64::consts::SQRT_2)],
+            (Self::Abop, '\'' | ',') => &[Action::AddColour(1)],
+            (Self::Abop, ';') => &[Action::AddColour(-1)],
+            (Self::EveryLetter, _) => &[Draw(None)],
+            (Self::Lowercase, c) if c.is_lowercase() => &[Draw(None)],
+            _ => &[],
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! A drawing is a small graph of placed blocks, not a long list of segments.
+//!
+//! After n derivation steps a string is exponentially long but made of few distinct pieces: symbol `s` derived for
+//! `d` more steps is always the same piece, a [`Block`]. Blocks hold strokes and placed smaller blocks, in drawing
+//! order. Systems whose pieces are not all alike (stochastic or unbalanced productions) are materialised into a
+//! tree of blocks of the same type, so every reader sees one shape of data.
+
+use crate::Heading;
+use core::ops::Range;
+
+/// A picture of an L-system's n-th generation, ready to be read: bounds, segments, pixels, files.
+#[derive(Clone, Debug)]
+pub struct Drawing {
+    /// Children before parents.
+    pub(crate) blocks: Vec<Block>,
+    /// The contents of all blocks; each block names its range.
+    pub(crate) items: Vec<Item>,
+    /// The corners of all hulls; each block names its range.
+    pub(crate) corners: Vec<[f64; 2]>,
+    /// The styles in use; strokes and placements name theirs.
+    pub(crate) styles: Vec<StyleChange>,
+    /// The whole drawing, or `None` when nothing is drawn. Its frame has the axes of the model: the start heading is
+    /// part of its contents, and a point `p` of it is `start + step * 2^exponent * p` in model units.
+    pub(crate) root: Option<BlockId>,
+    /// Where the turtle starts, in model units.
+    pub(crate) start: [f64; 2],
+    /// The step length, in model units.
+    pub(crate) step: f64,
+    /// The turtle's stroke width at the start, in multiples of the step length.
+    pub(crate) width: f64,
+    /// Whether blocks are shared.
+    pub(crate) memoised: bool,
+}
+
+/// A block's place in [`Drawing::blocks`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct BlockId(pub u32);
+
+/// A style change's place in [`Drawing::styles`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct StyleId(pub u32);
+
+/// A piece of a drawing, in its own frame: the turtle enters at the origin heading along +x.
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// Its contents in drawing order.
+    pub items: Range<u32>,
+    /// One unit of this block's frame is `2^exponent` step lengths, chosen so that its extent is about 1. Powers of
+    /// two cost no precision and keep n = 1,000 within range.
+    pub exponent: i32,
+    /// How many segments it draws; `u128::MAX` stands for that many or more.
+    pub segments: u128,
+    /// Corners of a convex polygon that contains every segment's axis (strokes' widths apart), counter-clockwise, in
+    /// block units.
+    pub hull: Range<u32>,
+    /// No stroke inside is wider than this change makes the width at entry.
+    pub widest: WidthChange,
+}
+
+/// Something a block contains.
+#[derive(Clone, Copy, Debug)]
+pub enum Item {
+    /// One segment.
+    Stroke(Stroke),
+    /// A smaller block.
+    Block(Placed),
+}
+
+/// One segment, in block units.
+#[derive(Clone, Copy, Debug)]
+pub struct Stroke {
+    /// Where it starts.
+    pub from: [f64; 2],
+    /// Where it ends.
+    pub to: [f64; 2],
+    /// The style it is drawn in, relative to the block's entry.
+    pub style: StyleId,
+}
+
+/// A block placed in another block's frame: `p -> at + scale * rotate(heading, p)`.
+#[derive(Clone, Copy, Debug)]
+pub struct Placed {
+    /// Which block.
+    pub block: BlockId,
+    /// The style at its entry, relative to the containing block's entry.
+    pub style: StyleId,
+    /// Its origin, in the containing block's units.
+    pub at: [f64; 2],
+    /// How far it is turned, counter-clockwise.
+    pub heading: Heading,
+    /// Containing units for one of its own: length factor times `2^(its exponent - the container's)`.
+    pub scale: f64,
+}
+
+/// What has happened to the style since a block's entry. Changes compose, which is why styled drawings memoise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StyleChange {
+    /// What has happened to the colour index.
+    pub colour: ColourChange,
+    /// What has happened to the width.
+    pub width: WidthChange,
+    /// How many branches deeper.
+    pub level: u32,
+}
+
+/// A change of the colour index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ColourChange {
+    /// Becomes this.
+    Set(i32),
+    /// Goes up by this.
+    Add(i32),
+}
+
+/// A change of the stroke width: `w -> factor * w + offset`, in multiples of the step length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WidthChange {
+    /// What the width is multiplied by.
+    pub factor: f64,
+    /// What is added then.
+    pub offset: f64,
+}
+
+/// One segment of a drawing, in model units, y up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment {
+    /// Where it starts.
+    pub from: [f64; 2],
+    /// Where it ends.
+    pub to: [f64; 2],
+    /// The colour index, not yet wrapped to a palette.
+    pub colour: i32,
+    /// The branch level: how many branches are open.
+    pub level: u32,
+    /// The stroke width, in model units.
+    pub width: f64,
+}

@@ -1,0 +1,31 @@
+//! L-systems: grammar, derivation, turtle and drawing.
+
+mod action;
+mod definition;
+mod diagnostic;
+mod dialect;
+mod drawing;
+mod grammar;
+mod heading;
+mod key;
+mod limits;
+mod program;
+mod style;
+mod system;
+mod turtle;
+
+pub use action::Action;
+pub use definition::Definition;
+pub use diagnostic::{Diagnostic, Field, Kind, LimitName, Severity};
+pub use dialect::Dialect;
+pub use drawing::{
+    Block, BlockId, ColourChange, Drawing, Item, Placed, Segment, Stroke, StyleChange, StyleId, WidthChange,
+};
+pub use grammar::{Constant, Grammar, Module, Production};
+pub use heading::Heading;
+pub use key::Key;
+pub use limits::{Limits, MAX_ITERATIONS};
+pub use program::{Choice, Program, Rewrite, SymbolId};
+pub use style::{Colour, ColourBy, Style};
+pub use system::System;
+pub use turtle::Turtle;

@@ -1,0 +1,125 @@
+//! A grammar made ready for derivation: letters become small integers, productions a table over them.
+
+use crate::grammar::Grammar;
+
+/// A letter's place in [`Program::alphabet`].
+pub type SymbolId = u16;
+
+/// A compiled grammar.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Program {
+    /// Every letter of the axiom and the productions, sorted.
+    pub alphabet: Vec<char>,
+    /// The axiom.
+    pub axiom: Vec<SymbolId>,
+    /// By letter: what one derivation step does with it.
+    pub rewrites: Vec<Rewrite>,
+}
+
+/// What one derivation step does with a letter.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Rewrite {
+    /// No production: the letter stays, and so does its key.
+    Keep,
+    /// One successor, always.
+    Always(Vec<SymbolId>),
+    /// One of several, by weight.
+    Choose(Vec<Choice>),
+}
+
+/// One of the successors of a stochastic production.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// The sum of the normalised weights up to and with this one; 1.0 for the last.
+    pub until: f64,
+    /// The production's index in [`Grammar::productions`].
+    pub production: usize,
+    /// What replaces the letter.
+    pub successor: Vec<SymbolId>,
+}
+
+impl Rewrite {
+    /// The successor that `roll` (uniform in `0.0..1.0`) selects, or `None` where the letter stays.
+    #[must_use]
+    pub fn successor(&self, roll: impl FnOnce() -> f64) -> Option<&[SymbolId]> {
+        match self {
+            Self::Keep => None,
+            Self::Always(successor) => Some(successor),
+            Self::Choose(choices) => {
+                let roll = roll();
+                let chosen = choices.iter().find(|choice| roll < choice.until).or(choices.last());
+                chosen.map(|choice| choice.successor.as_slice())
+            }
+        }
+    }
+}
+
+impl Program {
+    /// Compiles `grammar`. Among productions of one predecessor the first decides: unweighted, it always applies;
+    /// weighted, the choice is among all weighted ones of that predecessor.
+    #[must_use]
+    pub fn new(grammar: &Grammar) -> Self {
+        let mut alphabet: Vec<char> = (grammar.axiom.iter())
+            .chain(grammar.productions.iter().flat_map(|p| p.successor.iter().chain([&p.predecessor])))
+            .map(|module| module.symbol)
+            .collect();
+        alphabet.sort_unstable();
+        alphabet.dedup();
+        // Text is bounded far below 65,536 distinct letters times productions; the cap only guards the cast.
+        alphabet.truncate(usize::from(SymbolId::MAX) + 1);
+        let id = |symbol: char| alphabet.binary_search(&symbol).unwrap_or(0) as SymbolId;
+        let ids = |modules: &[crate::grammar::Module]| modules.iter().map(|m| id(m.symbol)).collect::<Vec<_>>();
+
+        let mut rewrites = vec![Rewrite::Keep; alphabet.len()];
+        for (index, production) in grammar.productions.iter().enumerate() {
+            let rewrite = &mut rewrites[usize::from(id(production.predecessor.symbol))];
+            let successor = ids(&production.successor);
+            match (&mut *rewrite, production.weight) {
+                (Rewrite::Keep, None) => *rewrite = Rewrite::Always(successor),
+                (Rewrite::Keep, Some(until)) => {
+                    *rewrite = Rewrite::Choose(vec![Choice { until, production: index, successor }]);
+                }
+                (Rewrite::Choose(choices), Some(weight)) => {
+                    let until = choices.last().map_or(0.0, |c| c.until) + weight;
+                    choices.push(Choice { until, production: index, successor });
+                }
+                (Rewrite::Always(_), _) | (Rewrite::Choose(_), None) => {}
+            }
+        }
+        for rewrite in &mut rewrites {
+            if let Rewrite::Choose(choices) = rewrite {
+                let total = choices.last().map_or(1.0, |c| c.until);
+                choices.iter_mut().for_each(|c| c.until /= total);
+                if let [only] = choices.as_mut_slice() {
+                    *rewrite = Rewrite::Always(core::mem::take(&mut only.successor));
+                }
+            }
+        }
+        Self { axiom: ids(&grammar.axiom), rewrites, alphabet }
+    }
+
+    /// Whether no choice is ever made.
+    #[must_use]
+    pub fn is_deterministic(&self) -> bool {
+        let reachable = self.reachable();
+        self.rewrites.iter().zip(reachable).all(|(r, reached)| !reached || !matches!(r, Rewrite::Choose(_)))
+    }
+
+    /// By letter: whether it occurs in any generation.
+    #[must_use]
+    pub fn reachable(&self) -> Vec<bool> {
+        let mut seen = vec![false; self.alphabet.len()];
+        let mut open: Vec<SymbolId> = self.axiom.clone();
+        while let Some(symbol) = open.pop() {
+            if core::mem::replace(&mut seen[usize::from(symbol)], true) {
+                continue;
+            }
+            match &self.rewrites[usize::from(symbol)] {
+                Rewrite::Keep => {}
+                Rewrite::Always(successor) => open.extend(successor),
+                Rewrite::Choose(choices) => choices.iter().for_each(|c| open.extend(&c.successor)),
+            }
+        }
+        seen
+    }
+}
