@@ -1,7 +1,9 @@
 //! L-systems: grammar, derivation, turtle and drawing.
 
 mod action;
+mod counts;
 mod definition;
+mod derivation;
 mod diagnostic;
 mod dialect;
 mod drawing;
@@ -12,10 +14,14 @@ mod limits;
 mod program;
 mod style;
 mod system;
+#[cfg(test)]
+mod testing;
 mod turtle;
 
 pub use action::Action;
+pub use counts::{count, count_segments, count_symbols};
 pub use definition::Definition;
+pub use derivation::{expand, expand_into, expand_once, expand_symbol};
 pub use diagnostic::{Diagnostic, Field, Kind, LimitName, Severity};
 pub use dialect::Dialect;
 pub use drawing::{

@@ -1,5 +1,7 @@
 //! How much work and memory a caller is willing to spend.
 
+use crate::LimitName;
+
 /// Every limit in one place; each is checked before the allocation it guards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
@@ -14,6 +16,19 @@ pub struct Limits {
 impl Default for Limits {
     fn default() -> Self {
         Self { symbols: 256 << 20, segments: 2_000_000, work: 100_000_000 }
+    }
+}
+
+impl Limits {
+    /// The value of the limit called `name`.
+    #[must_use]
+    pub fn value(&self, name: LimitName) -> u64 {
+        match name {
+            LimitName::Symbols => self.symbols,
+            LimitName::Segments => self.segments,
+            LimitName::Work => self.work,
+            LimitName::Iterations => u64::from(MAX_ITERATIONS),
+        }
     }
 }
 

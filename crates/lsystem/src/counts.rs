@@ -1,0 +1,179 @@
+//! Exact counts of any generation, without expanding it.
+//!
+//! What a letter derives in d steps is what its successor's letters derive in d - 1 steps, so a count is a sum over
+//! the successor: d times |alphabet| additions, however long the string.
+
+use crate::program::{Program, Rewrite, SymbolId};
+use crate::{Action, System};
+use num_bigint::BigUint;
+
+/// How many symbols generation `n` has; `None` where that depends on random choices.
+#[must_use]
+pub fn count_symbols(system: &System, n: u32) -> Option<BigUint> {
+    count(&system.program, n, |_| 1)
+}
+
+/// How many segments generation `n` draws; `None` where that depends on random choices.
+#[must_use]
+pub fn count_segments(system: &System, n: u32) -> Option<BigUint> {
+    count(&system.program, n, |symbol| segments_of(system, symbol))
+}
+
+/// The segments that one letter draws.
+pub(crate) fn segments_of(system: &System, symbol: SymbolId) -> u64 {
+    let actions = &system.turtle.actions[usize::from(symbol)];
+    actions.iter().filter(|action| matches!(action, Action::Draw(_))).count() as u64
+}
+
+/// The sum of `weight` over the letters of generation `n`; `None` where it depends on random choices.
+#[must_use]
+pub fn count(program: &Program, n: u32, weight: impl Fn(SymbolId) -> u64) -> Option<BigUint> {
+    let sums = Sums::new(program);
+    let mut totals: Vec<Option<BigUint>> = sums.start(&weight);
+    for _ in 0..n {
+        totals = sums.step(&totals);
+    }
+    sums.of(&program.axiom, &totals)
+}
+
+/// By generation from 0: the sum of `weight` over its letters, up to the first sum above `limit` or generation `n`.
+/// Ends early with what is known where a sum depends on random choices.
+pub(crate) fn counts_until(
+    program: &Program,
+    n: u32,
+    limit: u64,
+    weight: impl Fn(SymbolId) -> u64,
+) -> Result<Vec<u128>, Unknown> {
+    let sums = Sums::new(program);
+    let mut totals: Vec<Option<Saturating>> = sums.start(&weight);
+    let mut generations = Vec::new();
+    for generation in 0..=n {
+        if generation > 0 {
+            totals = sums.step(&totals);
+        }
+        let total = sums.of(&program.axiom, &totals).ok_or(Unknown)?.0;
+        generations.push(total);
+        if total > u128::from(limit) {
+            break;
+        }
+    }
+    Ok(generations)
+}
+
+/// A count depends on random choices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Unknown;
+
+/// By depth from 0 to `n`, then letter: the sum of `weight` over what the letter derives in that many steps,
+/// saturating. Letters with random choices count as themselves.
+pub(crate) fn sums_by_depth(program: &Program, n: u32, weight: impl Fn(SymbolId) -> u64) -> Vec<Vec<u64>> {
+    let own: Vec<u64> = (0..program.alphabet.len()).map(|symbol| weight(symbol as SymbolId)).collect();
+    let mut rows = vec![own];
+    for depth in 1..=n as usize {
+        let below = &rows[depth - 1];
+        let row = (program.rewrites.iter().zip(below))
+            .map(|(rewrite, &own)| match rewrite {
+                Rewrite::Always(word) => word.iter().fold(0_u64, |sum, &s| sum.saturating_add(below[usize::from(s)])),
+                Rewrite::Keep | Rewrite::Choose(_) => own,
+            })
+            .collect();
+        rows.push(row);
+    }
+    rows
+}
+
+/// What sums need of a number.
+trait Total: Clone + PartialEq + From<u64> {
+    fn add_times(&mut self, times: u64, other: &Self);
+}
+
+impl Total for BigUint {
+    fn add_times(&mut self, times: u64, other: &Self) {
+        if times == 1 {
+            *self += other;
+        } else {
+            *self += other * times;
+        }
+    }
+}
+
+/// A number that stays at its greatest value instead of overflowing.
+#[derive(Clone, Copy, PartialEq)]
+struct Saturating(u128);
+
+impl From<u64> for Saturating {
+    fn from(count: u64) -> Self {
+        Self(u128::from(count))
+    }
+}
+
+impl Total for Saturating {
+    fn add_times(&mut self, times: u64, other: &Self) {
+        self.0 = self.0.saturating_add(other.0.saturating_mul(u128::from(times)));
+    }
+}
+
+/// By letter: how often each letter occurs in its successor; several rows where the choice is random.
+struct Sums {
+    alternatives: Vec<Vec<Multiset>>,
+}
+
+type Multiset = Vec<(SymbolId, u64)>;
+
+impl Sums {
+    fn new(program: &Program) -> Self {
+        let alternatives = (program.rewrites.iter())
+            .map(|rewrite| match rewrite {
+                Rewrite::Keep => vec![],
+                Rewrite::Always(successor) => vec![multiset(successor)],
+                Rewrite::Choose(choices) => {
+                    let mut all: Vec<Multiset> = choices.iter().map(|c| multiset(&c.successor)).collect();
+                    all.dedup();
+                    all
+                }
+            })
+            .collect();
+        Self { alternatives }
+    }
+
+    fn start<T: Total>(&self, weight: &impl Fn(SymbolId) -> u64) -> Vec<Option<T>> {
+        (0..self.alternatives.len()).map(|symbol| Some(T::from(weight(symbol as SymbolId)))).collect()
+    }
+
+    /// The totals after one step more.
+    fn step<T: Total>(&self, totals: &[Option<T>]) -> Vec<Option<T>> {
+        (self.alternatives.iter().zip(totals))
+            .map(|(alternatives, own)| {
+                let Some((first, rest)) = alternatives.split_first() else { return own.clone() };
+                let total = sum(first, totals)?;
+                rest.iter().all(|other| sum(other, totals).as_ref() == Some(&total)).then_some(total)
+            })
+            .collect()
+    }
+
+    fn of<T: Total>(&self, word: &[SymbolId], totals: &[Option<T>]) -> Option<T> {
+        sum(&multiset(word), totals)
+    }
+}
+
+fn sum<T: Total>(letters: &Multiset, totals: &[Option<T>]) -> Option<T> {
+    let mut sum = T::from(0);
+    for &(symbol, times) in letters {
+        sum.add_times(times, totals[usize::from(symbol)].as_ref()?);
+    }
+    Some(sum)
+}
+
+/// The letters of `word` with how often each occurs, sorted.
+fn multiset(word: &[SymbolId]) -> Multiset {
+    let mut sorted = word.to_vec();
+    sorted.sort_unstable();
+    let mut letters = Multiset::new();
+    for symbol in sorted {
+        match letters.last_mut() {
+            Some((last, times)) if *last == symbol => *times += 1,
+            _ => letters.push((symbol, 1)),
+        }
+    }
+    letters
+}

@@ -1,0 +1,354 @@
+//! Derivation: from the axiom to the string of generation n.
+//!
+//! A letter without random choices below it always derives the same text, so that text is written once and copied
+//! ever after: expansion runs near the speed of memory. Random choices are keyed by place (`key.rs`), so letters can
+//! be derived one after the other, depth first, and no generation in between is ever held.
+
+use crate::counts::{counts_until, sums_by_depth};
+use crate::diagnostic::{Diagnostic, Kind, LimitName};
+use crate::program::{Program, Rewrite, SymbolId};
+use crate::{Key, Limits, MAX_ITERATIONS, System};
+
+/// Texts up to this many bytes are copied whole; longer ones are composed of them. The source of a copy then stays
+/// in the processor's nearest cache, and only the writing costs.
+const COPIED: u64 = 16 << 10;
+
+/// What one derivation step makes of `symbol`. `roll`, uniform in `0.0..1.0`, selects among the successors of a
+/// stochastic production; others ignore it. A symbol that no production rewrites stays.
+#[must_use]
+pub fn expand_symbol(system: &System, symbol: char, roll: f64) -> String {
+    let program = &system.program;
+    let rewrite = program.alphabet.binary_search(&symbol).ok().map(|id| &program.rewrites[id]);
+    match rewrite.and_then(|rewrite| rewrite.successor(|| roll)) {
+        None => symbol.to_string(),
+        Some(successor) => successor.iter().map(|&s| program.alphabet[usize::from(s)]).collect(),
+    }
+}
+
+/// What derivation step `step` (1-based) makes of `word`, which is read as an axiom: its symbols have the keys of an
+/// axiom's symbols.
+#[must_use]
+pub fn expand_once(system: &System, word: &str, step: u32) -> String {
+    (word.chars().enumerate())
+        .map(|(index, symbol)| expand_symbol(system, symbol, Key::root(index as u64).choice(system.seed, step)))
+        .collect()
+}
+
+/// The string of generation `n`.
+///
+/// # Errors
+/// [`Kind::Limit`] where the string would have more than [`Limits::symbols`] symbols, or `n` is above
+/// [`MAX_ITERATIONS`].
+pub fn expand(system: &System, n: u32, limits: &Limits) -> Result<String, Diagnostic> {
+    let mut text = String::new();
+    expand_into(system, n, limits, &mut text)?;
+    Ok(text)
+}
+
+/// The string of generation `n`, in place of what `text` held. A buffer that is used again saves the first touch of
+/// its memory, which costs more than the derivation.
+///
+/// # Errors
+/// As [`expand`]; `text` is then empty.
+pub fn expand_into(system: &System, n: u32, limits: &Limits, text: &mut String) -> Result<(), Diagnostic> {
+    text.clear();
+    if n > MAX_ITERATIONS {
+        return Err(limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)));
+    }
+    let too_long = |largest| limit(LimitName::Symbols, limits.symbols, largest);
+    let known = counts_until(&system.program, n, limits.symbols, |_| 1);
+    if let Ok(generations) = &known
+        && generations.last().is_some_and(|&symbols| symbols > u128::from(limits.symbols))
+    {
+        return Err(too_long((generations.len() as u32).checked_sub(2)));
+    }
+    let mut writer = Writer::new(&system.program, n, text);
+    if known.is_ok() && !writer.reserve(&system.program.axiom) {
+        return Err(too_long(None));
+    }
+    let outcome = derive(system, n, limits, |symbol, depth| writer.write(symbol, depth));
+    outcome.map_err(|stopped| {
+        text.clear();
+        limit(stopped, limits.value(stopped), largest_within(system, n, limits))
+    })
+}
+
+/// The last generation before `n` that is within the limits, by deriving them one after the other.
+fn largest_within(system: &System, n: u32, limits: &Limits) -> Option<u32> {
+    (0..n).take_while(|&generation| derive(system, generation, limits, |_, _| ()).is_ok()).last()
+}
+
+/// Goes through generation `n` depth first and hands over its letters: those that need no choices as soon as they
+/// occur, with the steps they have yet to go.
+fn derive(system: &System, n: u32, limits: &Limits, mut visit: impl FnMut(SymbolId, u32)) -> Result<(), LimitName> {
+    let fixed = fixed(&system.program);
+    let symbols = sums_by_depth(&system.program, n, |_| 1);
+    let mut walk = Walk::new(system, n);
+    let mut left = limits.symbols;
+    while let Some((symbol, depth)) = walk.next(&fixed) {
+        left = left.checked_sub(symbols[depth as usize][usize::from(symbol)]).ok_or(LimitName::Symbols)?;
+        if walk.work > limits.work {
+            return Err(LimitName::Work);
+        }
+        visit(symbol, depth);
+    }
+    // A derivation that deletes all it makes hands nothing over.
+    if walk.work > limits.work { Err(LimitName::Work) } else { Ok(()) }
+}
+
+pub(crate) fn limit(limit: LimitName, value: u64, largest: Option<u32>) -> Diagnostic {
+    Diagnostic { kind: Kind::Limit { limit, value, largest }, field: crate::Field::Numbers, span: 0..0 }
+}
+
+/// Goes through a derivation depth first and stops at letters that need no more choices.
+struct Walk<'a> {
+    system: &'a System,
+    /// The words that are being gone through, outermost first.
+    open: Vec<Word<'a>>,
+    /// Letters read so far.
+    work: u64,
+}
+
+/// A word on the way: an axiom or a successor, and how far it has been read.
+struct Word<'a> {
+    letters: &'a [SymbolId],
+    next: usize,
+    /// The key of the letter it replaced; `None` for the axiom.
+    parent: Option<Key>,
+    /// The derivation step that made it, 0 for the axiom.
+    step: u32,
+    /// How many steps its letters still have to go.
+    depth: u32,
+}
+
+impl<'a> Walk<'a> {
+    fn new(system: &'a System, n: u32) -> Self {
+        let axiom = Word { letters: &system.program.axiom, next: 0, parent: None, step: 0, depth: n };
+        Self { system, open: vec![axiom], work: 0 }
+    }
+
+    /// The next letter that is `fixed` or has no steps to go, with the steps it has to go.
+    fn next(&mut self, fixed: &[bool]) -> Option<(SymbolId, u32)> {
+        loop {
+            let word = self.open.last_mut()?;
+            let Some(&symbol) = word.letters.get(word.next) else {
+                self.open.pop();
+                continue;
+            };
+            let index = word.next as u64;
+            word.next += 1;
+            self.work += 1;
+            let (depth, step) = (word.depth, word.step + 1);
+            if depth == 0 || fixed[usize::from(symbol)] {
+                return Some((symbol, depth));
+            }
+            let key = word.parent.map_or_else(|| Key::root(index), |parent| parent.child(word.step, index));
+            let rewrite = &self.system.program.rewrites[usize::from(symbol)];
+            match rewrite.successor(|| key.choice(self.system.seed, step)) {
+                None => return Some((symbol, 0)),
+                Some(letters) => {
+                    self.open.push(Word { letters, next: 0, parent: Some(key), step, depth: depth - 1 });
+                }
+            }
+        }
+    }
+}
+
+/// Writes the texts of letters that need no choices, each once and then as a copy.
+struct Writer<'a> {
+    program: &'a Program,
+    text: &'a mut String,
+    /// By depth, then letter: bytes.
+    lengths: Vec<Vec<u64>>,
+    /// By depth, then letter: where in `text` its text already stands.
+    written: Vec<Vec<Option<usize>>>,
+}
+
+impl<'a> Writer<'a> {
+    fn new(program: &'a Program, n: u32, text: &'a mut String) -> Self {
+        let lengths = sums_by_depth(program, n, |symbol| program.alphabet[usize::from(symbol)].len_utf8() as u64);
+        let written = lengths.iter().map(|row| vec![None; row.len()]).collect();
+        Self { program, text, lengths, written }
+    }
+
+    /// Makes room for what is known of the text of `word`; false where there is none.
+    fn reserve(&mut self, word: &[SymbolId]) -> bool {
+        let lengths = self.lengths.last().into_iter();
+        let bytes = lengths.flat_map(|row| word.iter().map(|&s| row[usize::from(s)])).sum::<u64>();
+        usize::try_from(bytes).is_ok_and(|bytes| self.text.try_reserve_exact(bytes).is_ok())
+    }
+
+    /// Appends the text of a letter after `depth` steps. Recursion is as deep as `depth`, at most 1,000.
+    fn write(&mut self, symbol: SymbolId, depth: u32) {
+        let (row, column) = (depth as usize, usize::from(symbol));
+        let successor = match &self.program.rewrites[column] {
+            Rewrite::Always(successor) if depth > 0 => successor,
+            _ => return self.text.push(self.program.alphabet[column]),
+        };
+        let length = self.lengths[row][column];
+        if let Some(start) = self.written[row][column] {
+            return self.text.extend_from_within(start..start + length as usize);
+        }
+        let start = self.text.len();
+        for &child in successor {
+            self.write(child, depth - 1);
+        }
+        if length <= COPIED {
+            self.written[row][column] = Some(start);
+        }
+    }
+}
+
+/// By letter: whether no random choice is ever made below it.
+pub(crate) fn fixed(program: &Program) -> Vec<bool> {
+    let mut fixed: Vec<bool> = program.rewrites.iter().map(|r| !matches!(r, Rewrite::Choose(_))).collect();
+    loop {
+        let mut changed = false;
+        for (symbol, rewrite) in program.rewrites.iter().enumerate() {
+            if let Rewrite::Always(successor) = rewrite
+                && fixed[symbol]
+                && successor.iter().any(|&s| !fixed[usize::from(s)])
+            {
+                fixed[symbol] = false;
+                changed = true;
+            }
+        }
+        if !changed {
+            return fixed;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Grammar, Heading, Module, Production, Style, Turtle, count_symbols};
+    use proptest::prelude::*;
+
+    type Rule = (char, String, Option<f64>);
+
+    fn system(axiom: &str, rules: &[Rule], seed: u32) -> System {
+        let modules = |text: &str| text.chars().map(Module::from).collect::<Vec<_>>();
+        let productions = rules.iter().map(|(predecessor, successor, weight)| Production {
+            predecessor: Module::from(*predecessor),
+            successor: modules(successor),
+            weight: *weight,
+        });
+        let grammar = Grammar { axiom: modules(axiom), productions: productions.collect(), constants: vec![] };
+        let program = Program::new(&grammar);
+        let turtle = Turtle {
+            actions: vec![vec![]; program.alphabet.len()],
+            left: Heading::EAST,
+            right: Heading::EAST,
+            heading: Heading::UP,
+            start: [0.0; 2],
+            step: 1.0,
+            width: 0.0,
+        };
+        System { grammar, program, turtle, style: Style::default(), seed }
+    }
+
+    fn rules(text: &[(char, &str)]) -> Vec<Rule> {
+        text.iter().map(|&(p, s)| (p, s.to_owned(), None)).collect()
+    }
+
+    /// One generation after the other, every letter with its key: the definition, word for word.
+    fn naive(system: &System, n: u32) -> String {
+        let program = &system.program;
+        let mut word: Vec<(SymbolId, Key)> =
+            program.axiom.iter().enumerate().map(|(i, &s)| (s, Key::root(i as u64))).collect();
+        for step in 1..=n {
+            let mut next = vec![];
+            for (symbol, key) in word {
+                match program.rewrites[usize::from(symbol)].successor(|| key.choice(system.seed, step)) {
+                    None => next.push((symbol, key)),
+                    Some(successor) => {
+                        next.extend(successor.iter().enumerate().map(|(i, &s)| (s, key.child(step, i as u64))));
+                    }
+                }
+            }
+            word = next;
+        }
+        word.iter().map(|&(symbol, _)| program.alphabet[usize::from(symbol)]).collect()
+    }
+
+    #[test]
+    fn published_strings() {
+        let check = |axiom: &str, text: &[(char, &str)], n, expected: &str| {
+            let system = system(axiom, &rules(text), 0);
+            assert_eq!(expand(&system, n, &Limits::default()).unwrap(), expected);
+        };
+        check("X", &[('F', "FF"), ('X', "F[+X][-X]FX")], 1, "F[+X][-X]FX");
+        check("X", &[('F', "FF"), ('X', "F[+X][-X]FX")], 2, "FF[+F[+X][-X]FX][-F[+X][-X]FX]FFF[+X][-X]FX");
+        check("FA", &[('A', "[>FA][^FA]")], 2, "F[>F[>FA][^FA]][^F[>FA][^FA]]");
+        check("g", &[('g', "g[+g][-g]")], 2, "g[+g][-g][+g[+g][-g]][-g[+g][-g]]");
+        check("A", &[('A', "ALRI")], 3, "ALRILRILRI");
+        check("A", &[('A', "é→"), ('é', "")], 2, "→");
+    }
+
+    #[test]
+    fn counts_need_no_string() {
+        let algae = system("A", &rules(&[('A', "AB"), ('B', "A")]), 0);
+        let fibonacci = count_symbols(&algae, 1000).unwrap().to_string();
+        assert!(fibonacci.starts_with("113796925398360272257523782552224175572745930353730513145"));
+        assert_eq!(fibonacci.len(), 210);
+        let even = [('F', "F+F".to_owned(), Some(0.5)), ('F', "F-F".to_owned(), Some(0.5))];
+        assert_eq!(count_symbols(&system("F", &even, 0), 5).unwrap(), 63_u32.into());
+        let uneven = [('F', "F+F".to_owned(), Some(0.5)), ('F', "F".to_owned(), Some(0.5))];
+        assert_eq!(count_symbols(&system("F", &uneven, 0), 5), None);
+    }
+
+    #[test]
+    fn limits_name_the_largest_generation() {
+        let limits = Limits { symbols: 1000, ..Limits::default() };
+        let doubling = system("F", &rules(&[('F', "FF")]), 0);
+        let error = expand(&doubling, 1000, &limits).unwrap_err();
+        assert_eq!(error.kind, Kind::Limit { limit: LimitName::Symbols, value: 1000, largest: Some(9) });
+        assert_eq!(expand(&doubling, 9, &limits).unwrap().len(), 512);
+
+        let uneven = [('F', "FFF".to_owned(), Some(0.5)), ('F', "FF".to_owned(), Some(0.5))];
+        let random = system("F", &uneven, 3);
+        let Kind::Limit { largest: Some(n), .. } = expand(&random, 60, &limits).unwrap_err().kind else {
+            panic!("the largest generation is known")
+        };
+        assert!(expand(&random, n, &limits).is_ok() && expand(&random, n + 1, &limits).is_err());
+    }
+
+    #[test]
+    fn work_is_bounded_where_nothing_is_left() {
+        // Each letter makes two or three of the next, and the last deletes itself.
+        let letters: Vec<char> = ('A'..='Z').chain('a'..='z').collect();
+        let mut text: Vec<Rule> = vec![];
+        for pair in letters.windows(2) {
+            text.push((pair[0], pair[1].to_string().repeat(2), Some(1.0)));
+            text.push((pair[0], pair[1].to_string().repeat(3), Some(1.0)));
+        }
+        text.push(('z', String::new(), None));
+        let limits = Limits { work: 10_000, ..Limits::default() };
+        let error = expand(&system("A", &text, 0), 60, &limits).unwrap_err();
+        assert!(matches!(error.kind, Kind::Limit { limit: LimitName::Work, largest: Some(1..), .. }));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(crate::testing::cases()))]
+        #[test]
+        fn copies_equal_the_definition(
+            axiom in "[ABCF+]{1,6}",
+            successors in prop::collection::vec(("[ABC]", "[ABCFé+]{0,5}", prop::option::of(0.1..2.0)), 1..6),
+            n in 0_u32..7,
+            seed: u32,
+        ) {
+            let rules: Vec<Rule> =
+                successors.iter().map(|(p, s, w)| (p.chars().next().unwrap(), s.clone(), *w)).collect();
+            let system = system(&axiom, &rules, seed);
+            let expected = naive(&system, n);
+            prop_assert_eq!(&expand(&system, n, &Limits::default()).unwrap(), &expected);
+            if let Some(count) = count_symbols(&system, n) {
+                prop_assert_eq!(count, expected.chars().count().into());
+            }
+            if n == 1 {
+                prop_assert_eq!(expand_once(&system, &axiom, 1), expected);
+            }
+        }
+    }
+}
