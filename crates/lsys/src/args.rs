@@ -1,0 +1,278 @@
+//! The command line as a value.
+
+use lexopt::prelude::{Long, Short, Value};
+use lsystem::MAX_ITERATIONS;
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+/// What `lsys --help` prints.
+pub(crate) const HELP: &str = "\
+Derives, draws and inspects L-systems.
+
+usage: lsys expand FILE [-n N] [--seed S]
+       lsys draw FILE [OUT_BASE] [-n N] [--seed S] [--format svg|csv|txt]
+       lsys draw FILE... --out-dir DIR [-n N] [--seed S] [--format svg|csv|txt]
+       lsys info FILE... [-n N] [--seed S] [--json]
+       lsys FILE OUT_BASE
+
+  expand   prints the derived string
+  draw     writes OUT_BASE.txt (the string) and OUT_BASE.svg (the picture), or only the format asked for;
+           with a format and without OUT_BASE it prints that to standard output
+  info     prints exact counts, bounds and growth, without deriving the string where it can
+  lsys FILE OUT_BASE is short for lsys draw FILE OUT_BASE
+
+  FILE                 a system as JSON; - for standard input
+  -n, --iterations N   derivation steps, 0 to 1000, in place of the file's
+  --seed S             which random choices to make, 0 to 4294967295, in place of the file's
+  --format FORMAT      svg, csv (columns x0,y0,x1,y1,level,colour) or txt (the string)
+  --out-dir DIR        writes every FILE's output into DIR, named after the file
+  --json               one JSON object for a file, an array for several
+  -h, --help           prints this
+  -V, --version        prints the version
+
+Exit code 0: done. 1: something is wrong with a file, or a limit was passed. 2: wrong usage.
+";
+
+/// What to do.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Command {
+    /// Print the help text.
+    Help,
+    /// Print the version.
+    Version,
+    /// Print the string.
+    Expand { file: PathBuf, changes: Changes },
+    /// Write or print pictures.
+    Draw { jobs: Vec<Job>, changes: Changes },
+    /// Print facts.
+    Info { files: Vec<PathBuf>, json: bool, changes: Changes },
+}
+
+/// What the command line changes in a file's system.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Changes {
+    /// Derivation steps.
+    pub(crate) iterations: Option<u32>,
+    /// The seed.
+    pub(crate) seed: Option<u32>,
+}
+
+/// One file to draw.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Job {
+    /// The file to read.
+    pub(crate) file: PathBuf,
+    /// Where the result goes.
+    pub(crate) target: Target,
+}
+
+/// Where a drawing goes.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Target {
+    /// To standard output.
+    Print(Format),
+    /// To files: the base name without extension, and the formats.
+    Write(PathBuf, Vec<Format>),
+}
+
+/// A form of a drawing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Format {
+    /// The string.
+    Txt,
+    /// The picture.
+    Svg,
+    /// The segments.
+    Csv,
+}
+
+impl Format {
+    /// The file name's extension.
+    pub(crate) fn extension(self) -> &'static str {
+        match self {
+            Self::Txt => "txt",
+            Self::Svg => "svg",
+            Self::Csv => "csv",
+        }
+    }
+}
+
+/// The options as they stand, before they are matched with a command.
+#[derive(Default)]
+struct Options {
+    changes: Changes,
+    format: Option<Format>,
+    out_dir: Option<PathBuf>,
+    json: bool,
+}
+
+/// Reads a command line, without the program's name.
+///
+/// # Errors
+/// In words, when it is wrong.
+pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, String> {
+    let mut parser = lexopt::Parser::from_args(arguments);
+    let mut options = Options::default();
+    let mut words: Vec<OsString> = Vec::new();
+    let explain = |error: lexopt::Error| error.to_string();
+    while let Some(argument) = parser.next().map_err(explain)? {
+        match argument {
+            Short('h') | Long("help") => return Ok(Command::Help),
+            Short('V') | Long("version") => return Ok(Command::Version),
+            Short('n') | Long("iterations") => {
+                let text = parser.value().map_err(explain)?;
+                options.changes.iterations = Some(whole(&text, "-n", MAX_ITERATIONS)?);
+            }
+            Long("seed") => options.changes.seed = Some(whole(&parser.value().map_err(explain)?, "--seed", u32::MAX)?),
+            Long("format") => options.format = Some(format(&parser.value().map_err(explain)?)?),
+            Long("out-dir") => options.out_dir = Some(parser.value().map_err(explain)?.into()),
+            Long("json") => options.json = true,
+            Value(word) => words.push(word),
+            other => return Err(explain(other.unexpected())),
+        }
+    }
+    command(words, options)
+}
+
+/// Finds out which command the words mean.
+fn command(words: Vec<OsString>, options: Options) -> Result<Command, String> {
+    let mut words = words.into_iter().peekable();
+    let name = words.peek().and_then(|word| word.to_str()).unwrap_or_default().to_owned();
+    let named = matches!(name.as_str(), "expand" | "draw" | "info");
+    if named {
+        words.next();
+    }
+    let mut files: Vec<PathBuf> = words.map(PathBuf::from).collect();
+    let [first, ..] = files.as_slice() else {
+        let needs = if named { format!("lsys {name} needs a FILE") } else { "nothing to do".to_owned() };
+        return Err(needs);
+    };
+    let first = first.clone();
+
+    let Options { changes, format, out_dir, json } = options;
+    let drawing = !matches!(name.as_str(), "expand" | "info");
+    if !drawing && (format.is_some() || out_dir.is_some()) {
+        return Err("--format and --out-dir go with draw only".to_owned());
+    }
+    if json && name != "info" {
+        return Err("--json goes with info only".to_owned());
+    }
+    match name.as_str() {
+        "expand" => match files.len() {
+            1 => Ok(Command::Expand { file: first, changes }),
+            _ => Err("lsys expand takes one FILE".to_owned()),
+        },
+        "info" => Ok(Command::Info { files, json, changes }),
+        _ => {
+            let formats = format.map_or_else(|| vec![Format::Txt, Format::Svg], |format| vec![format]);
+            if let Some(folder) = out_dir {
+                return Ok(Command::Draw { jobs: into_folder(files, &folder, &formats)?, changes });
+            }
+            if !named && files.len() == 1 {
+                return Err(format!("what about {}? Try lsys draw FILE or lsys info FILE", first.display()));
+            }
+            let base = files.drain(1..).next_back();
+            let target = match (base, format) {
+                (Some(base), _) if base.extension().is_some_and(|e| e == "json") => {
+                    return Err(format!("OUT_BASE {} looks like a system; use --out-dir for many", base.display()));
+                }
+                (Some(base), _) => Target::Write(base, formats),
+                (None, Some(format)) => Target::Print(format),
+                (None, None) => Target::Write(stem(&first)?, formats),
+            };
+            Ok(Command::Draw { jobs: vec![Job { file: first, target }], changes })
+        }
+    }
+}
+
+/// A job for each file, named after it.
+fn into_folder(files: Vec<PathBuf>, folder: &std::path::Path, formats: &[Format]) -> Result<Vec<Job>, String> {
+    let mut jobs: Vec<Job> = Vec::new();
+    for file in files {
+        let base = folder.join(stem(&file)?);
+        let target = Target::Write(base.clone(), formats.to_vec());
+        if let Some(other) = jobs.iter().find(|job| job.target == target) {
+            let [one, two] = [&other.file, &file].map(|path| path.display());
+            return Err(format!("{one} and {two} would both be written to {}", base.display()));
+        }
+        jobs.push(Job { file, target });
+    }
+    Ok(jobs)
+}
+
+/// The name of an output for `file`, in the working folder.
+fn stem(file: &std::path::Path) -> Result<PathBuf, String> {
+    let name = file.file_name().filter(|name| *name != "-").ok_or("name an OUT_BASE or a --format")?;
+    let text = std::path::Path::new(name);
+    // Only `.json` is an extension here: the stem of `1.24d` is all of it.
+    Ok(if text.extension().is_some_and(|e| e == "json") { text.with_extension("") } else { text.to_owned() })
+}
+
+fn whole(text: &OsString, option: &str, most: u32) -> Result<u32, String> {
+    let text = text.to_string_lossy();
+    let number = text.parse().ok().filter(|&number| number <= most);
+    number.ok_or_else(|| format!("{option} takes a whole number from 0 to {most}, not `{text}`"))
+}
+
+fn format(text: &OsString) -> Result<Format, String> {
+    match text.to_str() {
+        Some("svg") => Ok(Format::Svg),
+        Some("csv") => Ok(Format::Csv),
+        Some("txt") => Ok(Format::Txt),
+        _ => Err(format!("--format takes svg, csv or txt, not `{}`", text.to_string_lossy())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use expect_test::{Expect, expect};
+
+    fn check(line: &str, expected: Expect) {
+        let parsed = parse(line.split_whitespace().map(OsString::from));
+        let text = match parsed {
+            Ok(Command::Draw { jobs, changes }) => {
+                let jobs: Vec<String> = jobs.iter().map(|job| format!("{:?} to {:?}", job.file, job.target)).collect();
+                format!("draw {} {changes:?}", jobs.join(", "))
+            }
+            Ok(other) => format!("{other:?}"),
+            Err(error) => format!("error: {error}"),
+        };
+        expected.assert_eq(&text);
+    }
+
+    #[test]
+    fn commands() {
+        check("expand a.json -n 3", expect![[]]);
+        check("a.json out", expect![[]]);
+        check("draw a.json", expect![[]]);
+        check("draw some/1.24d.json --seed=7", expect![[]]);
+        check("draw --format csv a.json", expect![[]]);
+        check("draw a.json out --format csv", expect![[]]);
+        check("draw a.json b.json --out-dir pictures", expect![[]]);
+        check("info a.json b.json --json", expect![[]]);
+        check("info -- -n", expect![[]]);
+        check("draw - --format svg", expect![[]]);
+        check("--help nonsense", expect![[]]);
+    }
+
+    #[test]
+    fn wrong_usage() {
+        check("", expect![[]]);
+        check("a.json", expect![[]]);
+        check("expand", expect![[]]);
+        check("expand a b", expect![[]]);
+        check("expand a -n -1", expect![[]]);
+        check("expand a -n 1001", expect![[]]);
+        check("expand a -n", expect![[]]);
+        check("expand a --seed x", expect![[]]);
+        check("expand a --json", expect![[]]);
+        check("expand a --format svg", expect![[]]);
+        check("draw a --format png", expect![[]]);
+        check("draw a.json b.json", expect![[]]);
+        check("draw a b c", expect![[]]);
+        check("draw -", expect![[]]);
+        check("draw x/a.json y/a.json --out-dir d", expect![[]]);
+        check("info a --loud", expect![[]]);
+    }
+}
