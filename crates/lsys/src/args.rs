@@ -171,7 +171,10 @@ fn command(words: Vec<OsString>, options: Options) -> Result<Command, String> {
             if !named && files.len() == 1 {
                 return Err(format!("what about {}? Try lsys draw FILE or lsys info FILE", first.display()));
             }
-            let base = files.drain(1..).next_back();
+            if files.len() > 2 {
+                return Err("draw takes one FILE and one OUT_BASE; use --out-dir for many files".to_owned());
+            }
+            let base = files.drain(1..).next();
             let target = match (base, format) {
                 (Some(base), _) if base.extension().is_some_and(|e| e == "json") => {
                     return Err(format!("OUT_BASE {} looks like a system; use --out-dir for many", base.display()));
@@ -229,11 +232,13 @@ mod tests {
     use expect_test::{Expect, expect};
 
     fn check(line: &str, expected: Expect) {
-        let parsed = parse(line.split_whitespace().map(OsString::from));
-        let text = match parsed {
+        let with = |Changes { iterations, seed }| format!("n {iterations:?} seed {seed:?}");
+        let text = match parse(line.split_whitespace().map(OsString::from)) {
+            Ok(Command::Expand { file, changes }) => format!("expand {file:?} {}", with(changes)),
+            Ok(Command::Info { files, json, changes }) => format!("info {files:?} json {json} {}", with(changes)),
             Ok(Command::Draw { jobs, changes }) => {
                 let jobs: Vec<String> = jobs.iter().map(|job| format!("{:?} to {:?}", job.file, job.target)).collect();
-                format!("draw {} {changes:?}", jobs.join(", "))
+                format!("draw {} {}", jobs.join(", "), with(changes))
             }
             Ok(other) => format!("{other:?}"),
             Err(error) => format!("error: {error}"),
@@ -243,36 +248,47 @@ mod tests {
 
     #[test]
     fn commands() {
-        check("expand a.json -n 3", expect![[]]);
-        check("a.json out", expect![[]]);
-        check("draw a.json", expect![[]]);
-        check("draw some/1.24d.json --seed=7", expect![[]]);
-        check("draw --format csv a.json", expect![[]]);
-        check("draw a.json out --format csv", expect![[]]);
-        check("draw a.json b.json --out-dir pictures", expect![[]]);
-        check("info a.json b.json --json", expect![[]]);
-        check("info -- -n", expect![[]]);
-        check("draw - --format svg", expect![[]]);
-        check("--help nonsense", expect![[]]);
+        check("expand a.json -n 3", expect![[r#"expand "a.json" n Some(3) seed None"#]]);
+        check("a.json out", expect![[r#"draw "a.json" to Write("out", [Txt, Svg]) n None seed None"#]]);
+        check("draw a.json", expect![[r#"draw "a.json" to Write("a", [Txt, Svg]) n None seed None"#]]);
+        check(
+            "draw some/1.24d.json --seed=7",
+            expect![[r#"draw "some/1.24d.json" to Write("1.24d", [Txt, Svg]) n None seed Some(7)"#]],
+        );
+        check("draw --format csv a.json", expect![[r#"draw "a.json" to Print(Csv) n None seed None"#]]);
+        check("draw a.json out --format csv", expect![[r#"draw "a.json" to Write("out", [Csv]) n None seed None"#]]);
+        check(
+            "draw a.json b.json --out-dir pictures",
+            expect![[
+                r#"draw "a.json" to Write("pictures/a", [Txt, Svg]), "b.json" to Write("pictures/b", [Txt, Svg]) n None seed None"#
+            ]],
+        );
+        check("info a.json b.json --json", expect![[r#"info ["a.json", "b.json"] json true n None seed None"#]]);
+        check("info -- -n", expect![[r#"info ["-n"] json false n None seed None"#]]);
+        check("draw - --format svg", expect![[r#"draw "-" to Print(Svg) n None seed None"#]]);
+        check("--help nonsense", expect!["Help"]);
     }
 
     #[test]
     fn wrong_usage() {
-        check("", expect![[]]);
-        check("a.json", expect![[]]);
-        check("expand", expect![[]]);
-        check("expand a b", expect![[]]);
-        check("expand a -n -1", expect![[]]);
-        check("expand a -n 1001", expect![[]]);
-        check("expand a -n", expect![[]]);
-        check("expand a --seed x", expect![[]]);
-        check("expand a --json", expect![[]]);
-        check("expand a --format svg", expect![[]]);
-        check("draw a --format png", expect![[]]);
-        check("draw a.json b.json", expect![[]]);
-        check("draw a b c", expect![[]]);
-        check("draw -", expect![[]]);
-        check("draw x/a.json y/a.json --out-dir d", expect![[]]);
-        check("info a --loud", expect![[]]);
+        check("", expect!["error: nothing to do"]);
+        check("a.json", expect!["error: what about a.json? Try lsys draw FILE or lsys info FILE"]);
+        check("expand", expect!["error: lsys expand needs a FILE"]);
+        check("expand a b", expect!["error: lsys expand takes one FILE"]);
+        check("expand a -n -1", expect!["error: -n takes a whole number from 0 to 1000, not `-1`"]);
+        check("expand a -n 1001", expect!["error: -n takes a whole number from 0 to 1000, not `1001`"]);
+        check("expand a -n", expect!["error: missing argument for option '-n'"]);
+        check("expand a --seed x", expect!["error: --seed takes a whole number from 0 to 4294967295, not `x`"]);
+        check("expand a --json", expect!["error: --json goes with info only"]);
+        check("expand a --format svg", expect!["error: --format and --out-dir go with draw only"]);
+        check("draw a --format png", expect!["error: --format takes svg, csv or txt, not `png`"]);
+        check("draw a.json b.json", expect!["error: OUT_BASE b.json looks like a system; use --out-dir for many"]);
+        check("draw a b c", expect!["error: draw takes one FILE and one OUT_BASE; use --out-dir for many files"]);
+        check("draw -", expect!["error: name an OUT_BASE or a --format"]);
+        check(
+            "draw x/a.json y/a.json --out-dir d",
+            expect!["error: x/a.json and y/a.json would both be written to d/a"],
+        );
+        check("info a --loud", expect!["error: invalid option '--loud'"]);
     }
 }
