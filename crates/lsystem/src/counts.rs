@@ -66,20 +66,25 @@ pub(crate) struct Unknown;
 
 /// By depth from 0 to `n`, then letter: the sum of `weight` over what the letter derives in that many steps,
 /// saturating. Letters with random choices count as themselves.
-pub(crate) fn sums_by_depth(program: &Program, n: u32, weight: impl Fn(SymbolId) -> u64) -> Vec<Vec<u64>> {
-    let own: Vec<u64> = (0..program.alphabet.len()).map(|symbol| weight(symbol as SymbolId)).collect();
-    let mut rows = vec![own];
+pub(crate) fn sums_by_depth(program: &Program, n: u32, weight: impl Fn(SymbolId) -> u64) -> Vec<Vec<u128>> {
+    let own = (0..program.alphabet.len()).map(|symbol| u128::from(weight(symbol as SymbolId))).collect();
+    let mut rows: Vec<Vec<u128>> = vec![own];
     for depth in 1..=n as usize {
         let below = &rows[depth - 1];
         let row = (program.rewrites.iter().zip(below))
             .map(|(rewrite, &own)| match rewrite {
-                Rewrite::Always(word) => word.iter().fold(0_u64, |sum, &s| sum.saturating_add(below[usize::from(s)])),
+                Rewrite::Always(word) => sum_of(below, word),
                 Rewrite::Keep | Rewrite::Choose(_) => own,
             })
             .collect();
         rows.push(row);
     }
     rows
+}
+
+/// The sum of the letters' numbers over a word, saturating.
+pub(crate) fn sum_of(by_letter: &[u128], word: &[SymbolId]) -> u128 {
+    word.iter().fold(0, |sum: u128, &s| sum.saturating_add(by_letter[usize::from(s)]))
 }
 
 /// What sums need of a number.

@@ -4,14 +4,14 @@
 //! ever after: expansion runs near the speed of memory. Random choices are keyed by place (`key.rs`), so letters can
 //! be derived one after the other, depth first, and no generation in between is ever held.
 
-use crate::counts::{counts_until, sums_by_depth};
+use crate::counts::{counts_until, sum_of, sums_by_depth};
 use crate::diagnostic::{Diagnostic, Kind, LimitName};
 use crate::program::{Program, Rewrite, SymbolId};
 use crate::{Key, Limits, MAX_ITERATIONS, System};
 
 /// Texts up to this many bytes are copied whole; longer ones are composed of them. The source of a copy then stays
 /// in the processor's nearest cache, and only the writing costs.
-const COPIED: u64 = 16 << 10;
+const COPIED: u128 = 16 << 10;
 
 /// What one derivation step makes of `symbol`. `roll`, uniform in `0.0..1.0`, selects among the successors of a
 /// stochastic production; others ignore it. A symbol that no production rewrites stays.
@@ -86,7 +86,8 @@ fn derive(system: &System, n: u32, limits: &Limits, mut visit: impl FnMut(Symbol
     let mut walk = Walk::new(system, n);
     let mut left = limits.symbols;
     while let Some((symbol, depth)) = walk.next(&fixed) {
-        left = left.checked_sub(symbols[depth as usize][usize::from(symbol)]).ok_or(LimitName::Symbols)?;
+        let derived = symbols[depth as usize][usize::from(symbol)];
+        left = u64::try_from(derived).ok().and_then(|derived| left.checked_sub(derived)).ok_or(LimitName::Symbols)?;
         if walk.work > limits.work {
             return Err(LimitName::Work);
         }
@@ -159,7 +160,7 @@ struct Writer<'a> {
     program: &'a Program,
     text: &'a mut String,
     /// By depth, then letter: bytes.
-    lengths: Vec<Vec<u64>>,
+    lengths: Vec<Vec<u128>>,
     /// By depth, then letter: where in `text` its text already stands.
     written: Vec<Vec<Option<usize>>>,
 }
@@ -173,8 +174,7 @@ impl<'a> Writer<'a> {
 
     /// Makes room for what is known of the text of `word`; false where there is none.
     fn reserve(&mut self, word: &[SymbolId]) -> bool {
-        let lengths = self.lengths.last().into_iter();
-        let bytes = lengths.flat_map(|row| word.iter().map(|&s| row[usize::from(s)])).sum::<u64>();
+        let bytes = self.lengths.last().map_or(0, |row| sum_of(row, word));
         usize::try_from(bytes).is_ok_and(|bytes| self.text.try_reserve_exact(bytes).is_ok())
     }
 
@@ -222,34 +222,12 @@ pub(crate) fn fixed(program: &Program) -> Vec<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Grammar, Heading, Module, Production, Style, Turtle, count_symbols};
+    use crate::count_symbols;
+    use crate::testing::{Rule, cases, system};
     use proptest::prelude::*;
 
-    type Rule = (char, String, Option<f64>);
-
-    fn system(axiom: &str, rules: &[Rule], seed: u32) -> System {
-        let modules = |text: &str| text.chars().map(Module::from).collect::<Vec<_>>();
-        let productions = rules.iter().map(|(predecessor, successor, weight)| Production {
-            predecessor: Module::from(*predecessor),
-            successor: modules(successor),
-            weight: *weight,
-        });
-        let grammar = Grammar { axiom: modules(axiom), productions: productions.collect(), constants: vec![] };
-        let program = Program::new(&grammar);
-        let turtle = Turtle {
-            actions: vec![vec![]; program.alphabet.len()],
-            left: Heading::EAST,
-            right: Heading::EAST,
-            heading: Heading::UP,
-            start: [0.0; 2],
-            step: 1.0,
-            width: 0.0,
-        };
-        System { grammar, program, turtle, style: Style::default(), seed }
-    }
-
-    fn rules(text: &[(char, &str)]) -> Vec<Rule> {
-        text.iter().map(|&(p, s)| (p, s.to_owned(), None)).collect()
+    fn rules<'a>(text: &[(char, &'a str)]) -> Vec<Rule<'a>> {
+        text.iter().map(|&(p, s)| (p, s, None)).collect()
     }
 
     /// One generation after the other, every letter with its key: the definition, word for word.
@@ -292,9 +270,9 @@ mod tests {
         let fibonacci = count_symbols(&algae, 1000).unwrap().to_string();
         assert!(fibonacci.starts_with("113796925398360272257523782552224175572745930353730513145"));
         assert_eq!(fibonacci.len(), 210);
-        let even = [('F', "F+F".to_owned(), Some(0.5)), ('F', "F-F".to_owned(), Some(0.5))];
+        let even = [('F', "F+F", Some(0.5)), ('F', "F-F", Some(0.5))];
         assert_eq!(count_symbols(&system("F", &even, 0), 5).unwrap(), 63_u32.into());
-        let uneven = [('F', "F+F".to_owned(), Some(0.5)), ('F', "F".to_owned(), Some(0.5))];
+        let uneven = [('F', "F+F", Some(0.5)), ('F', "F", Some(0.5))];
         assert_eq!(count_symbols(&system("F", &uneven, 0), 5), None);
     }
 
@@ -306,7 +284,7 @@ mod tests {
         assert_eq!(error.kind, Kind::Limit { limit: LimitName::Symbols, value: 1000, largest: Some(9) });
         assert_eq!(expand(&doubling, 9, &limits).unwrap().len(), 512);
 
-        let uneven = [('F', "FFF".to_owned(), Some(0.5)), ('F', "FF".to_owned(), Some(0.5))];
+        let uneven = [('F', "FFF", Some(0.5)), ('F', "FF", Some(0.5))];
         let random = system("F", &uneven, 3);
         let Kind::Limit { largest: Some(n), .. } = expand(&random, 60, &limits).unwrap_err().kind else {
             panic!("the largest generation is known")
@@ -318,19 +296,19 @@ mod tests {
     fn work_is_bounded_where_nothing_is_left() {
         // Each letter makes two or three of the next, and the last deletes itself.
         let letters: Vec<char> = ('A'..='Z').chain('a'..='z').collect();
-        let mut text: Vec<Rule> = vec![];
-        for pair in letters.windows(2) {
-            text.push((pair[0], pair[1].to_string().repeat(2), Some(1.0)));
-            text.push((pair[0], pair[1].to_string().repeat(3), Some(1.0)));
+        let repeated: Vec<[String; 2]> =
+            letters.iter().map(|c| [2, 3].map(|times| c.to_string().repeat(times))).collect();
+        let mut text: Vec<Rule> = vec![('z', "", None)];
+        for (letter, next) in letters.iter().zip(&repeated[1..]) {
+            text.extend(next.iter().map(|successor| (*letter, successor.as_str(), Some(1.0))));
         }
-        text.push(('z', String::new(), None));
         let limits = Limits { work: 10_000, ..Limits::default() };
         let error = expand(&system("A", &text, 0), 60, &limits).unwrap_err();
         assert!(matches!(error.kind, Kind::Limit { limit: LimitName::Work, largest: Some(1..), .. }));
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(crate::testing::cases()))]
+        #![proptest_config(ProptestConfig::with_cases(cases()))]
         #[test]
         fn copies_equal_the_definition(
             axiom in "[ABCF+]{1,6}",
@@ -339,7 +317,7 @@ mod tests {
             seed: u32,
         ) {
             let rules: Vec<Rule> =
-                successors.iter().map(|(p, s, w)| (p.chars().next().unwrap(), s.clone(), *w)).collect();
+                successors.iter().map(|(p, s, w)| (p.chars().next().unwrap(), s.as_str(), *w)).collect();
             let system = system(&axiom, &rules, seed);
             let expected = naive(&system, n);
             prop_assert_eq!(&expand(&system, n, &Limits::default()).unwrap(), &expected);

@@ -1,9 +1,11 @@
 //! L-systems: grammar, derivation, turtle and drawing.
 
+mod access;
 mod action;
 mod counts;
 mod definition;
 mod derivation;
+mod describe;
 mod diagnostic;
 mod dialect;
 mod drawing;
@@ -18,10 +20,12 @@ mod system;
 mod testing;
 mod turtle;
 
+pub use access::{Ancestor, Word};
 pub use action::Action;
 pub use counts::{count, count_segments, count_symbols};
 pub use definition::Definition;
 pub use derivation::{expand, expand_into, expand_once, expand_symbol};
+pub use describe::{LegendEntry, describe, legend, short_count, why_empty};
 pub use diagnostic::{Diagnostic, Field, Kind, LimitName, Severity};
 pub use dialect::Dialect;
 pub use drawing::{

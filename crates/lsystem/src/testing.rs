@@ -1,6 +1,33 @@
 //! What the tests of several files share.
 
+use crate::{Grammar, Heading, Module, Production, Program, Style, System, Turtle};
+
 /// How many cases a property test tries: 500, or what the environment variable `LSYSTEM_CASES` says.
 pub(crate) fn cases() -> u32 {
     std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500)
+}
+
+/// Predecessor, successor, weight.
+pub(crate) type Rule<'a> = (char, &'a str, Option<f64>);
+
+/// A system whose letters do nothing.
+pub(crate) fn system(axiom: &str, rules: &[Rule], seed: u32) -> System {
+    let modules = |text: &str| text.chars().map(Module::from).collect::<Vec<_>>();
+    let productions = rules.iter().map(|&(predecessor, successor, weight)| Production {
+        predecessor: Module::from(predecessor),
+        successor: modules(successor),
+        weight,
+    });
+    let grammar = Grammar { axiom: modules(axiom), productions: productions.collect(), constants: vec![] };
+    let program = Program::new(&grammar);
+    let turtle = Turtle {
+        actions: vec![vec![]; program.alphabet.len()],
+        left: Heading::EAST,
+        right: Heading::EAST,
+        heading: Heading::UP,
+        start: [0.0; 2],
+        step: 1.0,
+        width: 0.0,
+    };
+    System { grammar, program, turtle, style: Style::default(), seed }
 }

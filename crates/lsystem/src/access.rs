@@ -1,0 +1,239 @@
+//! Random access into a generation too long to be written down.
+//!
+//! The counts of every letter's derivation say which letter holds a given position, so a position is found by going
+//! down from the axiom, once per generation, however long the string is.
+
+use crate::counts::{segments_of, sum_of, sums_by_depth};
+use crate::program::{Rewrite, SymbolId};
+use crate::{MAX_ITERATIONS, System};
+
+/// Generation `n` of a system without random choices, read in place.
+#[derive(Clone, Debug)]
+pub struct Word<'a> {
+    system: &'a System,
+    n: u32,
+    /// By depth, then letter: symbols derived; `u128::MAX` stands for that many or more.
+    symbols: Vec<Vec<u128>>,
+    /// By depth, then letter: segments drawn; `u128::MAX` stands for that many or more.
+    segments: Vec<Vec<u128>>,
+}
+
+/// One link of the chain from the axiom to a symbol: where it stood in a generation, and what put it there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Ancestor {
+    /// The generation, 0 for the axiom.
+    pub generation: u32,
+    /// The symbol.
+    pub symbol: char,
+    /// Its position in the string of that generation, 0-based.
+    pub index: u128,
+    /// The production that made it, as an index into [`Grammar::productions`](crate::Grammar::productions); `None`
+    /// for a symbol of the axiom and for one that stayed because no production rewrites it.
+    pub production: Option<usize>,
+    /// Its place in that production's successor, or in the axiom, 0-based; 0 for a symbol that stayed.
+    pub position: usize,
+}
+
+impl<'a> Word<'a> {
+    /// Generation `n` of `system`; `None` where random choices decide it or `n` is above [`MAX_ITERATIONS`].
+    #[must_use]
+    pub fn new(system: &'a System, n: u32) -> Option<Self> {
+        if n > MAX_ITERATIONS || !system.program.is_deterministic() {
+            return None;
+        }
+        let program = &system.program;
+        let symbols = sums_by_depth(program, n, |_| 1);
+        let segments = sums_by_depth(program, n, |symbol| segments_of(system, symbol));
+        Some(Self { system, n, symbols, segments })
+    }
+
+    /// How many symbols it has; `u128::MAX` stands for that many or more, of which only the first can be reached.
+    #[must_use]
+    pub fn symbols(&self) -> u128 {
+        sum_of(&self.symbols[self.n as usize], &self.system.program.axiom)
+    }
+
+    /// How many segments it draws; `u128::MAX` stands for that many or more.
+    #[must_use]
+    pub fn segments(&self) -> u128 {
+        sum_of(&self.segments[self.n as usize], &self.system.program.axiom)
+    }
+
+    /// The symbols from position `start` (0-based) on, at most `length` of them, fewer at the end.
+    #[must_use]
+    pub fn slice(&self, start: u128, length: usize) -> String {
+        let program = &self.system.program;
+        let mut text = String::new();
+        let mut left = length;
+        // What is still to be read, last first: letters with the steps they have to go.
+        let mut open: Vec<(SymbolId, u32)> = program.axiom.iter().rev().map(|&s| (s, self.n)).collect();
+        let mut skip = start;
+        while left > 0 {
+            let Some((symbol, depth)) = open.pop() else { break };
+            let count = self.symbols[depth as usize][usize::from(symbol)];
+            if skip >= count {
+                skip -= count;
+                continue;
+            }
+            match self.successor(symbol, depth) {
+                Some(successor) => open.extend(successor.iter().rev().map(|&s| (s, depth - 1))),
+                None => {
+                    text.push(program.alphabet[usize::from(symbol)]);
+                    left -= 1;
+                }
+            }
+        }
+        text
+    }
+
+    /// The chain from the axiom to the symbol at `index`, a link for each generation; empty beyond the end.
+    #[must_use]
+    pub fn ancestry(&self, index: u128) -> Vec<Ancestor> {
+        self.descend(index, &self.symbols)
+    }
+
+    /// The position of the symbol that draws the segment at `segment` (0-based, in drawing order).
+    #[must_use]
+    pub fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
+        Some(self.descend(segment, &self.segments).last()?.index)
+    }
+
+    /// How many segments the symbols before position `index` draw.
+    #[must_use]
+    pub fn segments_before(&self, index: u128) -> u128 {
+        let mut segments = 0_u128;
+        let (mut word, mut depth, mut skip) = (self.system.program.axiom.as_slice(), self.n as usize, index);
+        loop {
+            let inside = word.iter().find(|&&s| {
+                let count = self.symbols[depth][usize::from(s)];
+                if skip >= count {
+                    skip -= count;
+                    segments = segments.saturating_add(self.segments[depth][usize::from(s)]);
+                    return false;
+                }
+                true
+            });
+            match inside.and_then(|&symbol| self.successor(symbol, depth as u32)) {
+                Some(successor) => (word, depth) = (successor, depth - 1),
+                None => return segments,
+            }
+        }
+    }
+
+    /// Goes down to the letter that holds place `place` when letters are counted by `counts`.
+    fn descend(&self, place: u128, counts: &[Vec<u128>]) -> Vec<Ancestor> {
+        let program = &self.system.program;
+        let mut chain: Vec<Ancestor> = Vec::new();
+        // By generation: how many of its symbols stand before the current letter.
+        let mut before = vec![0_u128; self.n as usize + 1];
+        let mut word = program.axiom.as_slice();
+        let mut made_by = None;
+        let mut skip = place;
+        for generation in 0..=self.n {
+            let depth = (self.n - generation) as usize;
+            let held = word.iter().position(|&symbol| {
+                let count = counts[depth][usize::from(symbol)];
+                if skip < count {
+                    return true;
+                }
+                skip -= count;
+                for later in generation..=self.n {
+                    let derived = self.symbols[(later - generation) as usize][usize::from(symbol)];
+                    let slot = &mut before[later as usize];
+                    *slot = slot.saturating_add(derived);
+                }
+                false
+            });
+            let Some(position) = held else { return Vec::new() };
+            let symbol = word[position];
+            let index = before[generation as usize];
+            let letter = program.alphabet[usize::from(symbol)];
+            chain.push(Ancestor { generation, symbol: letter, index, production: made_by, position });
+            match &program.rewrites[usize::from(symbol)] {
+                Rewrite::Always(successor) => {
+                    word = successor;
+                    made_by = self.system.grammar.productions.iter().position(|p| p.predecessor.symbol == letter);
+                }
+                Rewrite::Keep | Rewrite::Choose(_) => {
+                    word = core::slice::from_ref(&word[position]);
+                    made_by = None;
+                }
+            }
+        }
+        chain
+    }
+
+    /// What a letter with `depth` steps to go becomes in the next; `None` where it stays as it is to the end.
+    fn successor(&self, symbol: SymbolId, depth: u32) -> Option<&'a [SymbolId]> {
+        match &self.system.program.rewrites[usize::from(symbol)] {
+            Rewrite::Always(successor) if depth > 0 => Some(successor),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{cases, system};
+    use crate::{Action, Limits, expand};
+    use proptest::prelude::*;
+
+    #[test]
+    fn a_page_of_an_endless_string() {
+        let system = system("X", &[('X', "F[+X]F[-X]+X", None), ('F', "FF", None)], 0);
+        let word = Word::new(&system, 60).unwrap();
+        assert_eq!(word.slice(0, 8), "FFFFFFFF");
+        assert!(word.symbols() > 1 << 90);
+        assert_eq!(word.slice(word.symbols() - 12, 99), "F[+X]F[-X]+X");
+        let chain = word.ancestry(word.symbols() - 1);
+        assert_eq!(chain.len(), 61);
+        let last = chain.last().unwrap();
+        assert_eq!((last.symbol, last.production, last.position), ('X', Some(0), 11));
+        assert_eq!(word.ancestry(word.symbols()), []);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(cases()))]
+        #[test]
+        fn places_equal_those_of_the_string(
+            axiom in "[ABF+]{1,5}",
+            a in "[ABF+]{0,4}",
+            b in "[ABF+]{0,4}",
+            n in 0_u32..6,
+            start in 0_usize..2000,
+            length in 0_usize..300,
+        ) {
+            let mut system = system(&axiom, &[('A', &a, None), ('B', &b, None)], 0);
+            for (id, &symbol) in system.program.alphabet.iter().enumerate() {
+                let draws = match symbol { 'F' => 1, 'B' => 2, _ => 0 };
+                system.turtle.actions[id] = vec![Action::Draw(None); draws];
+            }
+            let strings: Vec<Vec<char>> =
+                (0..=n).map(|n| expand(&system, n, &Limits::default()).unwrap().chars().collect()).collect();
+            let string = strings.last().unwrap();
+            let word = Word::new(&system, n).unwrap();
+            prop_assert_eq!(word.symbols(), string.len() as u128);
+            let expected: String = string.iter().skip(start).take(length).collect();
+            prop_assert_eq!(word.slice(start as u128, length), expected);
+
+            let draws = |c: &char| match c { 'F' => 1, 'B' => 2, _ => 0 };
+            if let Some(&symbol) = string.get(start) {
+                let chain = word.ancestry(start as u128);
+                prop_assert_eq!(chain.len(), n as usize + 1);
+                prop_assert_eq!(chain.last().unwrap().symbol, symbol);
+                prop_assert_eq!(chain.last().unwrap().index, start as u128);
+                for link in &chain {
+                    prop_assert_eq!(strings[link.generation as usize][link.index as usize], link.symbol);
+                }
+                let before: usize = string[..start].iter().map(draws).sum();
+                prop_assert_eq!(word.segments_before(start as u128), before as u128);
+            }
+            let drawing: Vec<usize> =
+                string.iter().enumerate().flat_map(|(i, c)| vec![i; draws(c)]).collect();
+            prop_assert_eq!(word.segments(), drawing.len() as u128);
+            let found = word.symbol_of_segment(start as u128);
+            prop_assert_eq!(found, drawing.get(start).map(|&i| i as u128));
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! Systems and drawings in words: the legend of symbols, why nothing is drawn, a picture's text alternative.
+
+use crate::counts::{count, segments_of};
+use crate::program::Rewrite;
+use crate::{Action, Heading, MAX_ITERATIONS, System};
+use num_bigint::BigUint;
+
+/// What one symbol of a system does, for people.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LegendEntry {
+    /// The symbol.
+    pub symbol: char,
+    /// What it makes the turtle do, in words.
+    pub actions: String,
+    /// Whether a production replaces it.
+    pub rewritten: bool,
+}
+
+/// The symbols that occur in any generation, sorted, with what they do.
+#[must_use]
+pub fn legend(system: &System) -> Vec<LegendEntry> {
+    let program = &system.program;
+    let reachable = program.reachable();
+    (0..program.alphabet.len())
+        .filter(|&id| reachable[id])
+        .map(|id| {
+            let actions: Vec<String> = system.turtle.actions[id].iter().map(|&a| action_words(system, a)).collect();
+            LegendEntry {
+                symbol: program.alphabet[id],
+                actions: if actions.is_empty() { "draws nothing".to_owned() } else { actions.join(", then ") },
+                rewritten: !matches!(program.rewrites[id], Rewrite::Keep),
+            }
+        })
+        .collect()
+}
+
+fn action_words(system: &System, action: Action) -> String {
+    let along = |verb: &str, length: Option<f64>| match length {
+        None => format!("{verb} one step"),
+        Some(length) => format!("{verb} {length}"),
+    };
+    let turn = |side: &str, degrees: Option<f64>, own: Heading| {
+        format!("turns {side} by {}°", degrees.unwrap_or_else(|| own.degrees()))
+    };
+    match action {
+        Action::Draw(length) => along("draws", length),
+        Action::Move(length) => along("moves", length),
+        Action::TurnLeft(degrees) => turn("left", degrees, system.turtle.left),
+        Action::TurnRight(degrees) => turn("right", degrees, system.turtle.right),
+        Action::TurnRound => "turns round".to_owned(),
+        Action::Push => "starts a branch".to_owned(),
+        Action::Pop => "ends the branch".to_owned(),
+        Action::SetColour(index) => format!("takes colour {index}"),
+        Action::AddColour(1) => "takes the next colour".to_owned(),
+        Action::AddColour(-1) => "takes the previous colour".to_owned(),
+        Action::AddColour(by) => format!("goes {by} colours on"),
+        Action::SetWidth(width) => format!("draws {width} steps wide"),
+        Action::ScaleWidth(factor) if factor < 1.0 => format!("draws thinner (x {factor:.3})"),
+        Action::ScaleWidth(factor) => format!("draws thicker (x {factor:.3})"),
+    }
+}
+
+/// Why generation `n` draws nothing, or `None` when it draws something or that is up to random choices.
+#[must_use]
+pub fn why_empty(system: &System, n: u32) -> Option<String> {
+    let drawn_at = |n: u32| count(&system.program, n, |s| segments_of(system, s));
+    if drawn_at(n)? != BigUint::ZERO {
+        return None;
+    }
+    if system.program.axiom.is_empty() {
+        return Some("The axiom is empty: type a symbol to start from, for example F.".to_owned());
+    }
+    // A letter that can be reached at all is reached within as many steps as there are letters.
+    let far = (n + 1 + system.program.alphabet.len() as u32).min(MAX_ITERATIONS);
+    let first: String = system.program.axiom.iter().take(8).map(|&s| system.program.alphabet[usize::from(s)]).collect();
+    for later in n + 1..=far {
+        if drawn_at(later).is_some_and(|segments| segments != BigUint::ZERO) {
+            let subject = if n == 0 { first } else { format!("Generation {n}") };
+            return Some(format!("{subject} draws nothing yet: try n = {later}."));
+        }
+    }
+    if n > 0 && drawn_at(0).is_some_and(|segments| segments != BigUint::ZERO) {
+        return Some("Every symbol that draws has been rewritten away: try fewer iterations.".to_owned());
+    }
+    Some(
+        "No symbol of this system draws: use one that does (F in most dialects), or give one a meaning such as \
+         `X: draw`."
+            .to_owned(),
+    )
+}
+
+/// A count for people: whole with separators up to nine digits, then as `1.23 × 10^45`.
+#[must_use]
+pub fn short_count(count: &BigUint) -> String {
+    let digits = count.to_string();
+    if digits.len() > 9 {
+        return format!("{}.{} × 10^{}", &digits[..1], &digits[1..3], digits.len() - 1);
+    }
+    let mut grouped = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            grouped.push(',');
+        }
+        grouped.push(digit);
+    }
+    grouped
+}
+
+/// A picture's text alternative: how much is drawn and how large it is. `bounds` as
+/// [`Drawing::bounds`](crate::Drawing::bounds).
+#[must_use]
+pub fn describe(system: &System, n: u32, segments: &BigUint, bounds: Option<[f64; 4]>) -> String {
+    let Some([min_x, min_y, max_x, max_y]) = bounds else {
+        return why_empty(system, n).unwrap_or_else(|| "Nothing is drawn.".to_owned());
+    };
+    let steps = if n == 1 { "step" } else { "steps" };
+    let lines = if *segments == 1_u32.into() { "line" } else { "lines" };
+    let (width, height) = (max_x - min_x, max_y - min_y);
+    let form = if width > 3.0 * height {
+        "much wider than high"
+    } else if height > 3.0 * width {
+        "much higher than wide"
+    } else if width > 1.25 * height {
+        "wider than high"
+    } else if height > 1.25 * width {
+        "higher than wide"
+    } else {
+        "about as wide as high"
+    };
+    let branches = system.turtle.actions.iter().any(|actions| actions.contains(&Action::Push));
+    let what = if branches { "A branching figure" } else { "A line figure" };
+    let random = if system.program.is_deterministic() { "" } else { ", one of many that chance can give" };
+    format!("{what} of {} {lines} after {n} derivation {steps}, {form}{random}.", short_count(segments))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_are_short() {
+        let short = |text: &str| short_count(&text.parse().unwrap());
+        assert_eq!(short("0"), "0");
+        assert_eq!(short("1234"), "1,234");
+        assert_eq!(short("123456789"), "123,456,789");
+        assert_eq!(short("1264937032042997393488322560"), "1.26 × 10^27");
+    }
+}
