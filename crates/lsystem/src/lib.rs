@@ -9,6 +9,7 @@ mod describe;
 mod diagnostic;
 mod dialect;
 mod drawing;
+mod expr;
 mod grammar;
 mod heading;
 mod key;
@@ -31,6 +32,7 @@ pub use dialect::Dialect;
 pub use drawing::{
     Block, BlockId, ColourChange, Drawing, Item, Placed, Segment, Stroke, StyleChange, StyleId, WidthChange,
 };
+pub use expr::{Code, Expr, Function, Meaning, Op, Operator, SIGN, STACK, Unusable};
 pub use grammar::{Constant, Grammar, Module, Production};
 pub use heading::Heading;
 pub use key::Key;
