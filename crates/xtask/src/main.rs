@@ -1,2 +1,86 @@
-//! Under construction.
-fn main() {}
+//! The developer's one tool: a `match` on one word.
+
+mod bindgen;
+mod build;
+mod files;
+mod lint;
+mod page;
+mod report;
+mod serve;
+mod server;
+mod size;
+mod test;
+mod tools;
+mod workspace;
+
+use anyhow::{Result, bail};
+use std::ffi::OsString;
+use std::process::ExitCode;
+use workspace::Workspace;
+
+const USAGE: &str = "\
+usage: cargo xtask COMMAND
+
+  build                  the page, ready to be put on any static host under any path: dist/
+  serve [--port N]       build, then serve dist/ on this machine (port 8080 or the next free one)
+  test [--thorough] [PART ...]
+                         everything that must hold before a change is merged; PART is any of
+                         lint, native, wasm, size, page; --thorough makes the property tests long
+  lint                   formatting, clippy and documentation, warnings being errors
+
+Needs: Rust by rustup (the wasm target is added when missing); for test and bench also Node.js 20 or newer with
+npm, Chromium and ChromeDriver (installed when missing where this runs as root on Debian).
+";
+
+fn main() -> ExitCode {
+    let mut words = std::env::args_os();
+    let program = words.next().unwrap_or_default();
+    let Some(command) = words.next() else {
+        print!("{USAGE}");
+        return ExitCode::FAILURE;
+    };
+    match run(&program, &command.to_string_lossy(), words.collect()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(program: &OsString, command: &str, rest: Vec<OsString>) -> Result<()> {
+    // Cargo calls this one for every wasm test binary (.cargo/config.toml), in the tested crate's folder.
+    if command == "wasm-bindgen-test-runner" {
+        return bindgen::test_runner([program.clone()].into_iter().chain(rest));
+    }
+    let mut words = rest.iter().map(|word| word.to_str().unwrap_or("�"));
+    match command {
+        "build" => {
+            no_more(words)?;
+            build::build(&Workspace::find()?)
+        }
+        "serve" => {
+            let port = match (words.next(), words.next()) {
+                (None, _) => None,
+                (Some("--port"), Some(port)) => Some(port.parse::<u16>().or_else(|_| bail!("`{port}` is not a port"))?),
+                _ => bail!("usage: cargo xtask serve [--port N]"),
+            };
+            no_more(words)?;
+            serve::serve(&Workspace::find()?, port)
+        }
+        "test" => test::test(&Workspace::find()?, &test::Options::read(words)?),
+        "lint" => {
+            no_more(words)?;
+            test::test(&Workspace::find()?, &test::Options::read(["lint"].into_iter())?)
+        }
+        "help" | "--help" | "-h" => {
+            print!("{USAGE}");
+            Ok(())
+        }
+        _ => bail!("there is no command `{command}`\n\n{USAGE}"),
+    }
+}
+
+fn no_more<'a>(mut words: impl Iterator<Item = &'a str>) -> Result<()> {
+    words.next().map_or(Ok(()), |word| bail!("what does `{word}` mean here? `cargo xtask help` lists the commands"))
+}

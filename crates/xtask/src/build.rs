@@ -1,0 +1,106 @@
+//! `cargo xtask build`: the page, the worker and the wasm in one folder that any static host can serve.
+
+use crate::workspace::{Workspace, run};
+use crate::{bindgen, files, tools};
+use anyhow::{Context, Result};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Builds everything and puts it in place of `dist/` at once: whoever reads `dist/` finds the old site or the new one.
+pub(crate) fn build(workspace: &Workspace) -> Result<()> {
+    let generated = wasm(workspace)?;
+    let new = tempfile::Builder::new().prefix(".dist-").tempdir_in(&workspace.root)?;
+    let site = new.path().join("site");
+    page(&workspace.www(), &site)?;
+    worker(&workspace.www(), &generated, &site)?;
+    fs::copy(generated.join(format!("{}_bg.wasm", bindgen::NAME)), site.join("lsystem.wasm"))?;
+    replace(&site, &workspace.dist(), &new.path().join("old"))
+}
+
+/// Compiles the boundary crate and generates its JavaScript; returns the folder it is in.
+fn wasm(workspace: &Workspace) -> Result<PathBuf> {
+    tools::wasm_target()?;
+    let target = tools::WASM_TARGET;
+    run(&mut workspace.cargo(["build", "--release", "--lib", "--package=lsystem-wasm", "--target", target]))?;
+    // The page's type check reads the generated types here: www/tsconfig.worker.json.
+    let out = workspace.root.join("target/wasm-bindgen");
+    let wasm = workspace.target.join(target).join("release/lsystem_wasm.wasm");
+    bindgen::generate(&wasm, &out)?;
+    Ok(out)
+}
+
+/// Copies what is shipped of `www`.
+fn page(www: &Path, site: &Path) -> Result<()> {
+    for file in files::list(www, is_shipped)? {
+        files::write(&site.join(file.strip_prefix(www)?), files::read(&file)?)?;
+    }
+    Ok(())
+}
+
+/// Whether a file or folder of `www` belongs to the page, rather than to its development. `worker.js` is shipped as a
+/// part of another file.
+fn is_shipped(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let development = ["node_modules", "test", "package.json", "package-lock.json", "worker.js"];
+    let at_the_top = path.components().count() == 1;
+    !(name.starts_with('.')
+        || name.ends_with(".d.ts")
+        || name.ends_with(".md")
+        || at_the_top && (development.contains(&&*name) || name.starts_with("tsconfig")))
+}
+
+/// One classic script from the generated JavaScript and ours: module workers and imports fail in sandboxed frames and
+/// from files, one script handed over as text does not.
+fn worker(www: &Path, generated: &Path, site: &Path) -> Result<()> {
+    let glue = files::read_text(&generated.join(format!("{}.js", bindgen::NAME)))?;
+    let ours = files::read_text(&www.join("worker.js"))?;
+    files::write(&site.join("worker.js"), format!("{glue}\n{ours}"))
+}
+
+/// Puts `new` where `place` is, moving what is there to `old`.
+fn replace(new: &Path, place: &Path, old: &Path) -> Result<()> {
+    if place.exists() {
+        fs::rename(place, old).with_context(|| format!("moving {} out of the way", place.display()))?;
+    }
+    fs::rename(new, place).with_context(|| format!("putting {} in place", place.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ships_the_page_and_nothing_of_its_development() {
+        for path in
+            ["index.html", "view/canvas.js", "icons/leaf.svg", "manifest.webmanifest", "view/test.js", "test.js"]
+        {
+            assert!(is_shipped(Path::new(path)), "{path}");
+        }
+        for path in [".npmrc", "node_modules", "test", "package.json", "tsconfig.worker.json", "worker.js", "a/b.d.ts"]
+        {
+            assert!(!is_shipped(Path::new(path)), "{path}");
+        }
+    }
+
+    #[test]
+    fn replaces_a_folder_whole() -> Result<()> {
+        let folder = tempfile::tempdir()?;
+        let [new, place, old] = ["new", "place", "old"].map(|name| folder.path().join(name));
+        files::write(&place.join("gone"), "1")?;
+        files::write(&new.join("here"), "2")?;
+        replace(&new, &place, &old)?;
+        assert_eq!(files::list(&place, |_| true)?, [place.join("here")]);
+        Ok(())
+    }
+
+    #[test]
+    fn joins_the_worker() -> Result<()> {
+        let folder = tempfile::tempdir()?;
+        let [www, generated, site] = ["www", "generated", "site"].map(|name| folder.path().join(name));
+        files::write(&www.join("worker.js"), "use(glue)")?;
+        files::write(&generated.join("lsystem_wasm.js"), "let glue = 1;")?;
+        worker(&www, &generated, &site)?;
+        assert_eq!(files::read_text(&site.join("worker.js"))?, "let glue = 1;\nuse(glue)");
+        Ok(())
+    }
+}

@@ -1,0 +1,16 @@
+//! Formatting, clippy and documentation: warnings are errors.
+
+use crate::report::Report;
+use crate::tools;
+use crate::workspace::{Workspace, run};
+
+pub(crate) fn steps(workspace: &Workspace, report: &mut Report) {
+    report.step("formatting", || run(&mut workspace.cargo(["fmt", "--all", "--check"])));
+    report.step("clippy", || run(&mut workspace.cargo(["clippy", "--all-targets", "--", "-D", "warnings"])));
+    report.step("clippy for wasm", || {
+        tools::wasm_target()?;
+        let what = ["clippy", "--all-targets", "--package=lsystem-wasm", "--target", tools::WASM_TARGET];
+        run(workspace.cargo(what).args(["--", "-D", "warnings"]))
+    });
+    report.step("documentation", || run(workspace.cargo(["doc", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings")));
+}

@@ -1,0 +1,96 @@
+//! The page's checks: types, unit tests in Node.js, end-to-end tests in a real browser.
+
+use crate::report::Report;
+use crate::workspace::{Workspace, run};
+use crate::{files, server, tools};
+use anyhow::{Result, bail};
+use std::net::TcpListener;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::thread;
+
+/// Where the end-to-end tests find the page: not at the root, so that every absolute address in it is found out.
+const MOUNT: &str = "/some/where/";
+
+/// Checks the page that has just been built.
+pub(crate) fn steps(workspace: &Workspace, report: &mut Report) {
+    let www = workspace.www();
+    if !report.step("packages for the page's checks", || packages(&www)) {
+        return;
+    }
+    report.step("types of the page", || types(&www, "tsconfig.json"));
+    report.step("types of the worker", || types(&www, "tsconfig.worker.json"));
+    report.step("unit tests of the page", || unit(&www));
+    report.step("end-to-end tests of the page", || end_to_end(workspace, &www));
+}
+
+/// Makes `node_modules` what the lock file says. A copy of the lock file that was installed tells whether it is.
+fn packages(www: &Path) -> Result<()> {
+    let lock = files::read(&www.join("package-lock.json"))?;
+    let installed = www.join("node_modules/.installed-lock.json");
+    if installed.is_file() && files::read(&installed)? == lock {
+        return Ok(());
+    }
+    run(Command::new(tools::npm()?).arg("ci").current_dir(www))?;
+    files::write(&installed, lock)
+}
+
+fn types(www: &Path, project: &str) -> Result<()> {
+    let compiler = "node_modules/typescript/bin/tsc";
+    run(Command::new(tools::node()?).args([compiler, "--project", project]).current_dir(www))
+}
+
+fn unit(www: &Path) -> Result<()> {
+    let tests = tests(www, |path| path.starts_with("unit"))?;
+    run(Command::new(tools::node()?).arg("--test").args(tests).current_dir(www))
+}
+
+fn end_to_end(workspace: &Workspace, www: &Path) -> Result<()> {
+    let tests = tests(www, |path| !path.starts_with("unit"))?;
+    let browser = tools::browser()?;
+    let listener = TcpListener::bind("127.0.0.1:0")?;
+    let address = format!("http://{}{MOUNT}", listener.local_addr()?);
+    let dist = workspace.dist();
+    // The listener is bound, so nobody has to wait; the thread ends with the process.
+    thread::spawn(move || server::run(&listener, &dist, MOUNT));
+    let temporary = tempfile::tempdir()?;
+    // One file at a time: browsers share the machine's few cores, and some tests measure time.
+    run(Command::new(tools::node()?)
+        .args(["--test", "--test-concurrency=1"])
+        .args(tests)
+        .current_dir(www)
+        .env("LSYSTEM_URL", address)
+        .env("CHROMIUM", browser.chromium)
+        .env("TMPDIR", temporary.path()))
+}
+
+/// The test files below `test/` that are wanted. That there are none is an error: they would be missed.
+fn tests(www: &Path, wanted: impl Fn(&Path) -> bool) -> Result<Vec<PathBuf>> {
+    let folder = www.join("test");
+    let mut found = files::list(&folder, |path| path.extension().is_none() || wanted(path))?;
+    found.retain(|path| path.to_string_lossy().ends_with(".test.mjs") && path.strip_prefix(&folder).is_ok_and(&wanted));
+    if found.is_empty() {
+        bail!("there are no tests of this kind in {}", folder.display());
+    }
+    Ok(found)
+}
+
+#[cfg(test)]
+mod test {
+    use super::*;
+
+    #[test]
+    fn finds_tests_by_folder() -> Result<()> {
+        let www = tempfile::tempdir()?;
+        for name in ["unit/a.test.mjs", "unit/help.mjs", "e2e/b.test.mjs", "c.test.mjs", "browser.mjs"] {
+            files::write(&www.path().join("test").join(name), "")?;
+        }
+        let names = |found: Vec<PathBuf>| -> Vec<String> {
+            found.iter().map(|path| path.file_name().unwrap().to_string_lossy().into_owned()).collect()
+        };
+        assert_eq!(names(tests(www.path(), |path| path.starts_with("unit"))?), ["a.test.mjs"]);
+        assert_eq!(names(tests(www.path(), |path| !path.starts_with("unit"))?), ["c.test.mjs", "b.test.mjs"]);
+        assert!(tests(www.path(), |path| path.starts_with("none")).is_err());
+        Ok(())
+    }
+}

@@ -1,0 +1,97 @@
+//! `cargo xtask test`: everything that must hold.
+
+use crate::report::Report;
+use crate::workspace::{Workspace, run};
+use crate::{build, files, lint, page, size, tools};
+use anyhow::{Result, bail};
+use serde_json::Value;
+
+/// The parts of the test, in their order.
+const PARTS: [&str; 5] = ["lint", "native", "wasm", "size", "page"];
+
+/// What to test, and how hard.
+pub(crate) struct Options {
+    /// Whether the property tests try 10,000 random systems rather than 500.
+    thorough: bool,
+    parts: Vec<&'static str>,
+}
+
+impl Options {
+    pub(crate) fn read<'a>(words: impl Iterator<Item = &'a str>) -> Result<Self> {
+        let mut options = Self { thorough: false, parts: vec![] };
+        for word in words {
+            match PARTS.iter().find(|part| **part == word) {
+                Some(part) => options.parts.push(part),
+                None if word == "--thorough" => options.thorough = true,
+                None => bail!("there is no part `{word}` of the test; there are {}", PARTS.join(", ")),
+            }
+        }
+        if options.parts.is_empty() {
+            options.parts = PARTS.to_vec();
+        }
+        Ok(options)
+    }
+}
+
+pub(crate) fn test(workspace: &Workspace, options: &Options) -> Result<()> {
+    let has = |part| options.parts.contains(&part);
+    let mut report = Report::default();
+    if has("lint") {
+        lint::steps(workspace, &mut report);
+    }
+    if has("native") {
+        report.step("native tests", || {
+            let mut test = workspace.cargo(["test"]);
+            if options.thorough {
+                test.env("LSYSTEM_CASES", "10000");
+            }
+            run(&mut test)
+        });
+    }
+    if has("wasm") {
+        report.step("wasm tests in the browser", || wasm(workspace));
+    }
+    if (has("size") || has("page")) && report.step("build", || build::build(workspace)) {
+        if has("size") {
+            report.step("size of the wasm", || size::check(workspace));
+        }
+        if has("page") {
+            page::steps(workspace, &mut report);
+        }
+    }
+    report.finish()
+}
+
+fn wasm(workspace: &Workspace) -> Result<()> {
+    tools::wasm_target()?;
+    let browser = tools::browser()?;
+    // The driver leaves megabytes of profiles behind.
+    let temporary = tempfile::tempdir()?;
+    let crate_folder = workspace.root.join("crates/lsystem-wasm");
+    let mut capabilities: Value = serde_json::from_slice(&files::read(&crate_folder.join("webdriver.json"))?)?;
+    capabilities["goog:chromeOptions"]["binary"] = browser.chromium.to_string_lossy().into();
+    let capabilities_file = temporary.path().join("webdriver.json");
+    files::write(&capabilities_file, capabilities.to_string())?;
+    // `--tests`: examples in the documentation run natively.
+    run(workspace
+        .cargo(["test", "--tests", "--package=lsystem-wasm", "--target", tools::WASM_TARGET])
+        .env("WASM_BINDGEN_TEST_WEBDRIVER_JSON", capabilities_file)
+        .env("CHROMEDRIVER", browser.driver)
+        .env("TMPDIR", temporary.path())
+        // The time for all tests of a binary, on a slow machine.
+        .env("WASM_BINDGEN_TEST_TIMEOUT", "120"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn options() {
+        let all = Options::read([].into_iter()).unwrap();
+        assert_eq!((all.thorough, all.parts), (false, PARTS.to_vec()));
+        let some = Options::read(["page", "--thorough", "native"].into_iter()).unwrap();
+        assert_eq!((some.thorough, some.parts), (true, vec!["page", "native"]));
+        assert!(Options::read(["pages"].into_iter()).is_err());
+    }
+}

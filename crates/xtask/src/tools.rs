@@ -1,0 +1,192 @@
+//! The programs that Cargo does not bring: found, installed where that is safe, or named together with how to get them.
+
+use crate::workspace::{output, run};
+use anyhow::{Context, Result, bail};
+use std::ffi::{OsStr, OsString};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+pub(crate) const WASM_TARGET: &str = "wasm32-unknown-unknown";
+
+/// Makes sure that the compiler in use can compile for [`WASM_TARGET`].
+pub(crate) fn wasm_target() -> Result<()> {
+    let mut ask = Command::new("rustc");
+    let libraries = output(ask.args(["--print=target-libdir", "--target", WASM_TARGET]))?;
+    if Path::new(libraries.trim()).is_dir() {
+        return Ok(());
+    }
+    println!("adding the compiler's libraries for {WASM_TARGET}: rustup target add {WASM_TARGET}");
+    run(Command::new("rustup").args(["target", "add", WASM_TARGET])).with_context(|| {
+        format!("this Rust has no libraries for {WASM_TARGET}; with rustup: `rustup target add {WASM_TARGET}`")
+    })
+}
+
+pub(crate) fn node() -> Result<PathBuf> {
+    Surroundings::here().find(None, &["node"]).context(NO_NODE)
+}
+
+pub(crate) fn npm() -> Result<PathBuf> {
+    Surroundings::here().find(None, &["npm", "npm.cmd"]).context(NO_NODE)
+}
+
+const NO_NODE: &str = "the page's checks need Node.js 20 or newer with npm, and they are not on the PATH: \
+                       get them from nodejs.org or your system's packages (Debian: apt-get install nodejs npm)";
+
+/// The browser that tests run in, and the program that steers it for the wasm tests.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct Browser {
+    pub(crate) chromium: PathBuf,
+    pub(crate) driver: PathBuf,
+}
+
+/// Finds Chromium and its driver, installing them where this runs as root on Debian.
+pub(crate) fn browser() -> Result<Browser> {
+    let here = Surroundings::here();
+    if let Ok(browser) = find_browser(&here) {
+        return Ok(browser);
+    }
+    if here.can_install() {
+        println!("installing Chromium and ChromeDriver: apt-get install chromium chromium-driver");
+        let apt = || {
+            let mut command = Command::new("apt-get");
+            command.env("DEBIAN_FRONTEND", "noninteractive");
+            command
+        };
+        run(apt().arg("update"))?;
+        run(apt().args(["install", "--yes", "--no-install-recommends", "chromium", "chromium-driver"]))?;
+    }
+    find_browser(&here)
+}
+
+/// Finds both programs, or says which is missing and how to get it.
+fn find_browser(here: &Surroundings) -> Result<Browser> {
+    let chromium = here.find(here.chromium.as_deref(), &["chromium", "chromium-browser", "google-chrome", "chrome"]);
+    let driver = here.find(here.driver.as_deref(), &["chromedriver", "chromium.chromedriver"]);
+    let missing = match (chromium, driver) {
+        (Some(chromium), Some(driver)) => return Ok(Browser { chromium, driver }),
+        (None, None) => "Chromium and ChromeDriver are",
+        (None, Some(_)) => "Chromium is",
+        (Some(_), None) => "ChromeDriver is",
+    };
+    bail!(
+        "the browser tests need Chromium (or Chrome) and ChromeDriver of the same version; {missing} missing. \
+         Debian: `apt-get install chromium chromium-driver` as root; elsewhere: put `chromium` and `chromedriver` on \
+         the PATH, or set CHROMIUM and CHROMEDRIVER to where they are"
+    )
+}
+
+/// What the search for programs depends on.
+struct Surroundings {
+    path: OsString,
+    /// The variables CHROMIUM and CHROMEDRIVER.
+    chromium: Option<OsString>,
+    driver: Option<OsString>,
+    /// Whether this is Debian, by its release file.
+    debian: bool,
+    root: bool,
+}
+
+impl Surroundings {
+    fn here() -> Self {
+        let variable = |name| std::env::var_os(name).filter(|value| !value.is_empty());
+        let release = std::fs::read_to_string("/etc/os-release").unwrap_or_default();
+        Self {
+            path: variable("PATH").unwrap_or_default(),
+            chromium: variable("CHROMIUM"),
+            driver: variable("CHROMEDRIVER"),
+            debian: is_debian(&release),
+            root: output(Command::new("id").arg("-u")).is_ok_and(|id| id.trim() == "0"),
+        }
+    }
+
+    /// The program that a variable names, or else the first of `names` on the PATH.
+    fn find(&self, variable: Option<&OsStr>, names: &[&str]) -> Option<PathBuf> {
+        if let Some(file) = variable {
+            return Some(PathBuf::from(file)).filter(|file| file.is_file());
+        }
+        let ending = std::env::consts::EXE_SUFFIX;
+        let folders: Vec<PathBuf> = std::env::split_paths(&self.path).collect();
+        let in_folders = |name: &&str| {
+            let candidates =
+                folders.iter().flat_map(|folder| [folder.join(format!("{name}{ending}")), folder.join(name)]);
+            candidates.into_iter().find(|file| file.is_file())
+        };
+        names.iter().find_map(in_folders)
+    }
+
+    /// Installing is nobody's surprise only where the system is Debian and we are its administrator, as in a fresh
+    /// container; what a variable names is somebody's choice, and not ours to replace.
+    fn can_install(&self) -> bool {
+        let chosen = self.chromium.is_some() || self.driver.is_some();
+        self.debian && self.root && !chosen && self.find(None, &["apt-get"]).is_some()
+    }
+}
+
+fn is_debian(release: &str) -> bool {
+    release.lines().any(|line| line == "ID=debian")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tempfile::TempDir;
+
+    /// A PATH of two folders, the second with these programs.
+    fn with(programs: &[&str]) -> (TempDir, Surroundings) {
+        let folder = tempfile::tempdir().unwrap();
+        for program in programs {
+            crate::files::write(&folder.path().join("bin").join(program), "").unwrap();
+        }
+        let path = std::env::join_paths([folder.path().join("none"), folder.path().join("bin")]).unwrap();
+        (folder, Surroundings { path, chromium: None, driver: None, debian: true, root: true })
+    }
+
+    #[test]
+    fn finds_both_programs_on_the_path() {
+        let (folder, here) = with(&["chromium", "google-chrome", "chromedriver"]);
+        let bin = folder.path().join("bin");
+        let expected = Browser { chromium: bin.join("chromium"), driver: bin.join("chromedriver") };
+        assert_eq!(find_browser(&here).unwrap(), expected);
+    }
+
+    #[test]
+    fn names_what_is_missing() {
+        for (programs, missing) in [
+            (&["chromium"][..], "ChromeDriver is missing"),
+            (&["chromedriver"], "Chromium is missing"),
+            (&[], "Chromium and ChromeDriver are missing"),
+        ] {
+            let error = find_browser(&with(programs).1).unwrap_err().to_string();
+            assert!(error.contains(missing) && error.contains("apt-get install chromium chromium-driver"), "{error}");
+        }
+    }
+
+    #[test]
+    fn variables_come_first_and_must_be_right() {
+        let (folder, mut here) = with(&["chromium", "chromedriver", "mine"]);
+        let mine = folder.path().join("bin/mine");
+        here.chromium = Some(mine.clone().into());
+        assert_eq!(find_browser(&here).unwrap().chromium, mine);
+        here.chromium = Some(folder.path().join("gone").into());
+        assert!(find_browser(&here).is_err());
+    }
+
+    #[test]
+    fn installs_only_as_root_on_debian_with_apt() {
+        let (_folder, mut here) = with(&["apt-get"]);
+        assert!(here.can_install());
+        here.root = false;
+        assert!(!here.can_install());
+        (here.root, here.debian) = (true, false);
+        assert!(!here.can_install());
+        (here.debian, here.chromium) = (true, Some("/opt/chromium".into()));
+        assert!(!here.can_install());
+        assert!(!with(&[]).1.can_install());
+    }
+
+    #[test]
+    fn knows_debian_from_its_relatives() {
+        assert!(is_debian("NAME=\"Debian GNU/Linux\"\nID=debian\n"));
+        assert!(!is_debian("ID=ubuntu\nID_LIKE=debian\n"));
+    }
+}
