@@ -38,9 +38,11 @@ pub enum Field {
 }
 
 /// What a diagnostic is about. The words are in the message table (`message.rs`).
+///
+/// Texts in it are excerpts: long ones are cut.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
-    /// Deriving further would pass a limit.
+    /// A limit is passed.
     Limit {
         /// Which limit.
         limit: LimitName,
@@ -49,6 +51,370 @@ pub enum Kind {
         /// The largest number of iterations within it, where known.
         largest: Option<u32>,
     },
+    /// More diagnostics than are worth listing.
+    More {
+        /// How many were left out.
+        left_out: usize,
+    },
+
+    // Characters.
+    /// A character pasted from a typeset text is read as the one it looks like.
+    LookAlike {
+        /// What stands in the text.
+        found: char,
+        /// What it is read as.
+        read_as: char,
+    },
+    /// Backquotes that do not hold exactly one character.
+    LiteralLength,
+    /// A backquote without its partner.
+    LiteralUnclosed,
+    /// `(` without `)`.
+    ParenthesisUnclosed,
+    /// A parenthesis that is read as a symbol because it does not directly follow one.
+    ParenthesisSymbol {
+        /// Which.
+        symbol: char,
+    },
+
+    // Lines.
+    /// Part of the notation that is recognised and not supported.
+    NotYet(Feature),
+    /// A line that is neither a production, a constant nor a comment.
+    NoArrow {
+        /// The line as a production, where a guess can be made.
+        suggestion: Option<String>,
+    },
+    /// `F = FF`.
+    EqualsForArrow {
+        /// What stands before the `=`.
+        left: String,
+        /// What stands after it.
+        right: String,
+    },
+    /// `axiom: F` or `angle: 25` among the productions.
+    OtherField {
+        /// The word before the colon.
+        word: String,
+    },
+    /// Nothing before the arrow.
+    NoPredecessor,
+    /// More than one symbol before the arrow.
+    LongPredecessor {
+        /// They.
+        text: String,
+    },
+    /// A further arrow in a line.
+    SecondArrow,
+    /// An arrow in the axiom.
+    ArrowInAxiom,
+    /// An unweighted production after an unweighted one for the same symbol.
+    NeverApplies {
+        /// The predecessor.
+        symbol: char,
+    },
+    /// Weighted and unweighted productions for one symbol.
+    MixedWeights {
+        /// The predecessor.
+        symbol: char,
+        /// Whether the weighted ones apply, because one of them comes first.
+        weighted: bool,
+    },
+
+    // Numbers in the text.
+    /// A weight that is zero, negative or too large.
+    WeightRange {
+        /// Its value.
+        value: f64,
+    },
+    /// A number is missing.
+    NumberExpected,
+    /// Digits that are no number.
+    NumberMalformed {
+        /// They.
+        text: String,
+    },
+    /// A character that has no place in arithmetic.
+    ArithmeticUnexpected {
+        /// Which.
+        found: char,
+        /// Whether it stands in a weight.
+        weight: bool,
+    },
+    /// Arithmetic nested too deeply.
+    ArithmeticDepth,
+    /// Arithmetic whose result is infinite or undefined.
+    ArithmeticRange,
+    /// A name that no constant has.
+    UnknownConstant {
+        /// The name.
+        name: String,
+        /// A similar one.
+        similar: Option<String>,
+        /// Whether a constant below has it.
+        below: bool,
+        /// Whether it stands in a weight.
+        weight: bool,
+    },
+    /// Something else than a name before `=` or after `#define`.
+    ConstantName {
+        /// It.
+        text: String,
+    },
+    /// A constant defined a second time.
+    ConstantTwice {
+        /// Its name.
+        name: String,
+    },
+    /// A constant that nothing uses.
+    ConstantUnused {
+        /// Its name.
+        name: String,
+        /// Its value, as written.
+        value: String,
+    },
+
+    // Overrides.
+    /// An override without `:` after its symbol.
+    OverrideColon {
+        /// The line with one, where a guess can be made.
+        suggestion: Option<String>,
+    },
+    /// Not exactly one symbol before the `:` of an override.
+    OverrideSymbol {
+        /// What stands there.
+        text: String,
+    },
+    /// A second override of a symbol: it replaces the first.
+    OverrideTwice {
+        /// The symbol.
+        symbol: char,
+    },
+    /// An action that nobody knows.
+    UnknownAction {
+        /// It.
+        text: String,
+        /// A similar one.
+        similar: Option<&'static str>,
+    },
+    /// `nothing` together with other actions.
+    NothingElse,
+    /// A number in an action is missing, malformed or out of range.
+    ActionNumber {
+        /// What the action takes.
+        expected: Expected,
+    },
+
+    // The system as a whole.
+    /// The axiom is empty.
+    EmptyAxiom,
+    /// A `]` that closes no branch.
+    UnmatchedClose {
+        /// The symbol.
+        symbol: char,
+    },
+    /// A production whose predecessor is in no generation.
+    NeverOccurs {
+        /// The predecessor.
+        symbol: char,
+    },
+    /// A symbol whose meaning in the dialect is not drawn.
+    NotDrawn {
+        /// The symbol.
+        symbol: char,
+        /// What it stands for.
+        meaning: Undrawn,
+    },
+    /// A number of the definition is not finite or out of its range.
+    Number {
+        /// Which.
+        quantity: Quantity,
+        /// What it may be.
+        expected: Expected,
+    },
+    /// A palette without colours.
+    EmptyPalette,
+
+    // Files.
+    /// Not JSON.
+    Json(JsonError),
+    /// A value of another type than expected.
+    WrongType {
+        /// The key, or what the value is for.
+        key: String,
+        /// What is expected.
+        expected: Expected,
+        /// What is there.
+        found: &'static str,
+    },
+    /// A value outside its range.
+    WrongValue {
+        /// The key.
+        key: String,
+        /// What is expected.
+        expected: Expected,
+    },
+    /// A word that is none of those allowed.
+    WrongWord {
+        /// The key.
+        key: String,
+        /// The word.
+        found: String,
+        /// Those allowed.
+        allowed: &'static [&'static str],
+    },
+    /// A key that nothing reads.
+    UnknownKey {
+        /// The key.
+        key: String,
+        /// A similar one.
+        similar: Option<&'static str>,
+    },
+    /// A key that stands a second time: the last counts.
+    DuplicateKey {
+        /// The key.
+        key: String,
+    },
+    /// A key that is missing from an outcome of a stochastic rule.
+    MissingKey {
+        /// The key.
+        key: &'static str,
+    },
+    /// A key in `rules` or `overrides` that is not one symbol.
+    RuleKey {
+        /// The key.
+        key: String,
+    },
+    /// White space in the plain characters of a course file.
+    SpaceSymbol,
+    /// Probabilities that do not sum to 1.
+    ProbabilitySum {
+        /// Their sum.
+        sum: f64,
+    },
+    /// An outcome with probability 0.
+    ProbabilityZero,
+}
+
+/// Parts of the notation that are recognised and not supported.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Feature {
+    /// `A < B > C -> D`.
+    Context,
+    /// `F(2)`.
+    Parameters,
+    /// `A : l > 1 -> B`.
+    Condition,
+    /// `ignore:` and `consider:`.
+    ContextLists,
+    /// `draw:`.
+    DrawProductions,
+}
+
+/// What a symbol stands for that is not drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Undrawn {
+    /// Turns out of the plane.
+    ThreeD,
+    /// Polygons.
+    Polygon,
+    /// Cutting a branch.
+    Cut,
+}
+
+/// The numbers of a definition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    /// [`Definition::angle`](crate::Definition::angle).
+    Angle,
+    /// [`Definition::right_angle`](crate::Definition::right_angle).
+    RightAngle,
+    /// [`Definition::heading`](crate::Definition::heading).
+    Heading,
+    /// [`Definition::step`](crate::Definition::step).
+    Step,
+    /// [`Definition::start`](crate::Definition::start).
+    Start,
+    /// [`Style::width`](crate::Style::width).
+    Width,
+    /// [`Style::min_width`](crate::Style::min_width).
+    MinWidth,
+}
+
+/// What is expected of a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Expected {
+    /// No value at all.
+    Nothing,
+    /// A finite number.
+    Number,
+    /// A finite number from the first to the second.
+    Between(f64, f64),
+    /// A finite number above zero up to this.
+    PositiveUpTo(f64),
+    /// A whole number from the first to the second.
+    Whole(i64, i64),
+    /// `true` or `false`.
+    Boolean,
+    /// A string.
+    String,
+    /// An object.
+    Object,
+    /// A list.
+    List,
+    /// A pair of numbers.
+    Point,
+    /// A string or a list of strings.
+    Lines,
+    /// An object, or a list of lines.
+    Rules,
+    /// A string, or a list of outcomes.
+    Successor,
+    /// An outcome `{"p": 0.5, "e": "F"}`.
+    Outcome,
+    /// A colour.
+    Colour,
+}
+
+impl Expected {
+    /// Whether a number is as expected; `false` where no number is expected.
+    #[must_use]
+    pub fn admits(self, value: f64) -> bool {
+        match self {
+            Self::Number => value.is_finite(),
+            Self::Between(least, most) => (least..=most).contains(&value),
+            Self::PositiveUpTo(most) => value > 0.0 && value <= most,
+            Self::Whole(least, most) => value == libm::trunc(value) && (least as f64..=most as f64).contains(&value),
+            _ => false,
+        }
+    }
+}
+
+/// Why a text is not JSON.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum JsonError {
+    /// Nothing but white space and comments.
+    Empty,
+    /// A token that has no place there.
+    Unexpected,
+    /// A string without its closing quote.
+    UnclosedString,
+    /// A comment without its end.
+    UnclosedComment,
+    /// An object without its `}`.
+    UnclosedObject,
+    /// An array without its `]`.
+    UnclosedArray,
+    /// A comma is missing.
+    MissingComma,
+    /// A colon is missing after a key.
+    MissingColon,
+    /// A bad escape in a string.
+    Escape,
+    /// A malformed number.
+    Number,
+    /// Nested too deeply.
+    Depth,
 }
 
 /// The limits, by name.
@@ -62,4 +428,54 @@ pub enum LimitName {
     Work,
     /// Iterations (1,000).
     Iterations,
+    /// Bytes of a text to be read ([`MAX_TEXT`](crate::MAX_TEXT)).
+    Text,
+    /// Different symbols in a system (65,536).
+    Letters,
+    /// Colours in a palette ([`MAX_PALETTE`](crate::MAX_PALETTE)).
+    Palette,
+}
+
+impl Diagnostic {
+    /// How bad it is.
+    #[must_use]
+    pub fn severity(&self) -> Severity {
+        match self.kind {
+            Kind::LookAlike { .. }
+            | Kind::More { .. }
+            | Kind::ParenthesisSymbol { .. }
+            | Kind::NeverApplies { .. }
+            | Kind::MixedWeights { .. }
+            | Kind::ConstantUnused { .. }
+            | Kind::OverrideTwice { .. }
+            | Kind::EmptyAxiom
+            | Kind::UnmatchedClose { .. }
+            | Kind::NeverOccurs { .. }
+            | Kind::NotDrawn { .. }
+            | Kind::UnknownKey { .. }
+            | Kind::DuplicateKey { .. }
+            | Kind::SpaceSymbol
+            | Kind::ProbabilitySum { .. }
+            | Kind::ProbabilityZero => Severity::Warning,
+            _ => Severity::Error,
+        }
+    }
+
+    /// Whether the system cannot be used.
+    #[must_use]
+    pub fn is_error(&self) -> bool {
+        self.severity() == Severity::Error
+    }
+
+    /// What is wrong, as one sentence in English.
+    #[must_use]
+    pub fn message(&self) -> String {
+        crate::message::words(&self.kind).0
+    }
+
+    /// What to try, as one sentence in English.
+    #[must_use]
+    pub fn hint(&self) -> Option<String> {
+        crate::message::words(&self.kind).1
+    }
 }

@@ -14,6 +14,11 @@ mod grammar;
 mod heading;
 mod key;
 mod limits;
+mod message;
+mod notation;
+mod notes;
+mod overrides;
+mod print;
 mod program;
 mod style;
 mod system;
@@ -27,7 +32,7 @@ pub use counts::{count, count_segments, count_symbols};
 pub use definition::Definition;
 pub use derivation::{expand, expand_into, expand_once, expand_symbol};
 pub use describe::{LegendEntry, describe, legend, short_count, why_empty};
-pub use diagnostic::{Diagnostic, Field, Kind, LimitName, Severity};
+pub use diagnostic::{Diagnostic, Expected, Feature, Field, JsonError, Kind, LimitName, Quantity, Severity, Undrawn};
 pub use dialect::Dialect;
 pub use drawing::{
     Block, BlockId, ColourChange, Drawing, Item, Placed, Segment, Stroke, StyleChange, StyleId, WidthChange,
@@ -36,7 +41,10 @@ pub use expr::{Code, Expr, Function, Meaning, Op, Operator, SIGN, STACK, Unusabl
 pub use grammar::{Constant, Grammar, Module, Production};
 pub use heading::Heading;
 pub use key::Key;
-pub use limits::{Limits, MAX_ITERATIONS};
+pub use limits::{Limits, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_TEXT};
+pub use notation::{parse, plain_word};
+pub use overrides::{Override, parse_overrides, print_actions, print_overrides};
+pub use print::{print_axiom, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
 pub use style::{Colour, ColourBy, Style};
 pub use system::System;

@@ -28,9 +28,21 @@ impl Limits {
             LimitName::Segments => self.segments,
             LimitName::Work => self.work,
             LimitName::Iterations => u64::from(MAX_ITERATIONS),
+            LimitName::Text => MAX_TEXT as u64,
+            LimitName::Letters => MAX_LETTERS as u64,
+            LimitName::Palette => MAX_PALETTE as u64,
         }
     }
 }
 
 /// The most derivation steps any system may ask for.
 pub const MAX_ITERATIONS: u32 = 1_000;
+
+/// The longest text that is read, in bytes: an axiom, rules, overrides, or a file.
+pub const MAX_TEXT: usize = 1 << 20;
+
+/// The most colours in a palette.
+pub const MAX_PALETTE: usize = 256;
+
+/// The most different symbols in a system: what a [`SymbolId`](crate::SymbolId) can tell apart.
+pub const MAX_LETTERS: usize = crate::SymbolId::MAX as usize + 1;

@@ -1,0 +1,334 @@
+//! The words of all diagnostics, in English, in one place.
+
+use crate::print::number;
+use crate::{Expected, Feature, JsonError, Kind, LimitName, Quantity, Undrawn};
+
+/// What is wrong, and what to try.
+pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
+    let said = |text: String| (text, None);
+    let hinted = |text: String, hint: String| (text, Some(hint));
+    match kind {
+        Kind::Limit { limit, value, largest } => {
+            let value = grouped(*value);
+            let text = match limit {
+                LimitName::Symbols => format!("The string would be longer than {value} symbols"),
+                LimitName::Segments => format!("The drawing would have more than {value} segments"),
+                LimitName::Work => format!("The drawing would take more than {value} symbols to derive"),
+                LimitName::Iterations => format!("There can be at most {value} iterations"),
+                LimitName::Text => format!("The text is longer than {value} bytes"),
+                LimitName::Letters => format!("There can be at most {value} different symbols"),
+                LimitName::Palette => format!("There can be at most {value} colours in a palette"),
+            };
+            (text, largest.map(|n| format!("Up to {n} iterations fit.")))
+        }
+        Kind::More { left_out } => said(format!("And {left_out} more")),
+
+        Kind::LookAlike { found, read_as } if *read_as == ' ' => {
+            said(format!("An invisible character ({}) is read as white space", code(*found)))
+        }
+        Kind::LookAlike { found, read_as } => hinted(
+            format!("`{found}` ({}) is read as `{read_as}`", code(*found)),
+            format!("For the character itself as a symbol write {}.", literal(*found)),
+        ),
+        Kind::LiteralLength => hinted(
+            "Backquotes hold exactly one character".into(),
+            "Write each symbol in its own backquotes, or by its number, as in `U+0A`.".into(),
+        ),
+        Kind::LiteralUnclosed => hinted(
+            "This backquote has no partner".into(),
+            "Backquotes make one character a symbol: `:`. The backquote itself is ```.".into(),
+        ),
+        Kind::ParenthesisUnclosed => {
+            hinted("This `(` is never closed".into(), "Add `)`, or write `(` in backquotes to use it as a symbol.".into())
+        }
+        Kind::ParenthesisSymbol { symbol } => hinted(
+            format!("`{symbol}` is read as a symbol here"),
+            "Arguments follow their symbol without a space; write the parenthesis in backquotes if a symbol is meant."
+                .into(),
+        ),
+
+        Kind::NotYet(feature) => not_yet(*feature),
+        Kind::NoArrow { suggestion } => hinted(
+            "This line is neither a production nor a constant".into(),
+            match suggestion {
+                Some(production) => format!("Write `{production}`."),
+                None => "Write a production as `F -> FF`, a constant as `r = 0.9`, a comment after `//`.".into(),
+            },
+        ),
+        Kind::EqualsForArrow { left, right } => hinted(
+            format!("`=` gives a constant its value, and `{right}` is not a number"),
+            format!("For a production write `{left} -> {right}`."),
+        ),
+        Kind::OtherField { word } => hinted(
+            format!("`{word}:` does not belong among the productions"),
+            "The axiom, the angle and the other numbers have their own fields.".into(),
+        ),
+        Kind::NoPredecessor => hinted(
+            "There is no symbol before the arrow".into(),
+            "Write the symbol to be replaced first, as in `F -> FF`; `<`, `>`, `:` and a `-` right before the arrow need \
+             backquotes or a space."
+                .into(),
+        ),
+        Kind::LongPredecessor { text } => hinted(
+            format!("A production replaces one symbol, not `{text}`"),
+            match text.chars().next() {
+                Some(first) => format!("Write one production for each symbol, as in `{first} -> ...`."),
+                None => "Write one production for each symbol.".into(),
+            },
+        ),
+        Kind::SecondArrow => hinted(
+            "There is a second arrow in this line".into(),
+            "Write each production on a line of its own.".into(),
+        ),
+        Kind::ArrowInAxiom => {
+            hinted("There is an arrow in the axiom".into(), "Productions belong in the rules, not in the axiom.".into())
+        }
+        Kind::NeverApplies { symbol } => hinted(
+            format!("This production never applies: there is one for {} above", named(*symbol)),
+            "Give both a weight to choose between them at random, as in `F -> FF : 0.5`.".into(),
+        ),
+        Kind::MixedWeights { symbol, weighted } => hinted(
+            format!(
+                "This production never applies: the first one for {} has {} weight",
+                named(*symbol),
+                if *weighted { "a" } else { "no" }
+            ),
+            format!("Give all productions for {} a weight, or none.", named(*symbol)),
+        ),
+
+        Kind::WeightRange { value } => {
+            hinted(format!("{} cannot be a weight", number(*value)), "A weight is a number above zero.".into())
+        }
+        Kind::NumberExpected => said("A number is missing here".into()),
+        Kind::NumberMalformed { text } => {
+            hinted(format!("`{text}` is not a number"), "Write numbers as 2, 0.5 or 1e-3.".into())
+        }
+        Kind::ArithmeticUnexpected { found, weight } => hinted(
+            format!("{} has no place in arithmetic", named(*found)),
+            match found {
+                ',' => "Write decimals with a point, as in 0.33.".into(),
+                '%' => "Write percentages as fractions, as in 0.33.".into(),
+                _ if *weight => "The weight starts after the last `:`; write the symbol `:` in backquotes.".into(),
+                _ => "A value is made of numbers, constants and + - * / ^ ( ).".into(),
+            },
+        ),
+        Kind::ArithmeticDepth => said("The arithmetic is nested too deeply (more than 64 levels)".into()),
+        Kind::ArithmeticRange => {
+            hinted("The result is not a finite number".into(), "Is something divided by zero?".into())
+        }
+        Kind::UnknownConstant { name, similar, below, weight } => hinted(
+            format!("There is no constant `{name}`{}", if *below { " above this line" } else { "" }),
+            match similar {
+                _ if *below => format!("Move the definition of `{name}` up."),
+                Some(similar) => format!("Did you mean `{similar}`?"),
+                None if *weight => {
+                    format!("Define it, as in `{name} = 0.5`, or write the symbol `:` in backquotes.")
+                }
+                None => format!("Define it above, as in `{name} = 0.5`."),
+            },
+        ),
+        Kind::ConstantName { text } if text.is_empty() => {
+            hinted("The constant has no name".into(), "Write it as `r = 0.9`.".into())
+        }
+        Kind::ConstantName { text } => hinted(
+            format!("`{text}` cannot be the name of a constant"),
+            "A name is a letter followed by letters, digits or `_`; a production needs an arrow, as in `F -> FF`.".into(),
+        ),
+        Kind::ConstantTwice { name } => {
+            hinted(format!("`{name}` is defined already"), "Give one of them another name.".into())
+        }
+        Kind::ConstantUnused { name, value } => hinted(
+            format!("Nothing uses the constant `{name}`"),
+            if name.chars().nth(1).is_none() {
+                format!("If a production is meant, write `{name} -> {value}`.")
+            } else {
+                "Use it in a weight, or remove it.".into()
+            },
+        ),
+
+        Kind::OverrideColon { suggestion } => hinted(
+            "There is no `:` after the symbol".into(),
+            format!("Write `{}`.", suggestion.as_deref().unwrap_or("G: move")),
+        ),
+        Kind::OverrideSymbol { text } if text.is_empty() => {
+            hinted("There is no symbol before the `:`".into(), "Write one, as in `G: move`.".into())
+        }
+        Kind::OverrideSymbol { text } => hinted(
+            format!("`{text}` is not one symbol"),
+            "Give each symbol a line of its own, as in `G: move`.".into(),
+        ),
+        Kind::OverrideTwice { symbol } => said(format!("This replaces the line for {} above", named(*symbol))),
+        Kind::UnknownAction { text, similar } => hinted(
+            if text.is_empty() { "An action is missing here".into() } else { format!("`{text}` is not an action") },
+            match similar {
+                Some(similar) => format!("Did you mean `{similar}`?"),
+                None => "Actions are draw, move, turn left, turn right, turn round, open branch, close branch, colour 2, \
+                         next colour, previous colour, width 2, thicker, thinner, nothing."
+                    .into(),
+            },
+        ),
+        Kind::NothingElse => {
+            hinted("`nothing` stands together with other actions".into(), "Leave `nothing` out, or the others.".into())
+        }
+        Kind::ActionNumber { expected: Expected::Nothing } => said("This action takes no number".into()),
+        Kind::ActionNumber { expected } => said(format!("This action needs {}", expected_words(*expected))),
+
+        Kind::EmptyAxiom => hinted(
+            "The axiom is empty, so there is nothing to derive".into(),
+            "Write the symbols to start from, as in `F`.".into(),
+        ),
+        Kind::UnmatchedClose { symbol } => hinted(
+            format!("This {} closes no branch and is ignored in the drawing", named(*symbol)),
+            "Remove it, or open the branch before it.".into(),
+        ),
+        Kind::NeverOccurs { symbol } => hinted(
+            format!("{} never occurs, so this production never applies", named(*symbol)),
+            "Use the symbol in the axiom or in a production that applies, or remove this one.".into(),
+        ),
+        Kind::NotDrawn { symbol, meaning } => hinted(
+            format!("{} {} and does nothing yet", named(*symbol), match meaning {
+                Undrawn::ThreeD => "turns out of the plane",
+                Undrawn::Polygon => "draws a filled polygon",
+                Undrawn::Cut => "cuts off its branch",
+            }),
+            format!("An override can give it another meaning, as in `{symbol}: nothing`."),
+        ),
+        Kind::Number { quantity, expected } => {
+            let quantity = match quantity {
+                Quantity::Angle => "angle",
+                Quantity::RightAngle => "right angle",
+                Quantity::Heading => "heading at the start",
+                Quantity::Step => "step length",
+                Quantity::Start => "starting point's coordinate",
+                Quantity::Width => "stroke width",
+                Quantity::MinWidth => "least stroke width",
+            };
+            said(format!("The {quantity} must be {}", expected_words(*expected)))
+        }
+        Kind::EmptyPalette => said("The palette has no colour".into()),
+
+        Kind::Json(error) => json(*error),
+        Kind::WrongType { key, expected, found } => {
+            said(format!("`{key}` must be {}, not {found}", expected_words(*expected)))
+        }
+        Kind::WrongValue { key, expected } => said(format!("`{key}` must be {}", expected_words(*expected))),
+        Kind::WrongWord { key, found, allowed } => {
+            let allowed: Vec<String> = allowed.iter().map(|word| format!("`{word}`")).collect();
+            hinted(format!("`{found}` is not a value of `{key}`"), format!("It can be {}.", allowed.join(", ")))
+        }
+        Kind::UnknownKey { key, similar } => {
+            (format!("Nothing reads the key `{key}`"), similar.map(|s| format!("Did you mean `{s}`?")))
+        }
+        Kind::DuplicateKey { key } => said(format!("`{key}` stands here a second time; this one counts")),
+        Kind::MissingKey { key } => {
+            hinted(format!("`{key}` is missing"), "An outcome is written as {\"p\": 0.5, \"e\": \"F+F\"}.".into())
+        }
+        Kind::RuleKey { key } if key.is_empty() => said("The key is empty; it must be one symbol".into()),
+        Kind::RuleKey { key } => said(format!("`{key}` must be one symbol")),
+        Kind::SpaceSymbol => hinted(
+            "White space is a symbol here".into(),
+            "In this form of rules each character is a symbol; remove the space if it is not meant.".into(),
+        ),
+        Kind::ProbabilitySum { sum } => hinted(
+            format!("The probabilities sum to {}, not to 1", rounded(*sum)),
+            "They are read as weights: each is divided by the sum.".into(),
+        ),
+        Kind::ProbabilityZero => said("An outcome with probability 0 never happens".into()),
+    }
+}
+
+fn not_yet(feature: Feature) -> (String, Option<String>) {
+    let hint = |text: &str| Some(text.to_owned());
+    match feature {
+        Feature::Context => (
+            "Context-sensitive productions are not read yet".into(),
+            hint("Write `<` or `>` in backquotes if the symbol is meant."),
+        ),
+        Feature::Parameters => (
+            "Parameters in parentheses are not read yet".into(),
+            hint("Write a parenthesis in backquotes if the symbol is meant."),
+        ),
+        Feature::Condition => (
+            "Conditions before the arrow are not read yet".into(),
+            hint("A weight stands at the end of the line, as in `F -> FF : 0.5`."),
+        ),
+        Feature::ContextLists => ("`ignore:` and `consider:` are not read yet".into(), None),
+        Feature::DrawProductions => ("Productions for drawing only are not read yet".into(), None),
+    }
+}
+
+fn json(error: JsonError) -> (String, Option<String>) {
+    let hint = |text: &str| Some(text.to_owned());
+    match error {
+        JsonError::Empty => ("The file holds nothing".into(), hint("It must hold an object: {\"initial\": \"F\"}.")),
+        JsonError::Unexpected => ("This has no place in JSON".into(), hint("Is a quote or a comma missing before it?")),
+        JsonError::UnclosedString => ("This string is never closed".into(), hint("Add the closing quote.")),
+        JsonError::UnclosedComment => ("This comment is never closed".into(), hint("Add `*/`.")),
+        JsonError::UnclosedObject => ("This object is never closed".into(), hint("Add `}`.")),
+        JsonError::UnclosedArray => ("This list is never closed".into(), hint("Add `]`.")),
+        JsonError::MissingComma => ("A comma is missing".into(), None),
+        JsonError::MissingColon => ("A colon is missing after the key".into(), None),
+        JsonError::Escape => {
+            ("This escape is not known".into(), hint("A backslash in a string is written twice: \"\\\\\"."))
+        }
+        JsonError::Number => ("This is not a number".into(), None),
+        JsonError::Depth => ("The file is nested too deeply".into(), None),
+    }
+}
+
+fn expected_words(expected: Expected) -> String {
+    match expected {
+        Expected::Nothing => "nothing".into(),
+        Expected::Number => "a number".into(),
+        Expected::Between(least, most) => format!("a number from {} to {}", number(least), number(most)),
+        Expected::PositiveUpTo(most) => format!("a number above 0, at most {}", number(most)),
+        Expected::Whole(least, most) => format!("a whole number from {least} to {most}"),
+        Expected::Boolean => "true or false".into(),
+        Expected::String => "a string".into(),
+        Expected::Object => "an object".into(),
+        Expected::List => "a list".into(),
+        Expected::Point => "a list of two numbers".into(),
+        Expected::Lines => "a string or a list of strings".into(),
+        Expected::Rules => "an object or a list of lines".into(),
+        Expected::Successor => "a string or a list of outcomes".into(),
+        Expected::Outcome => "an outcome {\"p\": 0.5, \"e\": \"F+F\"}".into(),
+        Expected::Colour => "a colour such as \"#1f5c3a\"".into(),
+    }
+}
+
+/// A symbol as it is shown in a sentence.
+fn named(symbol: char) -> String {
+    match symbol {
+        ' ' => "The space".into(),
+        _ if symbol.is_whitespace() || symbol.is_control() => code(symbol),
+        _ => format!("`{symbol}`"),
+    }
+}
+
+fn code(ch: char) -> String {
+    format!("U+{:04X}", u32::from(ch))
+}
+
+fn literal(ch: char) -> String {
+    let mut out = String::new();
+    crate::print::symbol(ch, true, &mut out);
+    out
+}
+
+/// Six decimals at most.
+fn rounded(value: f64) -> String {
+    if value.abs() < 1e9 { number(libm::round(value * 1e6) / 1e6) } else { number(value) }
+}
+
+/// Digits in groups of three.
+fn grouped(value: u64) -> String {
+    let digits = value.to_string();
+    let mut out = String::new();
+    for (at, digit) in digits.chars().enumerate() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            out.push(',');
+        }
+        out.push(digit);
+    }
+    out
+}

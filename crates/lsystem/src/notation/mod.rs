@@ -1,0 +1,102 @@
+//! The notation of axioms and rules.
+//!
+//! ```text
+//! F -> FF                        a production: F becomes FF
+//! F -> F[+F]F : 0.33             one of several, with its weight
+//! r = 0.9                        a constant; also: #define r 0.9
+//! // a comment                   also: # a comment
+//! ```
+//!
+//! One production a line. The arrow is `->`, `-->`, `=>` or `→`. White space is never a symbol. `*`, `ε` or nothing at
+//! all after the arrow deletes. A character in backquotes is a symbol, whatever it means otherwise; one that cannot be
+//! seen is written by its number, as in `` `U+0A` ``. Everything after the last `:` of a line is the weight: arithmetic
+//! with `+ - * / ^ ( )` of numbers and constants. An axiom may stand on several lines and has no comments.
+
+pub(crate) mod arrow;
+pub(crate) mod expression;
+mod line;
+pub(crate) mod token;
+pub(crate) mod word;
+
+use crate::notes::Notes;
+use crate::{Diagnostic, Field, Grammar, Kind, LimitName, MAX_TEXT, Module};
+use core::ops::Range;
+
+/// Reads an axiom and rules. The grammar holds what could be read; it is usable when no diagnostic is an error.
+///
+/// ```
+/// let (grammar, diagnostics) = lsystem::parse("F", "F -> F[+F]F");
+/// assert!(diagnostics.is_empty());
+/// assert_eq!(grammar.productions[0].successor.len(), 6);
+/// ```
+#[must_use]
+pub fn parse(axiom: &str, rules: &str) -> (Grammar, Vec<Diagnostic>) {
+    let reading = read(axiom, rules);
+    (reading.grammar, reading.diagnostics)
+}
+
+/// A word of plain characters, as course files have them: each character is a symbol, white space included.
+#[must_use]
+pub fn plain_word(text: &str) -> Vec<Module> {
+    text.chars().map(Module::from).collect()
+}
+
+/// A grammar together with where its parts stand in the text.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Reading {
+    pub(crate) grammar: Grammar,
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    /// By module of the axiom.
+    pub(crate) axiom_spans: Vec<Range<usize>>,
+    /// By production: of its predecessor.
+    pub(crate) predecessor_spans: Vec<Range<usize>>,
+    /// By production: of its successor's modules.
+    pub(crate) successor_spans: Vec<Vec<Range<usize>>>,
+}
+
+/// Reads an axiom and rules, keeping all places.
+pub(crate) fn read(axiom: &str, rules: &str) -> Reading {
+    let mut reading = Reading::default();
+    let mut notes = Notes::new(Field::Axiom);
+    if is_short_enough(axiom, &mut notes) {
+        let tokens = token::tokens(axiom, 0..axiom.len(), &mut notes);
+        let word = word::word(&tokens, &Kind::ArrowInAxiom, &mut notes);
+        reading.grammar.axiom = word.modules;
+        reading.axiom_spans = word.spans;
+    }
+    reading.diagnostics = notes.finish();
+
+    let mut notes = Notes::new(Field::Rules);
+    if is_short_enough(rules, &mut notes) {
+        line::read(rules, &mut reading, &mut notes);
+    }
+    reading.diagnostics.extend(notes.finish());
+    reading
+}
+
+/// Whether `text` is within [`MAX_TEXT`]; noted otherwise.
+pub(crate) fn is_short_enough(text: &str, notes: &mut Notes) -> bool {
+    let short = text.len() <= MAX_TEXT;
+    if !short {
+        notes.add(Kind::Limit { limit: LimitName::Text, value: MAX_TEXT as u64, largest: None }, 0..0);
+    }
+    short
+}
+
+/// The lines of a text with their places, without the line ends.
+pub(crate) fn lines(text: &str) -> impl Iterator<Item = Range<usize>> {
+    let mut from = 0;
+    text.split(['\n', '\r']).map(move |line| {
+        let range = from..from + line.len();
+        from = range.end + 1;
+        range
+    })
+}
+
+/// Whether a line of rules or overrides is a comment or blank.
+pub(crate) fn is_comment(line: &str) -> bool {
+    let line = line.trim_matches(token::is_blank);
+    line.is_empty()
+        || line.starts_with("//")
+        || line.strip_prefix('#').is_some_and(|rest| rest.chars().next().is_none_or(token::is_blank))
+}

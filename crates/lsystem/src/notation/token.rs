@@ -1,0 +1,149 @@
+//! The characters of a line as tokens: literals unwrapped, white space dropped, look-alikes replaced.
+
+use crate::Kind;
+use crate::notes::Notes;
+use core::ops::Range;
+
+/// One character that means something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Token {
+    /// The character, after look-alikes are replaced.
+    pub(crate) ch: char,
+    /// Whether it stood in backquotes and so is a symbol, whatever it looks like.
+    pub(crate) literal: bool,
+    /// Whether it follows the token before it directly, without white space.
+    pub(crate) joined: bool,
+    start: u32,
+    end: u32,
+}
+
+impl Token {
+    /// Its place in the text, in bytes.
+    pub(crate) fn span(self) -> Range<usize> {
+        self.start as usize..self.end as usize
+    }
+
+    /// Whether it is this character and not a literal.
+    pub(crate) fn is(self, ch: char) -> bool {
+        self.ch == ch && !self.literal
+    }
+}
+
+/// From the start of the first to the end of the last; `otherwise` where there are none.
+pub(crate) fn span_of(tokens: &[Token], otherwise: usize) -> Range<usize> {
+    match tokens {
+        [] => otherwise..otherwise,
+        [first, .., last] => first.span().start..last.span().end,
+        [only] => only.span(),
+    }
+}
+
+/// The characters that tokens stand for, without white space.
+pub(crate) fn text_of(tokens: &[Token]) -> String {
+    crate::notes::excerpt(&tokens.iter().map(|t| t.ch).collect::<String>())
+}
+
+/// The part of `text` at `range`, as tokens. Look-alikes and broken literals are noted.
+pub(crate) fn tokens(text: &str, range: Range<usize>, notes: &mut Notes) -> Vec<Token> {
+    let mut found = Vec::new();
+    let mut at = range.start;
+    let mut joined = false;
+    while let Some(ch) = text[at..range.end].chars().next() {
+        let start = at;
+        at += ch.len_utf8();
+        if is_blank(ch) {
+            joined = false;
+            continue;
+        }
+        let (ch, literal) = match look_alike(ch) {
+            Some(meant) => {
+                notes.look_alike(ch, meant, start..at);
+                if is_blank(meant) {
+                    joined = false;
+                    continue;
+                }
+                (meant, false)
+            }
+            None if ch == '`' => match literal(&text[at..range.end]) {
+                Ok((ch, length)) => {
+                    at += length;
+                    (ch, true)
+                }
+                Err(Broken { kind, length }) => {
+                    at += length;
+                    notes.add(kind, start..at);
+                    joined = false;
+                    continue;
+                }
+            },
+            None => (ch, false),
+        };
+        found.push(Token { ch, literal, joined, start: start as u32, end: at as u32 });
+        joined = true;
+    }
+    found
+}
+
+struct Broken {
+    kind: Kind,
+    length: usize,
+}
+
+/// Reads what follows an opening backquote: the character and the bytes up to and with the closing one. A character
+/// that cannot be seen may be written by its number, as in `` `U+0A` ``.
+fn literal(rest: &str) -> Result<(char, usize), Broken> {
+    let mut chars = rest.chars();
+    let (first, after) = (chars.next(), chars.next());
+    if let (Some(ch), Some('`')) = (first, after) {
+        return Ok((ch, ch.len_utf8() + 1));
+    }
+    // The partner is looked for nearby only: a literal is short, and a lone backquote must not cost a long search.
+    const LONGEST: usize = 16;
+    let Some(length) = rest.bytes().take(LONGEST).position(|b| b == b'`') else {
+        return Err(Broken { kind: Kind::LiteralUnclosed, length: 0 });
+    };
+    let number = rest[..length].strip_prefix("U+").filter(|n| n.len() <= 6);
+    number
+        .and_then(|n| u32::from_str_radix(n, 16).ok())
+        .and_then(char::from_u32)
+        .map(|ch| (ch, length + 1))
+        .ok_or(Broken { kind: Kind::LiteralLength, length: length + 1 })
+}
+
+/// White space, which separates and is no symbol.
+pub(crate) fn is_blank(ch: char) -> bool {
+    ch.is_whitespace() || ch == '\u{feff}'
+}
+
+/// Characters that show nothing, or only change how others are shown: read as white space.
+pub(crate) fn is_invisible(ch: char) -> bool {
+    matches!(ch, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
+        || (ch.is_control() && !ch.is_whitespace())
+}
+
+/// What a character that word processors, papers and other scripts put in the place of a plain one is read as.
+pub(crate) fn look_alike(ch: char) -> Option<char> {
+    Some(match ch {
+        '\u{2010}'..='\u{2015}' | '\u{2212}' | '\u{2796}' | '\u{2d7}' | '\u{fe58}' | '\u{fe63}' => '-',
+        '\u{2795}' | '\u{fe62}' => '+',
+        '\u{2018}' | '\u{2019}' | '\u{201b}' | '\u{2032}' | '\u{b4}' | '\u{2b9}' | '\u{2bc}' => '\'',
+        '\u{201c}'..='\u{201f}' | '\u{2033}' => '"',
+        '\u{2c6}' | '\u{2038}' => '^',
+        '\u{2215}' | '\u{2044}' => '/',
+        '\u{2216}' | '\u{fe68}' => '\\',
+        '\u{2223}' | '\u{a6}' | '\u{2758}' => '|',
+        '\u{2217}' | '\u{22c6}' | '\u{fe61}' => '*',
+        '\u{27e8}' | '\u{2329}' | '\u{3008}' | '\u{2039}' | '\u{fe64}' => '<',
+        '\u{27e9}' | '\u{232a}' | '\u{3009}' | '\u{203a}' | '\u{fe65}' => '>',
+        '\u{201a}' => ',',
+        '\u{2236}' | '\u{a789}' | '\u{fe55}' => ':',
+        '\u{27f6}' | '\u{21d2}' | '\u{27f9}' | '\u{2794}' | '\u{279c}' | '\u{279d}' | '\u{21a6}' | '\u{27fc}' => '→',
+        '\u{3f5}' | '\u{25b}' => 'ε',
+        // The full-width forms of ASCII.
+        '\u{ff01}'..='\u{ff5e}' => char::from_u32(u32::from(ch) - 0xfee0)?,
+        // A byte order mark at the start of a file is ordinary.
+        '\u{feff}' => return None,
+        _ if is_invisible(ch) => ' ',
+        _ => return None,
+    })
+}

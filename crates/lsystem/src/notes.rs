@@ -1,0 +1,98 @@
+//! Collecting the diagnostics of a text while it is read.
+
+use crate::{Diagnostic, Field, Kind};
+use core::ops::Range;
+
+/// The diagnostics of one text while it is read: bounded in number, in the order of the text at the end.
+#[derive(Debug)]
+pub(crate) struct Notes {
+    field: Field,
+    list: Vec<Diagnostic>,
+    left_out: usize,
+    /// Look-alikes noted already: once each is enough.
+    look_alikes: Vec<char>,
+}
+
+/// More than this many diagnostics of one text help nobody.
+const MOST: usize = 100;
+
+impl Notes {
+    pub(crate) fn new(field: Field) -> Self {
+        Self { field, list: Vec::new(), left_out: 0, look_alikes: Vec::new() }
+    }
+
+    pub(crate) fn add(&mut self, kind: Kind, span: Range<usize>) {
+        let diagnostic = Diagnostic { kind, field: self.field, span };
+        if self.list.len() < MOST {
+            self.list.push(diagnostic);
+            return;
+        }
+        self.left_out += 1;
+        // An error must never be left out in favour of warnings: it decides whether the system can be used.
+        if diagnostic.is_error()
+            && let Some(warning) = self.list.iter_mut().rev().find(|d| !d.is_error())
+        {
+            *warning = diagnostic;
+        }
+    }
+
+    pub(crate) fn look_alike(&mut self, found: char, read_as: char, span: Range<usize>) {
+        if !self.look_alikes.contains(&found) {
+            self.look_alikes.push(found);
+            self.add(Kind::LookAlike { found, read_as }, span);
+        }
+    }
+
+    pub(crate) fn each(&mut self, change: impl FnMut(&mut Diagnostic)) {
+        self.list.iter_mut().for_each(change);
+    }
+
+    pub(crate) fn finish(mut self) -> Vec<Diagnostic> {
+        self.list.sort_by_key(|d| (d.span.start, d.span.end));
+        if self.left_out > 0 {
+            let kind = Kind::More { left_out: self.left_out };
+            let end = self.list.last().map_or(0, |d| d.span.end);
+            self.list.push(Diagnostic { kind, field: self.field, span: end..end });
+        }
+        self.list
+    }
+}
+
+/// `text` cut to what a message can carry.
+pub(crate) fn excerpt(text: &str) -> String {
+    const LONGEST: usize = 40;
+    let text = text.trim();
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+/// The candidate most similar to `word`, if any is similar enough to be what was meant.
+pub(crate) fn similar<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let word: Vec<char> = word.chars().flat_map(char::to_lowercase).take(64).collect();
+    let enough = (word.len() / 3).max(1);
+    (candidates.into_iter().map(|c| (distance(&word, c), c)))
+        .filter(|(d, c)| *d <= enough && *d < c.chars().count())
+        .min_by_key(|(d, _)| *d)
+        .map(|(_, c)| c)
+}
+
+/// Edit distance, a swap of neighbours counting as one (Damerau, 1964; the restricted form).
+fn distance(a: &[char], b: &str) -> usize {
+    let b: Vec<char> = b.chars().flat_map(char::to_lowercase).take(64).collect();
+    let mut rows = [vec![0; b.len() + 1], (0..=b.len()).collect::<Vec<_>>(), vec![0; b.len() + 1]];
+    for i in 1..=a.len() {
+        rows[2][0] = i;
+        for j in 1..=b.len() {
+            let replace = rows[1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let mut best = replace.min(rows[1][j] + 1).min(rows[2][j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                best = best.min(rows[0][j - 2] + 1);
+            }
+            rows[2][j] = best;
+        }
+        rows.rotate_left(1);
+    }
+    rows[1][b.len()]
+}

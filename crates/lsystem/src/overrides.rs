@@ -1,0 +1,256 @@
+//! Exceptions from a dialect, as text: what single symbols do instead.
+//!
+//! ```text
+//! G: move
+//! A: draw 10
+//! B: turn left 90, draw 5
+//! E: nothing
+//! ```
+//!
+//! One symbol a line, then its actions in order, separated by commas. Comments as in rules.
+//!
+//! | action | meaning |
+//! |---|---|
+//! | `draw`, `draw 10` | forward with a line, by the step or by this length |
+//! | `move`, `move 10` | forward without a line |
+//! | `turn left`, `turn left 90` | counter-clockwise, by the left angle or by these degrees |
+//! | `turn right`, `turn right 90` | clockwise |
+//! | `turn round` | by 180 degrees |
+//! | `open branch`, `push`; `close branch`, `pop` | save and restore the turtle |
+//! | `colour 3`, `next colour`, `next colour 2`, `previous colour` | choose from the palette, counted from 0 |
+//! | `width 2`, `width times 0.5`, `thicker`, `thinner` | stroke width in steps, or by a factor (√2, 1/√2) |
+//! | `nothing` | no action at all |
+
+use crate::notation::token::{Token, span_of, text_of, tokens};
+use crate::notation::{is_comment, is_short_enough, lines};
+use crate::notes::{Notes, similar};
+use crate::print::{number, symbol};
+use crate::{Action, Diagnostic, Expected, Field, Kind};
+use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
+use core::ops::Range;
+
+/// What a symbol does instead of what its dialect says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Override {
+    /// The symbol.
+    pub symbol: char,
+    /// What it does, in order; empty for nothing.
+    pub actions: Vec<Action>,
+}
+
+/// Reads overrides, a line each. Where a symbol stands twice, the later line counts.
+#[must_use]
+pub fn parse_overrides(text: &str) -> (Vec<Override>, Vec<Diagnostic>) {
+    let mut notes = Notes::new(Field::Overrides);
+    let mut found: Vec<Override> = Vec::new();
+    if is_short_enough(text, &mut notes) {
+        for line in lines(text).filter(|line| !is_comment(&text[line.clone()])) {
+            let tokens = tokens(text, line.clone(), &mut notes);
+            if let Some((symbol, place)) = head(&tokens, line.end, &mut notes) {
+                let actions = actions(&tokens[2..], line.end, &mut notes);
+                if found.iter().any(|o| o.symbol == symbol) {
+                    notes.add(Kind::OverrideTwice { symbol }, place);
+                    found.retain(|o| o.symbol != symbol);
+                }
+                found.push(Override { symbol, actions });
+            }
+        }
+    }
+    (found, notes.finish())
+}
+
+/// Overrides as text that reads back as the same.
+#[must_use]
+pub fn print_overrides(overrides: &[Override]) -> String {
+    let mut lines = Vec::new();
+    for Override { symbol: ch, actions } in overrides {
+        let mut line = String::new();
+        symbol(*ch, *ch == '#', &mut line);
+        line.push_str(": ");
+        line.push_str(&print_actions(actions));
+        lines.push(line);
+    }
+    lines.join("\n")
+}
+
+/// The words for what a symbol does: `draw`, `turn left 90, draw 5`, `nothing`.
+#[must_use]
+pub fn print_actions(actions: &[Action]) -> String {
+    if actions.is_empty() {
+        return "nothing".to_owned();
+    }
+    actions.iter().map(|&a| print_action(a)).collect::<Vec<_>>().join(", ")
+}
+
+fn print_action(action: Action) -> String {
+    let optional = |words: &str, value: Option<f64>| match value {
+        Some(value) => format!("{words} {}", number(value)),
+        None => words.to_owned(),
+    };
+    match action {
+        Action::Draw(length) => optional("draw", length),
+        Action::Move(length) => optional("move", length),
+        Action::TurnLeft(angle) => optional("turn left", angle),
+        Action::TurnRight(angle) => optional("turn right", angle),
+        Action::TurnRound => "turn round".to_owned(),
+        Action::Push => "open branch".to_owned(),
+        Action::Pop => "close branch".to_owned(),
+        Action::SetColour(index) => format!("colour {index}"),
+        Action::AddColour(1) => "next colour".to_owned(),
+        Action::AddColour(-1) => "previous colour".to_owned(),
+        Action::AddColour(by) if by < 0 => format!("previous colour {}", by.unsigned_abs()),
+        Action::AddColour(by) => format!("next colour {by}"),
+        Action::SetWidth(width) => format!("width {}", number(width)),
+        Action::ScaleWidth(SQRT_2) => "thicker".to_owned(),
+        Action::ScaleWidth(FRAC_1_SQRT_2) => "thinner".to_owned(),
+        Action::ScaleWidth(factor) => format!("width times {}", number(factor)),
+    }
+}
+
+/// The symbol and the colon at the start of a line, and where the symbol stands.
+fn head(tokens: &[Token], end: usize, notes: &mut Notes) -> Option<(char, Range<usize>)> {
+    let &first = tokens.first()?;
+    if tokens.get(1).is_some_and(|t| t.is(':')) {
+        return Some((first.ch, first.span()));
+    }
+    // The colon may come later: then the symbol is not one symbol.
+    if let Some(colon) = tokens.iter().position(|t| t.is(':')) {
+        let before = &tokens[..colon];
+        notes.add(Kind::OverrideSymbol { text: text_of(before) }, span_of(before, first.span().start));
+        return None;
+    }
+    let rest = tokens[1..].iter().position(|t| !matches!(t.ch, '=' | '-' | '>' | '→'));
+    let suggestion = rest.and_then(|from| {
+        let phrase = phrase(&tokens[1 + from..]).to_lowercase();
+        let known = action(&phrase).is_ok() && !tokens[1 + from].joined;
+        known.then(|| format!("{}: {phrase}", first.ch))
+    });
+    let after = first.span().end;
+    notes.add(Kind::OverrideColon { suggestion }, after..after.min(end));
+    None
+}
+
+/// Reads what follows the colon.
+fn actions(tokens: &[Token], end: usize, notes: &mut Notes) -> Vec<Action> {
+    let mut found = Vec::new();
+    let mut nothing = None;
+    let parts: Vec<&[Token]> = tokens.split(|t| t.is(',')).collect();
+    let mut missing_at = end;
+    for part in parts.iter().rev() {
+        let span = span_of(part, missing_at);
+        missing_at = part.first().map_or(missing_at, |t| t.span().start);
+        let phrase = phrase(part);
+        if phrase.eq_ignore_ascii_case("nothing") || phrase.eq_ignore_ascii_case("none") {
+            nothing = Some(span);
+            continue;
+        }
+        match action(&phrase) {
+            Ok(action) => found.push(action),
+            Err(kind) => notes.add(kind, span),
+        }
+    }
+    if let Some(span) = nothing
+        && parts.len() > 1
+    {
+        notes.add(Kind::NothingElse, span);
+    }
+    found.reverse();
+    found
+}
+
+/// The words of an action with single spaces between them.
+fn phrase(tokens: &[Token]) -> String {
+    let mut phrase = String::new();
+    for (at, token) in tokens.iter().enumerate() {
+        if at > 0 && !token.joined {
+            phrase.push(' ');
+        }
+        phrase.push(token.ch);
+    }
+    phrase
+}
+
+/// How the words of an action go on.
+#[derive(Clone, Copy)]
+enum Form {
+    /// No number.
+    Plain(Action),
+    /// A number that may be left out, within plus and minus [`MOST`].
+    Optional(fn(Option<f64>) -> Action),
+    /// A number in this range.
+    Number(fn(f64) -> Action, Expected),
+    /// A palette index.
+    Index,
+    /// How many places along the palette, 1 if left out, in this direction.
+    Along(i64),
+}
+
+/// The largest length, angle, width or factor that is taken for meant.
+const MOST: f64 = 1e9;
+
+/// The words of the actions, but for `nothing`.
+const FORMS: [(&str, Form); 20] = [
+    ("draw", Form::Optional(Action::Draw)),
+    ("move", Form::Optional(Action::Move)),
+    ("turn left", Form::Optional(Action::TurnLeft)),
+    ("turn right", Form::Optional(Action::TurnRight)),
+    ("turn round", Form::Plain(Action::TurnRound)),
+    ("turn around", Form::Plain(Action::TurnRound)),
+    ("open branch", Form::Plain(Action::Push)),
+    ("push", Form::Plain(Action::Push)),
+    ("close branch", Form::Plain(Action::Pop)),
+    ("pop", Form::Plain(Action::Pop)),
+    ("colour", Form::Index),
+    ("color", Form::Index),
+    ("next colour", Form::Along(1)),
+    ("next color", Form::Along(1)),
+    ("previous colour", Form::Along(-1)),
+    ("previous color", Form::Along(-1)),
+    ("width", Form::Number(Action::SetWidth, Expected::Between(0.0, MOST))),
+    ("width times", Form::Number(Action::ScaleWidth, Expected::PositiveUpTo(MOST))),
+    ("thicker", Form::Plain(Action::ScaleWidth(SQRT_2))),
+    ("thinner", Form::Plain(Action::ScaleWidth(FRAC_1_SQRT_2))),
+];
+
+fn form(words: &str) -> Option<Form> {
+    FORMS.iter().find(|(name, _)| name.eq_ignore_ascii_case(words)).map(|&(_, form)| form)
+}
+
+/// Reads one action: words, then perhaps a number.
+fn action(phrase: &str) -> Result<Action, Kind> {
+    let number_at = phrase.find(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.')).unwrap_or(phrase.len());
+    let (words, digits) = (phrase[..number_at].trim_end(), &phrase[number_at..]);
+    let Some(form) = form(words) else {
+        let known = FORMS.iter().map(|&(name, _)| name).chain(["nothing"]);
+        return Err(Kind::UnknownAction { text: crate::notes::excerpt(phrase), similar: similar(words, known) });
+    };
+    let wrong = |expected| Err(Kind::ActionNumber { expected });
+    // Rust reads `inf` and `nan` too; the range excludes what is not finite.
+    let value = digits.parse::<f64>().ok();
+    let whole = digits.parse::<i64>().ok();
+    const WHOLE: Expected = Expected::Whole(i32::MIN as i64, i32::MAX as i64);
+    match form {
+        Form::Plain(action) if digits.is_empty() => Ok(action),
+        Form::Plain(_) => wrong(Expected::Nothing),
+        Form::Optional(make) if digits.is_empty() => Ok(make(None)),
+        Form::Optional(make) => match value {
+            Some(v) if v.abs() <= MOST => Ok(make(Some(v))),
+            _ => wrong(Expected::Between(-MOST, MOST)),
+        },
+        Form::Number(make, expected) => match value {
+            Some(v) if expected.admits(v) => Ok(make(v)),
+            _ => wrong(expected),
+        },
+        Form::Index => match whole.and_then(|v| i32::try_from(v).ok()) {
+            Some(index) => Ok(Action::SetColour(index)),
+            None => wrong(WHOLE),
+        },
+        Form::Along(direction) => {
+            let by = if digits.is_empty() { Some(1) } else { whole };
+            match by.and_then(|by| by.checked_mul(direction)).and_then(|by| i32::try_from(by).ok()) {
+                Some(by) => Ok(Action::AddColour(by)),
+                None => wrong(WHOLE),
+            }
+        }
+    }
+}
