@@ -20,6 +20,7 @@ mod notes;
 mod overrides;
 mod print;
 mod program;
+mod render;
 mod style;
 mod system;
 #[cfg(test)]
@@ -46,6 +47,7 @@ pub use notation::{parse, plain_word};
 pub use overrides::{Override, parse_overrides, print_actions, print_overrides};
 pub use print::{print_axiom, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
+pub use render::{Progress, Rect, RenderStats, Renderer, View, Viewport, fit, to_model};
 pub use style::{Colour, ColourBy, Style};
 pub use system::System;
 pub use turtle::Turtle;

@@ -1,0 +1,132 @@
+//! The subsamples of a picture: one bit each for "covered", and a colour number in binary, a bit plane per digit.
+//!
+//! Bits lie in vertical strips of 64 columns, a word per row, so that stamping a tile at any offset is a loop over
+//! consecutive words with one shift. Painting goes from the last drawn to the first: what is covered stays.
+
+/// Columns in a strip.
+const STRIP: usize = u64::BITS as usize;
+/// Rows in a cell; a cell is a strip's word range for which coverage is remembered.
+const CELL: usize = 64;
+
+/// A bit picture. Coordinates are subsamples, y down.
+#[derive(Default)]
+pub(super) struct Canvas {
+    pub strips: usize,
+    pub rows: usize,
+    /// Colour digits.
+    pub digits: usize,
+    /// By strip, then row.
+    pub covered: Vec<u64>,
+    /// By digit, then strip, then row. Only bits that are covered are ever set.
+    pub colours: Vec<u64>,
+    /// By strip, then cell: whether anything was painted there.
+    pub touched: Vec<bool>,
+    /// By strip, then cell: the rows of the cell before this one are covered throughout.
+    open: Vec<u8>,
+}
+
+impl Canvas {
+    /// Makes it empty and at least `width` by `height` subsamples.
+    pub(super) fn reset(&mut self, width: usize, height: usize, digits: usize) {
+        let (strips, rows) = (width.div_ceil(STRIP), height);
+        if (strips, rows, digits) != (self.strips, self.rows, self.digits) {
+            (self.strips, self.rows, self.digits) = (strips, rows, digits);
+            let size = strips * rows;
+            self.covered.clear();
+            self.covered.resize(size, 0);
+            self.colours.clear();
+            self.colours.resize(size * digits, 0);
+            let cells = strips * self.cells();
+            self.touched.clear();
+            self.touched.resize(cells, false);
+            self.open.clear();
+            self.open.resize(cells, 0);
+            return;
+        }
+        let (cells, size) = (self.cells(), strips * rows);
+        for index in 0..self.touched.len() {
+            if core::mem::take(&mut self.touched[index]) {
+                self.open[index] = 0;
+                let first = index / cells * rows + index % cells * CELL;
+                let last = index / cells * rows + (index % cells * CELL + CELL).min(rows);
+                self.covered[first..last].fill(0);
+                for digit in 0..digits {
+                    self.colours[digit * size + first..digit * size + last].fill(0);
+                }
+            }
+        }
+    }
+
+    /// Cells in a strip.
+    pub(super) fn cells(&self) -> usize {
+        self.rows.div_ceil(CELL)
+    }
+
+    /// Whether the rectangle of columns `x` and rows `y`, ends included, is covered throughout (the part outside
+    /// counts as covered).
+    pub(super) fn is_full(&mut self, x: [i64; 2], y: [i64; 2]) -> bool {
+        let Some((x, y)) = self.clip(x, y) else { return true };
+        for strip in x[0] / STRIP..=x[1] / STRIP {
+            let outside = !columns(strip, x);
+            let mut row = y[0];
+            while row <= y[1] {
+                let cell = row / CELL;
+                let end = (y[1] + 1).min((cell + 1) * CELL);
+                let open = self.advance(strip, cell);
+                row = row.max(open);
+                let words = &self.covered[strip * self.rows + row.min(end)..strip * self.rows + end];
+                if words.iter().any(|word| word | outside != u64::MAX) {
+                    return false;
+                }
+                row = end;
+            }
+        }
+        true
+    }
+
+    /// The first row of a cell that is not covered throughout, or the row after the cell.
+    fn advance(&mut self, strip: usize, cell: usize) -> usize {
+        let index = strip * self.cells() + cell;
+        let first = cell * CELL;
+        let end = (first + CELL).min(self.rows);
+        let from = first + usize::from(self.open[index]);
+        let words = &self.covered[strip * self.rows + from..strip * self.rows + end];
+        let full = words.iter().take_while(|word| **word == u64::MAX).count();
+        self.open[index] = (from + full - first) as u8;
+        from + full
+    }
+
+    /// The part of a rectangle that lies on the canvas.
+    fn clip(&self, x: [i64; 2], y: [i64; 2]) -> Option<([usize; 2], [usize; 2])> {
+        let right = (self.strips * STRIP) as i64 - 1;
+        let bottom = self.rows as i64 - 1;
+        let x = [x[0].max(0), x[1].min(right)];
+        let y = [y[0].max(0), y[1].min(bottom)];
+        (x[0] <= x[1] && y[0] <= y[1]).then_some((x.map(|v| v as usize), y.map(|v| v as usize)))
+    }
+
+    /// Paints columns `first..=last` of a row, which lie on the canvas.
+    pub(super) fn span(&mut self, row: usize, first: usize, last: usize, colour: u32) {
+        for strip in first / STRIP..=last / STRIP {
+            let bits = columns(strip, [first, last]);
+            let at = strip * self.rows + row;
+            let cell = strip * self.cells() + row / CELL;
+            self.touched[cell] = true;
+            let new = bits & !self.covered[at];
+            self.covered[at] |= bits;
+            let size = self.strips * self.rows;
+            for digit in 0..self.digits {
+                if colour >> digit & 1 != 0 {
+                    self.colours[digit * size + at] |= new;
+                }
+            }
+        }
+    }
+}
+
+/// The bits of a strip that lie in columns `x`, ends included.
+fn columns(strip: usize, x: [usize; 2]) -> u64 {
+    let low = x[0].saturating_sub(strip * STRIP).min(STRIP - 1);
+    let high = (x[1] - strip * STRIP).min(STRIP - 1);
+    u64::MAX << low & u64::MAX >> (STRIP - 1 - high)
+}

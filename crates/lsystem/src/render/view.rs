@@ -1,0 +1,147 @@
+//! Where on the drawing a picture looks.
+
+use crate::Drawing;
+
+/// The size of a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Viewport {
+    /// In device pixels.
+    pub width: u32,
+    /// In device pixels.
+    pub height: u32,
+    /// Device pixels in one CSS pixel.
+    pub ratio: f64,
+}
+
+/// A place and a magnification, relative to the fitted drawing, so that the drawing can change under it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// The picture's centre, right of the fitted centre, in fitted extents (the longer side of [`fit`]).
+    pub x: f64,
+    /// The picture's centre, above the fitted centre, in fitted extents.
+    pub y: f64,
+    /// 1 shows the whole drawing with a margin; 2 shows it twice as large.
+    pub zoom: f64,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self { x: 0.0, y: 0.0, zoom: 1.0 }
+    }
+}
+
+/// An upright rectangle, y up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rect {
+    /// Its left side.
+    pub x: f64,
+    /// Its lower side.
+    pub y: f64,
+    /// Not negative.
+    pub width: f64,
+    /// Not negative.
+    pub height: f64,
+}
+
+impl Rect {
+    fn centre(&self) -> [f64; 2] {
+        [self.x + self.width / 2.0, self.y + self.height / 2.0]
+    }
+
+    fn longer_side(&self) -> f64 {
+        self.width.max(self.height)
+    }
+}
+
+/// What the view at zoom 1 shows, without the margin, in model units: the bounds of all strokes' axes. A drawing that
+/// is only a point, or nothing, gives a square of one step around it.
+#[must_use]
+pub fn fit(drawing: &Drawing) -> Rect {
+    let (unit, rect) = root_bounds(drawing);
+    let [x, y] = drawing.start;
+    Rect { x: x + unit * rect.x, y: y + unit * rect.y, width: unit * rect.width, height: unit * rect.height }
+}
+
+/// The model point, y up, that the view shows at (`px`, `py`): device pixels from the upper left corner.
+#[must_use]
+pub fn to_model(drawing: &Drawing, viewport: Viewport, view: View, px: f64, py: f64) -> [f64; 2] {
+    let (unit, _) = root_bounds(drawing);
+    let camera = Camera::new(drawing, viewport, view);
+    let (x, y) = (px * SAMPLES, py * SAMPLES);
+    [0, 1].map(|axis| {
+        let local = if axis == 0 { x - camera.x } else { camera.y - y } / camera.scale;
+        drawing.start[axis] + unit * local
+    })
+}
+
+/// The bounds of the drawing in units of its root block, never empty, and that unit in model units.
+fn root_bounds(drawing: &Drawing) -> (f64, Rect) {
+    let Some(root) = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize)) else {
+        let unit = if drawing.step.is_normal() { drawing.step.abs() } else { 1.0 };
+        return (unit, Rect { x: -0.5, y: -0.5, width: 1.0, height: 1.0 });
+    };
+    let unit = libm::scalbn(drawing.step, root.exponent);
+    let corners = &drawing.corners[root.hull.start as usize..root.hull.end as usize];
+    let mut low = [f64::INFINITY; 2];
+    let mut high = [f64::NEG_INFINITY; 2];
+    for corner in corners {
+        for axis in 0..2 {
+            low[axis] = low[axis].min(corner[axis]);
+            high[axis] = high[axis].max(corner[axis]);
+        }
+    }
+    let rect = Rect { x: low[0], y: low[1], width: high[0] - low[0], height: high[1] - low[1] };
+    if rect.longer_side() > 0.0 && rect.longer_side().is_finite() {
+        return (unit, rect);
+    }
+    let [x, y] = if low[0].is_finite() && low[1].is_finite() { low } else { [0.0; 2] };
+    let side = libm::scalbn(1.0, -root.exponent);
+    (unit, Rect { x: x - side / 2.0, y: y - side / 2.0, width: side, height: side })
+}
+
+/// Subsamples along one side of a pixel.
+pub(super) const SAMPLES: f64 = 4.0;
+/// Empty space around a fitted drawing, as a part of the viewport's shorter side.
+const MARGIN: f64 = 0.04;
+
+/// How the root block's frame is placed on the subsample lattice: `x + scale * p.x`, `y - scale * p.y`, y down.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Camera {
+    pub x: f64,
+    pub y: f64,
+    /// Subsamples in one unit of the root block.
+    pub scale: f64,
+    /// Subsamples in one step length.
+    pub step: f64,
+}
+
+impl Camera {
+    pub(super) fn new(drawing: &Drawing, viewport: Viewport, view: View) -> Self {
+        let (_, rect) = root_bounds(drawing);
+        let exponent = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize)).map_or(0, |root| root.exponent);
+        let (width, height) = (f64::from(viewport.width), f64::from(viewport.height));
+        // The widest stroke at the ends of a fitted drawing stays inside the picture.
+        let pad = {
+            let widest = drawing.root.map_or(0.0, |id| {
+                let widest = drawing.blocks[id.0 as usize].widest;
+                widest.factor * drawing.width + widest.offset
+            });
+            let pad = libm::scalbn(widest.max(0.0), -exponent);
+            if pad.is_finite() { pad } else { 0.0 }
+        };
+        let margin = 2.0 * MARGIN * width.min(height);
+        let usable = [width - margin, height - margin];
+        let fitted = (usable[0] / (rect.width + pad)).min(usable[1] / (rect.height + pad)) * SAMPLES;
+        let zoom = if view.zoom.is_finite() && view.zoom > 0.0 { view.zoom } else { 1.0 };
+        let scale = fitted * zoom;
+        let side = rect.longer_side();
+        let [cx, cy] = rect.centre();
+        let offset = |v: f64| if v.is_finite() { v * side } else { 0.0 };
+        Self {
+            x: width * SAMPLES / 2.0 - (cx + offset(view.x)) * scale,
+            y: height * SAMPLES / 2.0 + (cy + offset(view.y)) * scale,
+            scale,
+            step: libm::scalbn(scale, -exponent),
+        }
+    }
+}
