@@ -5,7 +5,23 @@
 //! order. Systems whose pieces are not all alike (stochastic or unbalanced productions) are materialised into a
 //! tree of blocks of the same type, so every reader sees one shape of data.
 
-use crate::Heading;
+mod budget;
+mod builder;
+mod drawer;
+mod graph;
+mod hull;
+mod materialise;
+mod segments;
+mod style;
+mod tree;
+mod walk;
+
+pub use drawer::{Drawer, Progress, draw};
+pub use graph::Effect;
+pub use segments::Segments;
+
+use crate::turtle::finite;
+use crate::{Heading, SymbolId};
 use core::ops::Range;
 
 /// A picture of an L-system's n-th generation, ready to be read: bounds, segments, pixels, files.
@@ -24,12 +40,79 @@ pub struct Drawing {
     pub(crate) root: Option<BlockId>,
     /// Where the turtle starts, in model units.
     pub(crate) start: [f64; 2],
-    /// The step length, in model units.
+    /// The step length, in model units; 1 where it is zero, and all lengths and widths that depend on it are then 0.
     pub(crate) step: f64,
     /// The turtle's stroke width at the start, in multiples of the step length.
     pub(crate) width: f64,
+    /// By depth from 1, sorted by letter: what every rewritten letter draws in that many steps and how it leaves the
+    /// turtle; empty where blocks do not memoise.
+    pub(crate) pieces: Vec<Vec<(SymbolId, Piece)>>,
     /// Whether blocks are shared.
     pub(crate) memoised: bool,
+}
+
+/// What a letter derived for some more steps does.
+#[derive(Clone, Copy, Debug)]
+pub struct Piece {
+    /// What it draws; `None` if nothing.
+    pub block: Option<BlockId>,
+    /// How it leaves the turtle.
+    pub effect: Effect,
+}
+
+impl Drawing {
+    /// The smallest box around all segments' axes, strokes' widths apart: min x, min y, max x, max y in model units,
+    /// exact to 1e-9 of the extent; `None` when nothing is drawn. What is beyond the range of `f64` is infinite.
+    #[must_use]
+    pub fn bounds(&self) -> Option<[f64; 4]> {
+        let root = &self.blocks[self.root?.0 as usize];
+        let unit = self.unit();
+        let mut bounds = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+        for &[x, y] in &self.corners[root.hull.start as usize..root.hull.end as usize] {
+            let [x, y] = [self.start[0] + unit * x, self.start[1] + unit * y];
+            bounds = [bounds[0].min(x), bounds[1].min(y), bounds[2].max(x), bounds[3].max(y)];
+        }
+        Some(bounds)
+    }
+
+    /// How many segments there are; `u128::MAX` stands for that many or more.
+    #[must_use]
+    pub fn segment_count(&self) -> u128 {
+        self.root.map_or(0, |root| self.blocks[root.0 as usize].segments)
+    }
+
+    /// How many blocks the graph has.
+    #[must_use]
+    pub fn block_count(&self) -> usize {
+        self.blocks.len()
+    }
+
+    /// Whether blocks are shared, so that the drawing's size does not depend on its number of segments.
+    #[must_use]
+    pub fn is_memoised(&self) -> bool {
+        self.memoised
+    }
+
+    /// What `symbol`, which a production rewrites, does in `depth` more steps (at least 1), where this drawing
+    /// memoises and contains it.
+    #[must_use]
+    pub fn piece(&self, symbol: SymbolId, depth: u32) -> Option<&Piece> {
+        let level = self.pieces.get(depth.checked_sub(1)? as usize)?;
+        let place = level.binary_search_by_key(&symbol, |(s, _)| *s).ok()?;
+        Some(&level[place].1)
+    }
+
+    /// Every segment, in drawing order. A drawing that memoises may have more of them than anybody can wait for.
+    #[must_use]
+    pub fn segments(&self) -> Segments<'_> {
+        Segments::new(self)
+    }
+
+    /// Model units for one unit of the root block; the greatest finite number where that is beyond `f64`.
+    pub(crate) fn unit(&self) -> f64 {
+        let exponent = self.root.map_or(0, |root| self.blocks[root.0 as usize].exponent);
+        finite(libm::scalbn(self.step, exponent))
+    }
 }
 
 /// A block's place in [`Drawing::blocks`].
@@ -45,13 +128,13 @@ pub struct StyleId(pub u32);
 pub struct Block {
     /// Its contents in drawing order.
     pub items: Range<u32>,
-    /// One unit of this block's frame is `2^exponent` step lengths, chosen so that its extent is about 1. Powers of
-    /// two cost no precision and keep n = 1,000 within range.
+    /// One unit of this block's frame is `2^exponent` step lengths, chosen so that its farthest coordinate is at least
+    /// 0.5 and less than 1 away from its origin. Powers of two cost no precision and keep n = 1,000 within range.
     pub exponent: i32,
     /// How many segments it draws; `u128::MAX` stands for that many or more.
     pub segments: u128,
     /// Corners of a convex polygon that contains every segment's axis (strokes' widths apart), counter-clockwise, in
-    /// block units.
+    /// block units; rounding may leave an end out by 1e-12. One corner or two where all is on a point or a line.
     pub hull: Range<u32>,
     /// No stroke inside is wider than this change makes the width at entry.
     pub widest: WidthChange,

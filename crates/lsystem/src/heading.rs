@@ -42,6 +42,11 @@ impl Heading {
         (self.0 / PER_DEGREE) as f64 + (self.0 % PER_DEGREE) as f64 / PER_DEGREE as f64
     }
 
+    /// The whole number that stands for this heading.
+    pub(crate) fn units(self) -> u64 {
+        self.0
+    }
+
     /// This heading `count` times over.
     #[must_use]
     pub fn times(self, count: i64) -> Self {

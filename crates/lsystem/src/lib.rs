@@ -36,7 +36,8 @@ pub use describe::{LegendEntry, describe, legend, short_count, why_empty};
 pub use diagnostic::{Diagnostic, Expected, Feature, Field, JsonError, Kind, LimitName, Quantity, Severity, Undrawn};
 pub use dialect::Dialect;
 pub use drawing::{
-    Block, BlockId, ColourChange, Drawing, Item, Placed, Segment, Stroke, StyleChange, StyleId, WidthChange,
+    Block, BlockId, ColourChange, Drawer, Drawing, Effect, Item, Piece, Placed, Progress, Segment, Segments, Stroke,
+    StyleChange, StyleId, WidthChange, draw,
 };
 pub use expr::{Code, Expr, Function, Meaning, Op, Operator, SIGN, STACK, Unusable};
 pub use grammar::{Constant, Grammar, Module, Production};

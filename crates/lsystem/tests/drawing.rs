@@ -2,16 +2,256 @@
 
 mod naive;
 
-use lsystem::{Grammar, Module, Production};
+use lsystem::{
+    Action, Diagnostic, Dialect, Drawing, Grammar, Heading, Kind, LimitName, Limits, Module, Production, Program,
+    Segment, Style, System, Turtle, draw,
+};
+use proptest::prelude::*;
 
 fn modules(text: &str) -> Vec<Module> {
     text.chars().map(Module::from).collect()
 }
 
-#[test]
-fn the_reference_rewrites() {
-    let rule = |p: char, successor| Production { predecessor: p.into(), successor: modules(successor), weight: None };
+/// A system of productions `predecessor -> successor : weight`, weights above 1 standing for none.
+fn system(axiom: &str, rules: &[(char, &str, f64)], angle: f64) -> System {
+    let production = |&(predecessor, successor, weight): &(char, &str, f64)| Production {
+        predecessor: predecessor.into(),
+        successor: modules(successor),
+        weight: (weight <= 1.0).then_some(weight),
+    };
     let grammar =
-        Grammar { axiom: modules("X"), productions: vec![rule('X', "F[+X]"), rule('F', "FF")], constants: vec![] };
-    assert_eq!(naive::expand(&grammar, 0, 2), "FF[+F[+X]]");
+        Grammar { axiom: modules(axiom), productions: rules.iter().map(production).collect(), constants: vec![] };
+    let program = Program::new(&grammar);
+    let actions = program.alphabet.iter().map(|&symbol| match symbol {
+        'L' => vec![Action::Draw(Some(0.25)), Action::TurnLeft(Some(17.3))],
+        'P' => vec![Action::Push, Action::Draw(None), Action::Pop],
+        'M' => vec![Action::Move(Some(-1.5)), Action::SetColour(3)],
+        'Z' => vec![Action::Draw(Some(0.0)), Action::SetWidth(2.5)],
+        _ => Dialect::Abop.actions(symbol).to_vec(),
+    });
+    let turtle = Turtle {
+        actions: actions.collect(),
+        left: Heading::from_degrees(angle),
+        right: Heading::from_degrees(angle),
+        heading: Heading::UP,
+        start: [3.0, -4.0],
+        step: 0.7,
+        width: 0.5,
+    };
+    System { grammar, program, turtle, style: Style::default(), seed: 7 }
+}
+
+/// Without weights.
+fn plain(axiom: &str, rules: &[(char, &str)], angle: f64) -> System {
+    let rules: Vec<_> = rules.iter().map(|&(p, s)| (p, s, f64::INFINITY)).collect();
+    system(axiom, &rules, angle)
+}
+
+fn drawn(system: &System, n: u32) -> Drawing {
+    draw(system, n, &Limits::default()).unwrap()
+}
+
+fn near(a: [f64; 2], b: [f64; 2], tolerance: f64) -> bool {
+    (a[0] - b[0]).abs() <= tolerance && (a[1] - b[1]).abs() <= tolerance
+}
+
+/// The drawing says what the naive turtle says, to 1e-9 of the extent.
+fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
+    let drawing = draw(system, n, &Limits::default()).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
+    let expected = naive::segments(system, n);
+    prop_assert_eq!(drawing.segment_count(), expected.len() as u128);
+    prop_assert_eq!(drawing.segments().size_hint(), (expected.len(), Some(expected.len())));
+    let bounds = naive::bounds(&expected);
+    prop_assert_eq!(drawing.bounds().is_some(), bounds.is_some());
+    let Some(bounds) = bounds else { return Ok(drawing) };
+    // Coordinates include the start, which costs its own rounding.
+    let tolerance = 1e-9 * (bounds[2] - bounds[0]).max(bounds[3] - bounds[1]) + 1e-13;
+    for (side, expected) in drawing.bounds().unwrap().into_iter().zip(bounds) {
+        prop_assert!((side - expected).abs() <= tolerance, "{:?} {:?}", drawing.bounds(), bounds);
+    }
+    let segments: Vec<Segment> = drawing.segments().collect();
+    prop_assert_eq!(segments.len(), expected.len());
+    for (index, (a, b)) in segments.iter().zip(&expected).enumerate() {
+        prop_assert!(near(a.from, b.from, tolerance) && near(a.to, b.to, tolerance), "{}: {:?} {:?}", index, a, b);
+        prop_assert_eq!((a.colour, a.level), (b.colour, b.level), "{}", index);
+        prop_assert!((a.width - b.width).abs() <= 1e-9 * b.width, "{}: {:?} {:?}", index, a, b);
+    }
+    Ok(drawing)
+}
+
+const KOCH: [(char, &str); 1] = [('F', "F+F-F-F+F")];
+const PLANT: [(char, &str); 2] = [('X', "F+[[X]-X]-F[-FX]+X"), ('F', "FF")];
+const DRAGON: [(char, &str); 2] = [('X', "X+YF+"), ('Y', "-FX-Y")];
+const SIERPINSKI: [(char, &str); 2] = [('F', "F-G+F+G-F"), ('G', "GG")];
+
+#[test]
+fn known_curves() {
+    for (axiom, rules, angle, n, blocks) in [
+        ("F", &KOCH[..], 90.0, 5, 6),
+        ("X", &PLANT[..], 25.7, 5, 11),
+        ("FX", &DRAGON[..], 90.0, 12, 25),
+        ("F-G-G", &SIERPINSKI[..], 120.0, 7, 15),
+    ] {
+        let system = plain(axiom, rules, angle);
+        let drawing = check(&system, n).unwrap();
+        assert!(drawing.is_memoised());
+        assert!(drawing.block_count() <= blocks, "{}", drawing.block_count());
+    }
+}
+
+#[test]
+fn pieces_say_how_they_leave_the_turtle() {
+    // Half of a dragon turns by a right angle in every step; X alone draws nothing in one.
+    let system = plain("FX", &DRAGON, 90.0);
+    let drawing = drawn(&system, 8);
+    let id = |symbol| system.program.alphabet.binary_search(&symbol).unwrap() as u16;
+    let piece = drawing.piece(id('X'), 1).unwrap();
+    let block = drawing.piece(id('Y'), 1).unwrap().block;
+    assert!(piece.block.is_some() && block.is_some() && piece.block != block);
+    // X+YF+ ends one step to the left, turned round.
+    assert_eq!(piece.effect.heading, Heading::HALF);
+    let [x, y] = piece.effect.at.map(|c| libm::scalbn(c, piece.effect.exponent));
+    assert_eq!((x, y), (0.0, 1.0));
+    assert!(drawing.piece(id('F'), 1).is_none() && drawing.piece(id('X'), 0).is_none());
+    assert!(drawing.piece(id('X'), 9).is_none());
+}
+
+#[test]
+fn large_drawings_stay_exact() {
+    for (axiom, rules, angle, n) in [
+        ("F", &KOCH[..], 90.0, 8),
+        ("X", &PLANT[..], 22.5, 8),
+        ("FX", &DRAGON[..], 90.0, 18),
+        ("F-G-G", &SIERPINSKI[..], 120.0, 11),
+    ] {
+        check(&plain(axiom, rules, angle), n).unwrap();
+    }
+}
+
+#[test]
+fn a_thousand_iterations() {
+    for (axiom, rules, angle) in
+        [("F", &KOCH[..], 90.0), ("X", &PLANT[..], 25.7), ("FX", &DRAGON[..], 90.0), ("F-G-G", &SIERPINSKI[..], 120.0)]
+    {
+        let drawing = drawn(&plain(axiom, rules, angle), 1000);
+        assert_eq!(drawing.segment_count(), u128::MAX);
+        assert!(drawing.bounds().unwrap().iter().all(|b| !b.is_nan()));
+        for segment in drawing.segments().take(1000) {
+            assert!(segment.from.iter().chain(&segment.to).all(|c| c.is_finite()));
+        }
+    }
+}
+
+fn failure(system: &System, n: u32, limits: Limits) -> Kind {
+    let diagnostic: Diagnostic = draw(system, n, &limits).unwrap_err();
+    diagnostic.kind
+}
+
+#[test]
+fn limits_name_themselves_and_the_largest_n() {
+    let limits = Limits { segments: 1000, work: 100_000, ..Limits::default() };
+    let unbalanced = plain("F", &[('F', "FF[")], 30.0);
+    let random = system("F", &[('F', "FF", 0.5), ('F', "F+F", 0.5)], 30.0);
+    let idle = system("A", &[('A', "AA", 0.5), ('A', "A+A", 0.5)], 30.0);
+    let branches = plain("A", &[('A', "[A")], 30.0);
+    let segments = |largest| Kind::Limit { limit: LimitName::Segments, value: 1000, largest };
+    assert_eq!(failure(&unbalanced, 1000, limits), segments(Some(9)));
+    assert_eq!(failure(&random, 1000, limits), segments(Some(9)));
+    assert!(draw(&random, 9, &limits).is_ok());
+    let work = |value, largest| Kind::Limit { limit: LimitName::Work, value, largest };
+    assert!(matches!(failure(&idle, 1000, limits), Kind::Limit { limit: LimitName::Work, largest: Some(13..16), .. }));
+    assert_eq!(failure(&branches, 1000, Limits { work: 3400, ..limits }), work(3400, Some(99)));
+    assert_eq!(
+        failure(&plain("F", &KOCH, 90.0), 1001, limits),
+        Kind::Limit { limit: LimitName::Iterations, value: 1000, largest: Some(1000) }
+    );
+    assert_eq!(failure(&plain("F", &KOCH, 90.0), 500, limits), segments(Some(111)));
+    assert!(draw(&plain("F", &KOCH, 90.0), 111, &limits).is_ok());
+}
+
+#[test]
+fn odd_drawings() {
+    let empty = drawn(&plain("X", &[('X', "XX")], 90.0), 20);
+    assert_eq!((empty.bounds(), empty.segment_count(), empty.segments().count()), (None, 0, 0));
+    assert_eq!(drawn(&plain("", &[], 90.0), 3).bounds(), None);
+    for (axiom, rules, angle, n) in [
+        ("]]F]+F[[F", vec![], 45.0, 0),
+        ("]F[+F]]F", vec![('F', "F[+F]F")], 33.3, 4),
+        ("F", vec![('F', "F]F[+F")], 33.3, 5),
+        ("[F", vec![('[', "[["), ('F', "F]F")], 33.3, 5),
+        ("Z", vec![('Z', "Z+Z")], 10.0, 4),
+        ("F", vec![('F', "FF")], 0.0, 6),
+        ("MF", vec![('M', "MM!")], 60.0, 6),
+        ("FL", vec![('L', "LF")], 137.5, 8),
+        ("F", vec![('F', "")], 1.0, 2),
+        ("F-F-F-F", vec![], 90.0, 7),
+        ("PX", vec![('P', "+PP'"), ('X', "P[X]")], 20.0, 5),
+    ] {
+        check(&plain(axiom, &rules, angle), n).unwrap_or_else(|e| panic!("{axiom} {rules:?}: {e}"));
+    }
+}
+
+#[test]
+fn a_system_without_a_step_length() {
+    let mut system = plain("FLL", &[('L', "LF")], 20.0);
+    system.turtle.step = 0.0;
+    check(&system, 4).unwrap();
+    system.turtle.step = -2.0;
+    check(&system, 4).unwrap();
+}
+
+fn cases() -> ProptestConfig {
+    let cases = std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500);
+    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
+}
+
+/// A word balanced in branches.
+fn balanced() -> impl Strategy<Value = String> {
+    let letter = "[FGXYLPMZfg+|!#',;-]{0,4}";
+    letter.prop_recursive(3, 12, 3, |inner| {
+        (inner.clone(), inner.clone(), inner).prop_map(|(a, b, c)| format!("{a}[{b}]{c}"))
+    })
+}
+
+fn unbalanced() -> impl Strategy<Value = String> {
+    r"[FGXYLPMZf+|!'\[\]-]{0,7}".prop_map(|text| text)
+}
+
+fn angle() -> impl Strategy<Value = f64> {
+    prop_oneof![Just(90.0), Just(60.0), Just(25.7), Just(0.0), -360.0..360.0]
+}
+
+/// The most iterations that keep the naive way quick.
+fn affordable(system: &System, most: u32) -> u32 {
+    (0..=most).take_while(|&n| naive::derive(&system.grammar, system.seed, n).len() < 3000).last().unwrap_or(0)
+}
+
+proptest! {
+    #![proptest_config(cases())]
+
+    #[test]
+    fn balanced_systems_memoise(axiom in balanced(), rules in prop::collection::vec((r"[FGXYLMZ+]", balanced()), 0..4),
+                                angle in angle(), n in 0_u32..9) {
+        let rules: Vec<_> = rules.iter().map(|(p, s)| (p.chars().next().unwrap(), s.as_str())).collect();
+        let system = plain(&axiom, &rules, angle);
+        let drawing = check(&system, affordable(&system, n))?;
+        prop_assert!(drawing.is_memoised());
+    }
+
+    #[test]
+    fn unbalanced_systems_materialise(axiom in unbalanced(), angle in angle(), n in 0_u32..9,
+                                      rules in prop::collection::vec((r"[FXY+\[\]]", unbalanced()), 0..4)) {
+        let rules: Vec<_> = rules.iter().map(|(p, s)| (p.chars().next().unwrap(), s.as_str())).collect();
+        let system = plain(&axiom, &rules, angle);
+        check(&system, affordable(&system, n))?;
+    }
+
+    #[test]
+    fn random_systems_materialise(axiom in balanced(), angle in angle(), n in 0_u32..9, seed: u32,
+                                  rules in prop::collection::vec((r"[FGX]", unbalanced(), 0.01..1.0), 1..6)) {
+        let rules: Vec<_> = rules.iter().map(|(p, s, w)| (p.chars().next().unwrap(), s.as_str(), *w)).collect();
+        let mut system = system(&axiom, &rules, angle);
+        system.seed = seed;
+        check(&system, affordable(&system, n))?;
+    }
 }

@@ -1,0 +1,109 @@
+//! Whether a drawing stays within its limits, and up to which n it would.
+
+use super::materialise::{Outcome, Tally};
+use crate::turtle::{Op, Score};
+use crate::{LimitName, Limits, Program, Rewrite, SymbolId};
+
+/// What a limit was passed by, and the largest n within.
+pub(crate) struct Exceeded {
+    pub(crate) limit: LimitName,
+    pub(crate) largest: Option<u32>,
+}
+
+/// Segments and letters of one generation after the other, known without deriving them where nothing is random.
+#[derive(Clone, Debug)]
+pub(crate) struct Forecast {
+    /// By letter: segments of what it derives, and letters derived on the way.
+    sums: Vec<(u128, u128)>,
+    generation: u32,
+    /// The last generation within the limits.
+    largest: Option<u32>,
+}
+
+impl Forecast {
+    pub(crate) fn new(score: &Score) -> Self {
+        let draws = |ops: &Vec<Op>| ops.iter().filter(|op| matches!(op, Op::Draw(_))).count() as u128;
+        Self { sums: score.ops.iter().map(|ops| (draws(ops), 0)).collect(), generation: 0, largest: None }
+    }
+
+    /// Looks at one generation; `Some` when it is known whether generation `n` fits.
+    pub(crate) fn step(
+        &mut self,
+        program: &Program,
+        limits: &Limits,
+        n: u32,
+        left: &mut u64,
+    ) -> Option<Result<(), Exceeded>> {
+        let (segments, work) = self.of(&program.axiom, left);
+        let over = [(segments, limits.segments, LimitName::Segments), (work, limits.work, LimitName::Work)];
+        let passed = over.into_iter().find(|&(count, limit, _)| count > u128::from(limit)).map(|(.., name)| name);
+        match passed {
+            None if self.generation == n => return Some(Ok(())),
+            None => self.largest = Some(self.generation),
+            // Work never shrinks; segments may.
+            Some(limit) if self.generation == n || work > u128::from(limits.work) => {
+                return Some(Err(Exceeded { limit, largest: self.largest }));
+            }
+            Some(_) => {}
+        }
+        self.sums = (program.rewrites.iter().zip(&self.sums))
+            .map(|(rewrite, own)| match rewrite {
+                Rewrite::Always(word) => self.of(word, left),
+                Rewrite::Keep | Rewrite::Choose(_) => *own,
+            })
+            .collect();
+        self.generation += 1;
+        None
+    }
+
+    fn of(&self, word: &[SymbolId], left: &mut u64) -> (u128, u128) {
+        *left = left.saturating_sub(1 + word.len() as u64);
+        word.iter().fold((0, 0), |sum: (u128, u128), &symbol| {
+            let (segments, work) = self.sums[usize::from(symbol)];
+            (sum.0.saturating_add(segments), sum.1.saturating_add(work).saturating_add(1))
+        })
+    }
+}
+
+/// Tries smaller n, each within the limits, until one fits and the next does not.
+#[derive(Clone, Debug)]
+pub(crate) struct Search {
+    limit: LimitName,
+    fits: Option<u32>,
+    exceeds: u32,
+    trial: u32,
+    tally: Tally,
+}
+
+impl Search {
+    /// Generation `n` passed `limit`.
+    pub(crate) fn new(limit: LimitName, n: u32, seed: u32) -> Self {
+        Self { limit, fits: None, exceeds: n, trial: 0, tally: Tally::new(0, seed) }
+    }
+
+    /// Works on for `left` letters; `Some` at the end.
+    pub(crate) fn step(
+        &mut self,
+        program: &Program,
+        score: &Score,
+        limits: &Limits,
+        seed: u32,
+        left: &mut u64,
+    ) -> Option<Exceeded> {
+        let first = self.fits.map_or(0, |fits| fits + 1);
+        if first >= self.exceeds {
+            return Some(Exceeded { limit: self.limit, largest: self.fits });
+        }
+        match self.tally.step(program, score, limits, left, |_| {}) {
+            Outcome::Paused => return None,
+            Outcome::Ended(()) => self.fits = Some(self.trial),
+            Outcome::Passed(limit) => (self.exceeds, self.limit) = (self.trial, limit),
+        }
+        // Twice as far while nothing stops it, then halfway: few trials pass a limit, and those that do cost no
+        // more than the limit.
+        let first = self.fits.map_or(0, |fits| fits + 1);
+        self.trial = (first + first.min(self.exceeds.saturating_sub(first) / 2)).max(first);
+        self.tally = Tally::new(self.trial, seed);
+        None
+    }
+}

@@ -1,0 +1,211 @@
+//! Drawing in resumable steps: planned and shared where blocks memoise, derived letter by letter otherwise.
+
+use super::budget::{Exceeded, Forecast, Search};
+use super::builder::Builder;
+use super::graph::{self, Level, Plan};
+use super::materialise::{Materialiser, Outcome};
+use super::{BlockId, Drawing};
+use crate::derivation::limit;
+use crate::turtle::Score;
+use crate::{Diagnostic, Heading, LimitName, Limits, MAX_ITERATIONS, Program, Rewrite, SymbolId, System, Turtle};
+
+/// What making one item of a block costs, in letters derived.
+const ITEM: u64 = 16;
+
+/// Draws generation `n`.
+///
+/// # Errors
+/// [`Kind::Limit`](crate::Kind::Limit): [`Limits::segments`] or [`Limits::work`] would be passed, or `n` is above
+/// [`MAX_ITERATIONS`].
+pub fn draw(system: &System, n: u32, limits: &Limits) -> Result<Drawing, Diagnostic> {
+    Drawer::new(system, n, *limits).finish()
+}
+
+/// A drawing in the making. It keeps what it needs of its system, so it can wait for its next step as long as
+/// anybody likes; one that is superseded is simply dropped.
+#[derive(Clone, Debug)]
+pub struct Drawer {
+    program: Program,
+    turtle: Turtle,
+    score: Score,
+    memoises: bool,
+    seed: u32,
+    n: u32,
+    limits: Limits,
+    builder: Builder,
+    state: State,
+}
+
+/// Whether a [`Drawer`] has more to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Progress {
+    /// Call [`Drawer::step`] again.
+    Running,
+    /// [`Drawer::finish`] returns at once.
+    Done,
+}
+
+#[derive(Clone, Debug)]
+enum State {
+    /// Finding which letters are needed at which depth.
+    Plan(Plan),
+    /// Making the blocks of one depth after the other; the last level may be incomplete.
+    Build {
+        needed: Vec<Vec<SymbolId>>,
+        pieces: Vec<Level>,
+    },
+    /// Counting whether it will fit.
+    Forecast(Forecast),
+    /// Deriving and drawing letter by letter.
+    Materialise(Box<Materialiser>),
+    /// A limit was passed: finding the largest n that is within.
+    Search(Search),
+    Done {
+        root: Option<BlockId>,
+        pieces: Vec<Level>,
+    },
+    Failed(Diagnostic),
+}
+
+impl Drawer {
+    /// Prepares to draw generation `n`.
+    #[must_use]
+    pub fn new(system: &System, n: u32, limits: Limits) -> Self {
+        let (program, turtle, seed) = (system.program.clone(), system.turtle.clone(), system.seed);
+        let score = turtle.score(&program.reachable());
+        let memoises = graph::memoises(&program, &score);
+        let state = if n > MAX_ITERATIONS {
+            State::Failed(limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)))
+        } else if memoises {
+            State::Plan(Plan::new(&program))
+        } else if program.is_deterministic() {
+            State::Forecast(Forecast::new(&score))
+        } else {
+            State::Materialise(Box::new(Materialiser::new(&turtle, &score, seed, n)))
+        };
+        Self { program, turtle, score, memoises, seed, n, limits, builder: Builder::new(), state }
+    }
+
+    /// Works on, for about `work` letters (some hundred thousand take a few milliseconds), and says whether there is
+    /// more to do.
+    pub fn step(&mut self, work: u64) -> Progress {
+        let mut left = work.max(1);
+        while left > 0 {
+            if matches!(self.state, State::Done { .. } | State::Failed(_)) {
+                return Progress::Done;
+            }
+            if let Some(next) = self.advance(&mut left) {
+                self.state = next;
+            }
+        }
+        Progress::Running
+    }
+
+    /// How much of the work is done, from 0 to 1; an estimate.
+    #[must_use]
+    pub fn fraction(&self) -> f64 {
+        match &self.state {
+            State::Plan(_) | State::Forecast(_) => 0.0,
+            State::Build { pieces, .. } => pieces.len() as f64 / (f64::from(self.n) + 2.0),
+            State::Materialise(materialiser) => materialiser.fraction(&self.program),
+            State::Search(_) | State::Done { .. } | State::Failed(_) => 1.0,
+        }
+    }
+
+    /// Does all that is left, and returns the drawing.
+    ///
+    /// # Errors
+    /// As [`draw`].
+    pub fn finish(mut self) -> Result<Drawing, Diagnostic> {
+        while self.step(1 << 20) == Progress::Running {}
+        let (root, pieces) = match self.state {
+            State::Failed(diagnostic) => return Err(diagnostic),
+            State::Done { root, pieces } => (root, pieces),
+            _ => (None, vec![]),
+        };
+        Ok(Drawing {
+            blocks: self.builder.blocks,
+            items: self.builder.items,
+            corners: self.builder.corners,
+            styles: self.builder.styles.list,
+            root,
+            start: self.turtle.start,
+            step: self.score.step,
+            width: self.score.width,
+            pieces,
+            memoised: self.memoises,
+        })
+    }
+
+    /// Works on in the present state; returns the next one when this one is over.
+    fn advance(&mut self, left: &mut u64) -> Option<State> {
+        let Self { program, turtle, score, seed, n, limits, builder, .. } = self;
+        match &mut self.state {
+            State::Plan(plan) => {
+                let depths = plan.depths();
+                if plan.cost > limits.segments {
+                    let largest = depths.checked_sub(1);
+                    return Some(State::Failed(limit(LimitName::Segments, limits.segments, largest)));
+                }
+                if depths < *n {
+                    plan.step(program, left);
+                    return None;
+                }
+                Some(State::Build { needed: plan.levels(), pieces: vec![] })
+            }
+            State::Build { needed, pieces } => {
+                let depth = pieces.len().saturating_sub(1);
+                let done = pieces.last().map_or(0, Vec::len);
+                match needed.get(depth).and_then(|letters| letters.get(done)) {
+                    Some(&symbol) => {
+                        let word: &[SymbolId] = match &program.rewrites[usize::from(symbol)] {
+                            Rewrite::Always(word) => word,
+                            Rewrite::Keep | Rewrite::Choose(_) => &[],
+                        };
+                        let below = depth.checked_sub(1).map(|below| &pieces[below]);
+                        let piece = graph::piece(builder, score, below, word, Heading::EAST);
+                        *left = left.saturating_sub(ITEM * (1 + word.len() as u64));
+                        if pieces.is_empty() {
+                            pieces.push(vec![]);
+                        }
+                        pieces[depth].push((symbol, piece));
+                        None
+                    }
+                    None if pieces.len() < needed.len() => {
+                        pieces.push(vec![]);
+                        *left = left.saturating_sub(ITEM);
+                        None
+                    }
+                    None => {
+                        let axiom = &program.axiom;
+                        let root = graph::piece(builder, score, pieces.last(), axiom, turtle.heading).block;
+                        *left = left.saturating_sub(ITEM * (1 + axiom.len() as u64));
+                        Some(State::Done { root, pieces: core::mem::take(pieces) })
+                    }
+                }
+            }
+            State::Forecast(forecast) => match forecast.step(program, limits, *n, left)? {
+                Ok(()) => Some(State::Materialise(Box::new(Materialiser::new(turtle, score, *seed, *n)))),
+                Err(exceeded) => Some(failed(&exceeded, limits)),
+            },
+            State::Materialise(materialiser) => match materialiser.step(program, score, builder, limits, left) {
+                Outcome::Paused => None,
+                Outcome::Ended(root) => Some(State::Done { root, pieces: vec![] }),
+                Outcome::Passed(name) => {
+                    *builder = Builder::new();
+                    Some(State::Search(Search::new(name, *n, *seed)))
+                }
+            },
+            State::Search(search) => {
+                let exceeded = search.step(program, score, limits, *seed, left)?;
+                Some(failed(&exceeded, limits))
+            }
+            State::Done { .. } | State::Failed(_) => None,
+        }
+    }
+}
+
+fn failed(exceeded: &Exceeded, limits: &Limits) -> State {
+    let value = if exceeded.limit == LimitName::Segments { limits.segments } else { limits.work };
+    State::Failed(limit(exceeded.limit, value, exceeded.largest))
+}

@@ -1,0 +1,134 @@
+//! Drawing letter by letter, where no two pieces need be alike.
+
+use super::builder::Builder;
+use super::tree::Tree;
+use super::walk::{Next, Walk};
+use super::{BlockId, StyleChange};
+use crate::turtle::{Directions, Op, Pen, Score};
+use crate::{LimitName, Limits, Program, Turtle};
+
+/// What an open branch costs in units of work: its turtle's state takes the memory of as many letters.
+const BRANCH: u64 = 32;
+
+/// What a derivation has cost so far.
+#[derive(Clone, Debug)]
+pub(crate) struct Tally {
+    walk: Walk,
+    segments: u64,
+    /// Branches open now, and at most so far.
+    open: u64,
+    deepest: u64,
+}
+
+/// What came of working on.
+pub(crate) enum Outcome<T> {
+    /// The work allowed is done; there is more.
+    Paused,
+    /// The whole derivation has been gone through.
+    Ended(T),
+    /// One segment or letter more would pass a limit.
+    Passed(LimitName),
+}
+
+impl Tally {
+    pub(crate) fn new(n: u32, seed: u32) -> Self {
+        Self { walk: Walk::new(n, seed), segments: 0, open: 0, deepest: 0 }
+    }
+
+    pub(crate) fn fraction(&self, program: &Program) -> f64 {
+        self.walk.fraction(program)
+    }
+
+    /// Goes on for `left` letters, handing the actions of each of the last generation to `act`.
+    pub(crate) fn step(
+        &mut self,
+        program: &Program,
+        score: &Score,
+        limits: &Limits,
+        left: &mut u64,
+        mut act: impl FnMut(&[Op]),
+    ) -> Outcome<()> {
+        let began = self.walk.work;
+        let until = began.saturating_add(*left).min(limits.work);
+        let outcome = loop {
+            match self.walk.next(program, until) {
+                Next::Letter(symbol) => {
+                    let ops = &score.ops[usize::from(symbol)];
+                    self.count(ops);
+                    if self.segments > limits.segments {
+                        break Outcome::Passed(LimitName::Segments);
+                    }
+                    act(ops);
+                }
+                Next::End => break Outcome::Ended(()),
+                Next::Pause if self.walk.work >= limits.work => break Outcome::Passed(LimitName::Work),
+                Next::Pause => break Outcome::Paused,
+            }
+        };
+        *left = left.saturating_sub((self.walk.work - began).max(1));
+        outcome
+    }
+
+    fn count(&mut self, ops: &[Op]) {
+        for op in ops {
+            match op {
+                Op::Draw(_) => self.segments += 1,
+                Op::Push => {
+                    self.open += 1;
+                    if self.open > self.deepest {
+                        self.deepest = self.open;
+                        self.walk.work += BRANCH;
+                    }
+                }
+                Op::Pop => self.open = self.open.saturating_sub(1),
+                Op::Move(_) | Op::Turn(_) | Op::Style(_) => {}
+            }
+        }
+    }
+}
+
+/// A tree of blocks in the making.
+#[derive(Clone, Debug)]
+pub(crate) struct Materialiser {
+    tally: Tally,
+    pen: Pen,
+    saved: Vec<Pen>,
+    tree: Tree,
+    directions: Directions,
+}
+
+impl Materialiser {
+    pub(crate) fn new(turtle: &Turtle, score: &Score, seed: u32, n: u32) -> Self {
+        Self {
+            tally: Tally::new(n, seed),
+            pen: Pen { at: [0.0; 2], heading: turtle.heading, style: StyleChange::start(score.width) },
+            saved: vec![],
+            tree: Tree::new(score.exponent),
+            directions: Directions::new(),
+        }
+    }
+
+    pub(crate) fn fraction(&self, program: &Program) -> f64 {
+        self.tally.fraction(program)
+    }
+
+    /// Goes on for `left` letters.
+    pub(crate) fn step(
+        &mut self,
+        program: &Program,
+        score: &Score,
+        builder: &mut Builder,
+        limits: &Limits,
+        left: &mut u64,
+    ) -> Outcome<Option<BlockId>> {
+        let Self { tally, pen, saved, tree, directions } = self;
+        let outcome = tally.step(program, score, limits, left, |ops| {
+            pen.act(ops, saved, 1.0, directions, |from, to, style| tree.push(builder, from, to, style));
+        });
+        match outcome {
+            Outcome::Paused => Outcome::Paused,
+            Outcome::Passed(limit) => Outcome::Passed(limit),
+            Outcome::Ended(()) => Outcome::Ended(tree.finish(builder)),
+        }
+    }
+}

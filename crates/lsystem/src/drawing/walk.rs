@@ -1,0 +1,107 @@
+//! A derivation gone through depth first: the letters of the last generation in order, none before it held.
+
+use crate::{Key, Program, Rewrite, SymbolId};
+
+/// Where a derivation stands. It holds no references, so it can rest between two calls.
+#[derive(Clone, Debug)]
+pub(crate) struct Walk {
+    n: u32,
+    seed: u32,
+    /// The words that are being gone through, outermost first.
+    open: Vec<Word>,
+    /// The letters met so far, in all generations.
+    pub(crate) work: u64,
+}
+
+#[derive(Clone, Debug)]
+struct Word {
+    source: Source,
+    /// The letter to read next.
+    next: usize,
+    /// Of the letter that this word replaced.
+    key: Key,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Source {
+    Axiom,
+    /// The successor of a letter, by its place among the choices.
+    Successor(SymbolId, usize),
+}
+
+/// What comes next.
+pub(crate) enum Next {
+    /// A letter of the last generation.
+    Letter(SymbolId),
+    /// The given work is spent.
+    Pause,
+    End,
+}
+
+impl Walk {
+    pub(crate) fn new(n: u32, seed: u32) -> Self {
+        Self { n, seed, open: vec![Word { source: Source::Axiom, next: 0, key: Key::root(0) }], work: 0 }
+    }
+
+    /// Goes on to the next letter of the last generation, until `self.work` is `until`.
+    pub(crate) fn next(&mut self, program: &Program, until: u64) -> Next {
+        loop {
+            // The axiom's letters are generation 0.
+            let generation = self.open.len() as u32 - 1;
+            let Some(word) = self.open.last_mut() else { return Next::End };
+            let Some(&symbol) = letters(program, word.source).get(word.next) else {
+                if generation == 0 {
+                    return Next::End;
+                }
+                self.open.pop();
+                continue;
+            };
+            if self.work >= until {
+                return Next::Pause;
+            }
+            let index = word.next as u64;
+            word.next += 1;
+            self.work += 1;
+            if generation == self.n {
+                return Next::Letter(symbol);
+            }
+            let key = match word.source {
+                Source::Axiom => Key::root(index),
+                Source::Successor(..) => word.key.child(generation, index),
+            };
+            let step = generation + 1;
+            let choice = match &program.rewrites[usize::from(symbol)] {
+                Rewrite::Keep => return Next::Letter(symbol),
+                Rewrite::Always(_) => 0,
+                Rewrite::Choose(choices) => {
+                    let roll = key.choice(self.seed, step);
+                    choices.iter().position(|c| roll < c.until).unwrap_or(choices.len() - 1)
+                }
+            };
+            self.open.push(Word { source: Source::Successor(symbol, choice), next: 0, key });
+        }
+    }
+
+    /// How much of the derivation is done, 0 to 1, as if all letters of a word took the same time.
+    pub(crate) fn fraction(&self, program: &Program) -> f64 {
+        let (mut done, mut share) = (0.0, 1.0);
+        for word in &self.open {
+            let letters = letters(program, word.source).len().max(1) as f64;
+            // The letter last read is the one whose successor is the next word.
+            share /= letters;
+            done += share * (word.next.max(1) - 1) as f64;
+        }
+        done
+    }
+}
+
+fn letters(program: &Program, source: Source) -> &[SymbolId] {
+    match source {
+        Source::Axiom => &program.axiom,
+        Source::Successor(symbol, choice) => match &program.rewrites[usize::from(symbol)] {
+            Rewrite::Keep => &[],
+            Rewrite::Always(word) => word,
+            Rewrite::Choose(choices) => choices.get(choice).map_or(&[], |c| &c.successor),
+        },
+    }
+}
