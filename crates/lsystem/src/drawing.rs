@@ -16,7 +16,7 @@ mod style;
 mod tree;
 mod walk;
 
-pub use drawer::{Drawer, Progress, draw};
+pub use drawer::{Drawer, draw};
 pub use graph::Effect;
 pub use segments::Segments;
 

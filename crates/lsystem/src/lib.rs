@@ -20,6 +20,7 @@ mod notes;
 mod overrides;
 mod print;
 mod program;
+mod progress;
 mod render;
 mod style;
 mod system;
@@ -36,8 +37,8 @@ pub use describe::{LegendEntry, describe, legend, short_count, why_empty};
 pub use diagnostic::{Diagnostic, Expected, Feature, Field, JsonError, Kind, LimitName, Quantity, Severity, Undrawn};
 pub use dialect::Dialect;
 pub use drawing::{
-    Block, BlockId, ColourChange, Drawer, Drawing, Effect, Item, Piece, Placed, Progress, Segment, Segments, Stroke,
-    StyleChange, StyleId, WidthChange, draw,
+    Block, BlockId, ColourChange, Drawer, Drawing, Effect, Item, Piece, Placed, Segment, Segments, Stroke, StyleChange,
+    StyleId, WidthChange, draw,
 };
 pub use expr::{Code, Expr, Function, Meaning, Op, Operator, SIGN, STACK, Unusable};
 pub use grammar::{Constant, Grammar, Module, Production};
@@ -48,7 +49,8 @@ pub use notation::{parse, plain_word};
 pub use overrides::{Override, parse_overrides, print_actions, print_overrides};
 pub use print::{print_axiom, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
-pub use render::{Progress, Rect, RenderStats, Renderer, View, Viewport, fit, to_model};
+pub use progress::Progress;
+pub use render::{Rect, RenderStats, Renderer, View, Viewport, fit, to_model};
 pub use style::{Colour, ColourBy, Style};
 pub use system::System;
 pub use turtle::Turtle;

@@ -7,7 +7,9 @@ use super::materialise::{Materialiser, Outcome};
 use super::{BlockId, Drawing};
 use crate::derivation::limit;
 use crate::turtle::Score;
-use crate::{Diagnostic, Heading, LimitName, Limits, MAX_ITERATIONS, Program, Rewrite, SymbolId, System, Turtle};
+use crate::{
+    Diagnostic, Heading, LimitName, Limits, MAX_ITERATIONS, Program, Progress, Rewrite, SymbolId, System, Turtle,
+};
 
 /// What making one item of a block costs, in letters derived.
 const ITEM: u64 = 16;
@@ -34,15 +36,6 @@ pub struct Drawer {
     limits: Limits,
     builder: Builder,
     state: State,
-}
-
-/// Whether a [`Drawer`] has more to do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Progress {
-    /// Call [`Drawer::step`] again.
-    Running,
-    /// [`Drawer::finish`] returns at once.
-    Done,
 }
 
 #[derive(Clone, Debug)]
@@ -98,7 +91,7 @@ impl Drawer {
                 self.state = next;
             }
         }
-        Progress::Running
+        Progress::More
     }
 
     /// How much of the work is done, from 0 to 1; an estimate.
@@ -117,7 +110,7 @@ impl Drawer {
     /// # Errors
     /// As [`draw`].
     pub fn finish(mut self) -> Result<Drawing, Diagnostic> {
-        while self.step(1 << 20) == Progress::Running {}
+        while self.step(1 << 20) == Progress::More {}
         let (root, pieces) = match self.state {
             State::Failed(diagnostic) => return Err(diagnostic),
             State::Done { root, pieces } => (root, pieces),

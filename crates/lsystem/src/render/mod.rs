@@ -18,22 +18,13 @@ mod tests;
 
 pub use view::{Rect, View, Viewport, fit, to_model};
 
-use crate::{BlockId, ColourBy, Drawing, Heading, Item, Style};
+use crate::{BlockId, ColourBy, Drawing, Heading, Item, Progress, Style};
 use canvas::Canvas;
 use pen::Pen;
 use shape::Shape;
 use std::sync::Arc;
 use stroke::Capsule;
 use view::{Camera, SAMPLES};
-
-/// How far a picture is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Progress {
-    /// There is more to do.
-    More,
-    /// The picture is finished.
-    Done,
-}
 
 /// What a picture took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

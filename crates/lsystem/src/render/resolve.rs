@@ -1,7 +1,7 @@
 //! From subsamples to pixels.
 
-use super::Progress;
 use super::canvas::Canvas;
+use crate::Progress;
 use crate::Style;
 
 /// The finished pixels and the way to them.

@@ -40,6 +40,7 @@ impl Sample {
 
 fn empty(width: f64) -> Drawing {
     Drawing {
+        pieces: vec![],
         blocks: vec![],
         items: vec![],
         corners: vec![],
