@@ -1,0 +1,209 @@
+/**
+ * The worker as seen from the page. Nothing is ever queued: one definition is in flight, the newest one waits, those
+ * between are forgotten. A worker that fails is replaced by a fresh one with the same state.
+ */
+
+/** @typedef {import('./state.js').Definition} Definition */
+/** @typedef {import('./state.js').View} View */
+/** @typedef {'axiom' | 'rules' | 'overrides' | 'file' | 'numbers'} Field */
+
+/**
+ * @typedef {object} Diagnostic
+ * @property {Field} field
+ * @property {'warning' | 'error'} severity
+ * @property {string} message
+ * @property {string | null} hint
+ * @property {number} start UTF-16 offset into the field
+ * @property {number} end
+ */
+
+/**
+ * What a definition means, or what is wrong with it.
+ * @typedef {object} Report
+ * @property {boolean} ok when false, the last good drawing stays
+ * @property {Diagnostic[]} diagnostics
+ * @property {boolean} stochastic
+ * @property {boolean} memoised
+ * @property {string | null} symbols exact decimal digits
+ * @property {string | null} segments exact decimal digits
+ * @property {number} blocks
+ * @property {number | null} largest the most iterations within the limits
+ * @property {{symbol: string, actions: string | string[], rewritten: boolean}[]} legend
+ * @property {string | null} empty why nothing draws
+ * @property {string} description the text alternative of the picture
+ */
+
+/** @typedef {{width: number, height: number, ratio: number}} Canvas width and height in device pixels */
+/** @typedef {{x: number, y: number, width: number, height: number}} Box in model units */
+/** @typedef {{id: number, viewId: number, complete: boolean, fit: Box, bitmap: ImageBitmap, view: View, canvas: Canvas}} Drawn */
+/** @typedef {{definition: Definition | null, diagnostics: Diagnostic[]}} FileRead */
+/** @typedef {{text: string | null, diagnostics: Diagnostic[]}} Exported */
+/** @typedef {ReturnType<typeof createEngine>} Engine */
+
+/**
+ * @typedef {object} Events
+ * @property {(report: Report, id: number) => void} report
+ * @property {(drawn: Drawn) => void} drawn
+ * @property {(message: string, again: boolean) => void} failed `again` tells whether a fresh worker has taken over
+ */
+
+/** A worker that fails this often in a row with the same state is not started again. */
+const MOST_FAILURES = 2;
+
+/**
+ * @param {{worker: string, wasm: string}} urls
+ * @param {Events} events
+ */
+export function createEngine(urls, events) {
+    /** @type {Promise<ArrayBuffer>} */
+    const wasm = fetch(urls.wasm).then((response) => {
+        if (!response.ok) throw new Error(`${urls.wasm}: ${response.status}`);
+        return response.arrayBuffer();
+    });
+    /** @type {Worker | null} */
+    let worker = null;
+    let lastId = 0;
+    let failures = 0;
+    /** @type {Definition | null} */
+    let definition = null;
+    /** @type {{canvas: Canvas, view: View} | null} */
+    let look = null;
+    /** Definition sent and not yet reported on, and whether a newer one waits. */
+    let defineInFlight = 0;
+    let defineWaits = false;
+    let lookWaits = false;
+    let frame = 0;
+    /** Views sent and not yet drawn. @type {Map<number, {canvas: Canvas, view: View}>} */
+    const views = new Map();
+    /** @type {Map<number, {resolve: (answer: any) => void, reject: (reason: Error) => void}>} */
+    const asked = new Map();
+
+    start();
+
+    function start() {
+        const fresh = new Worker(urls.worker);
+        worker = fresh;
+        defineInFlight = 0;
+        defineWaits = definition !== null;
+        lookWaits = look !== null;
+        fresh.onmessage = ({ data }) => worker === fresh && receive(data);
+        fresh.onerror = (event) => {
+            event.preventDefault();
+            if (worker === fresh) fail(event.message || 'the worker did not start');
+        };
+        wasm.then(
+            (bytes) => {
+                fresh.postMessage({ type: 'init', wasm: bytes });
+                if (worker === fresh) send();
+            },
+            (error) => worker === fresh && fail(String(error.message ?? error), true),
+        );
+    }
+
+    function send() {
+        if (!worker) return;
+        if (definition && defineWaits && defineInFlight === 0) {
+            defineWaits = false;
+            defineInFlight = ++lastId;
+            worker.postMessage({ type: 'define', id: defineInFlight, definition });
+        }
+        if (look && lookWaits) {
+            lookWaits = false;
+            const id = ++lastId;
+            views.set(id, look);
+            worker.postMessage({ type: 'view', id, ...look.canvas, view: look.view });
+        }
+    }
+
+    /** @param {any} message */
+    function receive(message) {
+        const question = asked.get(message.id);
+        switch (message.type) {
+            case 'report':
+                if (message.id === defineInFlight) defineInFlight = 0;
+                send();
+                events.report(message.report, message.id);
+                break;
+            case 'drawn': {
+                failures = 0;
+                const seen = views.get(message.viewId);
+                for (const id of views.keys()) if (id < message.viewId) views.delete(id);
+                if (seen) events.drawn({ ...message, ...seen });
+                break;
+            }
+            case 'fatal':
+                fail(message.message);
+                break;
+            default:
+                asked.delete(message.id);
+                question?.resolve(message);
+        }
+    }
+
+    /** @param {string} message @param {boolean} [hopeless] */
+    function fail(message, hopeless = false) {
+        worker?.terminate();
+        worker = null;
+        failures += 1;
+        views.clear();
+        for (const { reject } of asked.values()) reject(new Error(message));
+        asked.clear();
+        const again = !hopeless && failures < MOST_FAILURES;
+        if (again) start();
+        events.failed(message, again);
+    }
+
+    /** @param {object} request @returns {Promise<any>} */
+    async function ask(request) {
+        await wasm;
+        return new Promise((resolve, reject) => {
+            if (!worker) return reject(new Error('the drawing engine has stopped'));
+            const id = ++lastId;
+            asked.set(id, { resolve, reject });
+            worker.postMessage({ ...request, id });
+        });
+    }
+
+    /** After a failure for good, new input is worth a fresh start. */
+    function revive() {
+        if (worker) return;
+        failures = 0;
+        start();
+    }
+
+    return {
+        /** @param {Definition} newest */
+        define(newest) {
+            definition = newest;
+            defineWaits = true;
+            revive();
+            wasm.then(send, () => {});
+        },
+
+        /** @param {Canvas} canvas @param {View} view */
+        look(canvas, view) {
+            look = { canvas, view };
+            lookWaits = true;
+            // More than one view a frame would be drawn for nobody.
+            frame ||= requestAnimationFrame(() => {
+                frame = 0;
+                wasm.then(send, () => {});
+            });
+        },
+
+        /** @param {string} text @returns {Promise<FileRead>} */
+        read: (text) => ask({ type: 'read', text }),
+
+        /** @param {'svg' | 'csv' | 'txt' | 'json'} format @returns {Promise<Exported>} */
+        export: (format) => ask({ type: 'export', format }),
+
+        /** @param {number} width @param {number} height @returns {Promise<Blob | null>} */
+        png: async (width, height) => (await ask({ type: 'png', width, height })).blob,
+
+        /** @returns {Promise<number>} */
+        seed: async () => (await ask({ type: 'seed' })).seed,
+
+        /** @param {Definition} small @param {number} width @param {number} height @returns {Promise<ImageBitmap | null>} */
+        thumb: async (small, width, height) => (await ask({ type: 'thumb', definition: small, width, height })).bitmap,
+    };
+}

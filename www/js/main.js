@@ -1,0 +1,142 @@
+/** Puts the page together: state, worker, drawing and controls. */
+
+import { followAddress } from './address.js';
+import { announce, toast } from './announce.js';
+import { button, html, setText } from './dom.js';
+import { createEngine } from './engine.js';
+import { createGallery } from './gallery.js';
+import { hasInk, houseInk, isDark } from './inks.js';
+import { readLink } from './link.js';
+import { OPENING } from './opening.js';
+import { captionOf, growthPanel } from './panels/growth-panel.js';
+import { keepPanel } from './panels/keep-panel.js';
+import { lookPanel } from './panels/look-panel.js';
+import { rulesPanel } from './panels/rules-panel.js';
+import { tabs } from './panels/tabs.js';
+import { turtlePanel } from './panels/turtle-panel.js';
+import { createStage } from './stage.js';
+import { definitionOf, sameSystem } from './state.js';
+import { createStore } from './store.js';
+import { theme, themeButton } from './theme.js';
+
+/** @typedef {import('./state.js').State} State */
+/** @typedef {import('./engine.js').Report} Report */
+
+const link = readLink(location.hash);
+const store = createStore(link ? link.state : { ...OPENING, ...dressOf(OPENING) });
+/** The last report on a system that draws. @type {Report | null} */
+let report = null;
+
+const engine = createEngine({ worker: 'worker.js', wasm: 'lsystem.wasm' }, { report: reported, drawn: (drawn) => stage.drawn(drawn), failed });
+engine.define(definitionOf(store.state));
+const stage = createStage(store, engine);
+const rules = rulesPanel(store);
+const growth = growthPanel(store, engine);
+const turtle = turtlePanel(store);
+const look = lookPanel(store);
+const address = followAddress(store, { open: openLink });
+
+keepPanel(store, engine, { address, canvas: stage.resolution });
+createGallery(engine, {
+    pick: (definition) => store.open(definition),
+    dress: (definition) => ({ ...definition, ...dressOf(definition) }),
+    look: theme,
+});
+tabs();
+themeButton((next) => {
+    const other = houseInk(next === 'dark' ? 'light' : 'dark');
+    const { palette, background } = houseInk(next);
+    if (hasInk(store.state, other)) store.dress({ palette: [...palette], background });
+});
+
+button('undo').addEventListener('click', () => store.undo());
+button('redo').addEventListener('click', () => store.redo());
+button('reset').addEventListener('click', () => store.change({ ...store.origin }, ''));
+addEventListener('keydown', (event) => {
+    const command = (event.ctrlKey || event.metaKey) && !event.altKey;
+    const key = event.key.toLowerCase();
+    if (!command || (key !== 'z' && key !== 'y')) return;
+    event.preventDefault();
+    if (key === 'y' || event.shiftKey) store.redo();
+    else store.undo();
+});
+// The browser's own undo knows nothing of the other controls; its menu entry gives ours.
+addEventListener('beforeinput', (event) => {
+    if (event.inputType !== 'historyUndo' && event.inputType !== 'historyRedo') return;
+    event.preventDefault();
+    if (event.inputType === 'historyUndo') store.undo();
+    else store.redo();
+});
+
+store.subscribe((state, before) => {
+    if (!sameSystem(state, before)) engine.define(definitionOf(state));
+    show(state, before);
+});
+show(store.state, null);
+if (link && link.problems.length > 0) toast(link.problems.join(' '));
+
+/** @param {Readonly<State>} state @param {Readonly<State> | null} before */
+function show(state, before) {
+    rules.show(state);
+    growth.show(state);
+    turtle.show(state);
+    look.show(state);
+    stage.show(state, before);
+    showNames(state);
+    button('undo').disabled = !store.canUndo;
+    button('redo').disabled = !store.canRedo;
+    const touched = !sameSystem(state, store.origin);
+    button('reset').disabled = !touched && state.view === store.origin.view;
+    html('stage').classList.toggle('on-dark', isDark(state.background));
+    html('stage').style.setProperty('--sheet', state.background);
+}
+
+/** @param {Readonly<State>} state */
+function showNames(state) {
+    const title = state.title || state.name || 'Untitled system';
+    const edited = sameSystem(state, store.origin) ? '' : ', edited';
+    setText(html('specimen-title'), title + edited);
+    setText(html('specimen-source'), state.source);
+    setText(html('caption-title'), title + edited);
+    setText(html('caption-text'), captionOf(state, report));
+    const heading = `${title} – L-systems`;
+    if (document.title !== heading) document.title = heading;
+}
+
+/** @param {Report} next */
+function reported(next) {
+    rules.report(next);
+    growth.report(next, store.state);
+    turtle.report(next);
+    const mistakes = next.diagnostics.filter(({ severity }) => severity === 'error');
+    html('stage').classList.toggle('stale', !next.ok);
+    if (!next.ok) return announce(`${mistakes.length === 1 ? 'One error' : `${mistakes.length} errors`}: ${mistakes[0]?.message ?? ''} The last good drawing stays.`);
+    report = next;
+    setText(html('empty'), next.empty ?? '');
+    html('empty').hidden = next.empty === null;
+    setText(html('description'), next.description);
+    html('drawing').setAttribute('aria-label', `Drawing: ${store.state.title || store.state.name || 'untitled system'}`);
+    showNames(store.state);
+    announce(next.empty ?? next.description);
+}
+
+/** @param {string} message @param {boolean} again */
+function failed(message, again) {
+    if (again) return;
+    toast(`The drawing engine stopped (${message}). Change something to start it again.`, { stay: true });
+}
+
+/** @param {NonNullable<ReturnType<typeof readLink>>} opened */
+function openLink({ state, problems }) {
+    store.open(state);
+    toast(['Opened the link. Undo brings back what was here.', ...problems].join(' '));
+}
+
+/**
+ * The page's inks, for a system that says nothing of its look.
+ * @param {import('./state.js').Definition} definition
+ */
+function dressOf(definition) {
+    const { palette, background } = hasInk(definition, houseInk('light')) ? houseInk(theme()) : definition;
+    return { palette: [...palette], background };
+}

@@ -1,0 +1,30 @@
+/** Axiom and productions. */
+
+import { byId, html } from '../dom.js';
+import { editor } from '../controls/editor.js';
+
+/** @param {import('../store.js').Store} store */
+export function rulesPanel(store) {
+    const settle = () => store.settle();
+    const axiom = editor(byId('axiom', HTMLTextAreaElement), html('axiom-problems'), 'axiom', {
+        change: (text) => store.change({ axiom: text }, 'axiom'),
+        settle,
+    });
+    const rules = editor(byId('rules', HTMLTextAreaElement), html('rules-problems'), 'rules', {
+        change: (text) => store.change({ rules: text }, 'rules'),
+        settle,
+    });
+
+    return {
+        /** @param {import('../state.js').State} state */
+        show(state) {
+            axiom.show(state.axiom);
+            rules.show(state.rules);
+        },
+        /** @param {import('../engine.js').Report} report */
+        report({ diagnostics }) {
+            axiom.mark(diagnostics.filter(({ field }) => field === 'axiom'));
+            rules.mark(diagnostics.filter(({ field }) => field === 'rules'));
+        },
+    };
+}

@@ -1,0 +1,73 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { EMPTY, TOGETHER, record, redo, undo } from '../../js/history.js';
+import { FIELDS, clean, same } from '../../js/state.js';
+import { createStore } from '../../js/store.js';
+import { dice, randomState } from './random.js';
+
+test('quick changes by one control are one step, others are not', () => {
+    const state = clean({ angle: 1 });
+    let history = record(EMPTY, state, { angle: 2 }, 'angle', 0);
+    history = record(history, clean({ angle: 2 }), { angle: 3 }, 'angle', 100);
+    assert.equal(history.past.length, 1);
+    assert.deepEqual(undo(history)?.patch, { angle: 1 });
+    history = record(history, clean({ angle: 3 }), { angle: 4 }, 'angle', 200 + TOGETHER);
+    history = record(history, clean({ angle: 4 }), { iterations: 5 }, 'iterations', 210 + TOGETHER);
+    assert.equal(history.past.length, 3);
+});
+
+test('a control moved there and back leaves nothing to undo', () => {
+    let history = record(EMPTY, clean({ angle: 1 }), { angle: 2 }, 'angle', 0);
+    history = record(history, clean({ angle: 2 }), { angle: 1 }, 'angle', 1);
+    assert.equal(undo(history), null);
+});
+
+test('undo leaves the view where the reader has it, unless the change moved it', () => {
+    const store = createStore(clean({ axiom: 'F' }));
+    store.change({ angle: 30 }, 'angle');
+    store.look({ x: 1, y: 2, zoom: 3 });
+    store.undo();
+    assert.equal(store.state.angle, 0);
+    assert.deepEqual(store.state.view, { x: 1, y: 2, zoom: 3 });
+    store.open({ axiom: 'G' });
+    assert.equal(store.state.view, null);
+    store.undo();
+    assert.deepEqual(store.state.view, { x: 1, y: 2, zoom: 3 });
+    assert.equal(store.state.axiom, 'F');
+});
+
+test('undo to the start and redo to the end walk the same states', () => {
+    const roll = dice(7);
+    for (let round = 0; round < 50; round++) {
+        const store = createStore(randomState(roll));
+        const states = [store.state];
+        for (let step = 0; step < 20; step++) {
+            const target = randomState(roll);
+            const field = FIELDS[Math.floor(roll() * FIELDS.length)] ?? 'axiom';
+            if (roll() < 0.1) store.open(target);
+            else store.change({ [field]: target[field] }, roll() < 0.5 ? '' : `${field}${step}`);
+            if (!same(store.state, states.at(-1))) states.push(store.state);
+        }
+        for (const state of states.slice(0, -1).reverse()) {
+            assert.ok(store.undo());
+            assert.deepEqual(store.state, state);
+        }
+        assert.ok(!store.canUndo && !store.undo());
+        for (const state of states.slice(1)) {
+            assert.ok(store.redo());
+            assert.deepEqual(store.state, state);
+        }
+        assert.ok(!store.canRedo && !store.redo());
+    }
+});
+
+test('a new change forgets what could be redone', () => {
+    const store = createStore(clean({}));
+    store.change({ axiom: 'A' }, '');
+    store.undo();
+    store.change({ axiom: 'B' }, '');
+    assert.ok(!store.canRedo);
+    store.undo();
+    assert.equal(store.state.axiom, '');
+    assert.ok(redo({ past: [], future: [] }) === null);
+});

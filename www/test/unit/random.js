@@ -1,0 +1,47 @@
+/** Random states for tests: the same seed gives the same ones. */
+
+import { COLOUR_BY, DIALECTS, clean } from '../../js/state.js';
+
+/** A small generator of numbers in [0, 1) (mulberry32). @param {number} seed */
+export function dice(seed) {
+    let state = seed >>> 0;
+    return () => {
+        state = (state + 0x6d2b79f5) >>> 0;
+        let t = Math.imul(state ^ (state >>> 15), state | 1);
+        t ^= t + Math.imul(t ^ (t >>> 7), t | 61);
+        return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
+    };
+}
+
+/** @param {() => number} roll */
+export function randomState(roll) {
+    /** @template T @param {readonly T[]} choices */
+    const pick = (choices) => /** @type {T} */ (choices[Math.floor(roll() * choices.length)]);
+    const characters = [...'FGXYfgAB+-[]{}()<>|!#%&\\/^$\'",;:.=* \n\t?~`@→ε−🌿é'];
+    const text = (/** @type {number} */ most) => Array.from({ length: Math.floor(roll() * most) }, () => pick(characters)).join('');
+    const number = () => pick([0, 1, -1, 25.7, 22.5, 1 / 3, 1e-7, 123456.789, (roll() - 0.5) * 10 ** Math.floor(roll() * 12)]);
+    const colour = () => `#${Math.floor(roll() * 2 ** 24).toString(16).padStart(6, '0')}`;
+    return clean({
+        name: text(12),
+        title: text(20),
+        source: text(20),
+        notes: text(20),
+        axiom: text(12),
+        rules: text(120),
+        iterations: Math.floor(roll() * 1001),
+        angle: number(),
+        rightAngle: roll() < 0.5 ? null : number(),
+        heading: number(),
+        step: Math.abs(number()),
+        start: [number(), number()],
+        dialect: pick(DIALECTS),
+        overrides: text(30),
+        seed: Math.floor(roll() * 2 ** 32),
+        palette: Array.from({ length: 1 + Math.floor(roll() * 6) }, colour),
+        colourBy: pick(COLOUR_BY),
+        background: colour(),
+        width: Math.abs(number()),
+        minWidth: Math.abs(number()),
+        view: roll() < 0.5 ? null : { x: number(), y: number(), zoom: 10 ** (roll() * 14 - 2) },
+    });
+}

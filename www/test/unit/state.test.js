@@ -1,0 +1,46 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { DEFAULTS, FIELDS, clean, sameSystem } from '../../js/state.js';
+
+test('defaults are valid and stand for themselves', () => {
+    assert.deepEqual(clean({}), DEFAULTS);
+    assert.deepEqual(clean(DEFAULTS), DEFAULTS);
+});
+
+test('what is out of range becomes the nearest valid value', () => {
+    const state = clean({ iterations: 1e9, seed: -5, step: 0, minWidth: 1e9, angle: 25.7, view: { x: 0, y: 9e99, zoom: 1e99 } });
+    assert.equal(state.iterations, 1000);
+    assert.equal(state.seed, 0);
+    assert.equal(state.step, 1e-9);
+    assert.equal(state.minWidth, 100);
+    assert.equal(state.angle, 25.7);
+    assert.deepEqual(state.view, { x: 0, y: 1e6, zoom: 1e12 });
+    assert.equal(clean({ iterations: 3.6 }).iterations, 4);
+    assert.ok(Object.is(clean({ heading: -0 }).heading, 0));
+});
+
+test('what is no value of its field leaves the base as it is', () => {
+    const base = clean({ axiom: 'F', palette: ['#112233'] });
+    for (const nonsense of [null, undefined, {}, [], 'text', NaN, Infinity, () => 1, Symbol('x')]) {
+        const wrong = Object.fromEntries(FIELDS.map((field) => [field, nonsense]));
+        const state = clean(wrong, base);
+        assert.equal(state.iterations, base.iterations);
+        assert.deepEqual(state.palette, base.palette);
+        assert.equal(state.dialect, base.dialect);
+        assert.deepEqual(state.start, [0, 0]);
+    }
+    assert.equal(Object.hasOwn(clean(JSON.parse('{"__proto__": {"axiom": "X"}, "more": 1}')), 'more'), false);
+    assert.equal(clean(JSON.parse('{"__proto__": {"axiom": "X"}}')).axiom, '');
+});
+
+test('texts are well formed, with plain line ends and a bound', () => {
+    assert.equal(clean({ rules: 'a\r\nb\rc' }).rules, 'a\nb\nc');
+    assert.equal(clean({ axiom: 'F\ud800F' }).axiom, 'F\ufffdF');
+    assert.equal(clean({ axiom: '🌿' }).axiom, '🌿');
+    assert.ok(clean({ rules: 'x'.repeat(1e6) }).rules.length <= 50_000);
+});
+
+test('the view is no part of the system', () => {
+    assert.ok(sameSystem(clean({ axiom: 'F' }), clean({ axiom: 'F', view: { x: 1, y: 1, zoom: 2 } })));
+    assert.ok(!sameSystem(clean({ axiom: 'F' }), clean({ axiom: 'G' })));
+});

@@ -1,0 +1,159 @@
+/**
+ * The page's worker: keeps one Playground between edits and draws. It stands behind the generated glue, which defines
+ * the global `wasm_bindgen`, in one classic script, because a classic worker also starts from a blob.
+ *
+ * It keeps only the newest `define` and `view` it has seen, works in steps of at most 8 ms, and returns to its event
+ * loop between steps, so that newer input supersedes older.
+ */
+(() => {
+    const STEP_MS = 8;
+    /** A small picture gets at most this many steps. */
+    const THUMB_STEPS = 40;
+
+    /** @type {any} the wasm module's exports */
+    const wasm = /** @type {any} */ (self).wasm_bindgen;
+    const canvas = new OffscreenCanvas(1, 1);
+    const channel = new MessageChannel();
+
+    /** @type {any} */
+    let playground = null;
+    /** A second one, for the gallery's small pictures. @type {any} */
+    let easel = null;
+    /** @type {any} the newest message of each kind that was not yet acted on */
+    let newDefine = null;
+    /** @type {any} */
+    let newView = null;
+    /** @type {any[]} questions, answered in turn */
+    const questions = [];
+    /** @type {any[]} small pictures to make while nothing else is to do */
+    const thumbs = [];
+    /** The small picture being made. @type {any} */
+    let thumb = null;
+    let defineId = 0;
+    let viewId = 0;
+    /** Whether a view is set; nothing is drawn before. */
+    let seen = false;
+    let awake = false;
+    let dead = false;
+
+    self.onmessage = ({ data }) => {
+        if (data.type === 'init') return start(data.wasm);
+        if (data.type === 'define') newDefine = data;
+        else if (data.type === 'view') newView = data;
+        else if (data.type === 'thumb') thumbs.push(data);
+        else questions.push(data);
+        wake();
+    };
+    channel.port1.onmessage = () => {
+        awake = false;
+        guard(work);
+    };
+
+    /** @param {ArrayBuffer} bytes */
+    function start(bytes) {
+        guard(() => {
+            wasm.initSync({ module: bytes });
+            playground = new wasm.Playground(canvas);
+            self.postMessage({ type: 'ready' });
+            wake();
+        });
+    }
+
+    /** Goes to work after the messages that are already waiting. */
+    function wake() {
+        if (awake || dead || playground === null) return;
+        awake = true;
+        channel.port2.postMessage(null);
+    }
+
+    function work() {
+        if (newDefine) {
+            const { id, definition } = newDefine;
+            newDefine = null;
+            defineId = id;
+            self.postMessage({ type: 'report', id, report: playground.define(definition) });
+        }
+        if (newView) {
+            const { id, width, height, ratio, view } = newView;
+            newView = null;
+            viewId = id;
+            playground.view(width, height, ratio, view.x, view.y, view.zoom);
+            seen = true;
+        }
+        const question = questions.shift();
+        if (question) answer(question);
+        const idle = !seen || step();
+        if (idle && questions.length === 0) {
+            if (!thumb && thumbs.length > 0) thumb = beginThumb(thumbs.shift());
+            if (thumb) paintThumb();
+        }
+        if (!idle || newDefine || newView || questions.length > 0 || thumb || thumbs.length > 0) wake();
+    }
+
+    /** @returns {boolean} whether there is nothing more to do */
+    function step() {
+        const { report, drawn, idle } = playground.step(STEP_MS);
+        if (report) self.postMessage({ type: 'report', id: defineId, report });
+        if (drawn) {
+            const bitmap = canvas.transferToImageBitmap();
+            self.postMessage({ type: 'drawn', id: defineId, viewId, complete: drawn.complete, fit: drawn.fit, bitmap }, { transfer: [bitmap] });
+        }
+        return idle;
+    }
+
+    /** @param {any} question */
+    function answer({ type, id, text, format, width, height }) {
+        if (type === 'read') {
+            self.postMessage({ type: 'file', id, ...wasm.read(text) });
+        } else if (type === 'export') {
+            self.postMessage({ type: 'exported', id, ...playground.export(format) });
+        } else if (type === 'seed') {
+            self.postMessage({ type: 'seed', id, seed: wasm.fresh_seed() });
+        } else if (type === 'png') {
+            const sheet = new OffscreenCanvas(1, 1);
+            playground.snapshot(sheet, width, height);
+            sheet.convertToBlob({ type: 'image/png' }).then(
+                (blob) => self.postMessage({ type: 'png', id, blob }),
+                () => self.postMessage({ type: 'png', id, blob: null }),
+            );
+        }
+    }
+
+    /** @param {any} thumb */
+    function beginThumb({ id, definition, width, height }) {
+        if (!easel) {
+            const sheet = new OffscreenCanvas(1, 1);
+            easel = { playground: new wasm.Playground(sheet), canvas: sheet };
+        }
+        const { ok } = easel.playground.define(definition);
+        easel.playground.view(width, height, 1, 0, 0, 1);
+        return { id, bitmap: null, steps: ok ? THUMB_STEPS : 0 };
+    }
+
+    /** One step of a small picture; a system that takes too many is shown as far as it came. */
+    function paintThumb() {
+        const { drawn, idle } = thumb.steps > 0 ? easel.playground.step(STEP_MS) : { drawn: null, idle: true };
+        thumb.steps -= 1;
+        if (drawn) {
+            thumb.bitmap?.close();
+            thumb.bitmap = easel.canvas.transferToImageBitmap();
+        }
+        if (!idle && !drawn?.complete && thumb.steps > 0) return;
+        self.postMessage({ type: 'thumb', id: thumb.id, bitmap: thumb.bitmap }, { transfer: thumb.bitmap ? [thumb.bitmap] : [] });
+        thumb = null;
+    }
+
+    /**
+     * After a trap the instance is in a doubtful state: say so and do nothing more. The page starts a fresh worker.
+     * @param {() => void} action
+     */
+    function guard(action) {
+        if (dead) return;
+        try {
+            action();
+        } catch (error) {
+            dead = true;
+            self.postMessage({ type: 'fatal', message: String(error instanceof Error ? error.message : error) });
+        }
+    }
+})();
