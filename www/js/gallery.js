@@ -38,7 +38,7 @@ export function createGallery(engine, { pick, dress, look }) {
         const response = await fetch('gallery.json');
         if (!response.ok) throw new Error(`gallery.json: ${response.status}`);
         const entries = /** @type {Entry[]} */ (await response.json());
-        const folders = Map.groupBy ? Map.groupBy(entries, ({ folder }) => folder) : groups(entries);
+        const folders = groups(entries);
         for (const [folder, inside] of folders) {
             const shelf = make('div', { class: 'cards' });
             for (const entry of inside) shelf.append(newCard(entry).card);

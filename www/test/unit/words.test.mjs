@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { even, nearest } from '../../js/controls/slider.js';
 import { grouped, plain, readNumber, short, shortText, zoomText } from '../../js/numerals.js';
 import { tints } from '../../js/tint.js';
-import { dice, randomState } from './random.js';
+import { dice, randomState } from './random.mjs';
 
 test('counts are whole up to nine digits and shortened beyond', () => {
     assert.equal(grouped('1234567'), '1,234,567');

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { between, pan, placement, scaleOf, zoomAt } from '../../js/view.js';
-import { dice } from './random.js';
+import { dice } from './random.mjs';
 
 /** Where a point, in fitted extents about the fitted centre, is seen: CSS pixels right of and below the canvas's centre. */
 const seen = (/** @type {any} */ view, /** @type {number} */ scale, /** @type {number} */ x, /** @type {number} */ y) => [(x - view.x) * scale * view.zoom, (view.y - y) * scale * view.zoom];

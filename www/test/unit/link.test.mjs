@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { LONGEST, readLink, writeLink } from '../../js/link.js';
 import { DEFAULTS, clean } from '../../js/state.js';
-import { dice, randomState } from './random.js';
+import { dice, randomState } from './random.mjs';
 
 const ROUNDS = Number(process.env.LSYSTEM_CASES ?? 500);
 

@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { EMPTY, TOGETHER, record, redo, undo } from '../../js/history.js';
 import { FIELDS, clean, same } from '../../js/state.js';
 import { createStore } from '../../js/store.js';
-import { dice, randomState } from './random.js';
+import { dice, randomState } from './random.mjs';
 
 test('quick changes by one control are one step, others are not', () => {
     const state = clean({ angle: 1 });
