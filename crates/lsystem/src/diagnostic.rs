@@ -422,6 +422,8 @@ pub enum JsonError {
 pub enum LimitName {
     /// Symbols of a string held in memory ([`Limits::symbols`](crate::Limits::symbols)).
     Symbols,
+    /// Modules of one generation held in memory ([`Limits::modules`](crate::Limits::modules)).
+    Modules,
     /// Segments of a drawing that does not memoise ([`Limits::segments`](crate::Limits::segments)).
     Segments,
     /// Derivation work of a system that does not memoise ([`Limits::work`](crate::Limits::work)).

@@ -26,6 +26,14 @@ impl Key {
     pub fn choice(self, seed: u32, step: u32) -> f64 {
         unit(mix(mix(self.0, u64::from(seed) | 1 << 32), u64::from(step)))
     }
+
+    /// A number uniform in `0.0..1.0` for the random number at `place` (0-based) of the production that is applied
+    /// in `step` (1-based; 0 for the axiom).
+    #[must_use]
+    pub fn number(self, seed: u32, step: u32, place: u16) -> f64 {
+        let slot = u64::from(step) | (u64::from(place) + 1) << 32;
+        unit(mix(mix(self.0, u64::from(seed) | 1 << 32), slot))
+    }
 }
 
 /// The top 53 bits as a fraction.

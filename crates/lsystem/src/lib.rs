@@ -22,6 +22,7 @@ mod print;
 mod program;
 mod progress;
 mod render;
+mod rewriting;
 mod style;
 mod system;
 #[cfg(test)]
@@ -51,6 +52,7 @@ pub use print::{print_axiom, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
 pub use progress::Progress;
 pub use render::{Rect, RenderStats, Renderer, View, Viewport, fit, to_model};
+pub use rewriting::{ContextPattern, Fault, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template};
 pub use style::{Colour, ColourBy, Style};
 pub use system::System;
 pub use turtle::Turtle;

@@ -7,6 +7,8 @@ use crate::LimitName;
 pub struct Limits {
     /// Symbols of a string held in memory.
     pub symbols: u64,
+    /// Modules, and numbers in them, of one generation held in memory.
+    pub modules: u64,
     /// Segments of a drawing that does not memoise.
     pub segments: u64,
     /// Symbols derived, in all generations together, for a drawing that does not memoise.
@@ -15,7 +17,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { symbols: 256 << 20, segments: 2_000_000, work: 100_000_000 }
+        Self { symbols: 256 << 20, modules: 32 << 20, segments: 2_000_000, work: 100_000_000 }
     }
 }
 
@@ -25,6 +27,7 @@ impl Limits {
     pub fn value(&self, name: LimitName) -> u64 {
         match name {
             LimitName::Symbols => self.symbols,
+            LimitName::Modules => self.modules,
             LimitName::Segments => self.segments,
             LimitName::Work => self.work,
             LimitName::Iterations => u64::from(MAX_ITERATIONS),

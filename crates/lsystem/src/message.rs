@@ -11,6 +11,7 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         Kind::Limit { limit, value, largest } => {
             let value = grouped(*value);
             let text = match limit {
+                LimitName::Modules => format!("A generation would have more than {value} modules"),
                 LimitName::Symbols => format!("The string would be longer than {value} symbols"),
                 LimitName::Segments => format!("The drawing would have more than {value} segments"),
                 LimitName::Work => format!("The drawing would take more than {value} symbols to derive"),
