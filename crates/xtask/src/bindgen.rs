@@ -5,13 +5,10 @@ use anyhow::{Context, Result};
 use std::ffi::OsString;
 use std::path::Path;
 
-/// The name of the generated script, of its types and of its wasm, without endings.
-pub(crate) const NAME: &str = "lsystem_wasm";
-
-/// Writes `NAME.js` (a classic script), `NAME_bg.wasm` and `NAME.d.ts` to `out`.
-pub(crate) fn generate(wasm: &Path, out: &Path) -> Result<()> {
+/// Writes `name.js` (a classic script), `name_bg.wasm` and `name.d.ts` to `out`.
+pub(crate) fn generate(wasm: &Path, out: &Path, name: &str) -> Result<()> {
     let mut words: Vec<OsString> = vec!["wasm-bindgen".into(), wasm.into(), "--out-dir".into(), out.into()];
-    let options = ["--target", "no-modules", "--out-name", NAME, "--omit-default-module-path"];
+    let options = ["--target", "no-modules", "--out-name", name, "--omit-default-module-path"];
     words.extend(options.map(OsString::from));
     words.extend(["--remove-name-section", "--remove-producers-section"].map(OsString::from));
     wasm_bindgen_cli::wasm_bindgen::run_cli_with_args(words)

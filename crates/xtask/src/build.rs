@@ -6,6 +6,9 @@ use anyhow::{Context, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+/// The boundary crate's library, and what is generated for it.
+const NAME: &str = "lsystem_wasm";
+
 /// Builds everything and puts it in place of `dist/` at once: whoever reads `dist/` finds the old site or the new one.
 pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     let generated = wasm(workspace)?;
@@ -13,7 +16,7 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     let site = new.path().join("site");
     page(&workspace.www(), &site)?;
     worker(&workspace.www(), &generated, &site)?;
-    fs::copy(generated.join(format!("{}_bg.wasm", bindgen::NAME)), site.join("lsystem.wasm"))?;
+    fs::copy(generated.join(format!("{NAME}_bg.wasm")), site.join("lsystem.wasm"))?;
     replace(&site, &workspace.dist(), &new.path().join("old"))
 }
 
@@ -24,8 +27,8 @@ fn wasm(workspace: &Workspace) -> Result<PathBuf> {
     run(&mut workspace.cargo(["build", "--release", "--lib", "--package=lsystem-wasm", "--target", target]))?;
     // The page's type check reads the generated types here: www/tsconfig.worker.json.
     let out = workspace.root.join("target/wasm-bindgen");
-    let wasm = workspace.target.join(target).join("release/lsystem_wasm.wasm");
-    bindgen::generate(&wasm, &out)?;
+    let wasm = workspace.target.join(target).join(format!("release/{NAME}.wasm"));
+    bindgen::generate(&wasm, &out, NAME)?;
     Ok(out)
 }
 
@@ -52,7 +55,7 @@ fn is_shipped(path: &Path) -> bool {
 /// One classic script from the generated JavaScript and ours: module workers and imports fail in sandboxed frames and
 /// from files, one script handed over as text does not.
 fn worker(www: &Path, generated: &Path, site: &Path) -> Result<()> {
-    let glue = files::read_text(&generated.join(format!("{}.js", bindgen::NAME)))?;
+    let glue = files::read_text(&generated.join(format!("{NAME}.js")))?;
     let ours = files::read_text(&www.join("worker.js"))?;
     files::write(&site.join("worker.js"), format!("{glue}\n{ours}"))
 }

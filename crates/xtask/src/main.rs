@@ -1,5 +1,6 @@
 //! The developer's one tool: a `match` on one word.
 
+mod bench;
 mod bindgen;
 mod build;
 mod files;
@@ -27,6 +28,7 @@ usage: cargo xtask COMMAND
                          everything that must hold before a change is merged; PART is any of
                          lint, native, wasm, size, page; --thorough makes the property tests long
   lint                   formatting, clippy and documentation, warnings being errors
+  bench [PART ...]       speed beside other implementations; PART is any of native, web
 
 Needs: Rust by rustup (the wasm target is added when missing); for test and bench also Node.js 20 or newer with
 npm, Chromium and ChromeDriver (installed when missing where this runs as root on Debian).
@@ -73,6 +75,7 @@ fn run(program: &OsString, command: &str, rest: Vec<OsString>) -> Result<()> {
             no_more(words)?;
             test::test(&Workspace::find()?, &test::Options::read(["lint"].into_iter())?)
         }
+        "bench" => bench::bench(&Workspace::find()?, words),
         "help" | "--help" | "-h" => {
             print!("{USAGE}");
             Ok(())

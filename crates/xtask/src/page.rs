@@ -24,14 +24,14 @@ pub(crate) fn steps(workspace: &Workspace, report: &mut Report) {
     report.step("end-to-end tests of the page", || end_to_end(workspace, &www));
 }
 
-/// Makes `node_modules` what the lock file says. A copy of the lock file that was installed tells whether it is.
-fn packages(www: &Path) -> Result<()> {
-    let lock = files::read(&www.join("package-lock.json"))?;
-    let installed = www.join("node_modules/.installed-lock.json");
+/// Makes `node_modules` in a folder what the lock file says. A copy of the lock file that was installed tells whether it is.
+pub(crate) fn packages(folder: &Path) -> Result<()> {
+    let lock = files::read(&folder.join("package-lock.json"))?;
+    let installed = folder.join("node_modules/.installed-lock.json");
     if installed.is_file() && files::read(&installed)? == lock {
         return Ok(());
     }
-    run(Command::new(tools::npm()?).arg("ci").current_dir(www))?;
+    run(Command::new(tools::npm()?).arg("ci").current_dir(folder))?;
     files::write(&installed, lock)
 }
 

@@ -1,0 +1,10 @@
+//! Measurements: the same work by this library, by others, and by a plain copy of as many bytes.
+
+mod row;
+mod work;
+
+#[cfg(target_arch = "wasm32")]
+mod web;
+
+pub use row::{Row, tables};
+pub use work::{Buffers, WORKS, Work};

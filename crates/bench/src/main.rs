@@ -1,0 +1,76 @@
+//! `bench`: measures natively and prints tables. `bench FILE`: prints the tables of results measured in a browser.
+
+#[cfg(not(target_arch = "wasm32"))]
+mod peers;
+
+#[cfg(not(target_arch = "wasm32"))]
+fn main() {
+    match std::env::args_os().nth(1) {
+        None => print!("{}", bench::tables(&native::measure(), "native")),
+        Some(file) => {
+            let rows = std::fs::read(&file).expect("the file of results can be read");
+            print!("{}", bench::tables(&serde_json::from_slice::<Vec<bench::Row>>(&rows).expect("results"), "browser"));
+        }
+    }
+}
+
+#[cfg(target_arch = "wasm32")]
+fn main() {}
+
+#[cfg(not(target_arch = "wasm32"))]
+mod native {
+    use crate::peers;
+    use bench::{Buffers, Row, WORKS, Work};
+    use std::hint::black_box;
+    use std::time::{Duration, Instant};
+
+    const EXPANSION: &str = "expansion, symbols/s";
+
+    pub(crate) fn measure() -> Vec<Row> {
+        let mut rows = vec![];
+        let mut buffers = Buffers::default();
+        for work in &WORKS {
+            compare(&work.shorter(), &mut buffers);
+            expansion(work, &mut buffers, &mut rows);
+        }
+        rows
+    }
+
+    /// Peers that do other work are not worth measuring.
+    fn compare(work: &Work, buffers: &mut Buffers) {
+        buffers.expand(&work.system(), work.n);
+        assert_eq!(peers::lindenmayer(work).string(work.n as usize), buffers.text);
+        let (mut system, _) = peers::dcc(work);
+        system.step_by(work.n as usize);
+        assert_eq!(system.render(), buffers.text);
+    }
+
+    fn expansion(work: &Work, buffers: &mut Buffers, rows: &mut Vec<Row>) {
+        let mut add = |who: &str, run: &mut dyn FnMut() -> u64| rows.push(best(EXPANSION, work, who, run));
+        let system = work.system();
+        add("ours", &mut || buffers.expand(&system, work.n));
+        add("copy", &mut || buffers.copy_text());
+        let peer = peers::lindenmayer(work);
+        add("lindenmayer 0.3", &mut || black_box(peer.string(work.n as usize)).len() as u64);
+        let (mut peer, _) = peers::dcc(work);
+        add("dcc-lsystem 0.6", &mut || {
+            peer.reset();
+            peer.step_by(work.n as usize);
+            peer.get_state().len() as u64
+        });
+    }
+
+    /// The best of at least three runs and half a second: what disturbs a run only ever makes it slower.
+    fn best(what: &str, work: &Work, who: &str, run: &mut dyn FnMut() -> u64) -> Row {
+        let begin = Instant::now();
+        let (mut runs, mut seconds, mut amount) = (0, f64::INFINITY, 0);
+        while runs < 3 || begin.elapsed() < Duration::from_millis(500) {
+            let start = Instant::now();
+            amount = run();
+            seconds = seconds.min(start.elapsed().as_secs_f64());
+            runs += 1;
+        }
+        let work = format!("{}, n = {}", work.name, work.n);
+        Row { what: what.into(), work, who: who.into(), amount, seconds }
+    }
+}

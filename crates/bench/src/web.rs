@@ -1,0 +1,49 @@
+//! The same measurements for a browser's script to time.
+
+use crate::{Buffers, WORKS, Work};
+use lsystem::System;
+use wasm_bindgen::prelude::*;
+
+/// One work with its system and buffers.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Bench {
+    work: Work,
+    system: System,
+    buffers: Buffers,
+}
+
+#[wasm_bindgen]
+impl Bench {
+    /// The work at `index`, or nothing after the last; a `shorter` one is for comparing results.
+    #[must_use]
+    pub fn at(index: usize, shorter: bool) -> Option<Self> {
+        let work = *WORKS.get(index)?;
+        let work = if shorter { work.shorter() } else { work };
+        Some(Self { work, system: work.system(), buffers: Buffers::default() })
+    }
+
+    /// As JSON: name, axiom, rules, angle, n.
+    #[must_use]
+    pub fn work(&self) -> String {
+        let Work { name, axiom, rules, angle, n } = self.work;
+        serde_json::json!({"name": name, "axiom": axiom, "rules": rules, "angle": angle, "n": n}).to_string()
+    }
+
+    /// Derives into memory that is used again; how many symbols.
+    pub fn expand(&mut self) -> f64 {
+        self.buffers.expand(&self.system, self.work.n) as f64
+    }
+
+    /// Copies the string; how many bytes.
+    #[wasm_bindgen(js_name = copyText)]
+    pub fn copy_text(&mut self) -> f64 {
+        self.buffers.copy_text() as f64
+    }
+
+    /// The last string derived.
+    #[must_use]
+    pub fn text(&self) -> String {
+        self.buffers.text.clone()
+    }
+}

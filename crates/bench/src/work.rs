@@ -1,0 +1,79 @@
+//! What is measured, and this library's part of it.
+
+use lsystem::{Definition, Limits, System};
+
+/// A system to be derived and drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Work {
+    /// What the tables call it.
+    pub name: &'static str,
+    /// Its axiom.
+    pub axiom: &'static str,
+    /// Its productions.
+    pub rules: &'static [(char, &'static str)],
+    /// Degrees.
+    pub angle: f64,
+    /// Derivation steps.
+    pub n: u32,
+}
+
+/// Four well-known systems, each with ten to thirty million symbols: more than the processor's caches hold.
+pub const WORKS: [Work; 4] = [
+    Work { name: "plant", axiom: "X", rules: &[('X', "F+[[X]-X]-F[-FX]+X"), ('F', "FF")], angle: 25.0, n: 10 },
+    Work { name: "Koch", axiom: "F", rules: &[('F', "F+F-F-F+F")], angle: 90.0, n: 10 },
+    Work { name: "dragon", axiom: "F", rules: &[('F', "F+G"), ('G', "F-G")], angle: 90.0, n: 22 },
+    Work { name: "Sierpinski", axiom: "F-G-G", rules: &[('F', "F-G+F+G-F"), ('G', "GG")], angle: 120.0, n: 14 },
+];
+
+/// No work here comes near these.
+const LIMITS: Limits = Limits { symbols: 1 << 30, segments: 1 << 30, work: 1 << 40 };
+
+impl Work {
+    /// The same work, a few steps shorter: to compare results before measuring.
+    #[must_use]
+    pub fn shorter(self) -> Self {
+        Self { n: self.n - 4, ..self }
+    }
+
+    /// The system of this library.
+    #[must_use]
+    pub fn system(&self) -> System {
+        let rules: Vec<String> = self.rules.iter().map(|(symbol, text)| format!("{symbol} -> {text}")).collect();
+        let definition = Definition {
+            axiom: self.axiom.into(),
+            rules: rules.join("\n"),
+            angle: self.angle,
+            iterations: self.n,
+            ..Definition::default()
+        };
+        System::new(&definition).0.expect("the measured systems are right")
+    }
+}
+
+/// Memory that is used again by every run: the first touch of fresh memory costs more than what is measured.
+#[derive(Debug, Default)]
+pub struct Buffers {
+    /// The last string derived.
+    pub text: String,
+    copy: Vec<u8>,
+}
+
+impl Buffers {
+    /// Derives the string and returns how many symbols it has.
+    pub fn expand(&mut self, system: &System, n: u32) -> u64 {
+        lsystem::expand_into(system, n, &LIMITS, &mut self.text).expect("within the limits");
+        self.text.len() as u64
+    }
+
+    /// Copies as many bytes as the last string has, and returns how many those are.
+    pub fn copy_text(&mut self) -> u64 {
+        copy(self.text.as_bytes(), &mut self.copy)
+    }
+}
+
+fn copy(from: &[u8], to: &mut Vec<u8>) -> u64 {
+    to.resize(to.len().max(from.len()), 0);
+    to[..from.len()].copy_from_slice(from);
+    core::hint::black_box(&to);
+    from.len() as u64
+}
