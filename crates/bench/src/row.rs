@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 
-/// One result: the best of several runs.
+/// One result.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Row {
     /// What was done, with its unit: `expansion, symbols/s`.
@@ -14,7 +14,7 @@ pub struct Row {
     pub who: String,
     /// How many units.
     pub amount: u64,
-    /// In which time.
+    /// In which time, at best.
     pub seconds: f64,
 }
 
@@ -40,9 +40,9 @@ fn table(text: &mut String, title: &str, rows: &[&Row]) {
     let peers: Vec<&str> = who.iter().copied().filter(|who| !["ours", "copy"].contains(who)).collect();
     let mut line = |cells: &[String]| {
         let (first, rest) = cells.split_first().expect("a table has columns");
-        let _ = write!(text, "{first:28}");
+        let _ = write!(text, "{first:32}");
         rest.iter().for_each(|cell| {
-            let _ = write!(text, "{cell:>18}");
+            let _ = write!(text, "{cell:>20}");
         });
         text.push('\n');
     };
