@@ -56,3 +56,8 @@ pub use rewriting::{ContextPattern, Fault, Letter, LetterId, Modules, Rewriter, 
 pub use style::{Colour, ColourBy, Style};
 pub use system::System;
 pub use turtle::Turtle;
+
+/// The README's Rust code is tested with the rest.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;
