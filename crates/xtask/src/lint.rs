@@ -6,7 +6,9 @@ use crate::workspace::{Workspace, run};
 
 pub(crate) fn steps(workspace: &Workspace, report: &mut Report) {
     report.step("formatting", || run(&mut workspace.cargo(["fmt", "--all", "--check"])));
-    report.step("clippy", || run(&mut workspace.cargo(["clippy", "--all-targets", "--", "-D", "warnings"])));
+    report.step("clippy", || {
+        run(&mut workspace.cargo(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]))
+    });
     report.step("clippy for wasm", || {
         tools::wasm_target()?;
         let what = ["clippy", "--all-targets", "--package=lsystem-wasm", "--target", tools::WASM_TARGET];
