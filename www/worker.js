@@ -96,7 +96,7 @@
         if (report) self.postMessage({ type: 'report', id: defineId, report });
         if (drawn) {
             const bitmap = canvas.transferToImageBitmap();
-            self.postMessage({ type: 'drawn', id: defineId, viewId, complete: drawn.complete, fit: drawn.fit, bitmap }, { transfer: [bitmap] });
+            self.postMessage({ type: 'drawn', id: defineId, viewId, complete: drawn.complete, scale: drawn.scale, bitmap }, { transfer: [bitmap] });
         }
         return idle;
     }

@@ -23,19 +23,21 @@
  * @property {boolean} ok when false, the last good drawing stays
  * @property {Diagnostic[]} diagnostics
  * @property {boolean} stochastic
- * @property {boolean} memoised
+ * @property {boolean | null} memoised whether the drawing shares its blocks; null while unknown
  * @property {string | null} symbols exact decimal digits
  * @property {string | null} segments exact decimal digits
- * @property {number} blocks
- * @property {number | null} largest the most iterations within the limits
+ * @property {number | null} blocks of the drawing; null while unknown
+ * @property {number | null} largest the most iterations within the limits, where one was passed
  * @property {{symbol: string, actions: string | string[], rewritten: boolean}[]} legend
  * @property {string | null} empty why nothing draws
  * @property {string} description the text alternative of the picture
  */
 
 /** @typedef {{width: number, height: number, ratio: number}} Canvas width and height in device pixels */
-/** @typedef {{x: number, y: number, width: number, height: number}} Box in model units */
-/** @typedef {{id: number, viewId: number, complete: boolean, fit: Box, bitmap: ImageBitmap, view: View, canvas: Canvas}} Drawn */
+/**
+ * A picture; `scale` is in device pixels per fitted extent at zoom 1.
+ * @typedef {{id: number, viewId: number, complete: boolean, scale: number, bitmap: ImageBitmap, view: View, canvas: Canvas}} Drawn
+ */
 /** @typedef {{definition: Definition | null, diagnostics: Diagnostic[]}} FileRead */
 /** @typedef {{text: string | null, diagnostics: Diagnostic[]}} Exported */
 /** @typedef {ReturnType<typeof createEngine>} Engine */

@@ -5,7 +5,7 @@
 
 import { calm, button, byId, html, setText } from './dom.js';
 import { zoomText } from './numerals.js';
-import { FITTED, between, pan, placement, scaleOf, zoomAt } from './view.js';
+import { FITTED, between, pan, placement, zoomAt } from './view.js';
 
 /** @typedef {import('./state.js').View} View */
 /** @typedef {import('./engine.js').Drawn} Drawn */
@@ -29,12 +29,12 @@ export function createStage(store, engine) {
     /** CSS pixels. */
     let size = { width: 0, height: 0 };
     let ratio = 1;
-    /** What the canvas shows. @type {{view: View, fit: import('./engine.js').Box, size: {width: number, height: number}} | null} */
+    /** What the canvas shows; its size in CSS pixels, its scale in CSS pixels per fitted extent. @type {{view: View, scale: number, size: {width: number, height: number}} | null} */
     let drawn = null;
     let glide = 0;
 
     const view = () => store.state.view ?? FITTED;
-    const scale = () => (drawn ? scaleOf(drawn.fit, size) : 1);
+    const scale = () => drawn?.scale ?? 1;
     /** @returns {Canvas} */
     const resolution = () => ({ width: Math.max(1, Math.round(size.width * ratio)), height: Math.max(1, Math.round(size.height * ratio)), ratio });
 
@@ -64,11 +64,11 @@ export function createStage(store, engine) {
     /** Puts the picture where the present view has it. */
     function place() {
         if (!drawn) return;
-        const at = placement(drawn.view, scaleOf(drawn.fit, drawn.size), view(), scale());
-        const x = size.width / 2 + at.x - (drawn.size.width / 2) * at.scale;
-        const y = size.height / 2 + at.y - (drawn.size.height / 2) * at.scale;
-        const still = Math.abs(x) < 0.01 && Math.abs(y) < 0.01 && Math.abs(at.scale - 1) < 1e-6;
-        canvas.style.transform = still ? 'none' : `translate(${x}px, ${y}px) scale(${at.scale})`;
+        const at = placement(drawn.view, view(), drawn.scale);
+        const x = size.width / 2 + at.x - (drawn.size.width / 2) * at.factor;
+        const y = size.height / 2 + at.y - (drawn.size.height / 2) * at.factor;
+        const still = Math.abs(x) < 0.01 && Math.abs(y) < 0.01 && Math.abs(at.factor - 1) < 1e-6;
+        canvas.style.transform = still ? 'none' : `translate(${x}px, ${y}px) scale(${at.factor})`;
     }
 
     /** @param {View} next */
@@ -158,10 +158,10 @@ export function createStage(store, engine) {
         },
 
         /** @param {Drawn} picture */
-        drawn({ bitmap, fit: box, view: from, canvas: made, complete }) {
+        drawn({ bitmap, scale: deviceScale, view: from, canvas: made, complete }) {
             if (canvas.width !== bitmap.width) canvas.width = bitmap.width;
             if (canvas.height !== bitmap.height) canvas.height = bitmap.height;
-            drawn = { view: from, fit: box, size: { width: bitmap.width / made.ratio, height: bitmap.height / made.ratio } };
+            drawn = { view: from, scale: deviceScale / made.ratio, size: { width: bitmap.width / made.ratio, height: bitmap.height / made.ratio } };
             context.transferFromImageBitmap(bitmap);
             canvas.style.width = `${drawn.size.width}px`;
             canvas.style.height = `${drawn.size.height}px`;

@@ -3,28 +3,16 @@
 import { MAX_ZOOM, MIN_ZOOM } from './state.js';
 
 /** @typedef {import('./state.js').View} View */
-/** @typedef {{width: number, height: number}} Size in CSS pixels */
 
 /** @type {Readonly<View>} */
 export const FITTED = Object.freeze({ x: 0, y: 0, zoom: 1 });
-
-/**
- * CSS pixels per fitted extent at zoom 1. `fit` is what Fit shows (margins included), as large as `size` allows.
- * @param {Size} fit in model units
- * @param {Size} size
- */
-export function scaleOf(fit, size) {
-    const longer = Math.max(fit.width, fit.height);
-    if (!(longer > 0)) return Math.max(1, Math.min(size.width, size.height));
-    return longer * Math.min(size.width / Math.max(fit.width, longer * 1e-9), size.height / Math.max(fit.height, longer * 1e-9));
-}
 
 /**
  * The view after the picture was dragged.
  * @param {View} view
  * @param {number} dx CSS pixels to the right
  * @param {number} dy CSS pixels down
- * @param {number} scale from `scaleOf`
+ * @param {number} scale CSS pixels per fitted extent at zoom 1
  * @returns {View}
  */
 export function pan(view, dx, dy, scale) {
@@ -38,7 +26,7 @@ export function pan(view, dx, dy, scale) {
  * @param {number} factor
  * @param {number} px CSS pixels right of the canvas's centre
  * @param {number} py CSS pixels below the canvas's centre
- * @param {number} scale from `scaleOf`
+ * @param {number} scale CSS pixels per fitted extent at zoom 1
  * @returns {View}
  */
 export function zoomAt(view, factor, px, py, scale) {
@@ -62,14 +50,13 @@ export function between(from, to, t) {
 }
 
 /**
- * Where a picture that was drawn for one view stands in another: CSS pixels right and down, and a scale, about the
+ * Where a picture that was drawn for one view stands in another: CSS pixels right and down, and a factor, about the
  * canvas's centre.
  * @param {View} drawn
- * @param {number} drawnScale `scaleOf` when it was drawn
  * @param {View} view
- * @param {number} scale `scaleOf` now
+ * @param {number} scale CSS pixels per fitted extent at zoom 1
  */
-export function placement(drawn, drawnScale, view, scale) {
+export function placement(drawn, view, scale) {
     const pixels = scale * view.zoom;
-    return { x: (drawn.x - view.x) * pixels, y: (view.y - drawn.y) * pixels, scale: pixels / (drawnScale * drawn.zoom) };
+    return { x: (drawn.x - view.x) * pixels, y: (view.y - drawn.y) * pixels, factor: view.zoom / drawn.zoom };
 }

@@ -51,7 +51,7 @@ pub use overrides::{Override, parse_overrides, print_actions, print_overrides};
 pub use print::{print_axiom, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
 pub use progress::Progress;
-pub use render::{Rect, RenderStats, Renderer, View, Viewport, fit, to_model};
+pub use render::{Rect, RenderStats, Renderer, View, Viewport, fit, fitted_scale, to_model};
 pub use rewriting::{ContextPattern, Fault, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template};
 pub use style::{Colour, ColourBy, Style};
 pub use system::System;

@@ -95,8 +95,8 @@ export function growthPanel(store, source) {
  * How the picture is made, in words.
  * @param {Report} report
  */
-function statusOf({ memoised, blocks, segments, largest }) {
-    if (segments === null) return 'Growing…';
+function statusOf({ memoised, blocks, largest }) {
+    if (memoised === null || blocks === null) return 'Growing…';
     const limit = largest !== null && largest < MAX_ITERATIONS ? ` It can grow to n = ${largest} within the limits.` : '';
     if (!memoised) return `Grown symbol by symbol.${limit}`;
     if (blocks <= 1) return limit.trim();

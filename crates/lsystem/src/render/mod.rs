@@ -16,7 +16,7 @@ mod sample;
 #[cfg(test)]
 mod tests;
 
-pub use view::{Rect, View, Viewport, fit, to_model};
+pub use view::{Rect, View, Viewport, fit, fitted_scale, to_model};
 
 use crate::{BlockId, ColourBy, Drawing, Heading, Item, Progress, Style};
 use canvas::Canvas;

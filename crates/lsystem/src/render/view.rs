@@ -62,6 +62,14 @@ pub fn fit(drawing: &Drawing) -> Rect {
     Rect { x: x + unit * rect.x, y: y + unit * rect.y, width: unit * rect.width, height: unit * rect.height }
 }
 
+/// Device pixels in one fitted extent (the longer side of [`fit`]) at zoom 1: what moves and magnifies a finished
+/// picture as the renderer would.
+#[must_use]
+pub fn fitted_scale(drawing: &Drawing, viewport: Viewport) -> f64 {
+    let (_, rect) = root_bounds(drawing);
+    Camera::new(drawing, viewport, View::default()).scale / SAMPLES * rect.longer_side()
+}
+
 /// The model point, y up, that the view shows at (`px`, `py`): device pixels from the upper left corner.
 #[must_use]
 pub fn to_model(drawing: &Drawing, viewport: Viewport, view: View, px: f64, py: f64) -> [f64; 2] {
