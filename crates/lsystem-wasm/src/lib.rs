@@ -1,1 +1,105 @@
-//! The boundary between the core and JavaScript.
+//! The boundary between the core and JavaScript: it translates and nothing else.
+//!
+//! Two plain functions, [`expand`](fn@expand) and [`draw`](fn@draw), turn a definition into a string and into typed
+//! arrays. [`Playground`] is the page's handle: it keeps a system between edits, works in steps that end on time,
+//! and paints an `OffscreenCanvas`. A definition is a plain object with the fields of [`lsystem::Definition`] in
+//! camel case; missing ones have their defaults. What is wrong with it comes as structured values ([`Problem`])
+//! with UTF-16 spans, thrown by the plain functions as `{diagnostics: [..]}`.
+
+mod clock;
+mod playground;
+mod report;
+mod surface;
+
+pub use playground::Playground;
+pub use report::{Problem, Report};
+
+use lsystem::{Definition, Diagnostic, Limits, System};
+use report::{Failure, problems};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+/// What a page may spend: a string that a browser can still hold, a drawing that fits 32-bit memory.
+const LIMITS: Limits = Limits { symbols: 64 << 20, modules: 16 << 20, segments: 1_000_000, work: 100_000_000 };
+
+/// Segments that [`draw`](fn@draw) gives at most: 16 bytes each, twice over while they are copied out.
+const ARRAY_SEGMENTS: u128 = 16 << 20;
+
+/// The segments of a drawing, in drawing order.
+#[wasm_bindgen(getter_with_clone)]
+#[derive(Debug)]
+pub struct Segments {
+    /// x0 y0 x1 y1 of each, in model units, y up.
+    pub segments: js_sys::Float32Array,
+    /// The colour index of each, not yet wrapped to a palette.
+    pub colours: js_sys::Int32Array,
+    /// The branch level of each.
+    pub levels: js_sys::Uint16Array,
+}
+
+/// The string of generation `n` of a definition.
+///
+/// # Errors
+/// Throws `{diagnostics}` where the definition is wrong or the string too long.
+#[wasm_bindgen]
+pub fn expand(definition: JsValue, n: u32) -> Result<String, JsValue> {
+    let (definition, system) = compile(definition)?;
+    lsystem::expand(&system, n, &LIMITS).map_err(|limit| failure(&definition, &[limit]))
+}
+
+/// The segments of generation `n` of a definition.
+///
+/// # Errors
+/// Throws `{diagnostics}` where the definition is wrong or the drawing too large.
+#[wasm_bindgen]
+pub fn draw(definition: JsValue, n: u32) -> Result<Segments, JsValue> {
+    let (definition, system) = compile(definition)?;
+    let wrong = |limit| failure(&definition, &[limit]);
+    let drawing = lsystem::draw(&system, n, &LIMITS).map_err(wrong)?;
+    if drawing.segment_count() > ARRAY_SEGMENTS {
+        return Err(failure(&definition, &[]));
+    }
+    let (mut points, mut colours, mut levels) = (Vec::new(), Vec::new(), Vec::new());
+    for segment in drawing.segments() {
+        points.extend([segment.from, segment.to].as_flattened().iter().map(|&value| value as f32));
+        colours.push(segment.colour);
+        levels.push(segment.level.min(u32::from(u16::MAX)) as u16);
+    }
+    Ok(Segments {
+        segments: points.as_slice().into(),
+        colours: colours.as_slice().into(),
+        levels: levels.as_slice().into(),
+    })
+}
+
+/// A fresh seed.
+///
+/// # Errors
+/// Throws where the browser has no source of randomness.
+#[wasm_bindgen]
+pub fn fresh_seed() -> Result<u32, JsValue> {
+    getrandom::u32().map_err(|error| JsValue::from_str(&error.to_string()))
+}
+
+fn from_js(definition: JsValue) -> Result<Definition, JsValue> {
+    serde_wasm_bindgen::from_value(definition).map_err(JsValue::from)
+}
+
+/// Translates to plain objects and arrays, absent values to null.
+fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
+    let plain = serde_wasm_bindgen::Serializer::json_compatible();
+    value.serialize(&plain).map_err(JsValue::from)
+}
+
+fn compile(definition: JsValue) -> Result<(Definition, System), JsValue> {
+    let definition = from_js(definition)?;
+    let (system, diagnostics) = System::new(&definition);
+    match system {
+        Some(system) => Ok((definition, system)),
+        None => Err(failure(&definition, &diagnostics)),
+    }
+}
+
+fn failure(definition: &Definition, diagnostics: &[Diagnostic]) -> JsValue {
+    to_js(&Failure { diagnostics: problems(diagnostics, definition, "") }).unwrap_or_else(|error| error)
+}

@@ -456,12 +456,14 @@ fn compile(
         }
     }
     let constant = |op: &Op| matches!(op, Op::Number(_));
-    if let [arguments @ .., last] = &ops[start..] {
-        if !arguments.is_empty() && arguments.iter().all(constant) && !matches!(last, Op::Number(_) | Op::Random(_)) {
-            let value = run(&ops[start..], &[], &|_| 0.0);
-            ops.truncate(start);
-            ops.push(Op::Number(value));
-        }
+    if let [arguments @ .., last] = &ops[start..]
+        && !arguments.is_empty()
+        && arguments.iter().all(constant)
+        && !matches!(last, Op::Number(_) | Op::Random(_))
+    {
+        let value = run(&ops[start..], &[], &|_| 0.0);
+        ops.truncate(start);
+        ops.push(Op::Number(value));
     }
     Ok(())
 }

@@ -171,9 +171,9 @@ impl Rewriter {
                     let end = (start + left.min(PIECE)).min(length);
                     self.work += (end - start) as u64;
                     if self.plan.table.is_some() {
-                        self.by_table(start, end)
+                        self.by_table(start, end);
                     } else {
-                        self.by_rules(start, end)?
+                        self.by_rules(start, end)?;
                     }
                     if self.work > self.plan.limits.work {
                         return Err(Fault::Limit(LimitName::Work));

@@ -1,0 +1,275 @@
+//! The page's handle: keeps a system between edits and works in steps that end on time.
+
+use crate::clock::Clock;
+use crate::report::{ExportReport, Report, legend_of, problems};
+use crate::surface::Surface;
+use crate::{LIMITS, from_js, to_js};
+use lsystem::{
+    Definition, Diagnostic, Drawer, Drawing, Kind, Progress, Renderer, System, View, Viewport, count_segments,
+    count_symbols, describe, expand, fit, why_empty,
+};
+use serde::Serialize;
+use std::sync::Arc;
+use wasm_bindgen::prelude::*;
+use web_sys::OffscreenCanvas;
+
+/// Work units between two looks at the clock: well under a millisecond each.
+const WORK: usize = 16_384;
+
+/// An L-system between edits: its drawing, and the picture on the canvas.
+#[wasm_bindgen]
+pub struct Playground {
+    surface: Surface,
+    clock: Clock,
+    /// What the shown drawing is of.
+    definition: Definition,
+    system: Option<System>,
+    drawing: Option<Arc<Drawing>>,
+    /// The drawing that is being built.
+    drawer: Option<Drawer>,
+    report: Report,
+    /// Whether the page has not seen the report yet.
+    news: bool,
+    renderer: Renderer,
+    viewport: Viewport,
+    view: View,
+    picture: Picture,
+}
+
+/// How far the picture is.
+#[derive(Clone, Copy, PartialEq)]
+enum Picture {
+    /// What is on the canvas is out of date.
+    Stale,
+    /// The renderer is at work.
+    Begun,
+    /// The canvas shows it.
+    Shown,
+}
+
+/// The answer of [`Playground::step`].
+#[derive(Serialize)]
+struct Step<'a> {
+    report: Option<&'a Report>,
+    drawn: Option<Drawn>,
+    idle: bool,
+}
+
+#[derive(Serialize)]
+struct Drawn {
+    complete: bool,
+    fit: Rect,
+}
+
+#[derive(Serialize)]
+struct Rect {
+    x: f64,
+    y: f64,
+    width: f64,
+    height: f64,
+}
+
+#[wasm_bindgen]
+impl Playground {
+    /// A playground that paints `canvas`.
+    ///
+    /// # Errors
+    /// Throws where the canvas has no 2D context.
+    #[wasm_bindgen(constructor)]
+    pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
+        Ok(Self {
+            surface: Surface::new(canvas)?,
+            clock: Clock::new(),
+            definition: Definition::default(),
+            system: None,
+            drawing: None,
+            drawer: None,
+            report: Report::default(),
+            news: false,
+            renderer: Renderer::new(),
+            viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
+            view: View::default(),
+            picture: Picture::Shown,
+        })
+    }
+
+    /// Takes a new state of the system and says what it means; the drawing follows in [`Playground::step`]. Where
+    /// the definition is wrong the former system stays.
+    ///
+    /// # Errors
+    /// Throws where the argument is not a definition at all.
+    pub fn define(&mut self, definition: JsValue) -> Result<JsValue, JsValue> {
+        let definition = from_js(definition)?;
+        let (system, diagnostics) = System::new(&definition);
+        let diagnostics = problems(&diagnostics, &definition, "");
+        let Some(system) = system else {
+            return to_js(&Report { diagnostics, ..Report::default() });
+        };
+        let n = definition.iterations;
+        let same_drawing = self.definition.iterations == n
+            && (self.system.as_ref()).is_some_and(|former| {
+                former.seed == system.seed && former.program == system.program && former.turtle == system.turtle
+            });
+        let known = Report {
+            ok: true,
+            diagnostics,
+            stochastic: !system.program.is_deterministic(),
+            symbols: count_symbols(&system, n).map(|count| count.to_string()),
+            segments: count_segments(&system, n).map(|count| count.to_string()),
+            legend: legend_of(&system),
+            empty: why_empty(&system, n),
+            ..Report::default()
+        };
+        if same_drawing && (self.drawer.is_some() || self.drawing.is_some()) {
+            let former = core::mem::replace(&mut self.report, known);
+            self.report.memoised = former.memoised;
+            self.report.blocks = former.blocks;
+            self.report.segments = former.segments;
+            self.report.symbols = former.symbols;
+            self.report.largest = former.largest;
+            self.report.description = former.description;
+        } else {
+            self.drawer = Some(Drawer::new(&system, n, LIMITS));
+            self.report = known;
+        }
+        self.picture = Picture::Stale;
+        self.definition = definition;
+        self.system = Some(system);
+        to_js(&self.report)
+    }
+
+    /// Says where to look: the canvas size in device pixels, device pixels per CSS pixel, and the view, relative to
+    /// the fitted one.
+    pub fn view(&mut self, width: u32, height: u32, ratio: f64, x: f64, y: f64, zoom: f64) {
+        let view = View { x, y, zoom };
+        let viewport = Viewport { width, height, ratio };
+        if (view, viewport) != (self.view, self.viewport) {
+            (self.view, self.viewport) = (view, viewport);
+            self.picture = Picture::Stale;
+        }
+    }
+
+    /// Works for about `budget` milliseconds: `{report, drawn: {complete, fit}, idle}`, parts null without news.
+    ///
+    /// # Errors
+    /// Throws where the canvas refuses the picture.
+    pub fn step(&mut self, budget: f64) -> Result<JsValue, JsValue> {
+        let end = self.clock.now() + budget;
+        let mut drawn = None;
+        while drawn.is_none() && !self.is_idle() {
+            if self.drawer.is_some() {
+                self.build();
+            } else {
+                drawn = self.paint()?;
+            }
+            if self.clock.now() >= end {
+                break;
+            }
+        }
+        let report = core::mem::take(&mut self.news).then_some(&self.report);
+        to_js(&Step { report, drawn, idle: self.is_idle() })
+    }
+
+    /// The system as text: `svg`, `csv`, `txt` (the string) or `json`; `{text, diagnostics}`, the text null where a
+    /// limit was passed.
+    ///
+    /// # Errors
+    /// Throws where there is no such format or no drawing yet.
+    pub fn export(&self, format: &str) -> Result<JsValue, JsValue> {
+        let Some(system) = &self.system else {
+            return Err("nothing has been drawn yet".into());
+        };
+        let text = match format {
+            "txt" => expand(system, self.definition.iterations, &LIMITS).map(|text| text + "\n"),
+            _ => return Err(format!("there is no format `{format}`").into()),
+        };
+        let (text, diagnostics) = match text {
+            Ok(text) => (Some(text), vec![]),
+            Err(limit) => (None, problems(&[limit], &self.definition, "")),
+        };
+        to_js(&ExportReport { text, diagnostics })
+    }
+
+    /// Paints the current view at another size onto another canvas, to the end.
+    ///
+    /// # Errors
+    /// Throws where the canvas refuses the picture.
+    pub fn snapshot(&self, canvas: OffscreenCanvas, width: u32, height: u32) -> Result<(), JsValue> {
+        let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else {
+            return Err("nothing has been drawn yet".into());
+        };
+        let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
+        let mut renderer = Renderer::new();
+        renderer.load(drawing.clone());
+        renderer.begin(&system.style, Viewport { width, height, ratio }, self.view);
+        while renderer.step(WORK) == Progress::More {}
+        Surface::new(canvas)?.show(renderer.pixels(), width, height)
+    }
+}
+
+impl Playground {
+    fn is_idle(&self) -> bool {
+        self.drawer.is_none() && (self.picture == Picture::Shown || !self.is_visible())
+    }
+
+    /// Whether there is something to paint and somewhere to paint it.
+    fn is_visible(&self) -> bool {
+        self.drawing.is_some() && self.viewport.width > 0 && self.viewport.height > 0
+    }
+
+    /// Goes on with the drawing that is being built.
+    fn build(&mut self) {
+        let (Some(system), Some(mut drawer)) = (&self.system, self.drawer.take()) else { return };
+        if drawer.step(WORK as u64) == Progress::More {
+            self.drawer = Some(drawer);
+            return;
+        }
+        self.news = true;
+        let n = self.definition.iterations;
+        match drawer.finish() {
+            Ok(drawing) => {
+                // Where counts depend on chance the drawing has been materialised, and its count is exact.
+                let segments = count_segments(system, n).unwrap_or_else(|| drawing.segment_count().into());
+                self.report.memoised = Some(drawing.is_memoised());
+                self.report.blocks = Some(drawing.block_count());
+                self.report.description = describe(system, n, &segments, drawing.bounds());
+                self.report.segments = Some(segments.to_string());
+                let drawing = Arc::new(drawing);
+                self.renderer.load(drawing.clone());
+                self.drawing = Some(drawing);
+            }
+            Err(limit) => self.refuse(limit),
+        }
+        self.picture = Picture::Stale;
+    }
+
+    fn refuse(&mut self, limit: Diagnostic) {
+        if let Kind::Limit { largest, .. } = limit.kind {
+            self.report.largest = largest;
+        }
+        self.report.diagnostics.extend(problems(&[limit], &self.definition, ""));
+    }
+
+    /// Goes on with the picture; what is on the canvas after that, if anything new is.
+    fn paint(&mut self) -> Result<Option<Drawn>, JsValue> {
+        let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else { return Ok(None) };
+        if self.picture == Picture::Stale {
+            self.renderer.begin(&system.style, self.viewport, self.view);
+            self.picture = Picture::Begun;
+        }
+        if self.renderer.step(WORK) == Progress::More {
+            return Ok(None);
+        }
+        self.picture = Picture::Shown;
+        self.surface.show(self.renderer.pixels(), self.viewport.width, self.viewport.height)?;
+        let lsystem::Rect { x, y, width, height } = fit(drawing);
+        let fit = Rect { x, y, width, height };
+        Ok(Some(Drawn { complete: true, fit }))
+    }
+}
+
+impl core::fmt::Debug for Playground {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Playground").field("definition", &self.definition).finish_non_exhaustive()
+    }
+}

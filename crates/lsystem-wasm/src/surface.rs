@@ -1,0 +1,28 @@
+//! Where pixels meet the browser.
+
+use wasm_bindgen::{Clamped, JsCast, JsValue};
+use web_sys::{ImageData, OffscreenCanvas, OffscreenCanvasRenderingContext2d};
+
+/// A canvas and its 2D context.
+pub(crate) struct Surface {
+    canvas: OffscreenCanvas,
+    context: OffscreenCanvasRenderingContext2d,
+}
+
+impl Surface {
+    pub(crate) fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
+        let context = canvas.get_context("2d")?.ok_or("this canvas has no 2D context")?;
+        Ok(Self { canvas, context: context.dyn_into()? })
+    }
+
+    /// Shows a picture of `width` x `height` opaque RGBA pixels, and makes the canvas that size.
+    pub(crate) fn show(&self, pixels: &[u8], width: u32, height: u32) -> Result<(), JsValue> {
+        // Setting a size clears the canvas even where it is the same.
+        if (self.canvas.width(), self.canvas.height()) != (width, height) {
+            self.canvas.set_width(width);
+            self.canvas.set_height(height);
+        }
+        let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(pixels), width, height)?;
+        self.context.put_image_data(&image, 0.0, 0.0)
+    }
+}
