@@ -141,6 +141,8 @@ pub enum Kind {
         /// Whether it stands in a weight.
         weight: bool,
     },
+    /// `(` without `)` in arithmetic.
+    ArithmeticUnclosed,
     /// Arithmetic nested too deeply.
     ArithmeticDepth,
     /// Arithmetic whose result is infinite or undefined.
@@ -292,6 +294,8 @@ pub enum Kind {
         /// Their sum.
         sum: f64,
     },
+    /// A list of outcomes of which none can happen.
+    NoOutcome,
     /// An outcome with probability 0.
     ProbabilityZero,
 }
@@ -341,6 +345,20 @@ pub enum Quantity {
     MinWidth,
 }
 
+impl Quantity {
+    /// What it may be.
+    #[must_use]
+    pub fn expected(self) -> Expected {
+        match self {
+            Self::Angle | Self::RightAngle | Self::Heading => Expected::Number,
+            Self::Step => Expected::Between(1e-9, 1e9),
+            Self::Start => Expected::Between(-1e9, 1e9),
+            Self::Width => Expected::Between(0.0, 1e9),
+            Self::MinWidth => Expected::Between(0.0, 1e4),
+        }
+    }
+}
+
 /// What is expected of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Expected {
@@ -364,10 +382,10 @@ pub enum Expected {
     List,
     /// A pair of numbers.
     Point,
-    /// A string or a list of strings.
-    Lines,
     /// An object, or a list of lines.
     Rules,
+    /// An object, or a list of lines.
+    Overrides,
     /// A string, or a list of outcomes.
     Successor,
     /// An outcome `{"p": 0.5, "e": "F"}`.

@@ -22,6 +22,15 @@ impl Dialect {
     /// All dialects, in the order to offer them.
     pub const ALL: [Self; 4] = [Self::Abop, Self::EveryLetter, Self::Practical, Self::Lowercase];
 
+    /// Their names in files, in the same order.
+    pub(crate) const NAMES: [&str; 4] = ["abop", "every-letter", "practical", "lowercase"];
+
+    /// Its name in files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::NAMES[self as usize]
+    }
+
     /// What `symbol` does; empty for a symbol without action.
     #[must_use]
     pub fn actions(self, symbol: char) -> &'static [Action] {

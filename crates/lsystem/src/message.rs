@@ -98,7 +98,7 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         ),
 
         Kind::WeightRange { value } => {
-            hinted(format!("{} cannot be a weight", number(*value)), "A weight is a number above zero.".into())
+            hinted(format!("{} cannot be a weight", number(*value)), "A weight is a number above zero, from 1e-100 to 1e100.".into())
         }
         Kind::NumberExpected => said("A number is missing here".into()),
         Kind::NumberMalformed { text } => {
@@ -113,6 +113,7 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
                 _ => "A value is made of numbers, constants and + - * / ^ ( ).".into(),
             },
         ),
+        Kind::ArithmeticUnclosed => hinted("This `(` is never closed".into(), "Add `)`.".into()),
         Kind::ArithmeticDepth => said("The arithmetic is nested too deeply (more than 64 levels)".into()),
         Kind::ArithmeticRange => {
             hinted("The result is not a finite number".into(), "Is something divided by zero?".into())
@@ -209,6 +210,9 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         Kind::EmptyPalette => said("The palette has no colour".into()),
 
         Kind::Json(error) => json(*error),
+        Kind::WrongType { key, expected, found } if key.is_empty() => {
+            said(format!("The file must hold {}, not {found}", expected_words(*expected)))
+        }
         Kind::WrongType { key, expected, found } => {
             said(format!("`{key}` must be {}, not {found}", expected_words(*expected)))
         }
@@ -233,6 +237,10 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         Kind::ProbabilitySum { sum } => hinted(
             format!("The probabilities sum to {}, not to 1", rounded(*sum)),
             "They are read as weights: each is divided by the sum.".into(),
+        ),
+        Kind::NoOutcome => hinted(
+            "None of these outcomes can happen".into(),
+            "Write a string, or outcomes as {\"p\": 0.5, \"e\": \"F+F\"}.".into(),
         ),
         Kind::ProbabilityZero => said("An outcome with probability 0 never happens".into()),
     }
@@ -289,8 +297,7 @@ fn expected_words(expected: Expected) -> String {
         Expected::Object => "an object".into(),
         Expected::List => "a list".into(),
         Expected::Point => "a list of two numbers".into(),
-        Expected::Lines => "a string or a list of strings".into(),
-        Expected::Rules => "an object or a list of lines".into(),
+        Expected::Rules | Expected::Overrides => "an object or a list of lines".into(),
         Expected::Successor => "a string or a list of outcomes".into(),
         Expected::Outcome => "an outcome {\"p\": 0.5, \"e\": \"F+F\"}".into(),
         Expected::Colour => "a colour such as \"#1f5c3a\"".into(),

@@ -47,6 +47,11 @@ impl Notes {
         self.list.iter_mut().for_each(change);
     }
 
+    /// Whether a further diagnostic may not be listed, so that work on its hint would be lost.
+    pub(crate) fn is_full(&self) -> bool {
+        self.list.len() >= MOST
+    }
+
     pub(crate) fn finish(mut self) -> Vec<Diagnostic> {
         self.list.sort_by_key(|d| (d.span.start, d.span.end));
         if self.left_out > 0 {

@@ -28,6 +28,7 @@ use crate::print::{number, symbol};
 use crate::{Action, Diagnostic, Expected, Field, Kind};
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use core::ops::Range;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a symbol does instead of what its dialect says.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,16 +44,19 @@ pub struct Override {
 pub fn parse_overrides(text: &str) -> (Vec<Override>, Vec<Diagnostic>) {
     let mut notes = Notes::new(Field::Overrides);
     let mut found: Vec<Override> = Vec::new();
+    let mut places: BTreeMap<char, usize> = BTreeMap::new();
     if is_short_enough(text, &mut notes) {
         for line in lines(text).filter(|line| !is_comment(&text[line.clone()])) {
             let tokens = tokens(text, line.clone(), &mut notes);
             if let Some((symbol, place)) = head(&tokens, line.end, &mut notes) {
                 let actions = actions(&tokens[2..], line.end, &mut notes);
-                if found.iter().any(|o| o.symbol == symbol) {
+                if let Some(&earlier) = places.get(&symbol) {
                     notes.add(Kind::OverrideTwice { symbol }, place);
-                    found.retain(|o| o.symbol != symbol);
+                    found[earlier].actions = actions;
+                } else {
+                    places.insert(symbol, found.len());
+                    found.push(Override { symbol, actions });
                 }
-                found.push(Override { symbol, actions });
             }
         }
     }
@@ -62,15 +66,34 @@ pub fn parse_overrides(text: &str) -> (Vec<Override>, Vec<Diagnostic>) {
 /// Overrides as text that reads back as the same.
 #[must_use]
 pub fn print_overrides(overrides: &[Override]) -> String {
-    let mut lines = Vec::new();
-    for Override { symbol: ch, actions } in overrides {
-        let mut line = String::new();
-        symbol(*ch, *ch == '#', &mut line);
-        line.push_str(": ");
-        line.push_str(&print_actions(actions));
-        lines.push(line);
-    }
+    let lines: Vec<String> = overrides.iter().map(|o| line(o.symbol, &print_actions(&o.actions))).collect();
     lines.join("\n")
+}
+
+/// One line of overrides.
+pub(crate) fn line(ch: char, actions: &str) -> String {
+    let mut line = String::new();
+    symbol(ch, ch == '#', &mut line);
+    line.push_str(": ");
+    line.push_str(actions);
+    line
+}
+
+/// Symbols and actions of a text that is made of nothing else, or `None`.
+pub(crate) fn entries(text: &str) -> Option<Vec<(char, &str)>> {
+    let mut entries = Vec::new();
+    let mut seen = BTreeSet::new();
+    for place in text.split('\n').scan(0, |from, l| Some(core::mem::replace(from, *from + l.len() + 1)..*from - 1)) {
+        let mut quiet = Notes::new(Field::Overrides);
+        let tokens = tokens(text, place.clone(), &mut quiet);
+        let (symbol, _) = head(&tokens, place.end, &mut quiet)?;
+        let actions = text[tokens[1].span().end..place.end].trim_start();
+        if line(symbol, actions) != text[place] || !seen.insert(symbol) {
+            return None;
+        }
+        entries.push((symbol, actions));
+    }
+    Some(entries)
 }
 
 /// The words for what a symbol does: `draw`, `turn left 90, draw 5`, `nothing`.
@@ -116,7 +139,8 @@ fn head(tokens: &[Token], end: usize, notes: &mut Notes) -> Option<(char, Range<
     // The colon may come later: then the symbol is not one symbol.
     if let Some(colon) = tokens.iter().position(|t| t.is(':')) {
         let before = &tokens[..colon];
-        notes.add(Kind::OverrideSymbol { text: text_of(before) }, span_of(before, first.span().start));
+        let place = if colon == 0 { &tokens[..1] } else { before };
+        notes.add(Kind::OverrideSymbol { text: text_of(before) }, span_of(place, end));
         return None;
     }
     let rest = tokens[1..].iter().position(|t| !matches!(t.ch, '=' | '-' | '>' | '→'));

@@ -1,5 +1,7 @@
 //! How a drawing looks: colours, widths, background.
 
+use crate::Dialect;
+use crate::notes::excerpt;
 use serde::{Deserialize, Serialize};
 
 /// An sRGB colour without transparency, 8 bits a channel. Text form: `#rrggbb` (also read: `#rgb` and the sixteen
@@ -22,6 +24,20 @@ pub enum ColourBy {
     Single,
     /// The branch level: the palette's entry at the level.
     Level,
+}
+
+impl ColourBy {
+    /// All of them, in the order to offer them.
+    pub const ALL: [Self; 3] = [Self::Symbol, Self::Single, Self::Level];
+
+    /// Their names in files, in the same order.
+    pub(crate) const NAMES: [&str; 3] = ["symbol", "single", "level"];
+
+    /// Its name in files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::NAMES[self as usize]
+    }
 }
 
 /// The look of a drawing. A stroke is `max(width, min_width)` wide, after the width symbols acted.
@@ -59,6 +75,30 @@ impl Default for Style {
     }
 }
 
+impl Style {
+    /// The style of the course's files: green strokes 0.04 wide on white.
+    #[must_use]
+    pub fn course() -> Self {
+        Self {
+            palette: vec![Colour { rgb: [0, 0x80, 0] }],
+            background: Colour { rgb: [0xff; 3] },
+            width: 0.04,
+            ..Self::default()
+        }
+    }
+
+    /// The style that a file in this dialect has where it names none: in [`Dialect::Lowercase`] the pen starts blue,
+    /// and its turns choose red and green.
+    #[must_use]
+    pub fn for_dialect(dialect: Dialect) -> Self {
+        let mut style = Self::default();
+        if dialect == Dialect::Lowercase {
+            style.palette = [[0, 0, 0xff], [0xff, 0, 0], [0, 0x80, 0]].map(|rgb| Colour { rgb }).to_vec();
+        }
+        style
+    }
+}
+
 impl From<Colour> for String {
     fn from(colour: Colour) -> Self {
         let [r, g, b] = colour.rgb;
@@ -76,13 +116,36 @@ impl TryFrom<String> for Colour {
 impl core::str::FromStr for Colour {
     type Err = String;
     fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || format!("`{text}` is not a colour: write it as #rrggbb");
-        let digits = text.trim().strip_prefix('#').ok_or_else(wrong)?;
-        let value = u32::from_str_radix(digits, 16).map_err(|_| wrong())?;
-        match digits.len() {
-            6 => Ok(Self { rgb: [(value >> 16) as u8, (value >> 8) as u8, value as u8] }),
-            3 => Ok(Self { rgb: [8, 4, 0].map(|shift| ((value >> shift & 15) * 17) as u8) }),
-            _ => Err(wrong()),
+        let name = text.trim();
+        if let Some((_, rgb)) = NAMED.iter().find(|(known, _)| known.eq_ignore_ascii_case(name)) {
+            return Ok(Self { rgb: *rgb });
+        }
+        let digits = name.strip_prefix('#').filter(|d| d.bytes().all(|b| b.is_ascii_hexdigit()));
+        let value = digits.and_then(|digits| u32::from_str_radix(digits, 16).ok());
+        match (digits.map(str::len), value) {
+            (Some(6), Some(value)) => Ok(Self { rgb: [(value >> 16) as u8, (value >> 8) as u8, value as u8] }),
+            (Some(3), Some(value)) => Ok(Self { rgb: [8, 4, 0].map(|shift| ((value >> shift & 15) * 17) as u8) }),
+            _ => Err(format!("`{}` is not a colour: write it as #rrggbb", excerpt(text))),
         }
     }
 }
+
+/// The basic colour names of CSS 1.
+const NAMED: [(&str, [u8; 3]); 16] = [
+    ("black", [0, 0, 0]),
+    ("silver", [0xc0, 0xc0, 0xc0]),
+    ("gray", [0x80, 0x80, 0x80]),
+    ("white", [0xff, 0xff, 0xff]),
+    ("maroon", [0x80, 0, 0]),
+    ("red", [0xff, 0, 0]),
+    ("purple", [0x80, 0, 0x80]),
+    ("fuchsia", [0xff, 0, 0xff]),
+    ("green", [0, 0x80, 0]),
+    ("lime", [0, 0xff, 0]),
+    ("olive", [0x80, 0x80, 0]),
+    ("yellow", [0xff, 0xff, 0]),
+    ("navy", [0, 0, 0x80]),
+    ("blue", [0, 0, 0xff]),
+    ("teal", [0, 0x80, 0x80]),
+    ("aqua", [0, 0xff, 0xff]),
+];

@@ -3,11 +3,11 @@
 use crate::notation::{self, Reading};
 use crate::notes::Notes;
 use crate::{
-    Action, Definition, Diagnostic, Dialect, Expected, Field, Grammar, Heading, Kind, LimitName, MAX_ITERATIONS,
-    MAX_LETTERS, MAX_PALETTE, Override, Program, Quantity, Style, Turtle, Undrawn, parse_overrides,
+    Action, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, LimitName, MAX_ITERATIONS, MAX_LETTERS,
+    MAX_PALETTE, Override, Program, Quantity, Style, Turtle, Undrawn, parse_overrides,
 };
 use core::ops::Range;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A checked and compiled [`Definition`].
 #[derive(Clone, Debug, PartialEq)]
@@ -42,7 +42,8 @@ impl System {
             return (None, diagnostics);
         }
         let program = Program::new(&reading.grammar);
-        let actions = Actions { dialect: definition.dialect, overrides: &overrides };
+        let overrides = overrides.iter().map(|o: &Override| (o.symbol, o.actions.as_slice())).collect();
+        let actions = Actions { dialect: definition.dialect, overrides };
         diagnostics.extend(doubts(&reading, &program, &actions));
         let turtle = Turtle {
             actions: program.alphabet.iter().map(|&symbol| actions.of(symbol).to_vec()).collect(),
@@ -68,20 +69,20 @@ fn letters(grammar: &Grammar) -> usize {
 /// What symbols do: an override where there is one, the dialect otherwise.
 struct Actions<'a> {
     dialect: Dialect,
-    overrides: &'a [Override],
+    overrides: BTreeMap<char, &'a [Action]>,
 }
 
 impl Actions<'_> {
     fn of(&self, symbol: char) -> &[Action] {
-        match self.overrides.iter().find(|o| o.symbol == symbol) {
-            Some(found) => &found.actions,
+        match self.overrides.get(&symbol) {
+            Some(actions) => actions,
             None => self.dialect.actions(symbol),
         }
     }
 
     /// What the dialect means by `symbol` without drawing it.
     fn not_drawn(&self, symbol: char) -> Option<Undrawn> {
-        if self.overrides.iter().any(|o| o.symbol == symbol) {
+        if self.overrides.contains_key(&symbol) {
             return None;
         }
         match (self.dialect, symbol) {
@@ -99,18 +100,18 @@ fn check_numbers(definition: &Definition) -> Vec<Diagnostic> {
     let mut notes = Notes::new(Field::Numbers);
     let mut add = |kind| notes.add(kind, 0..0);
     let style = &definition.style;
-    let far = Expected::Between(-1e9, 1e9);
     let numbers = [
-        (Quantity::Angle, definition.angle, Expected::Number),
-        (Quantity::RightAngle, definition.right_angle.unwrap_or(0.0), Expected::Number),
-        (Quantity::Heading, definition.heading, Expected::Number),
-        (Quantity::Step, definition.step, Expected::Between(1e-9, 1e9)),
-        (Quantity::Start, definition.start[0], far),
-        (Quantity::Start, definition.start[1], far),
-        (Quantity::Width, style.width, Expected::Between(0.0, 1e9)),
-        (Quantity::MinWidth, style.min_width, Expected::Between(0.0, 1e4)),
+        (Quantity::Angle, definition.angle),
+        (Quantity::RightAngle, definition.right_angle.unwrap_or(0.0)),
+        (Quantity::Heading, definition.heading),
+        (Quantity::Step, definition.step),
+        (Quantity::Start, definition.start[0]),
+        (Quantity::Start, definition.start[1]),
+        (Quantity::Width, style.width),
+        (Quantity::MinWidth, style.min_width),
     ];
-    for (quantity, value, expected) in numbers {
+    for (quantity, value) in numbers {
+        let expected = quantity.expected();
         if !expected.admits(value) {
             add(Kind::Number { quantity, expected });
         }

@@ -127,7 +127,7 @@ impl Reader<'_> {
                 }
                 match self.peek() {
                     Some(other) => self.unexpected(other),
-                    None => self.notes.add(Kind::ParenthesisUnclosed, token.span()),
+                    None => self.notes.add(Kind::ArithmeticUnclosed, token.span()),
                 }
                 return None;
             }
@@ -172,7 +172,7 @@ impl Reader<'_> {
         let (name, text, span): (String, _, _) = (run.iter().map(|t| t.ch).collect(), text_of(run), span_of(run, 0));
         let value = self.names.value(&name);
         if value.is_none() {
-            let similar = self.names.similar(&name);
+            let similar = if self.notes.is_full() { None } else { self.names.similar(&name) };
             self.notes.add(Kind::UnknownConstant { name: text, similar, below: false, weight: self.weight }, span);
         }
         value

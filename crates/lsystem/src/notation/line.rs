@@ -77,7 +77,9 @@ impl Rules<'_> {
             return self.define(&tokens, line.end);
         }
         let tokens = tokens(self.text, line.clone(), self.notes);
-        let Some(&first) = tokens.first() else { return };
+        if tokens.is_empty() {
+            return;
+        }
         if let Some((word, after)) = heading(&tokens)
             && self.heading(&word, &tokens, after)
         {
@@ -88,8 +90,7 @@ impl Rules<'_> {
         } else if let Some(equals) = tokens.iter().position(|t| t.is('=')) {
             self.constant(&tokens, equals, line.end);
         } else {
-            let suggestion = suggestion(&tokens);
-            self.notes.add(Kind::NoArrow { suggestion }, first.span().start..span_of(&tokens, 0).end);
+            self.no_arrow(&tokens);
         }
     }
 
@@ -131,14 +132,22 @@ impl Rules<'_> {
         let (name, value) = (&tokens[..equals], &tokens[equals + 1..]);
         let arithmetic = value.first().is_some_and(|t| t.ch.is_ascii_digit() || t.ch == '.' || t.ch == '(');
         let mut quiet = Notes::new(crate::Field::Rules);
-        let is_name = is_name(name);
+        let named = is_name(name);
         let mut is_number = || expression::evaluate(value, end, false, &mut self.constants, &mut quiet).is_some();
         // One symbol before the sign and no number after it: a production is meant.
-        if name.len() == 1 && !value.is_empty() && (!is_name || (!arithmetic && !is_number())) {
+        if name.len() == 1 && !value.is_empty() && (!named || (!arithmetic && !is_number())) {
             let kind = Kind::EqualsForArrow { left: text_of(name), right: text_of(value) };
             return self.notes.add(kind, tokens[equals].span());
         }
+        // `F := FF` and the like.
+        if !named && name.iter().skip(1).any(|t| is_mark(*t)) {
+            return self.no_arrow(tokens);
+        }
         self.add_constant(name, value, end);
+    }
+
+    fn no_arrow(&mut self, tokens: &[Token]) {
+        self.notes.add(Kind::NoArrow { suggestion: suggestion(tokens) }, span_of(tokens, 0));
     }
 
     fn add_constant(&mut self, name: &[Token], value: &[Token], end: usize) {
@@ -161,8 +170,7 @@ impl Rules<'_> {
 
     fn production(&mut self, tokens: &[Token], arrow: Range<usize>, end: usize) {
         let (before, after) = (&tokens[..arrow.start], &tokens[arrow.end..]);
-        let arrow_start = tokens[arrow.start].span().start;
-        let predecessor = self.predecessor(before, arrow_start);
+        let predecessor = self.predecessor(before, &span_of(&tokens[arrow.clone()], end));
         let (successor, weight) = match weight_colon(after) {
             Some(colon) => (&after[..colon], Some(&after[colon + 1..])),
             None => (after, None),
@@ -186,7 +194,7 @@ impl Rules<'_> {
     }
 
     /// What stands before the arrow: contexts, the strict predecessor, and a condition.
-    fn predecessor(&mut self, tokens: &[Token], arrow: usize) -> Option<(Module, Range<usize>)> {
+    fn predecessor(&mut self, tokens: &[Token], arrow: &Range<usize>) -> Option<(Module, Range<usize>)> {
         let (head, condition) = match outside(tokens, ':') {
             Some(colon) => (&tokens[..colon], Some(&tokens[colon..])),
             None => (tokens, None),
@@ -194,13 +202,13 @@ impl Rules<'_> {
         let context = outside(head, '<').or_else(|| outside(head, '>'));
         let arguments = head.iter().position(|t| t.is('(') && t.joined);
         let feature = if context.is_some() && head.len() > 1 {
-            Some((Feature::Context, span_of(head, arrow)))
+            Some((Feature::Context, span_of(head, arrow.start)))
         } else if let Some(open) = arguments {
             let Some(length) = closing(&head[open..]) else {
                 self.notes.add(Kind::ParenthesisUnclosed, head[open].span());
                 return None;
             };
-            Some((Feature::Parameters, span_of(&head[open - 1..=open + length], arrow)))
+            Some((Feature::Parameters, span_of(&head[open - 1..=open + length], arrow.start)))
         } else {
             None
         };
@@ -210,13 +218,13 @@ impl Rules<'_> {
         if let Some(condition) = condition
             && !head.is_empty()
         {
-            self.notes.add(Kind::NotYet(Feature::Condition), span_of(condition, arrow));
+            self.notes.add(Kind::NotYet(Feature::Condition), span_of(condition, arrow.start));
             return None;
         }
         match head {
             _ if feature.is_some() => None,
             [] => {
-                self.notes.add(Kind::NoPredecessor, arrow..arrow);
+                self.notes.add(Kind::NoPredecessor, arrow.clone());
                 None
             }
             [only] if context.is_some() => {
@@ -230,7 +238,7 @@ impl Rules<'_> {
                 Some((Module::from(only.ch), only.span()))
             }
             _ => {
-                self.notes.add(Kind::LongPredecessor { text: text_of(head) }, span_of(head, arrow));
+                self.notes.add(Kind::LongPredecessor { text: text_of(head) }, span_of(head, arrow.start));
                 None
             }
         }
@@ -248,10 +256,10 @@ impl Rules<'_> {
                 production.weight = Some(value);
             }
         }
-        let constants = &self.constants.values;
+        let constants = &mut self.constants;
         self.notes.each(|d| {
             if let Kind::UnknownConstant { name, below, .. } = &mut d.kind {
-                *below = constants.contains_key(name.as_str());
+                *below = constants.value(name).is_some();
             }
         });
         for Defined { name, value, span } in core::mem::take(&mut self.constants.defined) {
@@ -293,10 +301,14 @@ fn outside(tokens: &[Token], ch: char) -> Option<usize> {
 /// The place of the last `:` outside parentheses.
 fn weight_colon(tokens: &[Token]) -> Option<usize> {
     let mut depth = 0_usize;
-    tokens.iter().rposition(|t| {
-        depth = (depth + usize::from(t.is(')'))).saturating_sub(usize::from(t.is('(')));
-        depth == 0 && t.is(':')
-    })
+    let mut last = None;
+    for (at, token) in tokens.iter().enumerate() {
+        depth = (depth + usize::from(token.is('('))).saturating_sub(usize::from(token.is(')')));
+        if depth == 0 && token.is(':') {
+            last = Some(at);
+        }
+    }
+    last
 }
 
 fn is_name(tokens: &[Token]) -> bool {
@@ -318,11 +330,15 @@ fn heading(tokens: &[Token]) -> Option<(String, usize)> {
     is_name(word).then(|| (word.iter().flat_map(|t| t.ch.to_lowercase()).collect(), colon + 1))
 }
 
+/// Whether a character may be part of what was meant as an arrow.
+fn is_mark(token: Token) -> bool {
+    !token.literal && matches!(token.ch, ':' | '-' | '>' | '<' | '~' | '|' | '=')
+}
+
 /// `tokens` with an arrow in the place of what looks like one.
 fn suggestion(tokens: &[Token]) -> Option<String> {
     let [first, rest @ ..] = tokens else { return None };
-    let marks =
-        rest.iter().take_while(|t| !t.literal && matches!(t.ch, ':' | '-' | '>' | '<' | '~' | '|' | '=')).count();
+    let marks = rest.iter().take_while(|t| is_mark(**t)).count();
     let word = &rest[marks..];
     let apart = rest.first().is_some_and(|t| !t.joined);
     (!word.is_empty() && (marks > 0 || apart)).then(|| format!("{} -> {}", first.ch, text_of(word)))

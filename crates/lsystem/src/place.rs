@@ -1,0 +1,180 @@
+//! Showing where a diagnostic points: as printed source with carets, and in JavaScript's units.
+
+use crate::{Diagnostic, Severity};
+use core::ops::Range;
+
+/// A span of bytes of `text` as a span of UTF-16 units, which JavaScript counts in. What lies outside the text is cut
+/// off; a boundary inside a character counts as before it.
+#[must_use]
+pub fn utf16_span(text: &str, span: Range<usize>) -> Range<usize> {
+    let start = floor(text, span.start);
+    let end = floor(text, span.end).max(start);
+    let units = |part: &str| part.chars().map(char::len_utf16).sum::<usize>();
+    let before = units(&text[..start]);
+    before..before + units(&text[start..end])
+}
+
+/// A diagnostic for a terminal, with the line it is about and carets below the place. `text` is what
+/// [`Diagnostic::field`] names, `source` what the reader knows it as, a file's name for example.
+///
+/// ```
+/// let rules = "F = FF";
+/// let (_, diagnostics) = lsystem::parse("F", rules);
+/// let shown = lsystem::render_diagnostic(&diagnostics[0], "plant.txt", rules);
+/// assert_eq!(shown, "\
+/// error: `=` gives a constant its value, and `FF` is not a number
+///  --> plant.txt:1:3
+///   |
+/// 1 | F = FF
+///   |   ^
+///   = help: For a production write `F -> FF`.
+/// ");
+/// ```
+#[must_use]
+pub fn render_diagnostic(diagnostic: &Diagnostic, source: &str, text: &str) -> String {
+    let severity = match diagnostic.severity() {
+        Severity::Warning => "warning",
+        Severity::Error => "error",
+    };
+    let mut out = format!("{severity}: {}\n", visible(&diagnostic.message()));
+    let mut margin = 1;
+    if diagnostic.span == (0..0) {
+        out.push_str(&format!(" --> {}\n", visible(source)));
+    } else {
+        let place = Place::new(text, diagnostic.span.clone());
+        let number = place.number.to_string();
+        margin = number.len();
+        let blank = " ".repeat(margin);
+        out.push_str(&format!("{blank}--> {}:{number}:{}\n", visible(source), place.column));
+        out.push_str(&format!("{blank} |\n{number} | {}\n", place.line));
+        out.push_str(&format!("{blank} | {}{}\n", " ".repeat(place.indent), "^".repeat(place.carets)));
+    }
+    if let Some(hint) = diagnostic.hint() {
+        out.push_str(&format!("{} = help: {}\n", " ".repeat(margin), visible(&hint)));
+    }
+    out
+}
+
+/// A place in a text, ready to be printed.
+struct Place {
+    /// Of the line, from 1.
+    number: usize,
+    /// In the line, in characters, from 1.
+    column: usize,
+    /// The line as printed.
+    line: String,
+    /// Columns before the carets.
+    indent: usize,
+    /// How many carets; at least one.
+    carets: usize,
+}
+
+/// Columns of a line that are printed before its place and after the place's start.
+const BEFORE: usize = 40;
+const AFTER: usize = 80;
+
+impl Place {
+    fn new(text: &str, span: Range<usize>) -> Self {
+        let start = floor(text, span.start);
+        let end = floor(text, span.end).max(start);
+        let line_start = text[..start].rfind(['\n', '\r']).map_or(0, |at| at + 1);
+        let rest = &text[start..];
+        let line_end = start + rest.find(['\n', '\r']).unwrap_or(rest.len());
+        // `\r\n` is one line end, a lone `\r` is one too.
+        let mut number = 1;
+        let mut last = ' ';
+        for ch in text[..line_start].chars() {
+            number += usize::from(ch == '\r' || (ch == '\n' && last != '\r'));
+            last = ch;
+        }
+        let (before, after) = (&text[line_start..start], &text[start..line_end]);
+        let (head, cut) = last_columns(before, BEFORE);
+        let mut line = String::from(if cut { "…" } else { "" });
+        line.push_str(&head);
+        let indent = width(&line);
+        let tail = shown(after);
+        let mut room = AFTER;
+        let kept = tail.char_indices().find(|&(_, ch)| {
+            let fits = columns(ch) <= room;
+            room = room.saturating_sub(columns(ch));
+            !fits
+        });
+        let tail_end = kept.map_or(tail.len(), |(at, _)| at);
+        line.push_str(&tail[..tail_end]);
+        if tail_end < tail.len() {
+            line.push('…');
+        }
+        let under = width(&shown(&text[start..end.min(line_end)])).min(AFTER);
+        Self { number, column: before.chars().count() + 1, line, indent, carets: under.max(1) }
+    }
+}
+
+/// The end of `text` as printed, within so many columns, and whether something was cut off.
+fn last_columns(text: &str, most: usize) -> (String, bool) {
+    let text = shown(text);
+    let mut room = most;
+    let mut from = text.len();
+    for (at, ch) in text.char_indices().rev() {
+        if columns(ch) > room {
+            return (text[from..].to_owned(), true);
+        }
+        room -= columns(ch);
+        from = at;
+    }
+    (text, false)
+}
+
+/// Text as printed: tabs as spaces, and nothing that a terminal would obey.
+fn shown(text: &str) -> String {
+    text.replace('\t', "    ").chars().map(harmless).collect()
+}
+
+/// A message as printed.
+fn visible(text: &str) -> String {
+    text.chars().map(harmless).collect()
+}
+
+fn harmless(ch: char) -> char {
+    match ch {
+        '\0'..='\u{1f}' => char::from_u32(0x2400 + u32::from(ch)).unwrap_or(' '),
+        '\u{7f}' => '\u{2421}',
+        _ if ch.is_control() || crate::notation::token::is_invisible(ch) || matches!(ch, '\u{2028}' | '\u{2029}') => {
+            '\u{fffd}'
+        }
+        _ => ch,
+    }
+}
+
+fn width(text: &str) -> usize {
+    text.chars().map(columns).sum()
+}
+
+/// How many columns a terminal gives a character: none to combining marks, two to East Asian wide ones and emoji
+/// (after Unicode's Standard Annex 11, its large ranges only).
+fn columns(ch: char) -> usize {
+    match u32::from(ch) {
+        0x300..=0x36f | 0x483..=0x489 | 0x591..=0x5bd | 0x20d0..=0x20ff | 0xfe00..=0xfe0f | 0xfe20..=0xfe2f => 0,
+        0x1100..=0x115f
+        | 0x2e80..=0x303e
+        | 0x3041..=0xa4cf
+        | 0xa960..=0xa97c
+        | 0xac00..=0xd7a3
+        | 0xf900..=0xfaff
+        | 0xfe30..=0xfe6f
+        | 0xff00..=0xff60
+        | 0xffe0..=0xffe6
+        | 0x1f300..=0x1f64f
+        | 0x1f680..=0x1f6ff
+        | 0x1f900..=0x1faff
+        | 0x20000..=0x3fffd => 2,
+        _ => 1,
+    }
+}
+
+fn floor(text: &str, at: usize) -> usize {
+    let mut at = at.min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}

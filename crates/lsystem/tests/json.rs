@@ -1,0 +1,181 @@
+//! JSON files: what is written reads back as the same, and no text panics.
+
+use expect_test::expect;
+use lsystem::{Colour, ColourBy, Definition, Diagnostic, Dialect, Style, read_json, write_json};
+use proptest::prelude::*;
+
+fn cases() -> ProptestConfig {
+    let cases = std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500);
+    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
+}
+
+fn style() -> impl Strategy<Value = Style> {
+    let colour = || any::<[u8; 3]>().prop_map(|rgb| Colour { rgb });
+    let any_style = (
+        prop::collection::vec(colour(), 1..4),
+        prop::sample::select(ColourBy::ALL.to_vec()),
+        colour(),
+        0.0..1e9,
+        0.0..1e4,
+    )
+        .prop_map(|(palette, colour_by, background, width, min_width)| Style {
+            palette,
+            colour_by,
+            background,
+            width,
+            min_width,
+        });
+    prop_oneof![2 => Just(Style::course()), 1 => Just(Style::default()), 1 => any_style]
+}
+
+/// Texts that mean something, and texts that do not.
+fn rules() -> impl Strategy<Value = String> {
+    prop_oneof!["([FGX] -> [FGX+\\-\\[\\]]{0,6}( : 0\\.[1-9])?\n){0,4}[FX] -> F", "\\PC*", ".*"]
+}
+
+fn definition() -> impl Strategy<Value = Definition> {
+    let words = || prop_oneof![Just(String::new()), ".{0,12}"];
+    let number = || prop_oneof![(-360..360).prop_map(f64::from), any::<f64>().prop_filter("finite", |v| v.is_finite())];
+    let overrides = prop_oneof![2 => Just(String::new()), 1 => Just("G: move\n`#`: draw 10".to_owned()), 1 => ".*"];
+    (
+        (words(), words(), words(), words()),
+        (prop_oneof!["[FGX+-]{0,5}", ".*"], rules(), overrides),
+        (0..=1000_u32, any::<u32>(), prop_oneof![Just(0), any::<u32>()]),
+        (number(), prop::option::of(number()), prop_oneof![Just(90.0), number()]),
+        (prop_oneof![Just(1.0), 1e-9..1e9], prop_oneof![Just([0.0, 0.0]), prop::array::uniform2(-1e9..1e9)]),
+        prop_oneof![Just(Dialect::EveryLetter), prop::sample::select(Dialect::ALL.to_vec())],
+        style(),
+    )
+        .prop_map(|(words, texts, whole, angles, lengths, dialect, style)| Definition {
+            name: words.0,
+            title: words.1,
+            source: words.2,
+            notes: words.3,
+            axiom: texts.0,
+            rules: texts.1,
+            overrides: texts.2,
+            iterations: whole.0,
+            seed: whole.2,
+            angle: angles.0,
+            right_angle: angles.1,
+            heading: angles.2,
+            step: lengths.0,
+            start: lengths.1,
+            dialect,
+            style,
+        })
+}
+
+proptest! {
+    #![proptest_config(cases())]
+
+    #[test]
+    fn written_definitions_read_back(definition in definition()) {
+        let text = write_json(&definition);
+        let (read, diagnostics) = read_json(&text);
+        prop_assert_eq!(read, Some(definition), "{}\n{:?}", text, diagnostics);
+        prop_assert!(text.ends_with('\n'));
+    }
+
+    #[test]
+    fn files_are_json_for_others_too(definition in definition()) {
+        prop_assert!(serde_json::from_str::<serde_json::Value>(&write_json(&definition)).is_ok());
+    }
+
+    #[test]
+    fn no_file_panics(text in prop_oneof![
+        ".*",
+        "[{}\\[\\]\":,0-9a-z \n/*'\\\\-]{0,60}",
+        "\\{(\"(rules|turtle|style|initial|num_iters|overrides|palette|F)\" ?: ?(\"[F+ ]{0,3}\"|[0-9.e-]{1,4}|\\{|\\[|\\]|\\}|null),? ?){0,8}\\}{0,3}",
+    ]) {
+        let (definition, diagnostics) = read_json(&text);
+        prop_assert_eq!(definition.is_none(), diagnostics.iter().any(Diagnostic::is_error));
+        for diagnostic in diagnostics {
+            prop_assert!(text.get(diagnostic.span.clone()).is_some(), "{:?}", diagnostic);
+        }
+    }
+}
+
+#[test]
+fn deep_nesting_is_an_error() {
+    for nest in ["[", "{\"a\":", "{\"rules\":[", "{\"rules\":{\"F\":"] {
+        let (definition, diagnostics) = read_json(&nest.repeat(100_000));
+        assert!(definition.is_none() && diagnostics.len() == 1);
+    }
+}
+
+#[test]
+fn the_course_form_says_what_it_can() {
+    let text = r#"{"name": "path", "initial": "F F", "angle_deg": 22.5, "num_iters": 5, "seed": 7,
+        "rules": {"F": [{"p": 0.5, "e": "F+F"}, {"p": 0.5, "e": "F-F"}], "(": ")"}}"#;
+    let (definition, _) = read_json(text);
+    expect![[r#"
+        {
+          "name": "path",
+          "stochastic": true,
+          "initial": "F F",
+          "angle_deg": 22.5,
+          "num_iters": 5,
+          "rules": {
+            "F": [
+              {"p": 0.5, "e": "F+F"},
+              {"p": 0.5, "e": "F-F"}
+            ],
+            "(": ")"
+          },
+          "seed": 7
+        }
+    "#]]
+    .assert_eq(&write_json(&definition.unwrap()));
+}
+
+#[test]
+fn our_form_says_the_rest() {
+    let definition = Definition {
+        name: "tree1".into(),
+        axiom: "F".into(),
+        rules: "// branching\nF -> F[+F]F[-F][F]".into(),
+        angle: 30.0,
+        right_angle: Some(25.7),
+        step: 15.0,
+        start: [700.0, 50.0],
+        dialect: Dialect::Practical,
+        overrides: "G: move".into(),
+        iterations: 5,
+        style: Style { colour_by: ColourBy::Level, ..Style::default() },
+        ..Definition::default()
+    };
+    expect![[r#"
+        {
+          "name": "tree1",
+          "initial": "F",
+          "angle_deg": 30,
+          "num_iters": 5,
+          "rules": [
+            "// branching",
+            "F -> F[+F]F[-F][F]"
+          ],
+          "turtle": {
+            "dialect": "practical",
+            "right_angle_deg": 25.7,
+            "step": 15,
+            "start": [700, 50],
+            "overrides": {
+              "G": "move"
+            }
+          },
+          "style": {
+            "colour_by": "level"
+          }
+        }
+    "#]]
+    .assert_eq(&write_json(&definition));
+}
+
+#[test]
+fn a_file_of_the_course_has_its_defaults() {
+    let (definition, diagnostics) = read_json("{}");
+    assert_eq!(diagnostics, []);
+    let expected = Definition { dialect: Dialect::EveryLetter, style: Style::course(), ..Definition::default() };
+    assert_eq!(definition, Some(expected));
+}
