@@ -6,7 +6,7 @@ use crate::surface::Surface;
 use crate::{LIMITS, from_js, to_js};
 use lsystem::{
     Definition, Diagnostic, Drawer, Drawing, Kind, Progress, Renderer, System, View, Viewport, count_segments,
-    count_symbols, describe, expand, fit, why_empty,
+    count_symbols, describe, expand, fitted_scale, why_empty,
 };
 use serde::Serialize;
 use std::sync::Arc;
@@ -58,15 +58,8 @@ struct Step<'a> {
 #[derive(Serialize)]
 struct Drawn {
     complete: bool,
-    fit: Rect,
-}
-
-#[derive(Serialize)]
-struct Rect {
-    x: f64,
-    y: f64,
-    width: f64,
-    height: f64,
+    /// Device pixels per fitted extent at zoom 1.
+    scale: f64,
 }
 
 #[wasm_bindgen]
@@ -149,7 +142,7 @@ impl Playground {
         }
     }
 
-    /// Works for about `budget` milliseconds: `{report, drawn: {complete, fit}, idle}`, parts null without news.
+    /// Works for about `budget` milliseconds: `{report, drawn: {complete, scale}, idle}`, parts null without news.
     ///
     /// # Errors
     /// Throws where the canvas refuses the picture.
@@ -262,9 +255,8 @@ impl Playground {
         }
         self.picture = Picture::Shown;
         self.surface.show(self.renderer.pixels(), self.viewport.width, self.viewport.height)?;
-        let lsystem::Rect { x, y, width, height } = fit(drawing);
-        let fit = Rect { x, y, width, height };
-        Ok(Some(Drawn { complete: true, fit }))
+        let scale = fitted_scale(drawing, self.viewport);
+        Ok(Some(Drawn { complete: true, scale }))
     }
 }
 
