@@ -1,0 +1,150 @@
+/** A real browser for the tests: every page opened here must stay within its origin and keep its console clean. */
+
+import assert from 'node:assert/strict';
+import { chromium } from 'playwright-core';
+
+export const ADDRESS = process.env.LSYSTEM_URL ?? 'http://127.0.0.1:8080/';
+
+const ARGUMENTS = [
+    '--headless',
+    '--no-sandbox',
+    '--disable-gpu',
+    '--disable-quic',
+    '--no-first-run',
+    '--disable-background-networking',
+    '--disable-component-update',
+    '--disable-sync',
+];
+
+export const DESKTOP = { viewport: { width: 1280, height: 800 } };
+export const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
+
+/** @typedef {import('playwright-core').Page} Page */
+
+/** @type {Promise<import('playwright-core').Browser> | undefined} */
+let browser;
+
+/** @returns {Promise<import('playwright-core').Browser>} */
+const launch = () => (browser ??= chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ARGUMENTS }));
+
+export async function close() {
+    await (await browser)?.close();
+    browser = undefined;
+}
+
+/**
+ * Opens the page, lets `use` work with it, and checks that nothing went wrong on the way.
+ * @param {{hash?: string, options?: import('playwright-core').BrowserContextOptions, before?: (page: Page) => Promise<unknown>}} how
+ * @param {(page: Page) => Promise<unknown>} use
+ */
+export async function withPage({ hash = '', options = DESKTOP, before }, use) {
+    const context = await (await launch()).newContext({ reducedMotion: 'reduce', acceptDownloads: true, ...options });
+    try {
+        const page = await context.newPage();
+        /** @type {string[]} */
+        const wrong = [];
+        page.on('console', (message) => ['error', 'warning'].includes(message.type()) && wrong.push(message.text()));
+        page.on('pageerror', (error) => wrong.push(String(error)));
+        page.on('request', (request) => {
+            const url = request.url();
+            if (!url.startsWith(ADDRESS) && !/^(blob|data):/.test(url)) wrong.push(`a request left the site: ${url}`);
+        });
+        await before?.(page);
+        await page.goto(ADDRESS + hash);
+        await page.waitForSelector('#stage.inked');
+        await use(page);
+        assert.deepEqual(wrong, []);
+    } finally {
+        await context.close();
+    }
+}
+
+/**
+ * Tries until it holds: `check` throws or gives false while it does not.
+ * @template T
+ * @param {() => Promise<T> | T} check
+ * @param {string} what
+ * @returns {Promise<NonNullable<T>>}
+ */
+export async function until(check, what, patience = 8000) {
+    const end = Date.now() + patience;
+    for (;;) {
+        let last;
+        try {
+            const value = await check();
+            if (value) return value;
+        } catch (error) {
+            last = error;
+        }
+        if (Date.now() > end) throw new Error(`not so in ${patience} ms: ${what}`, { cause: last });
+        await new Promise((resolve) => setTimeout(resolve, 30));
+    }
+}
+
+/**
+ * The picture as it is on the canvas: a digest of its pixels, and the part of them that is not background.
+ * @param {Page} page
+ * @returns {Promise<{digest: string, ink: number, width: number, height: number}>}
+ */
+export function picture(page) {
+    return page.evaluate(() => {
+        const source = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
+        const copy = document.createElement('canvas');
+        copy.width = source.width;
+        copy.height = source.height;
+        const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d'));
+        context.drawImage(source, 0, 0);
+        const words = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+        let hash = 0;
+        let ink = 0;
+        for (const word of words) {
+            hash = (Math.imul(hash, 31) + word) | 0;
+            if (word !== words[0]) ink += 1;
+        }
+        return { digest: `${source.width}x${source.height}:${hash}`, ink: ink / words.length, width: source.width, height: source.height };
+    });
+}
+
+/**
+ * Waits for another picture than `before`, and for that to be the last of its kind.
+ * @param {Page} page
+ * @param {{digest: string}} before
+ */
+export async function nextPicture(page, before) {
+    await until(async () => (await picture(page)).digest !== before.digest, 'the picture changes');
+    return stillPicture(page);
+}
+
+/** Waits until the picture has stopped changing. @param {Page} page */
+export async function stillPicture(page) {
+    let last = await picture(page);
+    let since = Date.now();
+    return until(async () => {
+        const now = await picture(page);
+        if (now.digest !== last.digest) {
+            last = now;
+            since = Date.now();
+        }
+        return Date.now() - since > 250 ? now : null;
+    }, 'the picture comes to rest');
+}
+
+/**
+ * Sets a slider the way a drag does: input events, without waiting for anything.
+ * @param {Page} page
+ * @param {string} selector
+ * @param {number[]} positions
+ */
+export function drag(page, selector, positions) {
+    return page.evaluate(
+        ([name, values]) => {
+            const slider = /** @type {HTMLInputElement} */ (document.querySelector(name));
+            for (const value of values) {
+                slider.value = String(value);
+                slider.dispatchEvent(new Event('input', { bubbles: true }));
+            }
+            slider.dispatchEvent(new Event('change', { bubbles: true }));
+        },
+        /** @type {const} */ ([selector, positions]),
+    );
+}

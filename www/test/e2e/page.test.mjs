@@ -1,0 +1,455 @@
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, test } from 'node:test';
+import { PHONE, close, drag, nextPicture, picture, stillPicture, until, withPage } from './browser.mjs';
+
+after(close);
+
+const KOCH = '#v=1&title=Koch&axiom=F&rules=F%20-%3E%20F+F--F+F&n=4&angle=60&heading=0';
+const CHANCE = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%20:%200.5%0AF%20-%3E%20F%5B-F%5DF%20:%200.5&n=5&angle=25';
+
+/** @param {import('playwright-core').Page} page */
+const hash = (page) => page.evaluate(() => location.hash);
+/** @param {import('playwright-core').Page} page @param {string} selector */
+const text = async (page, selector) => (await page.textContent(selector)) ?? '';
+
+test('a first visit shows a plant at once, and says what it is', () =>
+    withPage({}, async (page) => {
+        assert.ok((await picture(page)).ink > 0.003);
+        assert.match(await text(page, '#symbols'), /^[\d,]{3,}$/);
+        assert.match(await text(page, '#segments'), /^[\d,]{3,}$/);
+        await until(async () => (await text(page, '#description')).length > 10, 'the drawing is described');
+        assert.match(String(await page.getAttribute('#drawing', 'aria-label')), /^Drawing: ./);
+        assert.ok((await page.locator('#legend tr').count()) > 3);
+    }));
+
+test('every control has a name', () =>
+    withPage({}, async (page) => {
+        const nameless = await page.evaluate(() =>
+            [...document.querySelectorAll('button, input, select, textarea')]
+                .filter((element) => {
+                    const labels = 'labels' in element ? /** @type {HTMLInputElement} */ (element).labels : null;
+                    const words = element.getAttribute('aria-label') ?? [...(labels ?? [])].map((label) => label.textContent).join('') + element.textContent;
+                    return element.id !== 'file' && words.trim() === '';
+                })
+                .map((element) => element.outerHTML),
+        );
+        assert.deepEqual(nameless, []);
+    }));
+
+test('a system is picked from the gallery', () =>
+    withPage({}, async (page) => {
+        const before = await stillPicture(page);
+        await page.click('#open-gallery');
+        await page.waitForSelector('.card');
+        assert.ok((await page.locator('.card').count()) > 30);
+        await page.waitForSelector('.thumb.inked');
+        await page.fill('#search', 'dragon');
+        const card = page.locator('.card:visible').first();
+        const title = await card.locator('.card-title').textContent();
+        await card.click();
+        assert.ok(!(await page.isVisible('#gallery')));
+        const picked = await nextPicture(page, before);
+        assert.ok(picked.ink > 0.001);
+        assert.equal(await text(page, '#specimen-title'), title);
+        await page.click('#undo');
+        assert.equal((await nextPicture(page, picked)).digest, before.digest);
+    }));
+
+test('every system of the gallery draws, or says why not', () =>
+    withPage({}, async (page) => {
+        const entries = await page.evaluate(async () => (await fetch('gallery.json')).json());
+        assert.ok(entries.length > 30);
+        await page.click('#open-gallery');
+        await page.waitForSelector('.card');
+        await page.click('#close-gallery');
+        for (let at = 0; at < entries.length; at++) {
+            const before = await picture(page);
+            await page.evaluate((index) => /** @type {HTMLElement} */ (document.querySelectorAll('.card')[index]).click(), at);
+            await until(async () => (await picture(page)).digest !== before.digest || (await page.isVisible('#empty')), `${entries[at].path} is drawn`);
+            assert.equal(await page.locator('.problems .error').count(), 0, entries[at].path);
+        }
+    }));
+
+test('editing the rules changes the picture and the counts', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        const before = await stillPicture(page);
+        assert.equal(await text(page, '#segments'), '256');
+        await page.fill('#rules', 'F -> F+F-F-F+F');
+        await nextPicture(page, before);
+        await until(async () => (await text(page, '#segments')) === '625', 'five to the fourth segments');
+        await page.fill('#axiom', 'F+F');
+        await until(async () => (await text(page, '#segments')) === '1,250', 'twice as many');
+        assert.equal(await text(page, '#specimen-title'), 'Koch, edited');
+    }));
+
+test('a mistake is underlined in its place and explained, and the picture stays', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        const before = await stillPicture(page);
+        await page.fill('#rules', 'F -> F+F--F+F\nG = = 2');
+        await page.waitForSelector('#rules-problems .error');
+        const underlined = await page.locator('[data-editor=rules] .wrong').allTextContents();
+        assert.ok(underlined.length > 0 && 'G = = 2'.includes(underlined.join('')), underlined.join('|'));
+        assert.match(await text(page, '#rules-problems'), /Line 2, column/);
+        assert.equal(await page.getAttribute('#rules', 'aria-invalid'), 'true');
+        await page.click('#rules-problems .problem');
+        assert.ok((await page.evaluate(() => /** @type {HTMLTextAreaElement} */ (document.querySelector('#rules')).selectionStart)) >= 14);
+        assert.equal(await page.evaluate(() => document.activeElement?.id), 'rules');
+        assert.equal((await stillPicture(page)).digest, before.digest);
+        await page.fill('#rules', 'F -> F+F--F+F');
+        await until(async () => (await page.locator('#rules-problems li').count()) === 0, 'the list is empty again');
+        assert.equal((await stillPicture(page)).digest, before.digest);
+    }));
+
+test('when nothing draws, the page says why', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await page.fill('#axiom', 'X');
+        await page.waitForSelector('#empty:visible');
+        assert.match(await text(page, '#empty'), /X/);
+        await page.fill('#axiom', 'F');
+        await until(async () => !(await page.isVisible('#empty')), 'the note is gone');
+    }));
+
+test('the address holds the whole state, and opens to the same picture', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await page.fill('#iterations', '3');
+        await page.fill('#angle', '59,5');
+        await page.click('#tab-look');
+        await page.selectOption('#colour-by', 'single');
+        await page.fill('#width', '0.3');
+        await page.hover('#stage');
+        await page.mouse.wheel(0, -300);
+        await until(async () => /n=3&angle=59\.5.*&view=/.test(await hash(page)), 'the address follows');
+        const shown = await stillPicture(page);
+        const link = await hash(page);
+        await withPage({ hash: link }, async (other) => {
+            assert.equal((await stillPicture(other)).digest, shown.digest);
+            assert.equal(await other.inputValue('#angle'), '59.5');
+            await until(async () => (await hash(other)) === link, 'the address stays');
+        });
+    }));
+
+test('a link pasted into an open page opens, one undo away from what was there', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        const before = await stillPicture(page);
+        await page.evaluate(() => (location.hash = '#v=1&axiom=F-F-F-F&rules=F%20-%3E%20F-F+F+FF-F-F+F&n=2&angle=90'));
+        await nextPicture(page, before);
+        assert.equal(await page.inputValue('#axiom'), 'F-F-F-F');
+        await page.click('#undo');
+        await until(async () => (await page.inputValue('#axiom')) === 'F', 'the former system is back');
+        assert.equal((await stillPicture(page)).digest, before.digest);
+    }));
+
+test('a damaged link opens as far as it can be read, and says so', () =>
+    withPage({ hash: '#v=1&axiom=F&rules=F%20-%3E%20FF%zz&n=99999&angle=abc&bg=zzz' }, async (page) => {
+        assert.equal(await page.inputValue('#axiom'), 'F');
+        assert.equal(await page.inputValue('#iterations'), '1000');
+        assert.match(await text(page, '#toast'), /damaged/);
+    }));
+
+test('dragging a slider queues nothing: the last state is the one shown', () =>
+    withPage(
+        {
+            hash: KOCH,
+            before: (page) =>
+                page.addInitScript(() => {
+                    const post = Worker.prototype.postMessage;
+                    const seen = /** @type {any} */ (globalThis);
+                    seen.defines = [];
+                    Worker.prototype.postMessage = function (/** @type {any[]} */ ...message) {
+                        if (message[0].type === 'define') seen.defines.push(message[0].definition.angle);
+                        return post.apply(this, /** @type {any} */ (message));
+                    };
+                }),
+        },
+        async (page) => {
+            await stillPicture(page);
+            const first = await page.evaluate(() => /** @type {any} */ (globalThis).defines.length);
+            await drag(page, '#angle-slider', Array.from({ length: 300 }, (_, at) => at + 1));
+            await until(async () => (await page.evaluate(() => /** @type {any} */ (globalThis).defines.at(-1))) === 150, 'the last angle is sent');
+            const sent = (await page.evaluate(() => /** @type {any} */ (globalThis).defines.length)) - first;
+            assert.ok(sent <= 5, `${sent} of 300 were sent`);
+            const shown = await stillPicture(page);
+            await withPage({ hash: KOCH.replace('angle=60', 'angle=150') }, async (other) => {
+                assert.equal((await stillPicture(other)).digest, shown.digest);
+            });
+            await page.click('#undo');
+            assert.equal(await page.inputValue('#angle'), '60');
+        },
+    ));
+
+test('undo and redo cover every control', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        const start = await stillPicture(page);
+        /** @type {[string, () => Promise<unknown>][]} */
+        const edits = [
+            ['#axiom', () => page.fill('#axiom', 'F+F')],
+            ['#rules', () => page.fill('#rules', 'F -> FF+F')],
+            ['#iterations', () => page.fill('#iterations', '5')],
+            ['#angle', () => page.fill('#angle', '33.3')],
+            ['#two-angles', () => page.check('#two-angles')],
+            ['#seed', () => page.fill('#seed', '7')],
+            ['#dialect', () => page.selectOption('#dialect', 'every-letter')],
+            ['#overrides', () => page.fill('#overrides', 'G: move')],
+            ['#heading', () => page.fill('#heading', '45')],
+            ['#step', () => page.fill('#step', '2')],
+            ['#start-x', () => page.fill('#start-x', '3')],
+            ['look', () => page.click('#tab-look')],
+            ['#colour-by', () => page.selectOption('#colour-by', 'level')],
+            ['.ink', () => page.click('.ink >> nth=2')],
+            ['#width', () => page.fill('#width', '0.5')],
+            ['#thin', () => page.fill('#thin', '2')],
+            ['#add-colour', () => page.click('#add-colour')],
+        ];
+        for (const [, edit] of edits) {
+            await edit();
+            await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement)?.blur());
+        }
+        const end = await stillPicture(page);
+        assert.notEqual(end.digest, start.digest);
+        for (let step = 1; step < edits.length; step++) await page.keyboard.press('Control+z');
+        assert.ok(await page.isDisabled('#undo'));
+        assert.equal((await nextPicture(page, end)).digest, start.digest);
+        for (let step = 1; step < edits.length; step++) await page.keyboard.press('Control+Shift+z');
+        assert.ok(await page.isDisabled('#redo'));
+        assert.equal((await nextPicture(page, start)).digest, end.digest);
+        await page.click('#reset');
+        assert.equal((await nextPicture(page, end)).digest, start.digest);
+    }));
+
+test('undo works inside a text field too', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await page.focus('#axiom');
+        await page.keyboard.press('End');
+        await page.keyboard.type('+F');
+        assert.equal(await page.inputValue('#axiom'), 'F+F');
+        await page.keyboard.press('Control+z');
+        assert.equal(await page.inputValue('#axiom'), 'F');
+        await page.keyboard.press('Control+y');
+        assert.equal(await page.inputValue('#axiom'), 'F+F');
+    }));
+
+test('wheel, drag, keys and buttons move the picture; Fit brings it back', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        const fitted = await stillPicture(page);
+        await page.mouse.move(400, 400);
+        await page.mouse.wheel(0, -400);
+        const zoomed = await nextPicture(page, fitted);
+        assert.match(await text(page, '#zoom'), /205/);
+        await page.mouse.down();
+        await page.mouse.move(500, 350, { steps: 4 });
+        await page.mouse.up();
+        const moved = await nextPicture(page, zoomed);
+        await page.click('#fit');
+        assert.equal((await nextPicture(page, moved)).digest, fitted.digest);
+        await page.click('#zoom-in');
+        await nextPicture(page, fitted);
+        await page.dblclick('#drawing', { position: { x: 300, y: 300 } });
+        await until(async () => (await picture(page)).digest === fitted.digest, 'a double click fits');
+        await page.focus('#drawing');
+        await page.keyboard.press('Shift+ArrowRight');
+        await nextPicture(page, fitted);
+        await page.keyboard.press('0');
+        await until(async () => (await picture(page)).digest === fitted.digest, 'zero fits');
+        await page.keyboard.press('ArrowRight');
+        assert.equal(await page.inputValue('#angle'), '61');
+        await page.keyboard.press('ArrowUp');
+        assert.equal(await page.inputValue('#iterations'), '5');
+        await page.keyboard.press('+');
+        assert.match(await text(page, '#zoom'), /150/);
+    }));
+
+test('the picture moves with the pointer before it is painted anew', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await stillPicture(page);
+        const transform = await page.evaluate(() => {
+            const canvas = /** @type {HTMLElement} */ (document.querySelector('#drawing'));
+            const at = { pointerId: 1, button: 0, clientX: 300, clientY: 300, bubbles: true };
+            canvas.setPointerCapture = () => {};
+            canvas.dispatchEvent(new PointerEvent('pointerdown', at));
+            canvas.dispatchEvent(new PointerEvent('pointermove', { ...at, clientX: 340, clientY: 310 }));
+            canvas.dispatchEvent(new PointerEvent('pointerup', at));
+            return canvas.style.transform;
+        });
+        const [x, y] = (/translate\(([-\d.e]+)px, ([-\d.e]+)px\)/.exec(transform) ?? []).slice(1).map(Number);
+        assert.ok(Math.abs(Number(x) - 40) < 0.01 && Math.abs(Number(y) - 10) < 0.01, transform);
+        await until(async () => (await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('#drawing')).style.transform)) === 'none', 'the new picture stands where the old one was moved');
+    }));
+
+test('the view is kept while angle and iterations change under it', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await page.mouse.move(400, 400);
+        await page.mouse.wheel(0, -400);
+        await until(async () => /view=/.test(await hash(page)), 'the view is in the address');
+        const view = /view=[^&]*/.exec(await hash(page))?.[0];
+        await page.fill('#iterations', '6');
+        await until(async () => (await hash(page)).includes('n=6'), 'the address follows');
+        assert.ok((await hash(page)).includes(String(view)));
+    }));
+
+test('chance: the dice change the plant, the same seed grows the same one', () =>
+    withPage({ hash: CHANCE }, async (page) => {
+        const first = await stillPicture(page);
+        assert.match(await text(page, '#seed-note'), /[Cc]hance/);
+        await page.click('#dice');
+        const second = await nextPicture(page, first);
+        assert.notEqual(second.digest, first.digest);
+        await page.fill('#seed', '0');
+        assert.equal((await nextPicture(page, second)).digest, first.digest);
+    }));
+
+test('counts stay exact at any depth, shortened and whole on demand', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await page.fill('#iterations', '40');
+        await until(async () => (await text(page, '#segments')).startsWith('1.21'), 'four to the fortieth');
+        assert.equal(await text(page, '#segments'), '1.21 × 1024');
+        await page.click('#segments');
+        assert.equal(await text(page, '#digits'), '1,208,925,819,614,629,174,706,176 segments');
+    }));
+
+test('everything saves under a name that says what it is', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await page.click('#tab-keep');
+        for (const [format, starts] of /** @type {[string, RegExp][]} */ ([
+            ['svg', /^<(\?xml|svg)/],
+            ['png', /^.PNG/],
+            ['csv', /^x0,y0,x1,y1,level,colour\n/],
+            ['txt', /^F\+F--F\+F\+F\+F--F\+F--.*\n$/],
+            ['json', /^\{/],
+        ])) {
+            const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${format}]`)]);
+            assert.equal(download.suggestedFilename(), `Koch_n4.${format}`);
+            const content = (await readFile(String(await download.path()))).toString('latin1');
+            assert.match(content, starts, format);
+        }
+        await page.selectOption('#png-size', '2048');
+        const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=png]')]);
+        const bytes = await readFile(String(await download.path()));
+        assert.equal(Math.max(bytes.readUInt32BE(16), bytes.readUInt32BE(20)), 2048);
+    }));
+
+test('what was saved as JSON opens again, and other files are refused in words', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        const before = await stillPicture(page);
+        await page.click('#tab-keep');
+        const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=json]')]);
+        const saved = String(await download.path());
+        await page.fill('#axiom', 'F+F');
+        await nextPicture(page, before);
+        await page.setInputFiles('#file', saved);
+        await until(async () => (await page.inputValue('#axiom')) === 'F', 'the file is open');
+        assert.equal((await stillPicture(page)).digest, before.digest);
+        const course = '{"name": "course", "initial": "A", "rules": {"A": "AB", "B": [{"p": 0.5, "e": "A"}, {"p": 0.5, "e": "B"}],}, "num_iters": 3, "angle_deg": 90}';
+        await page.setInputFiles('#file', { name: 'course.json', mimeType: 'application/json', buffer: Buffer.from(course) });
+        await until(async () => (await page.inputValue('#axiom')) === 'A', 'the course file is open');
+        assert.equal(await page.inputValue('#dialect'), 'every-letter');
+        await page.setInputFiles('#file', { name: 'broken.json', mimeType: 'application/json', buffer: Buffer.from('{"initial": ') });
+        await until(async () => (await text(page, '#toast')).includes('broken.json could not be read'), 'the refusal');
+        assert.equal(await page.inputValue('#axiom'), 'A');
+    }));
+
+test('a dropped file opens', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await page.evaluate(() => {
+            const dataTransfer = new DataTransfer();
+            dataTransfer.items.add(new File(['{"initial": "FF", "rules": {}, "num_iters": 1}'], 'two.json'));
+            for (const type of ['dragenter', 'dragover', 'drop']) document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+        });
+        await until(async () => (await page.inputValue('#axiom')) === 'FF', 'the file is open');
+        assert.equal(await text(page, '#specimen-title'), 'two');
+    }));
+
+test('copy link copies the address of exactly this picture', () =>
+    withPage({ hash: KOCH, options: { viewport: { width: 1280, height: 800 }, permissions: ['clipboard-read', 'clipboard-write'] } }, async (page) => {
+        await page.fill('#iterations', '2');
+        await page.click('#share');
+        await until(async () => (await text(page, '#toast')) === 'Link copied', 'the note');
+        const copied = await page.evaluate(() => navigator.clipboard.readText());
+        assert.equal(new URL(copied).hash, KOCH.replace('n=4', 'n=2'));
+    }));
+
+test('a worker that fails is replaced, and the page goes on', () =>
+    withPage(
+        {
+            hash: KOCH,
+            before: (page) =>
+                page.addInitScript(() => {
+                    const Real = Worker;
+                    /** @type {any} */ (globalThis).workers = [];
+                    globalThis.Worker = class extends Real {
+                        constructor(/** @type {string | URL} */ url) {
+                            super(url);
+                            /** @type {any} */ (globalThis).workers.push(this);
+                        }
+                    };
+                }),
+        },
+        async (page) => {
+            const before = await stillPicture(page);
+            await page.evaluate(() => /** @type {any} */ (globalThis).workers[0].onmessage({ data: { type: 'fatal', message: 'unreachable' } }));
+            await until(() => page.evaluate(() => /** @type {any} */ (globalThis).workers.length === 2), 'a fresh worker starts');
+            assert.equal((await stillPicture(page)).digest, before.digest);
+            await page.fill('#iterations', '2');
+            await nextPicture(page, before);
+        },
+    ));
+
+test('on a phone everything is within reach', () =>
+    withPage({ options: PHONE }, async (page) => {
+        assert.ok((await picture(page)).ink > 0.002);
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+        assert.equal(wide, 390);
+        for (const [tab, control] of [
+            ['rules', '#rules'],
+            ['grow', '#iterations-slider'],
+            ['turtle', '#dialect'],
+            ['look', '#background'],
+            ['keep', '[data-save=svg]'],
+        ]) {
+            await page.tap(`#tab-${tab}`);
+            await page.locator(String(control)).scrollIntoViewIfNeeded();
+            const box = await page.locator(String(control)).boundingBox();
+            assert.ok(box && box.x >= 0 && box.x + box.width <= 390 && box.y > 300 && box.y + box.height <= 844, `${control} ${JSON.stringify(box)}`);
+        }
+        for (const control of ['#fit', '#reset', '#undo']) assert.ok(await page.isVisible(control), control);
+        const before = await stillPicture(page);
+        await page.tap('#open-gallery');
+        await page.waitForSelector('.thumb.inked');
+        await page.locator('.card').nth(3).tap();
+        await nextPicture(page, before);
+    }));
+
+test('the dark theme is followed, chosen and kept', () =>
+    withPage({ options: { viewport: { width: 1280, height: 800 }, colorScheme: 'dark' } }, async (page) => {
+        const dark = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+        const night = await dark();
+        assert.equal(await page.getAttribute('#theme', 'aria-pressed'), 'true');
+        await page.click('#theme');
+        assert.notEqual(await dark(), night);
+        await page.reload();
+        await page.waitForSelector('#stage.inked');
+        assert.equal(await page.getAttribute('#theme', 'aria-pressed'), 'false');
+        assert.notEqual(await dark(), night);
+    }));
+
+test('it works where storage and the clipboard are refused', () =>
+    withPage(
+        {
+            hash: KOCH,
+            before: (page) =>
+                page.addInitScript(() => {
+                    Object.defineProperty(globalThis, 'localStorage', {
+                        get() {
+                            throw new DOMException('refused', 'SecurityError');
+                        },
+                    });
+                    Object.defineProperty(navigator, 'clipboard', { value: undefined });
+                }),
+        },
+        async (page) => {
+            await page.click('#theme');
+            await page.click('#share');
+            await until(async () => (await text(page, '#toast')).includes('clipboard'), 'the note');
+            assert.ok((await picture(page)).ink > 0.001);
+        },
+    ));
