@@ -14,7 +14,7 @@ fn check(rules: &str, expected: &Expect) {
 fn carets_stand_below_the_place() {
     check(
         "F -> FF\nX = F+X\nX -> `ab`",
-        expect![[r#"
+        &expect![[r#"
         error: `=` gives a constant its value, and `F+X` is not a number
          --> rules:2:3
           |
@@ -36,7 +36,7 @@ fn carets_stand_below_the_place() {
 fn carets_count_columns_not_bytes() {
     check(
         "é木 -> F\n\tX\t-> `ab`",
-        expect![[r#"
+        &expect![[r#"
         error: A production replaces one symbol, not `é木`
          --> rules:1:1
           |
@@ -58,7 +58,7 @@ fn carets_count_columns_not_bytes() {
 fn something_missing_has_one_caret() {
     check(
         "F -> FF :",
-        expect![[r#"
+        &expect![[r#"
         error: A number is missing here
          --> rules:1:10
           |
@@ -72,7 +72,7 @@ fn something_missing_has_one_caret() {
 fn long_lines_are_cut_around_the_place() {
     check(
         &format!("F -> {}`ab`{}", "F+".repeat(500), "F-".repeat(500)),
-        expect![[r#"
+        &expect![[r#"
         error: Backquotes hold exactly one character
          --> rules:1:1006
           |
@@ -87,7 +87,7 @@ fn long_lines_are_cut_around_the_place() {
 fn line_ends_of_all_kinds_count_once() {
     check(
         "F -> F\r\n\r\nX = FF\rY = FF\nZ = FF",
-        expect![[r#"
+        &expect![[r#"
         error: `=` gives a constant its value, and `FF` is not a number
          --> rules:3:3
           |
@@ -116,7 +116,7 @@ fn line_ends_of_all_kinds_count_once() {
 fn nothing_reaches_the_terminal_as_a_command() {
     check(
         "\u{1b}[31mF -> \u{202e}F",
-        expect![[r#"
+        &expect![[r#"
         warning: An invisible character (U+001B) is read as white space
          --> rules:1:1
           |
