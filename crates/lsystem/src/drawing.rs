@@ -7,6 +7,7 @@
 
 mod budget;
 mod builder;
+mod bulk;
 mod drawer;
 mod graph;
 mod hull;
@@ -16,6 +17,7 @@ mod style;
 mod tree;
 mod walk;
 
+pub use bulk::{SegmentArrays, SegmentChunk};
 pub use drawer::{Drawer, draw};
 pub use graph::Effect;
 pub use segments::Segments;
@@ -106,6 +108,12 @@ impl Drawing {
     #[must_use]
     pub fn segments(&self) -> Segments<'_> {
         Segments::new(self)
+    }
+
+    /// A block's items.
+    pub(crate) fn items_of(&self, block: BlockId) -> &[Item] {
+        let items = &self.blocks[block.0 as usize].items;
+        &self.items[items.start as usize..items.end as usize]
     }
 
     /// Model units for one unit of the root block; the greatest finite number where that is beyond `f64`.

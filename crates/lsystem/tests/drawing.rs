@@ -4,7 +4,7 @@ mod naive;
 
 use lsystem::{
     Action, Diagnostic, Dialect, Drawing, Grammar, Heading, Kind, LimitName, Limits, Module, Production, Program,
-    Segment, Style, System, Turtle, draw,
+    Segment, SegmentArrays, Style, System, Turtle, draw,
 };
 use proptest::prelude::*;
 
@@ -76,7 +76,38 @@ fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
         prop_assert_eq!((a.colour, a.level), (b.colour, b.level), "{}", index);
         prop_assert!((a.width - b.width).abs() <= 1e-9 * b.width, "{}: {:?} {:?}", index, a, b);
     }
+    check_arrays(&drawing, &segments)?;
     Ok(drawing)
+}
+
+/// The arrays hold the same, to 1e-6 of the extent; whole or by chunks.
+fn check_arrays(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseError> {
+    let mut arrays = SegmentArrays { ends: vec![1.0; 6], colours: vec![2; 9], levels: vec![3] };
+    prop_assert!(drawing.write_segments(segments.len() as u64, &mut arrays).is_ok());
+    prop_assert_eq!(
+        [arrays.ends.len(), arrays.colours.len(), arrays.levels.len()],
+        [4 * segments.len(), segments.len(), segments.len()]
+    );
+    let [x0, y0, x1, y1] = drawing.bounds().unwrap();
+    // The start lies off the origin, and single precision feels that.
+    let tolerance = 1e-6 * (x1 - x0).max(y1 - y0).max(x0.abs()).max(y1.abs());
+    for (index, (ends, segment)) in arrays.ends.chunks(4).zip(segments).enumerate() {
+        let [a, b, c, d] = [0, 1, 2, 3].map(|i| f64::from(ends[i]));
+        prop_assert!(near([a, b], segment.from, tolerance) && near([c, d], segment.to, tolerance), "{}", index);
+        prop_assert_eq!((arrays.colours[index], u32::from(arrays.levels[index])), (segment.colour, segment.level));
+    }
+    let mut chunks = SegmentArrays::default();
+    drawing.for_each_chunk(|chunk| {
+        chunks.ends.extend(chunk.ends);
+        chunks.colours.extend(chunk.colours);
+        chunks.levels.extend(chunk.levels);
+    });
+    prop_assert!(chunks == arrays);
+    if !segments.is_empty() {
+        prop_assert!(drawing.write_segments(segments.len() as u64 - 1, &mut arrays).is_err());
+        prop_assert_eq!(arrays, SegmentArrays::default());
+    }
+    Ok(())
 }
 
 const KOCH: [(char, &str); 1] = [('F', "F+F-F-F+F")];
@@ -123,6 +154,8 @@ fn large_drawings_stay_exact() {
         ("X", &PLANT[..], 22.5, 8),
         ("FX", &DRAGON[..], 90.0, 18),
         ("F-G-G", &SIERPINSKI[..], 120.0, 11),
+        // Many headings: more than the turned copies that are kept.
+        ("A", &[('A', "F[+F'A]+A")][..], 7.3, 14),
     ] {
         check(&plain(axiom, rules, angle), n).unwrap();
     }

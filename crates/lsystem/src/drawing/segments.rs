@@ -1,62 +1,25 @@
 //! The segments of a drawing, one by one.
 
-use super::{BlockId, Drawing, Item, Segment, StyleChange};
+use super::{BlockId, Drawing, Item, Placed, Segment, StyleChange};
 use crate::Heading;
 use crate::turtle::Directions;
 
 /// Iterates over a drawing's segments in drawing order. Made by [`Drawing::segments`].
 #[derive(Clone, Debug)]
 pub struct Segments<'a> {
-    drawing: &'a Drawing,
-    /// The blocks that are being read, outermost first.
-    open: Vec<Frame>,
-    directions: Directions,
+    strokes: Strokes<'a>,
     /// The number of segments still to come, saturating.
     left: u128,
     unit: f64,
 }
 
-/// A block that is being read, and where it lies in the root block.
-#[derive(Clone, Copy, Debug)]
-struct Frame {
-    /// The items still to be read.
-    next: u32,
-    end: u32,
-    at: [f64; 2],
-    heading: Heading,
-    /// Cosine and sine of the heading, times the scale.
-    axis: (f64, f64),
-    scale: f64,
-    style: StyleChange,
-}
-
 impl<'a> Segments<'a> {
     pub(super) fn new(drawing: &'a Drawing) -> Self {
-        let mut segments = Self {
-            drawing,
-            open: vec![],
-            directions: Directions::new(),
-            left: drawing.segment_count(),
-            unit: drawing.unit(),
-        };
+        let mut strokes = Strokes::new(drawing);
         if let Some(root) = drawing.root {
-            segments.enter(root, [0.0; 2], Heading::EAST, 1.0, StyleChange::start(drawing.width));
+            strokes.enter(root, &Frame::new(1.0, StyleChange::start(drawing.width)));
         }
-        segments
-    }
-
-    fn enter(&mut self, block: BlockId, at: [f64; 2], heading: Heading, scale: f64, style: StyleChange) {
-        let items = &self.drawing.blocks[block.0 as usize].items;
-        let (c, s) = self.directions.cos_sin(heading);
-        self.open.push(Frame {
-            next: items.start,
-            end: items.end,
-            at,
-            heading,
-            axis: (c * scale, s * scale),
-            scale,
-            style,
-        });
+        Self { strokes, left: drawing.segment_count(), unit: drawing.unit() }
     }
 }
 
@@ -64,44 +27,105 @@ impl Iterator for Segments<'_> {
     type Item = Segment;
 
     fn next(&mut self) -> Option<Segment> {
-        loop {
-            let frame = self.open.last_mut()?;
-            if frame.next == frame.end {
-                self.open.pop();
-                continue;
-            }
-            let item = &self.drawing.items[frame.next as usize];
-            frame.next += 1;
-            let (c, s) = frame.axis;
-            let [x, y] = frame.at;
-            let lie = |[u, v]: [f64; 2]| [x + (c * u - s * v), y + (s * u + c * v)];
-            match item {
-                Item::Stroke(stroke) => {
-                    let (start, unit) = (self.drawing.start, self.unit);
-                    let model = |[x, y]: [f64; 2]| [start[0] + unit * x, start[1] + unit * y];
-                    let style = frame.style.then(&self.drawing.styles[stroke.style.0 as usize]);
-                    let segment = Segment {
-                        from: model(lie(stroke.from)),
-                        to: model(lie(stroke.to)),
-                        colour: style.colour.of(0),
-                        level: style.level,
-                        width: style.width.of(0.0) * self.drawing.step.abs(),
-                    };
-                    self.left = self.left.saturating_sub(1);
-                    return Some(segment);
-                }
-                Item::Block(placed) => {
-                    let (at, heading) = (lie(placed.at), frame.heading + placed.heading);
-                    let scale = frame.scale * placed.scale;
-                    let style = frame.style.then(&self.drawing.styles[placed.style.0 as usize]);
-                    self.enter(placed.block, at, heading, scale, style);
-                }
-            }
-        }
+        let (from, to, style) = self.strokes.next()?;
+        self.left = self.left.saturating_sub(1);
+        let Drawing { start, step, .. } = self.strokes.drawing;
+        let model = |[x, y]: [f64; 2]| [start[0] + self.unit * x, start[1] + self.unit * y];
+        Some(Segment {
+            from: model(from),
+            to: model(to),
+            colour: style.colour.of(0),
+            level: style.level,
+            width: style.width.of(0.0) * step.abs(),
+        })
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
         let left = usize::try_from(self.left);
         (left.unwrap_or(usize::MAX), left.ok())
+    }
+}
+
+/// Where a block lies in the frame that is being read, and in what style it is entered.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    pub(super) at: [f64; 2],
+    pub(super) heading: Heading,
+    pub(super) scale: f64,
+    pub(super) style: StyleChange,
+    /// Cosine and sine of the heading, times the scale.
+    axis: (f64, f64),
+}
+
+impl Frame {
+    /// Unturned at the origin.
+    pub(super) fn new(scale: f64, style: StyleChange) -> Self {
+        Self { at: [0.0; 2], heading: Heading::EAST, scale, style, axis: (scale, 0.0) }
+    }
+
+    /// Where a point of the block lies.
+    pub(super) fn lie(&self, [u, v]: [f64; 2]) -> [f64; 2] {
+        let (c, s) = self.axis;
+        [self.at[0] + (c * u - s * v), self.at[1] + (s * u + c * v)]
+    }
+
+    /// The frame of a block inside this one.
+    pub(super) fn place(&self, placed: &Placed, drawing: &Drawing, directions: &mut Directions) -> Self {
+        let (heading, scale) = (self.heading + placed.heading, self.scale * placed.scale);
+        let (c, s) = directions.cos_sin(heading);
+        Self {
+            at: self.lie(placed.at),
+            heading,
+            scale,
+            style: self.style.then(&drawing.styles[placed.style.0 as usize]),
+            axis: (c * scale, s * scale),
+        }
+    }
+}
+
+/// The strokes of a block in some frame, in drawing order: from, to, style.
+#[derive(Clone, Debug)]
+pub(super) struct Strokes<'a> {
+    drawing: &'a Drawing,
+    /// The blocks that are being read, outermost first: the items still to be read, and where.
+    open: Vec<(u32, u32, Frame)>,
+    directions: Directions,
+}
+
+impl<'a> Strokes<'a> {
+    pub(super) fn new(drawing: &'a Drawing) -> Self {
+        Self { drawing, open: vec![], directions: Directions::new() }
+    }
+
+    /// Reads `block` before anything else.
+    pub(super) fn enter(&mut self, block: BlockId, frame: &Frame) {
+        let items = &self.drawing.blocks[block.0 as usize].items;
+        self.open.push((items.start, items.end, *frame));
+    }
+}
+
+impl Iterator for Strokes<'_> {
+    type Item = ([f64; 2], [f64; 2], StyleChange);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        loop {
+            let (next, end, frame) = self.open.last_mut()?;
+            if next == end {
+                self.open.pop();
+                continue;
+            }
+            let item = &self.drawing.items[*next as usize];
+            *next += 1;
+            match item {
+                Item::Stroke(stroke) => {
+                    let style = frame.style.then(&self.drawing.styles[stroke.style.0 as usize]);
+                    return Some((frame.lie(stroke.from), frame.lie(stroke.to), style));
+                }
+                Item::Block(placed) => {
+                    let inner = frame.place(placed, self.drawing, &mut self.directions);
+                    self.enter(placed.block, &inner);
+                }
+            }
+        }
     }
 }

@@ -1,0 +1,69 @@
+//! Timings of drawing, printed: `cargo test --release -p lsystem --test speed -- --ignored --nocapture`.
+
+use lsystem::{Definition, Limits, SegmentArrays, System, draw};
+use std::hint::black_box;
+use std::time::Instant;
+
+fn system(axiom: &str, rules: &str, angle: f64) -> System {
+    let definition = Definition { axiom: axiom.into(), rules: rules.into(), angle, ..Definition::default() };
+    System::new(&definition).0.unwrap()
+}
+
+fn samples() -> Vec<(&'static str, System, u32)> {
+    vec![
+        ("koch", system("F", "F -> F+F-F-F+F", 90.0), 10),
+        ("plant", system("X", "X -> F+[[X]-X]-F[-FX]+X\nF -> FF", 22.5), 10),
+        ("dragon", system("FX", "X -> X+YF+\nY -> -FX-Y", 90.0), 22),
+        ("sierpinski", system("F-G-G", "F -> F-G+F+G-F\nG -> GG", 120.0), 14),
+        ("bush", system("F", "F -> FF-[-F+F+F]+[+F-F-F]", 22.5), 8),
+        ("plant 25.7", system("X", "X -> F[+X][-X]FX\nF -> FF", 25.7), 10),
+        ("gosper", system("F", "F -> F-G--G+F++FF+G-\nG -> +F-GG--G-F++F+G", 60.0), 8),
+        ("spiral", system("A", "A -> F[+FA]+A", 7.3), 12),
+    ]
+}
+
+#[test]
+#[ignore = "a measurement"]
+fn building() {
+    for (name, system, _) in samples() {
+        for n in [8, 40, 1000] {
+            let began = Instant::now();
+            let drawing = draw(&system, n, &Limits::default()).unwrap();
+            let time = began.elapsed().as_secs_f64() * 1e3;
+            println!("{name:12} n = {n:4}: {time:8.3} ms, {} blocks", drawing.block_count());
+        }
+    }
+}
+
+#[test]
+#[ignore = "a measurement"]
+fn emitting() {
+    let (mut arrays, mut source) = (SegmentArrays::default(), vec![]);
+    for (name, system, n) in samples().into_iter().take(4) {
+        let drawing = draw(&system, n, &Limits::default()).unwrap();
+        let count = drawing.segment_count() as f64;
+        drawing.write_segments(1 << 26, &mut arrays).unwrap();
+        let rate = |work: &mut dyn FnMut()| {
+            let best = (0..7).map(|_| {
+                let began = Instant::now();
+                work();
+                began.elapsed().as_secs_f64()
+            });
+            count / best.fold(f64::INFINITY, f64::min) / 1e9
+        };
+        source.resize(arrays.ends.len(), 1.0);
+        let into_buffer = rate(&mut || drawing.write_segments(1 << 26, &mut arrays).unwrap());
+        let memcpy = rate(&mut || {
+            arrays.ends.copy_from_slice(&source);
+            arrays.colours.fill(1);
+            arrays.levels.fill(1);
+        });
+        let mut seen = 0;
+        let chunks = rate(&mut || drawing.for_each_chunk(|chunk| seen += black_box(chunk).levels.len()));
+        let one_by_one = rate(&mut || assert!(drawing.segments().map(|s| s.to[0]).sum::<f64>().is_finite()));
+        println!(
+            "{name:12} n = {n:2}: {count:9} segments; G/s: into a buffer {into_buffer:.3}, memcpy and fill {memcpy:.3}, \
+             by chunks {chunks:.3}, one by one {one_by_one:.3}"
+        );
+    }
+}
