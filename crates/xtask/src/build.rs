@@ -1,7 +1,7 @@
 //! `cargo xtask build`: the page, the worker and the wasm in one folder that any static host can serve.
 
 use crate::workspace::{Workspace, run};
-use crate::{bindgen, files, tools};
+use crate::{bindgen, files, gallery, tools};
 use anyhow::{Context, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -17,6 +17,8 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     page(&workspace.www(), &site)?;
     worker(&workspace.www(), &generated, &site)?;
     fs::copy(generated.join(format!("{NAME}_bg.wasm")), site.join("lsystem.wasm"))?;
+    let gallery = gallery::gallery(&workspace.root.join("data_in"))?;
+    files::write(&site.join("gallery.json"), gallery.to_string())?;
     replace(&site, &workspace.dist(), &new.path().join("old"))
 }
 

@@ -4,6 +4,7 @@ mod bench;
 mod bindgen;
 mod build;
 mod files;
+mod gallery;
 mod lint;
 mod page;
 mod report;

@@ -1,0 +1,69 @@
+//! The gallery: every system of `data_in`, read by the core at build time, so that the page need not read files.
+
+use crate::files;
+use anyhow::{Context, Result, bail};
+use lsystem::{Definition, Diagnostic, Field, System, read_json, render_diagnostic};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// An array of `{path, folder, definition}` for the JSON files below `folder`, sorted by path.
+pub(crate) fn gallery(folder: &Path) -> Result<Value> {
+    let files = files::list(folder, |path| path.extension().is_none_or(|ending| ending == "json"))?;
+    let entries = files.iter().map(|file| {
+        let path = file.strip_prefix(folder)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
+        let (parent, _) = path.rsplit_once('/').unwrap_or_default();
+        Ok(json!({"path": path, "folder": parent, "definition": read(&path, &files::read_text(file)?)?}))
+    });
+    entries.collect()
+}
+
+/// Reads one file; what cannot be drawn has no place in the gallery.
+fn read(path: &str, text: &str) -> Result<Definition> {
+    let (definition, diagnostics) = read_json(text);
+    refuse(path, &diagnostics, |_| text)?;
+    let definition = definition.with_context(|| format!("{path} holds no system"))?;
+    let (_, diagnostics) = System::new(&definition);
+    refuse(path, &diagnostics, |field| match field {
+        Field::Axiom => &definition.axiom,
+        Field::Rules => &definition.rules,
+        Field::Overrides => &definition.overrides,
+        _ => "",
+    })?;
+    Ok(definition)
+}
+
+fn refuse<'a>(path: &str, diagnostics: &[Diagnostic], text: impl Fn(Field) -> &'a str) -> Result<()> {
+    let errors: Vec<_> = diagnostics.iter().filter(|diagnostic| diagnostic.is_error()).collect();
+    if errors.is_empty() {
+        return Ok(());
+    }
+    let shown: Vec<_> = errors.iter().map(|error| render_diagnostic(error, path, text(error.field))).collect();
+    bail!("{path} cannot be shown in the gallery\n{}", shown.join("\n"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gathers_systems_by_path() {
+        let folder = tempfile::tempdir().unwrap();
+        for (path, axiom) in [("b/two.json", "F"), ("a/deep/one.json", "X"), ("a/note.txt", "")] {
+            let text = format!(r#"{{"name": "{path}", "initial": "{axiom}", "rules": {{"F": "FF"}}}}"#);
+            files::write(&folder.path().join(path), text).unwrap();
+        }
+        let gallery = gallery(folder.path()).unwrap();
+        assert_eq!(gallery.as_array().unwrap().len(), 2);
+        assert_eq!(gallery[0]["path"], "a/deep/one.json");
+        assert_eq!(gallery[0]["folder"], "a/deep");
+        assert_eq!(gallery[0]["definition"]["axiom"], "X");
+        assert_eq!(gallery[1]["folder"], "b");
+    }
+
+    #[test]
+    fn refuses_what_cannot_be_shown() {
+        let error = read("a/b.json", r#"{"initial": "F", "rules": ["F = FF"]}"#).unwrap_err().to_string();
+        assert!(error.contains("a/b.json") && error.contains("error: "), "{error}");
+        assert!(read("c.json", "{").unwrap_err().to_string().contains("c.json"));
+    }
+}
