@@ -1,8 +1,11 @@
 //! JSON files: what is written reads back as the same, and no text panics.
 
 use expect_test::expect;
-use lsystem::{Colour, ColourBy, Definition, Diagnostic, Dialect, Style, read_json, write_json};
+use lsystem::{
+    Colour, ColourBy, Definition, Diagnostic, Dialect, Style, System, read_json, render_diagnostic, write_json,
+};
 use proptest::prelude::*;
+use std::path::Path;
 
 fn cases() -> ProptestConfig {
     let cases = std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500);
@@ -178,4 +181,27 @@ fn a_file_of_the_course_has_its_defaults() {
     assert_eq!(diagnostics, []);
     let expected = Definition { dialect: Dialect::EveryLetter, style: Style::course(), ..Definition::default() };
     assert_eq!(definition, Some(expected));
+}
+
+#[test]
+fn every_file_of_the_gallery_is_clean() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data_in");
+    let mut open = vec![root];
+    let mut files = 0;
+    while let Some(path) = open.pop() {
+        if path.is_dir() {
+            open.extend(std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path()));
+            continue;
+        }
+        if path.extension().is_none_or(|e| e != "json") {
+            continue;
+        }
+        files += 1;
+        let text = std::fs::read_to_string(&path).unwrap();
+        let (definition, diagnostics) = read_json(&text);
+        let (_, more) = System::new(&definition.unwrap());
+        let shown: Vec<_> = (diagnostics.iter().chain(&more)).map(|d| render_diagnostic(d, "", &text)).collect();
+        assert_eq!(shown, Vec::<String>::new(), "{}", path.display());
+    }
+    assert!(files > 40);
 }
