@@ -367,7 +367,8 @@ impl File {
                 self.notes.add(Kind::DuplicateKey { key: excerpt(key) }, span);
             } else if !known.is_empty() && !known.contains(&key) && !is_disused(key) {
                 let alias = ALIASES.iter().find(|(alias, _)| *alias == key).map(|&(_, key)| key);
-                let similar = alias.filter(|key| known.contains(key)).or_else(|| similar(key, known.iter().copied()));
+                let near = || if self.notes.is_full() { None } else { similar(key, known.iter().copied()) };
+                let similar = alias.filter(|key| known.contains(key)).or_else(near);
                 self.notes.add(Kind::UnknownKey { key: excerpt(key), similar }, span);
             }
         }
