@@ -3,6 +3,9 @@
 //! Bits lie in vertical strips of 64 columns, a word per row, so that stamping a tile at any offset is a loop over
 //! consecutive words with one shift. Painting goes from the last drawn to the first: what is covered stays.
 
+use super::tile::Bits;
+use core::ops::Range;
+
 /// Columns in a strip.
 const STRIP: usize = u64::BITS as usize;
 /// Rows in a cell; a cell is a strip's word range for which coverage is remembered.
@@ -13,6 +16,8 @@ const CELL: usize = 64;
 pub(super) struct Canvas {
     pub strips: usize,
     pub rows: usize,
+    /// Cells in a strip.
+    pub cells: usize,
     /// Colour digits.
     pub digits: usize,
     /// By strip, then row.
@@ -31,19 +36,20 @@ impl Canvas {
         let (strips, rows) = (width.div_ceil(STRIP), height);
         if (strips, rows, digits) != (self.strips, self.rows, self.digits) {
             (self.strips, self.rows, self.digits) = (strips, rows, digits);
+            self.cells = rows.div_ceil(CELL);
             let size = strips * rows;
             self.covered.clear();
             self.covered.resize(size, 0);
             self.colours.clear();
             self.colours.resize(size * digits, 0);
-            let cells = strips * self.cells();
+            let cells = strips * self.cells;
             self.touched.clear();
             self.touched.resize(cells, false);
             self.open.clear();
             self.open.resize(cells, 0);
             return;
         }
-        let (cells, size) = (self.cells(), strips * rows);
+        let (cells, size) = (self.cells, strips * rows);
         for index in 0..self.touched.len() {
             if core::mem::take(&mut self.touched[index]) {
                 self.open[index] = 0;
@@ -55,11 +61,6 @@ impl Canvas {
                 }
             }
         }
-    }
-
-    /// Cells in a strip.
-    pub(super) fn cells(&self) -> usize {
-        self.rows.div_ceil(CELL)
     }
 
     /// Whether the rectangle of columns `x` and rows `y`, ends included, is covered throughout (the part outside
@@ -86,7 +87,7 @@ impl Canvas {
 
     /// The first row of a cell that is not covered throughout, or the row after the cell.
     fn advance(&mut self, strip: usize, cell: usize) -> usize {
-        let index = strip * self.cells() + cell;
+        let index = strip * self.cells + cell;
         let first = cell * CELL;
         let end = (first + CELL).min(self.rows);
         let from = first + usize::from(self.open[index]);
@@ -105,20 +106,82 @@ impl Canvas {
         (x[0] <= x[1] && y[0] <= y[1]).then_some((x.map(|v| v as usize), y.map(|v| v as usize)))
     }
 
+    /// Paints a tile with its upper left corner at (`x`, `y`): in one ink, or in its own colours.
+    pub(super) fn stamp(&mut self, tile: &Bits<'_>, [x, y]: [i64; 2], ink: Option<u32>) {
+        let above = (-y).clamp(0, tile.rows as i64) as usize;
+        let below = (self.rows as i64 - y).clamp(0, tile.rows as i64) as usize;
+        if above >= below {
+            return;
+        }
+        let row = (y + above as i64) as usize;
+        let shift = x.rem_euclid(STRIP as i64) as u32;
+        for strip in 0..tile.strips {
+            let left = x.div_euclid(STRIP as i64) + strip as i64;
+            self.stamp_strip(tile, strip, above..below, left, row, ink, |word| word << shift);
+            if shift > 0 {
+                self.stamp_strip(tile, strip, above..below, left + 1, row, ink, |word| word >> (64 - shift));
+            }
+        }
+    }
+
+    /// Paints `rows` of a tile's strip `from`, each word moved, from `row` on in strip `to`.
+    #[expect(clippy::too_many_arguments, reason = "the inner loop of one caller")]
+    #[inline(always)]
+    fn stamp_strip(
+        &mut self,
+        tile: &Bits<'_>,
+        from: usize,
+        rows: Range<usize>,
+        to: i64,
+        row: usize,
+        ink: Option<u32>,
+        moved: impl Fn(u64) -> u64,
+    ) {
+        let Some(to) = usize::try_from(to).ok().filter(|&to| to < self.strips) else { return };
+        let count = rows.len();
+        let cells = self.cells;
+        self.touched[to * cells + row / CELL..=to * cells + (row + count - 1) / CELL].fill(true);
+        let at = to * self.rows + row;
+        let source = from * tile.rows + rows.start;
+        let covered = &mut self.covered[at..at + count];
+        let bits = &tile.covered[source..source + count];
+        let (size, tile_size) = (self.strips * self.rows, tile.strips * tile.rows);
+        for digit in 0..self.digits {
+            let digits = match ink {
+                Some(ink) if ink >> digit & 1 == 0 => continue,
+                Some(_) => bits,
+                None => &tile.colours[digit * tile_size + source..][..count],
+            };
+            let colours = &mut self.colours[digit * size + at..][..count];
+            for ((colour, covered), word) in colours.iter_mut().zip(&*covered).zip(digits) {
+                *colour |= moved(*word) & !covered;
+            }
+        }
+        for (covered, word) in covered.iter_mut().zip(bits) {
+            *covered |= moved(*word);
+        }
+    }
+
     /// Paints columns `first..=last` of a row, which lie on the canvas.
+    #[inline]
     pub(super) fn span(&mut self, row: usize, first: usize, last: usize, colour: u32) {
         for strip in first / STRIP..=last / STRIP {
             let bits = columns(strip, [first, last]);
             let at = strip * self.rows + row;
-            let cell = strip * self.cells() + row / CELL;
+            let cell = strip * self.cells + row / CELL;
             self.touched[cell] = true;
-            let new = bits & !self.covered[at];
-            self.covered[at] |= bits;
-            let size = self.strips * self.rows;
-            for digit in 0..self.digits {
-                if colour >> digit & 1 != 0 {
-                    self.colours[digit * size + at] |= new;
+            let before = self.covered[at];
+            self.covered[at] = before | bits;
+            let mut digits = colour;
+            let mut plane = at;
+            while digits != 0 {
+                if digits & 1 != 0
+                    && let Some(word) = self.colours.get_mut(plane)
+                {
+                    *word |= bits & !before;
                 }
+                digits >>= 1;
+                plane += self.covered.len();
             }
         }
     }

@@ -35,6 +35,10 @@ impl Pen {
     }
 }
 
+/// No change.
+pub(super) const SAME: StyleChange =
+    StyleChange { colour: ColourChange::Add(0), width: WidthChange { factor: 1.0, offset: 0.0 }, level: 0 };
+
 /// `first`, then `second`.
 pub(super) fn compose(first: &StyleChange, second: &StyleChange) -> StyleChange {
     StyleChange {

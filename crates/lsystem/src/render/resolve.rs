@@ -3,6 +3,7 @@
 use super::canvas::Canvas;
 use crate::Progress;
 use crate::Style;
+use core::ops::Range;
 
 /// The finished pixels and the way to them.
 #[derive(Default)]
@@ -12,6 +13,8 @@ pub(super) struct Output {
     pixels: Vec<u8>,
     palette: Vec<[u32; 3]>,
     background: [u32; 3],
+    /// By palette entry, then by how many of a pixel's subsamples have it: the pixel.
+    shades: Vec<[[u8; 4]; 17]>,
     /// By strip, then cell: whether the pixels there are not background.
     inked: Vec<bool>,
     /// The next cell to do.
@@ -38,6 +41,14 @@ impl Output {
         if self.palette.is_empty() {
             self.palette.push([0; 3]);
         }
+        self.shades.clear();
+        self.shades.extend(self.palette.iter().map(|colour| {
+            core::array::from_fn(|count| {
+                let count = count as u32;
+                let mix = |c: usize| ((colour[c] * count + background[c] * (16 - count) + 8) / 16) as u8;
+                [mix(0), mix(1), mix(2), u8::MAX]
+            })
+        }));
         self.next = 0;
     }
 
@@ -64,48 +75,106 @@ impl Output {
     }
 
     fn cell(&mut self, frame: &Canvas, index: usize) {
-        let cells = frame.cells();
-        let (strip, cell) = (index / cells, index % cells);
-        let size = frame.strips * frame.rows;
-        let columns = strip * SIDE..(strip * SIDE + SIDE).min(self.width);
+        let (strip, cell) = (index / frame.cells, index % frame.cells);
+        let left = strip * SIDE;
+        let right = (left + SIDE).min(self.width);
         for y in cell * SIDE..(cell * SIDE + SIDE).min(self.height) {
             let at = strip * frame.rows + y * 4;
-            let covered: [u64; 4] = core::array::from_fn(|i| frame.covered[at + i]);
-            let mut weights = [[0_u32; 3]; SIDE];
-            let mut counts = [0_u32; SIDE];
-            let mut rest = covered;
-            // One colour after the other: that of the first subsample left, and all others that have it.
-            while let Some(row) = rest.iter().position(|&word| word != 0) {
-                let bit = rest[row].trailing_zeros();
-                let mut same = rest;
-                let mut ink = 0;
-                for digit in 0..frame.digits {
-                    let plane: [u64; 4] = core::array::from_fn(|i| frame.colours[digit * size + at + i]);
-                    let one = plane[row] >> bit & 1 != 0;
-                    ink |= usize::from(one) << digit;
-                    for i in 0..4 {
-                        same[i] &= if one { plane[i] } else { !plane[i] };
-                    }
+            let covered = rows(&frame.covered, at);
+            let out = &mut self.pixels[(y * self.width + left) * 4..(y * self.width + right) * 4];
+            let (out, _) = out.as_chunks_mut::<4>();
+            if covered == [0; 4] {
+                out.fill(self.shades[0][0]);
+                continue;
+            }
+            let (ink, same) = first_ink(frame, at, covered);
+            let counts = counts(same);
+            let ink = ink.min(self.palette.len() - 1);
+            if same == covered {
+                let shades = &self.shades[ink];
+                for (x, pixel) in out.iter_mut().enumerate() {
+                    *pixel = shades[counts.of(x)];
                 }
-                let colour = self.palette[ink.min(self.palette.len() - 1)];
-                for (x, (weight, count)) in weights.iter_mut().zip(&mut counts).enumerate() {
-                    let n: u32 = same.iter().map(|word| (word >> (4 * x) & 15).count_ones()).sum();
-                    *count += n;
-                    for channel in 0..3 {
-                        weight[channel] += n * colour[channel];
-                    }
-                }
-                for i in 0..4 {
-                    rest[i] &= !same[i];
+                continue;
+            }
+            self.mixed(frame, at, covered, y * self.width + left..y * self.width + right);
+        }
+    }
+
+    /// A row of pixels in a cell where colours meet.
+    fn mixed(&mut self, frame: &Canvas, at: usize, covered: [u64; 4], pixels: Range<usize>) {
+        let mut sums = [[0_u32; 3]; SIDE];
+        let mut rest = covered;
+        while rest != [0; 4] {
+            let (ink, same) = first_ink(frame, at, rest);
+            let (colour, counts) = (self.palette[ink.min(self.palette.len() - 1)], counts(same));
+            for (x, sum) in sums.iter_mut().enumerate() {
+                let count = counts.of(x) as u32;
+                for (sum, value) in sum.iter_mut().zip(colour) {
+                    *sum += count * value;
                 }
             }
-            for x in columns.clone() {
-                let (weight, count) = (weights[x % SIDE], counts[x % SIDE]);
-                let out = &mut self.pixels[(y * self.width + x) * 4..][..3];
-                for channel in 0..3 {
-                    out[channel] = ((weight[channel] + (16 - count) * self.background[channel] + 8) / 16) as u8;
-                }
+            for (rest, same) in rest.iter_mut().zip(same) {
+                *rest &= !same;
+            }
+        }
+        let bare = counts(covered.map(|word| !word));
+        let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
+        for (x, (pixel, sum)) in out.iter_mut().zip(sums).enumerate() {
+            for channel in 0..3 {
+                pixel[channel] = ((sum[channel] + bare.of(x) as u32 * self.background[channel] + 8) / 16) as u8;
             }
         }
     }
+}
+
+/// The four words of a row of pixels.
+fn rows(words: &[u64], at: usize) -> [u64; 4] {
+    core::array::from_fn(|i| words[at + i])
+}
+
+/// The ink of the first subsample of `rest`, and all of `rest` that has the same.
+fn first_ink(frame: &Canvas, at: usize, rest: [u64; 4]) -> (usize, [u64; 4]) {
+    let row = rest.iter().position(|&word| word != 0).unwrap_or(0);
+    let bit = rest[row].trailing_zeros() & 63;
+    let (mut ink, mut same) = (0, rest);
+    for digit in 0..frame.digits {
+        let plane = rows(&frame.colours, digit * frame.covered.len() + at);
+        let one = plane[row] >> bit & 1;
+        ink |= (one as usize) << digit;
+        // All ones where the digit is 0, so that equal digits give ones.
+        let flip = one.wrapping_sub(1);
+        for (same, plane) in same.iter_mut().zip(plane) {
+            *same &= plane ^ flip;
+        }
+    }
+    (ink, same)
+}
+
+/// How many subsamples of each of 16 pixels are set; pixels of even and odd places apart, a byte each.
+struct Counts {
+    even: u64,
+    odd: u64,
+}
+
+impl Counts {
+    /// Of the pixel at `x`: 0 to 16.
+    fn of(&self, x: usize) -> usize {
+        let bytes = if x.is_multiple_of(2) { self.even } else { self.odd };
+        (bytes >> (x / 2 * 8) & 31) as usize
+    }
+}
+
+fn counts(words: [u64; 4]) -> Counts {
+    const PAIRS: u64 = 0x5555_5555_5555_5555;
+    const FOURS: u64 = 0x3333_3333_3333_3333;
+    const BYTES: u64 = 0x0f0f_0f0f_0f0f_0f0f;
+    let mut sum = Counts { even: 0, odd: 0 };
+    for word in words {
+        let pairs = word - (word >> 1 & PAIRS);
+        let fours = (pairs & FOURS) + (pairs >> 2 & FOURS);
+        sum.even += fours & BYTES;
+        sum.odd += fours >> 4 & BYTES;
+    }
+    sum
 }

@@ -1,6 +1,6 @@
 //! Drawings and a brute-force picture for the tests of this module.
 
-use super::pen::{Pen, compose};
+use super::pen::{Pen, SAME, compose};
 use super::view::{Camera, SAMPLES};
 use super::{View, Viewport};
 use crate::{
@@ -8,9 +8,6 @@ use crate::{
     WidthChange,
 };
 use std::collections::HashMap;
-
-pub(super) const SAME: StyleChange =
-    StyleChange { colour: ColourChange::Add(0), width: WidthChange { factor: 1.0, offset: 0.0 }, level: 0 };
 
 /// A deterministic system with balanced productions.
 #[derive(Clone, Debug)]

@@ -1,0 +1,153 @@
+//! Small pictures of blocks, made once and stamped wherever the block recurs.
+//!
+//! A tile is what a block covers at one size and heading, with its origin at one of a few places between two
+//! subsamples. It holds coverage alone where the block has one colour throughout, so that one tile serves them all.
+
+use super::canvas::Canvas;
+use crate::{BlockId, Heading};
+use core::hash::{BuildHasherDefault, Hasher};
+use std::collections::HashMap;
+
+/// The sizes of tiles, as the largest extents of their blocks in subsamples: a large one is put together from medium
+/// ones, those from small ones.
+const EXTENTS: [f64; 3] = [128.0, 32.0, 8.0];
+/// By size of tile: into how many steps a subsample is divided, each way, for the places of origins.
+const STEPS: [f64; 3] = [4.0, 4.0, 4.0];
+/// By size of tile: blocks of fewer strokes are painted stroke by stroke, which is as fast, and exact.
+const FEW: [u32; 3] = [16, 12, 8];
+/// By size of tile: the same as long as the picture has few strokes, so that simple drawings are exact throughout.
+const SOME: [u32; 3] = [160, 80, 8];
+/// How many strokes are few for a picture.
+const SIMPLE: u64 = 30_000;
+/// Words kept; when more are needed, all tiles are dropped and made again as needed.
+const WORDS: usize = 1 << 20;
+
+/// The number of sizes.
+pub(super) const SIZES: usize = EXTENTS.len();
+
+/// The size of the tile for a block: 0 is the largest. The picture has taken `painted` strokes so far.
+pub(super) fn size(extent: f64, strokes: u32, painted: u64) -> Option<usize> {
+    let enough = if painted < SIMPLE { SOME } else { FEW };
+    EXTENTS.iter().rposition(|&largest| extent <= largest).filter(|&size| strokes >= enough[size])
+}
+
+/// Everything a tile depends on, apart from what holds for the whole picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Key {
+    pub block: BlockId,
+    pub heading: Heading,
+    /// The bits of the number of subsamples in a block unit.
+    pub scale: u64,
+    /// Where its origin is between two subsamples, in steps.
+    pub offset: [u8; 2],
+    /// The colour at entry, where colours vary inside.
+    pub ink: Option<u32>,
+    /// The bits of the width at entry, where a stroke inside may be wider than a hairline.
+    pub width: Option<u64>,
+}
+
+/// A place on the subsample lattice, and the rest of the way to it in steps.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Snapped {
+    pub cell: [i64; 2],
+    pub offset: [u8; 2],
+    /// The offset in subsamples.
+    pub rest: [f64; 2],
+}
+
+/// The nearest place for the origin of a tile of this size.
+pub(super) fn snap(at: [f64; 2], size: usize) -> Snapped {
+    let steps = STEPS[size];
+    let whole = at.map(|v| (v * steps).round() as i64);
+    let offset = whole.map(|v| v.rem_euclid(steps as i64) as u8);
+    Snapped { cell: whole.map(|v| v.div_euclid(steps as i64)), offset, rest: offset.map(|v| f64::from(v) / steps) }
+}
+
+/// Where a tile's bits are, and where they go.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tile {
+    first: usize,
+    pub strips: usize,
+    pub rows: usize,
+    pub digits: usize,
+    /// From the lattice cell of the block's origin to the upper left corner.
+    pub corner: [i64; 2],
+}
+
+/// The bits of a tile, laid out as on a [`Canvas`].
+pub(super) struct Bits<'a> {
+    pub strips: usize,
+    pub rows: usize,
+    pub covered: &'a [u64],
+    pub colours: &'a [u64],
+}
+
+/// The tiles made so far.
+#[derive(Default)]
+pub(super) struct Tiles {
+    places: HashMap<Key, Tile, BuildHasherDefault<Mixer>>,
+    words: Vec<u64>,
+}
+
+impl Tiles {
+    pub(super) fn clear(&mut self) {
+        self.places.clear();
+        self.words.clear();
+    }
+
+    pub(super) fn get(&self, key: &Key) -> Option<Tile> {
+        self.places.get(key).copied()
+    }
+
+    pub(super) fn bits(&self, tile: &Tile) -> Bits<'_> {
+        let size = tile.strips * tile.rows;
+        let (covered, rest) = self.words[tile.first..].split_at(size);
+        Bits { strips: tile.strips, rows: tile.rows, covered, colours: &rest[..size * tile.digits] }
+    }
+
+    /// Keeps what is on `canvas`.
+    pub(super) fn insert(&mut self, key: Key, canvas: &Canvas, corner: [i64; 2]) -> Tile {
+        let size = canvas.covered.len() + canvas.colours.len();
+        if self.words.len() + size > WORDS {
+            self.clear();
+        }
+        let first = self.words.len();
+        self.words.extend_from_slice(&canvas.covered);
+        self.words.extend_from_slice(&canvas.colours);
+        let tile = Tile { first, strips: canvas.strips, rows: canvas.rows, digits: canvas.digits, corner };
+        self.places.insert(key, tile);
+        tile
+    }
+}
+
+/// A fast hash for keys that nobody chooses with ill intent beyond wasting their own time.
+#[derive(Default)]
+pub(super) struct Mixer(u64);
+
+impl Hasher for Mixer {
+    fn finish(&self) -> u64 {
+        self.0 ^ self.0 >> 32
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.write_u64(u64::from(*byte));
+        }
+    }
+
+    fn write_u8(&mut self, value: u8) {
+        self.write_u64(u64::from(value));
+    }
+
+    fn write_u32(&mut self, value: u32) {
+        self.write_u64(u64::from(value));
+    }
+
+    fn write_u64(&mut self, value: u64) {
+        self.0 = (self.0.rotate_left(5) ^ value).wrapping_mul(0x517c_c1b7_2722_0a95);
+    }
+
+    fn write_usize(&mut self, value: usize) {
+        self.write_u64(value as u64);
+    }
+}

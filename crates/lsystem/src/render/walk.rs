@@ -1,0 +1,276 @@
+//! The descent through a drawing's graph, last item first, on an explicit stack so that it can stop anywhere.
+
+use super::RenderStats;
+use super::canvas::Canvas;
+use super::pen::{Pen, SAME};
+use super::shape::Shape;
+use super::stroke::Capsule;
+use super::tile::{self, Key, Tile, Tiles};
+use super::turns::Turns;
+use super::view::Camera;
+use crate::{BlockId, ColourBy, Drawing, Heading, Item, Progress, StyleChange};
+
+/// The largest extent, in subsamples, at which a block is painted as a line.
+const TINY: f64 = 2.0;
+/// A straight block longer than this is taken apart, so that rounding stays far below a subsample.
+const LONG: f64 = 1e6;
+/// Strokes wider than twice this, in subsamples, are not painted into tiles.
+const BROAD: f64 = 64.0;
+
+/// What holds for a whole picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Look {
+    pub colour_by: ColourBy,
+    pub colours: u32,
+    /// Half the smallest stroke width, in subsamples.
+    pub hairline: f64,
+    /// Subsamples in one step length.
+    pub step: f64,
+}
+
+impl Look {
+    /// Digits of a colour number.
+    pub(super) fn digits(&self) -> usize {
+        (u32::BITS - self.colours.saturating_sub(1).leading_zeros()) as usize
+    }
+
+    fn radius(&self, width: f64) -> f64 {
+        (width * self.step / 2.0).max(self.hairline)
+    }
+
+    fn ink(&self, pen: Pen) -> u32 {
+        pen.ink(self.colours, self.colour_by)
+    }
+
+    /// The ink of a block that has only one.
+    fn only_ink(&self, shape: &Shape, pen: Pen) -> Option<u32> {
+        match self.colour_by {
+            _ if self.colours <= 1 => Some(0),
+            ColourBy::Single => Some(0),
+            ColourBy::Symbol => shape.colour.map(|colour| self.ink(pen.after(&StyleChange { colour, ..SAME }))),
+            ColourBy::Level => shape.level.map(|level| self.ink(pen.after(&StyleChange { level, ..SAME }))),
+        }
+    }
+}
+
+/// A block being painted, from its last item to its first.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    block: BlockId,
+    /// The items from here on are done.
+    cursor: u32,
+    /// Which canvas it is painted on: 0 is the picture, others are tiles being made, by size.
+    canvas: usize,
+    place: Place,
+    pen: Pen,
+}
+
+/// Where a block is on the canvas.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    /// Its origin, in subsamples, y down.
+    origin: [f64; 2],
+    /// Subsamples in one of its units.
+    scale: f64,
+    heading: Heading,
+    /// The heading's cosine and sine, times the scale.
+    cos: f64,
+    sin: f64,
+}
+
+impl Place {
+    fn point(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.origin[0] + self.cos * x - self.sin * y, self.origin[1] - self.sin * x - self.cos * y]
+    }
+}
+
+/// A tile being made.
+#[derive(Clone, Copy, Debug)]
+struct Making {
+    key: Key,
+    /// The stack's height before.
+    height: usize,
+    size: usize,
+    /// From the cell of the origin to the tile's upper left corner.
+    corner: [i64; 2],
+    target: Target,
+}
+
+/// Where a tile is to be stamped.
+#[derive(Clone, Copy, Debug)]
+struct Target {
+    canvas: usize,
+    /// The cell of the origin.
+    cell: [i64; 2],
+    /// The colour, where the tile has only one.
+    ink: Option<u32>,
+}
+
+/// A picture in the making.
+#[derive(Default)]
+pub(super) struct Walk {
+    look: Look,
+    scale: f64,
+    /// The picture, then a canvas for each size of tile.
+    canvases: [Canvas; 1 + tile::SIZES],
+    tiles: Tiles,
+    turns: Turns,
+    stack: Vec<Node>,
+    making: Vec<Making>,
+    pub stats: RenderStats,
+}
+
+impl Walk {
+    /// Forgets everything about the drawing there was.
+    pub(super) fn clear(&mut self) {
+        self.stack.clear();
+        self.making.clear();
+        self.tiles.clear();
+    }
+
+    pub(super) fn begin(&mut self, drawing: &Drawing, look: Look, camera: Camera) {
+        self.stats = RenderStats::default();
+        self.stack.clear();
+        self.making.clear();
+        if (look, camera.scale) != (self.look, self.scale) {
+            (self.look, self.scale) = (look, camera.scale);
+            self.tiles.clear();
+        }
+        let Some((root, block)) = drawing.root.and_then(|id| Some((id, drawing.blocks.get(id.0 as usize)?))) else {
+            return;
+        };
+        let place = Place {
+            origin: [camera.x, camera.y],
+            scale: camera.scale,
+            heading: Heading::EAST,
+            cos: camera.scale,
+            sin: 0.0,
+        };
+        let pen = Pen { colour: 0, width: drawing.width, level: 0 };
+        self.stack.push(Node { block: root, cursor: block.items.end, canvas: 0, place, pen });
+    }
+
+    pub(super) fn frame(&self) -> &Canvas {
+        &self.canvases[0]
+    }
+
+    pub(super) fn frame_mut(&mut self) -> &mut Canvas {
+        &mut self.canvases[0]
+    }
+
+    pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], left: &mut i64) -> Progress {
+        while *left > 0 {
+            if let Some(making) = self.making.pop_if(|making| making.height == self.stack.len()) {
+                let tile = self.tiles.insert(making.key, &self.canvases[1 + making.size], making.corner);
+                self.stats.tiles += 1;
+                *left -= self.stamp(&tile, making.target);
+                continue;
+            }
+            let Some(node) = self.stack.last_mut() else { return Progress::Done };
+            if node.cursor <= drawing.blocks[node.block.0 as usize].items.start {
+                self.stack.pop();
+                continue;
+            }
+            node.cursor -= 1;
+            let node = *node;
+            *left -= 1;
+            match &drawing.items[node.cursor as usize] {
+                Item::Stroke(stroke) => {
+                    let pen = node.pen.after(&drawing.styles[stroke.style.0 as usize]);
+                    let ends = [stroke.from, stroke.to].map(|p| node.place.point(p));
+                    *left -= self.stroke(node.canvas, ends, pen);
+                }
+                Item::Block(placed) => {
+                    let origin = node.place.point(placed.at);
+                    let heading = node.place.heading + placed.heading;
+                    let scale = node.place.scale * placed.scale;
+                    let [c, s] = self.turns.cos_sin(heading);
+                    let place = Place { origin, scale, heading, cos: scale * c, sin: scale * s };
+                    let pen = node.pen.after(&drawing.styles[placed.style.0 as usize]);
+                    let shape = &shapes[placed.block.0 as usize];
+                    let child = Node { block: placed.block, cursor: 0, canvas: node.canvas, place, pen };
+                    *left -= self.block(drawing, shape, child);
+                }
+            }
+        }
+        Progress::More
+    }
+
+    fn stroke(&mut self, canvas: usize, [from, to]: [[f64; 2]; 2], pen: Pen) -> i64 {
+        self.stats.strokes += 1;
+        let capsule = Capsule { from, to, radius: self.look.radius(pen.width) };
+        capsule.paint(&mut self.canvases[canvas], self.look.ink(pen)) as i64 / 4
+    }
+
+    fn stamp(&mut self, tile: &Tile, target: Target) -> i64 {
+        self.stats.stamps += 1;
+        let at = [0, 1].map(|axis| target.cell[axis] + tile.corner[axis]);
+        self.canvases[target.canvas].stamp(&self.tiles.bits(tile), at, target.ink);
+        (tile.strips * tile.rows) as i64 / 32
+    }
+
+    /// Paints a block, or puts it on the stack.
+    fn block(&mut self, drawing: &Drawing, shape: &Shape, mut node: Node) -> i64 {
+        if shape.strokes == 0 {
+            return 0;
+        }
+        let block = &drawing.blocks[node.block.0 as usize];
+        let place = node.place;
+        let radius = self.look.radius(block.widest.factor * node.pen.width + block.widest.offset);
+        let centre = place.point(shape.centre);
+        let reach = [
+            place.cos.abs() * shape.half[0] + place.sin.abs() * shape.half[1] + radius,
+            place.sin.abs() * shape.half[0] + place.cos.abs() * shape.half[1] + radius,
+        ];
+        let [across, down] = [0, 1]
+            .map(|axis| [(centre[axis] - reach[axis]).floor() as i64, (centre[axis] + reach[axis]).ceil() as i64]);
+        if self.canvases[node.canvas].is_full(across, down) {
+            return 1;
+        }
+        let extent = 2.0 * place.scale * shape.half[0].max(shape.half[1]);
+        if let Some(line) = &shape.line
+            && extent < LONG
+        {
+            let ends = [line.from, line.to].map(|p| place.point(p));
+            return self.stroke(node.canvas, ends, node.pen.after(&line.style));
+        }
+        if extent <= TINY {
+            let along = if shape.half[0] >= shape.half[1] { [shape.half[0], 0.0] } else { [0.0, shape.half[1]] };
+            let ends = [-1.0, 1.0]
+                .map(|sign| place.point([shape.centre[0] + sign * along[0], shape.centre[1] + sign * along[1]]));
+            return self.stroke(node.canvas, ends, node.pen);
+        }
+        node.cursor = block.items.end;
+        if let Some(size) = tile::size(extent, shape.strokes, self.stats.strokes)
+            && size + 1 > node.canvas
+            && radius <= BROAD
+            && drawing.memoised
+        {
+            let ink = self.look.only_ink(shape, node.pen);
+            let snapped = tile::snap(place.origin, size);
+            let key = Key {
+                block: node.block,
+                heading: place.heading,
+                scale: place.scale.to_bits(),
+                offset: snapped.offset,
+                ink: if ink.is_some() { None } else { Some(self.look.ink(node.pen)) },
+                width: (radius > self.look.hairline).then_some(node.pen.width.to_bits()),
+            };
+            let target = Target { canvas: node.canvas, cell: snapped.cell, ink };
+            if let Some(tile) = self.tiles.get(&key) {
+                return self.stamp(&tile, target);
+            }
+            let from_origin = [0, 1].map(|axis| centre[axis] - place.origin[axis] + snapped.rest[axis]);
+            let corner = [0, 1].map(|axis| (from_origin[axis] - reach[axis]).floor() as i64);
+            let far = [0, 1].map(|axis| (from_origin[axis] + reach[axis]).ceil() as i64 - corner[axis]);
+            let digits = if ink.is_some() { 0 } else { self.look.digits() };
+            self.canvases[1 + size].reset(far[0] as usize, far[1] as usize, digits);
+            node.place.origin = [0, 1].map(|axis| snapped.rest[axis] - corner[axis] as f64);
+            node.canvas = 1 + size;
+            self.making.push(Making { key, height: self.stack.len(), size, corner, target });
+        }
+        self.stats.blocks += 1;
+        self.stack.push(node);
+        1
+    }
+}
