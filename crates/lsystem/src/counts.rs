@@ -4,18 +4,17 @@
 //! the successor: d times |alphabet| additions, however long the string.
 
 use crate::program::{Program, Rewrite, SymbolId};
-use crate::{Action, System};
-use num_bigint::BigUint;
+use crate::{Action, System, Tally};
 
 /// How many symbols generation `n` has; `None` where that depends on random choices.
 #[must_use]
-pub fn count_symbols(system: &System, n: u32) -> Option<BigUint> {
+pub fn count_symbols(system: &System, n: u32) -> Option<Tally> {
     count(&system.program, n, |_| 1)
 }
 
 /// How many segments generation `n` draws; `None` where that depends on random choices.
 #[must_use]
-pub fn count_segments(system: &System, n: u32) -> Option<BigUint> {
+pub fn count_segments(system: &System, n: u32) -> Option<Tally> {
     count(&system.program, n, |symbol| segments_of(system, symbol))
 }
 
@@ -27,9 +26,9 @@ pub(crate) fn segments_of(system: &System, symbol: SymbolId) -> u64 {
 
 /// The sum of `weight` over the letters of generation `n`; `None` where it depends on random choices.
 #[must_use]
-pub fn count(program: &Program, n: u32, weight: impl Fn(SymbolId) -> u64) -> Option<BigUint> {
+pub fn count(program: &Program, n: u32, weight: impl Fn(SymbolId) -> u64) -> Option<Tally> {
     let sums = Sums::new(program);
-    let mut totals: Vec<Option<BigUint>> = sums.start(&weight);
+    let mut totals: Vec<Option<Tally>> = sums.start(&weight);
     for _ in 0..n {
         totals = sums.step(&totals);
     }
@@ -89,16 +88,12 @@ pub(crate) fn sum_of(by_letter: &[u128], word: &[SymbolId]) -> u128 {
 
 /// What sums need of a number.
 trait Total: Clone + PartialEq + From<u64> {
-    fn add_times(&mut self, times: u64, other: &Self);
+    fn add_times(&mut self, times: u32, other: &Self);
 }
 
-impl Total for BigUint {
-    fn add_times(&mut self, times: u64, other: &Self) {
-        if times == 1 {
-            *self += other;
-        } else {
-            *self += other * times;
-        }
+impl Total for Tally {
+    fn add_times(&mut self, times: u32, other: &Self) {
+        Self::add_times(self, times, other);
     }
 }
 
@@ -113,7 +108,7 @@ impl From<u64> for Saturating {
 }
 
 impl Total for Saturating {
-    fn add_times(&mut self, times: u64, other: &Self) {
+    fn add_times(&mut self, times: u32, other: &Self) {
         self.0 = self.0.saturating_add(other.0.saturating_mul(u128::from(times)));
     }
 }
@@ -123,7 +118,7 @@ struct Sums {
     alternatives: Vec<Vec<Multiset>>,
 }
 
-type Multiset = Vec<(SymbolId, u64)>;
+type Multiset = Vec<(SymbolId, u32)>;
 
 impl Sums {
     fn new(program: &Program) -> Self {

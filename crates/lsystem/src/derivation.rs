@@ -271,7 +271,7 @@ mod tests {
         assert!(fibonacci.starts_with("113796925398360272257523782552224175572745930353730513145"));
         assert_eq!(fibonacci.len(), 210);
         let even = [('F', "F+F", Some(0.5)), ('F', "F-F", Some(0.5))];
-        assert_eq!(count_symbols(&system("F", &even, 0), 5).unwrap(), 63_u32.into());
+        assert_eq!(count_symbols(&system("F", &even, 0), 5).unwrap(), 63_u64.into());
         let uneven = [('F', "F+F", Some(0.5)), ('F', "F", Some(0.5))];
         assert_eq!(count_symbols(&system("F", &uneven, 0), 5), None);
     }
@@ -322,7 +322,7 @@ mod tests {
             let expected = naive(&system, n);
             prop_assert_eq!(&expand(&system, n, &Limits::default()).unwrap(), &expected);
             if let Some(count) = count_symbols(&system, n) {
-                prop_assert_eq!(count, expected.chars().count().into());
+                prop_assert_eq!(count, (expected.chars().count() as u64).into());
             }
             if n == 1 {
                 prop_assert_eq!(expand_once(&system, &axiom, 1), expected);

@@ -2,8 +2,7 @@
 
 use crate::counts::{count, segments_of};
 use crate::program::Rewrite;
-use crate::{Action, Heading, MAX_ITERATIONS, System};
-use num_bigint::BigUint;
+use crate::{Action, Heading, MAX_ITERATIONS, System, Tally};
 
 /// What one symbol of a system does, for people.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -64,7 +63,7 @@ fn action_words(system: &System, action: Action) -> String {
 #[must_use]
 pub fn why_empty(system: &System, n: u32) -> Option<String> {
     let drawn_at = |n: u32| count(&system.program, n, |s| segments_of(system, s));
-    if drawn_at(n)? != BigUint::ZERO {
+    if drawn_at(n)? != Tally::ZERO {
         return None;
     }
     if system.program.axiom.is_empty() {
@@ -74,12 +73,12 @@ pub fn why_empty(system: &System, n: u32) -> Option<String> {
     let far = (n + 1 + system.program.alphabet.len() as u32).min(MAX_ITERATIONS);
     let first: String = system.program.axiom.iter().take(8).map(|&s| system.program.alphabet[usize::from(s)]).collect();
     for later in n + 1..=far {
-        if drawn_at(later).is_some_and(|segments| segments != BigUint::ZERO) {
+        if drawn_at(later).is_some_and(|segments| segments != Tally::ZERO) {
             let subject = if n == 0 { first } else { format!("Generation {n}") };
             return Some(format!("{subject} draws nothing yet: try n = {later}."));
         }
     }
-    if n > 0 && drawn_at(0).is_some_and(|segments| segments != BigUint::ZERO) {
+    if n > 0 && drawn_at(0).is_some_and(|segments| segments != Tally::ZERO) {
         return Some("Every symbol that draws has been rewritten away: try fewer iterations.".to_owned());
     }
     Some(
@@ -91,7 +90,7 @@ pub fn why_empty(system: &System, n: u32) -> Option<String> {
 
 /// A count for people: whole with separators up to nine digits, then as `1.23 × 10^45`.
 #[must_use]
-pub fn short_count(count: &BigUint) -> String {
+pub fn short_count(count: &Tally) -> String {
     let digits = count.to_string();
     if digits.len() > 9 {
         return format!("{}.{} × 10^{}", &digits[..1], &digits[1..3], digits.len() - 1);
@@ -109,12 +108,12 @@ pub fn short_count(count: &BigUint) -> String {
 /// A picture's text alternative: how much is drawn and how large it is. `bounds` as
 /// [`Drawing::bounds`](crate::Drawing::bounds).
 #[must_use]
-pub fn describe(system: &System, n: u32, segments: &BigUint, bounds: Option<[f64; 4]>) -> String {
+pub fn describe(system: &System, n: u32, segments: &Tally, bounds: Option<[f64; 4]>) -> String {
     let Some([min_x, min_y, max_x, max_y]) = bounds else {
         return why_empty(system, n).unwrap_or_else(|| "Nothing is drawn.".to_owned());
     };
     let steps = if n == 1 { "step" } else { "steps" };
-    let lines = if *segments == 1_u32.into() { "line" } else { "lines" };
+    let lines = if *segments == Tally::from(1_u64) { "line" } else { "lines" };
     let (width, height) = (max_x - min_x, max_y - min_y);
     let form = if width > 3.0 * height {
         "much wider than high"
@@ -139,10 +138,10 @@ mod tests {
 
     #[test]
     fn counts_are_short() {
-        let short = |text: &str| short_count(&text.parse().unwrap());
-        assert_eq!(short("0"), "0");
-        assert_eq!(short("1234"), "1,234");
-        assert_eq!(short("123456789"), "123,456,789");
-        assert_eq!(short("1264937032042997393488322560"), "1.26 × 10^27");
+        let short = |count: u128| short_count(&Tally::from(count));
+        assert_eq!(short(0), "0");
+        assert_eq!(short(1234), "1,234");
+        assert_eq!(short(123_456_789), "123,456,789");
+        assert_eq!(short(1_264_937_032_042_997_393_488_322_560), "1.26 × 10^27");
     }
 }

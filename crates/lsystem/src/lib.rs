@@ -27,6 +27,7 @@ mod render;
 mod rewriting;
 mod style;
 mod system;
+mod tally;
 #[cfg(test)]
 mod testing;
 mod turtle;
@@ -59,6 +60,7 @@ pub use render::{Rect, RenderStats, Renderer, View, Viewport, fit, fitted_scale,
 pub use rewriting::{ContextPattern, Fault, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template};
 pub use style::{Colour, ColourBy, Style};
 pub use system::System;
+pub use tally::Tally;
 pub use turtle::Turtle;
 
 /// The README's Rust code is tested with the rest.
