@@ -15,7 +15,7 @@ pub use playground::Playground;
 pub use report::{Problem, Report};
 
 use lsystem::{Definition, Diagnostic, Limits, System};
-use report::{Failure, problems};
+use report::{Failure, FileReport, problems};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -23,7 +23,7 @@ use wasm_bindgen::prelude::*;
 const LIMITS: Limits = Limits { symbols: 64 << 20, modules: 16 << 20, segments: 1_000_000, work: 100_000_000 };
 
 /// Segments that [`draw`](fn@draw) gives at most: 16 bytes each, twice over while they are copied out.
-const ARRAY_SEGMENTS: u128 = 16 << 20;
+const ARRAY_SEGMENTS: u64 = 16 << 20;
 
 /// The segments of a drawing, in drawing order.
 #[wasm_bindgen(getter_with_clone)]
@@ -56,20 +56,24 @@ pub fn draw(definition: JsValue, n: u32) -> Result<Segments, JsValue> {
     let (definition, system) = compile(definition)?;
     let wrong = |limit| failure(&definition, &[limit]);
     let drawing = lsystem::draw(&system, n, &LIMITS).map_err(wrong)?;
-    if drawing.segment_count() > ARRAY_SEGMENTS {
-        return Err(failure(&definition, &[]));
-    }
-    let (mut points, mut colours, mut levels) = (Vec::new(), Vec::new(), Vec::new());
-    for segment in drawing.segments() {
-        points.extend([segment.from, segment.to].as_flattened().iter().map(|&value| value as f32));
-        colours.push(segment.colour);
-        levels.push(segment.level.min(u32::from(u16::MAX)) as u16);
-    }
+    let mut arrays = lsystem::SegmentArrays::default();
+    drawing.write_segments(ARRAY_SEGMENTS, &mut arrays).map_err(wrong)?;
     Ok(Segments {
-        segments: points.as_slice().into(),
-        colours: colours.as_slice().into(),
-        levels: levels.as_slice().into(),
+        segments: arrays.ends.as_slice().into(),
+        colours: arrays.colours.as_slice().into(),
+        levels: arrays.levels.as_slice().into(),
     })
+}
+
+/// Reads a JSON file's text: `{definition, diagnostics}`, the definition null where the file cannot be used.
+///
+/// # Errors
+/// Throws only where the result cannot be translated.
+#[wasm_bindgen]
+pub fn read(text: &str) -> Result<JsValue, JsValue> {
+    let (definition, diagnostics) = lsystem::read_json(text);
+    let texts = definition.clone().unwrap_or_default();
+    to_js(&FileReport { definition, diagnostics: problems(&diagnostics, &texts, text) })
 }
 
 /// A fresh seed.

@@ -6,7 +6,7 @@ use crate::surface::Surface;
 use crate::{LIMITS, from_js, to_js};
 use lsystem::{
     Definition, Diagnostic, Drawer, Drawing, Kind, Progress, Renderer, System, View, Viewport, count_segments,
-    count_symbols, describe, expand, fitted_scale, why_empty,
+    count_symbols, describe, expand, fitted_scale, why_empty, write_json,
 };
 use serde::Serialize;
 use std::sync::Arc;
@@ -173,6 +173,7 @@ impl Playground {
             return Err("nothing has been drawn yet".into());
         };
         let text = match format {
+            "json" => Ok(write_json(&self.definition)),
             "txt" => expand(system, self.definition.iterations, &LIMITS).map(|text| text + "\n"),
             _ => return Err(format!("there is no format `{format}`").into()),
         };

@@ -58,6 +58,13 @@ pub struct Legend {
     pub rewritten: bool,
 }
 
+/// What a file says.
+#[derive(Serialize)]
+pub(crate) struct FileReport {
+    pub(crate) definition: Option<Definition>,
+    pub(crate) diagnostics: Vec<Problem>,
+}
+
 /// What an export gives.
 #[derive(Serialize)]
 pub(crate) struct ExportReport {
@@ -81,8 +88,7 @@ pub(crate) fn problems(diagnostics: &[Diagnostic], definition: &Definition, file
             Field::File => ("file", file),
             Field::Numbers => ("numbers", ""),
         };
-        let utf16 = |end: usize| text.get(..end).map_or(0, |before| before.encode_utf16().count());
-        let span = utf16(diagnostic.span.start)..utf16(diagnostic.span.end);
+        let span = lsystem::utf16_span(text, diagnostic.span.clone());
         Problem {
             field,
             severity: match diagnostic.severity() {

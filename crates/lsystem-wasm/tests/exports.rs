@@ -2,7 +2,7 @@
 #![cfg(target_family = "wasm")]
 
 use js_sys::{Array, Float32Array, JSON, Reflect};
-use lsystem_wasm::{draw, expand, fresh_seed};
+use lsystem_wasm::{draw, expand, fresh_seed, read};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -69,4 +69,14 @@ fn a_seed_decides_a_stochastic_system() {
     assert_eq!(one, expand(system(1), 6).unwrap());
     assert_ne!(one, expand(system(2), 6).unwrap());
     assert_ne!((fresh_seed().unwrap(), fresh_seed().unwrap()), (fresh_seed().unwrap(), fresh_seed().unwrap()));
+}
+
+#[wasm_bindgen_test]
+fn course_files_are_read() {
+    let file =
+        read(r#"{"name": "left", "initial": "F", "angle_deg": 60, "rules": {"F": "F[+F]F",}, /* old */ }"#).unwrap();
+    let definition = get(&file, "definition");
+    assert_eq!(text(&definition, "dialect"), "every-letter");
+    assert_eq!(expand(definition, 1).unwrap(), "F[+F]F");
+    assert!(get(&read("{").unwrap(), "definition").is_null());
 }
