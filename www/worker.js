@@ -1,6 +1,6 @@
 /**
  * The page's worker: keeps one Playground between edits and draws. It stands behind the generated glue, which defines
- * the global `wasm_bindgen`, in one classic script, because a classic worker also starts from a blob.
+ * `wasm_bindgen`, in one classic script, because a classic worker also starts from a blob.
  *
  * It keeps only the newest `define` and `view` it has seen, works in steps of at most 8 ms, and returns to its event
  * loop between steps, so that newer input supersedes older.
@@ -10,8 +10,7 @@
     /** A small picture gets at most this many steps. */
     const THUMB_STEPS = 40;
 
-    /** @type {any} the wasm module's exports */
-    const wasm = /** @type {any} */ (self).wasm_bindgen;
+    const wasm = wasm_bindgen;
     const canvas = new OffscreenCanvas(1, 1);
     const channel = new MessageChannel();
 
