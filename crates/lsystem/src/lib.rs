@@ -45,7 +45,7 @@ pub use drawing::{
     Segments, Stroke, StyleChange, StyleId, WidthChange, draw,
 };
 pub use expr::{Code, Expr, Function, Meaning, Op, Operator, SIGN, STACK, Unusable};
-pub use format::{read_json, write_json};
+pub use format::{SvgOptions, read_json, write_csv, write_json, write_svg};
 pub use grammar::{Constant, Grammar, Module, Production};
 pub use heading::Heading;
 pub use key::Key;

@@ -9,9 +9,11 @@ pub struct Limits {
     pub symbols: u64,
     /// Modules, and numbers in them, of one generation held in memory.
     pub modules: u64,
-    /// Segments of a drawing that does not memoise.
+    /// Segments of a drawing that does not memoise; strokes and placed blocks of one that does, counted as the symbols
+    /// of the successors that they come from.
     pub segments: u64,
-    /// Symbols derived, in all generations together, for a drawing that does not memoise.
+    /// Symbols derived, in all generations together, for a drawing that does not memoise. A symbol that nothing
+    /// rewrites counts once; each branch that is open at the same time counts 32 more.
     pub work: u64,
 }
 

@@ -83,8 +83,21 @@ impl Style {
             palette: vec![Colour { rgb: [0, 0x80, 0] }],
             background: Colour { rgb: [0xff; 3] },
             width: 0.04,
+            min_width: 0.0,
             ..Self::default()
         }
+    }
+
+    /// The colour of a stroke: of the turtle's colour index, or of its branch level.
+    #[must_use]
+    pub fn colour_of(&self, index: i32, level: u32) -> Colour {
+        let entry = match self.colour_by {
+            ColourBy::Single => 0,
+            ColourBy::Symbol => i64::from(index),
+            ColourBy::Level => i64::from(level),
+        };
+        let wrapped = entry.rem_euclid(self.palette.len().max(1) as i64);
+        self.palette.get(wrapped as usize).copied().unwrap_or(Colour { rgb: [0; 3] })
     }
 
     /// The style that a file in this dialect has where it names none: in [`Dialect::Lowercase`] the pen starts blue,
