@@ -3,7 +3,7 @@
 use lexopt::prelude::{Long, Short, Value};
 use lsystem::MAX_ITERATIONS;
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// What `lsys --help` prints.
 pub(crate) const HELP: &str = "\
@@ -188,25 +188,34 @@ fn command(words: Vec<OsString>, options: Options) -> Result<Command, String> {
     }
 }
 
-/// A job for each file, named after it.
-fn into_folder(files: Vec<PathBuf>, folder: &std::path::Path, formats: &[Format]) -> Result<Vec<Job>, String> {
-    let mut jobs: Vec<Job> = Vec::new();
-    for file in files {
-        let base = folder.join(stem(&file)?);
-        let target = Target::Write(base.clone(), formats.to_vec());
-        if let Some(other) = jobs.iter().find(|job| job.target == target) {
-            let [one, two] = [&other.file, &file].map(|path| path.display());
-            return Err(format!("{one} and {two} would both be written to {}", base.display()));
+/// A job for each file, named after it; files of one name are told apart by their folders.
+fn into_folder(files: Vec<PathBuf>, folder: &Path, formats: &[Format]) -> Result<Vec<Job>, String> {
+    let stems = files.iter().map(|file| stem(file)).collect::<Result<Vec<_>, _>>()?;
+    let mut bases: Vec<PathBuf> = Vec::new();
+    for (file, stem) in files.iter().zip(&stems) {
+        let mut base = stem.clone();
+        if stems.iter().filter(|other| *other == stem).count() > 1
+            && let Some(parent) = file.parent().and_then(Path::file_name)
+        {
+            let mut name = parent.to_owned();
+            name.push("-");
+            name.push(stem);
+            base = name.into();
         }
-        jobs.push(Job { file, target });
+        if let Some(other) = bases.iter().position(|other| *other == base) {
+            let [one, two] = [&files[other], file].map(|path| path.display());
+            return Err(format!("{one} and {two} would both be written to {}", folder.join(&base).display()));
+        }
+        bases.push(base);
     }
-    Ok(jobs)
+    let target = |base: &PathBuf| Target::Write(folder.join(base), formats.to_vec());
+    Ok(files.into_iter().zip(&bases).map(|(file, base)| Job { file, target: target(base) }).collect())
 }
 
 /// The name of an output for `file`, in the working folder.
-fn stem(file: &std::path::Path) -> Result<PathBuf, String> {
+fn stem(file: &Path) -> Result<PathBuf, String> {
     let name = file.file_name().filter(|name| *name != "-").ok_or("name an OUT_BASE or a --format")?;
-    let text = std::path::Path::new(name);
+    let text = Path::new(name);
     // Only `.json` is an extension here: the stem of `1.24d` is all of it.
     Ok(if text.extension().is_some_and(|e| e == "json") { text.with_extension("") } else { text.to_owned() })
 }
@@ -231,7 +240,7 @@ mod tests {
     use super::*;
     use expect_test::{Expect, expect};
 
-    fn check(line: &str, expected: Expect) {
+    fn check(line: &str, expected: &Expect) {
         let with = |Changes { iterations, seed }| format!("n {iterations:?} seed {seed:?}");
         let text = match parse(line.split_whitespace().map(OsString::from)) {
             Ok(Command::Expand { file, changes }) => format!("expand {file:?} {}", with(changes)),
@@ -248,47 +257,50 @@ mod tests {
 
     #[test]
     fn commands() {
-        check("expand a.json -n 3", expect![[r#"expand "a.json" n Some(3) seed None"#]]);
-        check("a.json out", expect![[r#"draw "a.json" to Write("out", [Txt, Svg]) n None seed None"#]]);
-        check("draw a.json", expect![[r#"draw "a.json" to Write("a", [Txt, Svg]) n None seed None"#]]);
+        check("expand a.json -n 3", &expect![[r#"expand "a.json" n Some(3) seed None"#]]);
+        check("a.json out", &expect![[r#"draw "a.json" to Write("out", [Txt, Svg]) n None seed None"#]]);
+        check("draw a.json", &expect![[r#"draw "a.json" to Write("a", [Txt, Svg]) n None seed None"#]]);
         check(
             "draw some/1.24d.json --seed=7",
-            expect![[r#"draw "some/1.24d.json" to Write("1.24d", [Txt, Svg]) n None seed Some(7)"#]],
+            &expect![[r#"draw "some/1.24d.json" to Write("1.24d", [Txt, Svg]) n None seed Some(7)"#]],
         );
-        check("draw --format csv a.json", expect![[r#"draw "a.json" to Print(Csv) n None seed None"#]]);
-        check("draw a.json out --format csv", expect![[r#"draw "a.json" to Write("out", [Csv]) n None seed None"#]]);
+        check("draw --format csv a.json", &expect![[r#"draw "a.json" to Print(Csv) n None seed None"#]]);
+        check("draw a.json out --format csv", &expect![[r#"draw "a.json" to Write("out", [Csv]) n None seed None"#]]);
         check(
             "draw a.json b.json --out-dir pictures",
-            expect![[
+            &expect![[
                 r#"draw "a.json" to Write("pictures/a", [Txt, Svg]), "b.json" to Write("pictures/b", [Txt, Svg]) n None seed None"#
             ]],
         );
-        check("info a.json b.json --json", expect![[r#"info ["a.json", "b.json"] json true n None seed None"#]]);
-        check("info -- -n", expect![[r#"info ["-n"] json false n None seed None"#]]);
-        check("draw - --format svg", expect![[r#"draw "-" to Print(Svg) n None seed None"#]]);
-        check("--help nonsense", expect!["Help"]);
+        check(
+            "draw x/a.json y/a.json --out-dir d",
+            &expect![[
+                r#"draw "x/a.json" to Write("d/x-a", [Txt, Svg]), "y/a.json" to Write("d/y-a", [Txt, Svg]) n None seed None"#
+            ]],
+        );
+        check("info a.json b.json --json", &expect![[r#"info ["a.json", "b.json"] json true n None seed None"#]]);
+        check("info -- -n", &expect![[r#"info ["-n"] json false n None seed None"#]]);
+        check("draw - --format svg", &expect![[r#"draw "-" to Print(Svg) n None seed None"#]]);
+        check("--help nonsense", &expect!["Help"]);
     }
 
     #[test]
     fn wrong_usage() {
-        check("", expect!["error: nothing to do"]);
-        check("a.json", expect!["error: what about a.json? Try lsys draw FILE or lsys info FILE"]);
-        check("expand", expect!["error: lsys expand needs a FILE"]);
-        check("expand a b", expect!["error: lsys expand takes one FILE"]);
-        check("expand a -n -1", expect!["error: -n takes a whole number from 0 to 1000, not `-1`"]);
-        check("expand a -n 1001", expect!["error: -n takes a whole number from 0 to 1000, not `1001`"]);
-        check("expand a -n", expect!["error: missing argument for option '-n'"]);
-        check("expand a --seed x", expect!["error: --seed takes a whole number from 0 to 4294967295, not `x`"]);
-        check("expand a --json", expect!["error: --json goes with info only"]);
-        check("expand a --format svg", expect!["error: --format and --out-dir go with draw only"]);
-        check("draw a --format png", expect!["error: --format takes svg, csv or txt, not `png`"]);
-        check("draw a.json b.json", expect!["error: OUT_BASE b.json looks like a system; use --out-dir for many"]);
-        check("draw a b c", expect!["error: draw takes one FILE and one OUT_BASE; use --out-dir for many files"]);
-        check("draw -", expect!["error: name an OUT_BASE or a --format"]);
-        check(
-            "draw x/a.json y/a.json --out-dir d",
-            expect!["error: x/a.json and y/a.json would both be written to d/a"],
-        );
-        check("info a --loud", expect!["error: invalid option '--loud'"]);
+        check("", &expect!["error: nothing to do"]);
+        check("a.json", &expect!["error: what about a.json? Try lsys draw FILE or lsys info FILE"]);
+        check("expand", &expect!["error: lsys expand needs a FILE"]);
+        check("expand a b", &expect!["error: lsys expand takes one FILE"]);
+        check("expand a -n -1", &expect!["error: -n takes a whole number from 0 to 1000, not `-1`"]);
+        check("expand a -n 1001", &expect!["error: -n takes a whole number from 0 to 1000, not `1001`"]);
+        check("expand a -n", &expect!["error: missing argument for option '-n'"]);
+        check("expand a --seed x", &expect!["error: --seed takes a whole number from 0 to 4294967295, not `x`"]);
+        check("expand a --json", &expect!["error: --json goes with info only"]);
+        check("expand a --format svg", &expect!["error: --format and --out-dir go with draw only"]);
+        check("draw a --format png", &expect!["error: --format takes svg, csv or txt, not `png`"]);
+        check("draw a.json b.json", &expect!["error: OUT_BASE b.json looks like a system; use --out-dir for many"]);
+        check("draw a b c", &expect!["error: draw takes one FILE and one OUT_BASE; use --out-dir for many files"]);
+        check("draw -", &expect!["error: name an OUT_BASE or a --format"]);
+        check("draw a.json a.json --out-dir d", &expect!["error: a.json and a.json would both be written to d/a"]);
+        check("info a --loud", &expect!["error: invalid option '--loud'"]);
     }
 }

@@ -1,2 +1,120 @@
-//! Under construction.
-fn main() {}
+//! `lsys`: derives, draws and inspects L-systems from JSON files. The work is done by the library `lsystem`; this
+//! program reads arguments and files and writes what it says.
+
+mod args;
+mod draw;
+mod info;
+mod input;
+mod output;
+mod progress;
+
+use args::Command;
+use lsystem::Word;
+use progress::Progress;
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Why a command stops.
+enum Failure {
+    /// What is wrong has been said already.
+    Said,
+    /// Something to say.
+    Words(String),
+    /// Whoever reads the output has gone; nothing to say, and nothing wrong.
+    ReaderGone,
+}
+
+impl Failure {
+    /// An error of the file system or a stream, about `what`.
+    fn io(what: impl std::fmt::Display, error: &io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Self::ReaderGone,
+            _ => Self::Words(format!("{what}: {error}")),
+        }
+    }
+
+    /// Says what there is to say, so that other work can go on; not if nobody reads its results any more.
+    fn tell(self) -> Result<(), Self> {
+        match self {
+            Self::Words(words) => {
+                say(&format!("error: {words}\n"));
+                Ok(())
+            }
+            Self::Said => Ok(()),
+            Self::ReaderGone => Err(self),
+        }
+    }
+}
+
+fn main() -> ExitCode {
+    let command = match args::parse(std::env::args_os().skip(1)) {
+        Ok(command) => command,
+        Err(words) => {
+            say(&format!("error: {words}\nlsys --help tells more\n"));
+            return ExitCode::from(2);
+        }
+    };
+    match run(command).map_err(Failure::tell) {
+        // Whoever reads the results has enough of them: no failure.
+        Ok(()) | Err(Err(_)) => ExitCode::SUCCESS,
+        Err(Ok(())) => ExitCode::FAILURE,
+    }
+}
+
+fn run(command: Command) -> Result<(), Failure> {
+    match command {
+        Command::Help => print(|out| out.write_all(args::HELP.as_bytes())),
+        Command::Version => print(|out| writeln!(out, "lsys {}", env!("CARGO_PKG_VERSION"))),
+        Command::Expand { file, changes } => expand(&file, changes),
+        Command::Draw { jobs, changes } => draw::draw(&jobs, changes),
+        Command::Info { files, json, changes } => info::info(&files, json, changes),
+    }
+}
+
+/// Symbols of a string that is derived a piece at a time.
+const PIECE: usize = 1 << 16;
+/// Strings up to this many symbols are derived whole, which is faster.
+const WHOLE: u128 = 1 << 24;
+
+fn expand(file: &Path, changes: args::Changes) -> Result<(), Failure> {
+    let input = input::read(file, changes)?;
+    match Word::new(&input.system, input.iterations).filter(|word| word.symbols() > WHOLE) {
+        Some(word) => print(|out| write_pieces(out, &word)),
+        None => {
+            let text = input.expand()?;
+            print(|out| write_line(out, &text))
+        }
+    }
+}
+
+/// A string too long for memory, and a newline.
+fn write_pieces(out: &mut dyn Write, word: &Word<'_>) -> io::Result<()> {
+    let mut progress = Progress::new("symbols", u64::try_from(word.symbols()).unwrap_or(u64::MAX));
+    let mut start = 0_u128;
+    loop {
+        let piece = word.slice(start, PIECE);
+        if piece.is_empty() {
+            return out.write_all(b"\n");
+        }
+        out.write_all(piece.as_bytes())?;
+        start += PIECE as u128;
+        progress.at(u64::try_from(start).unwrap_or(u64::MAX));
+    }
+}
+
+/// A derived string, and a newline.
+fn write_line(out: &mut dyn Write, text: &str) -> io::Result<()> {
+    out.write_all(text.as_bytes())?;
+    out.write_all(b"\n")
+}
+
+/// Writes to standard output.
+fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    output::print(write).map_err(|error| Failure::io("standard output", &error))
+}
+
+/// Writes to standard error; where that fails there is nobody left to tell.
+fn say(text: &str) {
+    let _ = io::stderr().write_all(text.as_bytes());
+}

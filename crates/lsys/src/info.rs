@@ -1,0 +1,184 @@
+//! `lsys info`: what is known about a system without looking at its picture.
+
+use crate::args::Changes;
+use crate::input::{self, Input};
+use crate::{Failure, print};
+use lsystem::{Diagnostic, Drawing, Tally, count_segments, count_symbols};
+use serde::Serialize;
+use std::fmt::{self, Display};
+use std::path::PathBuf;
+
+/// What `lsys info` tells of one file.
+#[derive(Serialize)]
+struct Facts {
+    file: String,
+    name: String,
+    title: String,
+    /// `deterministic` or `stochastic`.
+    kind: &'static str,
+    iterations: u32,
+    seed: u32,
+    /// Exact, as decimal digits; `None` where a limit is passed before they are known.
+    symbols: Option<String>,
+    /// As `symbols`.
+    segments: Option<String>,
+    /// Min x, min y, max x, max y of all segments' axes, in model units; `None` where nothing is drawn, a limit is
+    /// passed, or a number is beyond the range of `f64`.
+    bounds: Option<[f64; 4]>,
+    growth: Growth,
+    /// Whether equal pieces of the drawing are shared.
+    memoised: Option<bool>,
+    /// Pieces of the drawing.
+    blocks: Option<usize>,
+    /// The limit that leaves some of it unknown.
+    limit: Option<String>,
+}
+
+/// By how much the last derivation step multiplied the counts; `None` for the axiom, or where it is unknown.
+#[derive(Serialize)]
+struct Growth {
+    symbols: Option<f64>,
+    segments: Option<f64>,
+}
+
+/// Prints facts about `files`. Files that cannot be read are reported, and the others still told about.
+pub(crate) fn info(files: &[PathBuf], json: bool, changes: Changes) -> Result<(), Failure> {
+    let mut all = Vec::new();
+    let mut failed = false;
+    for file in files {
+        match input::read(file, changes) {
+            Ok(input) => all.push(facts(&input)),
+            Err(failure) => {
+                failed = true;
+                failure.tell()?;
+            }
+        }
+    }
+    print(|out| match (json, all.as_slice(), files.len()) {
+        (false, _, _) => {
+            (all.iter().enumerate()).try_for_each(|(i, facts)| write!(out, "{}{facts}", if i > 0 { "\n" } else { "" }))
+        }
+        (true, [], 1) => Ok(()),
+        (true, [only], 1) => writeln!(out, "{}", serde_json::to_string_pretty(only)?),
+        (true, ..) => writeln!(out, "{}", serde_json::to_string_pretty(&all)?),
+    })?;
+    if failed { Err(Failure::Said) } else { Ok(()) }
+}
+
+fn facts(input: &Input) -> Facts {
+    let (system, n) = (&input.system, input.iterations);
+    let drawing = lsystem::draw(system, n, &input.limits);
+    let (drawn, limit) = (drawing.as_ref().ok(), drawing.as_ref().err());
+    let now = Counts::new(input, n, drawn);
+    let before = n.checked_sub(1).map(|n| match now.derived {
+        true => Counts::new(input, n, lsystem::draw(system, n, &input.limits).ok().as_ref()),
+        false => Counts::new(input, n, None),
+    });
+    let ratio = |of: fn(&Counts) -> &Option<Tally>| ratio(of(&now).as_ref()?, of(before.as_ref()?).as_ref()?);
+    Facts {
+        file: input.file.display().to_string(),
+        name: input.definition.name.clone(),
+        title: input.definition.title.clone(),
+        kind: if system.program.is_deterministic() { "deterministic" } else { "stochastic" },
+        iterations: n,
+        seed: system.seed,
+        growth: Growth { symbols: ratio(|c| &c.symbols), segments: ratio(|c| &c.segments) },
+        symbols: now.symbols.map(|count| count.to_string()),
+        segments: now.segments.map(|count| count.to_string()),
+        bounds: drawn.and_then(Drawing::bounds).filter(|b| b.iter().all(|x| x.is_finite())),
+        memoised: drawn.map(Drawing::is_memoised),
+        blocks: drawn.map(Drawing::block_count),
+        limit: limit.map(Diagnostic::message),
+    }
+}
+
+/// Of one generation; `None` where a limit is passed before they are known.
+struct Counts {
+    symbols: Option<Tally>,
+    segments: Option<Tally>,
+    /// Whether they depend on random choices, so that deriving was the only way.
+    derived: bool,
+}
+
+impl Counts {
+    /// Of generation `n`, which `drawing` shows; `None` where it is too large to be drawn.
+    fn new(input: &Input, n: u32, drawing: Option<&Drawing>) -> Self {
+        let (symbols, segments) = (count_symbols(&input.system, n), count_segments(&input.system, n));
+        let derived = symbols.is_none() || segments.is_none();
+        // Where not even the drawing is within the limits, trying the string would only cost time.
+        let string = || drawing.and_then(|_| lsystem::expand(&input.system, n, &input.limits).ok());
+        Self {
+            symbols: symbols.or_else(|| Some((string()?.chars().count() as u64).into())),
+            segments: segments.or_else(|| Some(drawing?.segment_count().into())),
+            derived,
+        }
+    }
+}
+
+/// `a / b`, however large they are; `None` for a division by zero.
+fn ratio(a: &Tally, b: &Tally) -> Option<f64> {
+    /// As many as fit a `u128`, and many more than decide an `f64`.
+    const DIGITS: usize = 38;
+    let [a, b] = [a, b].map(Tally::to_string);
+    let dropped = a.len().max(b.len()).saturating_sub(DIGITS);
+    let leading = |digits: &str| digits[..digits.len().saturating_sub(dropped)].parse().unwrap_or(0_u128);
+    let (a, b) = (leading(&a), leading(&b));
+    let whole = a.checked_div(b)?;
+    Some(whole as f64 + (a % b) as f64 / b as f64)
+}
+
+impl Display for Facts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let title = [&self.title, &self.name, &self.file].into_iter().find(|text| !text.is_empty());
+        writeln!(f, "{}", title.map_or("", String::as_str))?;
+        let unknown = || "unknown".to_owned();
+        writeln!(f, "  file        {}", self.file)?;
+        let blocks = self.blocks.map_or_else(String::new, |blocks| match self.memoised {
+            Some(true) => format!(", memoised, blocks: {blocks}"),
+            _ => format!(", not memoised, blocks: {blocks}"),
+        });
+        writeln!(f, "  kind        {}{blocks}", self.kind)?;
+        writeln!(f, "  iterations  {}", self.iterations)?;
+        if self.kind == "stochastic" {
+            writeln!(f, "  seed        {}", self.seed)?;
+        }
+        writeln!(f, "  symbols     {}", self.symbols.clone().unwrap_or_else(unknown))?;
+        writeln!(f, "  segments    {}", self.segments.clone().unwrap_or_else(unknown))?;
+        if let Some([x0, y0, x1, y1]) = self.bounds {
+            writeln!(f, "  bounds      x {x0} to {x1}, y {y0} to {y1}")?;
+        }
+        if let Growth { symbols: Some(symbols), segments } = self.growth {
+            let segments = segments.map_or_else(unknown, |growth| format!("x {growth:.6}"));
+            writeln!(f, "  growth      symbols x {symbols:.6}, segments {segments} in the last step")?;
+        }
+        self.limit.as_ref().map_or(Ok(()), |limit| writeln!(f, "  limit       {limit}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ratio;
+    use lsystem::Tally;
+
+    fn power(base: u32, exponent: u32) -> Tally {
+        (0..exponent).fold(Tally::from(1_u64), |power, _| {
+            let mut next = Tally::ZERO;
+            next.add_times(base, &power);
+            next
+        })
+    }
+
+    #[test]
+    fn ratios_of_numbers_beyond_floating_point() {
+        let close = |a: &Tally, b: &Tally, expected: f64| {
+            let ratio = ratio(a, b).unwrap_or(f64::NAN);
+            assert!((ratio / expected - 1.0).abs() < 1e-15, "{ratio} is not {expected}");
+        };
+        close(&power(3, 1001), &power(3, 1000), 3.0);
+        close(&power(30, 1000), &power(30, 999), 30.0);
+        close(&power(7, 20), &power(7, 22), 1.0 / 49.0);
+        assert_eq!(ratio(&Tally::from(5_u64), &Tally::from(2_u64)), Some(2.5));
+        assert_eq!(ratio(&Tally::ZERO, &power(3, 1000)), Some(0.0));
+        assert_eq!(ratio(&power(3, 1000), &Tally::ZERO), None);
+    }
+}

@@ -1,0 +1,474 @@
+//! The program as a user runs it.
+
+use expect_test::{Expect, expect};
+use std::ffi::OsStr;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// Runs `lsys` in the repository's root.
+fn lsys(arguments: &[impl AsRef<OsStr>]) -> Output {
+    command(arguments).output().expect("lsys starts")
+}
+
+fn command(arguments: &[impl AsRef<OsStr>]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
+    command.args(arguments).current_dir(root()).stdin(Stdio::null());
+    command
+}
+
+/// Runs `lsys` with the words of `line`, which must succeed without a word on standard error.
+fn good(line: &str) -> String {
+    let output = lsys(&line.split(' ').collect::<Vec<_>>());
+    assert_eq!((text(&output.stderr), output.status.code()), (String::new(), Some(0)), "{line}");
+    text(&output.stdout)
+}
+
+/// Runs `lsys` with the words of `line`, which must fail with `code` and say why.
+fn bad(line: &str, code: i32, expected: &Expect) {
+    let output = lsys(&line.split(' ').collect::<Vec<_>>());
+    expected.assert_eq(&text(&output.stderr));
+    assert_eq!((text(&output.stdout), output.status.code()), (String::new(), Some(code)), "{line}");
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("UTF-8")
+}
+
+/// A folder of its own for a test, removed at the end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&path).expect("a folder for tests");
+        Self(path)
+    }
+
+    fn base(&self, name: &str) -> String {
+        self.0.join(name).display().to_string()
+    }
+
+    fn read(&self, name: &str) -> String {
+        std::fs::read_to_string(self.0.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    fn names(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(&self.0).expect("readable").flatten();
+        let mut names: Vec<String> = entries.map(|entry| entry.file_name().display().to_string()).collect();
+        names.sort();
+        names
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// All files of the gallery.
+fn gallery() -> Vec<String> {
+    let mut files = Vec::new();
+    for folder in std::fs::read_dir(root().join("data_in")).expect("data_in").flatten() {
+        for file in std::fs::read_dir(folder.path()).expect("a folder").flatten() {
+            let path = Path::new("data_in").join(folder.file_name()).join(file.file_name());
+            files.push(path.display().to_string());
+        }
+    }
+    files.sort();
+    assert!(files.len() > 60, "{files:?}");
+    files
+}
+
+#[test]
+fn expand_prints_the_string_and_a_newline() {
+    assert_eq!(good("expand data_in/assignment-8/plant_01.json -n 1"), "F[+X]F[-X]+X\n");
+    assert_eq!(good("expand data_in/assignment-8/plant_01.json -n 0"), "X\n");
+    assert_eq!(good("expand data_in/focs-lsystems/readme-a-b.json"), "ABAABABA\n");
+}
+
+#[test]
+fn a_seed_decides_and_decides_alike() {
+    let [a, b, again] = [1, 2, 1].map(|seed| good(&format!("expand data_in/abop/1.27.json --seed {seed}")));
+    assert_eq!(a, again);
+    assert_ne!(a, b);
+}
+
+#[test]
+fn strings_beyond_memory_stream_until_the_reader_has_enough() {
+    let mut child = command(&["expand", "data_in/curves/koch-snowflake.json", "-n", "1000"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("lsys starts");
+    let mut start = vec![0; 1 << 20];
+    let mut out = child.stdout.take().expect("piped");
+    std::io::Read::read_exact(&mut out, &mut start).expect("a megabyte");
+    assert!(start.starts_with(b"F+F--F+F+F+F--F+F--F+F--F+F+F+F--F+F"));
+    drop(out);
+    let output = child.wait_with_output().expect("lsys ends");
+    assert_eq!((text(&output.stderr), output.status.code()), (String::new(), Some(0)));
+}
+
+#[test]
+fn draw_writes_the_string_and_the_picture() {
+    let folder = Folder::new("draw");
+    let base = folder.base("1.24d");
+    for line in [format!("data_in/abop/1.24d.json {base}"), format!("draw data_in/abop/1.24d.json {base} -n 7")] {
+        good(&line);
+        assert_eq!(folder.names(), ["1.24d.svg", "1.24d.txt"]);
+        assert_eq!(folder.read("1.24d.txt").len(), 13956 + 1);
+        let svg = folder.read("1.24d.svg");
+        assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "{}", &svg[..80]);
+        assert_eq!(svg, good("draw data_in/abop/1.24d.json --format svg"));
+        std::fs::remove_file(format!("{base}.svg")).expect("is there");
+    }
+}
+
+#[test]
+fn a_format_is_written_alone() {
+    let folder = Folder::new("format");
+    good(&format!("draw data_in/abop/1.24a.json {} --format csv", folder.base("weed")));
+    assert_eq!(folder.names(), ["weed.csv"]);
+}
+
+#[test]
+fn many_files_go_into_a_folder() {
+    let folder = Folder::new("many");
+    let files = "data_in/abop/1.24a.json data_in/abop/1.24b.json";
+    good(&format!("draw {files} --out-dir {} -n 2", folder.0.display()));
+    assert_eq!(folder.names(), ["1.24a.svg", "1.24a.txt", "1.24b.svg", "1.24b.txt"]);
+}
+
+#[test]
+fn csv_has_a_line_for_each_segment() {
+    let csv = good("draw data_in/practical-1/text-example.json --format csv -n 1");
+    expect![[r#"
+        x0,y0,x1,y1,level,colour
+        0,0,0,1,0,0
+        0,1,0,2,0,0
+    "#]]
+    .assert_eq(&csv);
+    assert_eq!(good("draw data_in/assignment-8/plant_02.json --format csv").lines().count(), 3125 + 1);
+}
+
+#[test]
+fn info_tells_what_is_known() {
+    expect![[r#"
+        Alternating twigs
+          file        data_in/abop/1.24d.json
+          kind        deterministic, memoised, blocks: 14
+          iterations  7
+          symbols     13956
+          segments    4118
+          bounds      x -70.10220768553398 to 70.10220768553398, y 0 to 248.93418014601633
+          growth      symbols x 3.029303, segments x 3.096241 in the last step
+    "#]]
+    .assert_eq(&good("info data_in/abop/1.24d.json"));
+    expect![[r#"
+        {
+          "file": "data_in/curves/koch-island.json",
+          "name": "koch-island",
+          "title": "Quadratic Koch island",
+          "kind": "deterministic",
+          "iterations": 100,
+          "seed": 0,
+          "symbols": "15132267252770468069422739399612523482096622352946955004725614766632546798241929817362380507",
+          "segments": "8148143905337944345073782753637512644205873574663745002544561797417525199053346824733589504",
+          "bounds": [
+            -5.356460147529967e+59,
+            -5.356460147529967e+59,
+            2.142584059011987e+60,
+            2.142584059011987e+60
+          ],
+          "growth": {
+            "symbols": 8.0,
+            "segments": 8.0
+          },
+          "memoised": true,
+          "blocks": 101,
+          "limit": null
+        }
+    "#]]
+    .assert_eq(&good("info data_in/curves/koch-island.json -n 100 --json"));
+    expect![[r#"
+        Random weed
+          file        data_in/abop/1.27.json
+          kind        stochastic, not memoised, blocks: 1
+          iterations  5
+          seed        5
+          symbols     1201
+          segments    481
+          bounds      x -10.841477114688612 to 4.164995452362904, y 0 to 53
+          growth      symbols x 3.741433, segments x 3.728682 in the last step
+    "#]]
+    .assert_eq(&good("info data_in/abop/1.27.json --seed 5"));
+    expect![[r#"
+        Doubling
+          file        data_in/focs-lsystems/readme-s-to-ss.json
+          kind        deterministic, memoised, blocks: 0
+          iterations  0
+          symbols     1
+          segments    0
+    "#]]
+    .assert_eq(&good("info data_in/focs-lsystems/readme-s-to-ss.json -n 0"));
+}
+
+#[test]
+fn facts_are_known_at_any_generation() {
+    let files = gallery();
+    let facts = |n: &str, files: &[String]| -> Vec<serde_json::Value> {
+        let mut arguments = vec!["info", "--json", "-n", n];
+        arguments.extend(files.iter().map(String::as_str));
+        let output = lsys(&arguments);
+        assert_eq!((text(&output.stderr), output.status.code()), (String::new(), Some(0)));
+        serde_json::from_slice(&output.stdout).expect("JSON")
+    };
+    let first = facts("1", &files);
+    assert_eq!(first.len(), files.len());
+    let is_deterministic = |facts: &serde_json::Value| facts["kind"] == "deterministic";
+    let (mut deterministic, mut stochastic) = (Vec::new(), Vec::new());
+    for (facts, file) in first.iter().zip(files) {
+        assert!(facts["limit"].is_null() && facts["symbols"].is_string() && facts["segments"].is_string(), "{facts}");
+        if is_deterministic(facts) { &mut deterministic } else { &mut stochastic }.push(file);
+    }
+    assert!(deterministic.len() > 60 && stochastic.len() > 4);
+    for facts in facts("1000", &deterministic) {
+        assert!(facts["limit"].is_null() && facts["symbols"].is_string() && facts["segments"].is_string(), "{facts}");
+        assert!(facts["memoised"] == true, "{facts}");
+    }
+    for facts in facts("9", &stochastic) {
+        assert!(facts["symbols"].is_string() == facts["limit"].is_null(), "{facts}");
+    }
+}
+
+#[test]
+fn every_file_of_the_gallery_is_drawn() {
+    for file in gallery() {
+        let svg = good(&format!("draw {file} --format svg"));
+        assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "{file}");
+    }
+}
+
+#[test]
+fn standard_input_is_read() {
+    let mut child = command(&["expand", "-"]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("starts");
+    child.stdin.take().expect("piped").write_all(br#"{"initial": "F", "rules": {"F": "F+F"}}"#).expect("taken");
+    assert_eq!(text(&child.wait_with_output().expect("ends").stdout), "F+F\n");
+}
+
+#[test]
+fn broken_files_are_explained() {
+    let file = |name: &str| format!("expand crates/lsys/tests/broken/{name}.json");
+    bad(
+        &file("empty"),
+        1,
+        &expect![[r#"
+        error: The file holds nothing
+         --> crates/lsys/tests/broken/empty.json
+          = help: It must hold an object: {"initial": "F"}.
+    "#]],
+    );
+    bad(
+        &file("unclosed"),
+        1,
+        &expect![[r#"
+        error: This object is never closed
+         --> crates/lsys/tests/broken/unclosed.json:1:1
+          |
+        1 | { "initial": "F", "rules": { "F": "FF" }
+          | ^
+          = help: Add `}`.
+    "#]],
+    );
+    bad(
+        &file("wrong_types"),
+        1,
+        &expect![[r#"
+        error: `angle_deg` must be a number, not a string
+         --> crates/lsys/tests/broken/wrong_types.json:3:16
+          |
+        3 |   "angle_deg": "ninety",
+          |                ^^^^^^^^
+        error: `num_iters` must be a whole number from 0 to 1000
+         --> crates/lsys/tests/broken/wrong_types.json:4:16
+          |
+        4 |   "num_iters": -1,
+          |                ^^
+        error: `rules` must be an outcome {"p": 0.5, "e": "F+F"}, not a string
+         --> crates/lsys/tests/broken/wrong_types.json:5:19
+          |
+        5 |   "rules": {"F": ["FF"]},
+          |                   ^^^^
+        error: `logo` is not a value of `dialect`
+         --> crates/lsys/tests/broken/wrong_types.json:6:25
+          |
+        6 |   "turtle": {"dialect": "logo", "overrides": {"G": "jump"}}
+          |                         ^^^^^^
+          = help: It can be `abop`, `every-letter`, `practical`, `lowercase`.
+    "#]],
+    );
+    bad(
+        &file("wrong_rules"),
+        1,
+        &expect![[r#"
+        error: `=` gives a constant its value, and `FF` is not a number
+         --> crates/lsys/tests/broken/wrong_rules.json, rules:1:3
+          |
+        1 | F = FF
+          |   ^
+          = help: For a production write `F -> FF`.
+        error: This backquote has no partner
+         --> crates/lsys/tests/broken/wrong_rules.json, rules:2:6
+          |
+        2 | F -> `F
+          |      ^
+          = help: Backquotes make one character a symbol: `:`. The backquote itself is ```.
+        error: 0 cannot be a weight
+         --> crates/lsys/tests/broken/wrong_rules.json, rules:3:10
+          |
+        3 | G -> F : 0
+          |          ^
+          = help: A weight is a number above zero, from 1e-100 to 1e100.
+    "#]],
+    );
+    bad(
+        &file("not_text"),
+        1,
+        &expect![[r#"
+        error: crates/lsys/tests/broken/not_text.json, line 1: not UTF-8 text
+    "#]],
+    );
+    bad(
+        &file("array"),
+        1,
+        &expect![[r#"
+        error: The file must hold an object, not a list
+         --> crates/lsys/tests/broken/array.json:1:1
+          |
+        1 | [1, 2, 3]
+          | ^^^^^^^^^
+    "#]],
+    );
+    bad(
+        &file("too_many"),
+        1,
+        &expect![[r#"
+        error: `num_iters` must be a whole number from 0 to 1000
+         --> crates/lsys/tests/broken/too_many.json:3:16
+          |
+        3 |   "num_iters": 2000,
+          |                ^^^^
+    "#]],
+    );
+    bad(
+        &file("is_missing"),
+        1,
+        &expect![[r#"
+        error: crates/lsys/tests/broken/is_missing.json: No such file or directory (os error 2)
+    "#]],
+    );
+    bad(
+        "expand data_in",
+        1,
+        &expect![[r#"
+        error: data_in: Is a directory (os error 21)
+    "#]],
+    );
+}
+
+#[test]
+fn warnings_do_not_stop_the_work() {
+    let output = lsys(&["expand", "crates/lsys/tests/broken/doubtful.json"]);
+    expect![[r#"
+        warning: Nothing reads the key `angel_deg`
+         --> crates/lsys/tests/broken/doubtful.json:4:3
+          |
+        4 |   "angel_deg": 20,
+          |   ^^^^^^^^^^^
+          = help: Did you mean `angle_deg`?
+        warning: This `]` closes no branch and is ignored in the drawing
+         --> crates/lsys/tests/broken/doubtful.json, axiom:1:2
+          |
+        1 | F]
+          |  ^
+          = help: Remove it, or open the branch before it.
+        warning: `Y` never occurs, so this production never applies
+         --> crates/lsys/tests/broken/doubtful.json, rules:2:1
+          |
+        2 | Y -> F
+          | ^
+          = help: Use the symbol in the axiom or in a production that applies, or remove this one.
+    "#]]
+    .assert_eq(&text(&output.stderr));
+    assert_eq!((text(&output.stdout).as_str(), output.status.code()), ("F+F+F+F]\n", Some(0)));
+}
+
+#[test]
+fn limits_name_themselves() {
+    let folder = Folder::new("limits");
+    bad(
+        &format!("data_in/curves/koch-snowflake.json {} -n 1000", folder.base("koch")),
+        1,
+        &expect![[r#"
+        error: The string would be longer than 268,435,456 symbols
+         --> data_in/curves/koch-snowflake.json
+          = help: Up to 12 iterations fit.
+    "#]],
+    );
+    bad(
+        "expand data_in/abop/1.27.json -n 100",
+        1,
+        &expect![[r#"
+        error: The drawing would take more than 100,000,000 symbols to derive
+         --> data_in/abop/1.27.json
+          = help: Up to 13 iterations fit.
+    "#]],
+    );
+    bad(
+        "draw data_in/curves/koch-snowflake.json --format csv -n 40",
+        1,
+        &expect![[r#"
+        error: The drawing would have more than 2,000,000 segments
+         --> data_in/curves/koch-snowflake.json
+    "#]],
+    );
+    assert_eq!(folder.names(), [""; 0], "nothing is left behind");
+}
+
+#[test]
+fn what_cannot_be_written_is_said() {
+    let output = lsys(&["draw", "data_in/abop/1.24a.json", "no/such/folder/weed"]);
+    expect![[r#"
+        error: no/such/folder/weed.txt: No such file or directory (os error 2)
+    "#]]
+    .assert_eq(&text(&output.stderr));
+    assert_eq!(output.status.code(), Some(1));
+}
+
+#[test]
+fn usage() {
+    bad(
+        "expand",
+        2,
+        &expect![[r#"
+        error: lsys expand needs a FILE
+        lsys --help tells more
+    "#]],
+    );
+    bad(
+        "draw data_in/abop/1.24a.json --format png",
+        2,
+        &expect![[r#"
+        error: --format takes svg, csv or txt, not `png`
+        lsys --help tells more
+    "#]],
+    );
+    assert!(good("--help").contains("lsys FILE OUT_BASE"));
+    assert_eq!(good("--version"), format!("lsys {}\n", env!("CARGO_PKG_VERSION")));
+}
