@@ -5,8 +5,8 @@ use crate::report::{ExportReport, Report, legend_of, problems};
 use crate::surface::Surface;
 use crate::{LIMITS, from_js, to_js};
 use lsystem::{
-    Definition, Diagnostic, Drawer, Drawing, Kind, Progress, Renderer, System, View, Viewport, count_segments,
-    count_symbols, describe, expand, fitted_scale, why_empty, write_json,
+    Definition, Diagnostic, Drawer, Drawing, Kind, Progress, Renderer, SvgOptions, System, View, Viewport,
+    count_segments, count_symbols, describe, expand, fitted_scale, why_empty, write_csv, write_json, write_svg,
 };
 use serde::Serialize;
 use std::sync::Arc;
@@ -15,6 +15,9 @@ use web_sys::OffscreenCanvas;
 
 /// Work units between two looks at the clock: well under a millisecond each.
 const WORK: usize = 16_384;
+
+/// Segments that are written as text at most: more than any program opens.
+const TEXT_SEGMENTS: u64 = 2_000_000;
 
 /// An L-system between edits: its drawing, and the picture on the canvas.
 #[wasm_bindgen]
@@ -169,12 +172,14 @@ impl Playground {
     /// # Errors
     /// Throws where there is no such format or no drawing yet.
     pub fn export(&self, format: &str) -> Result<JsValue, JsValue> {
-        let Some(system) = &self.system else {
+        let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else {
             return Err("nothing has been drawn yet".into());
         };
         let text = match format {
             "json" => Ok(write_json(&self.definition)),
             "txt" => expand(system, self.definition.iterations, &LIMITS).map(|text| text + "\n"),
+            "svg" => write_svg(drawing, &system.style, &self.svg_options()),
+            "csv" => write_csv(drawing, TEXT_SEGMENTS),
             _ => return Err(format!("there is no format `{format}`").into()),
         };
         let (text, diagnostics) = match text {
@@ -202,6 +207,12 @@ impl Playground {
 }
 
 impl Playground {
+    fn svg_options(&self) -> SvgOptions {
+        let Definition { title, name, .. } = &self.definition;
+        let title = if title.is_empty() { name.clone() } else { title.clone() };
+        SvgOptions { title, description: self.report.description.clone(), most: TEXT_SEGMENTS, ..SvgOptions::default() }
+    }
+
     fn is_idle(&self) -> bool {
         self.drawer.is_none() && (self.picture == Picture::Shown || !self.is_visible())
     }
