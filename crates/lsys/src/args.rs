@@ -179,6 +179,12 @@ fn command(words: Vec<OsString>, options: Options) -> Result<Command, String> {
                 (Some(base), _) if base.extension().is_some_and(|e| e == "json") => {
                     return Err(format!("OUT_BASE {} looks like a system; use --out-dir for many", base.display()));
                 }
+                (Some(base), _) if !names_a_file(&base) => {
+                    return Err(format!(
+                        "OUT_BASE `{}` must end in the name that the files shall have",
+                        base.display()
+                    ));
+                }
                 (Some(base), _) => Target::Write(base, formats),
                 (None, Some(format)) => Target::Print(format),
                 (None, None) => Target::Write(stem(&first)?, formats),
@@ -186,6 +192,13 @@ fn command(words: Vec<OsString>, options: Options) -> Result<Command, String> {
             Ok(Command::Draw { jobs: vec![Job { file: first, target }], changes })
         }
     }
+}
+
+/// Whether `base` ends in a name, and not in a folder.
+fn names_a_file(base: &Path) -> bool {
+    // `x/` and `x/.` have the file name `x`, but that is not how the text ends.
+    let ends = |name: &std::ffi::OsStr| base.as_os_str().as_encoded_bytes().ends_with(name.as_encoded_bytes());
+    base.file_name().is_some_and(ends)
 }
 
 /// A job for each file, named after it; files of one name are told apart by their folders.
@@ -299,6 +312,12 @@ mod tests {
         check("draw a --format png", &expect!["error: --format takes svg, csv or txt, not `png`"]);
         check("draw a.json b.json", &expect!["error: OUT_BASE b.json looks like a system; use --out-dir for many"]);
         check("draw a b c", &expect!["error: draw takes one FILE and one OUT_BASE; use --out-dir for many files"]);
+        check("draw a /", &expect!["error: OUT_BASE `/` must end in the name that the files shall have"]);
+        check(
+            "draw a pictures/",
+            &expect!["error: OUT_BASE `pictures/` must end in the name that the files shall have"],
+        );
+        check("draw a ..", &expect!["error: OUT_BASE `..` must end in the name that the files shall have"]);
         check("draw -", &expect!["error: name an OUT_BASE or a --format"]);
         check("draw a.json a.json --out-dir d", &expect!["error: a.json and a.json would both be written to d/a"]);
         check("info a --loud", &expect!["error: invalid option '--loud'"]);

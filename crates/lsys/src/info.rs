@@ -127,6 +127,14 @@ fn ratio(a: &Tally, b: &Tally) -> Option<f64> {
     Some(whole as f64 + (a % b) as f64 / b as f64)
 }
 
+/// A number with an exponent where it has more digits than meaning.
+fn readable(number: f64) -> String {
+    match number.abs() {
+        0.0 | 1e-4..1e15 => number.to_string(),
+        _ => format!("{number:e}"),
+    }
+}
+
 impl Display for Facts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let title = [&self.title, &self.name, &self.file].into_iter().find(|text| !text.is_empty());
@@ -145,6 +153,7 @@ impl Display for Facts {
         writeln!(f, "  symbols     {}", self.symbols.clone().unwrap_or_else(unknown))?;
         writeln!(f, "  segments    {}", self.segments.clone().unwrap_or_else(unknown))?;
         if let Some([x0, y0, x1, y1]) = self.bounds {
+            let [x0, y0, x1, y1] = [x0, y0, x1, y1].map(readable);
             writeln!(f, "  bounds      x {x0} to {x1}, y {y0} to {y1}")?;
         }
         if let Growth { symbols: Some(symbols), segments } = self.growth {

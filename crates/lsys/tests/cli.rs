@@ -451,6 +451,49 @@ fn what_cannot_be_written_is_said() {
     assert_eq!(output.status.code(), Some(1));
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn full_disks_are_said() {
+    for line in
+        ["expand data_in/abop/1.24a.json", "draw data_in/abop/1.24a.json --format svg", "info data_in/abop/1.24a.json"]
+    {
+        let full = std::fs::File::create("/dev/full").expect("a device of Linux");
+        let output = command(&line.split(' ').collect::<Vec<_>>()).stdout(full).output().expect("lsys starts");
+        assert_eq!(text(&output.stderr), "error: standard output: No space left on device (os error 28)\n");
+        assert_eq!(output.status.code(), Some(1));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn names_need_not_be_unicode() {
+    use std::os::unix::ffi::OsStrExt;
+    let folder = Folder::new("names");
+    let file = folder.0.join(OsStr::from_bytes(b"\xff.json"));
+    std::fs::copy(root().join("data_in/abop/1.24a.json"), &file).expect("copied");
+    let output = lsys(&[OsStr::new("draw"), file.as_os_str(), OsStr::new("--out-dir"), folder.0.as_os_str()]);
+    assert_eq!((text(&output.stderr), output.status.code()), (String::new(), Some(0)));
+    assert!(folder.0.join(OsStr::from_bytes(b"\xff.svg")).exists());
+}
+
+#[test]
+fn good_files_are_done_beside_bad_ones() {
+    let folder = Folder::new("beside");
+    let files = "crates/lsys/tests/broken/empty.json data_in/abop/1.24a.json";
+    bad(
+        &format!("draw {files} --out-dir {} -n 1", folder.0.display()),
+        1,
+        &expect![[r#"
+            error: The file holds nothing
+             --> crates/lsys/tests/broken/empty.json
+              = help: It must hold an object: {"initial": "F"}.
+        "#]],
+    );
+    assert_eq!(folder.names(), ["1.24a.svg", "1.24a.txt"]);
+    let output = lsys(&format!("info {files} --json").split(' ').collect::<Vec<_>>());
+    assert!(text(&output.stdout).contains("1.24a") && output.status.code() == Some(1));
+}
+
 #[test]
 fn usage() {
     bad(
