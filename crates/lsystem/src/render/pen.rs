@@ -1,6 +1,6 @@
 //! The style in force at a place of a drawing, and how changes of style add up.
 
-use crate::{ColourBy, ColourChange, Style, StyleChange, WidthChange};
+use crate::{ColourBy, Style, StyleChange};
 
 /// What the turtle carries apart from its position.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,11 +15,8 @@ pub(super) struct Pen {
 impl Pen {
     pub(super) fn after(self, change: &StyleChange) -> Self {
         Self {
-            colour: match change.colour {
-                ColourChange::Set(index) => index,
-                ColourChange::Add(count) => self.colour.wrapping_add(count),
-            },
-            width: change.width.factor * self.width + change.width.offset,
+            colour: change.colour.of(self.colour),
+            width: change.width.of(self.width),
             level: self.level.saturating_add(change.level),
         }
     }
@@ -32,26 +29,6 @@ impl Pen {
             ColourBy::Symbol => i64::from(self.colour).rem_euclid(i64::from(colours)) as u32,
             ColourBy::Level => self.level % colours,
         }
-    }
-}
-
-/// No change.
-pub(super) const SAME: StyleChange =
-    StyleChange { colour: ColourChange::Add(0), width: WidthChange { factor: 1.0, offset: 0.0 }, level: 0 };
-
-/// `first`, then `second`.
-pub(super) fn compose(first: &StyleChange, second: &StyleChange) -> StyleChange {
-    StyleChange {
-        colour: match (first.colour, second.colour) {
-            (_, ColourChange::Set(index)) => ColourChange::Set(index),
-            (ColourChange::Set(index), ColourChange::Add(count)) => ColourChange::Set(index.wrapping_add(count)),
-            (ColourChange::Add(a), ColourChange::Add(b)) => ColourChange::Add(a.wrapping_add(b)),
-        },
-        width: WidthChange {
-            factor: second.width.factor * first.width.factor,
-            offset: second.width.factor * first.width.offset + second.width.offset,
-        },
-        level: first.level.saturating_add(second.level),
     }
 }
 

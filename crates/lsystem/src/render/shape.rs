@@ -1,6 +1,5 @@
 //! What the renderer needs to know of a block before it looks inside.
 
-use super::pen::{SAME, compose};
 use crate::{Block, ColourChange, Drawing, Item, StyleChange};
 
 /// Facts about one block, in its own frame.
@@ -79,7 +78,7 @@ fn contents(drawing: &Drawing, block: &Block, shapes: &[Shape]) -> (Option<Line>
                     let place = |[x, y]: [f64; 2]| {
                         [placed.at[0] + placed.scale * (c * x - s * y), placed.at[1] + placed.scale * (s * x + c * y)]
                     };
-                    let style = compose(&drawing.styles[placed.style.0 as usize], &line.style);
+                    let style = drawing.styles[placed.style.0 as usize].then(&line.style);
                     Line { from: place(line.from), to: place(line.to), style }
                 })
             }
@@ -111,7 +110,7 @@ fn styles(drawing: &Drawing, block: &Block, shapes: &[Shape]) -> (Option<ColourC
             }
         };
         let entry = &drawing.styles[entry.0 as usize];
-        colour.add(inner.0.map(|inner| compose(entry, &StyleChange { colour: inner, ..SAME }).colour));
+        colour.add(inner.0.map(|inner| entry.colour.then(inner)));
         level.add(inner.1.map(|inner| entry.level.saturating_add(inner)));
     }
     (colour.value(), level.value())

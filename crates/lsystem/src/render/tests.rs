@@ -22,10 +22,9 @@ fn difference(a: &[u8], b: &[u8], width: usize) -> (f64, f64) {
 }
 
 fn samples() -> Vec<(&'static str, Sample, u32)> {
-    let coloured =
-        |axiom, rules, angle| Sample { dialect: crate::Dialect::Lowercase, ..Sample::abop(axiom, rules, angle) };
+    let coloured = |axiom, rules, angle| Sample::lowercase(axiom, rules, angle);
     vec![
-        ("koch", Sample { start: 0.0, ..Sample::abop("F", &[('F', "F+F--F+F")], 60.0) }, 6),
+        ("koch", Sample::abop("-F", &[('F', "F+F--F+F")], 60.0), 6),
         ("dragon", Sample::abop("X", &[('X', "X+YF+"), ('Y', "-FX-Y")], 90.0), 12),
         ("fine dragon", Sample::abop("X", &[('X', "X+YF+"), ('Y', "-FX-Y")], 90.0), 17),
         ("plant f", Sample::abop("X", &[('X', "F-[[X]+X]+F[+FX]-X"), ('F', "FF")], 22.5), 6),
@@ -35,9 +34,9 @@ fn samples() -> Vec<(&'static str, Sample, u32)> {
         ("plant b", Sample::abop("F", &[('F', "F[+F]F[-F][F]")], 25.7), 6),
         ("sierpinski", Sample::abop("F-G-G", &[('F', "F-G+F+G-F"), ('G', "GG")], 120.0), 7),
         ("gosper", Sample::abop("F", &[('F', "F-G--G+F++FF+G-"), ('G', "+F-GG--G-F++F+G")], 60.0), 5),
-        ("coloured", coloured("X", &[('X', "g-[[X]+X]+g[+gX]-X"), ('g', "gg")], 22.5), 6),
-        ("wide", Sample { width: 0.6, ..Sample::abop("X", &[('X', "F!-[[X]+X]+F[+FX]-X"), ('F', "FF")], 22.5) }, 5),
-        ("step colours", Sample { width: 0.3, ..Sample::abop("X", &[('X', "F[+'X]F[-''X]+X"), ('F', "FF")], 25.7) }, 6),
+        ("coloured", Sample::lowercase("X", &[('X', "g-[[X]+X]+g[+gX]-X"), ('g', "gg")], 22.5), 6),
+        ("wide", Sample::abop("X", &[('X', "F!-[[X]+X]+F[+FX]-X"), ('F', "FF")], 22.5).wide(0.6), 5),
+        ("step colours", Sample::abop("X", &[('X', "F[+'X]F[-''X]+X"), ('F', "FF")], 25.7).wide(0.3), 6),
     ]
 }
 
@@ -109,7 +108,7 @@ fn close_up(drawing: &Drawing, zoom: f64) -> View {
 
 fn hard() -> Vec<(&'static str, Sample)> {
     vec![
-        ("koch", Sample { start: 0.0, ..Sample::abop("F", &[('F', "F+F--F+F")], 60.0) }),
+        ("koch", Sample::abop("-F", &[('F', "F+F--F+F")], 60.0)),
         ("dragon", Sample::abop("X", &[('X', "X+YF+"), ('Y', "-FX-Y")], 90.0)),
         ("plant f", Sample::abop("X", &[('X', "F-[[X]+X]+F[+FX]-X"), ('F', "FF")], 22.5)),
         ("plant d", Sample::abop("X", &[('X', "F[+X]F[-X]+X"), ('F', "FF")], 20.0)),
@@ -117,17 +116,8 @@ fn hard() -> Vec<(&'static str, Sample)> {
         ("bush", Sample::abop("F", &[('F', "FF-[-F+F+F]+[+F-F-F]")], 22.5)),
         ("sierpinski", Sample::abop("F-G-G", &[('F', "F-G+F+G-F"), ('G', "GG")], 120.0)),
         ("gosper", Sample::abop("F", &[('F', "F-G--G+F++FF+G-"), ('G', "+F-GG--G-F++F+G")], 60.0)),
-        (
-            "coloured f",
-            Sample {
-                dialect: crate::Dialect::Lowercase,
-                ..Sample::abop("X", &[('X', "g-[[X]+X]+g[+gX]-X"), ('g', "gg")], 22.5)
-            },
-        ),
-        (
-            "coloured c",
-            Sample { dialect: crate::Dialect::Lowercase, ..Sample::abop("g", &[('g', "gg-[-g+g+g]+[+g-g-g]")], 22.5) },
-        ),
+        ("coloured f", Sample::lowercase("X", &[('X', "g-[[X]+X]+g[+gX]-X"), ('g', "gg")], 22.5)),
+        ("coloured c", Sample::lowercase("g", &[('g', "gg-[-g+g+g]+[+g-g-g]")], 22.5)),
     ]
 }
 

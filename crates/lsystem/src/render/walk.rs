@@ -2,7 +2,7 @@
 
 use super::RenderStats;
 use super::canvas::Canvas;
-use super::pen::{Pen, SAME};
+use super::pen::Pen;
 use super::shape::Shape;
 use super::stroke::Capsule;
 use super::tile::{self, Key, Tile, Tiles};
@@ -47,8 +47,12 @@ impl Look {
         match self.colour_by {
             _ if self.colours <= 1 => Some(0),
             ColourBy::Single => Some(0),
-            ColourBy::Symbol => shape.colour.map(|colour| self.ink(pen.after(&StyleChange { colour, ..SAME }))),
-            ColourBy::Level => shape.level.map(|level| self.ink(pen.after(&StyleChange { level, ..SAME }))),
+            ColourBy::Symbol => {
+                shape.colour.map(|colour| self.ink(pen.after(&StyleChange { colour, ..StyleChange::NONE })))
+            }
+            ColourBy::Level => {
+                shape.level.map(|level| self.ink(pen.after(&StyleChange { level, ..StyleChange::NONE })))
+            }
         }
     }
 }
@@ -216,7 +220,7 @@ impl Walk {
         }
         let block = &drawing.blocks[node.block.0 as usize];
         let place = node.place;
-        let radius = self.look.radius(block.widest.factor * node.pen.width + block.widest.offset);
+        let radius = self.look.radius(block.widest.of(node.pen.width));
         let centre = place.point(shape.centre);
         let reach = [
             place.cos.abs() * shape.half[0] + place.sin.abs() * shape.half[1] + radius,
