@@ -10,6 +10,8 @@ use core::ops::Range;
 const STRIP: usize = u64::BITS as usize;
 /// Rows in a cell; a cell is a strip's word range for which coverage is remembered.
 const CELL: usize = 64;
+/// Cells in a word of bits.
+const CELLS: usize = u64::BITS as usize;
 
 /// A bit picture. Coordinates are subsamples, y down.
 #[derive(Default)]
@@ -26,8 +28,10 @@ pub(super) struct Canvas {
     pub colours: Vec<u64>,
     /// By strip, then cell: whether anything was painted there.
     pub touched: Vec<bool>,
-    /// By strip, then cell: the rows of the cell before this one are covered throughout.
-    open: Vec<u8>,
+    /// By strip, then cell: so many of its first rows are covered throughout.
+    done: Vec<u8>,
+    /// By strip: a bit for each cell that may not be covered throughout.
+    open: Vec<u64>,
 }
 
 impl Canvas {
@@ -45,14 +49,18 @@ impl Canvas {
             let cells = strips * self.cells;
             self.touched.clear();
             self.touched.resize(cells, false);
+            self.done.clear();
+            self.done.resize(cells, 0);
             self.open.clear();
-            self.open.resize(cells, 0);
+            self.open.resize(strips * self.cells.div_ceil(CELLS), u64::MAX);
             return;
         }
         let (cells, size) = (self.cells, strips * rows);
         for index in 0..self.touched.len() {
             if core::mem::take(&mut self.touched[index]) {
-                self.open[index] = 0;
+                self.done[index] = 0;
+                self.open[index / cells * cells.div_ceil(CELLS) + index % cells / CELLS] |=
+                    1 << (index % cells % CELLS);
                 let first = index / cells * rows + index % cells * CELL;
                 let last = index / cells * rows + (index % cells * CELL + CELL).min(rows);
                 self.covered[first..last].fill(0);
@@ -67,34 +75,33 @@ impl Canvas {
     /// counts as covered).
     pub(super) fn is_full(&mut self, x: [i64; 2], y: [i64; 2]) -> bool {
         let Some((x, y)) = self.clip(x, y) else { return true };
+        let cells = [y[0] / CELL, y[1] / CELL];
         for strip in x[0] / STRIP..=x[1] / STRIP {
             let outside = !columns(strip, x);
-            let mut row = y[0];
-            while row <= y[1] {
-                let cell = row / CELL;
-                let end = (y[1] + 1).min((cell + 1) * CELL);
-                let open = self.advance(strip, cell);
-                row = row.max(open);
-                let words = &self.covered[strip * self.rows + row.min(end)..strip * self.rows + end];
-                if words.iter().any(|word| word | outside != u64::MAX) {
-                    return false;
+            for word in cells[0] / CELLS..=cells[1] / CELLS {
+                let index = strip * self.cells.div_ceil(CELLS) + word;
+                let mut open = self.open[index] & columns(word, cells);
+                while open != 0 {
+                    let cell = word * CELLS + open.trailing_zeros() as usize;
+                    let at = strip * self.cells + cell;
+                    let last = (cell * CELL + CELL).min(self.rows);
+                    let from = cell * CELL + usize::from(self.done[at]);
+                    let column = &self.covered[strip * self.rows..][..self.rows];
+                    let full = from + column[from..last].iter().take_while(|&&word| word == u64::MAX).count();
+                    self.done[at] = (full - cell * CELL) as u8;
+                    if full == last {
+                        self.open[index] &= !(open & open.wrapping_neg());
+                    } else {
+                        let rows = &column[full.max(y[0])..last.min(y[1] + 1).max(full.max(y[0]))];
+                        if rows.iter().any(|word| word | outside != u64::MAX) {
+                            return false;
+                        }
+                    }
+                    open &= open - 1;
                 }
-                row = end;
             }
         }
         true
-    }
-
-    /// The first row of a cell that is not covered throughout, or the row after the cell.
-    fn advance(&mut self, strip: usize, cell: usize) -> usize {
-        let index = strip * self.cells + cell;
-        let first = cell * CELL;
-        let end = (first + CELL).min(self.rows);
-        let from = first + usize::from(self.open[index]);
-        let words = &self.covered[strip * self.rows + from..strip * self.rows + end];
-        let full = words.iter().take_while(|word| **word == u64::MAX).count();
-        self.open[index] = (from + full - first) as u8;
-        from + full
     }
 
     /// The part of a rectangle that lies on the canvas.

@@ -5,6 +5,7 @@
 //! first, so that what is covered already need not be looked at again.
 
 mod canvas;
+mod inks;
 mod pen;
 mod resolve;
 mod shape;
@@ -24,8 +25,7 @@ pub use view::{Rect, View, Viewport, fit, fitted_scale, to_model};
 use crate::{Drawing, Progress, Style};
 use shape::Shape;
 use std::sync::Arc;
-use view::{Camera, SAMPLES};
-use walk::{Look, Walk};
+use walk::Walk;
 
 /// What a picture took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -65,21 +65,10 @@ impl Renderer {
 
     /// Starts a picture of the loaded drawing; a picture that was being made is given up.
     pub fn begin(&mut self, style: &Style, viewport: Viewport, view: View) {
-        let min_width = (style.min_width * viewport.ratio).max(1.0);
-        let mut look = Look {
-            colour_by: style.colour_by,
-            colours: pen::colours(style),
-            hairline: if min_width.is_finite() { min_width * SAMPLES / 2.0 } else { SAMPLES / 2.0 },
-            step: 0.0,
-        };
-        let (width, height) = (viewport.width as usize, viewport.height as usize);
-        self.walk.frame_mut().reset(width * SAMPLES as usize, height * SAMPLES as usize, look.digits());
-        self.output.begin(style, width, height);
         if let Some(drawing) = &self.drawing {
-            let camera = Camera::new(drawing, viewport, view);
-            look.step = camera.step;
-            self.walk.begin(drawing, look, camera);
+            self.walk.begin(drawing, style, viewport, view);
         }
+        self.output.begin(style, self.walk.inks(), viewport);
     }
 
     /// Goes on with the picture for about `work` units (one unit is in the order of 10 to 100 nanoseconds).

@@ -1,5 +1,6 @@
 //! From subsamples to pixels.
 
+use super::Viewport;
 use super::canvas::Canvas;
 use crate::Progress;
 use crate::Style;
@@ -14,7 +15,7 @@ pub(super) struct Output {
     palette: Vec<[u32; 3]>,
     background: [u32; 3],
     /// By palette entry, then by how many of a pixel's subsamples have it: the pixel.
-    shades: Vec<[[u8; 4]; 17]>,
+    shades: Vec<[[u8; 4]; 32]>,
     /// By strip, then cell: whether the pixels there are not background.
     inked: Vec<bool>,
     /// The next cell to do.
@@ -25,7 +26,9 @@ pub(super) struct Output {
 const SIDE: usize = 16;
 
 impl Output {
-    pub(super) fn begin(&mut self, style: &Style, width: usize, height: usize) {
+    /// Starts a picture whose colours have the palette entries `inks`, by number.
+    pub(super) fn begin(&mut self, style: &Style, inks: &[u32], viewport: Viewport) {
+        let (width, height) = (viewport.width as usize, viewport.height as usize);
         let background = style.background.rgb.map(u32::from);
         if (self.width, self.height, self.background) != (width, height, background) || self.pixels.is_empty() {
             (self.width, self.height, self.background) = (width, height, background);
@@ -37,14 +40,15 @@ impl Output {
             self.inked.resize(width.div_ceil(SIDE) * height.div_ceil(SIDE), false);
         }
         self.palette.clear();
-        self.palette.extend(style.palette.iter().map(|colour| colour.rgb.map(u32::from)));
+        let colour = |&ink: &u32| style.palette.get(ink as usize).map(|colour| colour.rgb.map(u32::from));
+        self.palette.extend(inks.iter().filter_map(colour));
         if self.palette.is_empty() {
             self.palette.push([0; 3]);
         }
         self.shades.clear();
         self.shades.extend(self.palette.iter().map(|colour| {
             core::array::from_fn(|count| {
-                let count = count as u32;
+                let count = (count as u32).min(16);
                 let mix = |c: usize| ((colour[c] * count + background[c] * (16 - count) + 8) / 16) as u8;
                 [mix(0), mix(1), mix(2), u8::MAX]
             })
@@ -87,13 +91,22 @@ impl Output {
                 out.fill(self.shades[0][0]);
                 continue;
             }
+            if frame.digits == 0 && covered == [u64::MAX; 4] {
+                out.fill(self.shades[0][16]);
+                continue;
+            }
             let (ink, same) = first_ink(frame, at, covered);
             let counts = counts(same);
             let ink = ink.min(self.palette.len() - 1);
             if same == covered {
                 let shades = &self.shades[ink];
-                for (x, pixel) in out.iter_mut().enumerate() {
-                    *pixel = shades[counts.of(x)];
+                let (mut even, mut odd) = (counts.even, counts.odd);
+                for pair in out.chunks_mut(2) {
+                    pair[0] = shades[(even & 31) as usize];
+                    if let [_, second] = pair {
+                        *second = shades[(odd & 31) as usize];
+                    }
+                    (even, odd) = (even >> 8, odd >> 8);
                 }
                 continue;
             }

@@ -1,6 +1,6 @@
 //! What the renderer needs to know of a block before it looks inside.
 
-use crate::{Block, ColourChange, Drawing, Item, StyleChange};
+use crate::{Block, Drawing, Item, StyleChange};
 
 /// Facts about one block, in its own frame.
 #[derive(Clone, Copy, Debug)]
@@ -11,10 +11,6 @@ pub(super) struct Shape {
     pub half: [f64; 2],
     /// What it covers, where that is one straight line without gaps, in one style.
     pub line: Option<Line>,
-    /// What all its strokes' colours are, relative to its entry, where they are alike.
-    pub colour: Option<ColourChange>,
-    /// How much deeper than its entry all its strokes are, where they are alike.
-    pub level: Option<u32>,
     /// How many strokes and lines it takes to draw it, at most.
     pub strokes: u32,
 }
@@ -37,8 +33,7 @@ pub(super) fn shapes(drawing: &Drawing) -> Vec<Shape> {
     for block in &drawing.blocks {
         let [centre, half] = bounds(drawing, block);
         let (line, strokes) = contents(drawing, block, &shapes);
-        let (colour, level) = styles(drawing, block, &shapes);
-        shapes.push(Shape { centre, half, line, colour, level, strokes });
+        shapes.push(Shape { centre, half, line, strokes });
     }
     shapes
 }
@@ -93,48 +88,6 @@ fn contents(drawing: &Drawing, block: &Block, shapes: &[Shape]) -> (Option<Line>
         }
     }
     (joined, if joined.is_some() { 1 } else { strokes })
-}
-
-/// The colour and the level that all strokes share.
-fn styles(drawing: &Drawing, block: &Block, shapes: &[Shape]) -> (Option<ColourChange>, Option<u32>) {
-    let (mut colour, mut level) = (Shared::Nothing, Shared::Nothing);
-    for item in &drawing.items[block.items.start as usize..block.items.end as usize] {
-        let (entry, inner) = match item {
-            Item::Stroke(stroke) => (stroke.style, (Some(ColourChange::Add(0)), Some(0))),
-            Item::Block(placed) => {
-                let child = &shapes[placed.block.0 as usize];
-                if child.strokes == 0 {
-                    continue;
-                }
-                (placed.style, (child.colour, child.level))
-            }
-        };
-        let entry = &drawing.styles[entry.0 as usize];
-        colour.add(inner.0.map(|inner| entry.colour.then(inner)));
-        level.add(inner.1.map(|inner| entry.level.saturating_add(inner)));
-    }
-    (colour.value(), level.value())
-}
-
-/// What several things have in common.
-enum Shared<T> {
-    Nothing,
-    All(T),
-    Differ,
-}
-
-impl<T: PartialEq> Shared<T> {
-    fn add(&mut self, value: Option<T>) {
-        match (&*self, value) {
-            (Self::Nothing, Some(value)) => *self = Self::All(value),
-            (Self::All(all), Some(value)) if *all == value => {}
-            _ => *self = Self::Differ,
-        }
-    }
-
-    fn value(self) -> Option<T> {
-        if let Self::All(value) = self { Some(value) } else { None }
-    }
 }
 
 /// Two lines as one, where together they are one.

@@ -22,7 +22,6 @@ fn difference(a: &[u8], b: &[u8], width: usize) -> (f64, f64) {
 }
 
 fn samples() -> Vec<(&'static str, Sample, u32)> {
-    let coloured = |axiom, rules, angle| Sample::lowercase(axiom, rules, angle);
     vec![
         ("koch", Sample::abop("-F", &[('F', "F+F--F+F")], 60.0), 6),
         ("dragon", Sample::abop("X", &[('X', "X+YF+"), ('Y', "-FX-Y")], 90.0), 12),
@@ -138,7 +137,7 @@ fn timing() {
     let only = std::env::var("ONLY").unwrap_or_default();
     let mut renderer = Renderer::new();
     for (name, sample) in hard().into_iter().filter(|(name, _)| name.contains(&only)) {
-        let only_n = std::env::var("N").map(|n| n.parse().unwrap()).ok();
+        let only_n = std::env::var("N").map(|n| n.parse::<u32>().unwrap()).ok();
         for n in [6, 12, 40].into_iter().filter(|n| only_n.is_none_or(|only| *n == only)) {
             let drawing = Arc::new(sample.draw(n));
             renderer.load(drawing.clone());

@@ -2,13 +2,14 @@
 
 use super::RenderStats;
 use super::canvas::Canvas;
+use super::inks::InkTable;
 use super::pen::Pen;
 use super::shape::Shape;
 use super::stroke::Capsule;
 use super::tile::{self, Key, Tile, Tiles};
 use super::turns::Turns;
-use super::view::Camera;
-use crate::{BlockId, ColourBy, Drawing, Heading, Item, Progress, StyleChange};
+use super::view::{Camera, SAMPLES, View, Viewport};
+use crate::{BlockId, Drawing, Heading, Item, Progress, Style};
 
 /// The largest extent, in subsamples, at which a block is painted as a line.
 const TINY: f64 = 2.0;
@@ -17,43 +18,20 @@ const LONG: f64 = 1e6;
 /// Strokes wider than twice this, in subsamples, are not painted into tiles.
 const BROAD: f64 = 64.0;
 
-/// What holds for a whole picture.
+/// The size of things in a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Look {
-    pub colour_by: ColourBy,
-    pub colours: u32,
     /// Half the smallest stroke width, in subsamples.
     pub hairline: f64,
     /// Subsamples in one step length.
     pub step: f64,
+    /// Subsamples in one unit of the root block.
+    pub scale: f64,
 }
 
 impl Look {
-    /// Digits of a colour number.
-    pub(super) fn digits(&self) -> usize {
-        (u32::BITS - self.colours.saturating_sub(1).leading_zeros()) as usize
-    }
-
     fn radius(&self, width: f64) -> f64 {
         (width * self.step / 2.0).max(self.hairline)
-    }
-
-    fn ink(&self, pen: Pen) -> u32 {
-        pen.ink(self.colours, self.colour_by)
-    }
-
-    /// The ink of a block that has only one.
-    fn only_ink(&self, shape: &Shape, pen: Pen) -> Option<u32> {
-        match self.colour_by {
-            _ if self.colours <= 1 => Some(0),
-            ColourBy::Single => Some(0),
-            ColourBy::Symbol => {
-                shape.colour.map(|colour| self.ink(pen.after(&StyleChange { colour, ..StyleChange::NONE })))
-            }
-            ColourBy::Level => {
-                shape.level.map(|level| self.ink(pen.after(&StyleChange { level, ..StyleChange::NONE })))
-            }
-        }
     }
 }
 
@@ -114,7 +92,7 @@ struct Target {
 #[derive(Default)]
 pub(super) struct Walk {
     look: Look,
-    scale: f64,
+    inks: InkTable,
     /// The picture, then a canvas for each size of tile.
     canvases: [Canvas; 1 + tile::SIZES],
     tiles: Tiles,
@@ -130,16 +108,24 @@ impl Walk {
         self.stack.clear();
         self.making.clear();
         self.tiles.clear();
+        self.inks.clear();
     }
 
-    pub(super) fn begin(&mut self, drawing: &Drawing, look: Look, camera: Camera) {
+    /// Starts a picture of `width` by `height` pixels.
+    pub(super) fn begin(&mut self, drawing: &Drawing, style: &Style, viewport: Viewport, view: View) {
         self.stats = RenderStats::default();
         self.stack.clear();
         self.making.clear();
-        if (look, camera.scale) != (self.look, self.scale) {
-            (self.look, self.scale) = (look, camera.scale);
+        let camera = Camera::new(drawing, viewport, view);
+        let min_width = (style.min_width * viewport.ratio).max(1.0);
+        let hairline = if min_width.is_finite() { min_width * SAMPLES / 2.0 } else { SAMPLES / 2.0 };
+        let look = Look { hairline, step: camera.step, scale: camera.scale };
+        if self.inks.prepare(drawing, style) || look != self.look {
+            self.look = look;
             self.tiles.clear();
         }
+        let [width, height] = [viewport.width, viewport.height].map(|side| side as usize * SAMPLES as usize);
+        self.canvases[0].reset(width, height, self.inks.digits());
         let Some((root, block)) = drawing.root.and_then(|id| Some((id, drawing.blocks.get(id.0 as usize)?))) else {
             return;
         };
@@ -158,8 +144,9 @@ impl Walk {
         &self.canvases[0]
     }
 
-    pub(super) fn frame_mut(&mut self) -> &mut Canvas {
-        &mut self.canvases[0]
+    /// The palette entries of the picture's colours.
+    pub(super) fn inks(&self) -> &[u32] {
+        self.inks.used()
     }
 
     pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], left: &mut i64) -> Progress {
@@ -203,7 +190,7 @@ impl Walk {
     fn stroke(&mut self, canvas: usize, [from, to]: [[f64; 2]; 2], pen: Pen) -> i64 {
         self.stats.strokes += 1;
         let capsule = Capsule { from, to, radius: self.look.radius(pen.width) };
-        capsule.paint(&mut self.canvases[canvas], self.look.ink(pen)) as i64 / 4
+        capsule.paint(&mut self.canvases[canvas], self.inks.number(pen)) as i64 / 4
     }
 
     fn stamp(&mut self, tile: &Tile, target: Target) -> i64 {
@@ -250,14 +237,14 @@ impl Walk {
             && radius <= BROAD
             && drawing.memoised
         {
-            let ink = self.look.only_ink(shape, node.pen);
+            let ink = self.inks.only(node.block.0 as usize, node.pen);
             let snapped = tile::snap(place.origin, size);
             let key = Key {
                 block: node.block,
                 heading: place.heading,
                 scale: place.scale.to_bits(),
                 offset: snapped.offset,
-                ink: if ink.is_some() { None } else { Some(self.look.ink(node.pen)) },
+                ink: if ink.is_some() { None } else { self.inks.entry(node.block.0 as usize, node.pen) },
                 width: (radius > self.look.hairline).then_some(node.pen.width.to_bits()),
             };
             let target = Target { canvas: node.canvas, cell: snapped.cell, ink };
@@ -267,7 +254,7 @@ impl Walk {
             let from_origin = [0, 1].map(|axis| centre[axis] - place.origin[axis] + snapped.rest[axis]);
             let corner = [0, 1].map(|axis| (from_origin[axis] - reach[axis]).floor() as i64);
             let far = [0, 1].map(|axis| (from_origin[axis] + reach[axis]).ceil() as i64 - corner[axis]);
-            let digits = if ink.is_some() { 0 } else { self.look.digits() };
+            let digits = if ink.is_some() { 0 } else { self.inks.digits() };
             self.canvases[1 + size].reset(far[0] as usize, far[1] as usize, digits);
             node.place.origin = [0, 1].map(|axis| snapped.rest[axis] - corner[axis] as f64);
             node.canvas = 1 + size;
