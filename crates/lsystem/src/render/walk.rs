@@ -6,10 +6,11 @@ use super::inks::InkTable;
 use super::pen::Pen;
 use super::shape::Shape;
 use super::stroke::Capsule;
-use super::tile::{self, Key, Tile, Tiles};
+use super::tile::{self, Key, Mixer, Tile, Tiles};
 use super::turns::Turns;
 use super::view::{Camera, SAMPLES, View, Viewport};
 use crate::{BlockId, Drawing, Heading, Item, Progress, Style};
+use core::hash::{Hash, Hasher};
 
 /// The largest extent, in subsamples, at which a block is painted as a line.
 const TINY: f64 = 2.0;
@@ -88,6 +89,43 @@ struct Target {
     ink: Option<u32>,
 }
 
+/// What has been painted already: overlapping branches often repeat each other exactly.
+struct Seen {
+    slots: Vec<u64>,
+}
+
+impl Default for Seen {
+    fn default() -> Self {
+        Self { slots: vec![0; SEEN] }
+    }
+}
+
+impl Seen {
+    fn clear(&mut self) {
+        self.slots.fill(0);
+    }
+
+    /// Notes a block; whether it was new.
+    fn insert(&mut self, node: &Node) -> bool {
+        let mut mixer = Mixer::default();
+        node.block.hash(&mut mixer);
+        node.place.heading.hash(&mut mixer);
+        for value in [node.place.scale, node.pen.width] {
+            mixer.write_u64(value.to_bits());
+        }
+        for value in node.place.origin {
+            mixer.write_u64((value * 64.0).round() as i64 as u64);
+        }
+        mixer.write_u32(node.pen.colour as u32);
+        mixer.write_u32(node.pen.level);
+        let hash = mixer.finish() | 1;
+        core::mem::replace(&mut self.slots[(hash >> 20) as usize % SEEN], hash) != hash
+    }
+}
+
+/// How many blocks are remembered as painted.
+const SEEN: usize = 1 << 14;
+
 /// A picture in the making.
 #[derive(Default)]
 pub(super) struct Walk {
@@ -98,6 +136,7 @@ pub(super) struct Walk {
     tiles: Tiles,
     turns: Turns,
     stack: Vec<Node>,
+    seen: Seen,
     making: Vec<Making>,
     pub stats: RenderStats,
 }
@@ -114,6 +153,7 @@ impl Walk {
     /// Starts a picture of `width` by `height` pixels.
     pub(super) fn begin(&mut self, drawing: &Drawing, style: &Style, viewport: Viewport, view: View) {
         self.stats = RenderStats::default();
+        self.seen.clear();
         self.stack.clear();
         self.making.clear();
         let camera = Camera::new(drawing, viewport, view);
@@ -219,6 +259,9 @@ impl Walk {
             return 1;
         }
         let extent = 2.0 * place.scale * shape.half[0].max(shape.half[1]);
+        if node.canvas == 0 && drawing.memoised && !self.seen.insert(&node) {
+            return 1;
+        }
         if let Some(line) = &shape.line
             && extent < LONG
         {
