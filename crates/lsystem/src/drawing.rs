@@ -12,6 +12,7 @@ mod drawer;
 mod graph;
 mod hull;
 mod materialise;
+mod pick;
 mod segments;
 mod style;
 mod tree;
@@ -20,6 +21,7 @@ mod walk;
 pub use bulk::{SegmentArrays, SegmentChunk};
 pub use drawer::{Drawer, draw};
 pub use graph::Effect;
+pub use pick::Pick;
 pub use segments::Segments;
 
 use crate::turtle::finite;
@@ -108,6 +110,15 @@ impl Drawing {
     #[must_use]
     pub fn segments(&self) -> Segments<'_> {
         Segments::new(self)
+    }
+
+    /// The segments from the one at `start` (0-based) on. Takes as long as the blocks are nested deep, however many
+    /// segments come before.
+    #[must_use]
+    pub fn segments_from(&self, start: u128) -> Segments<'_> {
+        let mut segments = Segments::new(self);
+        segments.pass(start);
+        segments
     }
 
     /// A block's items.

@@ -41,8 +41,8 @@ pub use describe::{LegendEntry, describe, legend, short_count, why_empty};
 pub use diagnostic::{Diagnostic, Expected, Feature, Field, JsonError, Kind, LimitName, Quantity, Severity, Undrawn};
 pub use dialect::Dialect;
 pub use drawing::{
-    Block, BlockId, ColourChange, Drawer, Drawing, Effect, Item, Piece, Placed, Segment, SegmentArrays, SegmentChunk,
-    Segments, Stroke, StyleChange, StyleId, WidthChange, draw,
+    Block, BlockId, ColourChange, Drawer, Drawing, Effect, Item, Pick, Piece, Placed, Segment, SegmentArrays,
+    SegmentChunk, Segments, Stroke, StyleChange, StyleId, WidthChange, draw,
 };
 pub use expr::{Code, Expr, Function, Meaning, Op, Operator, SIGN, STACK, Unusable};
 pub use format::{SvgOptions, read_json, write_csv, write_json, write_svg};

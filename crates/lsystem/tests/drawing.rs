@@ -77,7 +77,55 @@ fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
         prop_assert!((a.width - b.width).abs() <= 1e-9 * b.width, "{}: {:?} {:?}", index, a, b);
     }
     check_arrays(&drawing, &segments)?;
+    check_places(&drawing, &segments)?;
     Ok(drawing)
+}
+
+/// Reading from any place on, and finding what is at a point, agree with reading from the start.
+fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseError> {
+    for start in [0, 1, segments.len() / 3, segments.len() - 1, segments.len(), segments.len() + 9] {
+        let from: Vec<Segment> = drawing.segments_from(start as u128).take(3).collect();
+        let expected: Vec<Segment> = segments.iter().skip(start).take(3).copied().collect();
+        prop_assert_eq!(from, expected, "from {}", start);
+    }
+    let [x0, y0, x1, y1] = drawing.bounds().unwrap();
+    let extent = (x1 - x0).max(y1 - y0);
+    let root = |point| drawing.from_model(point);
+    let unit = extent / (root([x1, y1])[0] - root([x0, y0])[0]).max(root([x1, y1])[1] - root([x0, y0])[1]);
+    if !unit.is_normal() {
+        return Ok(());
+    }
+    for k in 0..4 {
+        let segment = &segments[k * (segments.len() - 1) / 3];
+        let middle = [0, 1].map(|axis| (segment.from[axis] + segment.to[axis]) / 2.0);
+        let point = [middle[0] + 0.02 * k as f64 * extent, middle[1]];
+        let tolerance = extent * 0.05;
+        let distances: Vec<f64> = segments.iter().map(|s| distance(point, s)).collect();
+        let nearest = distances.iter().copied().fold(f64::INFINITY, f64::min);
+        let pick = drawing.pick(root(point), tolerance / unit, usize::MAX);
+        let slack = 1e-9 * extent;
+        match pick {
+            None => prop_assert!(nearest >= tolerance - slack),
+            Some(pick) => {
+                let found = pick.distance * unit;
+                prop_assert!((distances[pick.segment as usize] - found).abs() <= slack);
+                prop_assert!(found <= tolerance + slack && found <= (tolerance / 4.0).max(nearest) + slack);
+            }
+        }
+        prop_assert!(
+            drawing.pick(root(point), tolerance / unit, 3).is_none_or(|p| p.distance * unit <= tolerance + slack)
+        );
+    }
+    Ok(())
+}
+
+#[expect(clippy::disallowed_methods, reason = "a test on one machine")]
+fn distance(point: [f64; 2], segment: &Segment) -> f64 {
+    let along = [0, 1].map(|axis| segment.to[axis] - segment.from[axis]);
+    let away = [0, 1].map(|axis| point[axis] - segment.from[axis]);
+    let length = along[0].hypot(along[1]);
+    let t = if length > 0.0 { (along[0] * away[0] + along[1] * away[1]) / (length * length) } else { 0.0 };
+    (away[0] - t.clamp(0.0, 1.0) * along[0]).hypot(away[1] - t.clamp(0.0, 1.0) * along[1])
 }
 
 /// The arrays hold the same, to 1e-6 of the extent; whole or by chunks.
@@ -159,6 +207,22 @@ fn large_drawings_stay_exact() {
     ] {
         check(&plain(axiom, rules, angle), n).unwrap();
     }
+}
+
+#[test]
+fn any_segment_of_a_drawing_without_end() {
+    let drawing = drawn(&plain("F", &KOCH, 90.0), 50);
+    let count = drawing.segment_count();
+    assert_eq!(count, 5_u128.pow(50));
+    // The curve ends where it would without its bumps, 3^50 steps along the axis it started on.
+    let last: Vec<Segment> = drawing.segments_from(count - 2).collect();
+    assert_eq!(last.len(), 2);
+    let [x0, y0, x1, y1] = drawing.bounds().unwrap();
+    let extent = (x1 - x0).max(y1 - y0);
+    let end = 717_897_987_691_852_588_770_249.0; // 3^50
+    assert!(near(last[1].to, [0.0, end], 1e-9 * extent) || near(last[1].to, [end, 0.0], 1e-9 * extent), "{last:?}");
+    let pick = drawing.pick(drawing.from_model(last[1].to), 1e-6, 10_000).unwrap();
+    assert!(pick.distance < 1e-6);
 }
 
 #[test]

@@ -21,6 +21,12 @@ impl<'a> Segments<'a> {
         }
         Self { strokes, left: drawing.segment_count(), unit: drawing.unit() }
     }
+
+    /// Passes over the next `count` segments, blocks that hold none other being passed over whole.
+    pub(super) fn pass(&mut self, count: u128) {
+        self.strokes.pass(count);
+        self.left = self.left.saturating_sub(count);
+    }
 }
 
 impl Iterator for Segments<'_> {
@@ -101,6 +107,31 @@ impl<'a> Strokes<'a> {
     pub(super) fn enter(&mut self, block: BlockId, frame: &Frame) {
         let items = &self.drawing.blocks[block.0 as usize].items;
         self.open.push((items.start, items.end, *frame));
+    }
+
+    /// Passes over the next `count` strokes.
+    fn pass(&mut self, mut count: u128) {
+        while count > 0 {
+            let Some((next, end, frame)) = self.open.last_mut() else { return };
+            if next == end {
+                self.open.pop();
+                continue;
+            }
+            let item = &self.drawing.items[*next as usize];
+            *next += 1;
+            match item {
+                Item::Stroke(_) => count -= 1,
+                Item::Block(placed) => {
+                    let segments = self.drawing.blocks[placed.block.0 as usize].segments;
+                    if segments <= count {
+                        count -= segments;
+                    } else {
+                        let inner = frame.place(placed, self.drawing, &mut self.directions);
+                        self.enter(placed.block, &inner);
+                    }
+                }
+            }
+        }
     }
 }
 
