@@ -7,7 +7,15 @@ import { clean, definitionOf } from './state.js';
 /** @typedef {{path: string, folder: string, definition: Definition}} Entry */
 /** @typedef {{entry: Entry, card: HTMLButtonElement, picture: HTMLCanvasElement, words: string, painted: string}} Card */
 
+/** The side of a small picture, in CSS pixels. */
 const SIDE = 168;
+
+/** Shelves that come first, with their names; the others follow under the names of their folders. */
+const SHELVES = new Map([
+    ['garden', 'Garden'],
+    ['abop', 'The Algorithmic Beauty of Plants'],
+    ['curves', 'Famous curves'],
+]);
 
 /**
  * @param {import('./engine.js').Engine} engine
@@ -38,8 +46,7 @@ export function createGallery(engine, { pick, dress, look }) {
         const response = await fetch('gallery.json');
         if (!response.ok) throw new Error(`gallery.json: ${response.status}`);
         const entries = /** @type {Entry[]} */ (await response.json());
-        const folders = groups(entries);
-        for (const [folder, inside] of folders) {
+        for (const [folder, inside] of groups(entries)) {
             const shelf = make('div', { class: 'cards' });
             for (const entry of inside) shelf.append(newCard(entry).card);
             shelves.append(make('section', { class: 'shelf' }, make('h3', {}, folderTitle(folder)), shelf));
@@ -100,6 +107,8 @@ export function createGallery(engine, { pick, dress, look }) {
 
     async function open() {
         dialog.showModal();
+        // A focused search field would raise the keyboard of a phone.
+        if (matchMedia('(pointer: coarse)').matches) button('close-gallery').focus();
         try {
             await (filled ??= fill());
             filter();
@@ -124,22 +133,22 @@ export function createGallery(engine, { pick, dress, look }) {
     });
 }
 
-/** @param {Entry[]} entries */
+/** The systems by folder, those of SHELVES first. @param {Entry[]} entries */
 function groups(entries) {
     /** @type {Map<string, Entry[]>} */
-    const folders = new Map();
+    const folders = new Map([...SHELVES.keys()].map((folder) => [folder, []]));
     for (const entry of entries) folders.set(entry.folder, [...(folders.get(entry.folder) ?? []), entry]);
-    return folders;
+    return [...folders].filter(([, inside]) => inside.length > 0);
 }
 
 /** `practical-1` is shown as `Practical 1`. @param {string} folder */
 function folderTitle(folder) {
     const words = folder.replaceAll(/[-_/]+/g, ' ').trim();
-    return words ? words.charAt(0).toUpperCase() + words.slice(1) : 'More';
+    return SHELVES.get(folder) ?? (words ? words.charAt(0).toUpperCase() + words.slice(1) : 'More');
 }
 
 /** @param {Definition} definition */
 function kindOf({ rules, iterations }) {
     const stochastic = rules.split('\n').some((line) => /(->|→|=>).*:\s*[\d.]+\s*$/.test(line));
-    return `${stochastic ? 'stochastic, ' : ''}n = ${iterations}`;
+    return `${stochastic ? 'stochastic, ' : ''}n\u00a0=\u00a0${iterations}`;
 }

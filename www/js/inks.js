@@ -22,7 +22,7 @@ export function houseInk(theme) {
     return /** @type {Ink} */ (INKS[theme === 'dark' ? 1 : 0]);
 }
 
-/** @param {Pick<State, 'palette' | 'background'>} state @param {Ink} ink */
+/** @param {Pick<State, 'palette' | 'background'>} state @param {Pick<State, 'palette' | 'background'>} ink */
 export function hasInk(state, ink) {
     return same(state.palette, ink.palette) && same(state.background, ink.background);
 }

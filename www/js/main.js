@@ -7,7 +7,7 @@ import { createEngine } from './engine.js';
 import { createGallery } from './gallery.js';
 import { hasInk, houseInk, isDark } from './inks.js';
 import { readLink } from './link.js';
-import { OPENING } from './opening.js';
+import { opening } from './opening.js';
 import { captionOf, growthPanel } from './panels/growth-panel.js';
 import { keepPanel } from './panels/keep-panel.js';
 import { lookPanel } from './panels/look-panel.js';
@@ -23,10 +23,7 @@ import { theme, themeButton } from './theme.js';
 /** @typedef {import('./engine.js').Report} Report */
 
 const link = readLink(location.hash);
-const store = createStore(link ? link.state : { ...OPENING, ...dressOf(OPENING) });
-/** The last report on a system that draws. @type {Report | null} */
-let report = null;
-
+const store = createStore(link ? link.state : opening(theme()));
 const engine = createEngine({ worker: 'worker.js', wasm: 'lsystem.wasm' }, { report: reported, drawn: (drawn) => stage.drawn(drawn), failed });
 engine.define(definitionOf(store.state));
 const stage = createStage(store, engine);
@@ -44,9 +41,10 @@ createGallery(engine, {
 });
 tabs();
 themeButton((next) => {
-    const other = houseInk(next === 'dark' ? 'light' : 'dark');
-    const { palette, background } = houseInk(next);
-    if (hasInk(store.state, other)) store.dress({ palette: [...palette], background });
+    // What wears the page's own inks, or is the page's own plant, changes with it.
+    const former = next === 'dark' ? 'light' : 'dark';
+    const { palette, background } = hasInk(store.state, opening(former)) ? opening(next) : houseInk(next);
+    if ([houseInk(former), opening(former)].some((ink) => hasInk(store.state, ink))) store.dress({ palette: [...palette], background });
 });
 
 button('undo').addEventListener('click', () => store.undo());
@@ -94,11 +92,11 @@ function show(state, before) {
 /** @param {Readonly<State>} state */
 function showNames(state) {
     const title = state.title || state.name || 'Untitled system';
-    const edited = sameSystem(state, store.origin) ? '' : ', edited';
-    setText(html('specimen-title'), title + edited);
+    const edited = !sameSystem(state, store.origin);
+    setText(html('specimen-title'), title);
     setText(html('specimen-source'), state.source);
-    setText(html('caption-title'), title + edited);
-    setText(html('caption-text'), captionOf(state, report));
+    html('edited').hidden = !edited;
+    setText(html('caption-title'), edited ? `${title}, edited` : title);
     const heading = `${title} – L-systems`;
     if (document.title !== heading) document.title = heading;
 }
@@ -108,15 +106,18 @@ function reported(next) {
     rules.report(next);
     growth.report(next, store.state);
     turtle.report(next);
-    const mistakes = next.diagnostics.filter(({ severity }) => severity === 'error');
-    html('stage').classList.toggle('stale', !next.ok);
-    if (!next.ok) return announce(`${mistakes.length === 1 ? 'One error' : `${mistakes.length} errors`}: ${mistakes[0]?.message ?? ''} The last good drawing stays.`);
-    report = next;
+    const [mistake, ...more] = next.diagnostics.filter(({ severity }) => severity === 'error');
+    if (mistake) {
+        const words = more.length === 0 ? mistake.message : `${mistake.message}, and ${more.length} more`;
+        setText(html('caption-text'), 'This is the last good drawing.');
+        announce(`${words}. The last good drawing stays.`);
+        return;
+    }
     setText(html('empty'), next.empty ?? '');
     html('empty').hidden = next.empty === null;
     setText(html('description'), next.description);
+    setText(html('caption-text'), captionOf(store.state, next));
     html('drawing').setAttribute('aria-label', `Drawing: ${store.state.title || store.state.name || 'untitled system'}`);
-    showNames(store.state);
     announce(next.empty ?? next.description);
 }
 

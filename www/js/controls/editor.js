@@ -62,8 +62,8 @@ export function editor(area, problems, kind, { change, settle }) {
 export function listProblems(list, diagnostics, area) {
     list.replaceChildren(
         ...diagnostics.map(({ severity, message, hint, start, end }) => {
-            const words = [make('span', { class: 'problem-text' }, message)];
-            if (hint) words.push(make('span', { class: 'problem-hint' }, hint));
+            const words = [make('span', { class: 'problem-text' }, ...withCode(message))];
+            if (hint) words.push(make('span', { class: 'problem-hint' }, ...withCode(hint)));
             if (!area) return make('li', { class: severity }, ...words);
             const go = make('button', { type: 'button', class: 'problem' }, make('span', { class: 'place' }, place(area.value, start)), ...words);
             go.addEventListener('click', () => {
@@ -73,6 +73,11 @@ export function listProblems(list, diagnostics, area) {
             return make('li', { class: severity }, go);
         }),
     );
+}
+
+/** What stands between backquotes is what one types. @param {string} words */
+function withCode(words) {
+    return words.split(/(`[^`]+`)/).map((part) => (part.length > 2 && part.startsWith('`') ? make('code', {}, part.slice(1, -1)) : part));
 }
 
 /** @param {string} text @param {number} offset */

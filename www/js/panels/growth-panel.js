@@ -81,7 +81,7 @@ export function growthPanel(store, source) {
             listProblems(html('numbers-problems'), report.diagnostics.filter(({ field }) => field === 'numbers'));
             if (!report.ok) return;
             last = report;
-            for (const kind of /** @type {const} */ (['symbols', 'segments'])) showCount(button(kind), report[kind], kind);
+            for (const kind of /** @type {const} */ (['symbols', 'segments'])) showCount(button(kind), report, kind);
             showDigits(report, unfolded);
             iterationsSlider.limit(report.largest !== null && report.largest < MAX_ITERATIONS ? Math.max(report.largest, state.iterations) : null);
             html('seed-row').classList.toggle('idle', !report.stochastic);
@@ -103,12 +103,14 @@ function statusOf({ memoised, blocks, largest }) {
     return `${grouped(String(blocks))} shared pieces make up the whole drawing.${limit}`;
 }
 
-/** @param {HTMLButtonElement} element @param {string | null} digits @param {'symbols' | 'segments'} kind */
-function showCount(element, digits, kind) {
+/** @param {HTMLButtonElement} element @param {Report} report @param {'symbols' | 'segments'} kind */
+function showCount(element, report, kind) {
+    const digits = report[kind];
     const long = digits !== null && short(digits).exponent !== null;
     element.disabled = !long;
     element.title = long ? `Show all digits of the number of ${kind}` : '';
-    if (digits === null) return setText(element, '…');
+    // Without a picture yet the count may still come; with one, it was never made.
+    if (digits === null) return setText(element, report.memoised === null ? '…' : '–');
     const { mantissa, exponent } = short(digits);
     if (exponent === null) return setText(element, mantissa);
     if (element.getAttribute('data-digits') === digits && element.childElementCount > 0) return;
@@ -139,10 +141,10 @@ function showAnglePicture(degrees) {
 /**
  * What the caption says under the title.
  * @param {import('../state.js').State} state
- * @param {Report | null} report
+ * @param {Report} report
  */
-export function captionOf({ iterations, angle, rightAngle }, report) {
+export function captionOf({ iterations, angle, rightAngle }, { segments }) {
     const turns = rightAngle === null ? `${plain(angle)}°` : `${plain(angle)}° and ${plain(rightAngle)}°`;
-    const size = report?.segments ? `, ${shortText(report.segments)} ${report.segments === '1' ? 'segment' : 'segments'}` : '';
+    const size = segments === null ? '' : `, ${shortText(segments)} ${segments === '1' ? 'segment' : 'segments'}`;
     return `n = ${iterations}, ${turns}${size}`;
 }

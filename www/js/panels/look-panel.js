@@ -7,7 +7,7 @@ import { INKS, hasInk } from '../inks.js';
 import { plain } from '../numerals.js';
 import { COLOUR_BY, MAX_PALETTE } from '../state.js';
 
-const WIDTHS = [...even(0, 1, 0.02), ...even(1.1, 4, 0.1)];
+const WIDTHS = [...even(0, 1, 0.05), ...even(1.1, 3, 0.1), ...even(3.25, 10, 0.25), ...even(10.5, 20, 0.5)];
 const THIN = even(0, 8, 0.25);
 
 /** @param {import('../store.js').Store} store */

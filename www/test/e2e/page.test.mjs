@@ -80,7 +80,7 @@ test('editing the rules changes the picture and the counts', () =>
         await until(async () => (await text(page, '#segments')) === '625', 'five to the fourth segments');
         await page.fill('#axiom', 'F+F');
         await until(async () => (await text(page, '#segments')) === '1,250', 'twice as many');
-        assert.equal(await text(page, '#specimen-title'), 'Koch, edited');
+        assert.equal(await text(page, '#caption-title'), 'Koch, edited');
     }));
 
 test('a mistake is underlined in its place and explained, and the picture stays', () =>
@@ -296,6 +296,17 @@ test('chance: the dice change the plant, the same seed grows the same one', () =
         assert.notEqual(second.digest, first.digest);
         await page.fill('#seed', '0');
         assert.equal((await nextPicture(page, second)).digest, first.digest);
+    }));
+
+test('what would pass a limit is refused in words, and the picture stays', () =>
+    withPage({ hash: CHANCE }, async (page) => {
+        const before = await stillPicture(page);
+        await page.fill('#iterations', '60');
+        await until(async () => (await text(page, '#numbers-problems')).length > 10, 'the refusal');
+        assert.equal((await stillPicture(page)).digest, before.digest);
+        await page.fill('#iterations', '5');
+        await until(async () => (await page.locator('#numbers-problems li').count()) === 0, 'the list is empty again');
+        assert.equal((await stillPicture(page)).digest, before.digest);
     }));
 
 test('counts stay exact at any depth, shortened and whole on demand', () =>
