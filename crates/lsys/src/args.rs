@@ -10,8 +10,8 @@ pub(crate) const HELP: &str = "\
 Derives, draws and inspects L-systems.
 
 usage: lsys expand FILE [-n N] [--seed S]
-       lsys draw FILE [OUT_BASE] [-n N] [--seed S] [--format svg|csv|txt]
-       lsys draw FILE... --out-dir DIR [-n N] [--seed S] [--format svg|csv|txt]
+       lsys draw FILE [OUT_BASE] [-n N] [--seed S] [--format svg|png|csv|txt] [--size WxH]
+       lsys draw FILE... --out-dir DIR [-n N] [--seed S] [--format svg|png|csv|txt] [--size WxH]
        lsys info FILE... [-n N] [--seed S] [--json]
        lsys FILE OUT_BASE
 
@@ -24,7 +24,8 @@ usage: lsys expand FILE [-n N] [--seed S]
   FILE                 a system as JSON; - for standard input
   -n, --iterations N   derivation steps, 0 to 1000, in place of the file's
   --seed S             which random choices to make, 0 to 4294967295, in place of the file's
-  --format FORMAT      svg, csv (columns x0,y0,x1,y1,level,colour) or txt (the string)
+  --format FORMAT      svg, png, csv (columns x0,y0,x1,y1,level,colour) or txt (the string)
+  --size WxH           a png's size in pixels, such as 4000x3000; else 1024 along the longer side
   --out-dir DIR        writes every FILE's output into DIR, named after the file
   --json               one JSON object for a file, an array for several
   -h, --help           prints this
@@ -84,7 +85,19 @@ pub(crate) enum Format {
     Svg,
     /// The segments.
     Csv,
+    /// The picture in pixels; without a size, as large as usual.
+    Png(Option<Size>),
 }
+
+/// Pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Size {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+}
+
+/// The most pixels of a picture: the renderer needs some twenty bytes for each.
+const MOST_PIXELS: u64 = 100_000_000;
 
 impl Format {
     /// The file name's extension.
@@ -93,6 +106,7 @@ impl Format {
             Self::Txt => "txt",
             Self::Svg => "svg",
             Self::Csv => "csv",
+            Self::Png(_) => "png",
         }
     }
 }
@@ -102,6 +116,7 @@ impl Format {
 struct Options {
     changes: Changes,
     format: Option<Format>,
+    size: Option<Size>,
     out_dir: Option<PathBuf>,
     json: bool,
 }
@@ -125,6 +140,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
             }
             Long("seed") => options.changes.seed = Some(whole(&parser.value().map_err(explain)?, "--seed", u32::MAX)?),
             Long("format") => options.format = Some(format(&parser.value().map_err(explain)?)?),
+            Long("size") => options.size = Some(size(&parser.value().map_err(explain)?)?),
             Long("out-dir") => options.out_dir = Some(parser.value().map_err(explain)?.into()),
             Long("json") => options.json = true,
             Value(word) => words.push(word),
@@ -149,10 +165,16 @@ fn command(words: Vec<OsString>, options: Options) -> Result<Command, String> {
     };
     let first = first.clone();
 
-    let Options { changes, format, out_dir, json } = options;
+    let Options { changes, mut format, size, out_dir, json } = options;
     let drawing = !matches!(name.as_str(), "expand" | "info");
     if !drawing && (format.is_some() || out_dir.is_some()) {
         return Err("--format and --out-dir go with draw only".to_owned());
+    }
+    if size.is_some() {
+        if !matches!(format, Some(Format::Png(_))) {
+            return Err("--size goes with --format png only".to_owned());
+        }
+        format = Some(Format::Png(size));
     }
     if json && name != "info" {
         return Err("--json goes with info only".to_owned());
@@ -244,7 +266,20 @@ fn format(text: &OsString) -> Result<Format, String> {
         Some("svg") => Ok(Format::Svg),
         Some("csv") => Ok(Format::Csv),
         Some("txt") => Ok(Format::Txt),
-        _ => Err(format!("--format takes svg, csv or txt, not `{}`", text.to_string_lossy())),
+        Some("png") => Ok(Format::Png(None)),
+        _ => Err(format!("--format takes svg, png, csv or txt, not `{}`", text.to_string_lossy())),
+    }
+}
+
+fn size(text: &OsString) -> Result<Size, String> {
+    let text = text.to_string_lossy();
+    let sides = text.split_once('x').and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)));
+    match sides {
+        Some((width, height)) if (1..=MOST_PIXELS).contains(&(u64::from(width) * u64::from(height))) => {
+            Ok(Size { width, height })
+        }
+        Some(_) => Err(format!("--size takes 1 to {MOST_PIXELS} pixels in all, not `{text}`")),
+        None => Err(format!("--size takes a width and a height such as 1600x1200, not `{text}`")),
     }
 }
 
@@ -294,6 +329,10 @@ mod tests {
         check("info a.json b.json --json", &expect![[r#"info ["a.json", "b.json"] json true n None seed None"#]]);
         check("info -- -n", &expect![[r#"info ["-n"] json false n None seed None"#]]);
         check("draw - --format svg", &expect![[r#"draw "-" to Print(Svg) n None seed None"#]]);
+        check(
+            "draw a --size 40x30 --format png",
+            &expect![[r#"draw "a" to Print(Png(Some(Size { width: 40, height: 30 }))) n None seed None"#]],
+        );
         check("--help nonsense", &expect!["Help"]);
     }
 
@@ -309,7 +348,20 @@ mod tests {
         check("expand a --seed x", &expect!["error: --seed takes a whole number from 0 to 4294967295, not `x`"]);
         check("expand a --json", &expect!["error: --json goes with info only"]);
         check("expand a --format svg", &expect!["error: --format and --out-dir go with draw only"]);
-        check("draw a --format png", &expect!["error: --format takes svg, csv or txt, not `png`"]);
+        check("draw a --format gif", &expect!["error: --format takes svg, png, csv or txt, not `gif`"]);
+        check("draw a --size 10x10", &expect!["error: --size goes with --format png only"]);
+        check(
+            "draw a --format png --size 10",
+            &expect!["error: --size takes a width and a height such as 1600x1200, not `10`"],
+        );
+        check(
+            "draw a --format png --size 0x10",
+            &expect!["error: --size takes 1 to 100000000 pixels in all, not `0x10`"],
+        );
+        check(
+            "draw a --format png --size 4000000000x4000000000",
+            &expect!["error: --size takes 1 to 100000000 pixels in all, not `4000000000x4000000000`"],
+        );
         check("draw a.json b.json", &expect!["error: OUT_BASE b.json looks like a system; use --out-dir for many"]);
         check("draw a b c", &expect!["error: draw takes one FILE and one OUT_BASE; use --out-dir for many files"]);
         check("draw a /", &expect!["error: OUT_BASE `/` must end in the name that the files shall have"]);

@@ -4,8 +4,9 @@ use crate::args::{Changes, Format, Job, Target};
 use crate::input::{self, Input};
 use crate::output::{Pending, with_extension};
 use crate::progress::Progress;
-use crate::{Failure, print};
+use crate::{Failure, picture, print};
 use lsystem::{SvgOptions, write_csv, write_svg};
+use std::io::IsTerminal;
 
 /// Does all `jobs`. One that fails is reported, and the others are still done.
 pub(crate) fn draw(jobs: &[Job], changes: Changes) -> Result<(), Failure> {
@@ -24,17 +25,20 @@ pub(crate) fn draw(jobs: &[Job], changes: Changes) -> Result<(), Failure> {
 fn one(job: &Job, changes: Changes) -> Result<(), Failure> {
     let input = input::read(&job.file, changes)?;
     match &job.target {
+        Target::Print(Format::Png(_)) if std::io::stdout().is_terminal() => {
+            Err(Failure::Words("a terminal cannot show a PNG: name an OUT_BASE".to_owned()))
+        }
         Target::Print(format) => {
-            let text = form(&input, *format)?;
-            print(|out| out.write_all(text.as_bytes()))
+            let bytes = form(&input, *format)?;
+            print(|out| out.write_all(&bytes))
         }
         Target::Write(base, formats) => {
             // All files are complete before the first gets its name.
             let mut pending = Vec::new();
             for &format in formats {
-                let text = form(&input, format)?;
+                let bytes = form(&input, format)?;
                 let path = with_extension(base, format.extension());
-                let file = Pending::write(&path, |out| out.write_all(text.as_bytes()));
+                let file = Pending::write(&path, |out| out.write_all(&bytes));
                 pending.push(file.map_err(|error| Failure::io(path.display(), &error))?);
             }
             (pending.into_iter())
@@ -43,23 +47,27 @@ fn one(job: &Job, changes: Changes) -> Result<(), Failure> {
     }
 }
 
-/// The text of a format.
-fn form(input: &Input, format: Format) -> Result<String, Failure> {
+/// The system in a format, as a file's bytes.
+fn form(input: &Input, format: Format) -> Result<Vec<u8>, Failure> {
     if format == Format::Txt {
-        return Ok(input.expand()? + "\n");
+        return Ok((input.expand()? + "\n").into_bytes());
     }
+    let style = &input.system.style;
     let drawing = lsystem::draw(&input.system, input.iterations, &input.limits).map_err(|limit| input.limit(&limit))?;
     let text = match format {
+        Format::Png(size) => {
+            return picture::png(drawing, style, size).map_err(|error| Failure::Words(format!("PNG: {error}")));
+        }
         Format::Csv => write_csv(&drawing, input.limits.segments),
-        _ => {
+        Format::Svg | Format::Txt => {
             let title = [&input.definition.title, &input.definition.name].into_iter().find(|title| !title.is_empty());
             let options = SvgOptions {
                 title: title.cloned().unwrap_or_default(),
                 most: input.limits.segments,
                 ..SvgOptions::default()
             };
-            write_svg(&drawing, &input.system.style, &options)
+            write_svg(&drawing, style, &options)
         }
     };
-    text.map_err(|limit| input.limit(&limit))
+    text.map(String::into_bytes).map_err(|limit| input.limit(&limit))
 }

@@ -6,6 +6,7 @@ mod draw;
 mod info;
 mod input;
 mod output;
+mod picture;
 mod progress;
 
 use args::Command;

@@ -158,6 +158,25 @@ fn csv_has_a_line_for_each_segment() {
 }
 
 #[test]
+fn pictures_have_the_size_that_is_asked_for() {
+    let folder = Folder::new("png");
+    let line = format!("draw data_in/curves/koch-snowflake.json {} --format png", folder.base("koch"));
+    for (more, size) in [("", (887, 1024)), (" --size 300x200 -n 40", (300, 200)), (" --size 50x60 -n 1000", (50, 60))]
+    {
+        good(&format!("{line}{more}"));
+        let file = std::fs::File::open(folder.0.join("koch.png")).expect("is there");
+        let mut reader = png::Decoder::new(std::io::BufReader::new(file)).read_info().expect("a PNG");
+        let mut pixels = vec![0; reader.output_buffer_size().expect("fits")];
+        reader.next_frame(&mut pixels).expect("an image");
+        assert_eq!((reader.info().width, reader.info().height), size);
+        let corner = [0x0d, 0x21, 0x37];
+        let drawn = pixels.chunks_exact(3).filter(|pixel| *pixel != corner).count();
+        assert_eq!(pixels[..3], corner, "background at {more}");
+        assert!(drawn > 200 && drawn < pixels.len() / 6, "{drawn} pixels drawn at {more}");
+    }
+}
+
+#[test]
 fn info_tells_what_is_known() {
     expect![[r#"
         Alternating twigs
@@ -505,12 +524,12 @@ fn usage() {
     "#]],
     );
     bad(
-        "draw data_in/abop/1.24a.json --format png",
+        "draw data_in/abop/1.24a.json --format gif",
         2,
         &expect![[r#"
-        error: --format takes svg, csv or txt, not `png`
-        lsys --help tells more
-    "#]],
+            error: --format takes svg, png, csv or txt, not `gif`
+            lsys --help tells more
+        "#]],
     );
     assert!(good("--help").contains("lsys FILE OUT_BASE"));
     assert_eq!(good("--version"), format!("lsys {}\n", env!("CARGO_PKG_VERSION")));

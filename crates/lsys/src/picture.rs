@@ -1,0 +1,52 @@
+//! Pictures as PNG, by the core's renderer: any generation whose drawing memoises, at any size.
+
+use crate::args::Size;
+use crate::progress::Progress as Bar;
+use lsystem::{Drawing, Progress, Renderer, Style, View, Viewport, fit};
+use std::sync::Arc;
+
+/// The longer side where no size is asked for, and the one at which a stroke's least width is in pixels.
+const USUAL: u32 = 1024;
+/// The shorter side of a picture of a long thin drawing.
+const LEAST: u32 = 128;
+/// The renderer's units of work between two looks at the clock.
+const WORK: usize = 1_000_000;
+
+/// `drawing`, whole and centred. Strokes are as thin, compared with the picture, as at the usual size.
+///
+/// # Errors
+/// Those of the encoder, which writes to memory.
+pub(crate) fn png(drawing: Drawing, style: &Style, size: Option<Size>) -> Result<Vec<u8>, png::EncodingError> {
+    let Size { width, height } = size.unwrap_or_else(|| usual_size(&drawing));
+    let ratio = (f64::from(width.max(height)) / f64::from(USUAL)).max(1.0);
+    let mut renderer = Renderer::new();
+    renderer.load(Arc::new(drawing));
+    renderer.begin(style, Viewport { width, height, ratio }, View::default());
+    let mut bar = Bar::new("picture", 0);
+    while renderer.step(WORK) == Progress::More {
+        bar.at(0);
+    }
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    let mut writer = encoder.write_header()?;
+    // The renderer's pixels are opaque.
+    let rgb: Vec<u8> = renderer.pixels().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
+    writer.write_image_data(&rgb)?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+/// A size in the proportions of the drawing.
+fn usual_size(drawing: &Drawing) -> Size {
+    let extent = fit(drawing);
+    let longer = extent.width.max(extent.height);
+    let side = |length: f64| {
+        let share = length / longer;
+        // Beyond the range of f64 the proportions are not known.
+        if share.is_finite() { ((share * f64::from(USUAL)).round() as u32).clamp(LEAST, USUAL) } else { USUAL }
+    };
+    Size { width: side(extent.width), height: side(extent.height) }
+}
