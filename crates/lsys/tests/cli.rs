@@ -444,10 +444,10 @@ fn limits_name_themselves() {
         "expand data_in/abop/1.27.json -n 100",
         1,
         &expect![[r#"
-        error: The drawing would take more than 100,000,000 symbols to derive
-         --> data_in/abop/1.27.json
-          = help: Up to 13 iterations fit.
-    "#]],
+            error: Deriving it would pass through more than 100,000,000 symbols
+             --> data_in/abop/1.27.json
+              = help: Up to 13 iterations fit.
+        "#]],
     );
     bad(
         "draw data_in/curves/koch-snowflake.json --format csv -n 40",

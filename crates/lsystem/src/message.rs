@@ -14,7 +14,7 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
                 LimitName::Modules => format!("A generation would have more than {value} modules"),
                 LimitName::Symbols => format!("The string would be longer than {value} symbols"),
                 LimitName::Segments => format!("The drawing would have more than {value} segments"),
-                LimitName::Work => format!("The drawing would take more than {value} symbols to derive"),
+                LimitName::Work => format!("Deriving it would pass through more than {value} symbols"),
                 LimitName::Iterations => format!("There can be at most {value} iterations"),
                 LimitName::Text => format!("The text is longer than {value} bytes"),
                 LimitName::Letters => format!("There can be at most {value} different symbols"),
