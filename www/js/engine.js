@@ -1,6 +1,7 @@
 /**
- * The worker as seen from the page. Nothing is ever queued: one definition is in flight, the newest one waits, those
- * between are forgotten. A worker that fails is replaced by a fresh one with the same state.
+ * The worker as seen from the page. Nothing is ever queued: one state is in flight, the newest one waits, those between
+ * are forgotten. A state in flight is let finish while it is quick, so that a long drag shows pictures on the way; then
+ * the newest supersedes it. A worker that fails is replaced by a fresh one with the same state.
  */
 
 /** @typedef {import('./state.js').Definition} Definition */
@@ -49,6 +50,9 @@
  * @property {(message: string, again: boolean) => void} failed `again` tells whether a fresh worker has taken over
  */
 
+/** A state in flight is superseded when it is not drawn after this time, in milliseconds. */
+const PATIENCE = 250;
+
 /** A worker that fails this often in a row with the same state is not started again. */
 const MOST_FAILURES = 2;
 
@@ -70,11 +74,13 @@ export function createEngine(urls, events) {
     let definition = null;
     /** @type {{canvas: Canvas, view: View} | null} */
     let look = null;
-    /** Definition sent and not yet reported on, and whether a newer one waits. */
-    let defineInFlight = 0;
+    /** What is newer than what was sent. */
     let defineWaits = false;
     let lookWaits = false;
-    let frame = 0;
+    /** The last of each that was sent, by id, and the timer that ends the patience with them; 0 when they are drawn. */
+    let defineSent = 0;
+    let lookSent = 0;
+    let patience = 0;
     /** Views sent and not yet drawn. @type {Map<number, {canvas: Canvas, view: View}>} */
     const views = new Map();
     /** @type {Map<number, {resolve: (answer: any) => void, reject: (reason: Error) => void}>} */
@@ -85,7 +91,8 @@ export function createEngine(urls, events) {
     function start() {
         const fresh = new Worker(urls.worker);
         worker = fresh;
-        defineInFlight = 0;
+        clearTimeout(patience);
+        patience = 0;
         defineWaits = definition !== null;
         lookWaits = look !== null;
         fresh.onmessage = ({ data }) => worker === fresh && receive(data);
@@ -103,18 +110,26 @@ export function createEngine(urls, events) {
     }
 
     function send() {
-        if (!worker) return;
-        if (definition && defineWaits && defineInFlight === 0) {
+        if (!worker || patience || !(defineWaits || lookWaits)) return;
+        if (definition && defineWaits) {
             defineWaits = false;
-            defineInFlight = ++lastId;
-            worker.postMessage({ type: 'define', id: defineInFlight, definition });
+            defineSent = ++lastId;
+            worker.postMessage({ type: 'define', id: defineSent, definition });
         }
         if (look && lookWaits) {
             lookWaits = false;
-            const id = ++lastId;
-            views.set(id, look);
-            worker.postMessage({ type: 'view', id, ...look.canvas, view: look.view });
+            lookSent = ++lastId;
+            views.set(lookSent, look);
+            worker.postMessage({ type: 'view', id: lookSent, ...look.canvas, view: look.view });
         }
+        patience = window.setTimeout(goOn, PATIENCE);
+    }
+
+    /** The state in flight is done with; the newest one may follow. */
+    function goOn() {
+        clearTimeout(patience);
+        patience = 0;
+        send();
     }
 
     /** @param {any} message */
@@ -122,14 +137,15 @@ export function createEngine(urls, events) {
         const question = asked.get(message.id);
         switch (message.type) {
             case 'report':
-                if (message.id === defineInFlight) defineInFlight = 0;
-                send();
+                // What is wrong is not drawn.
+                if (message.id === defineSent && !message.report.ok) goOn();
                 events.report(message.report, message.id);
                 break;
             case 'drawn': {
                 failures = 0;
                 const seen = views.get(message.viewId);
                 for (const id of views.keys()) if (id < message.viewId) views.delete(id);
+                if (message.id >= defineSent && message.viewId >= lookSent) goOn();
                 if (seen) events.drawn({ ...message, ...seen });
                 break;
             }
@@ -186,11 +202,7 @@ export function createEngine(urls, events) {
         look(canvas, view) {
             look = { canvas, view };
             lookWaits = true;
-            // More than one view a frame would be drawn for nobody.
-            frame ||= requestAnimationFrame(() => {
-                frame = 0;
-                wasm.then(send, () => {});
-            });
+            wasm.then(send, () => {});
         },
 
         /** @param {string} text @returns {Promise<FileRead>} */

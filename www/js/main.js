@@ -103,6 +103,7 @@ function showNames(state) {
 
 /** @param {Report} next */
 function reported(next) {
+    stage.growing(next.ok && next.memoised === null);
     rules.report(next);
     growth.report(next, store.state);
     turtle.report(next);

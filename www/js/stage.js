@@ -17,6 +17,8 @@ const ZOOM_STEP = 1.5;
 /** One press of an arrow, as a part of the drawing's shorter side. */
 const PAN_STEP = 0.1;
 const GLIDE_MS = 260;
+/** What takes longer is shown to be under way. */
+const SLOW_MS = 300;
 
 /**
  * @param {import('./store.js').Store} store
@@ -32,6 +34,7 @@ export function createStage(store, engine) {
     /** What the canvas shows; its size in CSS pixels, its scale in CSS pixels per fitted extent. @type {{view: View, scale: number, size: {width: number, height: number}} | null} */
     let drawn = null;
     let glide = 0;
+    let slow = 0;
 
     const view = () => store.state.view ?? FITTED;
     const scale = () => drawn?.scale ?? 1;
@@ -157,6 +160,13 @@ export function createStage(store, engine) {
             engine.look(resolution(), view());
         },
 
+        /** @param {boolean} under whether a drawing is being made */
+        growing(under) {
+            clearTimeout(slow);
+            if (under) slow = window.setTimeout(() => (html('busy').hidden = false), SLOW_MS);
+            else html('busy').hidden = true;
+        },
+
         /** @param {Drawn} picture */
         drawn({ bitmap, scale: deviceScale, view: from, canvas: made, complete }) {
             if (canvas.width !== bitmap.width) canvas.width = bitmap.width;
@@ -166,7 +176,7 @@ export function createStage(store, engine) {
             canvas.style.width = `${drawn.size.width}px`;
             canvas.style.height = `${drawn.size.height}px`;
             frame.classList.add('inked');
-            html('busy').hidden = complete;
+            if (!complete) html('busy').hidden = false;
             place();
         },
     };

@@ -178,6 +178,34 @@ test('dragging a slider queues nothing: the last state is the one shown', () =>
         },
     ));
 
+test('a long drag shows pictures on the way, of systems that memoise and of those that do not', async () => {
+    for (const hash of [KOCH, CHANCE]) {
+        await withPage({ hash }, async (page) => {
+            await stillPicture(page);
+            const pictures = await page.evaluate(async () => {
+                const slider = /** @type {HTMLInputElement} */ (document.querySelector('#angle-slider'));
+                const transfer = ImageBitmapRenderingContext.prototype.transferFromImageBitmap;
+                let count = 0;
+                ImageBitmapRenderingContext.prototype.transferFromImageBitmap = function (bitmap) {
+                    count += 1;
+                    return transfer.call(this, bitmap);
+                };
+                for (let position = 1; position <= 60; position++) {
+                    await new Promise(requestAnimationFrame);
+                    slider.value = String(position);
+                    slider.dispatchEvent(new Event('input', { bubbles: true }));
+                }
+                return count;
+            });
+            assert.ok(pictures >= 6, `${pictures} pictures in 60 frames`);
+            const shown = await stillPicture(page);
+            await withPage({ hash: hash.replace(/angle=\d+/, 'angle=30') }, async (other) => {
+                assert.equal((await stillPicture(other)).digest, shown.digest);
+            });
+        });
+    }
+});
+
 test('undo and redo cover every control', () =>
     withPage({ hash: KOCH }, async (page) => {
         const start = await stillPicture(page);
