@@ -9,6 +9,7 @@ mod budget;
 mod builder;
 mod bulk;
 mod drawer;
+mod extent;
 mod graph;
 mod hull;
 mod materialise;
@@ -27,6 +28,7 @@ pub use segments::Segments;
 use crate::turtle::finite;
 use crate::{Heading, SymbolId};
 use core::ops::Range;
+use std::sync::OnceLock;
 
 /// A picture of an L-system's n-th generation, ready to be read: bounds, segments, pixels, files.
 #[derive(Clone, Debug)]
@@ -53,6 +55,8 @@ pub struct Drawing {
     pub(crate) pieces: Vec<Vec<(SymbolId, Piece)>>,
     /// Whether blocks are shared.
     pub(crate) memoised: bool,
+    /// The root's extent in its own units, when somebody has asked: min x, min y, max x, max y.
+    pub(crate) extent: OnceLock<Option<[f64; 4]>>,
 }
 
 /// What a letter derived for some more steps does.
@@ -69,14 +73,12 @@ impl Drawing {
     /// exact to 1e-9 of the extent; `None` when nothing is drawn. What is beyond the range of `f64` is infinite.
     #[must_use]
     pub fn bounds(&self) -> Option<[f64; 4]> {
-        let root = &self.blocks[self.root?.0 as usize];
         let unit = self.unit();
-        let mut bounds = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
-        for &[x, y] in &self.corners[root.hull.start as usize..root.hull.end as usize] {
-            let [x, y] = [self.start[0] + unit * x, self.start[1] + unit * y];
-            bounds = [bounds[0].min(x), bounds[1].min(y), bounds[2].max(x), bounds[3].max(y)];
-        }
-        Some(bounds)
+        let [x0, y0, x1, y1] = (*self.extent.get_or_init(|| extent::extent(self)))?;
+        let model = |x: f64, y: f64| [self.start[0] + unit * x, self.start[1] + unit * y];
+        let ([a, b], [c, d]) = (model(x0, y0), model(x1, y1));
+        // A negative step turns the picture round.
+        Some([a.min(c), b.min(d), a.max(c), b.max(d)])
     }
 
     /// How many segments there are; `u128::MAX` stands for that many or more.
@@ -153,8 +155,11 @@ pub struct Block {
     /// How many segments it draws; `u128::MAX` stands for that many or more.
     pub segments: u128,
     /// Corners of a convex polygon that contains every segment's axis (strokes' widths apart), counter-clockwise, in
-    /// block units; rounding may leave an end out by 1e-12. One corner or two where all is on a point or a line.
+    /// block units; rounding may leave an end out by 1e-11. One corner or two where all is on a point or a line.
     pub hull: Range<u32>,
+    /// How far the hull may be larger than the smallest one, in block units: nothing to speak of, unless the smallest
+    /// one has very many corners.
+    pub slack: f64,
     /// No stroke inside is wider than this change makes the width at entry.
     pub widest: WidthChange,
 }

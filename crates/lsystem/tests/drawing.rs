@@ -3,8 +3,8 @@
 mod naive;
 
 use lsystem::{
-    Action, Diagnostic, Dialect, Drawing, Grammar, Heading, Kind, LimitName, Limits, Module, Production, Program,
-    Segment, SegmentArrays, Style, System, Turtle, draw,
+    Action, Diagnostic, Dialect, Drawer, Drawing, Grammar, Heading, Kind, LimitName, Limits, Module, Production,
+    Program, Progress, Segment, SegmentArrays, Style, System, Turtle, draw,
 };
 use proptest::prelude::*;
 
@@ -266,6 +266,31 @@ fn limits_name_themselves_and_the_largest_n() {
     );
     assert_eq!(failure(&plain("F", &KOCH, 90.0), 500, limits), segments(Some(111)));
     assert!(draw(&plain("F", &KOCH, 90.0), 111, &limits).is_ok());
+}
+
+#[test]
+fn small_steps_lead_to_the_same_drawing() {
+    let random = system("X", &[('X', "F[+X]F", 0.5), ('X', "F[-X]X", 0.5), ('F', "FF", 2.0)], 25.7);
+    let unbalanced = plain("F", &[('F', "F]F[+F")], 33.3);
+    for (system, n) in [(plain("X", &PLANT, 25.7), 30), (random, 8), (unbalanced, 8), (plain("", &[], 1.0), 0)] {
+        let mut drawer = Drawer::new(&system, n, Limits::default());
+        let (mut steps, mut fraction) = (0, 0.0);
+        while drawer.step(1) == Progress::More {
+            assert!((fraction - 1e-12..=1.0 + 1e-12).contains(&drawer.fraction()), "{fraction} {}", drawer.fraction());
+            fraction = drawer.fraction();
+            steps += 1;
+        }
+        assert!(steps > 100 || n == 0);
+        assert_eq!((drawer.step(1), drawer.fraction()), (Progress::Done, 1.0));
+        let (slow, fast) = (drawer.finish().unwrap(), drawn(&system, n));
+        assert_eq!((slow.segment_count(), slow.block_count()), (fast.segment_count(), fast.block_count()));
+        assert!(slow.segments().take(10_000).eq(fast.segments().take(10_000)));
+    }
+    let failing = Drawer::new(&plain("F", &[('F', "F]F")], 1.0), 1000, Limits::default());
+    assert!(failing.clone().finish().is_err());
+    let mut failing = failing;
+    while failing.step(1) == Progress::More {}
+    assert!(failing.finish().is_err());
 }
 
 #[test]

@@ -18,6 +18,7 @@ fn samples() -> Vec<(&'static str, System, u32)> {
         ("bush", system("F", "F -> FF-[-F+F+F]+[+F-F-F]", 22.5), 8),
         ("plant 25.7", system("X", "X -> F[+X][-X]FX\nF -> FF", 25.7), 10),
         ("gosper", system("F", "F -> F-G--G+F++FF+G-\nG -> +F-GG--G-F++F+G", 60.0), 8),
+        ("circles", system("F", "F -> F+F+F", 17.3), 8),
         ("spiral", system("A", "A -> F[+FA]+A", 7.3), 12),
     ]
 }
@@ -30,8 +31,32 @@ fn building() {
             let began = Instant::now();
             let drawing = draw(&system, n, &Limits::default()).unwrap();
             let time = began.elapsed().as_secs_f64() * 1e3;
-            println!("{name:12} n = {n:4}: {time:8.3} ms, {} blocks", drawing.block_count());
+            let began = Instant::now();
+            black_box(drawing.bounds());
+            let bounds = began.elapsed().as_secs_f64() * 1e3;
+            println!("{name:12} n = {n:4}: {time:8.3} ms, bounds {bounds:.3} ms, {} blocks", drawing.block_count());
         }
+    }
+}
+
+#[test]
+#[ignore = "a measurement"]
+fn materialising() {
+    for (name, rules) in [
+        ("stochastic", "F -> F[+F]F[-F]F : 0.33\nF -> F[+F]F : 0.33\nF -> F[-F]F : 0.34"),
+        ("unbalanced", "F -> F]F+[F-F"),
+    ] {
+        let system = system("F", rules, 25.7);
+        let limits = Limits::default();
+        let largest = (0..100).take_while(|&n| draw(&system, n, &limits).is_ok()).last().unwrap();
+        let began = Instant::now();
+        let drawing = draw(&system, largest, &limits).unwrap();
+        let seconds = began.elapsed().as_secs_f64();
+        let count = drawing.segment_count();
+        println!("{name:12} n = {largest}: {count} segments, {:.1} M/s", count as f64 / seconds / 1e6);
+        let began = Instant::now();
+        let error = draw(&system, 1000, &limits).unwrap_err();
+        println!("{:12} n = 1000 refused in {:.1} ms: {:?}", "", began.elapsed().as_secs_f64() * 1e3, error.kind);
     }
 }
 

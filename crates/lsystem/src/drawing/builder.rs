@@ -37,7 +37,7 @@ impl Builder {
             _ => {}
         }
         self.points.clear();
-        let (mut segments, mut widest) = (0_u128, WidthChange { factor: 0.0, offset: 0.0 });
+        let (mut segments, mut widest, mut slack) = (0_u128, WidthChange { factor: 0.0, offset: 0.0 }, 0.0_f64);
         for item in items {
             match item {
                 Item::Stroke(stroke) => {
@@ -52,6 +52,7 @@ impl Builder {
                     let corners = &self.corners[block.hull.start as usize..block.hull.end as usize];
                     self.points.extend(corners.iter().map(|&[u, v]| [x + c * u - s * v, y + s * u + c * v]));
                     segments = segments.saturating_add(block.segments);
+                    slack = slack.max(placed.scale * block.slack);
                     widest = widest.widest(self.width(placed.style).then(block.widest));
                 }
             }
@@ -62,7 +63,7 @@ impl Builder {
         for c in self.points.iter_mut().flatten() {
             *c *= unit;
         }
-        hull(&mut self.points);
+        let slack = slack * unit + hull(&mut self.points);
 
         let first = self.items.len() as u32;
         self.items.extend(items.iter().map(|item| item.scaled(unit)));
@@ -73,6 +74,7 @@ impl Builder {
             exponent: exponent.saturating_add(shift),
             segments,
             hull: corner..self.corners.len() as u32,
+            slack,
             widest,
         });
         Some(BlockId(self.blocks.len() as u32 - 1))

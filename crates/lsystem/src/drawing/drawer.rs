@@ -10,6 +10,7 @@ use crate::turtle::Score;
 use crate::{
     Diagnostic, Heading, LimitName, Limits, MAX_ITERATIONS, Program, Progress, Rewrite, SymbolId, System, Turtle,
 };
+use std::sync::OnceLock;
 
 /// What making one item of a block costs, in letters derived.
 const ITEM: u64 = 16;
@@ -127,6 +128,7 @@ impl Drawer {
             width: self.score.width,
             pieces,
             memoised: self.memoises,
+            extent: OnceLock::new(),
         })
     }
 

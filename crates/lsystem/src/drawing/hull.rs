@@ -2,50 +2,53 @@
 //!
 //! Coordinates are of the order of 1 (block units), so tolerances are absolute.
 
-/// Corners nearer than this to the line of their neighbours are rounding, not shape.
-const ROUNDING: f64 = 2e-16;
-/// How far pruning may move the hull outwards at a time; small enough for bounds that are exact to 1e-9.
+/// Corners are snapped to multiples of this before the hull is taken: which way three points turn is then exact, and
+/// points that should coincide or lie on a line cannot confuse it.
+const GRID: f64 = 1.0 / (1_u64 << 48) as f64;
+/// How far pruning may move a hull of few corners outwards at a time.
 const TOLERANCE: f64 = 1e-13;
 /// More corners than this are pruned with a growing tolerance.
-const MOST: usize = 192;
+const MOST: usize = 64;
 
 type Point = [f64; 2];
+type Cell = [i64; 2];
 
-/// Replaces `points` by the corners of their convex hull, counter-clockwise, without corners that matter less than
-/// rounding. One or two corners remain of points that coincide or lie on a line.
-pub(crate) fn hull(points: &mut Vec<Point>) {
+/// Replaces `points`, with coordinates from -1 to 1, by the corners of their convex hull, counter-clockwise. One or
+/// two corners remain of points that coincide or lie on a line. The hull may be smaller than the truth by half a
+/// [`GRID`]; returns how far it may be larger.
+pub(crate) fn hull(points: &mut Vec<Point>) -> f64 {
     if points.len() > 48 {
         drop_inner(points);
     }
-    points.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    points.dedup();
-    if points.len() > 2 {
-        let mut chain: Vec<Point> = Vec::with_capacity(points.len() + 1);
-        half(&mut chain, points.iter());
-        chain.pop();
-        let lower = chain.len();
-        let mut upper = Vec::with_capacity(points.len());
-        half(&mut upper, points.iter().rev());
-        upper.pop();
-        debug_assert!(lower > 0);
-        chain.append(&mut upper);
-        *points = chain;
+    let mut cells: Vec<Cell> = points.iter().map(|p| p.map(|c| libm::round(c / GRID) as i64)).collect();
+    cells.sort_unstable();
+    cells.dedup();
+    if cells.len() > 2 {
+        let mut corners = half(cells.iter());
+        corners.pop();
+        corners.extend(half(cells.iter().rev()));
+        corners.pop();
+        cells = corners;
     }
-    prune(points);
+    points.clear();
+    points.extend(cells.iter().map(|cell| cell.map(|c| c as f64 * GRID)));
+    prune(points)
 }
 
-/// One half of the monotone chain (Andrew, 1979).
-fn half<'a>(chain: &mut Vec<Point>, points: impl Iterator<Item = &'a Point>) {
-    for &p in points {
+/// One half of the monotone chain (Andrew, 1979), both ends included.
+fn half<'a>(cells: impl Iterator<Item = &'a Cell>) -> Vec<Cell> {
+    let mut chain: Vec<Cell> = Vec::new();
+    for &p in cells {
         while let [.., a, b] = chain[..] {
-            let reach = (p[0] - a[0]).abs() + (p[1] - a[1]).abs();
-            if cross(a, b, p) > ROUNDING * reach {
+            let side = |i: usize, j: usize| i128::from(b[i] - a[i]) * i128::from(p[j] - a[j]);
+            if side(0, 1) > side(1, 0) {
                 break;
             }
             chain.pop();
         }
         chain.push(p);
     }
+    chain
 }
 
 /// Drops points strictly inside the octagon of the extremes in eight directions (Akl and Toussaint, 1978).
@@ -71,16 +74,20 @@ fn drop_inner(points: &mut Vec<Point>) {
 }
 
 /// Replaces edges by the meeting point of their neighbours' lines where that moves the hull outwards by next to
-/// nothing, and by more where there are too many corners.
-fn prune(corners: &mut Vec<Point>) {
-    let mut tolerance = TOLERANCE;
+/// nothing, and by more where there are too many corners. Returns by how much at most.
+fn prune(corners: &mut Vec<Point>) -> f64 {
+    let (mut tolerance, mut moved) = (TOLERANCE, 0.0);
     loop {
         let before = corners.len();
         prune_once(corners, tolerance);
+        if corners.len() < before {
+            // New corners of one pass lie next to edges that were there before it.
+            moved += tolerance;
+        }
         if corners.len() > MOST {
             tolerance *= 4.0;
         } else if corners.len() == before {
-            break;
+            return moved;
         }
     }
 }
@@ -125,4 +132,72 @@ fn cross(a: Point, b: Point, c: Point) -> f64 {
 
 fn minus(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn hull_of(points: &[Point]) -> Vec<Point> {
+        let mut corners = points.to_vec();
+        hull(&mut corners);
+        corners
+    }
+
+    #[test]
+    fn simple_shapes() {
+        let square = [[0.0, 0.0], [0.5, 0.5], [0.0, 0.5], [0.5, 0.0], [0.25, 0.25], [0.25, 0.0], [0.0, 0.0]];
+        assert_eq!(hull_of(&square), [[0.0, 0.0], [0.5, 0.0], [0.5, 0.5], [0.0, 0.5]]);
+        assert_eq!(hull_of(&[[0.5, 0.5]; 3]), [[0.5, 0.5]]);
+        assert_eq!(hull_of(&[[0.5, 0.5], [0.25, 0.25], [-0.5, -0.5], [0.0, 0.0]]), [[-0.5, -0.5], [0.5, 0.5]]);
+    }
+
+    #[test]
+    fn a_circle_is_capped_from_outside() {
+        let circle: Vec<Point> = (0..3600)
+            .map(|tenth| {
+                let (c, s) = crate::Heading::from_degrees(f64::from(tenth) / 10.0).cos_sin();
+                [c * 0.9, s * 0.9]
+            })
+            .collect();
+        let corners = hull_of(&circle);
+        assert!(corners.len() <= MOST);
+        contains(&corners, &circle, 1e-13).unwrap();
+        assert!(corners.iter().all(|[x, y]| (x * x + y * y).sqrt() < 0.905));
+    }
+
+    fn contains(corners: &[Point], points: &[Point], tolerance: f64) -> Result<(), TestCaseError> {
+        for (i, &a) in corners.iter().enumerate() {
+            let b = corners[(i + 1) % corners.len()];
+            let length = ((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1])).sqrt();
+            for &p in points {
+                prop_assert!(cross(a, b, p) >= -tolerance * length.max(tolerance), "{:?} {:?} {:?}", a, b, p);
+            }
+        }
+        Ok(())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: crate::testing::cases(), failure_persistence: None, ..<_>::default() })]
+
+        #[test]
+        fn hulls_contain_and_fit(points in prop::collection::vec((-0.9..0.9, -0.9..0.9), 1..200),
+                                 flat in prop_oneof![Just(1.0), Just(0.0), Just(1e-15), Just(1e-9)], turn in 0.0..360.0) {
+            // Flattened and turned, so that all is near a line in any direction.
+            let (c, s) = crate::Heading::from_degrees(turn).cos_sin();
+            let points: Vec<Point> = points.iter().map(|&(x, y)| [c * x - s * y * flat, s * x + c * y * flat])
+                .map(|p| p.map(|c| c * 0.7)).collect();
+            let mut corners = points.clone();
+            let slack = hull(&mut corners);
+            prop_assert!(slack < 1e-11 && corners.len() <= MOST);
+            contains(&corners, &points, 1e-14)?;
+            // In every direction it reaches no farther than the points do.
+            for direction in 0..36 {
+                let (c, s) = crate::Heading::from_degrees(f64::from(direction) * 10.0 + turn).cos_sin();
+                let reach = |points: &[Point]| points.iter().map(|p| c * p[0] + s * p[1]).fold(f64::MIN, f64::max);
+                prop_assert!((reach(&corners) - reach(&points)).abs() <= slack + 1e-14, "{:?}", corners);
+            }
+        }
+    }
 }

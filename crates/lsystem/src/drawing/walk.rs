@@ -85,11 +85,11 @@ impl Walk {
     /// How much of the derivation is done, 0 to 1, as if all letters of a word took the same time.
     pub(crate) fn fraction(&self, program: &Program) -> f64 {
         let (mut done, mut share) = (0.0, 1.0);
-        for word in &self.open {
-            let letters = letters(program, word.source).len().max(1) as f64;
-            // The letter last read is the one whose successor is the next word.
-            share /= letters;
-            done += share * (word.next.max(1) - 1) as f64;
+        for (place, word) in self.open.iter().enumerate() {
+            share /= letters(program, word.source).len().max(1) as f64;
+            // The letter last read is the one that the word inside replaces: not done before that is.
+            let inside = usize::from(place + 1 < self.open.len());
+            done += share * (word.next - inside) as f64;
         }
         done
     }
