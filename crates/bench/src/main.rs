@@ -25,6 +25,7 @@ mod native {
     use std::time::{Duration, Instant};
 
     const EXPANSION: &str = "expansion, symbols/s";
+    const DRAWING: &str = "drawing, segments/s";
 
     pub(crate) fn measure() -> Vec<Row> {
         let mut rows = vec![];
@@ -32,6 +33,9 @@ mod native {
         for work in &WORKS {
             compare(&work.shorter(), &mut buffers);
             expansion(work, &mut buffers, &mut rows);
+        }
+        for work in &WORKS {
+            drawing(work, &mut buffers, &mut rows);
         }
         rows
     }
@@ -43,6 +47,7 @@ mod native {
         let (mut system, _) = peers::dcc(work);
         system.step_by(work.n as usize);
         assert_eq!(system.render(), buffers.text);
+        assert_eq!(peers::dcc_lines(work, &system), buffers.draw(&work.system(), work.n));
     }
 
     fn expansion(work: &Work, buffers: &mut Buffers, rows: &mut Vec<Row>) {
@@ -58,6 +63,18 @@ mod native {
             peer.step_by(work.n as usize);
             peer.get_state().len() as u64
         });
+    }
+
+    /// The peer's derivation is done before, and not measured.
+    fn drawing(work: &Work, buffers: &mut Buffers, rows: &mut Vec<Row>) {
+        let mut add = |who: &str, run: &mut dyn FnMut() -> u64| rows.push(best(DRAWING, work, who, run));
+        let system = work.system();
+        add("ours", &mut || buffers.draw(&system, work.n));
+        add("ours, in chunks", &mut || buffers.draw_in_chunks(&system, work.n));
+        add("copy", &mut || buffers.copy_segments());
+        let (mut peer, _) = peers::dcc(work);
+        peer.step_by(work.n as usize);
+        add("dcc-lsystem 0.6", &mut || peers::dcc_lines(work, &peer));
     }
 
     /// The best of at least three batches and half a second: what disturbs a run only ever makes it slower. A batch

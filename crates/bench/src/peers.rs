@@ -29,7 +29,7 @@ pub(crate) fn dcc(work: &Work) -> (dcc_lsystem::LSystem, TurtleRenderer<TurtleLS
     builder.finish()
 }
 
-/// The lines of a derived system. A renderer serves once.
-pub(crate) fn dcc_lines(system: &dcc_lsystem::LSystem, renderer: TurtleRenderer<TurtleLSystemState>) -> u64 {
-    renderer.render(system, &DataRendererOptions::default()).len() as u64
+/// How many lines a derived system draws. A renderer serves once.
+pub(crate) fn dcc_lines(work: &Work, system: &dcc_lsystem::LSystem) -> u64 {
+    dcc(work).1.render(system, &DataRendererOptions::default()).len() as u64
 }

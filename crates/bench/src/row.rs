@@ -10,7 +10,7 @@ pub struct Row {
     pub what: String,
     /// On which system.
     pub work: String,
-    /// By whom: `ours`, `copy` for a plain copy of the same bytes, or the name of a peer.
+    /// By whom: `ours` (`ours, …` for another way), `copy` for a plain copy of the same bytes, or the name of a peer.
     pub who: String,
     /// How many units.
     pub amount: u64,
@@ -37,7 +37,7 @@ pub fn tables(rows: &[Row], place: &str) -> String {
 
 fn table(text: &mut String, title: &str, rows: &[&Row]) {
     let who = distinct(rows.iter().map(|row| &*row.who));
-    let peers: Vec<&str> = who.iter().copied().filter(|who| !["ours", "copy"].contains(who)).collect();
+    let peers: Vec<&str> = who.iter().copied().filter(|who| !who.starts_with("ours") && *who != "copy").collect();
     let mut line = |cells: &[String]| {
         let (first, rest) = cells.split_first().expect("a table has columns");
         let _ = write!(text, "{first:32}");

@@ -41,6 +41,23 @@ impl Bench {
         self.buffers.copy_text() as f64
     }
 
+    /// Draws and writes all segments to memory that is used again; how many.
+    pub fn draw(&mut self) -> f64 {
+        self.buffers.draw(&self.system, self.work.n) as f64
+    }
+
+    /// Draws and goes through all segments; how many.
+    #[wasm_bindgen(js_name = drawInChunks)]
+    pub fn draw_in_chunks(&mut self) -> f64 {
+        self.buffers.draw_in_chunks(&self.system, self.work.n) as f64
+    }
+
+    /// Copies the segments' ends; how many segments.
+    #[wasm_bindgen(js_name = copySegments)]
+    pub fn copy_segments(&mut self) -> f64 {
+        self.buffers.copy_segments() as f64
+    }
+
     /// The last string derived.
     #[must_use]
     pub fn text(&self) -> String {

@@ -1,6 +1,6 @@
 //! What is measured, and this library's part of it.
 
-use lsystem::{Definition, Limits, System};
+use lsystem::{Definition, Limits, SegmentArrays, System};
 
 /// A system to be derived and drawn.
 #[derive(Clone, Copy, Debug)]
@@ -57,7 +57,10 @@ impl Work {
 pub struct Buffers {
     /// The last string derived.
     pub text: String,
+    /// The last drawing written out.
+    pub segments: SegmentArrays,
     copy: Vec<u8>,
+    ends: Vec<f32>,
 }
 
 impl Buffers {
@@ -71,10 +74,33 @@ impl Buffers {
     pub fn copy_text(&mut self) -> u64 {
         copy(self.text.as_bytes(), &mut self.copy)
     }
+
+    /// Draws, writes every segment out and returns how many there are.
+    pub fn draw(&mut self, system: &System, n: u32) -> u64 {
+        let drawing = lsystem::draw(system, n, &limits()).expect("within the limits");
+        drawing.write_segments(limits().segments, &mut self.segments).expect("within the limits");
+        self.segments.levels.len() as u64
+    }
+
+    /// Draws and goes through all segments some thousand at a time; how many there are.
+    pub fn draw_in_chunks(&mut self, system: &System, n: u32) -> u64 {
+        let drawing = lsystem::draw(system, n, &limits()).expect("within the limits");
+        let mut count = 0;
+        drawing.for_each_chunk(|chunk| {
+            core::hint::black_box(&chunk.ends);
+            count += chunk.levels.len() as u64;
+        });
+        count
+    }
+
+    /// Copies the ends of the last drawing's segments; how many segments those are.
+    pub fn copy_segments(&mut self) -> u64 {
+        copy(&self.segments.ends, &mut self.ends) / 4
+    }
 }
 
-fn copy(from: &[u8], to: &mut Vec<u8>) -> u64 {
-    to.resize(to.len().max(from.len()), 0);
+fn copy<T: Copy + Default>(from: &[T], to: &mut Vec<T>) -> u64 {
+    to.resize(to.len().max(from.len()), T::default());
     to[..from.len()].copy_from_slice(from);
     core::hint::black_box(&to);
     from.len() as u64

@@ -32,25 +32,62 @@ const peerOf = (work) => {
   };
 };
 
+/** The peer has no turtle, but a function for each symbol: the usual few lines, writing to an array used again. */
+const peerTurtle = (work, text) => {
+  const ends = new Float32Array(4 * text.replace(/[^FG]/g, '').length);
+  const turn = (work.angle * Math.PI) / 180;
+  let [x, y, heading, at, stack] = [0, 0, 0, 0, []];
+  const forward = () => {
+    ends[at++] = x;
+    ends[at++] = y;
+    x += Math.cos(heading);
+    y += Math.sin(heading);
+    ends[at++] = x;
+    ends[at++] = y;
+  };
+  const finals = {
+    F: forward,
+    G: forward,
+    '+': () => (heading += turn),
+    '-': () => (heading -= turn),
+    '[': () => stack.push([x, y, heading]),
+    ']': () => ([x, y, heading] = stack.pop()),
+  };
+  const system = new LSystem({ axiom: text, finals });
+  return () => {
+    [x, y, heading, at, stack] = [0, 0, 0, 0, []];
+    system.final();
+    return at / 4;
+  };
+};
+
 globalThis.measure = async (base64) => {
   const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
   await wasm_bindgen({ module_or_path: bytes });
   const { Bench } = wasm_bindgen;
-  const rows = [];
+  const [expansion, drawing] = [[], []];
   for (let i = 0; ; i++) {
     const short = Bench.at(i, true);
-    if (!short) return rows;
+    if (!short) return [...expansion, ...drawing];
     short.expand();
-    if (short.text() !== peerOf(JSON.parse(short.work()))()) throw new Error('the peer does other work');
+    const shortWork = JSON.parse(short.work());
+    const shortText = peerOf(shortWork)();
+    const same = short.text() === shortText && short.draw() === peerTurtle(shortWork, shortText)();
+    if (!same) throw new Error('the peer does other work');
     short.free();
 
     const bench = Bench.at(i, false);
     const work = JSON.parse(bench.work());
     const peer = peerOf(work);
-    const what = 'expansion, symbols/s';
-    rows.push(best(what, work, 'ours', () => bench.expand()));
-    rows.push(best(what, work, 'copy', () => bench.copyText()));
-    rows.push(best(what, work, 'npm lindenmayer 1.5', () => peer().length));
+    const expands = (who, run) => expansion.push(best('expansion, symbols/s', work, who, run));
+    expands('ours', () => bench.expand());
+    expands('copy', () => bench.copyText());
+    expands('npm lindenmayer 1.5', () => peer().length);
+    const draws = (who, run) => drawing.push(best('drawing, segments/s', work, who, run));
+    draws('ours', () => bench.draw());
+    draws('ours, in chunks', () => bench.drawInChunks());
+    draws('copy', () => bench.copySegments());
+    draws('npm lindenmayer 1.5', peerTurtle(work, peer()));
     bench.free();
   }
 };
