@@ -35,6 +35,7 @@ export function followAddress(store, { open }) {
         written = location.hash;
         const link = readLink(location.hash);
         if (link) open(link);
+        else write();
     });
     addEventListener('pagehide', write);
 

@@ -56,18 +56,24 @@ const PATIENCE = 250;
 /** A worker that fails this often in a row with the same state is not started again. */
 const MOST_FAILURES = 2;
 
+/** @param {string} url */
+async function load(url) {
+    const response = await fetch(url);
+    if (!response.ok) throw new Error(`${url}: ${response.status}`);
+    return response.arrayBuffer();
+}
+
 /**
  * @param {{worker: string, wasm: string}} urls
  * @param {Events} events
  */
 export function createEngine(urls, events) {
-    /** @type {Promise<ArrayBuffer>} */
-    const wasm = fetch(urls.wasm).then((response) => {
-        if (!response.ok) throw new Error(`${urls.wasm}: ${response.status}`);
-        return response.arrayBuffer();
-    });
+    /** @type {Promise<ArrayBuffer> | null} */
+    let wasm = null;
     /** @type {Worker | null} */
     let worker = null;
+    /** Whether the worker has been handed the wasm, so that it can be asked. */
+    let ready = false;
     let lastId = 0;
     let failures = 0;
     /** @type {Definition | null} */
@@ -91,6 +97,7 @@ export function createEngine(urls, events) {
     function start() {
         const fresh = new Worker(urls.worker);
         worker = fresh;
+        ready = false;
         clearTimeout(patience);
         patience = 0;
         defineWaits = definition !== null;
@@ -100,17 +107,23 @@ export function createEngine(urls, events) {
             event.preventDefault();
             if (worker === fresh) fail(event.message || 'the worker did not start');
         };
+        wasm ??= load(urls.wasm);
         wasm.then(
             (bytes) => {
+                if (worker !== fresh) return;
                 fresh.postMessage({ type: 'init', wasm: bytes });
-                if (worker === fresh) send();
+                ready = true;
+                send();
             },
-            (error) => worker === fresh && fail(String(error.message ?? error), true),
+            (error) => {
+                wasm = null;
+                if (worker === fresh) fail(error.message, true);
+            },
         );
     }
 
     function send() {
-        if (!worker || patience || !(defineWaits || lookWaits)) return;
+        if (!worker || !ready || patience || !(defineWaits || lookWaits)) return;
         if (definition && defineWaits) {
             defineWaits = false;
             defineSent = ++lastId;
@@ -173,6 +186,7 @@ export function createEngine(urls, events) {
 
     /** @param {object} request @returns {Promise<any>} */
     async function ask(request) {
+        revive();
         await wasm;
         return new Promise((resolve, reject) => {
             if (!worker) return reject(new Error('the drawing engine has stopped'));
@@ -182,7 +196,7 @@ export function createEngine(urls, events) {
         });
     }
 
-    /** After a failure for good, new input is worth a fresh start. */
+    /** After a failure for good, new input or a question is worth a fresh start. */
     function revive() {
         if (worker) return;
         failures = 0;
@@ -195,14 +209,14 @@ export function createEngine(urls, events) {
             definition = newest;
             defineWaits = true;
             revive();
-            wasm.then(send, () => {});
+            send();
         },
 
         /** @param {Canvas} canvas @param {View} view */
         look(canvas, view) {
             look = { canvas, view };
             lookWaits = true;
-            wasm.then(send, () => {});
+            send();
         },
 
         /** @param {string} text @returns {Promise<FileRead>} */

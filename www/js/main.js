@@ -47,6 +47,11 @@ themeButton((next) => {
     if ([houseInk(former), opening(former)].some((ink) => hasInk(store.state, ink))) store.dress({ palette: [...palette], background });
 });
 
+html('skip').addEventListener('click', (event) => {
+    // The address belongs to the drawing.
+    event.preventDefault();
+    html('drawing').focus();
+});
 button('undo').addEventListener('click', () => store.undo());
 button('redo').addEventListener('click', () => store.redo());
 button('reset').addEventListener('click', () => store.change({ ...store.origin }, ''));
@@ -125,7 +130,7 @@ function reported(next) {
 /** @param {string} message @param {boolean} again */
 function failed(message, again) {
     if (again) return;
-    toast(`The drawing engine stopped (${message}). Change something to start it again.`, { stay: true });
+    toast(`The drawing engine stopped (${message}). Change anything to start it again.`, { stay: true });
 }
 
 /** @param {NonNullable<ReturnType<typeof readLink>>} opened */

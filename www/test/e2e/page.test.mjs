@@ -458,6 +458,31 @@ test('on a phone everything is within reach', () =>
         await nextPicture(page, before);
     }));
 
+test('two fingers zoom about the point between them', () =>
+    withPage({ hash: KOCH, options: PHONE }, async (page) => {
+        const before = await stillPicture(page);
+        const touch = await page.context().newCDPSession(page);
+        /** @param {'touchStart' | 'touchMove' | 'touchEnd'} type @param {number[]} xs */
+        const send = (type, ...xs) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: xs.map((x, id) => ({ x, y: 200, id })) });
+        await send('touchStart', 150, 250);
+        for (let apart = 60; apart <= 100; apart += 10) await send('touchMove', 200 - apart, 200 + apart);
+        await send('touchEnd');
+        await nextPicture(page, before);
+        assert.match(await text(page, '#zoom'), /^200/);
+        await page.tap('#fit');
+        await until(async () => (await picture(page)).digest === before.digest, 'Fit brings it back');
+    }));
+
+test('the skip link and foreign hashes leave the address to the drawing', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await page.focus('#skip');
+        await page.keyboard.press('Enter');
+        assert.equal(await page.evaluate(() => document.activeElement?.id), 'drawing');
+        await page.evaluate(() => (location.hash = '#elsewhere'));
+        await until(async () => (await hash(page)) === KOCH, 'the address is back');
+        assert.equal(await page.inputValue('#axiom'), 'F');
+    }));
+
 test('the dark theme is followed, chosen and kept', () =>
     withPage({ options: { viewport: { width: 1280, height: 800 }, colorScheme: 'dark' } }, async (page) => {
         const dark = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);

@@ -1,0 +1,36 @@
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync } from 'node:fs';
+import { test } from 'node:test';
+
+const root = new URL('../../', import.meta.url);
+const page = readFileSync(new URL('index.html', root), 'utf8');
+
+test('every module is asked for at once, not when another first imports it', () => {
+    const all = readdirSync(new URL('js', root), { recursive: true, encoding: 'utf8' })
+        .filter((name) => name.endsWith('.js') && !['main.js', 'theme-early.js'].includes(name))
+        .map((name) => `js/${name.replaceAll('\\', '/')}`);
+    const listed = [...page.matchAll(/<link rel="modulepreload" href="([^"]+)">/g)].map((match) => match[1]);
+    assert.deepEqual(listed.sort(), all.sort());
+});
+
+test('the page asks for nothing from elsewhere, and holds no script or style of its own', () => {
+    assert.doesNotMatch(page, /(src|href)="(https?:)?\/\//);
+    assert.doesNotMatch(page, / style=| on[a-z]+=|<style/);
+    for (const [, inside] of page.matchAll(/<script[^>]*>([^<]*)</g)) assert.equal(inside, '');
+    assert.doesNotMatch(page, /(src|href)="\//);
+});
+
+test('ids are unique, and labels and descriptions name elements that exist', () => {
+    const ids = [...page.matchAll(/ id="([^"]+)"/g)].map((match) => match[1]);
+    assert.equal(new Set(ids).size, ids.length);
+    for (const [, list] of page.matchAll(/ (?:for|aria-labelledby|aria-describedby|aria-controls)="([^"]+)"/g)) {
+        for (const id of String(list).split(' ')) assert.ok(ids.includes(id), id);
+    }
+});
+
+test('the page sets HTML nowhere from data', () => {
+    for (const name of readdirSync(new URL('js', root), { recursive: true, encoding: 'utf8' })) {
+        if (!name.endsWith('.js')) continue;
+        assert.doesNotMatch(readFileSync(new URL(`js/${name}`, root), 'utf8'), /innerHTML|outerHTML|insertAdjacentHTML|document\.write|eval\(|new Function/, name);
+    }
+});
