@@ -8,6 +8,7 @@
 
 mod clock;
 mod playground;
+mod reading;
 mod report;
 mod surface;
 

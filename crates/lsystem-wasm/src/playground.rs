@@ -1,6 +1,7 @@
 //! The page's handle: keeps a system between edits and works in steps that end on time.
 
 use crate::clock::Clock;
+use crate::reading::Written;
 use crate::report::{ExportReport, Report, legend_of, problems};
 use crate::surface::Surface;
 use crate::{LIMITS, from_js, to_js};
@@ -26,16 +27,17 @@ pub struct Playground {
     clock: Clock,
     /// What the shown drawing is of.
     definition: Definition,
-    system: Option<System>,
-    drawing: Option<Arc<Drawing>>,
+    pub(crate) system: Option<System>,
+    pub(crate) drawing: Option<Arc<Drawing>>,
+    pub(crate) written: Option<Written>,
     /// The drawing that is being built.
     drawer: Option<Drawer>,
     report: Report,
     /// Whether the page has not seen the report yet.
     news: bool,
     renderer: Renderer,
-    viewport: Viewport,
-    view: View,
+    pub(crate) viewport: Viewport,
+    pub(crate) view: View,
     picture: Picture,
 }
 
@@ -79,6 +81,7 @@ impl Playground {
             definition: Definition::default(),
             system: None,
             drawing: None,
+            written: None,
             drawer: None,
             report: Report::default(),
             news: false,
@@ -129,6 +132,7 @@ impl Playground {
             self.report = known;
         }
         self.picture = Picture::Stale;
+        self.written = None;
         self.definition = definition;
         self.system = Some(system);
         to_js(&self.report)
@@ -207,6 +211,10 @@ impl Playground {
 }
 
 impl Playground {
+    pub(crate) fn shown_iterations(&self) -> u32 {
+        self.definition.iterations
+    }
+
     fn svg_options(&self) -> SvgOptions {
         let Definition { title, name, .. } = &self.definition;
         let title = if title.is_empty() { name.clone() } else { title.clone() };

@@ -2,9 +2,10 @@
 #![cfg(target_family = "wasm")]
 
 use js_sys::{Array, Float32Array, JSON, Reflect};
-use lsystem_wasm::{draw, expand, fresh_seed, read};
+use lsystem_wasm::{Playground, draw, expand, fresh_seed, read};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+use web_sys::OffscreenCanvas;
 
 wasm_bindgen_test_configure!(run_in_dedicated_worker);
 
@@ -79,4 +80,75 @@ fn course_files_are_read() {
     assert_eq!(text(&definition, "dialect"), "every-letter");
     assert_eq!(expand(definition, 1).unwrap(), "F[+F]F");
     assert!(get(&read("{").unwrap(), "definition").is_null());
+}
+
+fn settled(playground: &mut Playground) {
+    for _ in 0..1000 {
+        if get(&playground.step(8.0).unwrap(), "idle").is_truthy() {
+            return;
+        }
+    }
+    panic!("the playground did not come to rest");
+}
+
+#[wasm_bindgen_test]
+fn a_playground_draws_and_reads_in_place() {
+    let canvas = OffscreenCanvas::new(64, 64).unwrap();
+    let mut playground = Playground::new(canvas.clone()).unwrap();
+    let report =
+        playground.define(object(r#"{"axiom": "F", "rules": "F -> F[+F]F[-F]F", "angle": 25.7, "iterations": 40}"#));
+    assert_eq!(text(&report.unwrap(), "segments"), 5_u128.pow(40).to_string());
+    playground.view(64, 64, 1.0, 0.0, 0.0, 1.0);
+    settled(&mut playground);
+
+    let context: web_sys::OffscreenCanvasRenderingContext2d =
+        canvas.get_context("2d").unwrap().unwrap().unchecked_into();
+    let pixels = context.get_image_data(0.0, 0.0, 64.0, 64.0).unwrap().data();
+    let background = &pixels[..4];
+    let drawn = pixels.chunks(4).filter(|pixel| *pixel != background).count();
+    assert!((100..4000).contains(&drawn), "{drawn} pixels are drawn on");
+
+    assert_eq!(playground.slice(1, 0, 99).unwrap(), "F[+F]F[-F]F");
+    assert_eq!(playground.slice(40, 0, 4).unwrap(), "F[+F");
+    let chain: Array = playground.ancestry(40, 0).unwrap().unchecked_into();
+    assert_eq!(chain.length(), 41);
+    let last = playground.segment(5_u128.pow(40) - 1).unwrap();
+    assert_eq!(get(&last, "heading").as_f64().unwrap(), 90.0);
+    assert!(playground.segment(5_u128.pow(40)).unwrap().is_null());
+    // The stem goes up the picture; to its right, below the first leaves, is nothing.
+    assert!(!playground.pick(32.0, 60.0, 6.0).unwrap().is_null());
+    assert!(playground.pick(1.0, 63.0, 2.0).unwrap().is_null());
+
+    // A mistake keeps the last good drawing.
+    let wrong = playground.define(object(r#"{"axiom": "F", "rules": "F = FF"}"#)).unwrap();
+    assert!(!get(&wrong, "ok").is_truthy());
+    settled(&mut playground);
+    assert_eq!(playground.slice(1, 0, 99).unwrap(), "F[+F]F[-F]F");
+}
+
+#[wasm_bindgen_test]
+fn chance_and_limits_are_reported_when_they_are_known() {
+    let mut playground = Playground::new(OffscreenCanvas::new(8, 8).unwrap()).unwrap();
+    let random = r#"{"axiom": "F", "rules": "F -> FF : 0.5\nF -> F[+F] : 0.5", "angle": 20, "iterations": 6}"#;
+    let early = playground.define(object(random)).unwrap();
+    assert_eq!(text(&early, "segments"), "64");
+    playground.view(8, 8, 1.0, 0.0, 0.0, 1.0);
+    settled(&mut playground);
+    let length: usize = playground.string_length(6).unwrap().parse().unwrap();
+    assert_eq!(playground.slice(6, 0, 1 << 20).unwrap().len(), length);
+
+    playground.define(object(&random.replace("\"iterations\": 6", "\"iterations\": 60"))).unwrap();
+    let mut seen = None;
+    for _ in 0..2000 {
+        let step = playground.step(8.0).unwrap();
+        let report = get(&step, "report");
+        if !report.is_null() {
+            seen = Some(report);
+        }
+        if get(&step, "idle").is_truthy() {
+            break;
+        }
+    }
+    let report = seen.unwrap();
+    assert_eq!(get(&report, "largest").as_f64(), Some(19.0));
 }

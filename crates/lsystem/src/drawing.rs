@@ -123,6 +123,13 @@ impl Drawing {
         segments
     }
 
+    /// The direction in which the segment `number` (0-based) is drawn: degrees counter-clockwise from +x, in
+    /// `0.0..360.0`.
+    #[must_use]
+    pub fn heading_at(&self, number: u128) -> Option<f64> {
+        self.segments_from(number).heading()
+    }
+
     /// A block's items.
     pub(crate) fn items_of(&self, block: BlockId) -> &[Item] {
         let items = &self.blocks[block.0 as usize].items;

@@ -86,7 +86,18 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
     for start in [0, 1, segments.len() / 3, segments.len() - 1, segments.len(), segments.len() + 9] {
         let from: Vec<Segment> = drawing.segments_from(start as u128).take(3).collect();
         let expected: Vec<Segment> = segments.iter().skip(start).take(3).copied().collect();
-        prop_assert_eq!(from, expected, "from {}", start);
+        prop_assert_eq!(&from, &expected, "from {}", start);
+        let heading = drawing.heading_at(start as u128);
+        prop_assert_eq!(heading.is_some(), !expected.is_empty());
+        if let (Some(heading), Some(segment)) = (heading, expected.first()) {
+            let (c, s) = Heading::from_degrees(heading).cos_sin();
+            let along = [0, 1].map(|axis| segment.to[axis] - segment.from[axis]);
+            let length = distance(segment.from, &Segment { from: segment.to, ..*segment });
+            // A negative step length draws backwards.
+            let ahead = [c * length, s * length];
+            let slack = 1e-9 * (length + along[0].abs().max(along[1].abs()).max(1.0));
+            prop_assert!(near(along, ahead, slack) || near(along, ahead.map(|v| -v), slack));
+        }
     }
     let [x0, y0, x1, y1] = drawing.bounds().unwrap();
     let extent = (x1 - x0).max(y1 - y0);

@@ -1,6 +1,6 @@
 //! The segments of a drawing, one by one.
 
-use super::{BlockId, Drawing, Item, Placed, Segment, StyleChange};
+use super::{BlockId, Drawing, Item, Placed, Segment, Stroke, StyleChange};
 use crate::Heading;
 use crate::turtle::Directions;
 
@@ -20,6 +20,15 @@ impl<'a> Segments<'a> {
             strokes.enter(root, &Frame::new(1.0, StyleChange::start(drawing.width)));
         }
         Self { strokes, left: drawing.segment_count(), unit: drawing.unit() }
+    }
+
+    /// The direction of the next segment, in degrees counter-clockwise from +x, in `0.0..360.0`. It is known in the
+    /// frame of its block, where even a segment that is nothing beside the whole drawing has a length.
+    pub(super) fn heading(&self) -> Option<f64> {
+        let (stroke, frame) = self.strokes.clone().next_placed()?;
+        let (x, y) = (stroke.to[0] - stroke.from[0], stroke.to[1] - stroke.from[1]);
+        let own = libm::atan2(y, x) * (180.0 / core::f64::consts::PI);
+        Some((frame.heading + Heading::from_degrees(own)).degrees())
     }
 
     /// Passes over the next `count` segments, blocks that hold none other being passed over whole.
@@ -109,6 +118,26 @@ impl<'a> Strokes<'a> {
         self.open.push((items.start, items.end, *frame));
     }
 
+    /// The next stroke and the frame it lies in.
+    fn next_placed(&mut self) -> Option<(&'a Stroke, Frame)> {
+        loop {
+            let (next, end, frame) = self.open.last_mut()?;
+            if next == end {
+                self.open.pop();
+                continue;
+            }
+            let item = &self.drawing.items[*next as usize];
+            *next += 1;
+            match item {
+                Item::Stroke(stroke) => return Some((stroke, *frame)),
+                Item::Block(placed) => {
+                    let inner = frame.place(placed, self.drawing, &mut self.directions);
+                    self.enter(placed.block, &inner);
+                }
+            }
+        }
+    }
+
     /// Passes over the next `count` strokes.
     fn pass(&mut self, mut count: u128) {
         while count > 0 {
@@ -139,24 +168,8 @@ impl Iterator for Strokes<'_> {
     type Item = ([f64; 2], [f64; 2], StyleChange);
 
     fn next(&mut self) -> Option<Self::Item> {
-        loop {
-            let (next, end, frame) = self.open.last_mut()?;
-            if next == end {
-                self.open.pop();
-                continue;
-            }
-            let item = &self.drawing.items[*next as usize];
-            *next += 1;
-            match item {
-                Item::Stroke(stroke) => {
-                    let style = frame.style.then(&self.drawing.styles[stroke.style.0 as usize]);
-                    return Some((frame.lie(stroke.from), frame.lie(stroke.to), style));
-                }
-                Item::Block(placed) => {
-                    let inner = frame.place(placed, self.drawing, &mut self.directions);
-                    self.enter(placed.block, &inner);
-                }
-            }
-        }
+        let (stroke, frame) = self.next_placed()?;
+        let style = frame.style.then(&self.drawing.styles[stroke.style.0 as usize]);
+        Some((frame.lie(stroke.from), frame.lie(stroke.to), style))
     }
 }
