@@ -22,7 +22,7 @@ impl Builder {
             blocks: vec![],
             items: vec![],
             corners: vec![],
-            styles: Styles::default(),
+            styles: Styles::new(),
             directions: Directions::new(),
             points: vec![],
         }
@@ -41,7 +41,11 @@ impl Builder {
         for item in items {
             match item {
                 Item::Stroke(stroke) => {
-                    self.points.extend([stroke.from, stroke.to]);
+                    // Most strokes begin where the one before ended.
+                    if self.points.last() != Some(&stroke.from) {
+                        self.points.push(stroke.from);
+                    }
+                    self.points.push(stroke.to);
                     segments = segments.saturating_add(1);
                     widest = widest.widest(self.width(stroke.style));
                 }

@@ -82,17 +82,23 @@ impl From<WidthChange> for StyleChange {
 }
 
 /// The styles of a drawing that is being made, each once.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(crate) struct Styles {
     pub(crate) list: Vec<StyleChange>,
     ids: HashMap<(ColourChange, u64, u64, u32), StyleId>,
-    last: Option<(StyleChange, StyleId)>,
+    /// The styles asked for last, by level and colour: most are asked for again at once.
+    recent: [(StyleChange, Option<StyleId>); 32],
 }
 
 impl Styles {
+    pub(crate) fn new() -> Self {
+        Self { list: vec![], ids: HashMap::new(), recent: [(StyleChange::NONE, None); 32] }
+    }
+
     pub(crate) fn id(&mut self, style: &StyleChange) -> StyleId {
-        match self.last {
-            Some((last, id)) if last == *style => id,
+        let place = (style.level as usize).wrapping_add(8 * style.colour.of(0) as usize) % self.recent.len();
+        match self.recent[place] {
+            (recent, Some(id)) if recent == *style => id,
             _ => {
                 let key = (style.colour, style.width.factor.to_bits(), style.width.offset.to_bits(), style.level);
                 let next = StyleId(self.list.len() as u32);
@@ -100,7 +106,7 @@ impl Styles {
                 if id == next {
                     self.list.push(*style);
                 }
-                self.last = Some((*style, id));
+                self.recent[place] = (*style, Some(id));
                 id
             }
         }
