@@ -96,7 +96,8 @@ impl Styles {
     }
 
     pub(crate) fn id(&mut self, style: &StyleChange) -> StyleId {
-        let place = (style.level as usize).wrapping_add(8 * style.colour.of(0) as usize) % self.recent.len();
+        let place =
+            style.level.wrapping_add(style.colour.of(0).cast_unsigned().wrapping_mul(8)) as usize % self.recent.len();
         match self.recent[place] {
             (recent, Some(id)) if recent == *style => id,
             _ => {
