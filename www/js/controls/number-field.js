@@ -13,8 +13,8 @@ import { setValue } from '../dom.js';
 export function numberField(field, { low, high, step, whole = false, change, settle }) {
     let shown = 0;
     field.setAttribute('role', 'spinbutton');
-    field.setAttribute('aria-valuemin', String(low));
-    field.setAttribute('aria-valuemax', String(high));
+    field.setAttribute('aria-valuemin', decimal(low));
+    field.setAttribute('aria-valuemax', decimal(high));
 
     /** @param {number} value */
     const fits = (value) => Math.min(high, Math.max(low, whole ? Math.round(value) : value));
@@ -51,10 +51,15 @@ export function numberField(field, { low, high, step, whole = false, change, set
 
     return (value) => {
         shown = value;
-        field.setAttribute('aria-valuenow', plain(value));
+        field.setAttribute('aria-valuenow', decimal(value));
         // What is being typed stays as it is typed: "25." is not to become "25".
         if (document.activeElement === field && read() === value) return;
         field.removeAttribute('data-wrong');
         setValue(field, plain(value));
     };
+}
+
+/** Without an exponent, which ARIA does not know. @param {number} value */
+function decimal(value) {
+    return String(value).includes('e') ? value.toFixed(12) : String(value);
 }
