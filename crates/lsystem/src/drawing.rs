@@ -143,11 +143,11 @@ impl Drawing {
     }
 }
 
-/// A block's place in [`Drawing::blocks`].
+/// Which of a drawing's blocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct BlockId(pub u32);
 
-/// A style change's place in [`Drawing::styles`].
+/// Which of a drawing's style changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct StyleId(pub u32);
 

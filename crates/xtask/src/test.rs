@@ -41,12 +41,16 @@ pub(crate) fn test(workspace: &Workspace, options: &Options) -> Result<()> {
     }
     if has("native") {
         report.step("native tests", || {
-            let mut test = workspace.cargo(["test"]);
+            let products = ["--package=lsystem", "--package=lsystem-wasm", "--package=lsys"];
+            let mut test = workspace.cargo(["test", "--no-fail-fast"].into_iter().chain(products));
             if options.thorough {
                 test.env("LSYSTEM_CASES", "10000");
             }
             run(&mut test)
         });
+        // On its own: together with the others Cargo would choose other features for the libraries below, and compile
+        // all of them a second time.
+        report.step("native tests of xtask", || run(&mut workspace.cargo(["test", "--package=xtask"])));
     }
     if has("wasm") {
         report.step("wasm tests in the browser", || wasm(workspace));
@@ -74,7 +78,7 @@ fn wasm(workspace: &Workspace) -> Result<()> {
     files::write(&capabilities_file, capabilities.to_string())?;
     // `--tests`: examples in the documentation run natively.
     run(workspace
-        .cargo(["test", "--tests", "--package=lsystem-wasm", "--target", tools::WASM_TARGET])
+        .cargo(["test", "--no-fail-fast", "--tests", "--package=lsystem-wasm", "--target", tools::WASM_TARGET])
         .env("WASM_BINDGEN_TEST_WEBDRIVER_JSON", capabilities_file)
         .env("CHROMEDRIVER", browser.driver)
         .env("TMPDIR", temporary.path())
