@@ -185,7 +185,7 @@ fn info_tells_what_is_known() {
           iterations  7
           symbols     13956
           segments    4118
-          bounds      x -70.10220768553398 to 70.10220768553398, y 0 to 248.93418014601633
+          bounds      x -70.10220768553427 to 70.10220768553427, y 0 to 248.93418014601684
           growth      symbols x 3.029303, segments x 3.096241 in the last step
     "#]]
     .assert_eq(&good("info data_in/abop/1.24d.json"));
@@ -200,10 +200,10 @@ fn info_tells_what_is_known() {
           "symbols": "15132267252770468069422739399612523482096622352946955004725614766632546798241929817362380507",
           "segments": "8148143905337944345073782753637512644205873574663745002544561797417525199053346824733589504",
           "bounds": [
-            -5.356460147529967e+59,
-            -5.356460147529967e+59,
-            2.142584059011987e+60,
-            2.142584059011987e+60
+            -5.35646014753012e+59,
+            -5.35646014753012e+59,
+            2.1425840590120023e+60,
+            2.1425840590120023e+60
           ],
           "growth": {
             "symbols": 8.0,
@@ -223,7 +223,7 @@ fn info_tells_what_is_known() {
           seed        5
           symbols     1201
           segments    481
-          bounds      x -10.841477114688612 to 4.164995452362904, y 0 to 53
+          bounds      x -10.841477114688587 to 4.164995452362973, y 0 to 53
           growth      symbols x 3.741433, segments x 3.728682 in the last step
     "#]]
     .assert_eq(&good("info data_in/abop/1.27.json --seed 5"));
