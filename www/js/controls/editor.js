@@ -9,8 +9,8 @@ import { tints } from '../tint.js';
 /** @typedef {import('../engine.js').Diagnostic} Diagnostic */
 /** @typedef {{show: (text: string) => void, mark: (diagnostics: Diagnostic[]) => void}} Editor */
 
-/** Longer texts are not tinted, in UTF-16 units: typing must stay quick. */
-const TINTED = 8000;
+/** Longer lines are not tinted, in UTF-16 units. */
+const TINTED = 4000;
 
 /**
  * @param {HTMLTextAreaElement} area
@@ -21,10 +21,28 @@ const TINTED = 8000;
  */
 export function editor(area, problems, kind, { change, settle }) {
     const layer = /** @type {HTMLElement} */ (area.previousElementSibling);
+    // A line break at the end shows only when something follows it.
+    layer.append('\u200b');
     /** @type {Diagnostic[]} */
     let marks = [];
 
-    const paint = () => layer.replaceChildren(...pieces(area.value, kind, marks));
+    /** What each line of the layer shows, to leave alone the lines that stay as they are. @type {string[]} */
+    let shown = [];
+
+    function paint() {
+        const lines = linesOf(area.value, marks);
+        const keys = lines.map((line) => JSON.stringify(line));
+        const most = Math.min(keys.length, shown.length);
+        let head = 0;
+        while (head < most && keys[head] === shown[head]) head++;
+        let tail = 0;
+        while (tail < most - head && keys.at(-1 - tail) === shown.at(-1 - tail)) tail++;
+        for (const old of [...layer.children].slice(head, shown.length - tail)) old.remove();
+        const fresh = lines.slice(head, lines.length - tail).map((line) => make('span', {}, ...pieces(line, kind)));
+        if (head > 0) layer.children[head - 1]?.after(...fresh);
+        else layer.prepend(...fresh);
+        shown = keys;
+    }
 
     area.addEventListener('input', () => {
         paint();
@@ -87,19 +105,34 @@ function place(text, offset) {
     return text.includes('\n') ? `Line ${before.length}, column ${column}` : `Column ${column}`;
 }
 
+/** @typedef {{start: number, end: number, severity: 'warning' | 'error'}} Mark */
+
 /**
- * The text in spans: tints and mistakes may overlap, so it is cut at every edge of either.
+ * The lines of a text, each with its line break and the mistakes in it, by offsets into the line.
  * @param {string} text
- * @param {'axiom' | 'rules' | 'overrides'} kind
- * @param {Diagnostic[]} marks
+ * @param {Diagnostic[]} diagnostics
+ * @returns {{text: string, marks: Mark[]}[]}
  */
-function pieces(text, kind, marks) {
-    const spans = text.length > TINTED ? [] : tints(text, kind);
+export function linesOf(text, diagnostics) {
     // A mistake where something is missing has no width: underline the symbol before it.
-    const wrong = marks.map(({ start, end, severity }) => (end > start ? { start, end, severity } : { start: Math.max(0, Math.min(start, text.length) - 1), end: Math.max(1, start), severity }));
-    const edges = [...new Set([0, text.length, ...[...spans, ...wrong].flatMap(({ start, end }) => [start, end])])]
-        .filter((edge) => edge >= 0 && edge <= text.length)
-        .sort((a, b) => a - b);
+    const marks = diagnostics.map(({ start, end, severity }) => (end > start ? { start, end, severity } : { start: Math.max(0, Math.min(start, text.length) - 1), end: Math.max(1, start), severity }));
+    let from = 0;
+    return text.split(/(?<=\n)/).map((line) => {
+        const [first, last] = [from, from + line.length];
+        from = last;
+        const inside = marks.filter(({ start, end }) => start < last && end > first);
+        return { text: line, marks: inside.map(({ start, end, severity }) => ({ start: Math.max(0, start - first), end: Math.min(end - first, line.length), severity })) };
+    });
+}
+
+/**
+ * A line in spans: tints and mistakes may overlap, so it is cut at every edge of either.
+ * @param {{text: string, marks: Mark[]}} line
+ * @param {'axiom' | 'rules' | 'overrides'} kind
+ */
+function pieces({ text, marks }, kind) {
+    const spans = text.length > TINTED ? [] : tints(text.replace(/\n$/, ''), kind);
+    const edges = [...new Set([0, text.length, ...[...spans, ...marks].flatMap(({ start, end }) => [start, end])])].sort((a, b) => a - b);
     const nodes = [];
     let next = 0;
     for (let at = 0; at + 1 < edges.length; at++) {
@@ -107,12 +140,10 @@ function pieces(text, kind, marks) {
         const to = /** @type {number} */ (edges[at + 1]);
         while (next < spans.length && /** @type {{end: number}} */ (spans[next]).end <= from) next++;
         const span = spans[next];
-        const over = wrong.filter(({ start, end }) => start <= from && end >= to).map(({ severity }) => severity);
+        const over = marks.filter(({ start, end }) => start <= from && end >= to).map(({ severity }) => severity);
         const names = [span && span.start <= from ? `t-${span.tint}` : '', over.includes('error') ? 'wrong' : over.length > 0 ? 'doubtful' : ''].filter(Boolean);
         const piece = text.slice(from, to);
         nodes.push(names.length > 0 ? make('span', { class: names.join(' ') }, piece) : document.createTextNode(piece));
     }
-    // A line break at the end shows only when something follows it.
-    nodes.push(document.createTextNode('\u200b'));
     return nodes;
 }

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { linesOf } from '../../js/controls/editor.js';
 import { even, nearest } from '../../js/controls/slider.js';
 import { grouped, plain, readNumber, short, shortText, zoomText } from '../../js/numerals.js';
 import { tints } from '../../js/tint.js';
@@ -31,22 +32,39 @@ test('sliders find the nearest stop', () => {
     assert.equal(nearest([0, 1, 5, 10], 1e9), 3);
 });
 
-test('tints are in order, within the text, and never overlap', () => {
+test('tints are in order, within the line, and never overlap', () => {
     const roll = dice(11);
     for (let round = 0; round < 300; round++) {
-        const { rules } = randomState(roll);
-        for (const kind of /** @type {const} */ (['rules', 'axiom', 'overrides'])) {
-            let last = 0;
-            for (const { start, end } of tints(rules, kind)) {
-                assert.ok(start >= last && end > start && end <= rules.length);
-                last = end;
+        for (const line of randomState(roll).rules.split('\n')) {
+            for (const kind of /** @type {const} */ (['rules', 'axiom', 'overrides'])) {
+                let last = 0;
+                for (const { start, end } of tints(line, kind)) {
+                    assert.ok(start >= last && end > start && end <= line.length);
+                    last = end;
+                }
             }
         }
     }
 });
 
 test('tints tell the parts of a production', () => {
-    const text = '// a comment\nF -> F[+F] : 0.5';
-    const parts = tints(text, 'rules').map(({ start, end, tint }) => `${tint}:${text.slice(start, end).trim()}`);
-    assert.deepEqual(parts, ['comment:// a comment', 'name:F', 'arrow:->', 'bracket:[', 'turn:+', 'bracket:]', 'weight:: 0.5']);
+    /** @param {string} line */
+    const parts = (line) => tints(line, 'rules').map(({ start, end, tint }) => `${tint}:${line.slice(start, end).trim()}`);
+    assert.deepEqual(parts('// a comment'), ['comment:// a comment']);
+    assert.deepEqual(parts('F -> F[+F] : 0.5'), ['name:F', 'arrow:->', 'bracket:[', 'turn:+', 'bracket:]', 'weight:: 0.5']);
+});
+
+test('mistakes are cut at line ends, and one without width marks the symbol before it', () => {
+    /** @param {string} text @param {number} start @param {number} end */
+    const marked = (text, start, end) => linesOf(text, [{ field: 'rules', severity: 'error', message: '', hint: null, start, end }]).flatMap((line) => line.marks.map((mark) => line.text.slice(mark.start, mark.end)));
+    assert.deepEqual(marked('ab\ncd', 1, 4), ['b\n', 'c']);
+    assert.deepEqual(marked('ab\ncd', 5, 5), ['d']);
+    assert.deepEqual(marked('ab', 0, 0), ['a']);
+    assert.deepEqual(marked('', 0, 0), []);
+    assert.deepEqual(marked('ab', 7, 9), []);
+    const roll = dice(5);
+    for (let round = 0; round < 200; round++) {
+        const { rules } = randomState(roll);
+        assert.equal(linesOf(rules, []).map((line) => line.text).join(''), rules);
+    }
 });
