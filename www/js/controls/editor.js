@@ -93,9 +93,9 @@ export function listProblems(list, diagnostics, area) {
     );
 }
 
-/** What stands between backquotes is what one types. @param {string} words */
+/** What stands between backquotes is code; the backquotes stay, because some hints mean them. @param {string} words */
 function withCode(words) {
-    return words.split(/(`[^`]+`)/).map((part) => (part.length > 2 && part.startsWith('`') ? make('code', {}, part.slice(1, -1)) : part));
+    return words.split(/(`[^`]+`)/).map((part) => (part.length > 2 && part.startsWith('`') ? make('code', {}, part) : part));
 }
 
 /** @param {string} text @param {number} offset */
