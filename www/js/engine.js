@@ -4,6 +4,8 @@
  * the newest supersedes it. A worker that fails is replaced by a fresh one with the same state.
  */
 
+import { same } from './state.js';
+
 /** @typedef {import('./state.js').Definition} Definition */
 /** @typedef {import('./state.js').View} View */
 /** @typedef {'axiom' | 'rules' | 'overrides' | 'file' | 'numbers'} Field */
@@ -47,6 +49,7 @@
  * @typedef {object} Events
  * @property {(report: Report, id: number) => void} report
  * @property {(drawn: Drawn) => void} drawn
+ * @property {(busy: boolean) => void} busy whether a newer state is under way than the one shown
  * @property {(message: string, again: boolean) => void} failed `again` tells whether a fresh worker has taken over
  */
 
@@ -136,13 +139,20 @@ export function createEngine(urls, events) {
             worker.postMessage({ type: 'view', id: lookSent, ...look.canvas, view: look.view });
         }
         patience = window.setTimeout(goOn, PATIENCE);
+        events.busy(true);
     }
 
-    /** The state in flight is done with; the newest one may follow. */
+    /** The state in flight is done with, or the patience with it is at an end: the newest one may follow. */
     function goOn() {
         clearTimeout(patience);
         patience = 0;
         send();
+    }
+
+    /** The state in flight is shown, or cannot be. */
+    function settle() {
+        goOn();
+        if (!patience) events.busy(false);
     }
 
     /** @param {any} message */
@@ -151,15 +161,15 @@ export function createEngine(urls, events) {
         switch (message.type) {
             case 'report':
                 // What is wrong is not drawn.
-                if (message.id === defineSent && !message.report.ok) goOn();
+                if (message.id === defineSent && !message.report.ok) settle();
                 events.report(message.report, message.id);
                 break;
             case 'drawn': {
                 failures = 0;
                 const seen = views.get(message.viewId);
                 for (const id of views.keys()) if (id < message.viewId) views.delete(id);
-                if (message.id >= defineSent && message.viewId >= lookSent) goOn();
                 if (seen) events.drawn({ ...message, ...seen });
+                if (message.id >= defineSent && message.viewId >= lookSent) settle();
                 break;
             }
             case 'fatal':
@@ -214,7 +224,9 @@ export function createEngine(urls, events) {
 
         /** @param {Canvas} canvas @param {View} view */
         look(canvas, view) {
-            look = { canvas, view };
+            const next = { canvas, view };
+            if (same(look, next)) return;
+            look = next;
             lookWaits = true;
             send();
         },

@@ -24,7 +24,7 @@ import { theme, themeButton } from './theme.js';
 
 const link = readLink(location.hash);
 const store = createStore(link ? link.state : opening(theme()));
-const engine = createEngine({ worker: 'worker.js', wasm: 'lsystem.wasm' }, { report: reported, drawn: (drawn) => stage.drawn(drawn), failed });
+const engine = createEngine({ worker: 'worker.js', wasm: 'lsystem.wasm' }, { report: reported, drawn: (drawn) => stage.drawn(drawn), busy, failed });
 engine.define(definitionOf(store.state));
 const stage = createStage(store, engine);
 const rules = rulesPanel(store);
@@ -125,6 +125,11 @@ function reported(next) {
     setText(html('caption-text'), captionOf(store.state, next));
     html('drawing').setAttribute('aria-label', `Drawing: ${store.state.title || store.state.name || 'untitled system'}`);
     announce(next.empty ?? next.description);
+}
+
+/** @param {boolean} under whether a newer drawing is under way */
+function busy(under) {
+    html('stage').setAttribute('aria-busy', String(under));
 }
 
 /** @param {string} message @param {boolean} again */

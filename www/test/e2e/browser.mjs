@@ -115,7 +115,7 @@ export async function nextPicture(page, before) {
     return stillPicture(page);
 }
 
-/** Waits until the picture has stopped changing. @param {Page} page */
+/** Waits until nothing newer is under way and the picture has stopped changing. @param {Page} page */
 export async function stillPicture(page) {
     let last = await picture(page);
     let since = Date.now();
@@ -125,7 +125,8 @@ export async function stillPicture(page) {
             last = now;
             since = Date.now();
         }
-        return Date.now() - since > 250 ? now : null;
+        const busy = (await page.getAttribute('#stage', 'aria-busy')) === 'true';
+        return !busy && Date.now() - since > 150 ? now : null;
     }, 'the picture comes to rest');
 }
 
