@@ -113,8 +113,8 @@ impl Canvas {
         (x[0] <= x[1] && y[0] <= y[1]).then_some((x.map(|v| v as usize), y.map(|v| v as usize)))
     }
 
-    /// Paints a tile with its upper left corner at (`x`, `y`): in one ink, or in its own colours.
-    pub(super) fn stamp(&mut self, tile: &Bits<'_>, [x, y]: [i64; 2], ink: Option<u32>) {
+    /// Paints a tile with its upper left corner at (`x`, `y`), its shades in these colours.
+    pub(super) fn stamp(&mut self, tile: &Bits<'_>, [x, y]: [i64; 2], colours: &[u32]) {
         let above = (-y).clamp(0, tile.rows as i64) as usize;
         let below = (self.rows as i64 - y).clamp(0, tile.rows as i64) as usize;
         if above >= below {
@@ -124,9 +124,9 @@ impl Canvas {
         let shift = x.rem_euclid(STRIP as i64) as u32;
         for strip in 0..tile.strips {
             let left = x.div_euclid(STRIP as i64) + strip as i64;
-            self.stamp_strip(tile, strip, above..below, left, row, ink, |word| word << shift);
+            self.stamp_strip(tile, strip, above..below, left, row, colours, |word| word << shift);
             if shift > 0 {
-                self.stamp_strip(tile, strip, above..below, left + 1, row, ink, |word| word >> (64 - shift));
+                self.stamp_strip(tile, strip, above..below, left + 1, row, colours, |word| word >> (64 - shift));
             }
         }
     }
@@ -141,7 +141,7 @@ impl Canvas {
         rows: Range<usize>,
         to: i64,
         row: usize,
-        ink: Option<u32>,
+        colours: &[u32],
         moved: impl Fn(u64) -> u64,
     ) {
         let Some(to) = usize::try_from(to).ok().filter(|&to| to < self.strips) else { return };
@@ -153,15 +153,14 @@ impl Canvas {
         let covered = &mut self.covered[at..at + count];
         let bits = &tile.covered[source..source + count];
         let (size, tile_size) = (self.strips * self.rows, tile.strips * tile.rows);
-        for digit in 0..self.digits {
-            let digits = match ink {
-                Some(ink) if ink >> digit & 1 == 0 => continue,
-                Some(_) => bits,
-                None => &tile.colours[digit * tile_size + source..][..count],
-            };
-            let colours = &mut self.colours[digit * size + at..][..count];
-            for ((colour, covered), word) in colours.iter_mut().zip(&*covered).zip(digits) {
-                *colour |= moved(*word) & !covered;
+        for (shade, colour) in colours.iter().enumerate() {
+            let shaded =
+                if tile.shades.is_empty() { bits } else { &tile.shades[shade * tile_size + source..][..count] };
+            for digit in (0..self.digits).filter(|digit| colour >> digit & 1 != 0) {
+                let plane = &mut self.colours[digit * size + at..][..count];
+                for ((plane, covered), word) in plane.iter_mut().zip(&*covered).zip(shaded) {
+                    *plane |= moved(*word) & !covered;
+                }
             }
         }
         for (covered, word) in covered.iter_mut().zip(bits) {

@@ -1,139 +1,176 @@
-//! Which colours a block draws with, so that what has one colour is painted as such and no unused one costs anything.
+//! Which colours a block draws with, so that one picture of it serves whatever colour it is entered with.
 
-use super::pen::{Pen, colours};
 use crate::{Block, ColourBy, ColourChange, Drawing, Item, Style, StyleChange};
 
-/// The palette entries that a block draws with, as bit sets.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Inks {
-    /// Whatever the entry's.
-    fixed: u64,
-    /// When the entry's is 0; all move along with it.
-    moving: u64,
+/// A colour, as far as it is known inside a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Shade {
+    /// This palette entry.
+    Fixed(u32),
+    /// So many palette entries after the one at the block's entry.
+    Moving(u32),
 }
 
 /// How colours are chosen for a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Choice {
+pub(super) struct Choice {
     by: ColourBy,
-    /// Of the palette.
+    /// Of the palette; at least 1.
     colours: u32,
+}
+
+impl Choice {
+    /// More palette entries than a set can hold are not counted.
+    fn is_countable(self) -> bool {
+        self.colours <= u64::BITS
+    }
+
+    /// The shade after a change, from the entry's.
+    pub(super) fn shade(self, change: &StyleChange) -> Shade {
+        let wrapped = |index: i32| i64::from(index).rem_euclid(i64::from(self.colours.max(1))) as u32;
+        match (self.by, change.colour) {
+            (ColourBy::Single, _) => Shade::Moving(0),
+            (ColourBy::Level, _) => Shade::Moving(change.level % self.colours.max(1)),
+            (ColourBy::Symbol, ColourChange::Set(index)) => Shade::Fixed(wrapped(index)),
+            (ColourBy::Symbol, ColourChange::Add(count)) => Shade::Moving(wrapped(count)),
+        }
+    }
+
+    /// `first`, then `second`.
+    pub(super) fn then(self, first: Shade, second: Shade) -> Shade {
+        let sum = |a: u32, b: u32| if a + b >= self.colours { a + b - self.colours } else { a + b };
+        match (first, second) {
+            (_, Shade::Fixed(ink)) => Shade::Fixed(ink),
+            (Shade::Fixed(ink), Shade::Moving(by)) => Shade::Fixed(sum(ink, by)),
+            (Shade::Moving(a), Shade::Moving(b)) => Shade::Moving(sum(a, b)),
+        }
+    }
+}
+
+/// A set of shades. Their places in it, fixed ones first, are the numbers that a canvas knows them by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Inks {
+    fixed: u64,
+    moving: u64,
+}
+
+impl Inks {
+    pub(super) fn count(self) -> u32 {
+        self.fixed.count_ones() + self.moving.count_ones()
+    }
+
+    fn insert(&mut self, shade: Shade) {
+        match shade {
+            Shade::Fixed(ink) => self.fixed |= 1 << ink,
+            Shade::Moving(by) => self.moving |= 1 << by,
+        }
+    }
+
+    fn number(self, shade: Shade) -> u32 {
+        let before = |bits: u64, index: u32| (bits & !(u64::MAX << index)).count_ones();
+        match shade {
+            Shade::Fixed(ink) => before(self.fixed, ink),
+            Shade::Moving(by) => self.fixed.count_ones() + before(self.moving, by),
+        }
+    }
+
+    pub(super) fn shades(self) -> impl Iterator<Item = Shade> {
+        let fixed = (0..u64::BITS).filter(move |ink| self.fixed >> ink & 1 != 0).map(Shade::Fixed);
+        fixed.chain((0..u64::BITS).filter(move |by| self.moving >> by & 1 != 0).map(Shade::Moving))
+    }
+}
+
+/// Binary digits of the numbers below `count`.
+pub(super) fn digits(count: u32) -> usize {
+    (u32::BITS - count.saturating_sub(1).leading_zeros()) as usize
 }
 
 /// The colours of all blocks of a drawing.
 #[derive(Debug, Default)]
 pub(super) struct InkTable {
-    choice: Option<Choice>,
+    pub choice: Choice,
+    ready: bool,
     blocks: Vec<Inks>,
-    /// The palette entries in use; their places are the numbers that canvases know them by.
+    /// The palette entries of the picture, by number.
     used: Vec<u32>,
-    /// By palette entry: its number.
-    numbers: Vec<u32>,
+    /// The colours of the picture.
+    pub picture: Inks,
 }
 
 impl InkTable {
     /// Forgets the drawing there was.
     pub(super) fn clear(&mut self) {
-        self.choice = None;
+        self.ready = false;
     }
 
     /// Makes the table for a drawing, unless it is the one already there. Returns whether anything changed.
     pub(super) fn prepare(&mut self, drawing: &Drawing, style: &Style) -> bool {
-        let choice = Choice { by: style.colour_by, colours: colours(style) };
-        if self.choice == Some(choice) {
+        let colours = match style.colour_by {
+            ColourBy::Single => 1,
+            ColourBy::Symbol | ColourBy::Level => u32::try_from(style.palette.len()).unwrap_or(u32::MAX / 2).max(1),
+        };
+        let choice = Choice { by: style.colour_by, colours };
+        if self.ready && self.choice == choice {
             return false;
         }
-        self.choice = Some(choice);
+        (self.ready, self.choice) = (true, choice);
         self.blocks.clear();
+        self.picture = Inks::default();
+        if !choice.is_countable() {
+            self.used = (0..colours).collect();
+            return true;
+        }
         for block in &drawing.blocks {
-            let inks = choice.of_block(drawing, block, &self.blocks);
+            let inks = of_block(choice, drawing, block, &self.blocks);
             self.blocks.push(inks);
         }
-        let root = drawing.root.and_then(|id| self.blocks.get(id.0 as usize)).copied().unwrap_or_default();
-        let bits = root.fixed | root.moving;
-        self.used = if choice.countable() {
-            (0..choice.colours).filter(|ink| bits >> ink & 1 != 0).collect()
-        } else {
-            (0..choice.colours).collect()
-        };
-        self.numbers = vec![0; choice.colours as usize];
-        for (number, &ink) in self.used.iter().enumerate() {
-            self.numbers[ink as usize] = number as u32;
+        if let Some(root) = drawing.root {
+            for shade in self.blocks[root.0 as usize].shades() {
+                self.picture.insert(choice.then(Shade::Fixed(0), shade));
+            }
         }
+        self.used = (0..colours).filter(|ink| self.picture.fixed >> ink & 1 != 0).collect();
         true
     }
 
-    /// The palette entries in use, by number.
+    /// The palette entries of the picture, by number.
     pub(super) fn used(&self) -> &[u32] {
         &self.used
     }
 
-    /// How many binary digits a number has.
-    pub(super) fn digits(&self) -> usize {
-        (u32::BITS - (self.used.len() as u32).saturating_sub(1).leading_zeros()) as usize
+    /// The shades in a block, or `None` if there are too many to count.
+    pub(super) fn of(&self, block: usize) -> Option<Inks> {
+        self.blocks.get(block).copied()
     }
 
-    /// The number of the colour that this pen draws with.
-    pub(super) fn number(&self, pen: Pen) -> u32 {
-        let Some(choice) = self.choice else { return 0 };
-        self.numbers.get(choice.ink(pen) as usize).copied().unwrap_or_default()
-    }
-
-    /// The number of the only colour of a block, if it has only one.
-    pub(super) fn only(&self, block: usize, pen: Pen) -> Option<u32> {
-        let choice = self.choice?;
-        let inks = self.blocks.get(block)?;
-        if self.used.len() <= 1 {
-            return Some(0);
+    /// The number of a shade on a canvas with these inks.
+    pub(super) fn number(&self, inks: Inks, shade: Shade) -> u32 {
+        match shade {
+            Shade::Fixed(ink) if !self.choice.is_countable() => ink,
+            _ => inks.number(shade),
         }
-        let bits = inks.fixed | choice.turned(inks.moving, choice.ink(pen));
-        (choice.countable() && bits.count_ones() == 1).then(|| self.numbers[bits.trailing_zeros() as usize])
-    }
-
-    /// What the colours of a block depend on: the palette entry of the pen at its entry, or nothing.
-    pub(super) fn entry(&self, block: usize, pen: Pen) -> Option<u32> {
-        let choice = self.choice?;
-        (!choice.countable() || self.blocks.get(block)?.moving != 0).then(|| choice.ink(pen))
     }
 }
 
-impl Choice {
-    /// Whether a set of palette entries fits a word.
-    fn countable(self) -> bool {
-        self.colours <= u64::BITS
-    }
-
-    /// The palette entry that this pen draws with.
-    fn ink(self, pen: Pen) -> u32 {
-        pen.ink(self.colours, self.by)
-    }
-
-    /// A set of palette entries, each moved on by `count`.
-    fn turned(self, bits: u64, count: u32) -> u64 {
-        let all = u64::MAX >> (u64::BITS - self.colours.clamp(1, u64::BITS));
-        if count == 0 { bits } else { (bits << count | bits >> (self.colours - count)) & all }
-    }
-
-    fn of_block(self, drawing: &Drawing, block: &Block, blocks: &[Inks]) -> Inks {
-        let mut inks = Inks::default();
-        if !self.countable() {
-            return inks;
+fn of_block(choice: Choice, drawing: &Drawing, block: &Block, blocks: &[Inks]) -> Inks {
+    let mut inks = Inks::default();
+    let mut last = None;
+    for item in &drawing.items[block.items.start as usize..block.items.end as usize] {
+        let (style, inner) = match item {
+            Item::Stroke(stroke) => (stroke.style, None),
+            Item::Block(placed) => (placed.style, Some(placed.block)),
+        };
+        // Long runs of strokes in one style are common.
+        if core::mem::replace(&mut last, Some((style, inner))) == Some((style, inner)) {
+            continue;
         }
-        for item in &drawing.items[block.items.start as usize..block.items.end as usize] {
-            let (style, inner) = match item {
-                Item::Stroke(stroke) => (stroke.style, Inks { fixed: 0, moving: 1 }),
-                Item::Block(placed) => (placed.style, blocks[placed.block.0 as usize]),
-            };
-            let change: &StyleChange = &drawing.styles[style.0 as usize];
-            let entry = self.ink(Pen { colour: change.colour.of(0), width: 0.0, level: change.level });
-            let moved = self.turned(inner.moving, entry);
-            inks.fixed |= inner.fixed;
-            if self.by == ColourBy::Symbol && matches!(change.colour, ColourChange::Set(_)) {
-                inks.fixed |= moved;
-            } else {
-                inks.moving |= moved;
+        let entry = choice.shade(&drawing.styles[style.0 as usize]);
+        match inner {
+            None => inks.insert(entry),
+            Some(block) => {
+                blocks[block.0 as usize].shades().for_each(|shade| inks.insert(choice.then(entry, shade)));
             }
         }
-        inks
     }
+    inks
 }

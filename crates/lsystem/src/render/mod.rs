@@ -6,7 +6,6 @@
 
 mod canvas;
 mod inks;
-mod pen;
 mod resolve;
 mod shape;
 mod stroke;

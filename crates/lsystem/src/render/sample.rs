@@ -1,9 +1,8 @@
 //! Drawings and a brute-force picture for the tests of this module.
 
-use super::pen::Pen;
 use super::view::{Camera, SAMPLES};
 use super::{View, Viewport};
-use crate::{BlockId, Definition, Dialect, Drawing, Item, Limits, Style, System, draw};
+use crate::{BlockId, ColourBy, Definition, Dialect, Drawing, Item, Limits, Style, StyleChange, System, draw};
 
 /// A system to be drawn at several n.
 #[derive(Clone, Debug)]
@@ -33,13 +32,38 @@ impl Sample {
     }
 }
 
+/// The turtle's colour index, branch level and width in steps.
+#[derive(Clone, Copy)]
+struct Pen {
+    colour: i32,
+    level: u32,
+    width: f64,
+}
+
+impl Pen {
+    fn after(self, change: &StyleChange) -> Self {
+        Self {
+            colour: change.colour.of(self.colour),
+            level: self.level + change.level,
+            width: change.width.of(self.width),
+        }
+    }
+
+    fn ink(self, style: &Style) -> usize {
+        match style.colour_by {
+            ColourBy::Single => 0,
+            ColourBy::Symbol => (self.colour as isize).rem_euclid(style.palette.len() as isize) as usize,
+            ColourBy::Level => self.level as usize % style.palette.len(),
+        }
+    }
+}
+
 /// The picture by definition: every segment in drawing order, every subsample by its distance.
 pub(super) fn brute_force(drawing: &Drawing, style: &Style, viewport: Viewport, view: View) -> Vec<u8> {
     let camera = Camera::new(drawing, viewport, view);
     let (width, height) = (viewport.width as i64 * 4, viewport.height as i64 * 4);
     let mut inks = vec![None; (width * height) as usize];
     let hairline = (style.min_width * viewport.ratio).max(1.0) * SAMPLES / 2.0;
-    let colours = style.palette.len() as u32;
     // Complex numbers: multiply by the turn and scale, then add.
     type Place = ([f64; 2], [f64; 2]);
     fn at((origin, turn): Place, p: [f64; 2]) -> [f64; 2] {
@@ -84,7 +108,7 @@ pub(super) fn brute_force(drawing: &Drawing, style: &Style, viewport: Viewport, 
                 let t = if norm > 0.0 { ((px * dx + py * dy) / norm).clamp(0.0, 1.0) } else { 0.0 };
                 let (qx, qy) = (px - t * dx, py - t * dy);
                 if qx * qx + qy * qy <= r * r {
-                    inks[(row * width + column) as usize] = Some(pen.ink(colours, style.colour_by));
+                    inks[(row * width + column) as usize] = Some(pen.ink(style));
                 }
             }
         }
@@ -95,7 +119,7 @@ pub(super) fn brute_force(drawing: &Drawing, style: &Style, viewport: Viewport, 
             let mut sum = [0.0; 3];
             for (sy, sx) in (0..4).flat_map(|sy| (0..4).map(move |sx| (sy, sx))) {
                 let ink = inks[((y * 4 + sy) * width + x * 4 + sx) as usize];
-                let colour = ink.map_or(style.background, |ink| style.palette[ink as usize]);
+                let colour = ink.map_or(style.background, |ink| style.palette[ink]);
                 for (sum, value) in sum.iter_mut().zip(colour.rgb) {
                     *sum += f64::from(value) / 16.0;
                 }

@@ -11,6 +11,8 @@ pub(super) struct Shape {
     pub half: [f64; 2],
     /// What it covers, where that is one straight line without gaps, in one style.
     pub line: Option<Line>,
+    /// The style of the last of its strokes, relative to its entry.
+    pub last: StyleChange,
     /// How many strokes and lines it takes to draw it, at most.
     pub strokes: u32,
 }
@@ -33,7 +35,8 @@ pub(super) fn shapes(drawing: &Drawing) -> Vec<Shape> {
     for block in &drawing.blocks {
         let [centre, half] = bounds(drawing, block);
         let (line, strokes) = contents(drawing, block, &shapes);
-        shapes.push(Shape { centre, half, line, strokes });
+        let last = last_style(drawing, block, &shapes);
+        shapes.push(Shape { centre, half, line, last, strokes });
     }
     shapes
 }
@@ -88,6 +91,18 @@ fn contents(drawing: &Drawing, block: &Block, shapes: &[Shape]) -> (Option<Line>
         }
     }
     (joined, if joined.is_some() { 1 } else { strokes })
+}
+
+fn last_style(drawing: &Drawing, block: &Block, shapes: &[Shape]) -> StyleChange {
+    let items = &drawing.items[block.items.start as usize..block.items.end as usize];
+    let last = items.iter().rev().find_map(|item| match item {
+        Item::Stroke(stroke) => Some(drawing.styles[stroke.style.0 as usize]),
+        Item::Block(placed) => {
+            let child = &shapes[placed.block.0 as usize];
+            (child.strokes > 0).then(|| drawing.styles[placed.style.0 as usize].then(&child.last))
+        }
+    });
+    last.unwrap_or(StyleChange::NONE)
 }
 
 /// Two lines as one, where together they are one.

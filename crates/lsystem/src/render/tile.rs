@@ -1,7 +1,7 @@
 //! Small pictures of blocks, made once and stamped wherever the block recurs.
 //!
 //! A tile is what a block covers at one size and heading, with its origin at one of a few places between two
-//! subsamples. It holds coverage alone where the block has one colour throughout, so that one tile serves them all.
+//! subsamples. Colours are kept apart by shade, relative to the colour at entry, so that one tile serves them all.
 
 use super::canvas::Canvas;
 use crate::{BlockId, Heading};
@@ -19,8 +19,10 @@ const FEW: [u32; 3] = [16, 12, 8];
 const SOME: [u32; 3] = [160, 80, 8];
 /// How many strokes are few for a picture.
 const SIMPLE: u64 = 30_000;
-/// Words kept; when more are needed, all tiles are dropped and made again as needed.
-const WORDS: usize = 1 << 20;
+/// Words in a chunk of memory; no tile needs more.
+const CHUNK: usize = 1 << 16;
+/// Chunks kept; when more are needed, all tiles are dropped and made again as needed.
+const CHUNKS: usize = 24;
 
 /// The number of sizes.
 pub(super) const SIZES: usize = EXTENTS.len();
@@ -40,8 +42,6 @@ pub(super) struct Key {
     pub scale: u64,
     /// Where its origin is between two subsamples, in steps.
     pub offset: [u8; 2],
-    /// The colour at entry, where colours vary inside.
-    pub ink: Option<u32>,
     /// The bits of the width at entry, where a stroke inside may be wider than a hairline.
     pub width: Option<u64>,
 }
@@ -66,10 +66,12 @@ pub(super) fn snap(at: [f64; 2], size: usize) -> Snapped {
 /// Where a tile's bits are, and where they go.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tile {
+    chunk: usize,
     first: usize,
     pub strips: usize,
     pub rows: usize,
-    pub digits: usize,
+    /// How many shades it has.
+    shades: usize,
     /// From the lattice cell of the block's origin to the upper left corner.
     pub corner: [i64; 2],
 }
@@ -78,21 +80,31 @@ pub(super) struct Tile {
 pub(super) struct Bits<'a> {
     pub strips: usize,
     pub rows: usize,
+    /// By strip, then row.
     pub covered: &'a [u64],
-    pub colours: &'a [u64],
+    /// By shade, then strip, then row, where there are several shades: what of it is covered in each.
+    pub shades: &'a [u64],
 }
 
 /// The tiles made so far.
 #[derive(Default)]
 pub(super) struct Tiles {
     places: HashMap<Key, Tile, BuildHasherDefault<Mixer>>,
-    words: Vec<u64>,
+    chunks: Vec<Vec<u64>>,
+    /// The chunk in use.
+    chunk: usize,
 }
 
 impl Tiles {
     pub(super) fn clear(&mut self) {
         self.places.clear();
-        self.words.clear();
+        self.chunks.iter_mut().for_each(Vec::clear);
+        self.chunk = 0;
+    }
+
+    /// Whether a tile of this size, in subsamples, can be kept.
+    pub(super) fn fits([width, height]: [usize; 2], shades: usize) -> bool {
+        width.div_ceil(u64::BITS as usize) * height * (1 + shades) <= CHUNK
     }
 
     pub(super) fn get(&self, key: &Key) -> Option<Tile> {
@@ -101,20 +113,41 @@ impl Tiles {
 
     pub(super) fn bits(&self, tile: &Tile) -> Bits<'_> {
         let size = tile.strips * tile.rows;
-        let (covered, rest) = self.words[tile.first..].split_at(size);
-        Bits { strips: tile.strips, rows: tile.rows, covered, colours: &rest[..size * tile.digits] }
+        let (covered, shades) = self.chunks[tile.chunk][tile.first..].split_at(size);
+        let shades = if tile.shades > 1 { &shades[..size * tile.shades] } else { &[] };
+        Bits { strips: tile.strips, rows: tile.rows, covered, shades }
     }
 
-    /// Keeps what is on `canvas`.
-    pub(super) fn insert(&mut self, key: Key, canvas: &Canvas, corner: [i64; 2]) -> Tile {
-        let size = canvas.covered.len() + canvas.colours.len();
-        if self.words.len() + size > WORDS {
+    /// Keeps what is on `canvas`, which [fits](Self::fits) and has so many shades.
+    pub(super) fn insert(&mut self, key: Key, canvas: &Canvas, shades: usize, corner: [i64; 2]) -> Tile {
+        let size = canvas.covered.len();
+        let needed = size * (1 + shades);
+        if self.chunks.get(self.chunk).is_some_and(|words| words.len() + needed > CHUNK) {
+            self.chunk += 1;
+        }
+        if self.chunk == CHUNKS {
             self.clear();
         }
-        let first = self.words.len();
-        self.words.extend_from_slice(&canvas.covered);
-        self.words.extend_from_slice(&canvas.colours);
-        let tile = Tile { first, strips: canvas.strips, rows: canvas.rows, digits: canvas.digits, corner };
+        if self.chunk == self.chunks.len() {
+            self.chunks.push(Vec::with_capacity(CHUNK));
+        }
+        let words = &mut self.chunks[self.chunk];
+        let first = words.len();
+        words.extend_from_slice(&canvas.covered);
+        if shades > 1 {
+            for shade in 0..shades {
+                let start = words.len();
+                words.extend_from_slice(&canvas.covered);
+                for (digit, plane) in canvas.colours.chunks_exact(size).enumerate() {
+                    let flip = if shade >> digit & 1 != 0 { 0 } else { u64::MAX };
+                    for (word, digit) in words[start..].iter_mut().zip(plane) {
+                        *word &= digit ^ flip;
+                    }
+                }
+            }
+        }
+        let (strips, rows) = (canvas.strips, canvas.rows);
+        let tile = Tile { chunk: self.chunk, first, strips, rows, shades, corner };
         self.places.insert(key, tile);
         tile
     }

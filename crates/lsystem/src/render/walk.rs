@@ -2,14 +2,13 @@
 
 use super::RenderStats;
 use super::canvas::Canvas;
-use super::inks::InkTable;
-use super::pen::Pen;
+use super::inks::{self, Choice, InkTable, Inks, Shade};
 use super::shape::Shape;
 use super::stroke::Capsule;
 use super::tile::{self, Key, Mixer, Tile, Tiles};
 use super::turns::Turns;
 use super::view::{Camera, SAMPLES, View, Viewport};
-use crate::{BlockId, Drawing, Heading, Item, Progress, Style};
+use crate::{BlockId, Drawing, Heading, Item, Progress, Style, StyleChange};
 use core::hash::{Hash, Hasher};
 
 /// The largest extent, in subsamples, at which a block is painted as a line.
@@ -33,6 +32,21 @@ pub(super) struct Look {
 impl Look {
     fn radius(&self, width: f64) -> f64 {
         (width * self.step / 2.0).max(self.hairline)
+    }
+}
+
+/// What the turtle carries apart from its position.
+#[derive(Clone, Copy, Debug)]
+struct Pen {
+    /// Relative to what is painted on the canvas: the whole drawing, or a tile's block.
+    shade: Shade,
+    /// In step lengths.
+    width: f64,
+}
+
+impl Pen {
+    fn after(self, choice: Choice, change: &StyleChange) -> Self {
+        Self { shade: choice.then(self.shade, choice.shade(change)), width: change.width.of(self.width) }
     }
 }
 
@@ -74,6 +88,8 @@ struct Making {
     /// The stack's height before.
     height: usize,
     size: usize,
+    /// The shades of its block.
+    inks: Inks,
     /// From the cell of the origin to the tile's upper left corner.
     corner: [i64; 2],
     target: Target,
@@ -85,8 +101,8 @@ struct Target {
     canvas: usize,
     /// The cell of the origin.
     cell: [i64; 2],
-    /// The colour, where the tile has only one.
-    ink: Option<u32>,
+    /// The shade at the block's entry.
+    shade: Shade,
 }
 
 /// What has been painted already: overlapping branches often repeat each other exactly.
@@ -116,8 +132,7 @@ impl Seen {
         for value in node.place.origin {
             mixer.write_u64((value * 64.0).round() as i64 as u64);
         }
-        mixer.write_u32(node.pen.colour as u32);
-        mixer.write_u32(node.pen.level);
+        node.pen.shade.hash(&mut mixer);
         let hash = mixer.finish() | 1;
         core::mem::replace(&mut self.slots[(hash >> 20) as usize % SEEN], hash) != hash
     }
@@ -133,6 +148,8 @@ pub(super) struct Walk {
     inks: InkTable,
     /// The picture, then a canvas for each size of tile.
     canvases: [Canvas; 1 + tile::SIZES],
+    /// By canvas: the shades on it.
+    colours: [Inks; 1 + tile::SIZES],
     tiles: Tiles,
     turns: Turns,
     stack: Vec<Node>,
@@ -165,7 +182,8 @@ impl Walk {
             self.tiles.clear();
         }
         let [width, height] = [viewport.width, viewport.height].map(|side| side as usize * SAMPLES as usize);
-        self.canvases[0].reset(width, height, self.inks.digits());
+        self.canvases[0].reset(width, height, inks::digits(self.inks.used().len() as u32));
+        self.colours[0] = self.inks.picture;
         let Some((root, block)) = drawing.root.and_then(|id| Some((id, drawing.blocks.get(id.0 as usize)?))) else {
             return;
         };
@@ -176,7 +194,7 @@ impl Walk {
             cos: camera.scale,
             sin: 0.0,
         };
-        let pen = Pen { colour: 0, width: drawing.width, level: 0 };
+        let pen = Pen { shade: Shade::Fixed(0), width: drawing.width };
         self.stack.push(Node { block: root, cursor: block.items.end, canvas: 0, place, pen });
     }
 
@@ -192,9 +210,10 @@ impl Walk {
     pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], left: &mut i64) -> Progress {
         while *left > 0 {
             if let Some(making) = self.making.pop_if(|making| making.height == self.stack.len()) {
-                let tile = self.tiles.insert(making.key, &self.canvases[1 + making.size], making.corner);
+                let shades = making.inks.count() as usize;
+                let tile = self.tiles.insert(making.key, &self.canvases[1 + making.size], shades, making.corner);
                 self.stats.tiles += 1;
-                *left -= self.stamp(&tile, making.target);
+                *left -= self.stamp(&tile, making.inks, making.target);
                 continue;
             }
             let Some(node) = self.stack.last_mut() else { return Progress::Done };
@@ -207,7 +226,7 @@ impl Walk {
             *left -= 1;
             match &drawing.items[node.cursor as usize] {
                 Item::Stroke(stroke) => {
-                    let pen = node.pen.after(&drawing.styles[stroke.style.0 as usize]);
+                    let pen = node.pen.after(self.inks.choice, &drawing.styles[stroke.style.0 as usize]);
                     let ends = [stroke.from, stroke.to].map(|p| node.place.point(p));
                     *left -= self.stroke(node.canvas, ends, pen);
                 }
@@ -217,7 +236,7 @@ impl Walk {
                     let scale = node.place.scale * placed.scale;
                     let [c, s] = self.turns.cos_sin(heading);
                     let place = Place { origin, scale, heading, cos: scale * c, sin: scale * s };
-                    let pen = node.pen.after(&drawing.styles[placed.style.0 as usize]);
+                    let pen = node.pen.after(self.inks.choice, &drawing.styles[placed.style.0 as usize]);
                     let shape = &shapes[placed.block.0 as usize];
                     let child = Node { block: placed.block, cursor: 0, canvas: node.canvas, place, pen };
                     *left -= self.block(drawing, shape, child);
@@ -230,13 +249,21 @@ impl Walk {
     fn stroke(&mut self, canvas: usize, [from, to]: [[f64; 2]; 2], pen: Pen) -> i64 {
         self.stats.strokes += 1;
         let capsule = Capsule { from, to, radius: self.look.radius(pen.width) };
-        capsule.paint(&mut self.canvases[canvas], self.inks.number(pen)) as i64 / 4
+        let colour = self.inks.number(self.colours[canvas], pen.shade);
+        capsule.paint(&mut self.canvases[canvas], colour) as i64 / 4
     }
 
-    fn stamp(&mut self, tile: &Tile, target: Target) -> i64 {
+    /// Stamps a tile whose block has these shades.
+    fn stamp(&mut self, tile: &Tile, inks: Inks, target: Target) -> i64 {
         self.stats.stamps += 1;
         let at = [0, 1].map(|axis| target.cell[axis] + tile.corner[axis]);
-        self.canvases[target.canvas].stamp(&self.tiles.bits(tile), at, target.ink);
+        let mut colours = [0; 2 * u64::BITS as usize];
+        let count = inks.count() as usize;
+        for (colour, shade) in colours.iter_mut().zip(inks.shades()) {
+            let shade = self.inks.choice.then(target.shade, shade);
+            *colour = self.inks.number(self.colours[target.canvas], shade);
+        }
+        self.canvases[target.canvas].stamp(&self.tiles.bits(tile), at, &colours[..count]);
         (tile.strips * tile.rows) as i64 / 32
     }
 
@@ -266,42 +293,45 @@ impl Walk {
             && extent < LONG
         {
             let ends = [line.from, line.to].map(|p| place.point(p));
-            return self.stroke(node.canvas, ends, node.pen.after(&line.style));
+            return self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &line.style));
         }
         if extent <= TINY {
             let along = if shape.half[0] >= shape.half[1] { [shape.half[0], 0.0] } else { [0.0, shape.half[1]] };
             let ends = [-1.0, 1.0]
                 .map(|sign| place.point([shape.centre[0] + sign * along[0], shape.centre[1] + sign * along[1]]));
-            return self.stroke(node.canvas, ends, node.pen);
+            return self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &shape.last));
         }
         node.cursor = block.items.end;
         if let Some(size) = tile::size(extent, shape.strokes, self.stats.strokes)
             && size + 1 > node.canvas
             && radius <= BROAD
             && drawing.memoised
+            && let Some(inks) = self.inks.of(node.block.0 as usize)
         {
-            let ink = self.inks.only(node.block.0 as usize, node.pen);
             let snapped = tile::snap(place.origin, size);
             let key = Key {
                 block: node.block,
                 heading: place.heading,
                 scale: place.scale.to_bits(),
                 offset: snapped.offset,
-                ink: if ink.is_some() { None } else { self.inks.entry(node.block.0 as usize, node.pen) },
                 width: (radius > self.look.hairline).then_some(node.pen.width.to_bits()),
             };
-            let target = Target { canvas: node.canvas, cell: snapped.cell, ink };
+            let target = Target { canvas: node.canvas, cell: snapped.cell, shade: node.pen.shade };
             if let Some(tile) = self.tiles.get(&key) {
-                return self.stamp(&tile, target);
+                return self.stamp(&tile, inks, target);
             }
             let from_origin = [0, 1].map(|axis| centre[axis] - place.origin[axis] + snapped.rest[axis]);
             let corner = [0, 1].map(|axis| (from_origin[axis] - reach[axis]).floor() as i64);
             let far = [0, 1].map(|axis| (from_origin[axis] + reach[axis]).ceil() as i64 - corner[axis]);
-            let digits = if ink.is_some() { 0 } else { self.inks.digits() };
-            self.canvases[1 + size].reset(far[0] as usize, far[1] as usize, digits);
-            node.place.origin = [0, 1].map(|axis| snapped.rest[axis] - corner[axis] as f64);
-            node.canvas = 1 + size;
-            self.making.push(Making { key, height: self.stack.len(), size, corner, target });
+            let far = far.map(|side| side.max(1) as usize);
+            if Tiles::fits(far, inks.count() as usize) {
+                self.canvases[1 + size].reset(far[0], far[1], inks::digits(inks.count()));
+                node.place.origin = [0, 1].map(|axis| snapped.rest[axis] - corner[axis] as f64);
+                node.canvas = 1 + size;
+                node.pen.shade = Shade::Moving(0);
+                self.colours[1 + size] = inks;
+                self.making.push(Making { key, height: self.stack.len(), size, inks, corner, target });
+            }
         }
         self.stats.blocks += 1;
         self.stack.push(node);
