@@ -147,6 +147,9 @@ impl Canvas {
         let Some(to) = usize::try_from(to).ok().filter(|&to| to < self.strips) else { return };
         let count = rows.len();
         let cells = self.cells;
+        if self.is_closed(to, [row / CELL, (row + count - 1) / CELL]) {
+            return;
+        }
         self.touched[to * cells + row / CELL..=to * cells + (row + count - 1) / CELL].fill(true);
         let at = to * self.rows + row;
         let source = from * tile.rows + rows.start;
@@ -168,14 +171,56 @@ impl Canvas {
         }
     }
 
+    /// Whether these cells of a strip, ends included, are known to be covered throughout.
+    #[inline]
+    fn is_closed(&self, strip: usize, cells: [usize; 2]) -> bool {
+        let words = self.cells.div_ceil(CELLS);
+        (cells[0] / CELLS..=cells[1] / CELLS).all(|word| self.open[strip * words + word] & columns(word, cells) == 0)
+    }
+
+    /// Paints a shape row by row. `sides` gives the first and the last column in each of `rows`, which are asked for
+    /// one after the other, and `bounds` the first and the last column that the shape reaches in some of them.
+    #[inline]
+    pub(super) fn fill(
+        &mut self,
+        rows: Range<usize>,
+        colour: u32,
+        bounds: impl Fn(Range<usize>) -> [i64; 2],
+        mut sides: impl FnMut(usize) -> [i64; 2],
+    ) {
+        let right = (self.strips * STRIP) as i64 - 1;
+        let mut row = rows.start;
+        while row < rows.end {
+            let cell = row / CELL;
+            let end = rows.end.min((cell + 1) * CELL);
+            let reach = bounds(row..end);
+            let reach = [reach[0].max(0), reach[1].min(right)];
+            let mut closed = true;
+            if reach[0] <= reach[1] {
+                for strip in reach[0] as usize / STRIP..=reach[1] as usize / STRIP {
+                    if !self.is_closed(strip, [cell, cell]) {
+                        closed = false;
+                        self.touched[strip * self.cells + cell] = true;
+                    }
+                }
+            }
+            for row in row..end {
+                let [first, last] = sides(row);
+                let (first, last) = (first.max(0), last.min(right));
+                if first <= last && !closed {
+                    self.span(row, first as usize, last as usize, colour);
+                }
+            }
+            row = end;
+        }
+    }
+
     /// Paints columns `first..=last` of a row, which lie on the canvas.
     #[inline]
-    pub(super) fn span(&mut self, row: usize, first: usize, last: usize, colour: u32) {
+    fn span(&mut self, row: usize, first: usize, last: usize, colour: u32) {
         for strip in first / STRIP..=last / STRIP {
             let bits = columns(strip, [first, last]);
             let at = strip * self.rows + row;
-            let cell = strip * self.cells + row / CELL;
-            self.touched[cell] = true;
             let before = self.covered[at];
             self.covered[at] = before | bits;
             let mut digits = colour;

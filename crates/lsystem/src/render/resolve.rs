@@ -116,27 +116,29 @@ impl Output {
 
     /// A row of pixels in a cell where colours meet.
     fn mixed(&mut self, frame: &Canvas, at: usize, covered: [u64; 4], pixels: Range<usize>) {
-        let mut sums = [[0_u32; 3]; SIDE];
+        // Sixteenths of the channels, 16 bits each: at most 16 * 255.
+        let mut sums = [0x0008_0008_0008_u64; SIDE];
+        let mut add = |words: [u64; 4], [r, g, b]: [u32; 3]| {
+            let colour = u64::from(r) | u64::from(g) << 16 | u64::from(b) << 32;
+            let Counts { mut even, mut odd } = counts(words);
+            for [first, second] in sums.as_chunks_mut().0 {
+                *first += (even & 31) * colour;
+                *second += (odd & 31) * colour;
+                (even, odd) = (even >> 8, odd >> 8);
+            }
+        };
+        add(covered.map(|word| !word), self.background);
         let mut rest = covered;
         while rest != [0; 4] {
             let (ink, same) = first_ink(frame, at, rest);
-            let (colour, counts) = (self.palette[ink.min(self.palette.len() - 1)], counts(same));
-            for (x, sum) in sums.iter_mut().enumerate() {
-                let count = counts.of(x) as u32;
-                for (sum, value) in sum.iter_mut().zip(colour) {
-                    *sum += count * value;
-                }
-            }
+            add(same, self.palette[ink.min(self.palette.len() - 1)]);
             for (rest, same) in rest.iter_mut().zip(same) {
                 *rest &= !same;
             }
         }
-        let bare = counts(covered.map(|word| !word));
         let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
-        for (x, (pixel, sum)) in out.iter_mut().zip(sums).enumerate() {
-            for channel in 0..3 {
-                pixel[channel] = ((sum[channel] + bare.of(x) as u32 * self.background[channel] + 8) / 16) as u8;
-            }
+        for (pixel, sum) in out.iter_mut().zip(sums) {
+            *pixel = [(sum >> 4) as u8, (sum >> 20) as u8, (sum >> 36) as u8, u8::MAX];
         }
     }
 }
@@ -168,14 +170,6 @@ fn first_ink(frame: &Canvas, at: usize, rest: [u64; 4]) -> (usize, [u64; 4]) {
 struct Counts {
     even: u64,
     odd: u64,
-}
-
-impl Counts {
-    /// Of the pixel at `x`: 0 to 16.
-    fn of(&self, x: usize) -> usize {
-        let bytes = if x.is_multiple_of(2) { self.even } else { self.odd };
-        (bytes >> (x / 2 * 8) & 31) as usize
-    }
 }
 
 fn counts(words: [u64; 4]) -> Counts {

@@ -1,6 +1,7 @@
 //! A stroke with round caps, row by row.
 
 use super::canvas::Canvas;
+use core::ops::Range;
 
 /// A segment on the subsample lattice, y down, and half its width.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,21 +62,36 @@ impl Capsule {
     /// Paints every subsample whose centre is within the radius of the segment. Returns how many rows it took.
     pub(super) fn paint(&self, canvas: &mut Canvas, colour: u32) -> usize {
         let radius = self.radius;
-        let (width, height) = ((canvas.strips * 64) as i64, canvas.rows as i64);
-        let Some((ends, direction)) = self.clipped([width as f64, height as f64]) else { return 0 };
+        let height = canvas.rows as i64;
+        let size = [(canvas.strips * 64) as f64, height as f64];
+        let Some((ends, direction)) = self.clipped(size) else { return 0 };
         let first = ((ends[0][1] - radius - 0.5).ceil() as i64).max(0);
         let last = ((ends[1][1] + radius - 0.5).floor() as i64).min(height - 1);
         let mut left = Side::new(-1.0, ends, direction, radius, first);
         let mut right = Side::new(1.0, ends, direction, radius, first);
-        for row in first..=last {
-            // From the first to the last subsample centre between the sides.
-            let from = (left.next(row) + HALF - 1) >> FRACTION;
-            let to = (right.next(row) - HALF) >> FRACTION;
-            let (from, to) = (from.max(0), to.min(width - 1));
-            if from <= to {
-                canvas.span(row as usize, from as usize, to as usize, colour);
-            }
+        if first > last {
+            return 0;
         }
+        let slope = if direction[1] > 0.0 { direction[0] / direction[1] } else { 0.0 };
+        // The axis at two heights, and the radius around it, bound what lies between.
+        let bounds = |rows: Range<usize>| {
+            let at = |y: f64| match y {
+                _ if y <= ends[0][1] => ends[0][0],
+                _ if y >= ends[1][1] => ends[1][0],
+                _ => ends[0][0] + (y - ends[0][1]) * slope,
+            };
+            let (a, b) = if slope == 0.0 {
+                (ends[0][0], ends[1][0])
+            } else {
+                (at(rows.start as f64 - radius), at(rows.end as f64 + radius))
+            };
+            [(a.min(b) - radius) as i64 - 1, (a.max(b) + radius) as i64 + 1]
+        };
+        canvas.fill(first as usize..last as usize + 1, colour, bounds, |row| {
+            // From the first to the last subsample centre between the sides.
+            let row = row as i64;
+            [(left.next(row) + HALF - 1) >> FRACTION, (right.next(row) - HALF) >> FRACTION]
+        });
         (last - first + 1).max(0) as usize
     }
 
@@ -115,5 +131,43 @@ impl Capsule {
             ends[0] = [0, 1].map(|axis| origin[axis] + start * delta[axis]);
         }
         Some((ends, direction))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn a_stroke_covers_what_is_within_its_radius(
+            from in [-300.0..500.0, -300.0..500.0],
+            span in [-600.0..600.0, -600.0..600.0],
+            scale in prop_oneof![Just(0.0), Just(1e-14), 0.0..1.0],
+            flatness in [prop_oneof![Just(0.0), Just(1e-16), 0.0..1.0], prop_oneof![Just(0.0), Just(1e-16), 0.0..1.0]],
+            radius in 2.0..30.0,
+        ) {
+            let to = [0, 1].map(|axis| from[axis] + span[axis] * scale * flatness[axis]);
+            let mut canvas = Canvas::default();
+            canvas.reset(256, 200, 1);
+            Capsule { from, to, radius }.paint(&mut canvas, 1);
+            let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+            let norm = dx * dx + dy * dy;
+            for row in 0..200 {
+                for column in 0..256 {
+                    let (x, y) = (column as f64 + 0.5 - from[0], row as f64 + 0.5 - from[1]);
+                    let t = if norm > 0.0 { ((x * dx + y * dy) / norm).clamp(0.0, 1.0) } else { 0.0 };
+                    let distance = ((x - t * dx) * (x - t * dx) + (y - t * dy) * (y - t * dy)).sqrt();
+                    let at = column / 64 * 200 + row;
+                    let covered = canvas.covered[at] >> (column % 64) & 1 != 0;
+                    if (distance - radius).abs() > 1e-3 {
+                        prop_assert_eq!(covered, distance < radius, "{} {}", column, row);
+                        prop_assert_eq!(covered, canvas.colours[at] >> (column % 64) & 1 != 0);
+                    }
+                    prop_assert!(!covered || canvas.touched[column / 64 * canvas.cells + row / 64], "{} {}", column, row);
+                }
+            }
+        }
     }
 }
