@@ -79,7 +79,7 @@ fn facts(input: &Input) -> Facts {
         file: input.file.display().to_string(),
         name: input.definition.name.clone(),
         title: input.definition.title.clone(),
-        kind: if system.program.is_deterministic() { "deterministic" } else { "stochastic" },
+        kind: if system.is_stochastic() { "stochastic" } else { "deterministic" },
         iterations: n,
         seed: system.seed,
         growth: Growth { symbols: ratio(|c| &c.symbols), segments: ratio(|c| &c.segments) },

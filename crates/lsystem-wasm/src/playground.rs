@@ -107,12 +107,15 @@ impl Playground {
         let n = definition.iterations;
         let same_drawing = self.definition.iterations == n
             && (self.system.as_ref()).is_some_and(|former| {
-                former.seed == system.seed && former.program == system.program && former.turtle == system.turtle
+                former.seed == system.seed
+                    && former.program == system.program
+                    && former.rules == system.rules
+                    && former.turtle == system.turtle
             });
         let known = Report {
             ok: true,
             diagnostics,
-            stochastic: !system.program.is_deterministic(),
+            stochastic: system.is_stochastic(),
             symbols: count_symbols(&system, n).map(|count| count.to_string()),
             segments: count_segments(&system, n).map(|count| count.to_string()),
             legend: legend_of(&system),

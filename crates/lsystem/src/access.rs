@@ -35,10 +35,11 @@ pub struct Ancestor {
 }
 
 impl<'a> Word<'a> {
-    /// Generation `n` of `system`; `None` where random choices decide it or `n` is above [`MAX_ITERATIONS`].
+    /// Generation `n` of `system`; `None` where random choices decide it, productions look around
+    /// themselves or compute, or `n` is above [`MAX_ITERATIONS`].
     #[must_use]
     pub fn new(system: &'a System, n: u32) -> Option<Self> {
-        if n > MAX_ITERATIONS || !system.program.is_deterministic() {
+        if n > MAX_ITERATIONS || system.rules.is_some() || !system.program.is_deterministic() {
             return None;
         }
         let program = &system.program;

@@ -26,3 +26,21 @@ pub enum Action {
     /// Multiply the stroke width.
     ScaleWidth(f64),
 }
+
+impl Action {
+    /// The same by this number, a module's first argument: a length, degrees, a width, a palette index. What has no
+    /// number stays; what changes a width or a colour by steps sets it instead.
+    #[must_use]
+    pub fn with(self, number: f64) -> Self {
+        match self {
+            Self::Draw(_) => Self::Draw(Some(number)),
+            Self::Move(_) => Self::Move(Some(number)),
+            Self::TurnLeft(_) => Self::TurnLeft(Some(number)),
+            Self::TurnRight(_) => Self::TurnRight(Some(number)),
+            Self::TurnRound | Self::Push | Self::Pop => self,
+            // Out of range it is the nearest that there is.
+            Self::SetColour(_) | Self::AddColour(_) => Self::SetColour(libm::floor(number) as i32),
+            Self::SetWidth(_) | Self::ScaleWidth(_) => Self::SetWidth(number),
+        }
+    }
+}

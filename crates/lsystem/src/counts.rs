@@ -4,21 +4,41 @@
 //! the successor: d times |alphabet| additions, however long the string.
 
 use crate::program::{Program, Rewrite, SymbolId};
-use crate::{Action, System, Tally};
+use crate::{Action, Rules, System, Tally};
 
-/// How many symbols generation `n` has; `None` where that depends on random choices.
+/// How many symbols generation `n` has, modules with parameters counted as one; `None` where that depends on random
+/// choices, contexts or conditions.
 #[must_use]
 pub fn count_symbols(system: &System, n: u32) -> Option<Tally> {
     count(&system.program, n, |_| 1)
 }
 
-/// How many segments generation `n` draws; `None` where that depends on random choices.
+/// How many segments generation `n` draws; `None` where that depends on random choices, contexts or conditions.
 #[must_use]
 pub fn count_segments(system: &System, n: u32) -> Option<Tally> {
-    count(&system.program, n, |symbol| segments_of(system, symbol))
+    let rules = system.rules.as_ref();
+    let drawn = |symbol| rules.map_or(Some(segments_of(system, symbol)), |rules| drawn_as(system, rules, symbol));
+    let reachable = system.program.reachable();
+    let segments: Vec<Option<u64>> = reachable
+        .iter()
+        .enumerate()
+        .map(|(id, reached)| if *reached { drawn(id as SymbolId) } else { Some(0) })
+        .collect();
+    let segments = segments.into_iter().collect::<Option<Vec<_>>>()?;
+    count(&system.program, n, |symbol| segments[usize::from(symbol)])
 }
 
-/// The segments that one letter draws.
+/// The segments of what a letter is drawn as; `None` where they are not always as many.
+fn drawn_as(system: &System, rules: &Rules, letter: SymbolId) -> Option<u64> {
+    let images = &rules.images[usize::from(letter)];
+    let mut all = images.iter().map(|image| image.successor.iter().map(|t| segments_of(system, t.letter)).sum());
+    let always = images.iter().any(|image| image.condition.is_none() && image.weight.is_none());
+    let own = (!always).then(|| segments_of(system, letter));
+    let first: u64 = own.or_else(|| all.next())?;
+    all.all(|other| other == first).then_some(first)
+}
+
+/// The segments that one letter draws by itself.
 pub(crate) fn segments_of(system: &System, symbol: SymbolId) -> u64 {
     let actions = &system.turtle.actions[usize::from(symbol)];
     actions.iter().filter(|action| matches!(action, Action::Draw(_))).count() as u64

@@ -7,7 +7,7 @@
 use crate::counts::{counts_until, sum_of, sums_by_depth};
 use crate::diagnostic::{Diagnostic, Kind, LimitName};
 use crate::program::{Program, Rewrite, SymbolId};
-use crate::{Key, Limits, MAX_ITERATIONS, System};
+use crate::{Fault, Field, Key, Limits, MAX_ITERATIONS, Rewriter, Rules, System};
 
 /// Texts up to this many bytes are copied whole; longer ones are composed of them. The source of a copy then stays
 /// in the processor's nearest cache, and only the writing costs.
@@ -55,6 +55,9 @@ pub fn expand_into(system: &System, n: u32, limits: &Limits, text: &mut String) 
     if n > MAX_ITERATIONS {
         return Err(limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)));
     }
+    if let Some(rules) = &system.rules {
+        return write_modules(rules, system.seed, n, limits, text);
+    }
     let too_long = |largest| limit(LimitName::Symbols, limits.symbols, largest);
     let known = counts_until(&system.program, n, limits.symbols, |_| 1);
     if let Ok(generations) = &known
@@ -71,6 +74,38 @@ pub fn expand_into(system: &System, n: u32, limits: &Limits, text: &mut String) 
         text.clear();
         limit(stopped, limits.value(stopped), largest_within(system, n, limits))
     })
+}
+
+/// Derives whole generations, and writes the last: symbols, with their arguments in parentheses.
+fn write_modules(rules: &Rules, seed: u32, n: u32, limits: &Limits, text: &mut String) -> Result<(), Diagnostic> {
+    let started = Rewriter::new(rules.clone(), seed, *limits);
+    let mut rewriter = started.map_err(|error| fault(rules, error, 0, limits, None))?;
+    while rewriter.generation() < n {
+        let reached = rewriter.generation();
+        rewriter.step(usize::MAX).map_err(|error| fault(rules, error, reached, limits, Some(reached)))?;
+    }
+    let word = rewriter.word();
+    for (place, &letter) in word.letters.iter().enumerate() {
+        let symbol = rules.letters[usize::from(letter)].symbol;
+        crate::print::module(symbol, word.arguments_of(place, rules), text);
+        if text.len() as u64 > limits.symbols {
+            text.clear();
+            return Err(limit(LimitName::Symbols, limits.symbols, None));
+        }
+    }
+    Ok(())
+}
+
+/// What went wrong while deriving from generation `reached` on; `largest` is the largest n within a limit.
+pub(crate) fn fault(rules: &Rules, fault: Fault, reached: u32, limits: &Limits, largest: Option<u32>) -> Diagnostic {
+    match fault {
+        Fault::Limit(name) => limit(name, limits.value(name), largest),
+        Fault::NotFinite(None) => Diagnostic { kind: Kind::NotFinite { step: 0 }, field: Field::Axiom, span: 0..0 },
+        Fault::NotFinite(Some(production)) => {
+            let span = rules.spans.get(production).cloned().unwrap_or_default();
+            Diagnostic { kind: Kind::NotFinite { step: reached + 1 }, field: Field::Rules, span }
+        }
+    }
 }
 
 /// The last generation before `n` that is within the limits, by deriving them one after the other.
@@ -98,7 +133,7 @@ fn derive(system: &System, n: u32, limits: &Limits, mut visit: impl FnMut(Symbol
 }
 
 pub(crate) fn limit(limit: LimitName, value: u64, largest: Option<u32>) -> Diagnostic {
-    Diagnostic { kind: Kind::Limit { limit, value, largest }, field: crate::Field::Numbers, span: 0..0 }
+    Diagnostic { kind: Kind::Limit { limit, value, largest }, field: Field::Numbers, span: 0..0 }
 }
 
 /// Goes through a derivation depth first and stops at letters that need no more choices.

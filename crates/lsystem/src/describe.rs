@@ -1,6 +1,6 @@
 //! Systems and drawings in words: the legend of symbols, why nothing is drawn, a picture's text alternative.
 
-use crate::counts::{count, segments_of};
+use crate::counts::count_segments;
 use crate::program::Rewrite;
 use crate::{Action, Heading, MAX_ITERATIONS, System, Tally};
 
@@ -30,7 +30,14 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
                 rewritten: !matches!(program.rewrites[id], Rewrite::Keep),
             }
         })
-        .collect()
+        .fold(Vec::new(), |mut entries: Vec<LegendEntry>, entry| {
+            // A symbol with several numbers of parameters is one entry.
+            match entries.last_mut() {
+                Some(last) if last.symbol == entry.symbol => last.rewritten |= entry.rewritten,
+                _ => entries.push(entry),
+            }
+            entries
+        })
 }
 
 fn action_words(system: &System, action: Action) -> String {
@@ -62,7 +69,7 @@ fn action_words(system: &System, action: Action) -> String {
 /// Why generation `n` draws nothing, or `None` when it draws something or that is up to random choices.
 #[must_use]
 pub fn why_empty(system: &System, n: u32) -> Option<String> {
-    let drawn_at = |n: u32| count(&system.program, n, |s| segments_of(system, s));
+    let drawn_at = |n: u32| count_segments(system, n);
     if drawn_at(n)? != Tally::ZERO {
         return None;
     }
@@ -128,7 +135,7 @@ pub fn describe(system: &System, n: u32, segments: &Tally, bounds: Option<[f64; 
     };
     let branches = system.turtle.actions.iter().any(|actions| actions.contains(&Action::Push));
     let what = if branches { "A branching figure" } else { "A line figure" };
-    let random = if system.program.is_deterministic() { "" } else { ", one of many that chance can give" };
+    let random = if !system.is_stochastic() { "" } else { ", one of many that chance can give" };
     format!("{what} of {} {lines} after {n} derivation {steps}, {form}{random}.", short_count(segments))
 }
 

@@ -1,5 +1,6 @@
 //! What is wrong with what somebody typed, as values: kind, place, and words from one table.
 
+use crate::Function;
 use core::ops::Range;
 
 /// One thing to tell the author of a system.
@@ -78,8 +79,8 @@ pub enum Kind {
     },
 
     // Lines.
-    /// Part of the notation that is recognised and not supported.
-    NotYet(Feature),
+    /// `F()`.
+    ParenthesesEmpty,
     /// A line that is neither a production, a constant nor a comment.
     NoArrow {
         /// The line as a production, where a guess can be made.
@@ -104,6 +105,38 @@ pub enum Kind {
         /// They.
         text: String,
     },
+    /// Something else than a name for a parameter before the arrow.
+    ParameterName {
+        /// It.
+        text: String,
+    },
+    /// Two parameters of one name before the arrow.
+    ParameterTwice {
+        /// The name.
+        name: String,
+    },
+    /// More than one `<` or `>` before the arrow, or in the wrong order.
+    ContextOrder,
+    /// Nothing before `<` or after `>`.
+    ContextMissing {
+        /// `<` or `>`.
+        mark: char,
+    },
+    /// A comparison that is read as a context.
+    ContextForCondition,
+    /// A bracket in a left context.
+    ContextBracketLeft,
+    /// A bracket without its partner in a right context, or with parameters.
+    ContextBracket,
+    /// A symbol in a context that contexts do not see.
+    ContextUnseen {
+        /// Which.
+        symbol: char,
+    },
+    /// A context below `draw:`.
+    DrawContext,
+    /// `ignore:` as well as `consider:`.
+    IgnoreAndConsider,
     /// A further arrow in a line.
     SecondArrow,
     /// An arrow in the axiom.
@@ -138,8 +171,8 @@ pub enum Kind {
     ArithmeticUnexpected {
         /// Which.
         found: char,
-        /// Whether it stands in a weight.
-        weight: bool,
+        /// What the arithmetic is for.
+        role: Role,
     },
     /// `(` without `)` in arithmetic.
     ArithmeticUnclosed,
@@ -155,9 +188,46 @@ pub enum Kind {
         similar: Option<String>,
         /// Whether a constant below has it.
         below: bool,
-        /// Whether it stands in a weight.
-        weight: bool,
+        /// What the arithmetic is for.
+        role: Role,
     },
+    /// A name before `(` that no function has.
+    UnknownFunction {
+        /// The name.
+        name: String,
+        /// A similar one.
+        similar: Option<&'static str>,
+    },
+    /// A parameter or constant before `(`.
+    NotAFunction {
+        /// Its name.
+        name: String,
+    },
+    /// A function without `(`.
+    FunctionBare {
+        /// Its name.
+        name: String,
+    },
+    /// A function with another number of arguments than it takes.
+    FunctionArity {
+        /// Which.
+        function: Function,
+        /// How many it takes.
+        expected: usize,
+        /// How many there are.
+        found: usize,
+    },
+    /// `a < b < c`.
+    ComparisonChain,
+    /// A comparison in a weight.
+    WeightCondition,
+    /// A condition that does not depend on anything.
+    ConditionConstant {
+        /// Whether it is true.
+        holds: bool,
+    },
+    /// A constant with `random`.
+    ConstantRandom,
     /// Something else than a name before `=` or after `#define`.
     ConstantName {
         /// It.
@@ -215,10 +285,24 @@ pub enum Kind {
         /// The symbol.
         symbol: char,
     },
-    /// A production whose predecessor is in no generation.
+    /// A production with a predecessor or a context that is in no generation.
     NeverOccurs {
-        /// The predecessor.
+        /// The predecessor, or the symbol in the context.
         symbol: char,
+    },
+    /// A pattern with another number of parameters than its symbol ever has.
+    OtherArity {
+        /// The symbol.
+        symbol: char,
+        /// How many parameters the pattern has.
+        parameters: usize,
+        /// How many it has where it occurs.
+        found: usize,
+    },
+    /// A number that became infinite or undefined while deriving.
+    NotFinite {
+        /// The derivation step, 1-based; 0 for the axiom.
+        step: u32,
     },
     /// A symbol whose meaning in the dialect is not drawn.
     NotDrawn {
@@ -300,19 +384,17 @@ pub enum Kind {
     ProbabilityZero,
 }
 
-/// Parts of the notation that are recognised and not supported.
+/// What an expression is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Feature {
-    /// `A < B > C -> D`.
-    Context,
-    /// `F(2)`.
-    Parameters,
-    /// `A : l > 1 -> B`.
+pub enum Role {
+    /// The value of a constant.
+    Constant,
+    /// The weight of a production.
+    Weight,
+    /// The condition of a production.
     Condition,
-    /// `ignore:` and `consider:`.
-    ContextLists,
-    /// `draw:`.
-    DrawProductions,
+    /// An argument of a module.
+    Argument,
 }
 
 /// What a symbol stands for that is not drawn.
@@ -452,6 +534,10 @@ pub enum LimitName {
     Text,
     /// Different symbols in a system (65,536).
     Letters,
+    /// Parameters of a module ([`MAX_PARAMETERS`](crate::MAX_PARAMETERS)).
+    Parameters,
+    /// Modules in a context ([`MAX_CONTEXT`](crate::MAX_CONTEXT)).
+    Context,
     /// Colours in a palette ([`MAX_PALETTE`](crate::MAX_PALETTE)).
     Palette,
 }
@@ -471,6 +557,10 @@ impl Diagnostic {
             | Kind::EmptyAxiom
             | Kind::UnmatchedClose { .. }
             | Kind::NeverOccurs { .. }
+            | Kind::OtherArity { .. }
+            | Kind::ContextUnseen { .. }
+            | Kind::ContextForCondition
+            | Kind::ConditionConstant { .. }
             | Kind::NotDrawn { .. }
             | Kind::UnknownKey { .. }
             | Kind::DuplicateKey { .. }

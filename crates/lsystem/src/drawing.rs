@@ -13,6 +13,7 @@ mod extent;
 mod graph;
 mod hull;
 mod materialise;
+mod modules;
 mod pick;
 mod segments;
 mod style;

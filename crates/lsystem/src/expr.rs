@@ -97,6 +97,12 @@ impl Operator {
         }
     }
 
+    /// Whether it compares two numbers.
+    #[must_use]
+    pub fn is_comparison(self) -> bool {
+        self.precedence() == 3
+    }
+
     fn apply(self, a: f64, b: f64) -> f64 {
         let truth = |holds: bool| f64::from(u8::from(holds));
         match self {
@@ -244,14 +250,15 @@ impl Expr {
         }
     }
 
-    fn write(&self, f: &mut fmt::Formatter<'_>, outer: u8) -> fmt::Result {
+    /// Writes it, in parentheses where it binds less tightly than `outer`.
+    pub(crate) fn write(&self, f: &mut impl fmt::Write, outer: u8) -> fmt::Result {
         if self.precedence() < outer {
             f.write_str("(")?;
             self.write(f, 0)?;
             return f.write_str(")");
         }
         match self {
-            Self::Number(value) => write!(f, "{value}"),
+            Self::Number(value) => f.write_str(&crate::print::number(*value)),
             Self::Name(name) => f.write_str(name),
             Self::Negative(a) => {
                 f.write_str("-")?;
@@ -263,8 +270,12 @@ impl Expr {
             }
             Self::Binary(operator, a, b) => {
                 let inner = operator.precedence();
-                // `^` groups to the right, all others to the left.
-                let (left, right) = if *operator == Operator::Power { (inner + 1, SIGN) } else { (inner, inner + 1) };
+                // `^` groups to the right, comparisons not at all, all others to the left.
+                let (left, right) = match operator {
+                    Operator::Power => (inner + 1, SIGN),
+                    _ if operator.is_comparison() => (inner + 1, inner + 1),
+                    _ => (inner, inner + 1),
+                };
                 a.write(f, left)?;
                 if inner <= 4 {
                     write!(f, " {} ", operator.symbol())?;
@@ -447,8 +458,8 @@ fn compile(
             }
             ops.push(match (function, function.arity()) {
                 (Function::Random, _) => {
-                    *randoms += 1;
-                    Op::Random(*randoms - 1)
+                    *randoms = randoms.wrapping_add(1);
+                    Op::Random(randoms.wrapping_sub(1))
                 }
                 (_, 2) => Op::Call2(*function),
                 _ => Op::Call1(*function),

@@ -38,7 +38,7 @@ pub use counts::{count, count_segments, count_symbols};
 pub use definition::Definition;
 pub use derivation::{expand, expand_into, expand_once, expand_symbol};
 pub use describe::{LegendEntry, describe, legend, short_count, why_empty};
-pub use diagnostic::{Diagnostic, Expected, Feature, Field, JsonError, Kind, LimitName, Quantity, Severity, Undrawn};
+pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Quantity, Role, Severity, Undrawn};
 pub use dialect::Dialect;
 pub use drawing::{
     Block, BlockId, ColourChange, Drawer, Drawing, Effect, Item, Pick, Piece, Placed, Segment, SegmentArrays,
@@ -46,10 +46,10 @@ pub use drawing::{
 };
 pub use expr::{Code, Expr, Function, Meaning, Op, Operator, SIGN, STACK, Unusable};
 pub use format::{SvgOptions, read_json, write_csv, write_json, write_svg};
-pub use grammar::{Constant, Grammar, Module, Production};
+pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
 pub use heading::Heading;
 pub use key::Key;
-pub use limits::{Limits, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_TEXT};
+pub use limits::{Limits, MAX_CONTEXT, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS, MAX_TEXT};
 pub use notation::{parse, plain_word};
 pub use overrides::{Override, parse_overrides, print_actions, print_overrides};
 pub use place::{render_diagnostic, utf16_span};
@@ -57,7 +57,7 @@ pub use print::{print_axiom, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
 pub use progress::Progress;
 pub use render::{Rect, RenderStats, Renderer, View, Viewport, fit, fitted_scale, to_model};
-pub use rewriting::{ContextPattern, Fault, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template};
+pub use rewriting::{ContextPattern, Fault, Image, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template};
 pub use style::{Colour, ColourBy, Style};
 pub use system::System;
 pub use tally::Tally;

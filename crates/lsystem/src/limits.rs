@@ -35,6 +35,8 @@ impl Limits {
             LimitName::Iterations => u64::from(MAX_ITERATIONS),
             LimitName::Text => MAX_TEXT as u64,
             LimitName::Letters => MAX_LETTERS as u64,
+            LimitName::Parameters => MAX_PARAMETERS as u64,
+            LimitName::Context => MAX_CONTEXT as u64,
             LimitName::Palette => MAX_PALETTE as u64,
         }
     }
@@ -51,3 +53,9 @@ pub const MAX_PALETTE: usize = 256;
 
 /// The most different symbols in a system: what a [`SymbolId`](crate::SymbolId) can tell apart.
 pub const MAX_LETTERS: usize = crate::SymbolId::MAX as usize + 1;
+
+/// The most parameters of a module.
+pub const MAX_PARAMETERS: usize = 8;
+
+/// The most modules in a context on either side, brackets counted.
+pub const MAX_CONTEXT: usize = 64;

@@ -1,7 +1,7 @@
 //! The words of all diagnostics, in English, in one place.
 
 use crate::print::number;
-use crate::{Expected, Feature, JsonError, Kind, LimitName, Quantity, Undrawn};
+use crate::{Expected, Function, JsonError, Kind, LimitName, Quantity, Role, Undrawn};
 
 /// What is wrong, and what to try.
 pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
@@ -18,6 +18,8 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
                 LimitName::Iterations => format!("There can be at most {value} iterations"),
                 LimitName::Text => format!("The text is longer than {value} bytes"),
                 LimitName::Letters => format!("There can be at most {value} different symbols"),
+                LimitName::Parameters => format!("A module can have at most {value} parameters"),
+                LimitName::Context => format!("A context can have at most {value} modules"),
                 LimitName::Palette => format!("There can be at most {value} colours in a palette"),
             };
             (text, largest.map(|n| format!("Up to {n} iterations fit.")))
@@ -48,7 +50,9 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
                 .into(),
         ),
 
-        Kind::NotYet(feature) => not_yet(*feature),
+        Kind::ParenthesesEmpty => {
+            hinted("There is nothing between these parentheses".into(), "Leave them out, or write arguments.".into())
+        }
         Kind::NoArrow { suggestion } => hinted(
             "This line is neither a production nor a constant".into(),
             match suggestion {
@@ -77,6 +81,53 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
                 None => "Write one production for each symbol.".into(),
             },
         ),
+        Kind::ParameterName { text } => hinted(
+            format!("`{text}` cannot be the name of a parameter"),
+            match text.chars().next() {
+                Some(first) if first.is_alphabetic() => {
+                    "Before the arrow parentheses hold names only, as in `A(l, w)`; compute after the arrow.".into()
+                }
+                Some(_) => format!("Write a name and a condition, as in `A(x) : x == {text} -> ...`."),
+                None => "Write a name, as in `A(l, w)`.".into(),
+            },
+        ),
+        Kind::ParameterTwice { name } => hinted(
+            format!("Two parameters are called `{name}`"),
+            format!("Give them different names; compare them in a condition, as in `: {name} == {name}1`."),
+        ),
+        Kind::ContextOrder => hinted(
+            "A production has one left and one right context at most".into(),
+            "Write it as `A < B > C -> D`; conditions come after `:`, and the symbols `<` and `>` in backquotes.".into(),
+        ),
+        Kind::ContextMissing { mark } => hinted(
+            format!("There is no context {} `{mark}`", if *mark == '<' { "before" } else { "after" }),
+            format!("Write `*` for any context, or leave `{mark}` out."),
+        ),
+        Kind::ContextForCondition => hinted(
+            "This is read as a context, not as a comparison".into(),
+            "Conditions come after `:`, as in `A(x) : x < 3 -> B`; write the digits in backquotes if they are symbols."
+                .into(),
+        ),
+        Kind::ContextBracketLeft => hinted(
+            "A left context has no brackets: it is read along the way to the root".into(),
+            "Leave out finished branches and the `[` of the branch itself.".into(),
+        ),
+        Kind::ContextBracket => hinted(
+            "Brackets in a right context come in pairs and have no parameters".into(),
+            "Write a branch as in `B > C[D]E`.".into(),
+        ),
+        Kind::ContextUnseen { symbol } => hinted(
+            format!("Contexts do not see {}, so this production never applies", named(*symbol)),
+            "Take it out of the context, or change `ignore:` or `consider:`.".into(),
+        ),
+        Kind::DrawContext => hinted(
+            "Productions below `draw:` have no contexts".into(),
+            "Let a production above `draw:` make another symbol there, and draw that.".into(),
+        ),
+        Kind::IgnoreAndConsider => hinted(
+            "There is `ignore:` as well as `consider:`".into(),
+            "Keep one of them: `ignore:` lists what contexts skip, `consider:` all that they see.".into(),
+        ),
         Kind::SecondArrow => hinted(
             "There is a second arrow in this line".into(),
             "Write each production on a line of its own.".into(),
@@ -104,30 +155,89 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         Kind::NumberMalformed { text } => {
             hinted(format!("`{text}` is not a number"), "Write numbers as 2, 0.5 or 1e-3.".into())
         }
-        Kind::ArithmeticUnexpected { found, weight } => hinted(
+        Kind::ArithmeticUnexpected { found, role } => hinted(
             format!("{} has no place in arithmetic", named(*found)),
             match found {
                 ',' => "Write decimals with a point, as in 0.33.".into(),
                 '%' => "Write percentages as fractions, as in 0.33.".into(),
-                _ if *weight => "The weight starts after the last `:`; write the symbol `:` in backquotes.".into(),
-                _ => "A value is made of numbers, constants and + - * / ^ ( ).".into(),
+                '[' | ']' | '{' | '}' => "Group with parentheses.".into(),
+                _ => match role {
+                    Role::Weight => "The weight starts after the last `:`; write the symbol `:` in backquotes.".into(),
+                    Role::Constant => "A value is made of numbers, constants, functions and + - * / % ^ ( ).".into(),
+                    Role::Argument => {
+                        "Write products with `*`, as in `2*x`, and separate arguments by commas.".into()
+                    }
+                    Role::Condition => "A condition compares values, as in `x > 1 && y <= 2`.".into(),
+                },
             },
         ),
         Kind::ArithmeticUnclosed => hinted("This `(` is never closed".into(), "Add `)`.".into()),
-        Kind::ArithmeticDepth => said("The arithmetic is nested too deeply (more than 64 levels)".into()),
+        Kind::ArithmeticDepth => hinted(
+            "The arithmetic is too long or nested too deeply".into(),
+            "Name a part of it, as in `r = 0.9 * 0.7`.".into(),
+        ),
         Kind::ArithmeticRange => {
             hinted("The result is not a finite number".into(), "Is something divided by zero?".into())
         }
-        Kind::UnknownConstant { name, similar, below, weight } => hinted(
-            format!("There is no constant `{name}`{}", if *below { " above this line" } else { "" }),
-            match similar {
+        Kind::UnknownConstant { name, similar, below, role } => hinted(
+            match role {
+                Role::Constant | Role::Weight => {
+                    format!("There is no constant `{name}`{}", if *below { " above this line" } else { "" })
+                }
+                Role::Condition | Role::Argument => format!("There is no parameter or constant `{name}`"),
+            },
+            match (similar, role) {
                 _ if *below => format!("Move the definition of `{name}` up."),
-                Some(similar) => format!("Did you mean `{similar}`?"),
-                None if *weight => {
+                (Some(similar), _) => format!("Did you mean `{similar}`?"),
+                (None, Role::Weight) => {
                     format!("Define it, as in `{name} = 0.5`, or write the symbol `:` in backquotes.")
                 }
-                None => format!("Define it above, as in `{name} = 0.5`."),
+                (None, Role::Constant) => format!("Define it above, as in `{name} = 0.5`."),
+                (None, Role::Condition | Role::Argument) => {
+                    format!("Give it to the predecessor, as in `A({name})`, or define it, as in `{name} = 0.5`.")
+                }
             },
+        ),
+        Kind::UnknownFunction { name, similar } => hinted(
+            format!("There is no function `{name}`"),
+            match similar {
+                Some(similar) => format!("Did you mean `{similar}`?"),
+                None => {
+                    let names: Vec<&str> = Function::ALL.iter().map(|f| f.name()).collect();
+                    format!("The functions are {}.", names.join(", "))
+                }
+            },
+        ),
+        Kind::NotAFunction { name } => {
+            hinted(format!("`{name}` is not a function"), format!("For a product write `{name}*(...)`."))
+        }
+        Kind::FunctionBare { name } => {
+            hinted(format!("`{name}` needs its argument in parentheses"), format!("Write it as in `{name}(30)`."))
+        }
+        Kind::FunctionArity { function, expected, found } => hinted(
+            format!("`{}` takes {}, not {found}", function.name(), plural(*expected, "argument")),
+            match function {
+                Function::Random => "`random(a, b)` is a number from a up to b.".into(),
+                Function::Atan2 => "`atan2(y, x)` is the angle of the point (x, y).".into(),
+                _ if *expected == 2 => format!("Write it as in `{}(a, b)`.", function.name()),
+                _ => format!("Write it as in `{}(a)`.", function.name()),
+            },
+        ),
+        Kind::ComparisonChain => hinted(
+            "Comparisons cannot be chained".into(),
+            "Write them one by one, as in `0 < x && x < 5`.".into(),
+        ),
+        Kind::WeightCondition => hinted(
+            "This compares values, and a weight is a number".into(),
+            "Conditions come before the arrow, as in `A(x) : x > 1 -> B`.".into(),
+        ),
+        Kind::ConditionConstant { holds } => hinted(
+            format!("This condition is always {}", if *holds { "true" } else { "false" }),
+            "A weight stands at the end of the line, as in `F -> FF : 0.5`.".into(),
+        ),
+        Kind::ConstantRandom => hinted(
+            "A constant has the same value everywhere, so it cannot be random".into(),
+            "Use `random` in the arguments of a production.".into(),
         ),
         Kind::ConstantName { text } if text.is_empty() => {
             hinted("The constant has no name".into(), "Write it as `r = 0.9`.".into())
@@ -144,7 +254,7 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
             if name.chars().nth(1).is_none() {
                 format!("If a production is meant, write `{name} -> {value}`.")
             } else {
-                "Use it in a weight, or remove it.".into()
+                "Use it in a production, or remove it.".into()
             },
         ),
 
@@ -186,6 +296,21 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         Kind::NeverOccurs { symbol } => hinted(
             format!("{} never occurs, so this production never applies", named(*symbol)),
             "Use the symbol in the axiom or in a production that applies, or remove this one.".into(),
+        ),
+        Kind::OtherArity { symbol, parameters, found } => hinted(
+            format!(
+                "This production never applies: {} occurs with {} only",
+                named(*symbol),
+                if *found == 0 { "no parameters".into() } else { plural(*found, "parameter") }
+            ),
+            format!("A symbol with {} is another letter: give it as many everywhere.", plural(*parameters, "parameter")),
+        ),
+        Kind::NotFinite { step } => hinted(
+            match step {
+                0 => "An argument of the axiom is not a finite number".into(),
+                _ => format!("An argument that this production computes in step {step} is not a finite number"),
+            },
+            "Is something divided by zero, or does it grow without end? A condition can stop it.".into(),
         ),
         Kind::NotDrawn { symbol, meaning } => hinted(
             format!("{} {} and does nothing yet", named(*symbol), match meaning {
@@ -246,26 +371,6 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
     }
 }
 
-fn not_yet(feature: Feature) -> (String, Option<String>) {
-    let hint = |text: &str| Some(text.to_owned());
-    match feature {
-        Feature::Context => (
-            "Context-sensitive productions are not read yet".into(),
-            hint("Write `<` or `>` in backquotes if the symbol is meant."),
-        ),
-        Feature::Parameters => (
-            "Parameters in parentheses are not read yet".into(),
-            hint("Write a parenthesis in backquotes if the symbol is meant."),
-        ),
-        Feature::Condition => (
-            "Conditions before the arrow are not read yet".into(),
-            hint("A weight stands at the end of the line, as in `F -> FF : 0.5`."),
-        ),
-        Feature::ContextLists => ("`ignore:` and `consider:` are not read yet".into(), None),
-        Feature::DrawProductions => ("Productions for drawing only are not read yet".into(), None),
-    }
-}
-
 fn json(error: JsonError) -> (String, Option<String>) {
     let hint = |text: &str| Some(text.to_owned());
     match error {
@@ -302,6 +407,10 @@ fn expected_words(expected: Expected) -> String {
         Expected::Outcome => "an outcome {\"p\": 0.5, \"e\": \"F+F\"}".into(),
         Expected::Colour => "a colour such as \"#1f5c3a\"".into(),
     }
+}
+
+fn plural(count: usize, word: &str) -> String {
+    format!("{count} {word}{}", if count == 1 { "" } else { "s" })
 }
 
 /// A symbol as it is shown in a sentence.

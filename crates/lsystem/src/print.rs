@@ -1,7 +1,8 @@
 //! Writing a grammar in the notation, so that reading it again gives the same grammar.
 
 use crate::notation::token::{is_blank, is_invisible, look_alike};
-use crate::{Grammar, Module};
+use crate::{Expr, Grammar, Module, Pattern, Production, Seen};
+use core::fmt::Write;
 
 /// The axiom on one line.
 #[must_use]
@@ -11,28 +12,82 @@ pub fn print_axiom(grammar: &Grammar) -> String {
     out
 }
 
-/// Constants, then productions, a line each, without a line end after the last.
+/// Constants, what contexts see, productions, then those for drawing: a line each, without a line end after the last.
 #[must_use]
 pub fn print_rules(grammar: &Grammar) -> String {
     let mut lines = Vec::new();
     for constant in &grammar.constants {
         lines.push(format!("{} = {}", constant.name, number(constant.value)));
     }
-    for production in &grammar.productions {
-        let mut line = String::new();
-        symbol(production.predecessor.symbol, matches!(production.predecessor.symbol, '<' | '>' | '#'), &mut line);
-        line.push_str(" -> ");
-        if production.successor.is_empty() {
-            line.push('*');
-        }
-        word(&production.successor, &mut line);
-        if let Some(weight) = production.weight {
-            line.push_str(" : ");
-            line.push_str(&number(weight));
-        }
-        lines.push(line);
+    match &grammar.seen {
+        Seen::All => {}
+        Seen::Except(list) => lines.push(symbols("ignore: ", list)),
+        Seen::Only(list) => lines.push(symbols("consider: ", list)),
+    }
+    lines.extend(grammar.productions.iter().map(production));
+    if !grammar.images.is_empty() {
+        lines.push("draw:".to_owned());
+        lines.extend(grammar.images.iter().map(production));
     }
     lines.join("\n")
+}
+
+fn symbols(heading: &str, list: &[char]) -> String {
+    let mut line = heading.to_owned();
+    for &ch in list {
+        symbol(ch, false, &mut line);
+    }
+    line
+}
+
+fn production(production: &Production) -> String {
+    let mut line = String::new();
+    if !production.left.is_empty() {
+        patterns(&production.left, &mut line);
+        line.push_str(" < ");
+    }
+    pattern(&production.predecessor, false, &mut line);
+    if !production.right.is_empty() {
+        line.push_str(" > ");
+        patterns(&production.right, &mut line);
+    }
+    if let Some(condition) = &production.condition {
+        line.push_str(" : ");
+        expression(condition, 0, &mut line);
+    }
+    line.push_str(" -> ");
+    if production.successor.is_empty() {
+        line.push('*');
+    }
+    word(&production.successor, &mut line);
+    if let Some(weight) = &production.weight {
+        line.push_str(" : ");
+        // A comparison needs parentheses there.
+        expression(weight, 4, &mut line);
+    }
+    line
+}
+
+fn expression(expr: &Expr, outer: u8, out: &mut String) {
+    // Writing to a string never fails.
+    let _ = expr.write(out, outer);
+}
+
+/// A context.
+fn patterns(patterns: &[Pattern], out: &mut String) {
+    for one in patterns {
+        let empty = patterns.len() == 1 && one.parameters.is_empty() && matches!(one.symbol, '*' | 'ε');
+        pattern(one, empty, out);
+    }
+}
+
+fn pattern(pattern: &Pattern, quote: bool, out: &mut String) {
+    symbol(pattern.symbol, quote || matches!(pattern.symbol, '<' | '>' | '#'), out);
+    if !pattern.parameters.is_empty() {
+        out.push('(');
+        out.push_str(&pattern.parameters.join(", "));
+        out.push(')');
+    }
 }
 
 /// The shortest decimal that reads back as `value`, with an exponent where it would be long otherwise.
@@ -53,6 +108,25 @@ fn word(modules: &[Module], out: &mut String) {
                 _ => false,
             };
         symbol(module.symbol, alone, out);
+        for (at, argument) in module.arguments.iter().enumerate() {
+            out.push(if at == 0 { '(' } else { ',' });
+            expression(argument, 0, out);
+        }
+        if !module.arguments.is_empty() {
+            out.push(')');
+        }
+    }
+}
+
+/// One module of a derived word: its symbol, and its arguments as the shortest decimals that read back as the same.
+pub(crate) fn module(ch: char, arguments: &[f64], out: &mut String) {
+    symbol(ch, false, out);
+    for (at, argument) in arguments.iter().enumerate() {
+        // Writing to a string never fails.
+        let _ = write!(out, "{}{}", if at == 0 { '(' } else { ',' }, number(*argument));
+    }
+    if !arguments.is_empty() {
+        out.push(')');
     }
 }
 

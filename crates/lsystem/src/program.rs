@@ -1,6 +1,7 @@
 //! A grammar made ready for derivation: letters become small integers, productions a table over them.
 
 use crate::grammar::Grammar;
+use crate::rewriting::{Rule, Rules};
 
 /// A letter's place in [`Program::alphabet`].
 pub type SymbolId = u16;
@@ -8,7 +9,8 @@ pub type SymbolId = u16;
 /// A compiled grammar.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
-    /// Every letter of the axiom and the productions, sorted.
+    /// Every letter of the axiom and the productions, sorted. In an [outline](Program::outline) a symbol stands there
+    /// once for each number of parameters.
     pub alphabet: Vec<char>,
     /// The axiom.
     pub axiom: Vec<SymbolId>,
@@ -55,13 +57,13 @@ impl Rewrite {
 }
 
 impl Program {
-    /// Compiles `grammar`. Among productions of one predecessor the first decides: unweighted, it always applies;
+    /// Compiles a grammar that is [plain](Grammar::is_plain). Among productions of one predecessor the first decides: unweighted, it always applies;
     /// weighted, the choice is among all weighted ones of that predecessor.
     #[must_use]
     pub fn new(grammar: &Grammar) -> Self {
-        let mut alphabet: Vec<char> = (grammar.axiom.iter())
-            .chain(grammar.productions.iter().flat_map(|p| p.successor.iter().chain([&p.predecessor])))
-            .map(|module| module.symbol)
+        let made = grammar.axiom.iter().chain(grammar.productions.iter().flat_map(|p| &p.successor));
+        let mut alphabet: Vec<char> = (made.map(|module| module.symbol))
+            .chain(grammar.productions.iter().map(|p| p.predecessor.symbol))
             .collect();
         alphabet.sort_unstable();
         alphabet.dedup();
@@ -74,7 +76,8 @@ impl Program {
         for (index, production) in grammar.productions.iter().enumerate() {
             let rewrite = &mut rewrites[usize::from(id(production.predecessor.symbol))];
             let successor = ids(&production.successor);
-            match (&mut *rewrite, production.weight) {
+            let weight = production.weight.as_ref().map(|weight| grammar.value(weight).unwrap_or(0.0));
+            match (&mut *rewrite, weight) {
                 (Rewrite::Keep, None) => *rewrite = Rewrite::Always(successor),
                 (Rewrite::Keep, Some(until)) => {
                     *rewrite = Rewrite::Choose(vec![Choice { until, production: index, successor }]);
@@ -96,6 +99,41 @@ impl Program {
             }
         }
         Self { axiom: ids(&grammar.axiom), rewrites, alphabet }
+    }
+
+    /// What is known of `rules` without deriving: by letter, all that may replace it. Letters that have more than one
+    /// possible successor choose among them with equal chances here, whatever decides between them.
+    #[must_use]
+    pub fn outline(rules: &Rules) -> Self {
+        let word = |rule: &Rule| rule.successor.iter().map(|template| template.letter).collect::<Vec<_>>();
+        let rewrite = |(letter, rules): (usize, &Vec<Rule>)| {
+            let always = |rule: &Rule| !rule.is_context_sensitive() && rule.condition.is_none();
+            let last = rules.iter().position(|rule| always(rule) && rule.weight.is_none());
+            // Weights may come out as 0.
+            let mut words: Vec<(usize, Vec<SymbolId>)> =
+                rules.iter().take(last.map_or(rules.len(), |at| at + 1)).map(|r| (r.production, word(r))).collect();
+            match words.as_mut_slice() {
+                [] => Rewrite::Keep,
+                [(_, only)] if last.is_some() => Rewrite::Always(core::mem::take(only)),
+                _ => {
+                    if last.is_none() {
+                        words.push((usize::MAX, vec![letter as SymbolId]));
+                    }
+                    let parts = words.len() as f64;
+                    let choice = |(at, (production, successor)): (usize, (usize, Vec<SymbolId>))| Choice {
+                        until: (at + 1) as f64 / parts,
+                        production,
+                        successor,
+                    };
+                    Rewrite::Choose(words.into_iter().enumerate().map(choice).collect())
+                }
+            }
+        };
+        Self {
+            alphabet: rules.letters.iter().map(|letter| letter.symbol).collect(),
+            axiom: rules.axiom.iter().map(|template| template.letter).collect(),
+            rewrites: rules.by_letter.iter().enumerate().map(rewrite).collect(),
+        }
     }
 
     /// Whether no choice is ever made.

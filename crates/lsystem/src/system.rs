@@ -4,7 +4,7 @@ use crate::notation::{self, Reading};
 use crate::notes::Notes;
 use crate::{
     Action, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, LimitName, MAX_ITERATIONS, MAX_LETTERS,
-    MAX_PALETTE, Override, Program, Quantity, Style, Turtle, Undrawn, parse_overrides,
+    MAX_PALETTE, Override, Production, Program, Quantity, Rules, Style, Turtle, Undrawn, parse_overrides,
 };
 use core::ops::Range;
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,8 +14,10 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct System {
     /// What its texts say.
     pub grammar: Grammar,
-    /// The grammar made ready for derivation.
+    /// The grammar made ready for derivation; where there are `rules`, only an [outline](Program::outline) of them.
     pub program: Program,
+    /// The grammar made ready for derivation, where it is not [plain](Grammar::is_plain).
+    pub rules: Option<Rules>,
     /// What its symbols do.
     pub turtle: Turtle,
     /// Colours and widths.
@@ -41,12 +43,19 @@ impl System {
             diagnostics.push(Diagnostic { kind, field: Field::Rules, span: 0..0 });
             return (None, diagnostics);
         }
-        let program = Program::new(&reading.grammar);
+        let grammar = &reading.grammar;
+        let rules = (!grammar.is_plain()).then(|| {
+            let places = reading.productions.iter().chain(&reading.images);
+            Rules::new(grammar, places.map(|places| places.predecessor.clone()).collect())
+        });
+        // What could not be computed has been noted where it was read.
+        let rules = rules.and_then(Result::ok);
+        let program = rules.as_ref().map_or_else(|| Program::new(grammar), Program::outline);
         let overrides = overrides.iter().map(|o: &Override| (o.symbol, o.actions.as_slice())).collect();
         let actions = Actions { dialect: definition.dialect, overrides };
-        diagnostics.extend(doubts(&reading, &program, &actions));
+        diagnostics.extend(doubts(&reading, &program, rules.as_ref(), &actions));
         let turtle = Turtle {
-            actions: program.alphabet.iter().map(|&symbol| actions.of(symbol).to_vec()).collect(),
+            actions: program.alphabet.iter().map(|&symbol| actions.drawn(symbol, grammar, rules.is_some())).collect(),
             left: Heading::from_degrees(definition.angle),
             right: Heading::from_degrees(definition.right_angle.unwrap_or(definition.angle)),
             heading: Heading::from_degrees(definition.heading),
@@ -55,15 +64,27 @@ impl System {
             width: definition.style.width,
         };
         let grammar = reading.grammar;
-        let system = Self { grammar, program, turtle, style: definition.style.clone(), seed: definition.seed };
+        let system = Self { grammar, program, rules, turtle, style: definition.style.clone(), seed: definition.seed };
         (Some(system), diagnostics)
+    }
+
+    /// Whether chance plays a part, so that the seed matters.
+    #[must_use]
+    pub fn is_stochastic(&self) -> bool {
+        match &self.rules {
+            Some(rules) => rules.is_random(),
+            None => !self.program.is_deterministic(),
+        }
     }
 }
 
+/// How many letters there are: symbols with a number of parameters.
 fn letters(grammar: &Grammar) -> usize {
-    let modules = (grammar.axiom.iter())
-        .chain(grammar.productions.iter().flat_map(|p| p.successor.iter().chain([&p.predecessor])));
-    modules.map(|m| m.symbol).collect::<BTreeSet<_>>().len()
+    let productions = || grammar.productions.iter().chain(&grammar.images);
+    let made = grammar.axiom.iter().chain(productions().flat_map(|p| &p.successor));
+    let made = made.map(|module| (module.symbol, module.arguments.len()));
+    let matched = productions().flat_map(Production::patterns).map(|p| (p.symbol, p.parameters.len()));
+    made.chain(matched).collect::<BTreeSet<_>>().len()
 }
 
 /// What symbols do: an override where there is one, the dialect otherwise.
@@ -77,6 +98,14 @@ impl Actions<'_> {
         match self.overrides.get(&symbol) {
             Some(actions) => actions,
             None => self.dialect.actions(symbol),
+        }
+    }
+
+    /// What `symbol` does when it is drawn: all that its image does, unless images are `apart`.
+    fn drawn(&self, symbol: char, grammar: &Grammar, apart: bool) -> Vec<Action> {
+        match grammar.images.iter().find(|image| image.predecessor.symbol == symbol) {
+            Some(image) if !apart => image.successor.iter().flat_map(|m| self.of(m.symbol)).copied().collect(),
+            _ => self.of(symbol).to_vec(),
         }
     }
 
@@ -129,26 +158,25 @@ fn check_numbers(definition: &Definition) -> Vec<Diagnostic> {
 }
 
 /// What works but may not be meant.
-fn doubts(reading: &Reading, program: &Program, actions: &Actions<'_>) -> Vec<Diagnostic> {
-    let Reading { grammar, axiom_spans, predecessor_spans, successor_spans, .. } = reading;
+fn doubts(reading: &Reading, program: &Program, rules: Option<&Rules>, actions: &Actions<'_>) -> Vec<Diagnostic> {
+    let Reading { grammar, .. } = reading;
     let mut axiom_notes = Notes::new(Field::Axiom);
     let mut notes = Notes::new(Field::Rules);
 
     if grammar.axiom.is_empty() {
         axiom_notes.add(Kind::EmptyAxiom, 0..0);
-    }
-    let reachable = program.reachable();
-    for (production, span) in grammar.productions.iter().zip(predecessor_spans) {
-        let symbol = production.predecessor.symbol;
-        if !grammar.axiom.is_empty() && !program.alphabet.binary_search(&symbol).is_ok_and(|at| reachable[at]) {
-            notes.add(Kind::NeverOccurs { symbol }, span.clone());
-        }
+    } else {
+        note_idle(reading, &occurring(program, rules), &mut notes);
     }
 
     let words = || {
-        let rest = grammar.productions.iter().zip(successor_spans).map(|(p, s)| (false, &p.successor[..], &s[..]));
-        core::iter::once((true, &grammar.axiom[..], &axiom_spans[..])).chain(rest)
+        let productions = grammar.productions.iter().zip(&reading.productions);
+        let rest = productions.chain(grammar.images.iter().zip(&reading.images));
+        let rest = rest.map(|(p, places)| (false, &p.successor[..], &places.successor[..]));
+        core::iter::once((true, &grammar.axiom[..], &reading.axiom[..])).chain(rest)
     };
+    // What is drawn as something else is not drawn itself.
+    let drawn: BTreeSet<char> = grammar.images.iter().map(|image| image.predecessor.symbol).collect();
     let mut told = BTreeSet::new();
     let mut unmatched: Vec<(bool, char, Range<usize>)> = Vec::new();
     let mut left_open = false;
@@ -157,6 +185,7 @@ fn doubts(reading: &Reading, program: &Program, actions: &Actions<'_>) -> Vec<Di
         for (module, span) in word.iter().zip(spans) {
             let symbol = module.symbol;
             if let Some(meaning) = actions.not_drawn(symbol)
+                && !drawn.contains(&symbol)
                 && told.insert(symbol)
             {
                 let notes = if is_axiom { &mut axiom_notes } else { &mut notes };
@@ -183,4 +212,38 @@ fn doubts(reading: &Reading, program: &Program, actions: &Actions<'_>) -> Vec<Di
     let mut all = axiom_notes.finish();
     all.extend(notes.finish());
     all
+}
+
+/// The symbols that may occur in some generation, with their numbers of parameters.
+fn occurring(program: &Program, rules: Option<&Rules>) -> BTreeSet<(char, usize)> {
+    let arity = |id: usize| rules.map_or(0, |rules| usize::from(rules.letters[id].arity));
+    let reachable = program.reachable();
+    let letters = program.alphabet.iter().enumerate().filter(|(id, _)| reachable[*id]);
+    letters.map(|(id, &symbol)| (symbol, arity(id))).collect()
+}
+
+/// Notes productions that never apply because something in their predecessor or contexts is never there.
+fn note_idle(reading: &Reading, occurring: &BTreeSet<(char, usize)>, notes: &mut Notes) {
+    let Reading { grammar, productions, images, .. } = reading;
+    let all = grammar.productions.iter().zip(productions).chain(grammar.images.iter().zip(images));
+    for (production, places) in all {
+        let spans = places.left.iter().chain([&places.predecessor]).chain(&places.right);
+        for (at, (pattern, span)) in production.patterns().zip(spans).enumerate() {
+            let (symbol, parameters) = (pattern.symbol, pattern.parameters.len());
+            let context = at != production.left.len();
+            let bracket = context && matches!(symbol, '[' | ']');
+            let found = || occurring.range((symbol, 0)..=(symbol, usize::MAX)).next();
+            let kind = if context && !bracket && !grammar.seen.contains(symbol) {
+                Kind::ContextUnseen { symbol }
+            } else if bracket || occurring.contains(&(symbol, parameters)) {
+                continue;
+            } else if let Some(&(_, found)) = found() {
+                Kind::OtherArity { symbol, parameters, found }
+            } else {
+                Kind::NeverOccurs { symbol }
+            };
+            notes.add(kind, span.clone());
+            break;
+        }
+    }
 }

@@ -13,12 +13,11 @@ pub(crate) type Rule<'a> = (char, &'a str, Option<f64>);
 /// A system whose letters do nothing.
 pub(crate) fn system(axiom: &str, rules: &[Rule], seed: u32) -> System {
     let modules = |text: &str| text.chars().map(Module::from).collect::<Vec<_>>();
-    let productions = rules.iter().map(|&(predecessor, successor, weight)| Production {
-        predecessor: Module::from(predecessor),
-        successor: modules(successor),
-        weight,
+    let productions = rules.iter().map(|&(predecessor, successor, weight)| {
+        let production = Production::new(predecessor, modules(successor));
+        weight.map_or(production.clone(), |weight| production.weighted(weight))
     });
-    let grammar = Grammar { axiom: modules(axiom), productions: productions.collect(), constants: vec![] };
+    let grammar = Grammar { axiom: modules(axiom), productions: productions.collect(), ..Grammar::default() };
     let program = Program::new(&grammar);
     let turtle = Turtle {
         actions: vec![vec![]; program.alphabet.len()],
@@ -29,5 +28,5 @@ pub(crate) fn system(axiom: &str, rules: &[Rule], seed: u32) -> System {
         step: 1.0,
         width: 0.0,
     };
-    System { grammar, program, turtle, style: Style::default(), seed }
+    System { grammar, program, rules: None, turtle, style: Style::default(), seed }
 }

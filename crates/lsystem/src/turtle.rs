@@ -51,10 +51,31 @@ pub(crate) struct Score {
 impl Turtle {
     /// The actions of the `reachable` letters.
     pub(crate) fn score(&self, reachable: &[bool]) -> Score {
-        let steps = if self.step == 0.0 || !self.step.is_finite() { 0.0 } else { 1.0 };
-        let step = if steps == 0.0 { 1.0 } else { self.step };
-        let in_steps = |length: Option<f64>| length.map_or(steps, |l| finite(l / step));
-        let op = |action: Action| match action {
+        let mut ops: Vec<Vec<Op>> = (self.actions.iter().zip(reachable))
+            .map(|(actions, &reached)| if reached { actions.iter().map(|&a| self.op(a)).collect() } else { vec![] })
+            .collect();
+        let length = |op: &Op| if let Op::Draw(l) | Op::Move(l) = op { l.abs() } else { 0.0 };
+        let exponent = exponent_of(ops.iter().flatten().map(length).fold(0.0, f64::max));
+        for op in ops.iter_mut().flatten() {
+            *op = op.scaled(-exponent);
+        }
+        Score { ops, exponent, step: self.unit(), width: finite(self.width).max(0.0) * self.steps() }
+    }
+
+    /// 1 where a step has a length, 0 otherwise.
+    fn steps(&self) -> f64 {
+        if self.step == 0.0 || !self.step.is_finite() { 0.0 } else { 1.0 }
+    }
+
+    /// The step length; 1 where it is zero.
+    fn unit(&self) -> f64 {
+        if self.steps() == 0.0 { 1.0 } else { self.step }
+    }
+
+    /// An action, lengths in steps.
+    fn op(&self, action: Action) -> Op {
+        let in_steps = |length: Option<f64>| length.map_or(self.steps(), |l| finite(l / self.unit()));
+        match action {
             Action::Draw(length) => Op::Draw(in_steps(length)),
             Action::Move(length) => Op::Move(in_steps(length)),
             Action::TurnLeft(degrees) => Op::Turn(degrees.map_or(self.left, Heading::from_degrees)),
@@ -65,23 +86,30 @@ impl Turtle {
             Action::SetColour(index) => Op::Style(ColourChange::Set(index).into()),
             Action::AddColour(by) => Op::Style(ColourChange::Add(by).into()),
             Action::SetWidth(width) => {
-                Op::Style(WidthChange { factor: 0.0, offset: finite(width).max(0.0) * steps }.into())
+                Op::Style(WidthChange { factor: 0.0, offset: finite(width).max(0.0) * self.steps() }.into())
             }
             Action::ScaleWidth(factor) => {
                 Op::Style(WidthChange { factor: finite(factor).max(0.0), offset: 0.0 }.into())
             }
-        };
-        let mut ops: Vec<Vec<Op>> = (self.actions.iter().zip(reachable))
-            .map(|(actions, &reached)| if reached { actions.iter().map(|&a| op(a)).collect() } else { vec![] })
-            .collect();
-        let length = |op: &Op| if let Op::Draw(l) | Op::Move(l) = op { l.abs() } else { 0.0 };
-        let exponent = exponent_of(ops.iter().flatten().map(length).fold(0.0, f64::max));
-        for op in ops.iter_mut().flatten() {
-            if let Op::Draw(length) | Op::Move(length) = op {
-                *length = libm::scalbn(*length, -exponent);
-            }
         }
-        Score { ops, exponent, step, width: finite(self.width).max(0.0) * steps }
+    }
+}
+
+impl Score {
+    /// A further action of the turtle that this is the score of; its length may be above 1.
+    pub(crate) fn op(&self, turtle: &Turtle, action: Action) -> Op {
+        turtle.op(action).scaled(-self.exponent)
+    }
+}
+
+impl Op {
+    /// The same with lengths times `2^exponent`.
+    fn scaled(self, exponent: i32) -> Self {
+        match self {
+            Self::Draw(length) => Self::Draw(finite(libm::scalbn(length, exponent))),
+            Self::Move(length) => Self::Move(finite(libm::scalbn(length, exponent))),
+            other => other,
+        }
     }
 }
 

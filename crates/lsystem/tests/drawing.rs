@@ -14,13 +14,12 @@ fn modules(text: &str) -> Vec<Module> {
 
 /// A system of productions `predecessor -> successor : weight`, weights above 1 standing for none.
 fn system(axiom: &str, rules: &[(char, &str, f64)], angle: f64) -> System {
-    let production = |&(predecessor, successor, weight): &(char, &str, f64)| Production {
-        predecessor: predecessor.into(),
-        successor: modules(successor),
-        weight: (weight <= 1.0).then_some(weight),
+    let production = |&(predecessor, successor, weight): &(char, &str, f64)| {
+        let production = Production::new(predecessor, modules(successor));
+        if weight <= 1.0 { production.weighted(weight) } else { production }
     };
     let grammar =
-        Grammar { axiom: modules(axiom), productions: rules.iter().map(production).collect(), constants: vec![] };
+        Grammar { axiom: modules(axiom), productions: rules.iter().map(production).collect(), ..Grammar::default() };
     let program = Program::new(&grammar);
     let actions = program.alphabet.iter().map(|&symbol| match symbol {
         'L' => vec![Action::Draw(Some(0.25)), Action::TurnLeft(Some(17.3))],
@@ -38,7 +37,7 @@ fn system(axiom: &str, rules: &[(char, &str, f64)], angle: f64) -> System {
         step: 0.7,
         width: 0.5,
     };
-    System { grammar, program, turtle, style: Style::default(), seed: 7 }
+    System { grammar, program, rules: None, turtle, style: Style::default(), seed: 7 }
 }
 
 /// Without weights.

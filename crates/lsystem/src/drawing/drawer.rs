@@ -4,6 +4,7 @@ use super::budget::{Exceeded, Forecast, Search};
 use super::builder::Builder;
 use super::graph::{self, Level, Plan};
 use super::materialise::{Materialiser, Outcome};
+use super::modules::{self, Modular};
 use super::{BlockId, Drawing};
 use crate::derivation::limit;
 use crate::turtle::Score;
@@ -18,8 +19,8 @@ const ITEM: u64 = 16;
 /// Draws generation `n`.
 ///
 /// # Errors
-/// [`Kind::Limit`](crate::Kind::Limit): [`Limits::segments`] or [`Limits::work`] would be passed, or `n` is above
-/// [`MAX_ITERATIONS`].
+/// [`Kind::Limit`](crate::Kind::Limit): [`Limits::segments`], [`Limits::work`] or [`Limits::modules`] would be passed, or
+/// `n` is above [`MAX_ITERATIONS`]. [`Kind::NotFinite`](crate::Kind::NotFinite): a production computes no finite number.
 pub fn draw(system: &System, n: u32, limits: &Limits) -> Result<Drawing, Diagnostic> {
     Drawer::new(system, n, *limits).finish()
 }
@@ -52,6 +53,8 @@ enum State {
     Forecast(Forecast),
     /// Deriving and drawing letter by letter.
     Materialise(Box<Materialiser>),
+    /// Deriving whole generations, and drawing the last.
+    Modules(Box<Modular>),
     /// A limit was passed: finding the largest n that is within.
     Search(Search),
     Done {
@@ -66,10 +69,17 @@ impl Drawer {
     #[must_use]
     pub fn new(system: &System, n: u32, limits: Limits) -> Self {
         let (program, turtle, seed) = (system.program.clone(), system.turtle.clone(), system.seed);
-        let score = turtle.score(&program.reachable());
-        let memoises = graph::memoises(&program, &score);
+        // What is drawn below `draw:` is in no generation.
+        let reachable = if system.rules.is_some() { vec![true; turtle.actions.len()] } else { program.reachable() };
+        let score = turtle.score(&reachable);
+        let memoises = system.rules.is_none() && graph::memoises(&program, &score);
         let state = if n > MAX_ITERATIONS {
             State::Failed(limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)))
+        } else if let Some(rules) = &system.rules {
+            match Modular::new(rules, seed, &limits) {
+                Ok(modular) => State::Modules(Box::new(modular)),
+                Err(diagnostic) => State::Failed(diagnostic),
+            }
         } else if memoises {
             State::Plan(Plan::new(&program))
         } else if program.is_deterministic() {
@@ -102,6 +112,7 @@ impl Drawer {
             State::Plan(_) | State::Forecast(_) => 0.0,
             State::Build { pieces, .. } => pieces.len() as f64 / (f64::from(self.n) + 2.0),
             State::Materialise(materialiser) => materialiser.fraction(&self.program),
+            State::Modules(modular) => modular.fraction(self.n),
             State::Search(_) | State::Done { .. } | State::Failed(_) => 1.0,
         }
     }
@@ -190,6 +201,11 @@ impl Drawer {
                     *builder = Builder::new();
                     Some(State::Search(Search::new(name, *n, *seed)))
                 }
+            },
+            State::Modules(modular) => match modular.step((turtle, score), builder, limits, *n, left) {
+                modules::Outcome::Paused => None,
+                modules::Outcome::Ended(root) => Some(State::Done { root, pieces: vec![] }),
+                modules::Outcome::Failed(diagnostic) => Some(State::Failed(diagnostic)),
             },
             State::Search(search) => {
                 let exceeded = search.step(program, score, limits, *seed, left)?;

@@ -217,12 +217,11 @@ impl File {
         for (at, property) in rules.properties.iter().enumerate() {
             let key = property.name.as_str();
             let Some(symbol) = self.symbol(property).filter(|_| last[key] == at) else { continue };
-            let predecessor = Module::from(symbol);
             match &property.value {
                 Value::StringLit(successor) => {
                     self.check_spaces(&successor.value, &property.value);
                     let successor = plain_word(&successor.value);
-                    grammar.productions.push(Production { predecessor, successor, weight: None });
+                    grammar.productions.push(Production::new(symbol, successor));
                 }
                 Value::Array(outcomes) => {
                     let mut sum = 0.0;
@@ -234,8 +233,7 @@ impl File {
                         };
                         sum += p;
                         if p > 0.0 {
-                            let predecessor = predecessor.clone();
-                            grammar.productions.push(Production { predecessor, successor, weight: Some(p) });
+                            grammar.productions.push(Production::new(symbol, successor).weighted(p));
                         }
                     }
                     let span = self.span(outcomes);

@@ -27,7 +27,8 @@ fn course_form(definition: &Definition, grammar: &Grammar) -> String {
         let value = match group {
             [Production { weight: None, successor, .. }] => text(successor),
             _ => list(group.iter().map(|p| {
-                format!("{{\"p\": {}, \"e\": {}}}", json_number(p.weight.unwrap_or(1.0)), text(&p.successor))
+                let weight = p.weight.as_ref().and_then(|weight| grammar.value(weight)).unwrap_or(1.0);
+                format!("{{\"p\": {}, \"e\": {}}}", json_number(weight), text(&p.successor))
             })),
         };
         (group[0].predecessor.symbol.to_string(), value)

@@ -1,42 +1,56 @@
-//! Arithmetic in weights and constants.
+//! Arithmetic in weights, constants, conditions and arguments.
 
 use super::token::{Token, span_of, text_of};
-use crate::Kind;
-use crate::notes::Notes;
+use crate::expr::{Code, Expr, Function, Meaning, Operator, Unusable};
+use crate::notes::{Notes, similar};
+use crate::{Kind, Role};
+use core::ops::Range;
 
-/// The constants that arithmetic may name.
+/// The names that arithmetic may use.
 pub(crate) trait Names {
-    /// The value of the constant `name`, which counts as used then.
-    fn value(&mut self, name: &str) -> Option<f64>;
+    /// What `name` stands for; it counts as used then.
+    fn meaning(&mut self, name: &str) -> Option<Meaning>;
     /// A name like this one.
     fn similar(&self, name: &str) -> Option<String>;
 }
 
 /// Parentheses, signs and powers inside each other.
 const DEPTH: u32 = 64;
+/// Operators in one expression: it is walked by recursion.
+const LENGTH: u32 = 500;
 
-/// The value of the arithmetic in `tokens`; `None` where something is wrong, which is noted. `end` is where a missing
-/// number would stand. `weight` says what the number is for.
+/// The words that are operators.
+const WORDS: [&str; 3] = ["and", "or", "not"];
+
+/// The arithmetic in `tokens`; `None` where something is wrong, which is noted. `end` is where a missing number would
+/// stand; `role` says what the value is for.
 ///
-/// `^` binds tightest and to the right, then signs, then `* /`, then `+ -`.
-pub(crate) fn evaluate(
-    tokens: &[Token],
-    end: usize,
-    weight: bool,
-    names: &mut dyn Names,
-    notes: &mut Notes,
-) -> Option<f64> {
-    let mut reader = Reader { tokens, at: 0, end, depth: 0, weight, names, notes };
-    let value = reader.sum()?;
+/// From tight to loose: `^` (to the right), signs and `!`, `* / %`, `+ -`, comparisons (not to be chained), `not`,
+/// `&&`, `||`.
+pub(crate) fn read(tokens: &[Token], end: usize, role: Role, names: &mut dyn Names, notes: &mut Notes) -> Option<Expr> {
+    let mut reader = Reader { tokens, at: 0, end, depth: 0, length: 0, role, names, notes };
+    let expr = match role {
+        Role::Condition | Role::Argument => reader.any()?,
+        Role::Constant | Role::Weight => reader.sum()?,
+    };
     if let Some(token) = reader.peek() {
         reader.unexpected(token);
         return None;
     }
-    if !value.is_finite() {
-        reader.notes.add(Kind::ArithmeticRange, span_of(tokens, end));
-        return None;
+    let span = span_of(tokens, end);
+    match code(&expr, names) {
+        Ok(Code::Constant(value)) if !value.is_finite() => notes.add(Kind::ArithmeticRange, span),
+        Ok(code) if role == Role::Constant && code.is_random() => notes.add(Kind::ConstantRandom, span),
+        Ok(_) => return Some(expr),
+        Err(_) => notes.add(Kind::ArithmeticDepth, span),
     }
-    Some(value)
+    None
+}
+
+/// `expr` made ready to be computed.
+pub(crate) fn code(expr: &Expr, names: &mut dyn Names) -> Result<Code, Unusable> {
+    let names = core::cell::RefCell::new(names);
+    Code::new(expr, &|name: &str| names.borrow_mut().meaning(name), &mut 0)
 }
 
 struct Reader<'a> {
@@ -44,7 +58,8 @@ struct Reader<'a> {
     at: usize,
     end: usize,
     depth: u32,
-    weight: bool,
+    length: u32,
+    role: Role,
     names: &'a mut dyn Names,
     notes: &'a mut Notes,
 }
@@ -61,47 +76,158 @@ impl Reader<'_> {
         Some(token.ch)
     }
 
+    /// Steps over the next tokens if they are the characters of `mark`.
+    fn take_mark(&mut self, mark: &str) -> bool {
+        let rest = &self.tokens[self.at..];
+        let length = mark.chars().count();
+        let found = rest.len() >= length
+            && mark.chars().zip(rest).enumerate().all(|(at, (ch, t))| t.is(ch) && (at == 0 || t.joined));
+        self.at += if found { length } else { 0 };
+        found
+    }
+
+    /// Steps over the next tokens if they are this word, and no longer one.
+    fn take_word(&mut self, word: &str) -> bool {
+        let before = self.at;
+        if self.peek().is_some_and(|t| !t.literal && is_name_start(t.ch)) {
+            let found = self.run(|_, t| is_name_part(t.ch));
+            if found.iter().map(|t| t.ch).eq(word.chars()) {
+                return true;
+            }
+        }
+        self.at = before;
+        false
+    }
+
     fn unexpected(&mut self, token: Token) {
-        self.notes.add(Kind::ArithmeticUnexpected { found: token.ch, weight: self.weight }, token.span());
+        let comparison = matches!(token.ch, '<' | '>' | '=' | '!' | '&' | '|' | '≤' | '≥' | '≠') && !token.literal;
+        let kind = if comparison && self.role == Role::Weight {
+            Kind::WeightCondition
+        } else {
+            Kind::ArithmeticUnexpected { found: token.ch, role: self.role }
+        };
+        self.notes.add(kind, token.span());
     }
 
-    fn sum(&mut self) -> Option<f64> {
+    fn any(&mut self) -> Option<Expr> {
+        let mut value = self.all()?;
+        while self.take_mark("||") || self.take_word("or") {
+            value = self.binary(Operator::Or, value, Self::all)?;
+        }
+        Some(value)
+    }
+
+    fn all(&mut self) -> Option<Expr> {
+        let mut value = self.denial()?;
+        while self.take_mark("&&") || self.take_word("and") {
+            value = self.binary(Operator::And, value, Self::denial)?;
+        }
+        Some(value)
+    }
+
+    fn denial(&mut self) -> Option<Expr> {
+        let at = self.peek();
+        if self.take_word("not") {
+            return self.deeper(at?, Self::denial).map(|a| Expr::Not(Box::new(a)));
+        }
+        self.comparison()
+    }
+
+    fn comparison(&mut self) -> Option<Expr> {
+        let left = self.sum()?;
+        let Some(operator) = self.comparator() else { return Some(left) };
+        let value = self.binary(operator, left, Self::sum)?;
+        let from = self.at;
+        if self.comparator().is_some() {
+            self.notes.add(Kind::ComparisonChain, span_of(&self.tokens[from..self.at], self.end));
+            return None;
+        }
+        Some(value)
+    }
+
+    fn comparator(&mut self) -> Option<Operator> {
+        const MARKS: [(&str, Operator); 12] = [
+            ("==", Operator::Equal),
+            ("!=", Operator::NotEqual),
+            ("<>", Operator::NotEqual),
+            ("<=", Operator::LessOrEqual),
+            ("=<", Operator::LessOrEqual),
+            (">=", Operator::GreaterOrEqual),
+            ("<", Operator::Less),
+            (">", Operator::Greater),
+            ("=", Operator::Equal),
+            ("≤", Operator::LessOrEqual),
+            ("≥", Operator::GreaterOrEqual),
+            ("≠", Operator::NotEqual),
+        ];
+        MARKS.into_iter().find(|(mark, _)| self.take_mark(mark)).map(|(_, operator)| operator)
+    }
+
+    fn sum(&mut self) -> Option<Expr> {
         let mut value = self.product()?;
-        while let Some(operator) = self.take(&['+', '-']) {
-            let right = self.product()?;
-            value = if operator == '+' { value + right } else { value - right };
+        while let Some(sign) = self.take(&['+', '-']) {
+            let operator = if sign == '+' { Operator::Add } else { Operator::Subtract };
+            value = self.binary(operator, value, Self::product)?;
         }
         Some(value)
     }
 
-    fn product(&mut self) -> Option<f64> {
+    fn product(&mut self) -> Option<Expr> {
         let mut value = self.signed()?;
-        while let Some(operator) = self.take(&['*', '/']) {
-            let right = self.signed()?;
-            value = if operator == '*' { value * right } else { value / right };
+        while let Some(at) = self.peek()
+            && let Some(sign) = self.take(&['*', '/', '%'])
+        {
+            let operator = match sign {
+                '*' => Operator::Multiply,
+                '/' => Operator::Divide,
+                // `33%` is a percentage.
+                _ if self.peek().is_none() => {
+                    self.unexpected(at);
+                    return None;
+                }
+                _ => Operator::Remainder,
+            };
+            value = self.binary(operator, value, Self::signed)?;
         }
         Some(value)
     }
 
-    fn signed(&mut self) -> Option<f64> {
+    fn signed(&mut self) -> Option<Expr> {
         let sign = self.peek();
-        match self.take(&['+', '-']) {
-            Some('-') => self.deeper(sign?, Self::signed).map(|v| -v),
+        match self.take(&['+', '-', '!']) {
+            Some('-') => self.deeper(sign?, Self::signed).map(|a| match a {
+                Expr::Number(value) => Expr::Number(-value),
+                a => Expr::Negative(Box::new(a)),
+            }),
+            Some('!') => self.deeper(sign?, Self::signed).map(|a| Expr::Not(Box::new(a))),
             Some(_) => self.deeper(sign?, Self::signed),
             None => self.power(),
         }
     }
 
-    fn power(&mut self) -> Option<f64> {
+    fn power(&mut self) -> Option<Expr> {
         let base = self.operand()?;
         let caret = self.peek();
         match self.take(&['^']) {
-            Some(_) => Some(libm::pow(base, self.deeper(caret?, Self::signed)?)),
+            Some(_) => {
+                let exponent = self.deeper(caret?, Self::signed)?;
+                Some(Expr::Binary(Operator::Power, Box::new(base), Box::new(exponent)))
+            }
             None => Some(base),
         }
     }
 
-    fn deeper(&mut self, at: Token, read: fn(&mut Self) -> Option<f64>) -> Option<f64> {
+    fn binary(&mut self, operator: Operator, left: Expr, read: fn(&mut Self) -> Option<Expr>) -> Option<Expr> {
+        self.length += 1;
+        if self.length > LENGTH {
+            self.notes.add(Kind::ArithmeticDepth, span_of(self.tokens, self.end));
+            return None;
+        }
+        let right = read(self)?;
+        Some(Expr::Binary(operator, Box::new(left), Box::new(right)))
+    }
+
+    fn deeper(&mut self, at: Token, read: fn(&mut Self) -> Option<Expr>) -> Option<Expr> {
         if self.depth == DEPTH {
             self.notes.add(Kind::ArithmeticDepth, at.span());
             return None;
@@ -112,7 +238,7 @@ impl Reader<'_> {
         value
     }
 
-    fn operand(&mut self) -> Option<f64> {
+    fn operand(&mut self) -> Option<Expr> {
         let Some(token) = self.peek() else {
             self.notes.add(Kind::NumberExpected, self.end..self.end);
             return None;
@@ -121,21 +247,26 @@ impl Reader<'_> {
             _ if token.literal => {}
             '(' => {
                 self.at += 1;
-                let value = self.deeper(token, Self::sum)?;
-                if self.take(&[')']).is_some() {
-                    return Some(value);
-                }
-                match self.peek() {
-                    Some(other) => self.unexpected(other),
-                    None => self.notes.add(Kind::ArithmeticUnclosed, token.span()),
-                }
-                return None;
+                let value = self.deeper(token, Self::any)?;
+                return self.closed(token).map(|()| value);
             }
             '0'..='9' | '.' => return self.number(),
             ch if is_name_start(ch) => return self.name(),
             _ => {}
         }
         self.unexpected(token);
+        None
+    }
+
+    /// Steps over the `)` that belongs to `open`.
+    fn closed(&mut self, open: Token) -> Option<()> {
+        if self.take(&[')']).is_some() {
+            return Some(());
+        }
+        match self.peek() {
+            Some(other) => self.unexpected(other),
+            None => self.notes.add(Kind::ArithmeticUnclosed, open.span()),
+        }
         None
     }
 
@@ -149,7 +280,7 @@ impl Reader<'_> {
         &rest[..length]
     }
 
-    fn number(&mut self) -> Option<f64> {
+    fn number(&mut self) -> Option<Expr> {
         let run = self.run(|before, t| {
             let exponent_sign = matches!(t.ch, '+' | '-')
                 && matches!(before, [.., digit, e] if matches!(e.ch, 'e' | 'E') && digit.ch != 'e')
@@ -159,7 +290,7 @@ impl Reader<'_> {
         let (digits, span): (String, _) = (run.iter().map(|t| t.ch).collect(), span_of(run, 0));
         // Rust also reads `inf` and `nan`, which cannot start with a digit or a point.
         match digits.parse::<f64>() {
-            Ok(value) => Some(value),
+            Ok(value) => Some(Expr::Number(value)),
             Err(_) => {
                 self.notes.add(Kind::NumberMalformed { text: crate::notes::excerpt(&digits) }, span);
                 None
@@ -167,24 +298,73 @@ impl Reader<'_> {
         }
     }
 
-    fn name(&mut self) -> Option<f64> {
+    fn name(&mut self) -> Option<Expr> {
         let run = self.run(|_, t| is_name_part(t.ch));
         let (name, text, span): (String, _, _) = (run.iter().map(|t| t.ch).collect(), text_of(run), span_of(run, 0));
-        let value = self.names.value(&name);
-        if value.is_none() {
-            let similar = if self.notes.is_full() { None } else { self.names.similar(&name) };
-            self.notes.add(Kind::UnknownConstant { name: text, similar, below: false, weight: self.weight }, span);
+        if let Some(open) = self.peek().filter(|t| t.is('(') && t.joined) {
+            return self.call(&name, span, open);
         }
-        value
+        if self.names.meaning(&name).is_some() {
+            return Some(Expr::Name(name));
+        }
+        let kind = if function(&name).is_some() {
+            Kind::FunctionBare { name: text }
+        } else if is_reserved(&name) {
+            Kind::NumberExpected
+        } else {
+            let similar = if self.notes.is_full() { None } else { self.names.similar(&name) };
+            Kind::UnknownConstant { name: text, similar, below: false, role: self.role }
+        };
+        self.notes.add(kind, span);
+        None
+    }
+
+    fn call(&mut self, name: &str, span: Range<usize>, open: Token) -> Option<Expr> {
+        let Some(function) = function(name) else {
+            let known = Function::ALL.iter().map(|f| f.name());
+            let kind = if self.names.meaning(name).is_some() {
+                Kind::NotAFunction { name: crate::notes::excerpt(name) }
+            } else {
+                Kind::UnknownFunction { name: crate::notes::excerpt(name), similar: similar(name, known) }
+            };
+            self.notes.add(kind, span);
+            return None;
+        };
+        self.at += 1;
+        let mut arguments = Vec::new();
+        if self.peek().is_none_or(|t| !t.is(')')) {
+            loop {
+                arguments.push(self.deeper(open, Self::any)?);
+                if self.take(&[',']).is_none() {
+                    break;
+                }
+            }
+        }
+        self.closed(open)?;
+        if arguments.len() != function.arity() {
+            let (expected, found) = (function.arity(), arguments.len());
+            self.notes.add(Kind::FunctionArity { function, expected, found }, span);
+            return None;
+        }
+        Some(Expr::Call(function, arguments))
     }
 }
 
-/// Whether a constant's name may start with `ch`.
+fn function(name: &str) -> Option<Function> {
+    Function::ALL.into_iter().find(|function| function.name() == name)
+}
+
+/// Whether `name` means something else in arithmetic.
+pub(crate) fn is_reserved(name: &str) -> bool {
+    WORDS.contains(&name)
+}
+
+/// Whether a name may start with `ch`.
 pub(crate) fn is_name_start(ch: char) -> bool {
     ch.is_alphabetic() || ch == '_'
 }
 
-/// Whether a constant's name may contain `ch`.
+/// Whether a name may contain `ch`.
 pub(crate) fn is_name_part(ch: char) -> bool {
     ch.is_alphanumeric() || ch == '_'
 }

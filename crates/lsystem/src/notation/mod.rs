@@ -1,25 +1,39 @@
 //! The notation of axioms and rules.
 //!
 //! ```text
-//! F -> FF                        a production: F becomes FF
-//! F -> F[+F]F : 0.33             one of several, with its weight
-//! r = 0.9                        a constant; also: #define r 0.9
-//! // a comment                   also: # a comment
+//! F -> FF                                    a production: F becomes FF
+//! F -> F[+F]F : 0.33                         one of several, with its weight
+//! A < B > C -> D                             where A stands before and C after, along the axis
+//! A(l, w) : l > 0.1 -> F(l)A(l*r, w)         with parameters, and a condition
+//! r = 0.9                                    a constant; also: #define r 0.9
+//! ignore: +-F                                what contexts skip; or `consider:` what they see
+//! draw:                                      productions below it apply only when drawing
+//! // a comment                               also: # a comment
 //! ```
 //!
 //! One production a line. The arrow is `->`, `-->`, `=>` or `→`. White space is never a symbol. `*`, `ε` or nothing at
-//! all after the arrow deletes. A character in backquotes is a symbol, whatever it means otherwise; one that cannot be
-//! seen is written by its number, as in `` `U+0A` ``. Everything after the last `:` of a line is the weight: arithmetic
-//! with `+ - * / ^ ( )` of numbers and constants. An axiom may stand on several lines and has no comments.
+//! all after the arrow deletes; `*` is an empty context or condition, too. A character in backquotes is a symbol,
+//! whatever it means otherwise; one that cannot be seen is written by its number, as in `` `U+0A` ``. Parentheses hold
+//! arguments where they follow their symbol directly. Everything after the last `:` of a line is the weight. An axiom
+//! may stand on several lines and has no comments.
+//!
+//! Arithmetic, from loose to tight: `||` or `or`, `&&` or `and`, `not`, comparisons (`=` is `==`), `+ -`, `* / %`, signs
+//! and `!`, `^`; functions as in [`Function`](crate::Function), angles in degrees.
+//!
+//! A left context is read along the way to the root and needs no brackets; a right context follows the axis and may
+//! write branches in `[ ]` (ABOP, section 1.8). A symbol with another number of parameters is another letter.
 
 pub(crate) mod arrow;
+mod constants;
 pub(crate) mod expression;
 mod line;
+mod production;
 pub(crate) mod token;
 pub(crate) mod word;
 
 use crate::notes::Notes;
 use crate::{Diagnostic, Field, Grammar, Kind, LimitName, MAX_TEXT, Module};
+use constants::Constants;
 use core::ops::Range;
 
 /// Reads an axiom and rules. The grammar holds what could be read; it is usable when no diagnostic is an error.
@@ -47,30 +61,40 @@ pub(crate) struct Reading {
     pub(crate) grammar: Grammar,
     pub(crate) diagnostics: Vec<Diagnostic>,
     /// By module of the axiom.
-    pub(crate) axiom_spans: Vec<Range<usize>>,
-    /// By production: of its predecessor.
-    pub(crate) predecessor_spans: Vec<Range<usize>>,
-    /// By production: of its successor's modules.
-    pub(crate) successor_spans: Vec<Vec<Range<usize>>>,
+    pub(crate) axiom: Vec<Range<usize>>,
+    /// By production.
+    pub(crate) productions: Vec<Places>,
+    /// By production below `draw:`.
+    pub(crate) images: Vec<Places>,
+}
+
+/// Where the modules of a production stand.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Places {
+    pub(crate) left: Vec<Range<usize>>,
+    pub(crate) predecessor: Range<usize>,
+    pub(crate) right: Vec<Range<usize>>,
+    pub(crate) successor: Vec<Range<usize>>,
 }
 
 /// Reads an axiom and rules, keeping all places.
 pub(crate) fn read(axiom: &str, rules: &str) -> Reading {
     let mut reading = Reading::default();
+    let mut constants = Constants::default();
+    let mut rules_notes = Notes::new(Field::Rules);
+    if is_short_enough(rules, &mut rules_notes) {
+        line::read(rules, &mut reading, &mut constants, &mut rules_notes);
+    }
     let mut notes = Notes::new(Field::Axiom);
     if is_short_enough(axiom, &mut notes) {
         let tokens = token::tokens(axiom, 0..axiom.len(), &mut notes);
-        let word = word::word(&tokens, &Kind::ArrowInAxiom, &mut notes);
+        let word = word::word(&tokens, &Kind::ArrowInAxiom, &mut constants, &mut notes);
         reading.grammar.axiom = word.modules;
-        reading.axiom_spans = word.spans;
+        reading.axiom = word.spans;
     }
+    constants.finish(&mut rules_notes);
     reading.diagnostics = notes.finish();
-
-    let mut notes = Notes::new(Field::Rules);
-    if is_short_enough(rules, &mut notes) {
-        line::read(rules, &mut reading, &mut notes);
-    }
-    reading.diagnostics.extend(notes.finish());
+    reading.diagnostics.extend(rules_notes.finish());
     reading
 }
 

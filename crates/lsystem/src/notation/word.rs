@@ -1,9 +1,10 @@
-//! Words: axioms and successors.
+//! Words: axioms and successors, and what stands in a production's contexts.
 
 use super::arrow;
-use super::token::{Token, span_of};
-use crate::notes::Notes;
-use crate::{Feature, Kind, Module};
+use super::expression::{self, Names};
+use super::token::{Token, span_of, text_of};
+use crate::notes::{Notes, excerpt};
+use crate::{Expr, Kind, LimitName, MAX_PARAMETERS, Module, Pattern, Role};
 use core::ops::Range;
 
 /// The modules of a word and where each stands.
@@ -14,44 +15,120 @@ pub(crate) struct Word {
 }
 
 /// Reads a word. `*` or `ε` alone is the empty word; an arrow that stands apart is noted as `stray_arrow`.
-pub(crate) fn word(tokens: &[Token], stray_arrow: &Kind, notes: &mut Notes) -> Word {
+pub(crate) fn word(tokens: &[Token], stray_arrow: &Kind, names: &mut dyn Names, notes: &mut Notes) -> Word {
     let mut word = Word::default();
-    if let [only] = tokens
-        && (only.is('*') || only.is('ε'))
-    {
+    if is_empty(tokens) {
         return word;
     }
     if let Some(arrow) = stray(tokens) {
         notes.add(stray_arrow.clone(), arrow);
     }
-    let mut told = false;
-    let mut at = 0;
-    while let Some(&token) = tokens.get(at) {
-        at += 1;
-        if token.is('(') && token.joined {
-            let Some(end) = closing(&tokens[at - 1..]) else {
-                notes.add(Kind::ParenthesisUnclosed, token.span());
-                return word;
-            };
-            at += end;
-            if !told {
-                let from = at.saturating_sub(end + 2);
-                notes.add(Kind::NotYet(Feature::Parameters), span_of(&tokens[from..at], 0));
-                told = true;
-            }
-            continue;
-        }
-        if token.is('(') || token.is(')') {
-            notes.add(Kind::ParenthesisSymbol { symbol: token.ch }, token.span());
-        }
-        word.modules.push(Module::from(token.ch));
-        word.spans.push(token.span());
-    }
+    pieces(tokens, notes, |notes, symbol, inside, span| {
+        let arguments = inside.map_or(Vec::new(), |inside| arguments(inside, &span, names, notes));
+        word.modules.push(Module { symbol, arguments });
+        word.spans.push(span);
+    });
     word
 }
 
+/// Reads a context or a predecessor: symbols with the names of their parameters. `*` or `ε` alone is the empty
+/// context.
+pub(crate) fn patterns(tokens: &[Token], notes: &mut Notes) -> (Vec<Pattern>, Vec<Range<usize>>) {
+    let (mut patterns, mut spans) = (Vec::new(), Vec::new());
+    pieces(tokens, notes, |notes, symbol, inside, span| {
+        let parameters = inside.map_or(Vec::new(), |inside| parameters(inside, &span, notes));
+        patterns.push(Pattern { symbol, parameters });
+        spans.push(span);
+    });
+    (patterns, spans)
+}
+
+/// Whether these stand for the empty word or context.
+pub(crate) fn is_empty(tokens: &[Token]) -> bool {
+    matches!(tokens, [] | [Token { ch: '*' | 'ε', literal: false, .. }])
+}
+
+/// Hands over each symbol with what stands in the parentheses directly after it, and where both stand.
+fn pieces(
+    tokens: &[Token],
+    notes: &mut Notes,
+    mut piece: impl FnMut(&mut Notes, char, Option<&[Token]>, Range<usize>),
+) {
+    let mut at = 0;
+    while let Some(&token) = tokens.get(at) {
+        at += 1;
+        if token.is('(') || token.is(')') {
+            notes.add(Kind::ParenthesisSymbol { symbol: token.ch }, token.span());
+        }
+        let Some(open) = tokens.get(at).filter(|t| t.is('(') && t.joined) else {
+            piece(notes, token.ch, None, token.span());
+            continue;
+        };
+        let Some(length) = closing(&tokens[at..]) else {
+            return notes.add(Kind::ParenthesisUnclosed, open.span());
+        };
+        let inside = &tokens[at + 1..at + length];
+        at += length + 1;
+        piece(notes, token.ch, Some(inside), token.span().start..tokens[at - 1].span().end);
+    }
+}
+
+/// The parts of `inside` between commas that are in no parentheses.
+fn parts(inside: &[Token]) -> impl Iterator<Item = &[Token]> {
+    let mut depth = 0_usize;
+    inside.split(move |t| {
+        depth = (depth + usize::from(t.is('('))).saturating_sub(usize::from(t.is(')')));
+        depth == 0 && t.is(',')
+    })
+}
+
+/// Whether there are parts, and not too many of them.
+fn is_countable(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> bool {
+    if inside.is_empty() {
+        notes.add(Kind::ParenthesesEmpty, span.clone());
+        return false;
+    }
+    let fits = parts(inside).count() <= MAX_PARAMETERS;
+    if !fits {
+        let kind = Kind::Limit { limit: LimitName::Parameters, value: MAX_PARAMETERS as u64, largest: None };
+        notes.add(kind, span.clone());
+    }
+    fits
+}
+
+fn arguments(inside: &[Token], span: &Range<usize>, names: &mut dyn Names, notes: &mut Notes) -> Vec<Expr> {
+    if !is_countable(inside, span, notes) {
+        return Vec::new();
+    }
+    let mut end = span.start;
+    parts(inside)
+        .map(|part| {
+            end = part.last().map_or(end + 1, |t| t.span().end);
+            // What is wrong is noted; the number of arguments is right nevertheless.
+            expression::read(part, end, Role::Argument, names, notes).unwrap_or(Expr::Number(0.0))
+        })
+        .collect()
+}
+
+fn parameters(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> Vec<String> {
+    if !is_countable(inside, span, notes) {
+        return Vec::new();
+    }
+    parts(inside)
+        .map(|part| {
+            let name: String = part.iter().map(|t| t.ch).collect();
+            if !super::line::is_name(part) {
+                notes.add(Kind::ParameterName { text: text_of(part) }, span_of(part, span.start));
+            } else if expression::is_reserved(&name) {
+                notes.add(Kind::ParameterName { text: excerpt(&name) }, span_of(part, span.start));
+            }
+            name
+        })
+        .collect()
+}
+
 /// The distance from the parenthesis that opens `tokens` to the one that closes it.
-pub(crate) fn closing(tokens: &[Token]) -> Option<usize> {
+fn closing(tokens: &[Token]) -> Option<usize> {
     let mut depth = 0_usize;
     tokens.iter().position(|t| {
         depth += usize::from(t.is('('));

@@ -1,6 +1,7 @@
 //! Compiled productions.
 
 use crate::expr::Code;
+use core::ops::Range;
 
 /// A letter's place in [`Rules::letters`].
 pub type LetterId = u16;
@@ -23,14 +24,19 @@ pub struct Rules {
     pub considered: Vec<bool>,
     /// By letter: its productions, those with a context first, in text order within each class.
     pub by_letter: Vec<Vec<Rule>>,
+    /// By letter: its productions below `draw:`, in text order.
+    pub images: Vec<Vec<Rule>>,
     /// The axiom; its arguments use no slots.
     pub axiom: Vec<Template>,
+    /// Where the productions stand in the text, then those below `draw:`; may be shorter.
+    pub spans: Vec<Range<usize>>,
 }
 
 /// One production.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rule {
-    /// Its index in [`Grammar::productions`](crate::Grammar::productions).
+    /// Its index in [`Grammar::productions`](crate::Grammar::productions), those of
+    /// [`Grammar::images`](crate::Grammar::images) counted on.
     pub production: usize,
     /// The left context, nearest last, as it is written.
     pub left: Vec<LetterId>,
@@ -92,11 +98,13 @@ impl Rules {
     #[must_use]
     pub fn is_random(&self) -> bool {
         let random = |template: &Template| template.arguments.iter().any(Code::is_random);
-        (self.by_letter.iter().flatten()).any(|rule| {
-            rule.weight.is_some()
-                || rule.condition.as_ref().is_some_and(Code::is_random)
-                || rule.successor.iter().any(random)
-        })
+        let axiom = self.axiom.iter().any(random);
+        axiom
+            || (self.by_letter.iter().chain(&self.images).flatten()).any(|rule| {
+                rule.weight.is_some()
+                    || rule.condition.as_ref().is_some_and(Code::is_random)
+                    || rule.successor.iter().any(random)
+            })
     }
 
     /// Whether any module has parameters.

@@ -30,10 +30,10 @@ pub enum Fault {
 /// Derives one generation after the other.
 #[derive(Clone, Debug)]
 pub struct Rewriter {
-    plan: Plan,
-    word: Modules,
+    pub(super) plan: Plan,
+    pub(super) word: Modules,
     next: Modules,
-    neighbours: Neighbours,
+    pub(super) neighbours: Neighbours,
     scratch: Scratch,
     generation: u32,
     pass: Pass,
@@ -42,12 +42,12 @@ pub struct Rewriter {
 
 /// What does not change from step to step.
 #[derive(Clone, Debug)]
-struct Plan {
-    rules: Rules,
+pub(super) struct Plan {
+    pub(super) rules: Rules,
     roles: Vec<Role>,
-    seed: u32,
+    pub(super) seed: u32,
     limits: Limits,
-    random: bool,
+    pub(super) random: bool,
     parametric: bool,
     contexts: bool,
     /// Decides by three letters alone, where that is possible.
@@ -67,11 +67,11 @@ enum Pass {
 
 /// Memory that is used again.
 #[derive(Clone, Debug, Default)]
-struct Scratch {
+pub(super) struct Scratch {
     /// The places of a context's modules.
     found: Vec<u32>,
     /// The parameters of left context, predecessor and right context.
-    slots: Vec<f64>,
+    pub(super) slots: Vec<f64>,
     /// The weighted rules that apply.
     choices: Vec<(usize, f64)>,
 }
@@ -125,6 +125,14 @@ impl Rewriter {
     #[must_use]
     pub fn word(&self) -> &Modules {
         &self.word
+    }
+
+    /// By how much it is spent, 0 to 1: how far the next generation has come.
+    pub(crate) fn fraction(&self) -> f64 {
+        match self.pass {
+            Pass::Rightward(at) => at as f64 / self.word.letters.len().max(1) as f64,
+            Pass::Start | Pass::Leftward(_) => 0.0,
+        }
     }
 
     /// The rules it derives by.
@@ -222,7 +230,7 @@ impl Rewriter {
             }
             let key = word.keys.get(place).copied().unwrap_or(Key::root(0));
             let at = Place { plan, word, neighbours, place, key, step };
-            match at.choose(scratch, work) {
+            match at.choose(&plan.rules.by_letter[usize::from(letter)], scratch, work) {
                 None => next.keep(word, place, &plan.rules),
                 Some(rule) => {
                     for (child, template) in rule.successor.iter().enumerate() {
@@ -239,19 +247,18 @@ impl Rewriter {
 }
 
 /// A module in its surroundings.
-struct Place<'a> {
-    plan: &'a Plan,
-    word: &'a Modules,
-    neighbours: &'a Neighbours,
-    place: usize,
-    key: Key,
-    step: u32,
+pub(super) struct Place<'a> {
+    pub(super) plan: &'a Plan,
+    pub(super) word: &'a Modules,
+    pub(super) neighbours: &'a Neighbours,
+    pub(super) place: usize,
+    pub(super) key: Key,
+    pub(super) step: u32,
 }
 
 impl<'a> Place<'a> {
     /// The production that applies; its parameters are then in the scratch.
-    fn choose(&self, scratch: &mut Scratch, work: &mut u64) -> Option<&'a Rule> {
-        let rules = &self.plan.rules.by_letter[usize::from(self.word.letters[self.place])];
+    pub(super) fn choose(&self, rules: &'a [Rule], scratch: &mut Scratch, work: &mut u64) -> Option<&'a Rule> {
         scratch.choices.clear();
         let mut class = None;
         for (index, rule) in rules.iter().enumerate() {
@@ -312,10 +319,10 @@ impl<'a> Place<'a> {
 }
 
 /// A number that is not finite.
-struct NotFinite;
+pub(super) struct NotFinite;
 
 impl Modules {
-    fn clear(&mut self) {
+    pub(super) fn clear(&mut self) {
         self.letters.clear();
         self.arguments.clear();
         self.starts.clear();
@@ -337,7 +344,7 @@ impl Modules {
     }
 
     /// Appends the module of another word that stays as it is.
-    fn keep(&mut self, word: &Self, place: usize, rules: &Rules) {
+    pub(super) fn keep(&mut self, word: &Self, place: usize, rules: &Rules) {
         self.letters.push(word.letters[place]);
         if !word.starts.is_empty() {
             self.starts.push(self.arguments.len() as u32);
@@ -350,7 +357,7 @@ impl Modules {
 
     /// Appends a module: its maker's key and its own, the slots to compute its arguments from, seed and step, and
     /// whether arguments and keys are kept.
-    fn push(
+    pub(super) fn push(
         &mut self,
         template: &Template,
         (maker, own): (Key, Key),

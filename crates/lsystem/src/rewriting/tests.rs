@@ -34,7 +34,8 @@ fn rules(axiom: &str, productions: &[(&str, char, &str, &str)], ignored: &str) -
         rules.sort_by_key(|rule| !rule.is_context_sensitive());
     }
     let considered = symbols.iter().map(|&symbol| !ignored.contains(symbol)).collect();
-    Rules { letters, considered, by_letter, axiom: axiom.chars().map(template).collect() }
+    let images = vec![vec![]; letters.len()];
+    Rules { letters, considered, by_letter, images, axiom: axiom.chars().map(template).collect(), spans: vec![] }
 }
 
 fn derive(rules: Rules, n: u32, piece: usize) -> Rewriter {
@@ -115,7 +116,8 @@ fn parameters_grow_and_conditions_hold() {
         ],
     };
     let axiom = vec![Template { letter: 0, arguments: vec![Code::Constant(1.0)] }];
-    let rules = Rules { letters, considered: vec![true; 2], by_letter: vec![vec![rule], vec![]], axiom };
+    let (by_letter, images) = (vec![vec![rule], vec![]], vec![vec![]; 2]);
+    let rules = Rules { letters, considered: vec![true; 2], by_letter, images, axiom, spans: vec![] };
     let rewriter = derive(rules.clone(), 5, 2);
     assert_eq!(rewriter.word().letters, [1, 1, 0]);
     assert_eq!(rewriter.word().arguments, [1.0, 2.0, 3.0]);

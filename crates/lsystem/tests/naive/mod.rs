@@ -4,7 +4,7 @@
 //! program, and headings are floating-point degrees that are summed up.
 #![allow(dead_code, unreachable_pub, reason = "each test binary uses its own part")]
 
-use lsystem::{Action, Grammar, Key, Segment, System};
+use lsystem::{Action, Grammar, Key, Production, Segment, System};
 
 /// The letters of generation `n`, with their keys. Takes time and memory as the word grows.
 pub fn derive(grammar: &Grammar, seed: u32, n: u32) -> Vec<(char, Key)> {
@@ -38,12 +38,13 @@ fn successor(grammar: &Grammar, letter: char, roll: impl FnOnce() -> f64) -> Opt
     let mut chosen = first;
     if first.weight.is_some() {
         let weighted: Vec<_> = matching.into_iter().filter(|p| p.weight.is_some()).collect();
-        let total: f64 = weighted.iter().filter_map(|p| p.weight).sum();
+        let weight = |p: &Production| p.weight.as_ref().and_then(|weight| grammar.value(weight)).unwrap_or(0.0);
+        let total: f64 = weighted.iter().map(|p| weight(p)).sum();
         let roll = roll();
         let mut until = 0.0;
         for production in weighted {
             chosen = production;
-            until += production.weight.unwrap_or(0.0);
+            until += weight(production);
             if roll < until / total {
                 break;
             }

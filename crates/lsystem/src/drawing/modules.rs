@@ -1,0 +1,272 @@
+//! Drawing a whole generation, for productions that look around themselves or compute.
+
+use super::builder::Builder;
+use super::tree::Tree;
+use super::{BlockId, StyleChange};
+use crate::derivation::{fault, limit};
+use crate::turtle::{Directions, Op, Pen, Score, exponent_of};
+use crate::{Diagnostic, Fault, Image, LimitName, Limits, Rewriter, Rules, Turtle};
+
+/// What an open branch costs in units of work: its turtle's state takes the memory of as many letters.
+const BRANCH: u64 = 32;
+/// Modules read between two looks at the caller's budget.
+const PIECE: usize = 1 << 12;
+
+/// A drawing in the making: derives generation after generation, measures the last, and draws it.
+#[derive(Clone, Debug)]
+pub(crate) struct Modular {
+    rewriter: Rewriter,
+    seed: u32,
+    reader: Reader,
+    stage: Stage,
+}
+
+#[derive(Clone, Debug)]
+enum Stage {
+    Derive,
+    Measure(Measure),
+    Draw {
+        pen: Pen,
+        saved: Vec<Pen>,
+        tree: Tree,
+        directions: Directions,
+        /// Of lengths, to the unit of the tree.
+        scale: f64,
+    },
+    /// A limit was passed: finding the last generation before this one that is within all.
+    Recount {
+        passed: LimitName,
+        before: u32,
+        fits: Option<u32>,
+        measure: Measure,
+    },
+}
+
+/// What came of working on.
+pub(crate) enum Outcome {
+    /// The work allowed is done; there is more.
+    Paused,
+    /// The root of the drawing.
+    Ended(Option<BlockId>),
+    Failed(Diagnostic),
+}
+
+impl Modular {
+    /// Ready to draw from the axiom on.
+    pub(crate) fn new(rules: &Rules, seed: u32, limits: &Limits) -> Result<Self, Diagnostic> {
+        let rewriter =
+            Rewriter::new(rules.clone(), seed, *limits).map_err(|fault_| fault(rules, fault_, 0, limits, None))?;
+        Ok(Self { rewriter, seed, reader: Reader::default(), stage: Stage::Derive })
+    }
+
+    /// How much of the work for generation `n` is done, 0 to 1.
+    pub(crate) fn fraction(&self, n: u32) -> f64 {
+        let read = self.reader.at as f64 / self.rewriter.word().letters.len().max(1) as f64;
+        match &self.stage {
+            Stage::Derive => {
+                0.6 * (f64::from(self.rewriter.generation()) + self.rewriter.fraction()) / f64::from(n.max(1))
+            }
+            Stage::Measure(_) => 0.6 + 0.1 * read,
+            Stage::Draw { .. } => 0.7 + 0.3 * read,
+            Stage::Recount { .. } => 1.0,
+        }
+    }
+
+    /// Works on for `left` modules.
+    pub(crate) fn step(
+        &mut self,
+        (turtle, score): (&Turtle, &Score),
+        builder: &mut Builder,
+        limits: &Limits,
+        n: u32,
+        left: &mut u64,
+    ) -> Outcome {
+        let Self { rewriter, seed, reader, stage } = self;
+        match stage {
+            Stage::Derive if rewriter.generation() < n => {
+                if let Err(passed) = derive(rewriter, left) {
+                    let reached = rewriter.generation();
+                    let Fault::Limit(passed) = passed else {
+                        return Outcome::Failed(fault(rewriter.rules(), passed, reached, limits, None));
+                    };
+                    return self.recount(passed, reached + 1, limits);
+                }
+                Outcome::Paused
+            }
+            Stage::Derive => {
+                *stage = Stage::Measure(Measure::default());
+                Outcome::Paused
+            }
+            Stage::Measure(measure) => {
+                let done = reader.read(rewriter, (turtle, score), left, &mut |ops| measure.add(ops));
+                let generation = rewriter.generation();
+                match (measure.passed(limits), done) {
+                    (Some(passed), _) => return self.recount(passed, n, limits),
+                    (None, Err(error)) => {
+                        return Outcome::Failed(fault(rewriter.rules(), error, generation, limits, None));
+                    }
+                    (None, Ok(false)) => {}
+                    (None, Ok(true)) => {
+                        let shift = exponent_of(measure.longest);
+                        *reader = Reader::default();
+                        *stage = Stage::Draw {
+                            pen: Pen { at: [0.0; 2], heading: turtle.heading, style: StyleChange::start(score.width) },
+                            saved: Vec::new(),
+                            tree: Tree::new(score.exponent.saturating_add(shift)),
+                            directions: Directions::new(),
+                            scale: libm::scalbn(1.0, -shift),
+                        };
+                    }
+                }
+                Outcome::Paused
+            }
+            Stage::Draw { pen, saved, tree, directions, scale } => {
+                let mut act = |ops: &[Op]| {
+                    pen.act(ops, saved, *scale, directions, |from, to, style| tree.push(builder, from, to, style));
+                };
+                match reader.read(rewriter, (turtle, score), left, &mut act) {
+                    Ok(false) => Outcome::Paused,
+                    Ok(true) => Outcome::Ended(tree.finish(builder)),
+                    Err(error) => Outcome::Failed(fault(rewriter.rules(), error, rewriter.generation(), limits, None)),
+                }
+            }
+            Stage::Recount { passed, before, fits, measure } => {
+                let over = limit(*passed, limits.value(*passed), *fits);
+                if rewriter.generation() >= *before {
+                    return Outcome::Failed(over);
+                }
+                let done = reader.read(rewriter, (turtle, score), left, &mut |ops| measure.add(ops));
+                let within = measure.passed(limits).is_none();
+                if within && done == Ok(false) {
+                    return Outcome::Paused;
+                }
+                if within && done == Ok(true) {
+                    *fits = Some(rewriter.generation());
+                }
+                // On to the next generation.
+                *measure = Measure::default();
+                *reader = Reader::default();
+                let next = rewriter.generation() + 1;
+                if next >= *before {
+                    return Outcome::Failed(limit(*passed, limits.value(*passed), *fits));
+                }
+                while rewriter.generation() < next {
+                    if derive(rewriter, left).is_err() {
+                        return Outcome::Failed(limit(*passed, limits.value(*passed), *fits));
+                    }
+                }
+                let _ = seed;
+                Outcome::Paused
+            }
+        }
+    }
+
+    /// Starts again, to find the last generation before `before` that is within all limits.
+    fn recount(&mut self, passed: LimitName, before: u32, limits: &Limits) -> Outcome {
+        let failed = || Outcome::Failed(limit(passed, limits.value(passed), None));
+        let Ok(rewriter) = Rewriter::new(self.rewriter.rules().clone(), self.seed, *limits) else { return failed() };
+        self.rewriter = rewriter;
+        self.reader = Reader::default();
+        self.stage = Stage::Recount { passed, before, fits: None, measure: Measure::default() };
+        Outcome::Paused
+    }
+}
+
+/// Works towards the next generation.
+fn derive(rewriter: &mut Rewriter, left: &mut u64) -> Result<(), Fault> {
+    let budget = usize::try_from(*left).unwrap_or(usize::MAX).min(rewriter.word().letters.len().max(PIECE));
+    rewriter.step(budget)?;
+    *left = left.saturating_sub(budget as u64);
+    Ok(())
+}
+
+/// What a generation will cost to draw.
+#[derive(Clone, Debug, Default)]
+struct Measure {
+    segments: u64,
+    /// Branches open now, and at most so far.
+    open: u64,
+    deepest: u64,
+    /// The longest way forward, in units of the score.
+    longest: f64,
+}
+
+impl Measure {
+    fn add(&mut self, ops: &[Op]) {
+        for op in ops {
+            match *op {
+                Op::Draw(length) => {
+                    self.segments += 1;
+                    self.longest = self.longest.max(length.abs());
+                }
+                Op::Move(length) => self.longest = self.longest.max(length.abs()),
+                Op::Push => {
+                    self.open += 1;
+                    self.deepest = self.deepest.max(self.open);
+                }
+                Op::Pop => self.open = self.open.saturating_sub(1),
+                Op::Turn(_) | Op::Style(_) => {}
+            }
+        }
+    }
+
+    fn passed(&self, limits: &Limits) -> Option<LimitName> {
+        if self.segments > limits.segments {
+            Some(LimitName::Segments)
+        } else if self.deepest.saturating_mul(BRANCH) > limits.work {
+            Some(LimitName::Work)
+        } else {
+            None
+        }
+    }
+}
+
+/// Goes through the modules of a generation as the turtle reads them.
+#[derive(Clone, Debug, Default)]
+struct Reader {
+    at: usize,
+    image: Image,
+    ops: Vec<Op>,
+}
+
+impl Reader {
+    /// Hands over what `left` modules do; says whether the generation is at its end.
+    fn read(
+        &mut self,
+        rewriter: &Rewriter,
+        (turtle, score): (&Turtle, &Score),
+        left: &mut u64,
+        act: &mut dyn FnMut(&[Op]),
+    ) -> Result<bool, Fault> {
+        let Self { at, image, ops } = self;
+        let (word, rules) = (rewriter.word(), rewriter.rules());
+        let end = (*at + PIECE).min(word.letters.len());
+        *left = left.saturating_sub(2 * (end - *at) as u64 + 1);
+        let mut one = |letter: u16, arguments: &[f64]| {
+            let plain = &score.ops[usize::from(letter)];
+            match (arguments, plain.as_slice()) {
+                (_, []) => {}
+                ([], plain) => act(plain),
+                ([number, ..], [_, rest @ ..]) => {
+                    ops.clear();
+                    ops.push(score.op(turtle, turtle.actions[usize::from(letter)][0].with(*number)));
+                    ops.extend_from_slice(rest);
+                    act(ops);
+                }
+            }
+        };
+        while *at < end {
+            let letter = word.letters[*at];
+            if rules.images[usize::from(letter)].is_empty() {
+                one(letter, word.arguments_of(*at, rules));
+            } else {
+                let modules = rewriter.image(*at, image)?;
+                for (place, &letter) in modules.letters.iter().enumerate() {
+                    one(letter, modules.arguments_of(place, rules));
+                }
+            }
+            *at += 1;
+        }
+        Ok(*at == word.letters.len())
+    }
+}

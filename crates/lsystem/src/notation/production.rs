@@ -1,0 +1,218 @@
+//! Reading one production: contexts, predecessor, condition, successor, weight.
+
+use super::constants::{Constants, Scope};
+use super::expression;
+use super::token::{Token, span_of, text_of};
+use super::word::{is_empty, patterns, word};
+use super::{Places, Reading};
+use crate::notes::{Notes, excerpt};
+use crate::{Code, Expr, Kind, LimitName, MAX_CONTEXT, Pattern, Production, Role};
+use core::ops::Range;
+use std::collections::BTreeSet;
+
+/// A line with an arrow, to be read when all constants are known.
+pub(super) struct Line {
+    pub(super) tokens: Vec<Token>,
+    /// Among the tokens.
+    pub(super) arrow: Range<usize>,
+    /// Of the line, in bytes.
+    pub(super) end: usize,
+    /// Whether it stands below `draw:`.
+    pub(super) drawing: bool,
+}
+
+/// Reads `line` into `reading`, where it is sound enough.
+pub(super) fn read(line: &Line, constants: &mut Constants, reading: &mut Reading, notes: &mut Notes) {
+    let Line { tokens, arrow, end, drawing } = line;
+    let (before, after) = (&tokens[..arrow.start], &tokens[arrow.end..]);
+    let arrow = span_of(&tokens[arrow.clone()], *end);
+    let (head, condition) = match outside(before, ':').next() {
+        Some(colon) => (&before[..colon], Some(&before[colon + 1..])),
+        None => (before, None),
+    };
+    let (successor, weight) = match outside(after, ':').last() {
+        Some(colon) => (&after[..colon], Some(&after[colon + 1..])),
+        None => (after, None),
+    };
+    let has_head = !head.is_empty();
+    let head = read_head(head, &arrow, notes);
+    let parameters = head.names(notes);
+    if *drawing && let Some(span) = head.context_span() {
+        notes.add(Kind::DrawContext, span);
+    }
+    let mut scope = Scope { parameters, constants };
+    // What is wrong in an expression is noted; that there is one counts nevertheless.
+    let wrong = || Expr::Number(1.0);
+    let condition = condition.filter(|tokens| !is_star(tokens) && has_head).map(|tokens| {
+        let read = expression::read(tokens, arrow.start, Role::Condition, &mut scope, notes);
+        let Some(condition) = read else { return wrong() };
+        if let Ok(Code::Constant(value)) = expression::code(&condition, &mut scope) {
+            notes.add(Kind::ConditionConstant { holds: value != 0.0 }, span_of(tokens, arrow.start));
+        }
+        condition
+    });
+    let successor = word(successor, &Kind::SecondArrow, &mut scope, notes);
+    let weight = weight.map(|tokens| {
+        let Some(weight) = expression::read(tokens, *end, Role::Weight, &mut scope, notes) else { return wrong() };
+        match expression::code(&weight, &mut scope) {
+            // A sum of weights must stay finite too.
+            Ok(Code::Constant(value)) if !(1e-100..=1e100).contains(&value) => {
+                notes.add(Kind::WeightRange { value }, span_of(tokens, *end));
+            }
+            _ => {}
+        }
+        weight
+    });
+    let Head { left, strict: Some((predecessor, span)), right } = head else { return };
+    let (left, left_spans): (Vec<Pattern>, Vec<_>) = left.into_iter().unzip();
+    let (right, right_spans): (Vec<Pattern>, Vec<_>) = right.into_iter().unzip();
+    let production = Production { left, predecessor, right, condition, successor: successor.modules, weight };
+    let places = Places { predecessor: span, left: left_spans, right: right_spans, successor: successor.spans };
+    let (list, places_list) = if *drawing {
+        (&mut reading.grammar.images, &mut reading.images)
+    } else {
+        (&mut reading.grammar.productions, &mut reading.productions)
+    };
+    list.push(production);
+    places_list.push(places);
+}
+
+/// What stands before the condition: patterns and their places. `strict` is `None` where it could not be read.
+#[derive(Default)]
+struct Head {
+    left: Vec<(Pattern, Range<usize>)>,
+    strict: Option<(Pattern, Range<usize>)>,
+    right: Vec<(Pattern, Range<usize>)>,
+}
+
+impl Head {
+    fn patterns(&self) -> impl Iterator<Item = &(Pattern, Range<usize>)> {
+        self.left.iter().chain(&self.strict).chain(&self.right)
+    }
+
+    /// The names of all parameters; those that stand twice are noted.
+    fn names(&self, notes: &mut Notes) -> BTreeSet<&str> {
+        let mut names = BTreeSet::new();
+        for (pattern, span) in self.patterns() {
+            for name in &pattern.parameters {
+                if !names.insert(name.as_str()) {
+                    notes.add(Kind::ParameterTwice { name: excerpt(name) }, span.clone());
+                }
+            }
+        }
+        names
+    }
+
+    fn context_span(&self) -> Option<Range<usize>> {
+        let (_, first) = self.left.first().or(self.right.first())?;
+        let (_, last) = self.right.last().or(self.left.last())?;
+        Some(first.start..last.end)
+    }
+}
+
+/// Reads contexts and predecessor.
+fn read_head(head: &[Token], arrow: &Range<usize>, notes: &mut Notes) -> Head {
+    let [less, greater] = ['<', '>'].map(|mark| outside(head, mark).collect::<Vec<_>>());
+    match head {
+        [] => {
+            notes.add(Kind::NoPredecessor, arrow.clone());
+            return Head::default();
+        }
+        [only] if only.is('<') || only.is('>') => {
+            notes.add(Kind::NoPredecessor, only.span());
+            return Head::default();
+        }
+        _ => {}
+    }
+    let disorder = match (less.as_slice(), greater.as_slice()) {
+        ([_, second, ..], _) | (_, [_, second, ..]) => Some(*second),
+        ([less], [greater]) if greater < less => Some(*less),
+        _ => None,
+    };
+    if let Some(at) = disorder {
+        notes.add(Kind::ContextOrder, head[at].span());
+        return Head::default();
+    }
+    let from = less.first().map_or(0, |at| at + 1);
+    let to = greater.first().copied().unwrap_or(head.len());
+    let strict = &head[from..to];
+    let left = less.first().map_or(Vec::new(), |&at| context(&head[..at], head[at], notes));
+    let right = greater.first().map_or(Vec::new(), |&at| context(&head[at + 1..], head[at], notes));
+    check_contexts(&left, &right, notes);
+    let (patterns, spans) = patterns(strict, notes);
+    let is_number = |tokens: &[Token]| !tokens.is_empty() && tokens.iter().all(|t| t.ch.is_ascii_digit() || t.is('.'));
+    let compared = (is_number(strict) && left.iter().any(|(p, _)| !p.parameters.is_empty()))
+        || (greater.first().is_some_and(|&at| is_number(&head[at + 1..])) && strict.iter().any(|t| t.is('(')));
+    if compared {
+        notes.add(Kind::ContextForCondition, span_of(head, arrow.start));
+    }
+    let mut patterns: Vec<_> = patterns.into_iter().zip(spans).collect();
+    let strict = match patterns.len() {
+        1 => patterns.pop(),
+        0 => {
+            let at = strict.first().map_or(arrow.clone(), |_| span_of(strict, arrow.start));
+            // An unclosed parenthesis is noted already.
+            if strict.is_empty() {
+                notes.add(Kind::NoPredecessor, at);
+            }
+            None
+        }
+        _ => {
+            notes.add(Kind::LongPredecessor { text: text_of(strict) }, span_of(strict, arrow.start));
+            None
+        }
+    };
+    Head { left, strict, right }
+}
+
+fn context(tokens: &[Token], mark: Token, notes: &mut Notes) -> Vec<(Pattern, Range<usize>)> {
+    if tokens.is_empty() {
+        notes.add(Kind::ContextMissing { mark: mark.ch }, mark.span());
+    }
+    if is_empty(tokens) {
+        return Vec::new();
+    }
+    let (patterns, spans) = patterns(tokens, notes);
+    if patterns.len() > MAX_CONTEXT {
+        let kind = Kind::Limit { limit: LimitName::Context, value: MAX_CONTEXT as u64, largest: None };
+        notes.add(kind, span_of(tokens, 0));
+    }
+    patterns.into_iter().zip(spans).collect()
+}
+
+/// Notes brackets that make no sense in contexts.
+fn check_contexts(left: &[(Pattern, Range<usize>)], right: &[(Pattern, Range<usize>)], notes: &mut Notes) {
+    for (pattern, span) in left {
+        if matches!(pattern.symbol, '[' | ']') {
+            return notes.add(Kind::ContextBracketLeft, span.clone());
+        }
+    }
+    let mut open = Vec::new();
+    for (pattern, span) in right {
+        match pattern.symbol {
+            '[' | ']' if !pattern.parameters.is_empty() => {
+                return notes.add(Kind::ContextBracket, span.clone());
+            }
+            '[' => open.push(span),
+            ']' if open.pop().is_none() => return notes.add(Kind::ContextBracket, span.clone()),
+            _ => {}
+        }
+    }
+    if let Some(span) = open.pop() {
+        notes.add(Kind::ContextBracket, span.clone());
+    }
+}
+
+/// The places of `ch` outside parentheses.
+fn outside(tokens: &[Token], ch: char) -> impl Iterator<Item = usize> {
+    let mut depth = 0_usize;
+    tokens.iter().enumerate().filter_map(move |(at, t)| {
+        depth = (depth + usize::from(t.is('('))).saturating_sub(usize::from(t.is(')')));
+        (depth == 0 && t.is(ch)).then_some(at)
+    })
+}
+
+/// Whether these stand for no condition.
+fn is_star(tokens: &[Token]) -> bool {
+    matches!(tokens, [only] if only.is('*'))
+}

@@ -1,0 +1,93 @@
+//! Making a grammar ready: letters become small integers, names become slots.
+
+use super::rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
+use crate::expr::{Code, Expr, Meaning, Unusable};
+use crate::{Grammar, Module, Pattern, Production};
+use core::ops::Range;
+
+impl Rules {
+    /// Compiles `grammar`. `spans` says where its productions stand in the text, then those for drawing.
+    ///
+    /// # Errors
+    /// Where an expression cannot be computed.
+    pub fn new(grammar: &Grammar, spans: Vec<Range<usize>>) -> Result<Self, Unusable> {
+        let productions = || grammar.productions.iter().chain(&grammar.images);
+        let mut letters: Vec<Letter> = (productions().flat_map(Production::patterns).map(letter_of_pattern))
+            .chain(grammar.axiom.iter().chain(productions().flat_map(|p| &p.successor)).map(letter_of_module))
+            .collect();
+        letters.sort_unstable();
+        letters.dedup();
+        let considered = letters.iter().map(|letter| grammar.seen.contains(letter.symbol)).collect();
+        let (mut by_letter, mut images) = (vec![Vec::new(); letters.len()], vec![Vec::new(); letters.len()]);
+        let compiler = Compiler { grammar, letters: &letters };
+        for (index, production) in productions().enumerate() {
+            let letter = compiler.id(letter_of_pattern(&production.predecessor));
+            let list = if index < grammar.productions.len() { &mut by_letter } else { &mut images };
+            list[usize::from(letter)].push(compiler.rule(production, index)?);
+        }
+        for rules in &mut by_letter {
+            rules.sort_by_key(|rule| !rule.is_context_sensitive());
+        }
+        let axiom = compiler.word(&grammar.axiom, &[], &mut 0)?;
+        Ok(Self { letters, considered, by_letter, images, axiom, spans })
+    }
+}
+
+fn letter_of_pattern(pattern: &Pattern) -> Letter {
+    Letter { symbol: pattern.symbol, arity: pattern.parameters.len() as u8 }
+}
+
+fn letter_of_module(module: &Module) -> Letter {
+    Letter { symbol: module.symbol, arity: module.arguments.len() as u8 }
+}
+
+struct Compiler<'a> {
+    grammar: &'a Grammar,
+    /// Sorted.
+    letters: &'a [Letter],
+}
+
+impl Compiler<'_> {
+    fn id(&self, letter: Letter) -> LetterId {
+        self.letters.binary_search(&letter).unwrap_or(0) as LetterId
+    }
+
+    fn rule(&self, production: &Production, index: usize) -> Result<Rule, Unusable> {
+        let names: Vec<&str> = production.patterns().flat_map(|p| &p.parameters).map(String::as_str).collect();
+        let mut randoms = 0;
+        let mut code = |expr: &Expr| self.code(expr, &names, &mut randoms);
+        let condition = production.condition.as_ref().map(&mut code).transpose()?;
+        let weight = production.weight.as_ref().map(&mut code).transpose()?;
+        Ok(Rule {
+            production: index,
+            left: production.left.iter().map(|pattern| self.id(letter_of_pattern(pattern))).collect(),
+            right: (production.right.iter())
+                .map(|pattern| match pattern.symbol {
+                    '[' => ContextPattern::Open,
+                    ']' => ContextPattern::Close,
+                    _ => ContextPattern::Letter(self.id(letter_of_pattern(pattern))),
+                })
+                .collect(),
+            condition,
+            weight,
+            successor: self.word(&production.successor, &names, &mut randoms)?,
+        })
+    }
+
+    fn word(&self, modules: &[Module], names: &[&str], randoms: &mut u16) -> Result<Vec<Template>, Unusable> {
+        let template = |module: &Module| {
+            let arguments =
+                module.arguments.iter().map(|expr| self.code(expr, names, randoms)).collect::<Result<_, _>>();
+            Ok(Template { letter: self.id(letter_of_module(module)), arguments: arguments? })
+        };
+        modules.iter().map(template).collect()
+    }
+
+    fn code(&self, expr: &Expr, names: &[&str], randoms: &mut u16) -> Result<Code, Unusable> {
+        let meaning = |name: &str| match names.iter().position(|own| *own == name) {
+            Some(slot) => Some(Meaning::Slot(slot as u16)),
+            None => self.grammar.constant(name).map(Meaning::Constant),
+        };
+        Code::new(expr, &meaning, randoms)
+    }
+}

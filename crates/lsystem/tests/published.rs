@@ -1,0 +1,56 @@
+//! Published systems with contexts and parameters, through the notation.
+
+use lsystem::{Definition, Limits, Rewriter, System, count_symbols, expand};
+
+fn system(axiom: &str, rules: &str) -> System {
+    let definition = Definition { axiom: axiom.into(), rules: rules.into(), angle: 22.5, ..Definition::default() };
+    let (system, diagnostics) = System::new(&definition);
+    system.unwrap_or_else(|| panic!("{diagnostics:?}"))
+}
+
+/// ABOP, figure 1.31, after Hogeweg and Hesper: successors for the contexts `0 < 0 > 0` to `1 < 1 > 1`.
+fn hogeweg_hesper(successors: [&str; 8]) -> System {
+    let mut rules = "ignore: +-F\n".to_owned();
+    for (index, successor) in successors.into_iter().enumerate() {
+        let [left, strict, right] = [index >> 2 & 1, index >> 1 & 1, index & 1];
+        rules.push_str(&format!("{left} < {strict} > {right} -> {successor}\n"));
+    }
+    system("F1F1F1", &(rules + "+ -> -\n- -> +"))
+}
+
+/// ABOP, figure 2.6 a, after Honda.
+fn honda() -> System {
+    let constants = "r1 = 0.9\nr2 = 0.6\na0 = 45\na2 = 45\nd = 137.5\nwr = 0.707\n";
+    let rules = "A(l,w) -> !(w)F(l)[&(a0)B(l*r2,w*wr)]/(d)A(l*r1,w*wr)\n\
+                 B(l,w) -> !(w)F(l)[-(a2)$C(l*r2,w*wr)]C(l*r1,w*wr)\n\
+                 C(l,w) -> !(w)F(l)[+(a2)$B(l*r2,w*wr)]B(l*r1,w*wr)";
+    system("A(1,10)", &format!("{constants}{rules}"))
+}
+
+/// The modules of generation `n`.
+fn modules(system: &System, n: u32) -> usize {
+    let rules = system.rules.clone().expect("no plain grammar");
+    let mut rewriter = Rewriter::new(rules, system.seed, Limits::default()).unwrap();
+    while rewriter.generation() < n {
+        rewriter.step(usize::MAX).unwrap();
+    }
+    rewriter.word().letters.len()
+}
+
+#[test]
+fn figure_1_31_has_the_published_sizes() {
+    let a = hogeweg_hesper(["0", "1[+F1F1]", "1", "1", "0", "1F1", "0", "0"]);
+    assert_eq!(modules(&a, 30), 6_910);
+    assert_eq!(expand(&a, 30, &Limits::default()).unwrap().len(), 6_910);
+    assert_eq!(count_symbols(&a, 30), None);
+}
+
+#[test]
+fn figure_2_6_has_the_published_sizes() {
+    let tree = honda();
+    assert_eq!(modules(&tree, 10), 7_162);
+    // Every letter always becomes the same letters, so the count needs no derivation.
+    assert_eq!(count_symbols(&tree, 17).unwrap(), 917_498_u64.into());
+    let text = expand(&tree, 1, &Limits::default()).unwrap();
+    assert_eq!(text, "!(10)F(1)[&(45)B(0.6,7.069999999999999)]/(137.5)A(0.9,7.069999999999999)");
+}
