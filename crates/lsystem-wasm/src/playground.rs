@@ -38,6 +38,8 @@ pub struct Playground {
     renderer: Renderer,
     pub(crate) viewport: Viewport,
     pub(crate) view: View,
+    /// How many segments the picture shows; all of them without it.
+    pub(crate) upto: Option<u128>,
     picture: Picture,
 }
 
@@ -88,6 +90,7 @@ impl Playground {
             renderer: Renderer::new(),
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
             view: View::default(),
+            upto: None,
             picture: Picture::Shown,
         })
     }
@@ -132,6 +135,7 @@ impl Playground {
             self.report.description = former.description;
         } else {
             self.drawer = Some(Drawer::new(&system, n, LIMITS));
+            self.upto = None;
             self.report = known;
         }
         self.picture = Picture::Stale;
@@ -148,6 +152,15 @@ impl Playground {
         let viewport = Viewport { width, height, ratio };
         if (view, viewport) != (self.view, self.viewport) {
             (self.view, self.viewport) = (view, viewport);
+            self.picture = Picture::Stale;
+        }
+    }
+
+    /// Shows only the first `upto` segments, the turtle on its way; all of them without a number. A new drawing starts
+    /// with all.
+    pub fn play(&mut self, upto: Option<u128>) {
+        if upto != self.upto {
+            self.upto = upto;
             self.picture = Picture::Stale;
         }
     }
@@ -207,7 +220,7 @@ impl Playground {
         let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
         let mut renderer = Renderer::new();
         renderer.load(drawing.clone());
-        renderer.begin(&system.style, Viewport { width, height, ratio }, self.view);
+        renderer.begin_until(&system.style, Viewport { width, height, ratio }, self.view, self.upto);
         while renderer.step(WORK) == Progress::More {}
         Surface::new(canvas)?.show(renderer.pixels(), width, height)
     }
@@ -270,7 +283,7 @@ impl Playground {
     fn paint(&mut self) -> Result<Option<Drawn>, JsValue> {
         let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else { return Ok(None) };
         if self.picture == Picture::Stale {
-            self.renderer.begin(&system.style, self.viewport, self.view);
+            self.renderer.begin_until(&system.style, self.viewport, self.view, self.upto);
             self.picture = Picture::Begun;
         }
         if self.renderer.step(WORK) == Progress::More {

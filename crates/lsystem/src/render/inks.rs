@@ -161,7 +161,7 @@ fn of_block(choice: Choice, drawing: &Drawing, block: &Block, blocks: &[Inks]) -
             Item::Block(placed) => (placed.style, Some(placed.block)),
         };
         // Long runs of strokes in one style are common.
-        if core::mem::replace(&mut last, Some((style, inner))) == Some((style, inner)) {
+        if last.replace((style, inner)) == Some((style, inner)) {
             continue;
         }
         let entry = choice.shade(&drawing.styles[style.0 as usize]);

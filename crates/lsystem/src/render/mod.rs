@@ -64,8 +64,13 @@ impl Renderer {
 
     /// Starts a picture of the loaded drawing; a picture that was being made is given up.
     pub fn begin(&mut self, style: &Style, viewport: Viewport, view: View) {
+        self.begin_until(style, viewport, view, None);
+    }
+
+    /// As [`Renderer::begin`], a picture of the first `upto` segments only: the turtle on its way.
+    pub fn begin_until(&mut self, style: &Style, viewport: Viewport, view: View, upto: Option<u128>) {
         if let Some(drawing) = &self.drawing {
-            self.walk.begin(drawing, style, viewport, view);
+            self.walk.begin(drawing, style, viewport, view, upto);
         }
         self.output.begin(style, self.walk.inks(), viewport);
     }

@@ -60,6 +60,18 @@ impl Pen {
 
 /// The picture by definition: every segment in drawing order, every subsample by its distance.
 pub(super) fn brute_force(drawing: &Drawing, style: &Style, viewport: Viewport, view: View) -> Vec<u8> {
+    brute_force_until(drawing, style, viewport, view, usize::MAX)
+}
+
+/// As [`brute_force`], of the first `upto` segments.
+pub(super) fn brute_force_until(
+    drawing: &Drawing,
+    style: &Style,
+    viewport: Viewport,
+    view: View,
+    upto: usize,
+) -> Vec<u8> {
+    let mut left = upto;
     let camera = Camera::new(drawing, viewport, view);
     let (width, height) = (viewport.width as i64 * 4, viewport.height as i64 * 4);
     let mut inks = vec![None; (width * height) as usize];
@@ -94,6 +106,8 @@ pub(super) fn brute_force(drawing: &Drawing, style: &Style, viewport: Viewport, 
     let pen = Pen { colour: 0, width: drawing.width, level: 0 };
     let start = ([camera.x, -camera.y], [camera.scale, 0.0]);
     visit(drawing, drawing.root.unwrap(), start, pen, &mut |a, b, pen| {
+        let Some(rest) = left.checked_sub(1) else { return };
+        left = rest;
         let r = (pen.width * camera.step / 2.0).max(hairline);
         let (a, b) = ([a[0], -a[1]], [b[0], -b[1]]);
         let range = |axis: usize, end: i64| {

@@ -1,4 +1,4 @@
-use super::sample::{Sample, brute_force};
+use super::sample::{Sample, brute_force, brute_force_until};
 use super::*;
 use crate::{ColourBy, Item};
 use std::time::Instant;
@@ -62,6 +62,25 @@ fn the_picture_is_that_of_every_segment_stroked_in_order() {
         }
     }
     assert!(failures.is_empty(), "{failures:?}");
+}
+
+#[test]
+fn a_turtle_on_its_way_has_drawn_the_first_segments() {
+    let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+    let (style, view) = (Style::default(), View::default());
+    let mut renderer = Renderer::new();
+    for (name, sample, n) in samples() {
+        let drawing = Arc::new(sample.draw(n));
+        renderer.load(drawing.clone());
+        let count = drawing.segment_count();
+        for upto in [0, 1, count / 3, count - 1, count] {
+            renderer.begin_until(&style, viewport, view, Some(upto));
+            while renderer.step(10_000) == Progress::More {}
+            let truth = brute_force_until(&drawing, &style, viewport, view, upto as usize);
+            let (mean, worst) = difference(renderer.pixels(), &truth, 320);
+            assert!(mean <= 2.0 && worst <= 12.0, "{name} until {upto}: mean {mean:.3} worst {worst:.2}");
+        }
+    }
 }
 
 /// A view at `zoom` onto a place of the drawing where something is drawn.

@@ -8,7 +8,7 @@ use super::stroke::Capsule;
 use super::tile::{self, Key, Mixer, Tile, Tiles};
 use super::turns::Turns;
 use super::view::{Camera, SAMPLES, View, Viewport};
-use crate::{BlockId, Drawing, Heading, Item, Progress, Style, StyleChange};
+use crate::{BlockId, Drawing, Heading, Item, Placed, Progress, Style, StyleChange};
 use core::hash::{Hash, Hasher};
 
 /// The largest extent, in subsamples, at which a block is painted as a line.
@@ -167,8 +167,15 @@ impl Walk {
         self.inks.clear();
     }
 
-    /// Starts a picture of `width` by `height` pixels.
-    pub(super) fn begin(&mut self, drawing: &Drawing, style: &Style, viewport: Viewport, view: View) {
+    /// Starts a picture of `width` by `height` pixels, of the segments before `upto` where that is given.
+    pub(super) fn begin(
+        &mut self,
+        drawing: &Drawing,
+        style: &Style,
+        viewport: Viewport,
+        view: View,
+        upto: Option<u128>,
+    ) {
         self.stats = RenderStats::default();
         self.seen.clear();
         self.stack.clear();
@@ -196,6 +203,9 @@ impl Walk {
         };
         let pen = Pen { shade: Shade::Fixed(0), width: drawing.width };
         self.stack.push(Node { block: root, cursor: block.items.end, canvas: 0, place, pen });
+        if let Some(upto) = upto {
+            self.leave_out(drawing, upto);
+        }
     }
 
     pub(super) fn frame(&self) -> &Canvas {
@@ -231,19 +241,58 @@ impl Walk {
                     *left -= self.stroke(node.canvas, ends, pen);
                 }
                 Item::Block(placed) => {
-                    let origin = node.place.point(placed.at);
-                    let heading = node.place.heading + placed.heading;
-                    let scale = node.place.scale * placed.scale;
-                    let [c, s] = self.turns.cos_sin(heading);
-                    let place = Place { origin, scale, heading, cos: scale * c, sin: scale * s };
-                    let pen = node.pen.after(self.inks.choice, &drawing.styles[placed.style.0 as usize]);
+                    let child = self.child(drawing, node, placed);
                     let shape = &shapes[placed.block.0 as usize];
-                    let child = Node { block: placed.block, cursor: 0, canvas: node.canvas, place, pen };
                     *left -= self.block(drawing, shape, child);
                 }
             }
         }
         Progress::More
+    }
+
+    /// A block inside another, none of it done.
+    fn child(&mut self, drawing: &Drawing, node: Node, placed: &Placed) -> Node {
+        let origin = node.place.point(placed.at);
+        let heading = node.place.heading + placed.heading;
+        let scale = node.place.scale * placed.scale;
+        let [c, s] = self.turns.cos_sin(heading);
+        let place = Place { origin, scale, heading, cos: scale * c, sin: scale * s };
+        let pen = node.pen.after(self.inks.choice, &drawing.styles[placed.style.0 as usize]);
+        let cursor = drawing.blocks[placed.block.0 as usize].items.end;
+        Node { block: placed.block, cursor, canvas: node.canvas, place, pen }
+    }
+
+    /// Leaves out everything from the segment `from` (0-based) on, of a picture that has just begun: along the way
+    /// down to that segment, what comes after it counts as done.
+    fn leave_out(&mut self, drawing: &Drawing, from: u128) {
+        let mut left = from;
+        while let Some(node) = self.stack.last().copied() {
+            let items = &drawing.blocks[node.block.0 as usize].items;
+            let mut cut = None;
+            let mut cursor = items.start;
+            while cursor < items.end && cut.is_none() {
+                let segments = match &drawing.items[cursor as usize] {
+                    Item::Stroke(_) => 1,
+                    Item::Block(placed) => drawing.blocks[placed.block.0 as usize].segments,
+                };
+                if segments > left {
+                    cut = Some(&drawing.items[cursor as usize]);
+                } else {
+                    left -= segments;
+                    cursor += 1;
+                }
+            }
+            if let Some(top) = self.stack.last_mut() {
+                top.cursor = cursor;
+            }
+            match cut {
+                Some(Item::Block(placed)) if left > 0 => {
+                    let child = self.child(drawing, node, placed);
+                    self.stack.push(child);
+                }
+                _ => return,
+            }
+        }
     }
 
     fn stroke(&mut self, canvas: usize, [from, to]: [[f64; 2]; 2], pen: Pen) -> i64 {
