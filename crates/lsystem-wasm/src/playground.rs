@@ -259,6 +259,9 @@ impl Playground {
             Ok(drawing) => {
                 // Where counts depend on chance the drawing has been materialised, and its count is exact.
                 let segments = count_segments(system, n).unwrap_or_else(|| drawing.segment_count().into());
+                if let Some(symbols) = drawing.symbol_count() {
+                    self.report.symbols = Some(symbols.to_string());
+                }
                 self.report.memoised = Some(drawing.is_memoised());
                 self.report.blocks = Some(drawing.block_count());
                 self.report.description = describe(system, n, &segments, drawing.bounds());

@@ -82,10 +82,17 @@ fn course_files_are_read() {
     assert!(get(&read("{").unwrap(), "definition").is_null());
 }
 
-fn settled(playground: &mut Playground) {
-    for _ in 0..1000 {
-        if get(&playground.step(8.0).unwrap(), "idle").is_truthy() {
-            return;
+/// Works until there is nothing more to do; the last report.
+fn settled(playground: &mut Playground) -> JsValue {
+    let mut last = JsValue::NULL;
+    for _ in 0..2000 {
+        let step = playground.step(8.0).unwrap();
+        let report = get(&step, "report");
+        if !report.is_null() {
+            last = report;
+        }
+        if get(&step, "idle").is_truthy() {
+            return last;
         }
     }
     panic!("the playground did not come to rest");
@@ -133,22 +140,12 @@ fn chance_and_limits_are_reported_when_they_are_known() {
     let early = playground.define(object(random)).unwrap();
     assert_eq!(text(&early, "segments"), "64");
     playground.view(8, 8, 1.0, 0.0, 0.0, 1.0);
-    settled(&mut playground);
+    let report = settled(&mut playground);
     let length: usize = playground.string_length(6).unwrap().parse().unwrap();
     assert_eq!(playground.slice(6, 0, 1 << 20).unwrap().len(), length);
+    assert_eq!(text(&report, "symbols"), length.to_string());
 
     playground.define(object(&random.replace("\"iterations\": 6", "\"iterations\": 60"))).unwrap();
-    let mut seen = None;
-    for _ in 0..2000 {
-        let step = playground.step(8.0).unwrap();
-        let report = get(&step, "report");
-        if !report.is_null() {
-            seen = Some(report);
-        }
-        if get(&step, "idle").is_truthy() {
-            break;
-        }
-    }
-    let report = seen.unwrap();
+    let report = settled(&mut playground);
     assert_eq!(get(&report, "largest").as_f64(), Some(19.0));
 }

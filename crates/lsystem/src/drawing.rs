@@ -56,6 +56,8 @@ pub struct Drawing {
     pub(crate) pieces: Vec<Vec<(SymbolId, Piece)>>,
     /// Whether blocks are shared.
     pub(crate) memoised: bool,
+    /// The symbols of its generation, where that was gone through.
+    pub(crate) symbols: Option<u64>,
     /// The root's extent in its own units, when somebody has asked: min x, min y, max x, max y.
     pub(crate) extent: OnceLock<Option<[f64; 4]>>,
 }
@@ -92,6 +94,12 @@ impl Drawing {
     #[must_use]
     pub fn block_count(&self) -> usize {
         self.blocks.len()
+    }
+
+    /// How many symbols its generation has, where every one of them was read: where the drawing does not memoise.
+    #[must_use]
+    pub fn symbol_count(&self) -> Option<u64> {
+        self.symbols
     }
 
     /// Whether blocks are shared, so that the drawing's size does not depend on its number of segments.

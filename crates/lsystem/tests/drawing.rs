@@ -4,7 +4,7 @@ mod naive;
 
 use lsystem::{
     Action, Diagnostic, Dialect, Drawer, Drawing, Grammar, Heading, Kind, LimitName, Limits, Module, Production,
-    Program, Progress, Segment, SegmentArrays, Style, System, Turtle, draw,
+    Program, Progress, Segment, SegmentArrays, Style, System, Turtle, draw, expand,
 };
 use proptest::prelude::*;
 
@@ -59,6 +59,11 @@ fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
     let drawing = draw(system, n, &Limits::default()).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
     let expected = naive::segments(system, n);
     prop_assert_eq!(drawing.segment_count(), expected.len() as u128);
+    if let Some(symbols) = drawing.symbol_count() {
+        let string = expand(system, n, &Limits::default()).unwrap();
+        prop_assert_eq!(symbols, string.chars().count() as u64);
+    }
+    prop_assert_eq!(drawing.symbol_count().is_some(), !drawing.is_memoised());
     prop_assert_eq!(drawing.segments().size_hint(), (expected.len(), Some(expected.len())));
     let bounds = naive::bounds(&expected);
     prop_assert_eq!(drawing.bounds().is_some(), bounds.is_some());

@@ -37,6 +37,8 @@ pub struct Drawer {
     n: u32,
     limits: Limits,
     builder: Builder,
+    /// The symbols of the generation, where it has been gone through.
+    symbols: Option<u64>,
     state: State,
 }
 
@@ -87,7 +89,7 @@ impl Drawer {
         } else {
             State::Materialise(Box::new(Materialiser::new(&turtle, &score, seed, n)))
         };
-        Self { program, turtle, score, memoises, seed, n, limits, builder: Builder::new(), state }
+        Self { program, turtle, score, memoises, seed, n, limits, builder: Builder::new(), symbols: None, state }
     }
 
     /// Works on, for about `work` letters (some hundred thousand take a few milliseconds), and says whether there is
@@ -139,13 +141,14 @@ impl Drawer {
             width: self.score.width,
             pieces,
             memoised: self.memoises,
+            symbols: self.symbols,
             extent: OnceLock::new(),
         })
     }
 
     /// Works on in the present state; returns the next one when this one is over.
     fn advance(&mut self, left: &mut u64) -> Option<State> {
-        let Self { program, turtle, score, seed, n, limits, builder, .. } = self;
+        let Self { program, turtle, score, seed, n, limits, builder, symbols, .. } = self;
         match &mut self.state {
             State::Plan(plan) => {
                 let depths = plan.depths();
@@ -196,7 +199,10 @@ impl Drawer {
             },
             State::Materialise(materialiser) => match materialiser.step(program, score, builder, limits, left) {
                 Outcome::Paused => None,
-                Outcome::Ended(root) => Some(State::Done { root, pieces: vec![] }),
+                Outcome::Ended(root) => {
+                    *symbols = Some(materialiser.symbols());
+                    Some(State::Done { root, pieces: vec![] })
+                }
                 Outcome::Passed(name) => {
                     *builder = Builder::new();
                     Some(State::Search(Search::new(name, *n, *seed)))
@@ -204,7 +210,10 @@ impl Drawer {
             },
             State::Modules(modular) => match modular.step((turtle, score), builder, limits, *n, left) {
                 modules::Outcome::Paused => None,
-                modules::Outcome::Ended(root) => Some(State::Done { root, pieces: vec![] }),
+                modules::Outcome::Ended(root) => {
+                    *symbols = Some(modular.symbols());
+                    Some(State::Done { root, pieces: vec![] })
+                }
                 modules::Outcome::Failed(diagnostic) => Some(State::Failed(diagnostic)),
             },
             State::Search(search) => {

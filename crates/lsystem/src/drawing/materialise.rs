@@ -14,6 +14,7 @@ const BRANCH: u64 = 32;
 #[derive(Clone, Debug)]
 pub(crate) struct Tally {
     walk: Walk,
+    symbols: u64,
     segments: u64,
     /// Branches open now, and at most so far.
     open: u64,
@@ -32,7 +33,7 @@ pub(crate) enum Outcome<T> {
 
 impl Tally {
     pub(crate) fn new(n: u32, seed: u32) -> Self {
-        Self { walk: Walk::new(n, seed), segments: 0, open: 0, deepest: 0 }
+        Self { walk: Walk::new(n, seed), symbols: 0, segments: 0, open: 0, deepest: 0 }
     }
 
     pub(crate) fn fraction(&self, program: &Program) -> f64 {
@@ -54,6 +55,7 @@ impl Tally {
             match self.walk.next(program, until) {
                 Next::Letter(symbol) => {
                     let ops = &score.ops[usize::from(symbol)];
+                    self.symbols += 1;
                     self.count(ops);
                     if self.segments > limits.segments {
                         break Outcome::Passed(LimitName::Segments);
@@ -110,6 +112,11 @@ impl Materialiser {
 
     pub(crate) fn fraction(&self, program: &Program) -> f64 {
         self.tally.fraction(program)
+    }
+
+    /// The symbols met so far.
+    pub(crate) fn symbols(&self) -> u64 {
+        self.tally.symbols
     }
 
     /// Goes on for `left` letters.

@@ -72,6 +72,11 @@ impl Modular {
         }
     }
 
+    /// The symbols of the last whole generation.
+    pub(crate) fn symbols(&self) -> u64 {
+        self.rewriter.word().letters.len() as u64
+    }
+
     /// Works on for `left` modules.
     pub(crate) fn step(
         &mut self,
