@@ -1,5 +1,5 @@
-//! Equal input gives equal bits natively and in the browser: the expected values were computed natively, and this
-//! file runs on both.
+//! Equal input gives equal bits natively and in the browser: this file runs on both, and both must give the digests
+//! in `same_bits.txt`. `UPDATE_EXPECT=1 cargo test -p lsystem-wasm --test same_bits` writes them anew.
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -7,7 +7,101 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 #[cfg(target_arch = "wasm32")]
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_dedicated_worker);
 
-use lsystem::Key;
+use lsystem::{
+    Definition, Key, Limits, Progress, Renderer, SegmentArrays, System, View, Viewport, draw, expand, read_json,
+    write_csv, write_svg,
+};
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+/// Files of the gallery that use every kind of arithmetic there is, with the generation to look at.
+const CORPUS: [(&str, &str, u32); 12] = [
+    ("abop/1.24b", include_str!("../../../data_in/abop/1.24b.json"), 6),
+    ("abop/1.24c", include_str!("../../../data_in/abop/1.24c.json"), 5),
+    ("abop/1.24d", include_str!("../../../data_in/abop/1.24d.json"), 9),
+    ("abop/1.24f", include_str!("../../../data_in/abop/1.24f.json"), 7),
+    ("abop/1.27", include_str!("../../../data_in/abop/1.27.json"), 7),
+    ("assignment-8/stochastic_02", include_str!("../../../data_in/assignment-8/stochastic_02.json"), 6),
+    ("curves/gosper", include_str!("../../../data_in/curves/gosper.json"), 5),
+    ("curves/penrose", include_str!("../../../data_in/curves/penrose.json"), 5),
+    ("garden/meadow", include_str!("../../../data_in/garden/meadow.json"), 6),
+    ("practical-1/tree1", include_str!("../../../data_in/practical-1/tree1.json"), 5),
+    ("practical-1/tree5", include_str!("../../../data_in/practical-1/tree5.json"), 5),
+    ("turtle-blog/1.24e", include_str!("../../../data_in/turtle-blog/1.24e.json"), 7),
+];
+
+const EXPECTED: &str = include_str!("same_bits.txt");
+
+#[test]
+fn the_corpus() {
+    let mut found = String::new();
+    for (name, file, n) in CORPUS {
+        let system = compiled(&read_json(file).0.unwrap_or_default());
+        let text = expand(&system, n, &Limits::default()).unwrap();
+        let drawing = Arc::new(draw(&system, n, &Limits::default()).unwrap());
+        let mut segments = Digest::new();
+        for segment in drawing.segments() {
+            segments.numbers(segment.from.iter().chain(&segment.to).chain(&[segment.width]).map(|v| v.to_bits()));
+            segments.numbers([segment.colour as u64, u64::from(segment.level)]);
+        }
+        let mut arrays = SegmentArrays::default();
+        drawing.write_segments(u64::MAX, &mut arrays).unwrap();
+        segments.numbers(arrays.ends.iter().map(|v| u64::from(v.to_bits())));
+        segments.numbers(drawing.bounds().unwrap_or_default().map(f64::to_bits));
+
+        let mut renderer = Renderer::new();
+        renderer.load(drawing.clone());
+        let mut pixels = Digest::new();
+        for zoom in [1.0, 7.3] {
+            let view = View { x: 0.01, y: -0.02, zoom };
+            renderer.begin(&system.style, Viewport { width: 240, height: 180, ratio: 1.0 }, view);
+            while renderer.step(10_000) == Progress::More {}
+            pixels.bytes(renderer.pixels());
+        }
+        let mut files = Digest::new();
+        files.bytes(write_svg(&drawing, &system.style, &lsystem::SvgOptions::default()).unwrap().as_bytes());
+        files.bytes(write_csv(&drawing, u64::MAX).unwrap().as_bytes());
+        let mut string = Digest::new();
+        string.bytes(text.as_bytes());
+        let [string, segments, pixels, files] = [string, segments, pixels, files].map(|digest| digest.0);
+        writeln!(
+            found,
+            "{name} n={n} string {string:016x} segments {segments:016x} pixels {pixels:016x} files {files:016x}"
+        )
+        .unwrap();
+    }
+    #[cfg(not(target_arch = "wasm32"))]
+    if std::env::var_os("UPDATE_EXPECT").is_some() {
+        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/same_bits.txt"), &found).unwrap();
+        return;
+    }
+    assert_eq!(found, EXPECTED);
+}
+
+fn compiled(definition: &Definition) -> System {
+    System::new(definition).0.unwrap()
+}
+
+/// FNV-1a (Fowler, Noll and Vo): enough to tell any two results apart that were not made to collide.
+struct Digest(u64);
+
+impl Digest {
+    fn new() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+
+    fn bytes(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+
+    fn numbers(&mut self, numbers: impl IntoIterator<Item = u64>) {
+        for number in numbers {
+            self.bytes(&number.to_le_bytes());
+        }
+    }
+}
 
 #[test]
 fn random_choices() {
