@@ -1,7 +1,7 @@
 //! The command line as a value.
 
 use lexopt::prelude::{Long, Short, Value};
-use lsystem::MAX_ITERATIONS;
+use lsystem::{MAX_ITERATIONS, SvgForm};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
@@ -10,8 +10,8 @@ pub(crate) const HELP: &str = "\
 Derives, draws and inspects L-systems.
 
 usage: lsys expand FILE [-n N] [--seed S]
-       lsys draw FILE [OUT_BASE] [-n N] [--seed S] [--format svg|png|csv|txt] [--size WxH]
-       lsys draw FILE... --out-dir DIR [-n N] [--seed S] [--format svg|png|csv|txt] [--size WxH]
+       lsys draw FILE [OUT_BASE] [-n N] [--seed S] [--format svg|png|csv|txt] [--size WxH] [--compact]
+       lsys draw FILE... --out-dir DIR [the same options]
        lsys info FILE... [-n N] [--seed S] [--json]
        lsys FILE OUT_BASE
 
@@ -21,11 +21,13 @@ usage: lsys expand FILE [-n N] [--seed S]
   info     prints exact counts, bounds and growth, without deriving the string where it can
   lsys FILE OUT_BASE is short for lsys draw FILE OUT_BASE
 
-  FILE                 a system as JSON; - for standard input
+  FILE                 a system as JSON, or an SVG or PNG picture saved by this program or the page, which
+                       carries its system; - for standard input
   -n, --iterations N   derivation steps, 0 to 1000, in place of the file's
   --seed S             which random choices to make, 0 to 4294967295, in place of the file's
   --format FORMAT      svg, png, csv (columns x0,y0,x1,y1,level,colour) or txt (the string)
   --size WxH           a png's size in pixels, such as 4000x3000; else 1024 along the longer side
+  --compact            an svg whose size hardly depends on N: each block of the drawing once, and then placed
   --out-dir DIR        writes every FILE's output into DIR, named after the file
   --json               one JSON object for a file, an array for several
   -h, --help           prints this
@@ -82,7 +84,7 @@ pub(crate) enum Format {
     /// The string.
     Txt,
     /// The picture.
-    Svg,
+    Svg(SvgForm),
     /// The segments.
     Csv,
     /// The picture in pixels; without a size, as large as usual.
@@ -104,7 +106,7 @@ impl Format {
     pub(crate) fn extension(self) -> &'static str {
         match self {
             Self::Txt => "txt",
-            Self::Svg => "svg",
+            Self::Svg(_) => "svg",
             Self::Csv => "csv",
             Self::Png(_) => "png",
         }
@@ -117,6 +119,7 @@ struct Options {
     changes: Changes,
     format: Option<Format>,
     size: Option<Size>,
+    compact: bool,
     out_dir: Option<PathBuf>,
     json: bool,
 }
@@ -141,6 +144,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
             Long("seed") => options.changes.seed = Some(whole(&parser.value().map_err(explain)?, "--seed", u32::MAX)?),
             Long("format") => options.format = Some(format(&parser.value().map_err(explain)?)?),
             Long("size") => options.size = Some(size(&parser.value().map_err(explain)?)?),
+            Long("compact") => options.compact = true,
             Long("out-dir") => options.out_dir = Some(parser.value().map_err(explain)?.into()),
             Long("json") => options.json = true,
             Value(word) => words.push(word),
@@ -165,7 +169,7 @@ fn command(words: Vec<OsString>, options: Options) -> Result<Command, String> {
     };
     let first = first.clone();
 
-    let Options { changes, mut format, size, out_dir, json } = options;
+    let Options { changes, mut format, size, compact, out_dir, json } = options;
     let drawing = !matches!(name.as_str(), "expand" | "info");
     if !drawing && (format.is_some() || out_dir.is_some()) {
         return Err("--format and --out-dir go with draw only".to_owned());
@@ -175,6 +179,14 @@ fn command(words: Vec<OsString>, options: Options) -> Result<Command, String> {
             return Err("--size goes with --format png only".to_owned());
         }
         format = Some(Format::Png(size));
+    }
+    let form = if compact { SvgForm::Compact } else { SvgForm::Flat };
+    if compact {
+        match &mut format {
+            Some(Format::Svg(flat)) => *flat = form,
+            None if drawing => {}
+            _ => return Err("--compact goes with draw and --format svg only".to_owned()),
+        }
     }
     if json && name != "info" {
         return Err("--json goes with info only".to_owned());
@@ -186,7 +198,7 @@ fn command(words: Vec<OsString>, options: Options) -> Result<Command, String> {
         },
         "info" => Ok(Command::Info { files, json, changes }),
         _ => {
-            let formats = format.map_or_else(|| vec![Format::Txt, Format::Svg], |format| vec![format]);
+            let formats = format.map_or_else(|| vec![Format::Txt, Format::Svg(form)], |format| vec![format]);
             if let Some(folder) = out_dir {
                 return Ok(Command::Draw { jobs: into_folder(files, &folder, &formats)?, changes });
             }
@@ -251,8 +263,9 @@ fn into_folder(files: Vec<PathBuf>, folder: &Path, formats: &[Format]) -> Result
 fn stem(file: &Path) -> Result<PathBuf, String> {
     let name = file.file_name().filter(|name| *name != "-").ok_or("name an OUT_BASE or a --format")?;
     let text = Path::new(name);
-    // Only `.json` is an extension here: the stem of `1.24d` is all of it.
-    Ok(if text.extension().is_some_and(|e| e == "json") { text.with_extension("") } else { text.to_owned() })
+    // Only these are extensions here: the stem of `1.24d` is all of it.
+    let known = text.extension().is_some_and(|e| ["json", "svg", "png"].iter().any(|known| e == *known));
+    Ok(if known { text.with_extension("") } else { text.to_owned() })
 }
 
 fn whole(text: &OsString, option: &str, most: u32) -> Result<u32, String> {
@@ -263,7 +276,7 @@ fn whole(text: &OsString, option: &str, most: u32) -> Result<u32, String> {
 
 fn format(text: &OsString) -> Result<Format, String> {
     match text.to_str() {
-        Some("svg") => Ok(Format::Svg),
+        Some("svg") => Ok(Format::Svg(SvgForm::Flat)),
         Some("csv") => Ok(Format::Csv),
         Some("txt") => Ok(Format::Txt),
         Some("png") => Ok(Format::Png(None)),
@@ -306,33 +319,35 @@ mod tests {
     #[test]
     fn commands() {
         check("expand a.json -n 3", &expect![[r#"expand "a.json" n Some(3) seed None"#]]);
-        check("a.json out", &expect![[r#"draw "a.json" to Write("out", [Txt, Svg]) n None seed None"#]]);
-        check("draw a.json", &expect![[r#"draw "a.json" to Write("a", [Txt, Svg]) n None seed None"#]]);
+        check("a.json out", &expect![[r#"draw "a.json" to Write("out", [Txt, Svg(Flat)]) n None seed None"#]]);
+        check("draw a.json", &expect![[r#"draw "a.json" to Write("a", [Txt, Svg(Flat)]) n None seed None"#]]);
         check(
             "draw some/1.24d.json --seed=7",
-            &expect![[r#"draw "some/1.24d.json" to Write("1.24d", [Txt, Svg]) n None seed Some(7)"#]],
+            &expect![[r#"draw "some/1.24d.json" to Write("1.24d", [Txt, Svg(Flat)]) n None seed Some(7)"#]],
         );
         check("draw --format csv a.json", &expect![[r#"draw "a.json" to Print(Csv) n None seed None"#]]);
         check("draw a.json out --format csv", &expect![[r#"draw "a.json" to Write("out", [Csv]) n None seed None"#]]);
         check(
             "draw a.json b.json --out-dir pictures",
             &expect![[
-                r#"draw "a.json" to Write("pictures/a", [Txt, Svg]), "b.json" to Write("pictures/b", [Txt, Svg]) n None seed None"#
+                r#"draw "a.json" to Write("pictures/a", [Txt, Svg(Flat)]), "b.json" to Write("pictures/b", [Txt, Svg(Flat)]) n None seed None"#
             ]],
         );
         check(
             "draw x/a.json y/a.json --out-dir d",
             &expect![[
-                r#"draw "x/a.json" to Write("d/x-a", [Txt, Svg]), "y/a.json" to Write("d/y-a", [Txt, Svg]) n None seed None"#
+                r#"draw "x/a.json" to Write("d/x-a", [Txt, Svg(Flat)]), "y/a.json" to Write("d/y-a", [Txt, Svg(Flat)]) n None seed None"#
             ]],
         );
         check("info a.json b.json --json", &expect![[r#"info ["a.json", "b.json"] json true n None seed None"#]]);
         check("info -- -n", &expect![[r#"info ["-n"] json false n None seed None"#]]);
-        check("draw - --format svg", &expect![[r#"draw "-" to Print(Svg) n None seed None"#]]);
+        check("draw - --format svg", &expect![[r#"draw "-" to Print(Svg(Flat)) n None seed None"#]]);
         check(
             "draw a --size 40x30 --format png",
             &expect![[r#"draw "a" to Print(Png(Some(Size { width: 40, height: 30 }))) n None seed None"#]],
         );
+        check("draw a --compact", &expect![[r#"draw "a" to Write("a", [Txt, Svg(Compact)]) n None seed None"#]]);
+        check("draw a --compact --format svg", &expect![[r#"draw "a" to Print(Svg(Compact)) n None seed None"#]]);
         check("--help nonsense", &expect!["Help"]);
     }
 
@@ -350,6 +365,8 @@ mod tests {
         check("expand a --format svg", &expect!["error: --format and --out-dir go with draw only"]);
         check("draw a --format gif", &expect!["error: --format takes svg, png, csv or txt, not `gif`"]);
         check("draw a --size 10x10", &expect!["error: --size goes with --format png only"]);
+        check("draw a --compact --format csv", &expect!["error: --compact goes with draw and --format svg only"]);
+        check("info a --compact", &expect!["error: --compact goes with draw and --format svg only"]);
         check(
             "draw a --format png --size 10",
             &expect!["error: --size takes a width and a height such as 1600x1200, not `10`"],

@@ -5,7 +5,7 @@ use crate::input::{self, Input};
 use crate::output::{Pending, with_extension};
 use crate::progress::Progress;
 use crate::{Failure, picture, print};
-use lsystem::{SvgOptions, write_csv, write_svg};
+use lsystem::{SvgOptions, write_csv, write_json, write_svg};
 use std::io::IsTerminal;
 
 /// Does all `jobs`. One that fails is reported, and the others are still done.
@@ -49,25 +49,26 @@ fn one(job: &Job, changes: Changes) -> Result<(), Failure> {
 
 /// The system in a format, as a file's bytes.
 fn form(input: &Input, format: Format) -> Result<Vec<u8>, Failure> {
-    if format == Format::Txt {
-        return Ok((input.expand()? + "\n").into_bytes());
-    }
     let style = &input.system.style;
-    let drawing = lsystem::draw(&input.system, input.iterations, &input.limits).map_err(|limit| input.limit(&limit))?;
-    let text = match format {
-        Format::Png(size) => {
-            return picture::png(drawing, style, size).map_err(|error| Failure::Words(format!("PNG: {error}")));
-        }
-        Format::Csv => write_csv(&drawing, input.limits.segments),
-        Format::Svg | Format::Txt => {
+    let wrong = |limit| input.limit(&limit);
+    let drawing = || lsystem::draw(&input.system, input.iterations, &input.limits).map_err(wrong);
+    match format {
+        Format::Png(size) => picture::png(drawing()?, style, size, &write_json(&input.definition))
+            .map_err(|error| Failure::Words(format!("PNG: {error}"))),
+        Format::Csv => write_csv(&drawing()?, input.limits.segments).map(String::into_bytes).map_err(wrong),
+        Format::Svg(form) => {
             let title = [&input.definition.title, &input.definition.name].into_iter().find(|title| !title.is_empty());
             let options = SvgOptions {
                 title: title.cloned().unwrap_or_default(),
+                system: write_json(&input.definition),
+                form,
                 most: input.limits.segments,
                 ..SvgOptions::default()
             };
-            write_svg(&drawing, style, &options)
+            let svg = write_svg(&drawing()?, style, &options).map_err(wrong)?;
+            svg.warning().iter().for_each(|warning| input.tell(warning));
+            Ok(svg.text.into_bytes())
         }
-    };
-    text.map(String::into_bytes).map_err(|limit| input.limit(&limit))
+        Format::Txt => Ok((input.expand()? + "\n").into_bytes()),
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::args::Changes;
 use crate::{Failure, say};
-use lsystem::{Definition, Diagnostic, Field, Limits, MAX_TEXT, System, render_diagnostic};
+use lsystem::{Definition, Diagnostic, Field, FileContent, Limits, System, read_file, render_diagnostic};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -27,9 +27,8 @@ pub(crate) struct Input {
 /// [`Failure::Said`] where the file makes no system; what is wrong stands on standard error then.
 pub(crate) fn read(file: &Path, changes: Changes) -> Result<Input, Failure> {
     let name = if file.as_os_str() == "-" { "standard input".into() } else { file.display().to_string() };
-    let text = text_of(file).map_err(|error| Failure::io(&name, &error))?;
-    let text = String::from_utf8(text).map_err(|error| not_text(&name, &error))?;
-    let (mut definition, mut diagnostics) = lsystem::read_json(&text);
+    let bytes = bytes_of(file).map_err(|error| Failure::io(&name, &error))?;
+    let FileContent { mut definition, mut diagnostics, json } = read_file(&bytes);
     let mut system = None;
     if let Some(definition) = &mut definition {
         definition.iterations = changes.iterations.unwrap_or(definition.iterations);
@@ -39,7 +38,7 @@ pub(crate) fn read(file: &Path, changes: Changes) -> Result<Input, Failure> {
         diagnostics.extend(more);
     }
     for diagnostic in &diagnostics {
-        tell(diagnostic, &text, definition.as_ref(), &name);
+        tell(diagnostic, &json, definition.as_ref(), &name);
     }
     let (Some(definition), Some(system)) = (definition, system) else { return Err(Failure::Said) };
     let iterations = definition.iterations;
@@ -57,27 +56,29 @@ impl Input {
 
     /// Says that `limit` is passed.
     pub(crate) fn limit(&self, limit: &Diagnostic) -> Failure {
-        say(&render_diagnostic(limit, &self.file.display().to_string(), ""));
+        self.tell(limit);
         Failure::Said
     }
+
+    /// Says something about the system as a whole.
+    pub(crate) fn tell(&self, diagnostic: &Diagnostic) {
+        say(&render_diagnostic(diagnostic, &self.file.display().to_string(), ""));
+    }
 }
 
-/// At most as much as can be read as a system, and a byte more, by which too long a text is known.
-fn text_of(file: &Path) -> io::Result<Vec<u8>> {
+/// As much of a file as is looked at, in bytes: more than any system has, and all of most pictures.
+const MOST: u64 = 64 << 20;
+
+/// The bytes of a file. Of a larger picture the beginning is enough, where we put its system; a larger text is no
+/// system in any case.
+fn bytes_of(file: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    let most = MAX_TEXT as u64 + 1;
     if file.as_os_str() == "-" {
-        io::stdin().lock().take(most).read_to_end(&mut bytes)?;
+        io::stdin().lock().take(MOST).read_to_end(&mut bytes)?;
     } else {
-        File::open(file)?.take(most).read_to_end(&mut bytes)?;
+        File::open(file)?.take(MOST).read_to_end(&mut bytes)?;
     }
     Ok(bytes)
-}
-
-fn not_text(name: &str, error: &std::string::FromUtf8Error) -> Failure {
-    let at = error.utf8_error().valid_up_to();
-    let line = error.as_bytes()[..at].iter().filter(|&&byte| byte == b'\n').count() + 1;
-    Failure::Words(format!("{name}, line {line}: not UTF-8 text"))
 }
 
 fn tell(diagnostic: &Diagnostic, text: &str, definition: Option<&Definition>, name: &str) {

@@ -2,7 +2,7 @@
 
 use crate::args::Size;
 use crate::progress::Progress as Bar;
-use lsystem::{Drawing, Progress, Renderer, Style, View, Viewport, fit};
+use lsystem::{Drawing, Progress, Renderer, Style, View, Viewport, fit, tag_png};
 use std::sync::Arc;
 
 /// The longer side where no size is asked for, and the one at which a stroke's least width is in pixels.
@@ -12,11 +12,17 @@ const LEAST: u32 = 128;
 /// The renderer's units of work between two looks at the clock.
 const WORK: usize = 1_000_000;
 
-/// `drawing`, whole and centred. Strokes are as thin, compared with the picture, as at the usual size.
+/// `drawing`, whole and centred, in a file that carries its `system`. Strokes are as thin, compared with the picture,
+/// as at the usual size.
 ///
 /// # Errors
 /// Those of the encoder, which writes to memory.
-pub(crate) fn png(drawing: Drawing, style: &Style, size: Option<Size>) -> Result<Vec<u8>, png::EncodingError> {
+pub(crate) fn png(
+    drawing: Drawing,
+    style: &Style,
+    size: Option<Size>,
+    system: &str,
+) -> Result<Vec<u8>, png::EncodingError> {
     let Size { width, height } = size.unwrap_or_else(|| usual_size(&drawing));
     let ratio = (f64::from(width.max(height)) / f64::from(USUAL)).max(1.0);
     let mut renderer = Renderer::new();
@@ -36,7 +42,7 @@ pub(crate) fn png(drawing: Drawing, style: &Style, size: Option<Size>) -> Result
     let rgb: Vec<u8> = renderer.pixels().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
     writer.write_image_data(&rgb)?;
     writer.finish()?;
-    Ok(bytes)
+    Ok(tag_png(&bytes, system).unwrap_or(bytes))
 }
 
 /// A size in the proportions of the drawing.

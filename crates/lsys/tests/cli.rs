@@ -360,8 +360,9 @@ fn broken_files_are_explained() {
         &file("not_text"),
         1,
         &expect![[r#"
-        error: crates/lsys/tests/broken/not_text.json, line 1: not UTF-8 text
-    "#]],
+            error: Line 1 is not UTF-8 text
+             --> crates/lsys/tests/broken/not_text.json
+        "#]],
     );
     bad(
         &file("array"),
@@ -533,4 +534,35 @@ fn usage() {
     );
     assert!(good("--help").contains("lsys FILE OUT_BASE"));
     assert_eq!(good("--version"), format!("lsys {}\n", env!("CARGO_PKG_VERSION")));
+}
+
+#[test]
+fn pictures_are_files_too() {
+    let folder = Folder::new("reopened");
+    let json = "data_in/abop/1.24f.json";
+    let [one, two] = [folder.base("one"), folder.base("two")];
+    let expected = good(&format!("expand {json} -n 3"));
+    for (options, ending) in [("svg", "svg"), ("svg --compact", "svg"), ("png --size 40x30", "png")] {
+        good(&format!("draw {json} {one} -n 3 --format {options}"));
+        assert_eq!(good(&format!("expand {one}.{ending}")), expected, "{options}");
+        // The picture of a picture's system is that picture, byte for byte.
+        good(&format!("draw {one}.{ending} {two} --format {options}"));
+        let [first, second] = [&one, &two].map(|base| std::fs::read(format!("{base}.{ending}")).expect("a picture"));
+        assert_eq!(first, second, "{options}");
+    }
+    let foreign = folder.base("foreign.svg");
+    std::fs::write(&foreign, "<svg xmlns='http://www.w3.org/2000/svg'/>").expect("a file");
+    let output = lsys(&["info", &foreign]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).starts_with("error: This SVG holds no L-system\n"));
+}
+
+#[test]
+fn compact_pictures_stay_small_and_say_what_they_cost() {
+    let [flat, compact] =
+        ["", " --compact"].map(|form| good(&format!("draw data_in/abop/1.24f.json -n 6 --format svg{form}")));
+    assert!(flat.len() > 10 * compact.len(), "{} {}", flat.len(), compact.len());
+    let output = lsys(&["draw", "data_in/abop/1.24c.json", "-n", "40", "--format", "svg", "--compact"]);
+    assert!(output.stdout.len() < 200_000 && output.status.success());
+    assert!(text(&output.stderr).starts_with("warning: Whoever shows this picture has to make "));
 }

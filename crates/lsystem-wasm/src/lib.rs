@@ -15,7 +15,7 @@ mod surface;
 pub use playground::Playground;
 pub use report::{Problem, Report};
 
-use lsystem::{Definition, Diagnostic, Limits, System};
+use lsystem::{Definition, Diagnostic, FileContent, Limits, System};
 use report::{Failure, FileReport, problems};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -75,6 +75,27 @@ pub fn read(text: &str) -> Result<JsValue, JsValue> {
     let (definition, diagnostics) = lsystem::read_json(text);
     let texts = definition.clone().unwrap_or_default();
     to_js(&FileReport { definition, diagnostics: problems(&diagnostics, &texts, text) })
+}
+
+/// Reads a file's bytes, be it JSON or a PNG or SVG picture that carries its system: as [`read`].
+///
+/// # Errors
+/// Throws only where the result cannot be translated.
+#[wasm_bindgen]
+pub fn read_file(bytes: &[u8]) -> Result<JsValue, JsValue> {
+    let FileContent { definition, diagnostics, json } = lsystem::read_file(bytes);
+    let texts = definition.clone().unwrap_or_default();
+    to_js(&FileReport { definition, diagnostics: problems(&diagnostics, &texts, &json) })
+}
+
+/// A PNG file with a definition in it, so that [`read_file`] finds it again; bytes that are no PNG file as they are.
+///
+/// # Errors
+/// Throws where the argument is not a definition at all.
+#[wasm_bindgen]
+pub fn tag_png(bytes: Vec<u8>, definition: JsValue) -> Result<Vec<u8>, JsValue> {
+    let definition = from_js(definition)?;
+    Ok(lsystem::tag_png(&bytes, &lsystem::write_json(&definition)).unwrap_or(bytes))
 }
 
 /// A fresh seed.

@@ -6,7 +6,7 @@ use crate::report::{ExportReport, Report, legend_of, problems};
 use crate::surface::Surface;
 use crate::{LIMITS, from_js, to_js};
 use lsystem::{
-    Definition, Diagnostic, Drawer, Drawing, Kind, Progress, Renderer, SvgOptions, System, View, Viewport,
+    Definition, Diagnostic, Drawer, Drawing, Kind, Progress, Renderer, SvgForm, SvgOptions, System, View, Viewport,
     count_segments, count_symbols, describe, expand, fitted_scale, why_empty, write_csv, write_json, write_svg,
 };
 use serde::Serialize;
@@ -186,8 +186,8 @@ impl Playground {
         to_js(&Step { report, drawn, idle: self.is_idle() })
     }
 
-    /// The system as text: `svg`, `csv`, `txt` (the string) or `json`; `{text, diagnostics}`, the text null where a
-    /// limit was passed.
+    /// The system as text: `svg`, `svg-compact`, `csv`, `txt` (the string) or `json`; `{text, diagnostics}`, the text
+    /// null where a limit was passed.
     ///
     /// # Errors
     /// Throws where there is no such format or no drawing yet.
@@ -195,18 +195,24 @@ impl Playground {
         let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else {
             return Err("nothing has been drawn yet".into());
         };
-        let text = match format {
-            "json" => Ok(write_json(&self.definition)),
-            "txt" => expand(system, self.definition.iterations, &LIMITS).map(|text| text + "\n"),
-            "svg" => write_svg(drawing, &system.style, &self.svg_options()),
-            "csv" => write_csv(drawing, TEXT_SEGMENTS),
+        let svg = |form| {
+            let svg = write_svg(drawing, &system.style, &self.svg_options(form))?;
+            let warning = svg.warning();
+            Ok((svg.text, warning))
+        };
+        let exported = match format {
+            "json" => Ok((write_json(&self.definition), None)),
+            "txt" => expand(system, self.definition.iterations, &LIMITS).map(|text| (text + "\n", None)),
+            "svg" => svg(SvgForm::Flat),
+            "svg-compact" => svg(SvgForm::Compact),
+            "csv" => write_csv(drawing, TEXT_SEGMENTS).map(|text| (text, None)),
             _ => return Err(format!("there is no format `{format}`").into()),
         };
-        let (text, diagnostics) = match text {
-            Ok(text) => (Some(text), vec![]),
-            Err(limit) => (None, problems(&[limit], &self.definition, "")),
+        let (text, diagnostic) = match exported {
+            Ok((text, warning)) => (Some(text), warning),
+            Err(limit) => (None, Some(limit)),
         };
-        to_js(&ExportReport { text, diagnostics })
+        to_js(&ExportReport { text, diagnostics: problems(diagnostic.as_slice(), &self.definition, "") })
     }
 
     /// Paints the current view at another size onto another canvas, to the end.
@@ -231,10 +237,11 @@ impl Playground {
         self.definition.iterations
     }
 
-    fn svg_options(&self) -> SvgOptions {
+    fn svg_options(&self, form: SvgForm) -> SvgOptions {
         let Definition { title, name, .. } = &self.definition;
         let title = if title.is_empty() { name.clone() } else { title.clone() };
-        SvgOptions { title, description: self.report.description.clone(), most: TEXT_SEGMENTS, ..SvgOptions::default() }
+        let (description, system) = (self.report.description.clone(), write_json(&self.definition));
+        SvgOptions { title, description, system, form, most: TEXT_SEGMENTS, ..SvgOptions::default() }
     }
 
     fn is_idle(&self) -> bool {

@@ -2,7 +2,7 @@
 #![cfg(target_family = "wasm")]
 
 use js_sys::{Array, Float32Array, JSON, Reflect};
-use lsystem_wasm::{Playground, draw, expand, fresh_seed, read};
+use lsystem_wasm::{Playground, draw, expand, fresh_seed, read, read_file, tag_png};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::OffscreenCanvas;
@@ -148,4 +148,17 @@ fn chance_and_limits_are_reported_when_they_are_known() {
     playground.define(object(&random.replace("\"iterations\": 6", "\"iterations\": 60"))).unwrap();
     let report = settled(&mut playground);
     assert_eq!(get(&report, "largest").as_f64(), Some(19.0));
+}
+
+#[wasm_bindgen_test]
+fn pictures_carry_their_system() {
+    const PNG: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x01\0\0\0\x01\x08\0\0\0\0\x3a\x7e\x9b\x55";
+    let tagged = tag_png(PNG.to_vec(), object(PLANT)).unwrap();
+    let file = read_file(&tagged).unwrap();
+    assert_eq!(text(&get(&file, "definition"), "rules"), "X -> F[+X][-X]FX\nF -> FF");
+    assert_eq!(get(&file, "diagnostics").unchecked_into::<Array>().length(), 0);
+    let none = read_file(PNG).unwrap();
+    assert!(get(&none, "definition").is_null());
+    assert_eq!(get(&none, "diagnostics").unchecked_into::<Array>().length(), 1);
+    assert_eq!(tag_png(vec![1, 2], object(PLANT)).unwrap(), [1, 2]);
 }

@@ -52,6 +52,21 @@ pub enum Kind {
         /// The largest number of iterations within it, where known.
         largest: Option<u32>,
     },
+    /// A file that is neither text nor a picture of ours.
+    NotText {
+        /// The first line (1-based) that is not UTF-8.
+        line: usize,
+    },
+    /// A picture without a system in it.
+    NoSystem {
+        /// Which kind of picture.
+        picture: &'static str,
+    },
+    /// A picture that takes whoever shows it long.
+    Instances {
+        /// How many copies of blocks have to be made.
+        count: u128,
+    },
     /// More diagnostics than are worth listing.
     More {
         /// How many were left out.
@@ -548,6 +563,7 @@ impl Diagnostic {
     pub fn severity(&self) -> Severity {
         match self.kind {
             Kind::LookAlike { .. }
+            | Kind::Instances { .. }
             | Kind::More { .. }
             | Kind::ParenthesisSymbol { .. }
             | Kind::NeverApplies { .. }

@@ -16,6 +16,7 @@ mod materialise;
 mod modules;
 mod pick;
 mod segments;
+mod shape;
 mod style;
 mod tree;
 mod walk;
@@ -24,7 +25,9 @@ pub use bulk::{SegmentArrays, SegmentChunk};
 pub use drawer::{Drawer, draw};
 pub use graph::Effect;
 pub use pick::Pick;
+pub(crate) use segments::Frame;
 pub use segments::Segments;
+pub(crate) use shape::{Line, Shape, shapes};
 
 use crate::turtle::finite;
 use crate::{Heading, SymbolId};
@@ -77,7 +80,7 @@ impl Drawing {
     #[must_use]
     pub fn bounds(&self) -> Option<[f64; 4]> {
         let unit = self.unit();
-        let [x0, y0, x1, y1] = (*self.extent.get_or_init(|| extent::extent(self)))?;
+        let [x0, y0, x1, y1] = self.extent()?;
         let model = |x: f64, y: f64| [self.start[0] + unit * x, self.start[1] + unit * y];
         let ([a, b], [c, d]) = (model(x0, y0), model(x1, y1));
         // A negative step turns the picture round.
@@ -137,6 +140,11 @@ impl Drawing {
     #[must_use]
     pub fn heading_at(&self, number: u128) -> Option<f64> {
         self.segments_from(number).heading()
+    }
+
+    /// The root's extent in its own units: min x, min y, max x, max y.
+    pub(crate) fn extent(&self) -> Option<[f64; 4]> {
+        *self.extent.get_or_init(|| extent::extent(self))
     }
 
     /// A block's items.

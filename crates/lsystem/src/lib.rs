@@ -45,7 +45,9 @@ pub use drawing::{
     SegmentChunk, Segments, Stroke, StyleChange, StyleId, WidthChange, draw,
 };
 pub use expr::{Code, Expr, Function, Meaning, Op, Operator, SIGN, STACK, Unusable};
-pub use format::{SvgOptions, read_json, write_csv, write_json, write_svg};
+pub use format::{
+    FileContent, Svg, SvgForm, SvgOptions, read_file, read_json, tag_png, write_csv, write_json, write_svg,
+};
 pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
 pub use heading::Heading;
 pub use key::Key;

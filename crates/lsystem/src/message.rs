@@ -24,6 +24,15 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
             };
             (text, largest.map(|n| format!("Up to {n} iterations fit.")))
         }
+        Kind::NotText { line } => said(format!("Line {line} is not UTF-8 text")),
+        Kind::NoSystem { picture } => hinted(
+            format!("This {picture} holds no L-system"),
+            format!("Only {picture} files that were saved here carry the system they show."),
+        ),
+        Kind::Instances { count } => hinted(
+            format!("Whoever shows this picture has to make {} copies of blocks", grouped(*count)),
+            "That takes browsers seconds or minutes; fewer iterations or a smaller size make fewer.".into(),
+        ),
         Kind::More { left_out } => said(format!("And {left_out} more")),
 
         Kind::LookAlike { found, read_as } if *read_as == ' ' => {
@@ -438,8 +447,8 @@ fn rounded(value: f64) -> String {
 }
 
 /// Digits in groups of three.
-fn grouped(value: u64) -> String {
-    let digits = value.to_string();
+fn grouped(value: impl Into<u128>) -> String {
+    let digits = value.into().to_string();
     let mut out = String::new();
     for (at, digit) in digits.chars().enumerate() {
         if at > 0 && (digits.len() - at).is_multiple_of(3) {

@@ -16,7 +16,7 @@ fn definition(axiom: &str, rules: &str) -> Definition {
 }
 
 fn check_svg(definition: &Definition, options: &SvgOptions, expected: &Expect) {
-    expected.assert_eq(&write_svg(&drawing(definition), &definition.style, options).unwrap());
+    expected.assert_eq(&write_svg(&drawing(definition), &definition.style, options).unwrap().text);
 }
 
 #[test]
@@ -112,7 +112,7 @@ fn paths_read_back() {
         let mut plant = definition("X", "X -> F'+[[X]-X]-F[-FX]+X\nF -> FF");
         (plant.angle, plant.iterations, plant.step, plant.style.colour_by) = (25.7, 6, 0.013, colour_by);
         let drawing = drawing(&plant);
-        let svg = write_svg(&drawing, &plant.style, &SvgOptions::default()).unwrap();
+        let svg = write_svg(&drawing, &plant.style, &SvgOptions::default()).unwrap().text;
         let read = read_paths(&svg);
         let [x0, y0, x1, y1] = drawing.bounds().unwrap();
         let tolerance = 1e-6 * (x1 - x0).max(y1 - y0);
@@ -135,7 +135,7 @@ fn paths_read_back() {
 fn long_paths_are_parted() {
     let mut koch = definition("F", "F -> F+F-F-F+F");
     koch.iterations = 6;
-    let svg = write_svg(&drawing(&koch), &koch.style, &SvgOptions::default()).unwrap();
+    let svg = write_svg(&drawing(&koch), &koch.style, &SvgOptions::default()).unwrap().text;
     assert_eq!(svg.matches("<path").count(), 2);
     assert_eq!(read_paths(&svg).len(), 15_625);
 }
@@ -183,6 +183,6 @@ fn beyond_floating_point() {
     far.iterations = 1000;
     let drawing = drawing(&far);
     assert_eq!(write_csv(&drawing, 9).unwrap().lines().count(), 4);
-    let svg = write_svg(&drawing, &far.style, &SvgOptions::default()).unwrap();
+    let svg = write_svg(&drawing, &far.style, &SvgOptions::default()).unwrap().text;
     assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
 }

@@ -63,29 +63,29 @@ impl Iterator for Segments<'_> {
 
 /// Where a block lies in the frame that is being read, and in what style it is entered.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
-    pub(super) at: [f64; 2],
-    pub(super) heading: Heading,
-    pub(super) scale: f64,
-    pub(super) style: StyleChange,
+pub(crate) struct Frame {
+    pub(crate) at: [f64; 2],
+    pub(crate) heading: Heading,
+    pub(crate) scale: f64,
+    pub(crate) style: StyleChange,
     /// Cosine and sine of the heading, times the scale.
     axis: (f64, f64),
 }
 
 impl Frame {
     /// Unturned at the origin.
-    pub(super) fn new(scale: f64, style: StyleChange) -> Self {
+    pub(crate) fn new(scale: f64, style: StyleChange) -> Self {
         Self { at: [0.0; 2], heading: Heading::EAST, scale, style, axis: (scale, 0.0) }
     }
 
     /// Where a point of the block lies.
-    pub(super) fn lie(&self, [u, v]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn lie(&self, [u, v]: [f64; 2]) -> [f64; 2] {
         let (c, s) = self.axis;
         [self.at[0] + (c * u - s * v), self.at[1] + (s * u + c * v)]
     }
 
     /// The frame of a block inside this one.
-    pub(super) fn place(&self, placed: &Placed, drawing: &Drawing, directions: &mut Directions) -> Self {
+    pub(crate) fn place(&self, placed: &Placed, drawing: &Drawing, directions: &mut Directions) -> Self {
         let (heading, scale) = (self.heading + placed.heading, self.scale * placed.scale);
         let (c, s) = directions.cos_sin(heading);
         Self {

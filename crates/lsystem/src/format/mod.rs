@@ -1,12 +1,17 @@
 //! Files.
 
 mod csv;
+mod embed;
 mod json;
 mod json_write;
 mod number;
+mod png;
 mod svg;
+mod xml;
 
 pub use csv::write_csv;
+pub use embed::{FileContent, read_file};
 pub use json::read_json;
 pub use json_write::write_json;
-pub use svg::{SvgOptions, write_svg};
+pub use png::tag_png;
+pub use svg::{Svg, SvgForm, SvgOptions, write_svg};

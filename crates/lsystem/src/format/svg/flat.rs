@@ -1,0 +1,33 @@
+//! Every segment, in drawing order.
+
+use super::paths::{Ink, Paths};
+use super::{Decimals, Sheet, Svg, SvgOptions};
+use crate::derivation::limit;
+use crate::{Diagnostic, Drawing, LimitName, Style};
+
+pub(super) fn write(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Svg, Diagnostic> {
+    if drawing.segment_count() > u128::from(options.most) {
+        return Err(limit(LimitName::Segments, options.most, None));
+    }
+    let [x, y] = drawing.start;
+    let [x0, y0, x1, y1] = drawing.bounds().unwrap_or([x, y, x, y]).map(within);
+    let margin = drawing.step.abs();
+    let (width, height) = (x1 - x0 + 2.0 * margin, y1 - y0 + 2.0 * margin);
+    let longer = width.max(height);
+    let pixel = longer / options.size;
+    let mut text = Sheet { x: x0 - margin, y: -y1 - margin, width, height, pixel }.open(style, options, "");
+
+    let mut paths = Paths::new(&mut text, Decimals::for_size(longer), None);
+    for segment in drawing.segments() {
+        let [from, to] = [segment.from, segment.to].map(|[x, y]| [within(x), within(-y)]);
+        paths.stroke(from, to, Ink::new(style, segment.colour, segment.level, segment.width, pixel));
+    }
+    paths.close();
+    text.push_str("</g>\n</svg>\n");
+    Ok(Svg { text, instances: 0 })
+}
+
+/// Keeps what is beyond any picture within the numbers, sums of two included.
+fn within(coordinate: f64) -> f64 {
+    coordinate.clamp(-1e300, 1e300)
+}

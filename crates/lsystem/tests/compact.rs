@@ -1,0 +1,275 @@
+//! Compact SVG pictures: what they show, how large they are, what they cost.
+
+use lsystem::{
+    ColourBy, Definition, Drawing, Kind, LimitName, Limits, Svg, SvgForm, SvgOptions, System, draw, read_json,
+    write_svg,
+};
+use std::collections::HashMap;
+use std::path::Path;
+
+const PLANT: &str = "X -> F-[[X]+X]+F[+FX]-X\nF -> FF";
+
+fn plant(n: u32) -> Definition {
+    let (axiom, rules) = ("X".into(), PLANT.into());
+    Definition { axiom, rules, angle: 25.0, iterations: n, ..Definition::default() }
+}
+
+fn drawing(definition: &Definition) -> Drawing {
+    let (system, diagnostics) = System::new(definition);
+    draw(&system.unwrap_or_else(|| panic!("{diagnostics:?}")), definition.iterations, &Limits::default()).unwrap()
+}
+
+fn compact(definition: &Definition, size: f64) -> Svg {
+    let options = SvgOptions { form: SvgForm::Compact, size, ..SvgOptions::default() };
+    write_svg(&drawing(definition), &definition.style, &options).unwrap()
+}
+
+/// An SVG file read naively: every `<use>` expanded, element by element.
+#[derive(Default)]
+struct Reader<'a> {
+    definitions: HashMap<&'a str, Vec<&'a str>>,
+    strokes: Vec<Stroke>,
+    uses: u128,
+}
+
+#[derive(Clone, Debug)]
+struct Stroke {
+    from: [f64; 2],
+    to: [f64; 2],
+    colour: String,
+    width: f64,
+}
+
+/// Rotation in degrees and translation, y down.
+#[derive(Clone, Copy)]
+struct Transform {
+    degrees: f64,
+    at: [f64; 2],
+}
+
+impl Transform {
+    fn of(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (s, c) = (libm::sin(self.degrees.to_radians()), libm::cos(self.degrees.to_radians()));
+        [self.at[0] + c * x - s * y, self.at[1] + s * x + c * y]
+    }
+}
+
+fn attribute<'a>(line: &'a str, name: &str) -> Option<&'a str> {
+    let start = line.find(&format!(" {name}=\""))? + name.len() + 3;
+    line[start..].split('"').next()
+}
+
+fn number(line: &str, name: &str) -> f64 {
+    attribute(line, name).map_or(0.0, |text| text.parse().unwrap())
+}
+
+impl<'a> Reader<'a> {
+    fn read(text: &'a str) -> Self {
+        let mut reader = Self::default();
+        let (before, body) = text.split_once("<g fill").unwrap();
+        let around = &text[before.len()..text.len() - body.len() + body.find('\n').unwrap()];
+        let mut lines = body.lines().skip(1);
+        let (mut main, mut group) = (vec![], None);
+        for line in lines.by_ref() {
+            if line == "</svg>" || line == "<defs>" || line == "</defs>" {
+            } else if let Some(name) = line.strip_prefix("<g id=\"") {
+                group = name.split('"').next();
+            } else if line == "</g>" {
+                group = None;
+            } else if let Some(name) = group {
+                reader.definitions.entry(name).or_default().push(line);
+            } else if let Some(name) = attribute(line, "id") {
+                reader.definitions.insert(name, vec![line]);
+            } else {
+                main.push(line);
+            }
+        }
+        reader.expand(&main, Transform { degrees: 0.0, at: [0.0; 2] }, around);
+        reader
+    }
+
+    fn expand(&mut self, lines: &[&'a str], transform: Transform, around: &str) {
+        for line in lines {
+            if line.starts_with("<use") {
+                self.uses += 1;
+                let name = attribute(line, "xlink:href").unwrap().strip_prefix('#').unwrap();
+                let (mut at, mut degrees) = ([number(line, "x"), number(line, "y")], 0.0);
+                if let Some(text) = attribute(line, "transform") {
+                    let numbers: Vec<f64> = text.split(['(', ')', ' ']).filter_map(|word| word.parse().ok()).collect();
+                    assert_eq!(numbers.len(), 3, "{text}");
+                    (at, degrees) = ([numbers[0], numbers[1]], numbers[2]);
+                }
+                let inner = Transform { degrees: transform.degrees + degrees, at: transform.of(at) };
+                let definition = self.definitions[name].clone();
+                self.expand(&definition, inner, around);
+                continue;
+            }
+            assert!(line.starts_with("<path"), "{line}");
+            let of = |name| attribute(line, name).or(attribute(around, name)).unwrap();
+            let (colour, width) = (of("stroke").to_owned(), of("stroke-width").parse().unwrap());
+            for part in attribute(line, "d").unwrap().split('M').skip(1) {
+                let numbers: Vec<f64> = part.split([' ', 'L']).map(|number| number.parse().unwrap()).collect();
+                let points: Vec<[f64; 2]> = numbers.chunks(2).map(|p| transform.of([p[0], p[1]])).collect();
+                self.strokes.extend(points.windows(2).map(|pair| {
+                    let [from, to] = [pair[0], pair[1]];
+                    Stroke { from, to, colour: colour.clone(), width }
+                }));
+            }
+        }
+    }
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    libm::hypot(a[0] - b[0], a[1] - b[1])
+}
+
+/// Checks that the compact strokes cover the segments of the drawing in their order: a stroke may stand for several
+/// that go on straight ahead.
+fn check_covers(definition: &Definition, size: f64) {
+    let drawing = drawing(definition);
+    let svg = compact(definition, size);
+    let reader = Reader::read(&svg.text);
+    assert_eq!(reader.uses, svg.instances);
+    let [x0, y0, x1, y1] = drawing.bounds().unwrap();
+    let margin = definition.step.abs();
+    let pixel = ((x1 - x0).max(y1 - y0) + 2.0 * margin) / size;
+    let place = |[x, y]: [f64; 2]| [(x - x0 + margin) / pixel, (y1 + margin - y) / pixel];
+    let near = |a, b| distance(a, b) < 0.02;
+    let mut segments = drawing.segments().peekable();
+    for stroke in &reader.strokes {
+        let mut at = stroke.from;
+        while segments.peek().is_some() && (at == stroke.from || !near(at, stroke.to)) {
+            let segment = segments.next().unwrap();
+            assert!(near(place(segment.from), at), "{stroke:?} {segment:?} {}", definition.name);
+            let colour = String::from(definition.style.colour_of(segment.colour, segment.level));
+            assert_eq!(stroke.colour, colour);
+            let width = (segment.width / pixel).max(definition.style.min_width);
+            assert!((stroke.width - width).abs() <= 1e-5 * width, "{stroke:?} {width}");
+            at = place(segment.to);
+        }
+        assert!(near(at, stroke.to), "{stroke:?} {at:?} {}", definition.name);
+    }
+    assert!(segments.next().is_none());
+}
+
+#[test]
+fn the_same_strokes_as_the_drawing() {
+    // So large that no block is under a pixel.
+    for n in 0..=5 {
+        let mut definition = plant(n);
+        if n == 0 {
+            definition.axiom = "FX".into();
+        }
+        check_covers(&definition, 20_000.0);
+    }
+    for colour_by in [ColourBy::Symbol, ColourBy::Single, ColourBy::Level] {
+        let mut styled = plant(4);
+        styled.rules = "X -> F!'[[X]+X]+F#[+FX]-X\nF -> FF".into();
+        styled.overrides = "!: width 0.3\n#: thicker".into();
+        (styled.style.colour_by, styled.style.width, styled.step) = (colour_by, 0.1, 7.5);
+        check_covers(&styled, 20_000.0);
+        styled.style.min_width = 0.0;
+        check_covers(&styled, 20_000.0);
+    }
+}
+
+#[test]
+fn the_gallery_is_covered() {
+    let mut files = vec![];
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data_in");
+    for folder in std::fs::read_dir(data).unwrap().flatten() {
+        files.extend(std::fs::read_dir(folder.path()).unwrap().flatten().map(|file| file.path()));
+    }
+    let mut checked = 0;
+    for file in files {
+        let mut definition = read_json(&std::fs::read_to_string(&file).unwrap()).0.unwrap();
+        definition.name = file.display().to_string();
+        definition.iterations = definition.iterations.min(5);
+        let drawing = drawing(&definition);
+        if drawing.is_memoised() && drawing.bounds().is_some() && drawing.segment_count() < 50_000 {
+            check_covers(&definition, 100_000.0);
+            checked += 1;
+        }
+    }
+    assert!(checked > 50, "{checked}");
+}
+
+#[test]
+fn small_at_any_n() {
+    for n in [8, 12, 40, 1000] {
+        let svg = compact(&plant(n), 1024.0);
+        assert!(svg.text.len() < 10_000, "n = {n}: {} bytes", svg.text.len());
+        assert!(!svg.text.contains("NaN") && !svg.text.contains("inf"));
+    }
+    // A style that changes with every level has as many variants of a block as levels.
+    let mut styled = plant(12);
+    styled.rules = "X -> F-[[X]+X]+F['!+FX]-X\nF -> FF".into();
+    styled.style.width = 1.0;
+    let svg = compact(&styled, 1024.0);
+    assert!(svg.text.len() < 200_000, "{} bytes", svg.text.len());
+}
+
+#[test]
+fn copies_are_counted() {
+    for (n, size) in [(5, 1024.0), (7, 300.0), (9, 400.0)] {
+        let svg = compact(&plant(n), size);
+        assert_eq!(svg.instances, Reader::read(&svg.text).uses, "{n}");
+        assert_eq!(svg.warning(), None);
+    }
+    // Blocks under a pixel bound them.
+    let [forty, more] = [40, 400].map(|n| compact(&plant(n), 1024.0));
+    assert!(forty.instances.abs_diff(more.instances) <= forty.instances / 100);
+    assert!((10_000..100_000).contains(&forty.instances) && forty.warning().is_none());
+
+    let bush = Definition { axiom: "F".into(), rules: "F -> FF-[-F+F+F]+[+F-F-F]".into(), ..plant(12) };
+    let svg = compact(&bush, 1024.0);
+    let warning = svg.warning().unwrap();
+    assert!(svg.instances > 100_000 && !warning.is_error());
+    assert_eq!(warning.kind, Kind::Instances { count: svg.instances });
+}
+
+#[test]
+fn what_is_under_a_pixel_is_one_stroke() {
+    let mut koch = Definition { axiom: "F".into(), rules: "F -> F+F--F+F".into(), ..Definition::default() };
+    (koch.angle, koch.iterations) = (60.0, 30);
+    let svg = compact(&koch, 500.0);
+    let strokes = Reader::read(&svg.text).strokes;
+    assert!((1_000..100_000).contains(&strokes.len()), "{}", strokes.len());
+    for stroke in &strokes {
+        assert!(distance(stroke.from, stroke.to) <= 1.01 && stroke.width == 1.0, "{stroke:?}");
+    }
+}
+
+#[test]
+fn what_does_not_memoise_is_flat() {
+    let mut random = plant(4);
+    random.rules = "X -> F[+X]X : 1\nX -> F[-X]X : 1\nF -> FF".into();
+    let drawing = drawing(&random);
+    let write = |form| write_svg(&drawing, &random.style, &SvgOptions { form, ..SvgOptions::default() }).unwrap();
+    assert_eq!(write(SvgForm::Compact), write(SvgForm::Flat));
+}
+
+#[test]
+fn limits_and_odd_drawings() {
+    let drawing = drawing(&plant(12));
+    let options = SvgOptions { form: SvgForm::Compact, most: 9, ..SvgOptions::default() };
+    let over = Kind::Limit { limit: LimitName::Segments, value: 9, largest: None };
+    assert_eq!(write_svg(&drawing, &plant(12).style, &options).unwrap_err().kind, over);
+
+    // Nothing, a point, a line of 2^1000 steps, one letter in another a thousand times.
+    for (axiom, rules, overrides, n) in [
+        ("X", "", "", 3),
+        ("F", "", "F: draw 0", 0),
+        ("F", "F -> FF", "", 1000),
+        ("FfFf-F", "f -> fff", "", 1000),
+        ("A", "A -> F+A", "", 1000),
+        ("A", "A -> F+[A]A", "", 1000),
+        ("F", "F -> FFF", "F: draw 1e-9", 3),
+    ] {
+        let [axiom, rules, overrides] = [axiom, rules, overrides].map(String::from);
+        let odd = Definition { axiom, rules, overrides, iterations: n, angle: 7.0, ..Definition::default() };
+        let svg = compact(&odd, 1024.0);
+        assert!(!svg.text.contains("NaN") && !svg.text.contains("inf"), "{}", svg.text);
+        assert!(svg.text.len() < 200_000, "{}: {} bytes", odd.rules, svg.text.len());
+    }
+}

@@ -1,0 +1,84 @@
+//! Files that carry a system give it back.
+
+use lsystem::{
+    Definition, Diagnostic, Kind, Limits, MAX_TEXT, SvgForm, SvgOptions, System, draw, read_file, read_json, tag_png,
+    write_json, write_svg,
+};
+use proptest::prelude::*;
+use std::path::Path;
+
+/// The smallest PNG file there is: one black pixel.
+const PIXEL: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x01\0\0\0\x01\x08\0\0\0\0\x3a\x7e\x9b\x55\0\0\0\nIDAT\x78\x9c\x63\x60\0\0\0\x02\0\x01\x48\xaf\xa4\x71\0\0\0\0IEND\xae\x42\x60\x82";
+
+/// In all forms that carry a system.
+fn files(definition: &Definition) -> Vec<Vec<u8>> {
+    let json = write_json(definition);
+    let mut files = vec![tag_png(PIXEL, &json).unwrap()];
+    if let (Some(system), _) = System::new(definition) {
+        let drawing = draw(&system, definition.iterations.min(3), &Limits::default()).unwrap();
+        for form in [SvgForm::Flat, SvgForm::Compact] {
+            let options = SvgOptions { title: "<T>".into(), system: json.clone(), form, ..SvgOptions::default() };
+            files.push(write_svg(&drawing, &definition.style, &options).unwrap().text.into_bytes());
+        }
+    }
+    files.push(json.into_bytes());
+    files
+}
+
+fn check(definition: &Definition) {
+    for file in files(definition) {
+        let read = read_file(&file);
+        assert_eq!((read.definition.as_ref(), read.diagnostics), (Some(definition), vec![]));
+        assert_eq!(read_json(&read.json).0.as_ref(), Some(definition));
+    }
+}
+
+#[test]
+fn the_gallery() {
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data_in");
+    let mut checked = 0;
+    for folder in std::fs::read_dir(data).unwrap().flatten() {
+        for file in std::fs::read_dir(folder.path()).unwrap().flatten() {
+            check(&read_json(&std::fs::read_to_string(file.path()).unwrap()).0.unwrap());
+            checked += 1;
+        }
+    }
+    assert!(checked > 80, "{checked}");
+}
+
+#[test]
+fn odd_characters() {
+    let text = "<&>\"' ]]> </metadata> &amp; \u{fffe}\u{ffff}\u{1}\u{7f}\r\n\t\u{85}\u{2028}🌿 é".to_owned();
+    check(&Definition { axiom: "F".into(), title: text.clone(), notes: text, ..Definition::default() });
+}
+
+#[test]
+fn what_holds_no_system() {
+    let check = |bytes: &[u8], expected: &str| {
+        let read = read_file(bytes);
+        let words: Vec<String> = read.diagnostics.iter().map(Diagnostic::message).collect();
+        assert_eq!((read.definition, words), (None, vec![expected.to_owned()]));
+    };
+    check(PIXEL, "This PNG holds no L-system");
+    check(b"\xef\xbb\xbf <svg xmlns=\"http://www.w3.org/2000/svg\"/>", "This SVG holds no L-system");
+    check(b"<svg><metadata id=\"L-system\">{\"initial\": \"F\"}", "This SVG holds no L-system");
+    check(b"{\n\"initial\": \"\xff\"}", "Line 2 is not UTF-8 text");
+    check(b"", "The file holds nothing");
+    check(b"<svg><metadata id=\"L-system\">[1]</metadata></svg>", "The file must hold an object, not a list");
+    let long = read_file(&tag_png(PIXEL, &" ".repeat(MAX_TEXT + 1)).unwrap());
+    assert!(matches!(long.diagnostics[0].kind, Kind::Limit { .. }));
+}
+
+proptest! {
+    #[test]
+    fn damaged_files(at in 0_usize..1_000_000, byte: u8, cut in 0_usize..1_000_000, form in 0_usize..4) {
+        let definition = Definition { axiom: "F".into(), rules: "F -> F+F".into(), ..Definition::default() };
+        let mut file = files(&definition).swap_remove(form);
+        let length = file.len();
+        file[at % length] = byte;
+        file.truncate(cut % length + 1);
+        let read = read_file(&file);
+        prop_assert!(read.definition.is_some() || read.diagnostics.iter().any(Diagnostic::is_error));
+        let _ = tag_png(&file, "{}");
+    }
+}
