@@ -30,6 +30,9 @@ fn samples() -> Vec<(&'static str, Sample, u32)> {
         ("fine plant", Sample::abop("X", &[('X', "F-[[X]+X]+F[+FX]-X"), ('F', "FF")], 22.5), 8),
         ("plant d", Sample::abop("X", &[('X', "F[+X]F[-X]+X"), ('F', "FF")], 20.0), 7),
         ("bush", Sample::abop("F", &[('F', "FF-[-F+F+F]+[+F-F-F]")], 22.5), 5),
+        ("fine bush", Sample::abop("F", &[('F', "FF-[-F+F+F]+[+F-F-F]")], 22.5), 6),
+        ("fine gosper", Sample::abop("F", &[('F', "F-G--G+F++FF+G-"), ('G', "+F-GG--G-F++F+G")], 60.0), 6),
+        ("fine coloured", Sample::lowercase("X", &[('X', "g-[[X]+X]+g[+gX]-X"), ('g', "gg")], 22.5), 8),
         ("plant b", Sample::abop("F", &[('F', "F[+F]F[-F][F]")], 25.7), 6),
         ("sierpinski", Sample::abop("F-G-G", &[('F', "F-G+F+G-F"), ('G', "GG")], 120.0), 7),
         ("gosper", Sample::abop("F", &[('F', "F-G--G+F++FF+G-"), ('G', "+F-GG--G-F++F+G")], 60.0), 5),
@@ -46,18 +49,23 @@ fn the_picture_is_that_of_every_segment_stroked_in_order() {
     let mut failures = vec![];
     for (name, sample, n) in samples() {
         let drawing = Arc::new(sample.draw(n));
-        renderer.load(drawing.clone());
         for (colour_by, zoom) in
             [(ColourBy::Symbol, 1.0), (ColourBy::Level, 1.0), (ColourBy::Symbol, 10.0), (ColourBy::Single, 100.0)]
         {
             let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
-            let style = Style { colour_by, ..Style::default() };
-            picture(&mut renderer, &style, viewport, view);
+            let style = Style { colour_by, ..sample.0.style.clone() };
             let truth = brute_force(&drawing, &style, viewport, view);
-            let (mean, worst) = difference(renderer.pixels(), &truth, 320);
-            println!("{name:12} {colour_by:?} {:5} mean {mean:.3} worst {worst:.2} {:?}", view.zoom, renderer.stats());
-            if mean > 2.0 || worst > 12.0 {
-                failures.push((name, colour_by, view));
+            // As it is, and with tiles wherever there can be any.
+            for simple in [tile::SIMPLE, 0] {
+                renderer.walk.simple = simple;
+                renderer.load(drawing.clone());
+                picture(&mut renderer, &style, viewport, view);
+                let (mean, worst) = difference(renderer.pixels(), &truth, 320);
+                let stats = renderer.stats();
+                println!("{name:12} {colour_by:?} {zoom:5} {simple:5} mean {mean:.3} worst {worst:.2} {stats:?}");
+                if mean > 2.0 || worst > 12.0 {
+                    failures.push((name, colour_by, zoom, simple, mean, worst));
+                }
             }
         }
     }

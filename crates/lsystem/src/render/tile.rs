@@ -4,21 +4,25 @@
 //! subsamples. Colours are kept apart by shade, relative to the colour at entry, so that one tile serves them all.
 
 use super::canvas::Canvas;
+use super::view::SAMPLES;
 use crate::{BlockId, Heading};
 use core::hash::{BuildHasherDefault, Hasher};
 use std::collections::HashMap;
 
-/// The sizes of tiles, as the largest extents of their blocks in subsamples: a large one is put together from medium
-/// ones, those from small ones.
-const EXTENTS: [f64; 3] = [128.0, 32.0, 8.0];
-/// By size of tile: into how many steps a subsample is divided, each way, for the places of origins.
-const STEPS: [f64; 3] = [4.0, 4.0, 4.0];
+/// The sizes of tiles, as the largest extents of their blocks in subsamples: each is put together from smaller
+/// ones, the smallest from strokes.
+const EXTENTS: [f64; 4] = [256.0, 96.0, 28.0, 8.0];
+/// By size of tile: into how many steps a subsample is divided, each way, for the places of origins. A tile is off by
+/// half a step at most.
+const STEPS: [f64; 4] = [2.0, 4.0, 4.0, 4.0];
+/// The same for blocks whose strokes can be told apart, having fewer than pixels, as long as there is room.
+const SPARSE_STEPS: f64 = 8.0;
 /// By size of tile: blocks of fewer strokes are painted stroke by stroke, which is as fast, and exact.
-const FEW: [u32; 3] = [16, 12, 8];
+const FEW: [u32; 4] = [48, 16, 12, 8];
 /// By size of tile: the same as long as the picture has few strokes, so that simple drawings are exact throughout.
-const SOME: [u32; 3] = [160, 80, 8];
+const SOME: [u32; 4] = [640, 160, 80, 8];
 /// How many strokes are few for a picture.
-const SIMPLE: u64 = 30_000;
+pub(super) const SIMPLE: u64 = 30_000;
 /// Words in a chunk of memory; no tile needs more.
 const CHUNK: usize = 1 << 16;
 /// Chunks kept; when more are needed, all tiles are dropped and made again as needed.
@@ -27,9 +31,10 @@ const CHUNKS: usize = 24;
 /// The number of sizes.
 pub(super) const SIZES: usize = EXTENTS.len();
 
-/// The size of the tile for a block: 0 is the largest. The picture has taken `painted` strokes so far.
-pub(super) fn size(extent: f64, strokes: u32, painted: u64) -> Option<usize> {
-    let enough = if painted < SIMPLE { SOME } else { FEW };
+/// The size of the tile for a block: 0 is the largest. `simple` says that the picture has
+/// taken few strokes so far.
+pub(super) fn size(extent: f64, strokes: u32, simple: bool) -> Option<usize> {
+    let enough = if simple { SOME } else { FEW };
     EXTENTS.iter().rposition(|&largest| extent <= largest).filter(|&size| strokes >= enough[size])
 }
 
@@ -42,6 +47,8 @@ pub(super) struct Key {
     pub scale: u64,
     /// Where its origin is between two subsamples, in steps.
     pub offset: [u8; 2],
+    /// Whether these are fine steps.
+    pub fine: bool,
     /// The bits of the width at entry, where a stroke inside may be wider than a hairline.
     pub width: Option<u64>,
 }
@@ -55,9 +62,14 @@ pub(super) struct Snapped {
     pub rest: [f64; 2],
 }
 
-/// The nearest place for the origin of a tile of this size.
-pub(super) fn snap(at: [f64; 2], size: usize) -> Snapped {
-    let steps = STEPS[size];
+/// Whether the strokes of a block can be told apart.
+pub(super) fn is_sparse(extent: f64, strokes: u32) -> bool {
+    f64::from(strokes) < extent * extent / (SAMPLES * SAMPLES)
+}
+
+/// The nearest place for the origin of a block's tile, in `fine` or in ordinary steps.
+pub(super) fn snap(at: [f64; 2], size: usize, fine: bool) -> Snapped {
+    let steps = if fine { SPARSE_STEPS } else { STEPS[size] };
     let whole = at.map(|v| (v * steps).round() as i64);
     let offset = whole.map(|v| v.rem_euclid(steps as i64) as u8);
     Snapped { cell: whole.map(|v| v.div_euclid(steps as i64)), offset, rest: offset.map(|v| f64::from(v) / steps) }
@@ -93,6 +105,8 @@ pub(super) struct Tiles {
     chunks: Vec<Vec<u64>>,
     /// The chunk in use.
     chunk: usize,
+    /// Whether there were more tiles than could be kept.
+    pub crowded: bool,
 }
 
 impl Tiles {
@@ -100,6 +114,7 @@ impl Tiles {
         self.places.clear();
         self.chunks.iter_mut().for_each(Vec::clear);
         self.chunk = 0;
+        self.crowded = false;
     }
 
     /// Whether a tile of this size, in subsamples, can be kept.
@@ -127,6 +142,7 @@ impl Tiles {
         }
         if self.chunk == CHUNKS {
             self.clear();
+            self.crowded = true;
         }
         if self.chunk == self.chunks.len() {
             self.chunks.push(Vec::with_capacity(CHUNK));

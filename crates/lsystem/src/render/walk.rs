@@ -142,8 +142,9 @@ impl Seen {
 const SEEN: usize = 1 << 14;
 
 /// A picture in the making.
-#[derive(Default)]
 pub(super) struct Walk {
+    /// Below this number of strokes, tiles are made only where they save much.
+    pub simple: u64,
     look: Look,
     inks: InkTable,
     /// The picture, then a canvas for each size of tile.
@@ -156,6 +157,24 @@ pub(super) struct Walk {
     seen: Seen,
     making: Vec<Making>,
     pub stats: RenderStats,
+}
+
+impl Default for Walk {
+    fn default() -> Self {
+        Self {
+            simple: tile::SIMPLE,
+            look: Look::default(),
+            inks: InkTable::default(),
+            canvases: Default::default(),
+            colours: Default::default(),
+            tiles: Tiles::default(),
+            turns: Turns::default(),
+            stack: vec![],
+            seen: Seen::default(),
+            making: vec![],
+            stats: RenderStats::default(),
+        }
+    }
 }
 
 impl Walk {
@@ -351,18 +370,20 @@ impl Walk {
             return self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &shape.last));
         }
         node.cursor = block.items.end;
-        if let Some(size) = tile::size(extent, shape.strokes, self.stats.strokes)
+        if let Some(size) = tile::size(extent, shape.strokes, self.stats.strokes < self.simple)
             && size + 1 > node.canvas
             && radius <= BROAD
             && drawing.memoised
             && let Some(inks) = self.inks.of(node.block.0 as usize)
         {
-            let snapped = tile::snap(place.origin, size);
+            let fine = !self.tiles.crowded && tile::is_sparse(extent, shape.strokes);
+            let snapped = tile::snap(place.origin, size, fine);
             let key = Key {
                 block: node.block,
                 heading: place.heading,
                 scale: place.scale.to_bits(),
                 offset: snapped.offset,
+                fine,
                 width: (radius > self.look.hairline).then_some(node.pen.width.to_bits()),
             };
             let target = Target { canvas: node.canvas, cell: snapped.cell, shade: node.pen.shade };
