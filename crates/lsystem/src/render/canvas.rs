@@ -156,6 +156,11 @@ impl Canvas {
         let covered = &mut self.covered[at..at + count];
         let bits = &tile.covered[source..source + count];
         let (size, tile_size) = (self.strips * self.rows, tile.strips * tile.rows);
+        if self.digits > 0
+            && covered.iter().zip(bits).fold(0, |new, (covered, word)| new | moved(*word) & !covered) == 0
+        {
+            return;
+        }
         for (shade, colour) in colours.iter().enumerate() {
             let shaded =
                 if tile.shades.is_empty() { bits } else { &tile.shades[shade * tile_size + source..][..count] };

@@ -202,3 +202,65 @@ fn the_fitted_scale_is_that_of_the_view() {
         }
     }
 }
+
+/// Steps a picture with a bound on the number of steps, so that endless work shows.
+fn finishes(renderer: &mut Renderer) -> bool {
+    (0..5_000).any(|_| renderer.step(100_000) == Progress::Done)
+}
+
+#[test]
+fn odd_views_and_sizes_do_no_harm() {
+    let mut renderer = Renderer::new();
+    renderer.begin(&Style::default(), Viewport { width: 7, height: 5, ratio: 1.0 }, View::default());
+    assert!(finishes(&mut renderer));
+    assert_eq!(renderer.pixels().len(), 7 * 5 * 4);
+    let odd = [0.0, -1.0, 1e-300, 1e17, 1e300, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
+    for (name, sample) in hard() {
+        for n in [0, 1, 9, 200] {
+            let drawing = Arc::new(sample.draw(n));
+            renderer.load(drawing.clone());
+            for (i, value) in odd.into_iter().enumerate() {
+                let viewport = Viewport { width: [0, 1, 63, 65][i % 4], height: [65, 1, 16, 0][i % 4], ratio: value };
+                let view = View { x: value, y: odd[(i + 3) % odd.len()], zoom: odd[(i + 5) % odd.len()] };
+                let style = Style { min_width: odd[(i + 1) % odd.len()], ..Style::default() };
+                renderer.begin(&style, viewport, view);
+                assert!(finishes(&mut renderer), "{name} {n} {view:?}");
+                assert_eq!(renderer.pixels().len(), (viewport.width * viewport.height * 4) as usize);
+                assert!(renderer.pixels().iter().skip(3).step_by(4).all(|&alpha| alpha == u8::MAX));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_thousand_generations_look_like_two_hundred() {
+    let viewport = Viewport { width: 160, height: 120, ratio: 1.0 };
+    let [mut few, mut many] = [Renderer::new(), Renderer::new()];
+    // The dragon turns by 45 degrees with each generation, Gosper's curve by 19.1, which never comes round.
+    for (name, sample, _) in samples().into_iter().filter(|(name, ..)| !name.contains("gosper")) {
+        for (renderer, n) in [(&mut few, 200), (&mut many, 1000)] {
+            renderer.load(Arc::new(sample.draw(n)));
+            picture(renderer, &sample.0.style, viewport, View::default());
+        }
+        let (mean, worst) = difference(few.pixels(), many.pixels(), 160);
+        assert!(mean < 0.1 && worst < 4.0, "{name} {mean} {worst}");
+    }
+}
+
+#[test]
+fn work_in_small_steps_gives_the_same_picture() {
+    let viewport = Viewport { width: 200, height: 150, ratio: 1.0 };
+    let [mut whole, mut stepped] = [Renderer::new(), Renderer::new()];
+    for (name, sample, n) in samples() {
+        let drawing = Arc::new(sample.draw(n));
+        whole.load(drawing.clone());
+        stepped.load(drawing);
+        picture(&mut whole, &sample.0.style, viewport, View::default());
+        // A picture given up half-way leaves no trace.
+        stepped.begin(&sample.0.style, viewport, View { x: 0.1, ..View::default() });
+        (0..100).for_each(|_| drop(stepped.step(1)));
+        stepped.begin(&sample.0.style, viewport, View::default());
+        while stepped.step(1) == Progress::More {}
+        assert!(whole.pixels() == stepped.pixels(), "{name}");
+    }
+}
