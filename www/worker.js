@@ -76,7 +76,7 @@
             const { id, width, height, ratio, view } = newView;
             newView = null;
             viewId = id;
-            playground.view(width, height, ratio, view.x, view.y, view.zoom);
+            playground.view(width, height, ratio, view.x, view.y, view.zoom, view.fx ?? 0, view.fy ?? 0);
             seen = true;
         }
         const question = questions.shift();
@@ -125,7 +125,7 @@
             easel = { playground: new wasm.Playground(sheet), canvas: sheet };
         }
         const { ok } = easel.playground.define(definition);
-        easel.playground.view(width, height, 1, 0, 0, 1);
+        easel.playground.view(width, height, 1, 0, 0, 1, 0, 0);
         return { id, bitmap: null, steps: ok ? THUMB_STEPS : 0 };
     }
 

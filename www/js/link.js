@@ -31,10 +31,10 @@ const colour = { write: (value) => value.slice(1), read: (value) => `#${value}` 
 const colours = { write: (value) => value.map(colour.write).join(), read: (value) => value.split(',').map(colour.read) };
 /** @type {Form} */
 const view = {
-    write: ({ x, y, zoom }) => [x, y, zoom].join(),
+    write: ({ x, y, zoom, fx = 0, fy = 0 }) => (fx === 0 && fy === 0 ? [x, y, zoom] : [x, y, zoom, fx, fy]).join(),
     read: (value) => {
-        const [x, y, zoom, ...more] = value.split(',').map(number.read);
-        return more.length === 0 ? { x, y, zoom } : undefined;
+        const [x, y, zoom, fx = 0, fy = 0, ...more] = value.split(',').map(number.read);
+        return more.length === 0 ? { x, y, zoom, fx, fy } : undefined;
     },
 };
 

@@ -8,7 +8,7 @@
 /**
  * Where the reader looks. `x` and `y` move the picture's centre, in fitted extents (the longer side of what Fit
  * shows), y up; `zoom` 1 is fitted.
- * @typedef {{x: number, y: number, zoom: number}} View
+ * @typedef {{x: number, y: number, zoom: number, fx?: number, fy?: number}} View `fx` and `fy` are to be added to `x` and `y`: what is below their precision
  */
 
 /**
@@ -42,7 +42,8 @@
 export const MAX_ITERATIONS = 1000;
 export const MAX_PALETTE = 32;
 export const MIN_ZOOM = 1e-2;
-export const MAX_ZOOM = 1e12;
+/** Where a step of a drawing 10^24 steps wide fills the picture. */
+export const MAX_ZOOM = 1e25;
 
 /** @type {readonly Dialect[]} */
 export const DIALECTS = ['abop', 'every-letter', 'practical', 'lowercase'];
@@ -104,10 +105,13 @@ const CLEAN = {
     minWidth: number(0, 100),
     view: orNull((value) => {
         if (typeof value !== 'object' || value === null) return undefined;
-        const { x, y, zoom } = /** @type {Record<string, unknown>} */ (value);
+        const { x, y, zoom, fx, fy } = /** @type {Record<string, unknown>} */ (value);
         const centre = pair([x, y].map(number(-1e6, 1e6)));
         const scale = number(MIN_ZOOM, MAX_ZOOM)(zoom);
-        return centre && scale !== undefined ? { x: centre[0], y: centre[1], zoom: scale } : undefined;
+        if (!centre || scale === undefined) return undefined;
+        const fine = pair([fx, fy].map(number(-1, 1)));
+        const view = { x: centre[0], y: centre[1], zoom: scale };
+        return fine && (fine[0] !== 0 || fine[1] !== 0) ? { ...view, fx: fine[0], fy: fine[1] } : view;
     }),
 };
 

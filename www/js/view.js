@@ -4,6 +4,9 @@ import { MAX_ZOOM, MIN_ZOOM } from './state.js';
 
 /** @typedef {import('./state.js').View} View */
 
+/** Below this magnification a single number says a place to well under a pixel. */
+const COARSE = 1e6;
+
 /** @type {Readonly<View>} */
 export const FITTED = Object.freeze({ x: 0, y: 0, zoom: 1 });
 
@@ -17,7 +20,7 @@ export const FITTED = Object.freeze({ x: 0, y: 0, zoom: 1 });
  */
 export function pan(view, dx, dy, scale) {
     const pixels = scale * view.zoom;
-    return { x: view.x - dx / pixels, y: view.y + dy / pixels, zoom: view.zoom };
+    return moved(view, -dx / pixels, dy / pixels, view.zoom);
 }
 
 /**
@@ -32,7 +35,37 @@ export function pan(view, dx, dy, scale) {
 export function zoomAt(view, factor, px, py, scale) {
     const zoom = Math.min(MAX_ZOOM, Math.max(MIN_ZOOM, view.zoom * factor));
     const shift = (1 / view.zoom - 1 / zoom) / scale;
-    return { x: view.x + px * shift, y: view.y - py * shift, zoom };
+    return moved(view, px * shift, -py * shift, zoom);
+}
+
+/**
+ * The view with its centre moved. A centre is the sum of two numbers, `x` and `fx`, `y` and `fy`: where a drawing is
+ * 10^19 steps wide, one has no digits left for a single step.
+ * @param {View} view
+ * @param {number} dx
+ * @param {number} dy
+ * @param {number} zoom
+ * @returns {View}
+ */
+function moved({ x, y, fx = 0, fy = 0 }, dx, dy, zoom) {
+    const [nextX, fineX] = sum(x, fx, dx);
+    const [nextY, fineY] = sum(y, fy, dy);
+    const next = { x: nextX, y: nextY, zoom };
+    return zoom < COARSE ? next : { ...next, fx: fineX, fy: fineY };
+}
+
+/**
+ * `high + low + value` as a number and what that leaves (Knuth's two-sum).
+ * @param {number} high
+ * @param {number} low
+ * @param {number} value
+ * @returns {[number, number]}
+ */
+function sum(high, low, value) {
+    const whole = high + value;
+    const rest = whole - high;
+    const fine = low + (high - (whole - rest) + (value - rest));
+    return [whole + fine, fine - (whole + fine - whole)];
 }
 
 /**
@@ -46,7 +79,8 @@ export function between(from, to, t) {
     const zoom = from.zoom * (to.zoom / from.zoom) ** t;
     const whole = 1 / from.zoom - 1 / to.zoom;
     const left = Math.abs(whole) < 1e-9 / from.zoom ? 1 - t : (1 / zoom - 1 / to.zoom) / whole;
-    return { x: to.x + (from.x - to.x) * left, y: to.y + (from.y - to.y) * left, zoom };
+    const [dx, dy] = way(to, from);
+    return moved(to, dx * left, dy * left, zoom);
 }
 
 /**
@@ -58,5 +92,16 @@ export function between(from, to, t) {
  */
 export function placement(drawn, view, scale) {
     const pixels = scale * view.zoom;
-    return { x: (drawn.x - view.x) * pixels, y: (view.y - drawn.y) * pixels, factor: view.zoom / drawn.zoom };
+    const [dx, dy] = way(view, drawn);
+    return { x: dx * pixels, y: -dy * pixels, factor: view.zoom / drawn.zoom };
+}
+
+/**
+ * From one centre to another.
+ * @param {View} from
+ * @param {View} to
+ * @returns {[number, number]}
+ */
+function way(from, to) {
+    return [to.x - from.x + ((to.fx ?? 0) - (from.fx ?? 0)), to.y - from.y + ((to.fy ?? 0) - (from.fy ?? 0))];
 }

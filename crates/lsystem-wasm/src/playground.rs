@@ -146,9 +146,10 @@ impl Playground {
     }
 
     /// Says where to look: the canvas size in device pixels, device pixels per CSS pixel, and the view, relative to
-    /// the fitted one.
-    pub fn view(&mut self, width: u32, height: u32, ratio: f64, x: f64, y: f64, zoom: f64) {
-        let view = View { x, y, zoom };
+    /// the fitted one, whose `x` and `y` are sums of two numbers each.
+    #[expect(clippy::too_many_arguments, reason = "an object would have to be read field by field")]
+    pub fn view(&mut self, width: u32, height: u32, ratio: f64, x: f64, y: f64, zoom: f64, fine_x: f64, fine_y: f64) {
+        let view = View { x, y, zoom, fine: [fine_x, fine_y] };
         let viewport = Viewport { width, height, ratio };
         if (view, viewport) != (self.view, self.viewport) {
             (self.view, self.viewport) = (view, viewport);

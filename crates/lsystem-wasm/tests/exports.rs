@@ -105,7 +105,7 @@ fn a_playground_draws_and_reads_in_place() {
     let report =
         playground.define(object(r#"{"axiom": "F", "rules": "F -> F[+F]F[-F]F", "angle": 25.7, "iterations": 40}"#));
     assert_eq!(text(&report.unwrap(), "segments"), 5_u128.pow(40).to_string());
-    playground.view(64, 64, 1.0, 0.0, 0.0, 1.0);
+    playground.view(64, 64, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0);
     settled(&mut playground);
 
     let context: web_sys::OffscreenCanvasRenderingContext2d =
@@ -139,7 +139,7 @@ fn chance_and_limits_are_reported_when_they_are_known() {
     let random = r#"{"axiom": "F", "rules": "F -> FF : 0.5\nF -> F[+F] : 0.5", "angle": 20, "iterations": 6}"#;
     let early = playground.define(object(random)).unwrap();
     assert_eq!(text(&early, "segments"), "64");
-    playground.view(8, 8, 1.0, 0.0, 0.0, 1.0);
+    playground.view(8, 8, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0);
     let report = settled(&mut playground);
     let length: usize = playground.string_length(6).unwrap().parse().unwrap();
     assert_eq!(playground.slice(6, 0, 1 << 20).unwrap().len(), length);

@@ -53,7 +53,7 @@ fn the_corpus() {
         renderer.load(drawing.clone());
         let mut pixels = Digest::new();
         for zoom in [1.0, 7.3] {
-            let view = View { x: 0.01, y: -0.02, zoom };
+            let view = View { x: 0.01, y: -0.02, zoom, ..View::default() };
             renderer.begin(&system.style, Viewport { width: 240, height: 180, ratio: 1.0 }, view);
             while renderer.step(10_000) == Progress::More {}
             pixels.bytes(renderer.pixels());

@@ -42,6 +42,6 @@ export function randomState(roll) {
         background: colour(),
         width: Math.abs(number()),
         minWidth: Math.abs(number()),
-        view: roll() < 0.5 ? null : { x: number(), y: number(), zoom: 10 ** (roll() * 14 - 2) },
+        view: roll() < 0.5 ? null : { x: number(), y: number(), zoom: 10 ** (roll() * 26 - 2), ...(roll() < 0.5 ? {} : { fx: roll() * 1e-17, fy: -roll() * 1e-17 }) },
     });
 }

@@ -14,7 +14,7 @@ test('what is out of range becomes the nearest valid value', () => {
     assert.equal(state.step, 1e-9);
     assert.equal(state.minWidth, 100);
     assert.equal(state.angle, 25.7);
-    assert.deepEqual(state.view, { x: 0, y: 1e6, zoom: 1e12 });
+    assert.deepEqual(state.view, { x: 0, y: 1e6, zoom: 1e25 });
     assert.equal(clean({ iterations: 3.6 }).iterations, 4);
     assert.ok(Object.is(clean({ heading: -0 }).heading, 0));
 });

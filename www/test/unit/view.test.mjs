@@ -32,8 +32,19 @@ test('a zoom keeps the point under the pointer', () => {
         const [x, y] = [view.x + px / (700 * view.zoom), view.y - py / (700 * view.zoom)];
         near(seen(zoomAt(view, 1.3, px, py, 700), 700, x, y), [px, py], 1e-6 * view.zoom);
     }
-    assert.equal(zoomAt({ x: 0, y: 0, zoom: 1e12 }, 10, 5, 5, 700).zoom, 1e12);
-    assert.deepEqual(zoomAt({ x: 0, y: 0, zoom: 1e12 }, 10, 5, 5, 700), { x: 0, y: 0, zoom: 1e12 });
+    const deepest = { x: 0, y: 0, zoom: 1e25, fx: 0, fy: 0 };
+    assert.deepEqual(zoomAt(deepest, 10, 5, 5, 700), deepest);
+});
+
+test('a drag is exact where a step is 10^-19 of the drawing', () => {
+    const view = { x: 0.3, y: -0.2, zoom: 1e20, fx: 3e-18, fy: 0 };
+    const dragged = pan(view, 30, -20, 700);
+    const back = placement(view, dragged, 700);
+    near([back.x, back.y, back.factor], [30, -20, 1], 1e-6);
+    const zoomed = zoomAt(dragged, 3, 100, 50, 700);
+    const at = placement(dragged, zoomed, 700);
+    near([100 * at.factor + at.x, 50 * at.factor + at.y], [100, 50], 1e-6);
+    assert.equal(pan({ x: 0.1, y: 0.1, zoom: 10 }, 1, 1, 700).fx, undefined);
 });
 
 test('an old picture is placed where its points are seen now', () => {

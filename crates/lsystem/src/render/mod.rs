@@ -13,6 +13,7 @@ mod tile;
 mod turns;
 mod view;
 mod walk;
+mod wide;
 
 #[cfg(test)]
 mod sample;

@@ -104,7 +104,8 @@ pub(super) fn brute_force_until(
         }
     }
     let pen = Pen { colour: 0, width: drawing.width, level: 0 };
-    let start = ([camera.x, -camera.y], [camera.scale, 0.0]);
+    let [x, y] = camera.place(Default::default());
+    let start = ([x, -y], [camera.scale, 0.0]);
     visit(drawing, drawing.root.unwrap(), start, pen, &mut |a, b, pen| {
         let Some(rest) = left.checked_sub(1) else { return };
         left = rest;

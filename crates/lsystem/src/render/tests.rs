@@ -1,4 +1,5 @@
 use super::sample::{Sample, brute_force, brute_force_until};
+use super::wide::Wide;
 use super::*;
 use crate::{ColourBy, Item};
 use std::time::Instant;
@@ -129,6 +130,7 @@ fn close_up(drawing: &Drawing, zoom: f64) -> View {
         x: (at[0] * unit - fit.x - fit.width / 2.0) / side,
         y: (at[1] * unit - fit.y - fit.height / 2.0) / side,
         zoom,
+        ..View::default()
     }
 }
 
@@ -221,7 +223,8 @@ fn odd_views_and_sizes_do_no_harm() {
             renderer.load(drawing.clone());
             for (i, value) in odd.into_iter().enumerate() {
                 let viewport = Viewport { width: [0, 1, 63, 65][i % 4], height: [65, 1, 16, 0][i % 4], ratio: value };
-                let view = View { x: value, y: odd[(i + 3) % odd.len()], zoom: odd[(i + 5) % odd.len()] };
+                let view =
+                    View { x: value, y: odd[(i + 3) % odd.len()], zoom: odd[(i + 5) % odd.len()], fine: [value; 2] };
                 let style = Style { min_width: odd[(i + 1) % odd.len()], ..Style::default() };
                 renderer.begin(&style, viewport, view);
                 assert!(finishes(&mut renderer), "{name} {n} {view:?}");
@@ -258,9 +261,81 @@ fn work_in_small_steps_gives_the_same_picture() {
         picture(&mut whole, &sample.0.style, viewport, View::default());
         // A picture given up half-way leaves no trace.
         stepped.begin(&sample.0.style, viewport, View { x: 0.1, ..View::default() });
-        (0..100).for_each(|_| drop(stepped.step(1)));
+        (0..100).for_each(|_| _ = stepped.step(1));
         stepped.begin(&sample.0.style, viewport, View::default());
         while stepped.step(1) == Progress::More {}
         assert!(whole.pixels() == stepped.pixels(), "{name}");
     }
+}
+
+#[test]
+fn a_segment_fills_the_picture_at_any_depth() {
+    let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+    let style = Style { colour_by: ColourBy::Single, ..Style::default() };
+    for (sample, n) in [
+        (Sample::abop("F", &[('F', "F+F-F-F+F")], 90.0), 40),
+        (Sample::abop("F", &[('F', "F+F--F+F")], 60.0), 40),
+        (Sample::abop("X", &[('X', "F-[[X]+X]+F[+FX]-X"), ('F', "FF")], 22.5), 40),
+    ] {
+        let drawing = Arc::new(sample.draw(n));
+        let mut renderer = Renderer::new();
+        renderer.load(drawing.clone());
+        let (middle, length) = deep_segment(&drawing);
+        let (_, rect) = view::root_bounds(&drawing);
+        let side = rect.width.max(rect.height);
+        let fitted = fitted_scale(&drawing, viewport) / side;
+        for pixels in [40.0, 100.0, 100.7] {
+            // So many pixels to the segment, its middle shifted from the picture's by whole pixels.
+            let zoom = pixels / (length * fitted);
+            let mut pictures = vec![];
+            for shift in [0.0, 16.0] {
+                let offset = |axis: usize, by: f64| {
+                    let centre = [rect.x + rect.width / 2.0, rect.y + rect.height / 2.0][axis];
+                    let exact = middle[axis].plus(-centre).plus(by / (fitted * zoom));
+                    let coarse = exact.minus(Wide::default()) / side;
+                    let rest = exact.plus_wide(Wide::product(-coarse, side)).minus(Wide::default());
+                    (coarse, rest / side)
+                };
+                let ((x, fx), (y, fy)) = (offset(0, shift), offset(1, 0.0));
+                picture(&mut renderer, &style, viewport, View { x, y, zoom, fine: [fx, fy] });
+                pictures.push(renderer.pixels().to_vec());
+            }
+            let ink = |picture: &[u8], x: usize, y: usize| picture[4 * (y * 320 + x)] != style.background.rgb[0];
+            assert!((98..=101).any(|y| ink(&pictures[0], 160, y) || ink(&pictures[0], 159, y)), "{pixels}");
+            let count = |picture: &[u8]| (0..320 * 200).filter(|i| ink(picture, i % 320, i / 320)).count();
+            assert!((pixels as usize..6000).contains(&count(&pictures[0])), "{}", count(&pictures[0]));
+            // Moving the view by whole pixels moves the picture by them, to the last subsample.
+            let moved = (0..200).all(|y| (16..320).all(|x| ink(&pictures[0], x, y) == ink(&pictures[1], x - 16, y)));
+            assert!(moved, "the picture trembles at {pixels} pixels to the segment");
+        }
+    }
+}
+
+/// The middle of some segment in the midst of a drawing, in the root block's frame, and its length there.
+fn deep_segment(drawing: &Drawing) -> ([Wide; 2], f64) {
+    let mut block = drawing.root.unwrap();
+    let (mut at, mut heading, mut scale) = ([Wide::default(); 2], crate::Heading::EAST, 1.0);
+    for depth in 0_u32.. {
+        let items = drawing.items_of(block);
+        let choice = items.len() * (1 + depth as usize % 3) / 4;
+        let item = items[choice..].iter().chain(items).find(|item| matches!(item, Item::Block(_)));
+        let (c, s) = heading.cos_sin();
+        let place =
+            |[x, y]: [f64; 2]| [at[0].plus(c * scale * x - s * scale * y), at[1].plus(s * scale * x + c * scale * y)];
+        match item.or(items.first()) {
+            Some(Item::Block(placed)) => {
+                at = place(placed.at);
+                heading += placed.heading;
+                scale *= placed.scale;
+                block = placed.block;
+            }
+            Some(Item::Stroke(stroke)) => {
+                let middle = [0, 1].map(|axis| (stroke.from[axis] + stroke.to[axis]) / 2.0);
+                let [x, y] = [0, 1].map(|axis| stroke.to[axis] - stroke.from[axis]);
+                return (place(middle), (x * x + y * y).sqrt() * scale);
+            }
+            None => break,
+        }
+    }
+    unreachable!("blocks hold segments in the end")
 }

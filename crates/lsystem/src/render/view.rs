@@ -1,5 +1,6 @@
 //! Where on the drawing a picture looks.
 
+use super::wide::Wide;
 use crate::Drawing;
 
 /// The size of a picture.
@@ -22,11 +23,14 @@ pub struct View {
     pub y: f64,
     /// 1 shows the whole drawing with a margin; 2 shows it twice as large.
     pub zoom: f64,
+    /// What is to be added to `x` and `y`: the part below their precision, which counts where a single segment of a
+    /// drawing 10^19 steps wide fills the picture.
+    pub fine: [f64; 2],
 }
 
 impl Default for View {
     fn default() -> Self {
-        Self { x: 0.0, y: 0.0, zoom: 1.0 }
+        Self { x: 0.0, y: 0.0, zoom: 1.0, fine: [0.0; 2] }
     }
 }
 
@@ -75,15 +79,13 @@ pub fn fitted_scale(drawing: &Drawing, viewport: Viewport) -> f64 {
 pub fn to_model(drawing: &Drawing, viewport: Viewport, view: View, px: f64, py: f64) -> [f64; 2] {
     let (unit, _) = root_bounds(drawing);
     let camera = Camera::new(drawing, viewport, view);
-    let (x, y) = (px * SAMPLES, py * SAMPLES);
-    [0, 1].map(|axis| {
-        let local = if axis == 0 { x - camera.x } else { camera.y - y } / camera.scale;
-        drawing.start[axis] + unit * local
-    })
+    let [x, y] = camera.place([Wide::default(); 2]);
+    let local = [(px * SAMPLES - x) / camera.scale, (y - py * SAMPLES) / camera.scale];
+    [0, 1].map(|axis| drawing.start[axis] + unit * local[axis])
 }
 
 /// The bounds of the drawing in units of its root block, never empty, and that unit in model units.
-fn root_bounds(drawing: &Drawing) -> (f64, Rect) {
+pub(super) fn root_bounds(drawing: &Drawing) -> (f64, Rect) {
     let Some(root) = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize)) else {
         let unit = if drawing.step.is_normal() { drawing.step.abs() } else { 1.0 };
         return (unit, Rect { x: -0.5, y: -0.5, width: 1.0, height: 1.0 });
@@ -112,11 +114,14 @@ pub(super) const SAMPLES: f64 = 4.0;
 /// Empty space around a fitted drawing, as a part of the viewport's shorter side.
 const MARGIN: f64 = 0.04;
 
-/// How the root block's frame is placed on the subsample lattice: `x + scale * p.x`, `y - scale * p.y`, y down.
+/// How the root block's frame is placed on the subsample lattice: `scale` times the way from `centre`, which is in
+/// the `middle`; y down.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Camera {
-    pub x: f64,
-    pub y: f64,
+    /// What is in the middle of the picture, in units of the root block, y up.
+    pub centre: [Wide; 2],
+    /// The middle of the picture, in subsamples.
+    pub middle: [f64; 2],
     /// Subsamples in one unit of the root block.
     pub scale: f64,
     /// Subsamples in one step length.
@@ -144,12 +149,20 @@ impl Camera {
         let scale = fitted * zoom;
         let side = rect.longer_side();
         let [cx, cy] = rect.centre();
-        let offset = |v: f64| if v.is_finite() { v * side } else { 0.0 };
+        let along = |centre: f64, offset: f64, fine: f64| {
+            let finite = |v: f64| if v.is_finite() { v } else { 0.0 };
+            Wide::product(finite(offset), side).plus_wide(Wide::product(finite(fine), side)).plus(centre)
+        };
         Self {
-            x: width * SAMPLES / 2.0 - (cx + offset(view.x)) * scale,
-            y: height * SAMPLES / 2.0 + (cy + offset(view.y)) * scale,
+            centre: [along(cx, view.x, view.fine[0]), along(cy, view.y, view.fine[1])],
+            middle: [width * SAMPLES / 2.0, height * SAMPLES / 2.0],
             scale,
             step: libm::scalbn(scale, -exponent),
         }
+    }
+    /// Where a point of the root block's frame is, in subsamples.
+    pub(super) fn place(&self, at: [Wide; 2]) -> [f64; 2] {
+        let [x, y] = [0, 1].map(|axis| at[axis].minus(self.centre[axis]) * self.scale);
+        [self.middle[0] + x, self.middle[1] - y]
     }
 }

@@ -8,6 +8,7 @@ use super::stroke::Capsule;
 use super::tile::{self, Key, Mixer, Tile, Tiles};
 use super::turns::Turns;
 use super::view::{Camera, SAMPLES, View, Viewport};
+use super::wide::Wide;
 use crate::{BlockId, Drawing, Heading, Item, Placed, Progress, Style, StyleChange};
 use core::hash::{Hash, Hasher};
 
@@ -59,8 +60,22 @@ struct Node {
     /// Which canvas it is painted on: 0 is the picture, others are tiles being made, by size.
     canvas: usize,
     place: Place,
+    /// Where it is in the root block's frame, as long as it is large.
+    far: Option<Far>,
     pen: Pen,
 }
+
+/// Where a block is in the root block's frame. On the canvas the origin of a block that is much larger than the picture
+/// is a number so large that nothing is left of its fraction; here it is kept apart from the magnification.
+#[derive(Clone, Copy, Debug)]
+struct Far {
+    at: [Wide; 2],
+    /// Units of the root block in one of its own.
+    scale: f64,
+}
+
+/// Blocks with more subsamples to a unit than this are placed by way of the root block's frame.
+const FAR: f64 = (1_u64 << 24) as f64;
 
 /// Where a block is on the canvas.
 #[derive(Clone, Copy, Debug)]
@@ -146,6 +161,7 @@ pub(super) struct Walk {
     /// Below this number of strokes, tiles are made only where they save much.
     pub simple: u64,
     look: Look,
+    camera: Option<Camera>,
     inks: InkTable,
     /// The picture, then a canvas for each size of tile.
     canvases: [Canvas; 1 + tile::SIZES],
@@ -164,6 +180,7 @@ impl Default for Walk {
         Self {
             simple: tile::SIMPLE,
             look: Look::default(),
+            camera: None,
             inks: InkTable::default(),
             canvases: Default::default(),
             colours: Default::default(),
@@ -213,15 +230,17 @@ impl Walk {
         let Some((root, block)) = drawing.root.and_then(|id| Some((id, drawing.blocks.get(id.0 as usize)?))) else {
             return;
         };
+        let far = Far { at: [Wide::default(); 2], scale: 1.0 };
         let place = Place {
-            origin: [camera.x, camera.y],
+            origin: camera.place(far.at),
             scale: camera.scale,
             heading: Heading::EAST,
             cos: camera.scale,
             sin: 0.0,
         };
         let pen = Pen { shade: Shade::Fixed(0), width: drawing.width };
-        self.stack.push(Node { block: root, cursor: block.items.end, canvas: 0, place, pen });
+        self.camera = Some(camera);
+        self.stack.push(Node { block: root, cursor: block.items.end, canvas: 0, place, far: Some(far), pen });
         if let Some(upto) = upto {
             self.leave_out(drawing, upto);
         }
@@ -271,14 +290,23 @@ impl Walk {
 
     /// A block inside another, none of it done.
     fn child(&mut self, drawing: &Drawing, node: Node, placed: &Placed) -> Node {
-        let origin = node.place.point(placed.at);
         let heading = node.place.heading + placed.heading;
         let scale = node.place.scale * placed.scale;
         let [c, s] = self.turns.cos_sin(heading);
+        let far = node.far.filter(|_| node.place.scale > FAR).map(|far| {
+            let [c, s] = self.turns.cos_sin(node.place.heading).map(|v| v * far.scale);
+            let [x, y] = placed.at;
+            let at = [far.at[0].plus(c * x - s * y), far.at[1].plus(s * x + c * y)];
+            Far { at, scale: far.scale * placed.scale }
+        });
+        let origin = match (&far, &self.camera) {
+            (Some(far), Some(camera)) => camera.place(far.at),
+            _ => node.place.point(placed.at),
+        };
         let place = Place { origin, scale, heading, cos: scale * c, sin: scale * s };
         let pen = node.pen.after(self.inks.choice, &drawing.styles[placed.style.0 as usize]);
         let cursor = drawing.blocks[placed.block.0 as usize].items.end;
-        Node { block: placed.block, cursor, canvas: node.canvas, place, pen }
+        Node { block: placed.block, cursor, canvas: node.canvas, place, far, pen }
     }
 
     /// Leaves out everything from the segment `from` (0-based) on, of a picture that has just begun: along the way
