@@ -7,6 +7,7 @@
 use crate::counts::{counts_until, sum_of, sums_by_depth};
 use crate::diagnostic::{Diagnostic, Kind, LimitName};
 use crate::program::{Program, Rewrite, SymbolId};
+use crate::walk::{Next, Walk};
 use crate::{Fault, Field, Key, Limits, MAX_ITERATIONS, Rewriter, Rules, System};
 
 /// Texts up to this many bytes are copied whole; longer ones are composed of them. The source of a copy then stays
@@ -118,76 +119,23 @@ fn largest_within(system: &System, n: u32, limits: &Limits) -> Option<u32> {
 fn derive(system: &System, n: u32, limits: &Limits, mut visit: impl FnMut(SymbolId, u32)) -> Result<(), LimitName> {
     let fixed = fixed(&system.program);
     let symbols = sums_by_depth(&system.program, n, |_| 1);
-    let mut walk = Walk::new(system, n);
+    let mut walk = Walk::new(n, system.seed);
     let mut left = limits.symbols;
-    while let Some((symbol, depth)) = walk.next(&fixed) {
-        let derived = symbols[depth as usize][usize::from(symbol)];
-        left = u64::try_from(derived).ok().and_then(|derived| left.checked_sub(derived)).ok_or(LimitName::Symbols)?;
-        if walk.work > limits.work {
-            return Err(LimitName::Work);
+    loop {
+        match walk.next(&system.program, |symbol| fixed[usize::from(symbol)], limits.work) {
+            Next::Letter(symbol, depth) => {
+                let derived = u64::try_from(symbols[depth as usize][usize::from(symbol)]).ok();
+                left = derived.and_then(|derived| left.checked_sub(derived)).ok_or(LimitName::Symbols)?;
+                visit(symbol, depth);
+            }
+            Next::Pause => return Err(LimitName::Work),
+            Next::End => return Ok(()),
         }
-        visit(symbol, depth);
     }
-    // A derivation that deletes all it makes hands nothing over.
-    if walk.work > limits.work { Err(LimitName::Work) } else { Ok(()) }
 }
 
 pub(crate) fn limit(limit: LimitName, value: u64, largest: Option<u32>) -> Diagnostic {
     Diagnostic { kind: Kind::Limit { limit, value, largest }, field: Field::Numbers, span: 0..0 }
-}
-
-/// Goes through a derivation depth first and stops at letters that need no more choices.
-struct Walk<'a> {
-    system: &'a System,
-    /// The words that are being gone through, outermost first.
-    open: Vec<Word<'a>>,
-    /// Letters read so far.
-    work: u64,
-}
-
-/// A word on the way: an axiom or a successor, and how far it has been read.
-struct Word<'a> {
-    letters: &'a [SymbolId],
-    next: usize,
-    /// The key of the letter it replaced; `None` for the axiom.
-    parent: Option<Key>,
-    /// The derivation step that made it, 0 for the axiom.
-    step: u32,
-    /// How many steps its letters still have to go.
-    depth: u32,
-}
-
-impl<'a> Walk<'a> {
-    fn new(system: &'a System, n: u32) -> Self {
-        let axiom = Word { letters: &system.program.axiom, next: 0, parent: None, step: 0, depth: n };
-        Self { system, open: vec![axiom], work: 0 }
-    }
-
-    /// The next letter that is `fixed` or has no steps to go, with the steps it has to go.
-    fn next(&mut self, fixed: &[bool]) -> Option<(SymbolId, u32)> {
-        loop {
-            let word = self.open.last_mut()?;
-            let Some(&symbol) = word.letters.get(word.next) else {
-                self.open.pop();
-                continue;
-            };
-            let index = word.next as u64;
-            word.next += 1;
-            self.work += 1;
-            let (depth, step) = (word.depth, word.step + 1);
-            if depth == 0 || fixed[usize::from(symbol)] {
-                return Some((symbol, depth));
-            }
-            let key = word.parent.map_or_else(|| Key::root(index), |parent| parent.child(word.step, index));
-            let rewrite = &self.system.program.rewrites[usize::from(symbol)];
-            match rewrite.successor(|| key.choice(self.system.seed, step)) {
-                None => return Some((symbol, 0)),
-                Some(letters) => {
-                    self.open.push(Word { letters, next: 0, parent: Some(key), step, depth: depth - 1 });
-                }
-            }
-        }
-    }
 }
 
 /// Writes the texts of letters that need no choices, each once and then as a copy.

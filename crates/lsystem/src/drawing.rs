@@ -19,7 +19,6 @@ mod segments;
 mod shape;
 mod style;
 mod tree;
-mod walk;
 
 pub use bulk::{SegmentArrays, SegmentChunk};
 pub use drawer::{Drawer, draw};

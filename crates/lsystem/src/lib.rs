@@ -31,6 +31,7 @@ mod tally;
 #[cfg(test)]
 mod testing;
 mod turtle;
+mod walk;
 
 pub use access::{Ancestor, Word};
 pub use action::Action;

@@ -1,6 +1,6 @@
 //! Timings of drawing, printed: `cargo test --release -p lsystem --test speed -- --ignored --nocapture`.
 
-use lsystem::{Definition, Limits, SegmentArrays, System, draw};
+use lsystem::{Definition, Limits, SegmentArrays, System, draw, expand_into};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -21,6 +21,25 @@ fn samples() -> Vec<(&'static str, System, u32)> {
         ("circles", system("F", "F -> F+F+F", 17.3), 8),
         ("spiral", system("A", "A -> F[+FA]+A", 7.3), 12),
     ]
+}
+
+#[test]
+#[ignore = "a measurement"]
+fn deriving_at_random() {
+    for (name, axiom, rules, n) in [
+        ("all random", "F", "F -> F[+F]F[-F]F : 0.33\nF -> F[+F]F : 0.33\nF -> F[-F]F : 0.34", 11),
+        ("half random", "X", "X -> F[+X]F[-X]X : 1\nX -> F[-X]X : 1\nF -> FF", 13),
+    ] {
+        let system = system(axiom, rules, 25.7);
+        let mut text = String::new();
+        let times = (0..7).map(|_| {
+            let began = Instant::now();
+            expand_into(&system, n, &Limits::default(), &mut text).unwrap();
+            began.elapsed().as_secs_f64()
+        });
+        let best = times.fold(f64::INFINITY, f64::min);
+        println!("{name:12} n = {n}: {} symbols, {:.1} M/s", text.len(), text.len() as f64 / best / 1e6);
+    }
 }
 
 #[test]

@@ -2,9 +2,9 @@
 
 use super::builder::Builder;
 use super::tree::Tree;
-use super::walk::{Next, Walk};
 use super::{BlockId, StyleChange};
 use crate::turtle::{Directions, Op, Pen, Score};
+use crate::walk::{Next, Walk};
 use crate::{LimitName, Limits, Program, Turtle};
 
 /// What an open branch costs in units of work: its turtle's state takes the memory of as many letters.
@@ -52,8 +52,8 @@ impl Tally {
         let began = self.walk.work;
         let until = began.saturating_add(*left).min(limits.work);
         let outcome = loop {
-            match self.walk.next(program, until) {
-                Next::Letter(symbol) => {
+            match self.walk.next(program, |_| false, until) {
+                Next::Letter(symbol, _) => {
                     let ops = &score.ops[usize::from(symbol)];
                     self.symbols += 1;
                     self.count(ops);

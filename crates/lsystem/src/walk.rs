@@ -1,4 +1,5 @@
 //! A derivation gone through depth first: the letters of the last generation in order, none before it held.
+//! Whoever knows what becomes of some letters takes these as soon as they occur.
 
 use crate::{Key, Program, Rewrite, SymbolId};
 
@@ -31,8 +32,8 @@ enum Source {
 
 /// What comes next.
 pub(crate) enum Next {
-    /// A letter of the last generation.
-    Letter(SymbolId),
+    /// A letter of the last generation, or one that is known, and the steps that it has yet to go.
+    Letter(SymbolId, u32),
     /// The given work is spent.
     Pause,
     End,
@@ -43,8 +44,8 @@ impl Walk {
         Self { n, seed, open: vec![Word { source: Source::Axiom, next: 0, key: Key::root(0) }], work: 0 }
     }
 
-    /// Goes on to the next letter of the last generation, until `self.work` is `until`.
-    pub(crate) fn next(&mut self, program: &Program, until: u64) -> Next {
+    /// Goes on to the next letter that is `known` or of the last generation, until `self.work` is `until`.
+    pub(crate) fn next(&mut self, program: &Program, known: impl Fn(SymbolId) -> bool, until: u64) -> Next {
         loop {
             // The axiom's letters are generation 0.
             let generation = self.open.len() as u32 - 1;
@@ -62,8 +63,8 @@ impl Walk {
             let index = word.next as u64;
             word.next += 1;
             self.work += 1;
-            if generation == self.n {
-                return Next::Letter(symbol);
+            if generation == self.n || known(symbol) {
+                return Next::Letter(symbol, self.n - generation);
             }
             let key = match word.source {
                 Source::Axiom => Key::root(index),
@@ -71,7 +72,7 @@ impl Walk {
             };
             let step = generation + 1;
             let choice = match &program.rewrites[usize::from(symbol)] {
-                Rewrite::Keep => return Next::Letter(symbol),
+                Rewrite::Keep => return Next::Letter(symbol, 0),
                 Rewrite::Always(_) => 0,
                 Rewrite::Choose(choices) => {
                     let roll = key.choice(self.seed, step);
