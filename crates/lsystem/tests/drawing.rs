@@ -6,6 +6,7 @@ use lsystem::{
     Action, Diagnostic, Dialect, Drawer, Drawing, Grammar, Heading, Kind, LimitName, Limits, Module, Production,
     Program, Progress, Segment, SegmentArrays, Style, System, Turtle, draw, expand,
 };
+use naive::systems::Features;
 use proptest::prelude::*;
 
 fn modules(text: &str) -> Vec<Module> {
@@ -362,7 +363,10 @@ fn angle() -> impl Strategy<Value = f64> {
 
 /// The most iterations that keep the naive way quick.
 fn affordable(system: &System, most: u32) -> u32 {
-    (0..=most).take_while(|&n| naive::derive(&system.grammar, system.seed, n).len() < 3000).last().unwrap_or(0)
+    (0..=most)
+        .take_while(|&n| naive::modules(&system.grammar, system.seed, n).is_some_and(|word| word.len() < 3000))
+        .last()
+        .unwrap_or(0)
 }
 
 proptest! {
@@ -391,6 +395,32 @@ proptest! {
         let rules: Vec<_> = rules.iter().map(|(p, s, w)| (p.chars().next().unwrap(), s.as_str(), *w)).collect();
         let mut system = system(&axiom, &rules, angle);
         system.seed = seed;
+        check(&system, affordable(&system, n))?;
+    }
+
+    #[test]
+    fn contexts_parameters_and_images_are_drawn(
+        system in naive::systems::system(Features { contexts: true, parameters: true, weights: true, images: true }),
+        n in 0_u32..5,
+    ) {
+        let word = |n: u32| naive::modules(&system.grammar, system.seed, n);
+        let finite = |n: u32| word(n).is_some_and(|word| naive::images(&system.grammar, system.seed, &word).is_some());
+        match (0..=n).find(|&n| !finite(n)) {
+            Some(wrong) if word(wrong).is_none() => {
+                let kind = draw(&system, wrong, &Limits::default()).map(|_| ()).unwrap_err().kind;
+                prop_assert!(matches!(kind, Kind::NotFinite { .. }), "{:?}", kind);
+            }
+            Some(_) => {}
+            None => drop(check(&system, affordable(&system, n))?),
+        }
+    }
+
+    #[test]
+    fn plain_images_memoise(
+        system in naive::systems::system(Features { images: true, ..Features::default() }),
+        n in 0_u32..5,
+    ) {
+        prop_assert!(system.rules.is_none());
         check(&system, affordable(&system, n))?;
     }
 }

@@ -72,13 +72,8 @@ impl Neighbours {
                 self.open.push((self.nearest, place as u32 + 1));
                 self.nearest = NONE;
             }
-            // An unmatched `[` is never closed: nothing after it is skipped, and its branch ends with the word.
-            Role::Open => {
-                if let Some((nearest, after)) = self.open.pop() {
-                    self.nearest = nearest;
-                    self.after[place] = after;
-                }
-            }
+            // The branch of an unmatched `[` ends with the word.
+            Role::Open => (self.nearest, self.after[place]) = self.open.pop().unwrap_or((NONE, NONE)),
             Role::Seen => self.nearest = place as u32,
             Role::Ignored => {}
         }

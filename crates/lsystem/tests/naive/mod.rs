@@ -4,53 +4,16 @@
 //! program, and headings are floating-point degrees that are summed up.
 #![allow(dead_code, unreachable_pub, reason = "each test binary uses its own part")]
 
-use lsystem::{Action, Grammar, Key, Production, Segment, System};
+use lsystem::{Action, Dialect, Grammar, Segment, System};
 
-/// The letters of generation `n`, with their keys. Takes time and memory as the word grows.
-pub fn derive(grammar: &Grammar, seed: u32, n: u32) -> Vec<(char, Key)> {
-    let axiom = grammar.axiom.iter().enumerate();
-    let mut word: Vec<(char, Key)> = axiom.map(|(i, m)| (m.symbol, Key::root(i as u64))).collect();
-    for step in 1..=n {
-        let mut next = Vec::new();
-        for (letter, key) in word {
-            match successor(grammar, letter, || key.choice(seed, step)) {
-                None => next.push((letter, key)),
-                Some(letters) => {
-                    next.extend(letters.enumerate().map(|(i, letter)| (letter, key.child(step, i as u64))));
-                }
-            }
-        }
-        word = next;
-    }
-    word
-}
+mod derive;
+pub mod systems;
 
-/// The word of generation `n`.
+pub use derive::{images, modules};
+
+/// The word of generation `n` without its arguments.
 pub fn expand(grammar: &Grammar, seed: u32, n: u32) -> String {
-    derive(grammar, seed, n).into_iter().map(|(letter, _)| letter).collect()
-}
-
-/// What replaces `letter`, or `None` where no production does: the first production in text order decides whether
-/// it is one of the weighted.
-fn successor(grammar: &Grammar, letter: char, roll: impl FnOnce() -> f64) -> Option<impl Iterator<Item = char>> {
-    let matching: Vec<_> = grammar.productions.iter().filter(|p| p.predecessor.symbol == letter).collect();
-    let first = *matching.first()?;
-    let mut chosen = first;
-    if first.weight.is_some() {
-        let weighted: Vec<_> = matching.into_iter().filter(|p| p.weight.is_some()).collect();
-        let weight = |p: &Production| p.weight.as_ref().and_then(|weight| grammar.value(weight)).unwrap_or(0.0);
-        let total: f64 = weighted.iter().map(|p| weight(p)).sum();
-        let roll = roll();
-        let mut until = 0.0;
-        for production in weighted {
-            chosen = production;
-            until += weight(production);
-            if roll < until / total {
-                break;
-            }
-        }
-    }
-    Some(chosen.successor.iter().map(|m| m.symbol))
+    modules(grammar, seed, n).expect("finite numbers").iter().map(|module| module.symbol).collect()
 }
 
 /// A turtle's state; all of it is saved by a branch.
@@ -69,10 +32,12 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
     let (left, right) = (turtle.left.degrees(), turtle.right.degrees());
     let start = State { at: turtle.start, degrees: turtle.heading.degrees(), colour: 0, width: turtle.width, level: 0 };
     let (mut state, mut saved, mut segments) = (start, Vec::new(), Vec::new());
-    for (letter, _) in derive(&system.grammar, system.seed, n) {
-        let Ok(id) = system.program.alphabet.binary_search(&letter) else { continue };
-        for action in &turtle.actions[id] {
-            match *action {
+    let mut word = modules(&system.grammar, system.seed, n).expect("finite numbers");
+    word = images(&system.grammar, system.seed, &word).expect("finite numbers");
+    for module in word {
+        for (index, action) in actions(system, module.symbol).iter().enumerate() {
+            let number = module.arguments.first().filter(|_| index == 0);
+            match number.map_or(*action, |number| replaced(*action, *number)) {
                 Action::Draw(length) => {
                     let from = state.at;
                     advance(&mut state, length.unwrap_or(turtle.step));
@@ -101,6 +66,29 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
         }
     }
     segments
+}
+
+/// What a symbol does by itself.
+fn actions(system: &System, symbol: char) -> &[Action] {
+    match system.program.alphabet.binary_search(&symbol) {
+        // Where images are symbols alone, the turtle's actions are those of the images; such systems are of this dialect.
+        _ if system.rules.is_none() && !system.grammar.images.is_empty() => Dialect::Abop.actions(symbol),
+        Ok(id) => &system.turtle.actions[id],
+        Err(_) => &[],
+    }
+}
+
+/// An action with an argument in the place of its number.
+fn replaced(action: Action, number: f64) -> Action {
+    match action {
+        Action::Draw(_) => Action::Draw(Some(number)),
+        Action::Move(_) => Action::Move(Some(number)),
+        Action::TurnLeft(_) => Action::TurnLeft(Some(number)),
+        Action::TurnRight(_) => Action::TurnRight(Some(number)),
+        Action::SetWidth(_) | Action::ScaleWidth(_) => Action::SetWidth(number.max(0.0)),
+        Action::SetColour(_) | Action::AddColour(_) => Action::SetColour(number.floor() as i32),
+        Action::TurnRound | Action::Push | Action::Pop => action,
+    }
 }
 
 fn turn(state: &mut State, degrees: f64) {

@@ -1,0 +1,70 @@
+//! Derivation with contexts, parameters and chance against the plain reading of the definition.
+
+mod naive;
+
+use lsystem::{Fault, Limits, Rewriter, System};
+use naive::systems::{Features, system};
+use proptest::prelude::*;
+
+fn cases() -> ProptestConfig {
+    let cases = std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500);
+    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
+}
+
+/// The core derives what the plain reading does, generation by generation, until the words get long.
+fn check(system: &System, piece: usize) -> Result<(), TestCaseError> {
+    let Some(rules) = system.rules.clone() else { return Ok(()) };
+    let plain = |n: u32| naive::modules(&system.grammar, system.seed, n);
+    let mut rewriter = match Rewriter::new(rules, system.seed, Limits::default()) {
+        Ok(rewriter) => rewriter,
+        Err(fault) => {
+            prop_assert_eq!((fault, plain(0)), (Fault::NotFinite(None), None));
+            return Ok(());
+        }
+    };
+    for n in 0..6 {
+        let expected = plain(n);
+        let word = rewriter.word();
+        let letters = word.letters.iter().map(|&letter| rewriter.rules().letters[usize::from(letter)].symbol);
+        let arguments = (0..word.letters.len()).map(|place| word.arguments_of(place, rewriter.rules()).to_vec());
+        let expected = expected.ok_or_else(|| TestCaseError::fail("a number is not finite"))?;
+        prop_assert_eq!(letters.collect::<String>(), expected.iter().map(|m| m.symbol).collect::<String>());
+        for (own, module) in arguments.zip(&expected) {
+            prop_assert_eq!(own, &module.arguments[..]);
+        }
+        if word.letters.len() > 600 {
+            break;
+        }
+        loop {
+            match rewriter.step(piece) {
+                Ok(true) => break,
+                Ok(false) => {}
+                Err(fault) => {
+                    prop_assert!(matches!(fault, Fault::NotFinite(Some(_))), "{:?}", fault);
+                    prop_assert_eq!(plain(n + 1), None);
+                    return Ok(());
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(cases())]
+
+    #[test]
+    fn context_sensitive_systems(system in system(Features { contexts: true, ..Features::default() }), piece in 1_usize..9) {
+        check(&system, piece)?;
+    }
+
+    #[test]
+    fn parametric_systems(system in system(Features { contexts: true, parameters: true, ..Features::default() }), piece in 1_usize..9) {
+        check(&system, piece)?;
+    }
+
+    #[test]
+    fn stochastic_systems(system in system(Features { contexts: true, parameters: true, weights: true, images: false }), piece in 1_usize..9) {
+        check(&system, piece)?;
+    }
+}

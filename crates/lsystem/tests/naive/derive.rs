@@ -1,0 +1,307 @@
+//! Derivation as the book defines it: the word as a tree of branches, expressions evaluated as they are written.
+
+use lsystem::{Expr, Function, Grammar, Key, Operator, Pattern, Production};
+
+/// A module of a word.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Module {
+    pub symbol: char,
+    pub arguments: Vec<f64>,
+    pub key: Key,
+}
+
+/// The modules of generation `n`; `None` where a number is not finite. Takes time and memory as the word grows.
+pub fn modules(grammar: &Grammar, seed: u32, n: u32) -> Option<Vec<Module>> {
+    let axiom = grammar.axiom.iter().enumerate();
+    let mut drawn = 0;
+    let mut word = axiom
+        .map(|(index, module)| {
+            let key = Key::root(index as u64);
+            let mut scope = Scope { grammar, names: vec![], key, seed, step: 0, drawn };
+            let arguments = module.arguments.iter().map(|expr| scope.value(expr)).collect();
+            drawn = scope.drawn;
+            Module { symbol: module.symbol, arguments, key }
+        })
+        .collect::<Vec<_>>();
+    for step in 1..=n {
+        if !is_finite(&word) {
+            return None;
+        }
+        let tree = Tree::new(grammar, &word);
+        let mut next = Vec::new();
+        for place in 0..word.len() {
+            match tree.successor(&grammar.productions, seed, step, place) {
+                None => next.push(word[place].clone()),
+                Some(successor) => next.extend(successor),
+            }
+        }
+        word = next;
+    }
+    is_finite(&word).then_some(word)
+}
+
+/// The modules that a word is drawn as; `None` where a number is not finite.
+pub fn images(grammar: &Grammar, seed: u32, word: &[Module]) -> Option<Vec<Module>> {
+    let tree = Tree::new(grammar, word);
+    let image = |place: usize| tree.successor(&grammar.images, seed, u32::MAX, place);
+    let drawn = (0..word.len()).flat_map(|place| image(place).unwrap_or_else(|| vec![word[place].clone()]));
+    Some(drawn.collect::<Vec<_>>()).filter(|word| is_finite(word))
+}
+
+fn is_finite(word: &[Module]) -> bool {
+    word.iter().flat_map(|m| &m.arguments).all(|number| number.is_finite())
+}
+
+/// A word with its branches.
+struct Tree<'a> {
+    grammar: &'a Grammar,
+    word: &'a [Module],
+    /// The contents of every branch, and of the word itself; a `]` too many starts another root.
+    axes: Vec<Axis>,
+    /// By module: an axis, and the place there where what comes before it ends and what follows begins.
+    before: Vec<(usize, usize)>,
+    after: Vec<(usize, usize)>,
+}
+
+#[derive(Default)]
+struct Axis {
+    parts: Vec<Part>,
+    /// The axis that it branches off from, and its place there.
+    parent: Option<(usize, usize)>,
+}
+
+#[derive(Clone, Copy)]
+enum Part {
+    Module(usize),
+    Branch(usize),
+}
+
+/// A right context with its branches.
+enum Wanted<'a> {
+    Module(&'a Pattern),
+    Branch(Vec<Self>),
+}
+
+impl<'a> Tree<'a> {
+    fn new(grammar: &'a Grammar, word: &'a [Module]) -> Self {
+        let mut axes = vec![Axis::default()];
+        let (mut before, mut after) = (Vec::new(), Vec::new());
+        let mut at = 0;
+        for (index, module) in word.iter().enumerate() {
+            let end = axes[at].parts.len();
+            before.push((at, end));
+            match module.symbol {
+                '[' => {
+                    let branch = axes.len();
+                    axes[at].parts.push(Part::Branch(branch));
+                    axes.push(Axis { parts: vec![], parent: Some((at, end)) });
+                    at = branch;
+                }
+                ']' => {
+                    at = axes[at].parent.map_or(axes.len(), |(parent, _)| parent);
+                    if at == axes.len() {
+                        axes.push(Axis::default());
+                    }
+                }
+                _ => axes[at].parts.push(Part::Module(index)),
+            }
+            after.push((at, axes[at].parts.len()));
+        }
+        Self { grammar, word, axes, before, after }
+    }
+
+    fn is_seen(&self, module: usize) -> bool {
+        self.grammar.seen.contains(self.word[module].symbol)
+    }
+
+    /// The modules on the way to the root, nearest first.
+    fn ancestors(&self, place: usize) -> Vec<usize> {
+        let mut found = Vec::new();
+        let mut here = Some(self.before[place]);
+        while let Some((axis, end)) = here {
+            for part in self.axes[axis].parts[..end].iter().rev() {
+                if let Part::Module(module) = *part
+                    && self.is_seen(module)
+                {
+                    found.push(module);
+                }
+            }
+            here = self.axes[axis].parent;
+        }
+        found
+    }
+
+    fn fits(&self, module: usize, pattern: &Pattern) -> bool {
+        let module = &self.word[module];
+        module.symbol == pattern.symbol && module.arguments.len() == pattern.parameters.len()
+    }
+
+    /// The modules that `wanted` matches from a part of an axis on.
+    fn follow(&self, axis: usize, from: usize, wanted: &[Wanted]) -> Option<Vec<usize>> {
+        let Some((first, rest)) = wanted.split_first() else { return Some(vec![]) };
+        let parts = self.axes[axis].parts.get(from..).unwrap_or_default();
+        let seen = |part: &Part| matches!(part, Part::Module(module) if self.is_seen(*module));
+        let next = parts.iter().position(seen);
+        match first {
+            Wanted::Module(pattern) => {
+                let Part::Module(module) = parts[next?] else { return None };
+                let found = self.fits(module, pattern).then(|| self.follow(axis, from + next? + 1, rest))??;
+                Some([vec![module], found].concat())
+            }
+            Wanted::Branch(inside) => {
+                let near = &parts[..next.unwrap_or(parts.len())];
+                near.iter().enumerate().find_map(|(at, part)| {
+                    let Part::Branch(branch) = part else { return None };
+                    let found = self.follow(*branch, 0, inside)?;
+                    Some([found, self.follow(axis, from + at + 1, rest)?].concat())
+                })
+            }
+        }
+    }
+
+    /// The modules that left context, predecessor and right context match.
+    fn surroundings(&self, production: &Production, place: usize) -> Option<Vec<usize>> {
+        if !self.fits(place, &production.predecessor) {
+            return None;
+        }
+        let ancestors = if production.left.is_empty() { vec![] } else { self.ancestors(place) };
+        let near = ancestors.get(..production.left.len())?;
+        let mut found: Vec<usize> = near.iter().rev().copied().collect();
+        if !found.iter().zip(&production.left).all(|(&module, pattern)| self.fits(module, pattern)) {
+            return None;
+        }
+        found.push(place);
+        if !production.right.is_empty() {
+            let mut patterns = production.right.iter();
+            let (axis, from) = self.after[place];
+            found.extend(self.follow(axis, from, &wanted(&mut patterns))?);
+        }
+        Some(found)
+    }
+
+    fn scope(&self, production: &Production, place: usize, seed: u32, step: u32) -> Option<Scope<'a>> {
+        let found = self.surroundings(production, place)?;
+        let right = production.right.iter().filter(|p| !matches!(p.symbol, '[' | ']'));
+        let patterns = production.left.iter().chain([&production.predecessor]).chain(right);
+        let names = patterns.zip(&found).flat_map(|(pattern, &module)| {
+            pattern.parameters.iter().cloned().zip(self.word[module].arguments.iter().copied())
+        });
+        let (grammar, key) = (self.grammar, self.word[place].key);
+        let mut scope = Scope { grammar, names: names.collect(), key, seed, step, drawn: 0 };
+        let holds = production.condition.as_ref().is_none_or(|condition| {
+            let value = scope.value(condition);
+            value != 0.0 && !value.is_nan()
+        });
+        holds.then_some(scope)
+    }
+
+    /// What replaces a module, or `None` where no production does.
+    fn successor(&self, productions: &[Production], seed: u32, step: u32, place: usize) -> Option<Vec<Module>> {
+        let key = self.word[place].key;
+        let mut applying: Vec<(&Production, Scope<'_>)> =
+            productions.iter().filter_map(|p| Some((p, self.scope(p, place, seed, step)?))).collect();
+        // Context-sensitive ones first, in text order otherwise.
+        applying.sort_by_key(|(production, _)| !production.is_context_sensitive());
+        let (first, _) = applying.first()?;
+        let (weighted, sensitive) = (first.weight.is_some(), first.is_context_sensitive());
+        let (production, mut scope) = if weighted {
+            applying.retain(|(p, _)| p.weight.is_some() && p.is_context_sensitive() == sensitive);
+            let mut weights: Vec<f64> = Vec::new();
+            for (production, scope) in &mut applying {
+                let weight = production.weight.as_ref().map_or(0.0, |weight| scope.value(weight));
+                weights.push(if weight > 0.0 && weight.is_finite() { weight } else { 0.0 });
+            }
+            let mut roll = key.choice(seed, step) * weights.iter().sum::<f64>();
+            let chosen = weights.iter().position(|&weight| {
+                let here = roll < weight;
+                roll -= weight;
+                here && weight > 0.0
+            });
+            applying.swap_remove(chosen.or(weights.iter().rposition(|&weight| weight > 0.0))?)
+        } else {
+            applying.swap_remove(0)
+        };
+        let modules = production.successor.iter().enumerate();
+        let made = modules.map(|(index, module)| Module {
+            symbol: module.symbol,
+            arguments: module.arguments.iter().map(|expr| scope.value(expr)).collect(),
+            key: key.child(step, index as u64),
+        });
+        Some(made.collect())
+    }
+}
+
+/// The patterns up to a `]` or the end.
+fn wanted<'p>(patterns: &mut core::slice::Iter<'p, Pattern>) -> Vec<Wanted<'p>> {
+    let mut all = Vec::new();
+    while let Some(pattern) = patterns.next() {
+        match pattern.symbol {
+            '[' => all.push(Wanted::Branch(wanted(patterns))),
+            ']' => break,
+            _ => all.push(Wanted::Module(pattern)),
+        }
+    }
+    all
+}
+
+/// What names stand for in a production.
+struct Scope<'a> {
+    grammar: &'a Grammar,
+    names: Vec<(String, f64)>,
+    key: Key,
+    seed: u32,
+    step: u32,
+    /// Random numbers of the production so far, in the order they are written.
+    drawn: u16,
+}
+
+impl Scope<'_> {
+    fn value(&mut self, expr: &Expr) -> f64 {
+        let truth = |holds: bool| if holds { 1.0 } else { 0.0 };
+        match expr {
+            Expr::Number(value) => *value,
+            Expr::Name(name) => {
+                let own = self.names.iter().find(|(n, _)| n == name).map(|(_, value)| *value);
+                own.or_else(|| self.grammar.constant(name)).unwrap_or(f64::NAN)
+            }
+            Expr::Negative(a) => -self.value(a),
+            Expr::Not(a) => truth(self.value(a) == 0.0),
+            Expr::Binary(operator, a, b) => {
+                let (a, b) = (self.value(a), self.value(b));
+                match operator {
+                    Operator::Or => truth(a != 0.0 || b != 0.0),
+                    Operator::And => truth(a != 0.0 && b != 0.0),
+                    Operator::Equal => truth(a == b),
+                    Operator::NotEqual => truth(a != b),
+                    Operator::Less => truth(a < b),
+                    Operator::LessOrEqual => truth(a <= b),
+                    Operator::Greater => truth(a > b),
+                    Operator::GreaterOrEqual => truth(a >= b),
+                    Operator::Add => a + b,
+                    Operator::Subtract => a - b,
+                    Operator::Multiply => a * b,
+                    Operator::Divide => a / b,
+                    Operator::Remainder => a - b * (a / b).floor(),
+                    Operator::Power => libm::pow(a, b),
+                }
+            }
+            Expr::Call(function, arguments) => {
+                let values: Vec<f64> = arguments.iter().map(|a| self.value(a)).collect();
+                match (function, values.as_slice()) {
+                    (Function::Random, [a, b]) => {
+                        let number = self.key.number(self.seed, self.step, self.drawn);
+                        self.drawn += 1;
+                        a + (b - a) * number
+                    }
+                    (Function::Min, [a, b]) => a.min(*b),
+                    (Function::Max, [a, b]) => a.max(*b),
+                    (Function::Abs, [a]) => a.abs(),
+                    (Function::Floor, [a]) => a.floor(),
+                    (Function::Ceil, [a]) => a.ceil(),
+                    (Function::Sqrt, [a]) => a.sqrt(),
+                    _ => unreachable!("the tests use no other function"),
+                }
+            }
+        }
+    }
+}
