@@ -14,8 +14,8 @@ struct Facts {
     file: String,
     name: String,
     title: String,
-    /// `deterministic` or `stochastic`.
-    kind: &'static str,
+    /// As [`lsystem::kind`].
+    kind: String,
     iterations: u32,
     seed: u32,
     /// Exact, as decimal digits; `None` where a limit is passed before they are known.
@@ -79,7 +79,7 @@ fn facts(input: &Input) -> Facts {
         file: input.file.display().to_string(),
         name: input.definition.name.clone(),
         title: input.definition.title.clone(),
-        kind: if system.is_stochastic() { "stochastic" } else { "deterministic" },
+        kind: lsystem::kind(system),
         iterations: n,
         seed: system.seed,
         growth: Growth { symbols: ratio(|c| &c.symbols), segments: ratio(|c| &c.segments) },
@@ -105,10 +105,8 @@ impl Counts {
     fn new(input: &Input, n: u32, drawing: Option<&Drawing>) -> Self {
         let (symbols, segments) = (count_symbols(&input.system, n), count_segments(&input.system, n));
         let derived = symbols.is_none() || segments.is_none();
-        // Where not even the drawing is within the limits, trying the string would only cost time.
-        let string = || drawing.and_then(|_| lsystem::expand(&input.system, n, &input.limits).ok());
         Self {
-            symbols: symbols.or_else(|| Some((string()?.chars().count() as u64).into())),
+            symbols: symbols.or_else(|| Some(drawing?.symbol_count()?.into())),
             segments: segments.or_else(|| Some(drawing?.segment_count().into())),
             derived,
         }
@@ -147,7 +145,7 @@ impl Display for Facts {
         });
         writeln!(f, "  kind        {}{blocks}", self.kind)?;
         writeln!(f, "  iterations  {}", self.iterations)?;
-        if self.kind == "stochastic" {
+        if self.kind.contains("stochastic") {
             writeln!(f, "  seed        {}", self.seed)?;
         }
         writeln!(f, "  symbols     {}", self.symbols.clone().unwrap_or_else(unknown))?;

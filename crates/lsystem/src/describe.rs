@@ -2,7 +2,7 @@
 
 use crate::counts::count_segments;
 use crate::program::Rewrite;
-use crate::{Action, Heading, MAX_ITERATIONS, System, Tally};
+use crate::{Action, Heading, MAX_ITERATIONS, Production, System, Tally};
 
 /// What one symbol of a system does, for people.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,6 +38,21 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
             }
             entries
         })
+}
+
+/// What sort of system it is: `deterministic`, or those of `stochastic`, `context-sensitive`, `parametric` that hold,
+/// separated by commas.
+#[must_use]
+pub fn kind(system: &System) -> String {
+    let productions = &system.grammar.productions;
+    let parametric = system.rules.as_ref().is_some_and(crate::Rules::is_parametric);
+    let kinds = [
+        ("stochastic", system.is_stochastic()),
+        ("context-sensitive", productions.iter().any(Production::is_context_sensitive)),
+        ("parametric", parametric),
+    ];
+    let kinds: Vec<&str> = kinds.into_iter().filter(|(_, holds)| *holds).map(|(kind, _)| kind).collect();
+    if kinds.is_empty() { "deterministic".to_owned() } else { kinds.join(", ") }
 }
 
 fn action_words(system: &System, action: Action) -> String {

@@ -38,7 +38,7 @@ pub use action::Action;
 pub use counts::{count, count_segments, count_symbols};
 pub use definition::Definition;
 pub use derivation::{expand, expand_into, expand_once, expand_symbol};
-pub use describe::{LegendEntry, describe, legend, short_count, why_empty};
+pub use describe::{LegendEntry, describe, kind, legend, short_count, why_empty};
 pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Quantity, Role, Severity, Undrawn};
 pub use dialect::Dialect;
 pub use drawing::{

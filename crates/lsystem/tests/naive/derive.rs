@@ -29,9 +29,9 @@ pub fn modules(grammar: &Grammar, seed: u32, n: u32) -> Option<Vec<Module>> {
         }
         let tree = Tree::new(grammar, &word);
         let mut next = Vec::new();
-        for place in 0..word.len() {
+        for (place, module) in word.iter().enumerate() {
             match tree.successor(&grammar.productions, seed, step, place) {
-                None => next.push(word[place].clone()),
+                None => next.push(module.clone()),
                 Some(successor) => next.extend(successor),
             }
         }
