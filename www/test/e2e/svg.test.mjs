@@ -1,0 +1,100 @@
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+import { close, withPage } from './browser.mjs';
+
+after(close);
+
+/**
+ * Both SVG forms of a system drawn by the browser and compared, in the page: the mean difference of a channel, and the
+ * largest mean of an 8x8 tile, of 255. Null where the forms are the same text.
+ * @param {{definition: object, size: number}} what
+ */
+async function compare({ definition, size }) {
+    const global = /** @type {any} */ (window);
+    if (!global.exports) {
+        const worker = new Worker('worker.js');
+        const wasm = await (await fetch('lsystem.wasm')).arrayBuffer();
+        let id = 0;
+        /** @type {(message: object, done: (answer: any) => boolean) => Promise<any>} */
+        const ask = (message, done) =>
+            new Promise((resolve, reject) => {
+                worker.onmessage = ({ data }) => {
+                    if (data.type === 'fatal') reject(new Error(data.message));
+                    else if (done(data)) resolve(data);
+                };
+                worker.postMessage({ ...message, id: ++id });
+            });
+        await ask({ type: 'init', wasm }, (answer) => answer.type === 'ready');
+        // Nothing is drawn before there is somewhere to look.
+        worker.postMessage({ type: 'view', id: 0, width: 16, height: 16, ratio: 1, view: { x: 0, y: 0, zoom: 1 } });
+        /** @param {object} system */
+        global.exports = async (system) => {
+            await ask({ type: 'define', definition: system }, (answer) => answer.type === 'report' && answer.id === id && answer.report.blocks !== null);
+            const texts = [];
+            for (const format of ['svg', 'svg-compact']) {
+                const { text, diagnostics } = await ask({ type: 'export', format }, (answer) => answer.type === 'exported');
+                if (text === null) throw new Error(JSON.stringify(diagnostics));
+                texts.push(text);
+            }
+            return texts;
+        };
+    }
+    /** @param {string} text */
+    const pixels = async (text) => {
+        const image = new Image();
+        image.src = URL.createObjectURL(new Blob([text], { type: 'image/svg+xml' }));
+        await image.decode();
+        URL.revokeObjectURL(image.src);
+        const scale = size / Math.max(image.naturalWidth, image.naturalHeight);
+        const canvas = new OffscreenCanvas(Math.ceil(image.naturalWidth * scale), Math.ceil(image.naturalHeight * scale));
+        const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
+        context.drawImage(image, 0, 0, image.naturalWidth * scale, image.naturalHeight * scale);
+        return context.getImageData(0, 0, canvas.width, canvas.height);
+    };
+    const [flat, compact] = await global.exports(definition);
+    if (flat === compact) return null;
+    const [a, b] = [await pixels(flat), await pixels(compact)];
+    if (a.width !== b.width || a.height !== b.height) throw new Error(`${a.width}x${a.height} and ${b.width}x${b.height}`);
+    let mean = 0;
+    let ink = 0;
+    const columns = Math.ceil(a.width / 8);
+    const tiles = new Float64Array(columns * Math.ceil(a.height / 8));
+    for (let at = 0; at < a.data.length; at += 4) {
+        let difference = 0;
+        for (let channel = 0; channel < 3; channel++) {
+            difference += Math.abs(a.data[at + channel] - b.data[at + channel]) / 3;
+            if (a.data[at + channel] !== a.data[channel]) ink++;
+        }
+        mean += difference;
+        const pixel = at / 4;
+        tiles[Math.floor(pixel / a.width / 8) * columns + Math.floor((pixel % a.width) / 8)] += difference / 64;
+    }
+    return { mean: mean / (a.data.length / 4), tile: Math.max(...tiles), ink, shorter: compact.length < flat.length };
+}
+
+/*
+ * The forms draw the same strokes. They differ where strokes meet or lie over each other in a partly covered pixel: the
+ * strokes of one path cover it once, those of two paths one over the other. Where both cover the part a of it, that is
+ * darker by a - a * a of the contrast, at most a quarter: 64 of 255. Only pictures of strokes thinner than a pixel, drawn
+ * again and again, come near that in a whole tile; the mean is of the whole picture.
+ */
+const MEAN = 2;
+const TILE = 64;
+
+test('compact pictures look like flat ones', () =>
+    withPage({}, async (page) => {
+        const entries = await page.evaluate(async () => (await fetch('gallery.json')).json());
+        /** @type {any[]} */
+        const found = [];
+        for (const { path, definition } of entries) {
+            const n = Math.min(definition.iterations, 6);
+            const difference = await page.evaluate(compare, { definition: { ...definition, iterations: n }, size: 1024 });
+            if (difference) found.push({ path, n, ...difference });
+        }
+        if (process.env.LSYSTEM_FIGURES) console.table(found.sort((a, b) => b.tile - a.tile));
+        assert.ok(found.length > 50, `${found.length}`);
+        for (const { path, n, mean, tile, ink } of found) {
+            assert.ok(mean <= MEAN && tile <= TILE, `${path} at n = ${n}: mean ${mean}, worst tile ${tile}`);
+            assert.ok(ink > 0 || mean === 0, path);
+        }
+    }));
