@@ -100,10 +100,15 @@ fn arguments(inside: &[Token], span: &Range<usize>, names: &mut dyn Names, notes
     if !is_countable(inside, span, notes) {
         return Vec::new();
     }
-    let mut end = span.start;
+    let mut at = 0;
     parts(inside)
         .map(|part| {
-            end = part.last().map_or(end + 1, |t| t.span().end);
+            let end = match (part.last(), inside.get(at)) {
+                (Some(last), _) => last.span().end,
+                (None, Some(comma)) => comma.span().start,
+                (None, None) => inside.last().map_or(span.end, |comma| comma.span().end),
+            };
+            at += part.len() + 1;
             // What is wrong is noted; the number of arguments is right nevertheless.
             expression::read(part, end, Role::Argument, names, notes).unwrap_or(Expr::Number(0.0))
         })
