@@ -339,3 +339,32 @@ fn deep_segment(drawing: &Drawing) -> ([Wide; 2], f64) {
     }
     unreachable!("blocks hold segments in the end")
 }
+
+#[test]
+#[ignore = "takes minutes: run it in release mode after changing what tiles may do"]
+fn full_size_pictures_are_true() {
+    let viewport = Viewport { width: 1600, height: 1000, ratio: 1.0 };
+    let mut renderer = Renderer::new();
+    let mut failures = vec![];
+    for (name, sample) in hard() {
+        let count = |drawing: &Drawing| drawing.root.map_or(0, |root| drawing.blocks[root.0 as usize].segments);
+        for n in (1..20).filter(|&n| (20_000..600_000).contains(&count(&sample.draw(n)))) {
+            let drawing = Arc::new(sample.draw(n));
+            renderer.load(drawing.clone());
+            for zoom in [1.0, 10.0, 100.0] {
+                let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
+                let truth = brute_force(&drawing, &sample.0.style, viewport, view);
+                picture(&mut renderer, &sample.0.style, viewport, view);
+                let (mean, worst) = difference(renderer.pixels(), &truth, 1600);
+                println!("{name:12} {n:2} {zoom:5} mean {mean:.3} worst {worst:.2} {:?}", renderer.stats());
+                // An upright line on the border between two columns of subsamples falls to either side by rounding,
+                // which is a quarter of its pixels' coverage; in a square grid all lines do so together.
+                let most = if sample.0.angle == 90.0 { 15.0 } else { 12.0 };
+                if mean > 2.0 || worst > most {
+                    failures.push((name, n, zoom, mean, worst));
+                }
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{failures:?}");
+}
