@@ -8,8 +8,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_dedicated_worker);
 
 use lsystem::{
-    Definition, Key, Limits, Progress, Renderer, SegmentArrays, System, View, Viewport, draw, expand, read_json,
-    write_csv, write_svg,
+    Definition, Key, Limits, Progress, Renderer, SegmentArrays, SvgForm, SvgOptions, System, View, Viewport, draw,
+    expand, read_json, write_csv, write_svg,
 };
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -59,7 +59,10 @@ fn the_corpus() {
             pixels.bytes(renderer.pixels());
         }
         let mut files = Digest::new();
-        files.bytes(write_svg(&drawing, &system.style, &lsystem::SvgOptions::default()).unwrap().text.as_bytes());
+        for form in [SvgForm::Flat, SvgForm::Compact] {
+            let options = SvgOptions { form, ..SvgOptions::default() };
+            files.bytes(write_svg(&drawing, &system.style, &options).unwrap().text.as_bytes());
+        }
         files.bytes(write_csv(&drawing, u64::MAX).unwrap().as_bytes());
         let mut string = Digest::new();
         string.bytes(text.as_bytes());
