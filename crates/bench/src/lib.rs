@@ -4,6 +4,8 @@ mod row;
 mod work;
 
 #[cfg(target_arch = "wasm32")]
+mod pictures;
+#[cfg(target_arch = "wasm32")]
 mod web;
 
 pub use row::{Row, tables};

@@ -1,27 +1,34 @@
-//! `cargo xtask bench`: speed beside other implementations and beside plain copying.
+//! `cargo xtask bench`: speed beside other implementations and beside plain copying, and the times of pictures.
 
 use crate::workspace::{Workspace, run};
 use crate::{bindgen, page, tools};
 use anyhow::{Result, bail};
+use std::ffi::OsStr;
 use std::process::Command;
 
-/// Measures natively, in the browser, or both.
+/// Measures natively, in the browser, pictures, or all of it.
 pub(crate) fn bench<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a str>) -> Result<()> {
     let parts: Vec<_> = words.collect();
-    if let Some(word) = parts.iter().find(|word| !["native", "web"].contains(word)) {
-        bail!("there is no part `{word}` of the measurements; there are native, web");
+    if let Some(word) = parts.iter().find(|word| !["native", "web", "pictures"].contains(word)) {
+        bail!("there is no part `{word}` of the measurements; there are native, web, pictures");
     }
     let has = |part| parts.is_empty() || parts.contains(&part);
     if has("native") {
         run(&mut workspace.cargo(["run", "--quiet", "--release", "--package=bench"]))?;
     }
     if has("web") {
-        web(workspace)?;
+        let results = workspace.target.join("bench").join("results.json");
+        browser(workspace, results.as_os_str())?;
+        run(workspace.cargo(["run", "--quiet", "--release", "--package=bench", "--"]).arg(results))?;
+    }
+    if has("pictures") {
+        browser(workspace, "pictures".as_ref())?;
     }
     Ok(())
 }
 
-fn web(workspace: &Workspace) -> Result<()> {
+/// Runs the measurements in headless Chromium.
+fn browser(workspace: &Workspace, results: &OsStr) -> Result<()> {
     tools::wasm_target()?;
     let browser = tools::browser()?;
     let folder = workspace.root.join("crates/bench");
@@ -30,12 +37,10 @@ fn web(workspace: &Workspace) -> Result<()> {
     let generated = workspace.target.join("bench");
     bindgen::generate(&workspace.target.join(tools::WASM_TARGET).join("release/bench.wasm"), &generated, "bench")?;
     let temporary = tempfile::tempdir()?;
-    let results = generated.join("results.json");
     run(Command::new(tools::node()?)
         .arg("web/run.mjs")
-        .args([generated.join("bench.js"), generated.join("bench_bg.wasm"), results.clone()])
+        .args([generated.join("bench.js").as_os_str(), generated.join("bench_bg.wasm").as_os_str(), results])
         .current_dir(folder)
         .env("CHROMIUM", browser.chromium)
-        .env("TMPDIR", temporary.path()))?;
-    run(workspace.cargo(["run", "--quiet", "--release", "--package=bench", "--"]).arg(results))
+        .env("TMPDIR", temporary.path()))
 }

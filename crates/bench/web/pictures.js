@@ -1,0 +1,98 @@
+// Runs in the page, behind the generated script: times of whole pictures at 1600 x 1000, in milliseconds.
+
+const DEPTHS = [8, 12, 20, 40];
+const ZOOMS = [1, 30, 1e3, 1e6];
+/** The way of everyone else is given up past this many segments: a hundred times what fits in a frame. */
+const MOST = 20_000_000;
+
+const timed = (run) => {
+  const start = performance.now();
+  run();
+  return performance.now() - start;
+};
+
+/** The median of a few runs; each begins as after a change of the system, without any tile. */
+const median = (times) => times.sort((a, b) => a - b)[times.length >> 1];
+
+const columns = (cells) => cells.map((cell, at) => String(cell).padStart(at ? 10 : 0).padEnd(at ? 0 : 34)).join('');
+
+globalThis.pictures = async (base64, files) => {
+  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+  const { memory } = await wasm_bindgen({ module_or_path: bytes });
+  const pictures = new wasm_bindgen.Pictures(files);
+  const canvas = new OffscreenCanvas(1600, 1000);
+  const context = canvas.getContext('2d');
+  const print = globalThis.printLine;
+
+  pictures.build(0, 8);
+  pictures.load();
+  pictures.picture(1, 0);
+  const image = new ImageData(new Uint8ClampedArray(pictures.pixels()), 1600, 1000);
+  const put = () => (context.putImageData(image, 0, 0), context.getImageData(0, 0, 1, 1));
+  await print(`one putImageData of the frame: ${median(Array.from({ length: 9 }, () => timed(put))).toFixed(2)} ms`);
+  await print(columns(['system', 'n', 'zoom', 'graph', 'picture', 'panned', 'blocks', 'strokes', 'tiles', 'stamps']));
+
+  const slow = [];
+  const growth = [];
+  for (let index = 0; pictures.build(index, 1) !== undefined; index++) {
+    const first = {};
+    for (const n of DEPTHS) {
+      let about;
+      const graph = timed(() => (about = JSON.parse(pictures.build(index, n))));
+      for (const zoom of ZOOMS) {
+        const runs = Array.from({ length: 5 }, () => {
+          pictures.load();
+          return timed(() => pictures.picture(zoom, 0));
+        });
+        const stats = pictures.stats();
+        const panned = Array.from({ length: 5 }, (_, i) => timed(() => pictures.picture(zoom, i + 1)));
+        const [ms, pan] = [median(runs), median(panned)];
+        await print(columns([about.name, n, zoom, graph.toFixed(2), ms.toFixed(2), pan.toFixed(2), ...stats]));
+        if (ms > 16) slow.push(`${about.name} n=${n} zoom=${zoom}: ${ms.toFixed(1)} ms`);
+        if (n === 12) first[zoom] = ms;
+        if (n === 40 && ms > 2 * first[zoom] && ms > 2) {
+          growth.push(`${about.name} zoom=${zoom}: ${first[zoom].toFixed(1)} -> ${ms.toFixed(1)} ms`);
+        }
+      }
+    }
+  }
+  await print(`\nslower than 16 ms: ${slow.length ? `\n  ${slow.join('\n  ')}` : 'none'}`);
+  await print(`n = 40 more than twice n = 12 (above 2 ms): ${growth.length ? `\n  ${growth.join('\n  ')}` : 'none'}`);
+  await print(`wasm memory: ${(memory.buffer.byteLength / 2 ** 20).toFixed(0)} MiB`);
+
+  // The way of everyone else: every segment a line of the canvas, at the largest n that ends within ten seconds.
+  await print('\nevery segment as a line of the same canvas, in paths of 1,000, beside our picture of the same n:');
+  for (let index = 0; index < 7; index++) {
+    let last;
+    for (let n = 4; n < 40; n++) {
+      const about = JSON.parse(pictures.build(index, n));
+      const ends = Number(about.segments) <= MOST ? pictures.segments(MOST) : undefined;
+      if (!ends) break;
+      const lines = timed(() => {
+        let [low, high] = [[Infinity, Infinity], [-Infinity, -Infinity]];
+        ends.forEach((value, at) => {
+          low[at % 2] = Math.min(low[at % 2], value);
+          high[at % 2] = Math.max(high[at % 2], value);
+        });
+        const scale = Math.min(1500 / (high[0] - low[0]), 900 / (high[1] - low[1]));
+        context.setTransform(scale, 0, 0, -scale, 50 - low[0] * scale, 50 + high[1] * scale);
+        context.lineWidth = 1 / scale;
+        for (let at = 0; at < ends.length; ) {
+          context.beginPath();
+          for (const end = Math.min(ends.length, at + 4000); at < end; at += 4) {
+            context.moveTo(ends[at], ends[at + 1]);
+            context.lineTo(ends[at + 2], ends[at + 3]);
+          }
+          context.stroke();
+        }
+        context.getImageData(0, 0, 1, 1);
+      });
+      context.resetTransform();
+      pictures.load();
+      last = { ...about, n, lines, ours: timed(() => pictures.picture(1, 0)) };
+      if (lines > 3000) break;
+    }
+    const { name, n, segments, lines, ours } = last;
+    await print(`  ${name}, n = ${n}, ${segments} segments: lines ${lines.toFixed(0)} ms, ours ${ours.toFixed(1)} ms, ratio ${(lines / ours).toFixed(0)}`);
+  }
+};
