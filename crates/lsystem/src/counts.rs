@@ -187,7 +187,7 @@ fn sum<T: Total>(letters: &Multiset, totals: &[Option<T>]) -> Option<T> {
 /// The letters of `word` with how often each occurs, sorted.
 fn multiset(word: &[SymbolId]) -> Multiset {
     let mut sorted = word.to_vec();
-    sorted.sort_unstable();
+    crate::sorted::sort(&mut sorted);
     let mut letters = Multiset::new();
     for symbol in sorted {
         match letters.last_mut() {

@@ -25,6 +25,7 @@ mod program;
 mod progress;
 mod render;
 mod rewriting;
+mod sorted;
 mod style;
 mod system;
 mod tally;

@@ -53,7 +53,12 @@ impl Notes {
     }
 
     pub(crate) fn finish(mut self) -> Vec<Diagnostic> {
-        self.list.sort_by_key(|d| (d.span.start, d.span.end));
+        // Few enough for the simplest sort, which keeps the order of those in the same place.
+        for end in 1..self.list.len() {
+            let place = |d: &Diagnostic| (d.span.start, d.span.end);
+            let at = self.list[..end].partition_point(|d| place(d) <= place(&self.list[end]));
+            self.list[at..=end].rotate_right(1);
+        }
         if self.left_out > 0 {
             let kind = Kind::More { left_out: self.left_out };
             let end = self.list.last().map_or(0, |d| d.span.end);

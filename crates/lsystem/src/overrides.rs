@@ -25,10 +25,10 @@ use crate::notation::token::{Token, span_of, text_of, tokens};
 use crate::notation::{is_comment, is_short_enough, lines};
 use crate::notes::{Notes, similar};
 use crate::print::{number, symbol};
+use crate::sorted::repeated;
 use crate::{Action, Diagnostic, Expected, Field, Kind};
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use core::ops::Range;
-use std::collections::{BTreeMap, BTreeSet};
 
 /// What a symbol does instead of what its dialect says.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,24 +43,28 @@ pub struct Override {
 #[must_use]
 pub fn parse_overrides(text: &str) -> (Vec<Override>, Vec<Diagnostic>) {
     let mut notes = Notes::new(Field::Overrides);
-    let mut found: Vec<Override> = Vec::new();
-    let mut places: BTreeMap<char, usize> = BTreeMap::new();
+    let (mut found, mut places) = (Vec::new(), Vec::new());
     if is_short_enough(text, &mut notes) {
         for line in lines(text).filter(|line| !is_comment(&text[line.clone()])) {
             let tokens = tokens(text, line.clone(), &mut notes);
             if let Some((symbol, place)) = head(&tokens, line.end, &mut notes) {
-                let actions = actions(&tokens[2..], line.end, &mut notes);
-                if let Some(&earlier) = places.get(&symbol) {
-                    notes.add(Kind::OverrideTwice { symbol }, place);
-                    found[earlier].actions = actions;
-                } else {
-                    places.insert(symbol, found.len());
-                    found.push(Override { symbol, actions });
-                }
+                found.push(Override { symbol, actions: actions(&tokens[2..], line.end, &mut notes) });
+                places.push(place);
             }
         }
     }
+    for ((Override { symbol, .. }, place), repeated) in found.iter().zip(places).zip(repeated(symbols(&found))) {
+        if repeated {
+            notes.add(Kind::OverrideTwice { symbol: *symbol }, place);
+        }
+    }
+    let mut replaced = repeated(symbols(&found).rev());
+    found.retain(|_| replaced.pop() == Some(false));
     (found, notes.finish())
+}
+
+fn symbols(overrides: &[Override]) -> impl DoubleEndedIterator<Item = char> {
+    overrides.iter().map(|o| o.symbol)
 }
 
 /// Overrides as text that reads back as the same.
@@ -82,18 +86,18 @@ pub(crate) fn line(ch: char, actions: &str) -> String {
 /// Symbols and actions of a text that is made of nothing else, or `None`.
 pub(crate) fn entries(text: &str) -> Option<Vec<(char, &str)>> {
     let mut entries = Vec::new();
-    let mut seen = BTreeSet::new();
     for place in text.split('\n').scan(0, |from, l| Some(core::mem::replace(from, *from + l.len() + 1)..*from - 1)) {
         let mut quiet = Notes::new(Field::Overrides);
         let tokens = tokens(text, place.clone(), &mut quiet);
         let (symbol, _) = head(&tokens, place.end, &mut quiet)?;
         let actions = text[tokens[1].span().end..place.end].trim_start();
-        if line(symbol, actions) != text[place] || !seen.insert(symbol) {
+        if line(symbol, actions) != text[place] {
             return None;
         }
         entries.push((symbol, actions));
     }
-    Some(entries)
+    let repeated = repeated(entries.iter().map(|entry| entry.0));
+    (!repeated.contains(&true)).then_some(entries)
 }
 
 /// The words for what a symbol does: `draw`, `turn left 90, draw 5`, `nothing`.

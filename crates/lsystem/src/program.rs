@@ -2,6 +2,7 @@
 
 use crate::grammar::Grammar;
 use crate::rewriting::{Rule, Rules};
+use crate::sorted::set;
 
 /// A letter's place in [`Program::alphabet`].
 pub type SymbolId = u16;
@@ -62,11 +63,8 @@ impl Program {
     #[must_use]
     pub fn new(grammar: &Grammar) -> Self {
         let made = grammar.axiom.iter().chain(grammar.productions.iter().flat_map(|p| &p.successor));
-        let mut alphabet: Vec<char> = (made.map(|module| module.symbol))
-            .chain(grammar.productions.iter().map(|p| p.predecessor.symbol))
-            .collect();
-        alphabet.sort_unstable();
-        alphabet.dedup();
+        let matched = grammar.productions.iter().map(|p| p.predecessor.symbol);
+        let mut alphabet = set(made.map(|module| module.symbol).chain(matched));
         // Text is bounded far below 65,536 distinct letters times productions; the cap only guards the cast.
         alphabet.truncate(usize::from(SymbolId::MAX) + 1);
         let id = |symbol: char| alphabet.binary_search(&symbol).unwrap_or(0) as SymbolId;

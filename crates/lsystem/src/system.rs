@@ -2,12 +2,12 @@
 
 use crate::notation::{self, Reading};
 use crate::notes::Notes;
+use crate::sorted::{set, sort};
 use crate::{
     Action, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, LimitName, MAX_ITERATIONS, MAX_LETTERS,
-    MAX_PALETTE, Override, Production, Program, Quantity, Rules, Style, Turtle, Undrawn, parse_overrides,
+    MAX_PALETTE, Production, Program, Quantity, Rules, Style, Turtle, Undrawn, parse_overrides,
 };
 use core::ops::Range;
-use std::collections::{BTreeMap, BTreeSet};
 
 /// A checked and compiled [`Definition`].
 #[derive(Clone, Debug, PartialEq)]
@@ -51,7 +51,10 @@ impl System {
         // What could not be computed has been noted where it was read.
         let rules = rules.and_then(Result::ok);
         let program = rules.as_ref().map_or_else(|| Program::new(grammar), Program::outline);
-        let overrides = overrides.iter().map(|o: &Override| (o.symbol, o.actions.as_slice())).collect();
+        // Each symbol stands once.
+        let mut order: Vec<(char, usize)> = overrides.iter().enumerate().map(|(at, o)| (o.symbol, at)).collect();
+        sort(&mut order);
+        let overrides = order.iter().map(|&(symbol, at)| (symbol, overrides[at].actions.as_slice())).collect();
         let actions = Actions { dialect: definition.dialect, overrides };
         diagnostics.extend(doubts(&reading, &program, rules.as_ref(), &actions));
         let turtle = Turtle {
@@ -84,21 +87,24 @@ fn letters(grammar: &Grammar) -> usize {
     let made = grammar.axiom.iter().chain(productions().flat_map(|p| &p.successor));
     let made = made.map(|module| (module.symbol, module.arguments.len()));
     let matched = productions().flat_map(Production::patterns).map(|p| (p.symbol, p.parameters.len()));
-    made.chain(matched).collect::<BTreeSet<_>>().len()
+    set(made.chain(matched)).len()
 }
 
 /// What symbols do: an override where there is one, the dialect otherwise.
 struct Actions<'a> {
     dialect: Dialect,
-    overrides: BTreeMap<char, &'a [Action]>,
+    /// By symbol, sorted.
+    overrides: Vec<(char, &'a [Action])>,
 }
 
 impl Actions<'_> {
     fn of(&self, symbol: char) -> &[Action] {
-        match self.overrides.get(&symbol) {
-            Some(actions) => actions,
-            None => self.dialect.actions(symbol),
-        }
+        self.overridden(symbol).unwrap_or_else(|| self.dialect.actions(symbol))
+    }
+
+    fn overridden(&self, symbol: char) -> Option<&[Action]> {
+        let place = self.overrides.binary_search_by_key(&symbol, |(symbol, _)| *symbol).ok()?;
+        Some(self.overrides[place].1)
     }
 
     /// What `symbol` does when it is drawn: all that its image does, unless images are `apart`.
@@ -111,7 +117,7 @@ impl Actions<'_> {
 
     /// What the dialect means by `symbol` without drawing it.
     fn not_drawn(&self, symbol: char) -> Option<Undrawn> {
-        if self.overrides.contains_key(&symbol) {
+        if self.overridden(symbol).is_some() {
             return None;
         }
         match (self.dialect, symbol) {
@@ -176,8 +182,8 @@ fn doubts(reading: &Reading, program: &Program, rules: Option<&Rules>, actions: 
         core::iter::once((true, &grammar.axiom[..], &reading.axiom[..])).chain(rest)
     };
     // What is drawn as something else is not drawn itself.
-    let drawn: BTreeSet<char> = grammar.images.iter().map(|image| image.predecessor.symbol).collect();
-    let mut told = BTreeSet::new();
+    let drawn = set(grammar.images.iter().map(|image| image.predecessor.symbol));
+    let mut told: Vec<char> = Vec::new();
     let mut unmatched: Vec<(bool, char, Range<usize>)> = Vec::new();
     let mut left_open = false;
     for (is_axiom, word, spans) in words() {
@@ -185,9 +191,10 @@ fn doubts(reading: &Reading, program: &Program, rules: Option<&Rules>, actions: 
         for (module, span) in word.iter().zip(spans) {
             let symbol = module.symbol;
             if let Some(meaning) = actions.not_drawn(symbol)
-                && !drawn.contains(&symbol)
-                && told.insert(symbol)
+                && drawn.binary_search(&symbol).is_err()
+                && !told.contains(&symbol)
             {
+                told.push(symbol);
                 let notes = if is_axiom { &mut axiom_notes } else { &mut notes };
                 notes.add(Kind::NotDrawn { symbol, meaning }, span.clone());
             }
@@ -214,16 +221,16 @@ fn doubts(reading: &Reading, program: &Program, rules: Option<&Rules>, actions: 
     all
 }
 
-/// The symbols that may occur in some generation, with their numbers of parameters.
-fn occurring(program: &Program, rules: Option<&Rules>) -> BTreeSet<(char, usize)> {
+/// The symbols that may occur in some generation, with their numbers of parameters, sorted.
+fn occurring(program: &Program, rules: Option<&Rules>) -> Vec<(char, usize)> {
     let arity = |id: usize| rules.map_or(0, |rules| usize::from(rules.letters[id].arity));
     let reachable = program.reachable();
     let letters = program.alphabet.iter().enumerate().filter(|(id, _)| reachable[*id]);
-    letters.map(|(id, &symbol)| (symbol, arity(id))).collect()
+    set(letters.map(|(id, &symbol)| (symbol, arity(id))))
 }
 
 /// Notes productions that never apply because something in their predecessor or contexts is never there.
-fn note_idle(reading: &Reading, occurring: &BTreeSet<(char, usize)>, notes: &mut Notes) {
+fn note_idle(reading: &Reading, occurring: &[(char, usize)], notes: &mut Notes) {
     let Reading { grammar, productions, images, .. } = reading;
     let all = grammar.productions.iter().zip(productions).chain(grammar.images.iter().zip(images));
     for (production, places) in all {
@@ -232,10 +239,11 @@ fn note_idle(reading: &Reading, occurring: &BTreeSet<(char, usize)>, notes: &mut
             let (symbol, parameters) = (pattern.symbol, pattern.parameters.len());
             let context = at != production.left.len();
             let bracket = context && matches!(symbol, '[' | ']');
-            let found = || occurring.range((symbol, 0)..=(symbol, usize::MAX)).next();
+            let from = occurring.partition_point(|letter| *letter < (symbol, 0));
+            let found = || occurring.get(from).filter(|letter| letter.0 == symbol);
             let kind = if context && !bracket && !grammar.seen.contains(symbol) {
                 Kind::ContextUnseen { symbol }
-            } else if bracket || occurring.contains(&(symbol, parameters)) {
+            } else if bracket || occurring.binary_search(&(symbol, parameters)).is_ok() {
                 continue;
             } else if let Some(&(_, found)) = found() {
                 Kind::OtherArity { symbol, parameters, found }

@@ -2,6 +2,7 @@
 
 use super::{BlockId, Drawing, Item};
 use crate::Heading;
+use crate::sorted::sort;
 use crate::turtle::Directions;
 use std::collections::HashMap;
 
@@ -16,6 +17,13 @@ pub(super) fn extent(drawing: &Drawing) -> Option<[f64; 4]> {
     let mut search = Search { drawing, directions: Directions::new(), known: HashMap::new(), effort: EFFORT };
     let mut reach = |degrees| search.reach(root, Heading::from_degrees(degrees), TOLERANCE);
     Some([-reach(180.0), -reach(270.0), reach(0.0), reach(90.0)])
+}
+
+/// A number that falls as `value` grows, in the order of [`f64::total_cmp`].
+fn falling(value: f64) -> i64 {
+    let bits = value.to_bits().cast_signed();
+    // Negative values are in the opposite order of their bits.
+    if bits < 0 { bits ^ i64::MIN } else { !bits }
 }
 
 struct Search<'a> {
@@ -56,8 +64,10 @@ impl Search<'_> {
                 }
             }
         }
-        inner.sort_by(|a, b| b.0.total_cmp(&a.0));
-        for (most, at, placed) in inner {
+        let mut order: Vec<_> = inner.iter().enumerate().map(|(index, (most, ..))| (falling(*most), index)).collect();
+        sort(&mut order);
+        for (_, index) in order {
+            let (most, at, placed) = inner[index];
             if most <= best {
                 break;
             }

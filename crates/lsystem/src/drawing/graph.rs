@@ -2,6 +2,7 @@
 
 use super::builder::Builder;
 use super::{BlockId, Item, Piece, Placed, Stroke, StyleChange};
+use crate::sorted::set;
 use crate::turtle::{Op, Pen, Score, exponent_of};
 use crate::{Heading, Program, Rewrite, SymbolId};
 
@@ -79,9 +80,7 @@ impl Plan {
                 next.extend(rewritten(program, word));
             }
         }
-        next.sort_unstable();
-        next.dedup();
-        self.levels.push(core::mem::replace(&mut self.next, next));
+        self.levels.push(core::mem::replace(&mut self.next, set(next)));
         *left = left.saturating_sub(1 + self.cost - before);
     }
 
@@ -96,10 +95,7 @@ impl Plan {
 /// The letters of `word` that a production rewrites, each once.
 fn rewritten(program: &Program, word: &[SymbolId]) -> Vec<SymbolId> {
     let is_rewritten = |s: &SymbolId| !matches!(program.rewrites[usize::from(*s)], Rewrite::Keep);
-    let mut letters: Vec<SymbolId> = word.iter().copied().filter(is_rewritten).collect();
-    letters.sort_unstable();
-    letters.dedup();
-    letters
+    set(word.iter().copied().filter(is_rewritten))
 }
 
 /// The pieces of one depth, sorted by letter.

@@ -44,6 +44,7 @@
 //! Unknown keys are reported and skipped.
 
 use crate::notes::{Notes, excerpt, similar};
+use crate::sorted::repeated;
 use crate::{
     Colour, ColourBy, Definition, Diagnostic, Dialect, Expected, Field, Grammar, JsonError, Kind, LimitName,
     MAX_ITERATIONS, MAX_PALETTE, Module, Production, Quantity, Style, plain_word, print_axiom, print_rules,
@@ -212,11 +213,9 @@ impl File {
     fn plain_rules(&mut self, rules: &Object<'_>, grammar: &mut Grammar) {
         self.check_keys(rules, &[]);
         // Where a key stands twice, the last counts.
-        let mut last = std::collections::BTreeMap::new();
-        last.extend(rules.properties.iter().enumerate().map(|(at, p)| (p.name.as_str(), at)));
-        for (at, property) in rules.properties.iter().enumerate() {
-            let key = property.name.as_str();
-            let Some(symbol) = self.symbol(property).filter(|_| last[key] == at) else { continue };
+        let replaced = repeated(rules.properties.iter().rev().map(|p| p.name.as_str()));
+        for (property, replaced) in rules.properties.iter().zip(replaced.into_iter().rev()) {
+            let Some(symbol) = self.symbol(property).filter(|_| !replaced) else { continue };
             match &property.value {
                 Value::StringLit(successor) => {
                     self.check_spaces(&successor.value, &property.value);
@@ -243,7 +242,7 @@ impl File {
                         self.notes.add(Kind::ProbabilitySum { sum }, span);
                     }
                 }
-                other => self.wrong_type(key, Expected::Successor, other),
+                other => self.wrong_type(property.name.as_str(), Expected::Successor, other),
             }
         }
     }
@@ -357,11 +356,11 @@ impl File {
 
     /// Notes keys that nothing reads (unless `known` is empty) and those that stand twice.
     fn check_keys(&mut self, object: &Object<'_>, known: &[&'static str]) {
-        let mut seen = std::collections::BTreeSet::new();
-        for property in &object.properties {
+        let repeated = repeated(object.properties.iter().map(|p| p.name.as_str()));
+        for (property, repeated) in object.properties.iter().zip(repeated) {
             let key = property.name.as_str();
             let span = self.span(&property.name);
-            if !seen.insert(key) {
+            if repeated {
                 self.notes.add(Kind::DuplicateKey { key: excerpt(key) }, span);
             } else if !known.is_empty() && !known.contains(&key) && !is_disused(key) {
                 let alias = ALIASES.iter().find(|(alias, _)| *alias == key).map(|&(_, key)| key);

@@ -5,33 +5,36 @@ use crate::Kind;
 use crate::expr::Meaning;
 use crate::notes::{Notes, excerpt, similar};
 use core::ops::Range;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// The constants of a text.
 #[derive(Debug, Default)]
 pub(crate) struct Constants {
-    values: BTreeMap<String, f64>,
+    /// By name: places among the defined.
+    places: BTreeMap<String, usize>,
     /// In text order.
     defined: Vec<Defined>,
-    used: BTreeSet<String>,
 }
 
 #[derive(Debug)]
 struct Defined {
     name: String,
-    value: String,
+    value: f64,
+    /// The value as written.
+    text: String,
     span: Range<usize>,
+    used: bool,
 }
 
 impl Constants {
     pub(super) fn contains(&self, name: &str) -> bool {
-        self.values.contains_key(name)
+        self.places.contains_key(name)
     }
 
     /// Adds a constant: its value, as a number and as written, and where its name stands.
     pub(super) fn define(&mut self, name: String, value: f64, text: String, span: Range<usize>) {
-        self.values.insert(name.clone(), value);
-        self.defined.push(Defined { name, value: text, span });
+        self.places.insert(name.clone(), self.defined.len());
+        self.defined.push(Defined { name, value, text, span, used: false });
     }
 
     /// Notes what is known at the end only: names that are defined further down, and those that nothing uses.
@@ -41,9 +44,9 @@ impl Constants {
                 *below = self.meaning(name).is_some();
             }
         });
-        for Defined { name, value, span } in self.defined {
-            if !self.used.contains(&name) {
-                notes.add(Kind::ConstantUnused { name: excerpt(&name), value }, span);
+        for Defined { name, text, span, used, .. } in self.defined {
+            if !used {
+                notes.add(Kind::ConstantUnused { name: excerpt(&name), value: text }, span);
             }
         }
     }
@@ -51,27 +54,26 @@ impl Constants {
 
 impl Names for Constants {
     fn meaning(&mut self, name: &str) -> Option<Meaning> {
-        let value = self.values.get(name).copied()?;
-        if !self.used.contains(name) {
-            self.used.insert(name.to_owned());
-        }
-        Some(Meaning::Constant(value))
+        let constant = &mut self.defined[*self.places.get(name)?];
+        constant.used = true;
+        Some(Meaning::Constant(constant.value))
     }
 
     fn similar(&self, name: &str) -> Option<String> {
-        similar(name, self.values.keys().map(String::as_str)).map(str::to_owned)
+        similar(name, self.places.keys().map(String::as_str)).map(str::to_owned)
     }
 }
 
 /// The names in a production: its parameters, then constants.
 pub(super) struct Scope<'a> {
-    pub(super) parameters: BTreeSet<&'a str>,
+    /// Sorted.
+    pub(super) parameters: Vec<&'a str>,
     pub(super) constants: &'a mut Constants,
 }
 
 impl Names for Scope<'_> {
     fn meaning(&mut self, name: &str) -> Option<Meaning> {
-        if self.parameters.contains(name) { Some(Meaning::Slot(0)) } else { self.constants.meaning(name) }
+        if self.parameters.binary_search(&name).is_ok() { Some(Meaning::Slot(0)) } else { self.constants.meaning(name) }
     }
 
     fn similar(&self, name: &str) -> Option<String> {

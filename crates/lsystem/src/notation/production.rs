@@ -6,9 +6,9 @@ use super::token::{Token, span_of, text_of};
 use super::word::{is_empty, patterns, word};
 use super::{Places, Reading};
 use crate::notes::{Notes, excerpt};
+use crate::sorted::{repeated, set};
 use crate::{Code, Expr, Kind, LimitName, MAX_CONTEXT, Pattern, Production, Role};
 use core::ops::Range;
-use std::collections::BTreeSet;
 
 /// A line with an arrow, to be read when all constants are known.
 pub(super) struct Line {
@@ -90,17 +90,16 @@ impl Head {
         self.left.iter().chain(&self.strict).chain(&self.right)
     }
 
-    /// The names of all parameters; those that stand twice are noted.
-    fn names(&self, notes: &mut Notes) -> BTreeSet<&str> {
-        let mut names = BTreeSet::new();
-        for (pattern, span) in self.patterns() {
-            for name in &pattern.parameters {
-                if !names.insert(name.as_str()) {
-                    notes.add(Kind::ParameterTwice { name: excerpt(name) }, span.clone());
-                }
+    /// The names of all parameters, sorted; those that stand twice are noted.
+    fn names(&self, notes: &mut Notes) -> Vec<&str> {
+        let names =
+            || self.patterns().flat_map(|(pattern, span)| pattern.parameters.iter().map(move |name| (name, span)));
+        for ((name, span), repeated) in names().zip(repeated(names().map(|(name, _)| name))) {
+            if repeated {
+                notes.add(Kind::ParameterTwice { name: excerpt(name) }, span.clone());
             }
         }
-        names
+        set(names().map(|(name, _)| name.as_str()))
     }
 
     fn context_span(&self) -> Option<Range<usize>> {

@@ -2,6 +2,7 @@
 
 use super::rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
 use crate::expr::{Code, Expr, Meaning, Unusable};
+use crate::sorted::set;
 use crate::{Grammar, Module, Pattern, Production};
 use core::ops::Range;
 
@@ -12,11 +13,9 @@ impl Rules {
     /// Where an expression cannot be computed.
     pub fn new(grammar: &Grammar, spans: Vec<Range<usize>>) -> Result<Self, Unusable> {
         let productions = || grammar.productions.iter().chain(&grammar.images);
-        let mut letters: Vec<Letter> = (productions().flat_map(Production::patterns).map(letter_of_pattern))
-            .chain(grammar.axiom.iter().chain(productions().flat_map(|p| &p.successor)).map(letter_of_module))
-            .collect();
-        letters.sort_unstable();
-        letters.dedup();
+        let matched = productions().flat_map(Production::patterns).map(letter_of_pattern);
+        let made = grammar.axiom.iter().chain(productions().flat_map(|p| &p.successor)).map(letter_of_module);
+        let letters: Vec<Letter> = set(matched.chain(made));
         let considered = letters.iter().map(|letter| grammar.seen.contains(letter.symbol)).collect();
         let (mut by_letter, mut images) = (vec![Vec::new(); letters.len()], vec![Vec::new(); letters.len()]);
         let compiler = Compiler { grammar, letters: &letters };
@@ -26,7 +25,8 @@ impl Rules {
             list[usize::from(letter)].push(compiler.rule(production, index)?);
         }
         for rules in &mut by_letter {
-            rules.sort_by_key(|rule| !rule.is_context_sensitive());
+            let (first, rest): (Vec<_>, Vec<_>) = rules.drain(..).partition(Rule::is_context_sensitive);
+            rules.extend(first.into_iter().chain(rest));
         }
         let axiom = compiler.word(&grammar.axiom, &[], &mut 0)?;
         Ok(Self { letters, considered, by_letter, images, axiom, spans })

@@ -4,7 +4,7 @@ use super::paths::{Ink, PATH};
 use crate::drawing::{Frame, Line, Shape, shapes};
 use crate::turtle::Directions;
 use crate::{BlockId, ColourBy, ColourChange, Drawing, Heading, Item, Style, StyleChange, WidthChange};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BinaryHeap, HashMap};
 
 /// Blocks less than this across are one stroke, in pixels.
 const DOT: f64 = 1.0;
@@ -100,7 +100,7 @@ pub(super) struct Plan<'a> {
     /// Symbols by block, scale, colour index, level and width.
     known: HashMap<(BlockId, u64, i32, u32, u64), usize>,
     /// Symbols whose parts are not known yet, by block.
-    pending: BTreeSet<(BlockId, usize)>,
+    pending: BinaryHeap<(BlockId, usize)>,
     /// All symbols, children after parents; the first is the whole picture.
     pub(super) order: Vec<usize>,
 }
@@ -140,12 +140,12 @@ impl<'a> Plan<'a> {
             directions: Directions::new(),
             symbols: vec![],
             known: HashMap::new(),
-            pending: BTreeSet::new(),
+            pending: BinaryHeap::new(),
             order: vec![],
         };
         plan.symbol(root, scale, start);
         // Blocks stand before those that hold them, so nothing asks for a symbol that has been dealt with.
-        while let Some((_, symbol)) = plan.pending.pop_last() {
+        while let Some((_, symbol)) = plan.pending.pop() {
             plan.symbols[symbol].parts = plan.parts(symbol)?;
             plan.order.push(symbol);
         }
@@ -161,7 +161,7 @@ impl<'a> Plan<'a> {
         if symbol == next {
             let frame = Frame::new(scale, entry.into());
             self.symbols.push(Symbol { block, frame, parts: vec![], uses: 0 });
-            self.pending.insert((block, symbol));
+            self.pending.push((block, symbol));
         }
         symbol
     }

@@ -1,0 +1,73 @@
+//! Sorting in little code: lists that are sorted once and then looked into.
+//!
+//! The standard library's sorts and trees are several kilobytes for each type of element, too much for a page to load
+//! where lists are short or sorted rarely.
+
+/// Sorts in place, without memory: a heap sort (Williams, 1964). Equal elements come in any order.
+pub(crate) fn sort<T: Ord>(list: &mut [T]) {
+    let len = list.len();
+    // First makes a heap of the list, the largest on top, then takes one after the other from the top.
+    for step in (0..len + len / 2).rev() {
+        let (mut parent, end) = match step.checked_sub(len) {
+            Some(parent) => (parent, len),
+            None => {
+                list.swap(0, step);
+                (0, step)
+            }
+        };
+        loop {
+            let mut child = 2 * parent + 1;
+            if child + 1 < end && list[child] < list[child + 1] {
+                child += 1;
+            }
+            if child >= end || list[child] <= list[parent] {
+                break;
+            }
+            list.swap(parent, child);
+            parent = child;
+        }
+    }
+}
+
+/// Each different element once, sorted.
+pub(crate) fn set<T: Ord>(elements: impl IntoIterator<Item = T>) -> Vec<T> {
+    let mut list: Vec<T> = elements.into_iter().collect();
+    sort(&mut list);
+    list.dedup();
+    list
+}
+
+/// For each key, whether it stands earlier too.
+pub(crate) fn repeated<K: Ord>(keys: impl IntoIterator<Item = K>) -> Vec<bool> {
+    let mut list: Vec<(K, usize)> = keys.into_iter().enumerate().map(|(at, key)| (key, at)).collect();
+    sort(&mut list);
+    let mut repeated = vec![false; list.len()];
+    for pair in list.windows(2) {
+        repeated[pair[1].1] = pair[0].0 == pair[1].0;
+    }
+    repeated
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn sorts_as_the_standard_library(mut list in prop::collection::vec(any::<(u8, i16)>(), 0..200)) {
+            let mut expected = list.clone();
+            expected.sort_unstable();
+            sort(&mut list);
+            prop_assert_eq!(&list, &expected);
+            expected.dedup();
+            prop_assert_eq!(set(list), expected);
+        }
+
+        #[test]
+        fn finds_what_is_repeated(keys in prop::collection::vec(0_u8..20, 0..40)) {
+            let expected: Vec<bool> = (0..keys.len()).map(|at| keys[..at].contains(&keys[at])).collect();
+            prop_assert_eq!(repeated(keys), expected);
+        }
+    }
+}
