@@ -65,7 +65,7 @@ fn word(names: Vec<String>) -> impl Strategy<Value = Vec<Module>> {
 }
 
 fn number() -> impl Strategy<Value = f64> {
-    prop_oneof![(-100..100).prop_map(f64::from), any::<f64>().prop_filter("finite", |v| v.is_finite())]
+    prop_oneof![9 => (-100..100).prop_map(f64::from), 1 => any::<f64>().prop_filter("finite", |v| v.is_finite())]
 }
 
 /// A left context, a predecessor and a right context, all with parameters of different names.
@@ -147,7 +147,9 @@ proptest! {
     fn printed_grammars_read_back(grammar in grammar()) {
         let (axiom, rules) = (print_axiom(&grammar), print_rules(&grammar));
         let (read, diagnostics) = parse(&axiom, &rules);
-        prop_assume!(!is_wrong(&diagnostics));
+        if is_wrong(&diagnostics) {
+            return Ok(());
+        }
         prop_assert_eq!(read, grammar, "{}\n{}\n{:?}", axiom, rules, diagnostics);
         prop_assert!(!diagnostics.iter().any(Diagnostic::is_error), "{:?}", diagnostics);
     }
