@@ -152,14 +152,18 @@ pub enum Kind {
     DrawContext,
     /// `ignore:` as well as `consider:`.
     IgnoreAndConsider,
+    /// `=>` in a condition.
+    ArrowForComparison,
     /// A further arrow in a line.
     SecondArrow,
     /// An arrow in the axiom.
     ArrowInAxiom,
-    /// An unweighted production after an unweighted one for the same symbol.
+    /// An unweighted production after an unweighted one that applies wherever this one does.
     NeverApplies {
         /// The predecessor.
         symbol: char,
+        /// Whether this one has a condition that the other has not.
+        conditional: bool,
     },
     /// Weighted and unweighted productions for one symbol.
     MixedWeights {
@@ -314,6 +318,15 @@ pub enum Kind {
         /// How many it has where it occurs.
         found: usize,
     },
+    /// A module with another number of parameters than the productions for its symbol.
+    NoRuleForArity {
+        /// The symbol.
+        symbol: char,
+        /// How many parameters the module has.
+        parameters: usize,
+        /// How many a production for it has.
+        found: usize,
+    },
     /// A number that became infinite or undefined while deriving.
     NotFinite {
         /// The derivation step, 1-based; 0 for the axiom.
@@ -408,8 +421,10 @@ pub enum Role {
     Weight,
     /// The condition of a production.
     Condition,
-    /// An argument of a module.
+    /// An argument of a production's module.
     Argument,
+    /// An argument of the axiom.
+    Axiom,
 }
 
 /// What a symbol stands for that is not drawn.
@@ -574,6 +589,7 @@ impl Diagnostic {
             | Kind::UnmatchedClose { .. }
             | Kind::NeverOccurs { .. }
             | Kind::OtherArity { .. }
+            | Kind::NoRuleForArity { .. }
             | Kind::ContextUnseen { .. }
             | Kind::ContextForCondition
             | Kind::ConditionConstant { .. }

@@ -137,6 +137,10 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
             "There is `ignore:` as well as `consider:`".into(),
             "Keep one of them: `ignore:` lists what contexts skip, `consider:` all that they see.".into(),
         ),
+        Kind::ArrowForComparison => hinted(
+            "This is read as an arrow".into(),
+            "For at least write `>=`.".into(),
+        ),
         Kind::SecondArrow => hinted(
             "There is a second arrow in this line".into(),
             "Write each production on a line of its own.".into(),
@@ -144,9 +148,13 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         Kind::ArrowInAxiom => {
             hinted("There is an arrow in the axiom".into(), "Productions belong in the rules, not in the axiom.".into())
         }
-        Kind::NeverApplies { symbol } => hinted(
+        Kind::NeverApplies { symbol, conditional } => hinted(
             format!("This production never applies: there is one for {} above", named(*symbol)),
-            "Give both a weight to choose between them at random, as in `F -> FF : 0.5`.".into(),
+            if *conditional {
+                "Move it above the one without a condition.".into()
+            } else {
+                "Give both a weight to choose between them at random, as in `F -> FF : 0.5`.".into()
+            },
         ),
         Kind::MixedWeights { symbol, weighted } => hinted(
             format!(
@@ -173,7 +181,7 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
                 _ => match role {
                     Role::Weight => "The weight starts after the last `:`; write the symbol `:` in backquotes.".into(),
                     Role::Constant => "A value is made of numbers, constants, functions and + - * / % ^ ( ).".into(),
-                    Role::Argument => {
+                    Role::Argument | Role::Axiom => {
                         "Write products with `*`, as in `2*x`, and separate arguments by commas.".into()
                     }
                     Role::Condition => "A condition compares values, as in `x > 1 && y <= 2`.".into(),
@@ -190,7 +198,7 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         }
         Kind::UnknownConstant { name, similar, below, role } => hinted(
             match role {
-                Role::Constant | Role::Weight => {
+                Role::Constant | Role::Weight | Role::Axiom => {
                     format!("There is no constant `{name}`{}", if *below { " above this line" } else { "" })
                 }
                 Role::Condition | Role::Argument => format!("There is no parameter or constant `{name}`"),
@@ -202,6 +210,7 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
                     format!("Define it, as in `{name} = 0.5`, or write the symbol `:` in backquotes.")
                 }
                 (None, Role::Constant) => format!("Define it above, as in `{name} = 0.5`."),
+                (None, Role::Axiom) => format!("Define it in the rules, as in `{name} = 0.5`."),
                 (None, Role::Condition | Role::Argument) => {
                     format!("Give it to the predecessor, as in `A({name})`, or define it, as in `{name} = 0.5`.")
                 }
@@ -313,6 +322,17 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
                 if *found == 0 { "no parameters".into() } else { plural(*found, "parameter") }
             ),
             format!("A symbol with {} is another letter: give it as many everywhere.", plural(*parameters, "parameter")),
+        ),
+        Kind::NoRuleForArity { symbol, parameters, found } => hinted(
+            format!(
+                "No production applies to this: those for {} have {}",
+                named(*symbol),
+                if *found == 0 { "no parameters".into() } else { plural(*found, "parameter") }
+            ),
+            match parameters {
+                2 => "Write decimals with a point, as in A(0.5); a comma separates arguments.".into(),
+                _ => "A symbol with another number of parameters is another letter.".into(),
+            },
         ),
         Kind::NotFinite { step } => hinted(
             match step {

@@ -173,6 +173,7 @@ fn doubts(reading: &Reading, program: &Program, rules: Option<&Rules>, actions: 
         axiom_notes.add(Kind::EmptyAxiom, 0..0);
     } else {
         note_idle(reading, &occurring(program, rules), &mut notes);
+        note_arities(reading, &mut axiom_notes, &mut notes);
     }
 
     let words = || {
@@ -227,6 +228,27 @@ fn occurring(program: &Program, rules: Option<&Rules>) -> Vec<(char, usize)> {
     let reachable = program.reachable();
     let letters = program.alphabet.iter().enumerate().filter(|(id, _)| reachable[*id]);
     set(letters.map(|(id, &symbol)| (symbol, arity(id))))
+}
+
+/// Notes modules that no production replaces though there are some for their symbol.
+fn note_arities(reading: &Reading, axiom_notes: &mut Notes, notes: &mut Notes) {
+    let Reading { grammar, axiom, productions, .. } = reading;
+    let rules: BTreeSet<(char, usize)> =
+        grammar.productions.iter().map(|p| (p.predecessor.symbol, p.predecessor.parameters.len())).collect();
+    let made =
+        grammar.productions.iter().zip(productions).flat_map(|(p, places)| p.successor.iter().zip(&places.successor));
+    let words = grammar.axiom.iter().zip(axiom).map(|m| (true, m)).chain(made.map(|m| (false, m)));
+    let mut told = BTreeSet::new();
+    for (is_axiom, (module, span)) in words {
+        let (symbol, parameters) = (module.symbol, module.arguments.len());
+        if !rules.contains(&(symbol, parameters))
+            && let Some(&(_, found)) = rules.range((symbol, 0)..=(symbol, usize::MAX)).next()
+            && told.insert((symbol, parameters))
+        {
+            let notes = if is_axiom { &mut *axiom_notes } else { &mut *notes };
+            notes.add(Kind::NoRuleForArity { symbol, parameters, found }, span.clone());
+        }
+    }
 }
 
 /// Notes productions that never apply because something in their predecessor or contexts is never there.

@@ -1,5 +1,7 @@
 //! Published systems with contexts and parameters, through the notation.
 
+mod naive;
+
 use lsystem::{Definition, Limits, Rewriter, System, count_symbols, expand};
 
 fn system(axiom: &str, rules: &str) -> System {
@@ -43,12 +45,30 @@ fn figure_1_31_has_the_published_sizes() {
     assert_eq!(modules(&a, 30), 6_910);
     assert_eq!(expand(&a, 30, &Limits::default()).unwrap().len(), 6_910);
     assert_eq!(count_symbols(&a, 30), None);
+    assert_eq!(modules(&a, 60), 9_239_061);
+}
+
+#[test]
+fn figures_1_31_b_to_e_derive() {
+    let sizes = [
+        (["1", "1[-F1F1]", "1", "1", "0", "1F1", "1", "0"], 30, 19_199),
+        (["0", "1", "0", "1[+F1F1]", "0", "1F1", "0", "0"], 26, 2_926),
+        (["1", "0", "0", "1F1", "1", "1[+F1F1]", "1", "0"], 24, 7_145),
+        (["0", "1[-F1F1]", "1", "1", "0", "1F1", "1", "0"], 26, 2_428),
+    ];
+    for (successors, n, expected) in sizes {
+        let system = hogeweg_hesper(successors);
+        assert_eq!(modules(&system, n), expected);
+        // A generation near the end, derived the plain way.
+        assert_eq!(modules(&system, 18), naive::modules(&system.grammar, 0, 18).unwrap().len());
+    }
 }
 
 #[test]
 fn figure_2_6_has_the_published_sizes() {
     let tree = honda();
     assert_eq!(modules(&tree, 10), 7_162);
+    assert_eq!(modules(&tree, 17), 917_498);
     // Every letter always becomes the same letters, so the count needs no derivation.
     assert_eq!(count_symbols(&tree, 17).unwrap(), 917_498_u64.into());
     let text = expand(&tree, 1, &Limits::default()).unwrap();

@@ -1,6 +1,6 @@
 //! Timings of drawing, printed: `cargo test --release -p lsystem --test speed -- --ignored --nocapture`.
 
-use lsystem::{Definition, Limits, SegmentArrays, System, draw, expand_into};
+use lsystem::{Definition, Limits, Rewriter, SegmentArrays, System, draw, expand_into};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -109,5 +109,38 @@ fn emitting() {
             "{name:12} n = {n:2}: {count:9} segments; G/s: into a buffer {into_buffer:.3}, memcpy and fill {memcpy:.3}, \
              by chunks {chunks:.3}, one by one {one_by_one:.3}"
         );
+    }
+}
+
+#[test]
+#[ignore = "a measurement"]
+fn deriving() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data_in/abop");
+    let signals = lsystem::read_json(&std::fs::read_to_string(folder.join("1.31a.json")).unwrap()).0.unwrap();
+    let honda = Definition {
+        axiom: "A(1,10)".into(),
+        rules: "r1 = 0.9\nr2 = 0.6\nw0 = 0.707\n\
+                A(l,w) -> !(w)F(l)[&(45)B(l*r2,w*w0)]/(137.5)A(l*r1,w*w0)\n\
+                B(l,w) -> !(w)F(l)[-(45)$C(l*r2,w*w0)]C(l*r1,w*w0)\n\
+                C(l,w) -> !(w)F(l)[+(45)$B(l*r2,w*w0)]B(l*r1,w*w0)"
+            .into(),
+        ..Definition::default()
+    };
+    for (name, definition, n) in [("1.31a", signals, 60), ("2.6 a", honda, 17)] {
+        let rules = System::new(&definition).0.unwrap().rules.unwrap();
+        for _ in 0..3 {
+            let mut rewriter = Rewriter::new(rules.clone(), 0, Limits::default()).unwrap();
+            let (began, mut read) = (Instant::now(), 0);
+            while rewriter.generation() < n {
+                read += rewriter.word().letters.len();
+                rewriter.step(usize::MAX).unwrap();
+            }
+            let (seconds, made) = (began.elapsed().as_secs_f64(), rewriter.word().letters.len());
+            println!(
+                "{name}: {made} at n = {n} in {:.0} ms, {:.0} M steps/s",
+                seconds * 1e3,
+                read as f64 / seconds / 1e6
+            );
+        }
     }
 }

@@ -30,7 +30,7 @@ const WORDS: [&str; 3] = ["and", "or", "not"];
 pub(crate) fn read(tokens: &[Token], end: usize, role: Role, names: &mut dyn Names, notes: &mut Notes) -> Option<Expr> {
     let mut reader = Reader { tokens, at: 0, end, depth: 0, length: 0, role, names, notes };
     let expr = match role {
-        Role::Condition | Role::Argument => reader.any()?,
+        Role::Condition | Role::Argument | Role::Axiom => reader.any()?,
         Role::Constant | Role::Weight => reader.sum()?,
     };
     if let Some(token) = reader.peek() {
@@ -350,7 +350,8 @@ impl Reader<'_> {
     }
 }
 
-fn function(name: &str) -> Option<Function> {
+/// The function of this name.
+pub(super) fn function(name: &str) -> Option<Function> {
     Function::ALL.into_iter().find(|function| function.name() == name)
 }
 

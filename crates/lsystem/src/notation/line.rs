@@ -120,7 +120,10 @@ impl Rules<'_> {
     /// `name = value`.
     fn constant(&mut self, tokens: &[Token], equals: usize, end: usize) {
         let (name, value) = (&tokens[..equals], &tokens[equals + 1..]);
-        let arithmetic = value.first().is_some_and(|t| t.ch.is_ascii_digit() || t.ch == '.' || t.ch == '(');
+        let call = value.iter().position(|t| t.is('(')).is_some_and(|open| {
+            expression::function(&value[..open].iter().map(|t| t.ch).collect::<String>()).is_some()
+        });
+        let arithmetic = call || value.first().is_some_and(|t| t.ch.is_ascii_digit() || t.ch == '.' || t.ch == '(');
         let mut quiet = Notes::new(crate::Field::Rules);
         let named = is_name(name);
         let mut is_number = || expression::read(value, end, Role::Constant, self.constants, &mut quiet).is_some();
@@ -178,7 +181,10 @@ fn weigh_up<'a>(productions: &[Production], places: impl Iterator<Item = &'a Ran
                 continue;
             }
             (Some(true), true) => continue,
-            (Some(false), false) => Kind::NeverApplies { symbol },
+            (Some(false), false) => {
+                let conditional = production.condition.is_some() && firsts.contains_key(&always);
+                Kind::NeverApplies { symbol, conditional }
+            }
             (Some(first), _) => Kind::MixedWeights { symbol, weighted: first },
         };
         notes.add(kind, place.clone());

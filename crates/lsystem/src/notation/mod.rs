@@ -32,7 +32,7 @@ pub(crate) mod token;
 pub(crate) mod word;
 
 use crate::notes::Notes;
-use crate::{Diagnostic, Field, Grammar, Kind, LimitName, MAX_TEXT, Module};
+use crate::{Diagnostic, Field, Grammar, Kind, LimitName, MAX_TEXT, Module, Role};
 use constants::Constants;
 use core::ops::Range;
 
@@ -88,7 +88,7 @@ pub(crate) fn read(axiom: &str, rules: &str) -> Reading {
     let mut notes = Notes::new(Field::Axiom);
     if is_short_enough(axiom, &mut notes) {
         let tokens = token::tokens(axiom, 0..axiom.len(), &mut notes);
-        let word = word::word(&tokens, &Kind::ArrowInAxiom, &mut constants, &mut notes);
+        let word = word::word(&tokens, Role::Axiom, &mut constants, &mut notes);
         reading.grammar.axiom = word.modules;
         reading.axiom = word.spans;
     }

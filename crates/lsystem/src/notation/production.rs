@@ -25,11 +25,15 @@ pub(super) struct Line {
 pub(super) fn read(line: &Line, constants: &mut Constants, reading: &mut Reading, notes: &mut Notes) {
     let Line { tokens, arrow, end, drawing } = line;
     let (before, after) = (&tokens[..arrow.start], &tokens[arrow.end..]);
+    let is_double = tokens[arrow.start].is('=');
     let arrow = span_of(&tokens[arrow.clone()], *end);
     let (head, condition) = match outside(before, ':').next() {
         Some(colon) => (&before[..colon], Some(&before[colon + 1..])),
         None => (before, None),
     };
+    if condition.is_some() && is_double && super::arrow::find(after).is_some() {
+        return notes.add(Kind::ArrowForComparison, arrow);
+    }
     let (successor, weight) = match outside(after, ':').last() {
         Some(colon) => (&after[..colon], Some(&after[colon + 1..])),
         None => (after, None),
@@ -51,7 +55,7 @@ pub(super) fn read(line: &Line, constants: &mut Constants, reading: &mut Reading
         }
         condition
     });
-    let successor = word(successor, &Kind::SecondArrow, &mut scope, notes);
+    let successor = word(successor, Role::Argument, &mut scope, notes);
     let weight = weight.map(|tokens| {
         let Some(weight) = expression::read(tokens, *end, Role::Weight, &mut scope, notes) else { return wrong() };
         match expression::code(&weight, &mut scope) {

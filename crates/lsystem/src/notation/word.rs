@@ -3,7 +3,7 @@
 use super::arrow;
 use super::expression::{self, Names};
 use super::token::{Token, span_of, text_of};
-use crate::notes::{Notes, excerpt};
+use crate::notes::Notes;
 use crate::{Expr, Kind, LimitName, MAX_PARAMETERS, Module, Pattern, Role};
 use core::ops::Range;
 
@@ -14,17 +14,18 @@ pub(crate) struct Word {
     pub(crate) spans: Vec<Range<usize>>,
 }
 
-/// Reads a word. `*` or `ε` alone is the empty word; an arrow that stands apart is noted as `stray_arrow`.
-pub(crate) fn word(tokens: &[Token], stray_arrow: &Kind, names: &mut dyn Names, notes: &mut Notes) -> Word {
+/// Reads a word, the axiom or a successor as the `role` of its arguments says. `*` or `ε` alone is the empty word; an
+/// arrow that stands apart is noted.
+pub(crate) fn word(tokens: &[Token], role: Role, names: &mut dyn Names, notes: &mut Notes) -> Word {
     let mut word = Word::default();
     if is_empty(tokens) {
         return word;
     }
     if let Some(arrow) = stray(tokens) {
-        notes.add(stray_arrow.clone(), arrow);
+        notes.add(if role == Role::Axiom { Kind::ArrowInAxiom } else { Kind::SecondArrow }, arrow);
     }
     pieces(tokens, notes, |notes, symbol, inside, span| {
-        let arguments = inside.map_or(Vec::new(), |inside| arguments(inside, &span, names, notes));
+        let arguments = inside.map_or(Vec::new(), |inside| arguments(inside, &span, role, names, notes));
         word.modules.push(Module { symbol, arguments });
         word.spans.push(span);
     });
@@ -73,12 +74,22 @@ fn pieces(
     }
 }
 
-/// The parts of `inside` between commas that are in no parentheses.
-fn parts(inside: &[Token]) -> impl Iterator<Item = &[Token]> {
+/// The parts of `inside` between commas that are in no parentheses, and where each ends.
+fn parts(inside: &[Token]) -> impl Iterator<Item = (&[Token], usize)> {
     let mut depth = 0_usize;
-    inside.split(move |t| {
+    let mut at = 0;
+    let parts = inside.split(move |t| {
         depth = (depth + usize::from(t.is('('))).saturating_sub(usize::from(t.is(')')));
         depth == 0 && t.is(',')
+    });
+    parts.map(move |part| {
+        let end = match (part.last(), inside.get(at)) {
+            (Some(last), _) => last.span().end,
+            (None, Some(comma)) => comma.span().start,
+            (None, None) => inside.last().map_or(0, |comma| comma.span().end),
+        };
+        at += part.len() + 1;
+        (part, end)
     })
 }
 
@@ -96,22 +107,13 @@ fn is_countable(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> boo
     fits
 }
 
-fn arguments(inside: &[Token], span: &Range<usize>, names: &mut dyn Names, notes: &mut Notes) -> Vec<Expr> {
+fn arguments(inside: &[Token], span: &Range<usize>, role: Role, names: &mut dyn Names, notes: &mut Notes) -> Vec<Expr> {
     if !is_countable(inside, span, notes) {
         return Vec::new();
     }
-    let mut at = 0;
     parts(inside)
-        .map(|part| {
-            let end = match (part.last(), inside.get(at)) {
-                (Some(last), _) => last.span().end,
-                (None, Some(comma)) => comma.span().start,
-                (None, None) => inside.last().map_or(span.end, |comma| comma.span().end),
-            };
-            at += part.len() + 1;
-            // What is wrong is noted; the number of arguments is right nevertheless.
-            expression::read(part, end, Role::Argument, names, notes).unwrap_or(Expr::Number(0.0))
-        })
+        // What is wrong is noted; the number of arguments is right nevertheless.
+        .map(|(part, end)| expression::read(part, end, role, names, notes).unwrap_or(Expr::Number(0.0)))
         .collect()
 }
 
@@ -120,12 +122,10 @@ fn parameters(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> Vec<S
         return Vec::new();
     }
     parts(inside)
-        .map(|part| {
+        .map(|(part, end)| {
             let name: String = part.iter().map(|t| t.ch).collect();
-            if !super::line::is_name(part) {
-                notes.add(Kind::ParameterName { text: text_of(part) }, span_of(part, span.start));
-            } else if expression::is_reserved(&name) {
-                notes.add(Kind::ParameterName { text: excerpt(&name) }, span_of(part, span.start));
+            if !super::line::is_name(part) || expression::is_reserved(&name) {
+                notes.add(Kind::ParameterName { text: text_of(part) }, span_of(part, end));
             }
             name
         })
