@@ -230,21 +230,26 @@ fn occurring(program: &Program, rules: Option<&Rules>) -> Vec<(char, usize)> {
     set(letters.map(|(id, &symbol)| (symbol, arity(id))))
 }
 
+/// More letters than this need not be told about one by one.
+const MOST_TOLD: usize = 100;
+
 /// Notes modules that no production replaces though there are some for their symbol.
 fn note_arities(reading: &Reading, axiom_notes: &mut Notes, notes: &mut Notes) {
     let Reading { grammar, axiom, productions, .. } = reading;
-    let rules: BTreeSet<(char, usize)> =
-        grammar.productions.iter().map(|p| (p.predecessor.symbol, p.predecessor.parameters.len())).collect();
-    let made =
-        grammar.productions.iter().zip(productions).flat_map(|(p, places)| p.successor.iter().zip(&places.successor));
+    let rules = set(grammar.productions.iter().map(|p| (p.predecessor.symbol, p.predecessor.parameters.len())));
+    let made = grammar.productions.iter().zip(productions);
+    let made = made.flat_map(|(p, places)| p.successor.iter().zip(&places.successor));
     let words = grammar.axiom.iter().zip(axiom).map(|m| (true, m)).chain(made.map(|m| (false, m)));
-    let mut told = BTreeSet::new();
+    let mut told: Vec<(char, usize)> = Vec::new();
     for (is_axiom, (module, span)) in words {
         let (symbol, parameters) = (module.symbol, module.arguments.len());
-        if !rules.contains(&(symbol, parameters))
-            && let Some(&(_, found)) = rules.range((symbol, 0)..=(symbol, usize::MAX)).next()
-            && told.insert((symbol, parameters))
+        let from = rules.partition_point(|rule| *rule < (symbol, 0));
+        if let Some(&(_, found)) = rules.get(from).filter(|rule| rule.0 == symbol)
+            && rules.binary_search(&(symbol, parameters)).is_err()
+            && !told.contains(&(symbol, parameters))
+            && told.len() < MOST_TOLD
         {
+            told.push((symbol, parameters));
             let notes = if is_axiom { &mut *axiom_notes } else { &mut *notes };
             notes.add(Kind::NoRuleForArity { symbol, parameters, found }, span.clone());
         }
