@@ -2,7 +2,7 @@
 
 use super::context::{Neighbours, Role, roles};
 use super::rules::{LetterId, Rule, Rules, Template};
-use super::table::Table;
+use super::table::{Sides, Table};
 use crate::{Key, LimitName, Limits};
 
 /// A word of modules.
@@ -34,6 +34,7 @@ pub struct Rewriter {
     pub(super) word: Modules,
     next: Modules,
     pub(super) neighbours: Neighbours,
+    sides: Sides,
     scratch: Scratch,
     generation: u32,
     pass: Pass,
@@ -50,6 +51,8 @@ pub(super) struct Plan {
     pub(super) random: bool,
     parametric: bool,
     contexts: bool,
+    /// By letter: whether no production rewrites it.
+    inert: Vec<bool>,
     /// Decides by three letters alone, where that is possible.
     table: Option<Table>,
 }
@@ -93,14 +96,16 @@ impl Rewriter {
             word.push(template, (key, key), &[], (seed, 0), (parametric, random))
                 .map_err(|NotFinite| Fault::NotFinite(None))?;
         }
+        let roles = roles(&rules);
         let plan = Plan {
-            roles: roles(&rules),
             seed,
             limits,
             random,
             parametric,
             contexts: rules.by_letter.iter().flatten().any(Rule::is_context_sensitive),
-            table: if parametric || random { None } else { Table::new(&rules) },
+            table: if parametric || random { None } else { Table::new(&rules, &roles) },
+            inert: rules.by_letter.iter().map(Vec::is_empty).collect(),
+            roles,
             rules,
         };
         Ok(Self {
@@ -108,6 +113,7 @@ impl Rewriter {
             word,
             next: Modules::default(),
             neighbours: Neighbours::default(),
+            sides: Sides::default(),
             scratch: Scratch::default(),
             generation: 0,
             pass: Pass::Start,
@@ -152,19 +158,26 @@ impl Rewriter {
             match self.pass {
                 Pass::Start => {
                     self.next.clear();
-                    if self.plan.contexts {
-                        self.neighbours.reset(length);
+                    match (self.plan.contexts, &self.plan.table) {
+                        (true, Some(_)) => self.sides.reset(length),
+                        (true, None) => self.neighbours.reset(length),
+                        (false, _) => {}
                     }
                     self.pass = if self.plan.contexts { Pass::Leftward(length) } else { Pass::Rightward(0) };
                 }
                 Pass::Leftward(0) => {
                     self.neighbours.turn();
+                    self.sides.turn();
                     self.pass = Pass::Rightward(0);
                 }
                 Pass::Leftward(end) => {
                     let start = end.saturating_sub(left.min(PIECE));
-                    for place in (start..end).rev() {
-                        self.neighbours.leftward(place, self.plan.roles[usize::from(self.word.letters[place])]);
+                    if let Some(table) = &self.plan.table {
+                        table.leftward(&self.word.letters, start, end, &mut self.sides);
+                    } else {
+                        for place in (start..end).rev() {
+                            self.neighbours.leftward(place, self.plan.roles[usize::from(self.word.letters[place])]);
+                        }
                     }
                     left -= (end - start).min(left);
                     self.pass = Pass::Leftward(start);
@@ -178,8 +191,9 @@ impl Rewriter {
                 Pass::Rightward(start) => {
                     let end = (start + left.min(PIECE)).min(length);
                     self.work += (end - start) as u64;
-                    if self.plan.table.is_some() {
-                        self.by_table(start, end);
+                    if let Some(table) = &self.plan.table {
+                        let next = &mut self.next.letters;
+                        table.rightward(&self.word.letters, start, end, self.plan.contexts, &mut self.sides, next);
                     } else {
                         self.by_rules(start, end)?;
                     }
@@ -200,31 +214,18 @@ impl Rewriter {
         }
     }
 
-    /// Rewrites modules that need no more than a look at the table.
-    fn by_table(&mut self, start: usize, end: usize) {
-        let Self { plan, word, next, neighbours, .. } = self;
-        let Some(table) = &plan.table else { return };
-        for place in start..end {
-            let letter = word.letters[place];
-            let successor = if plan.contexts {
-                neighbours.rightward(place, plan.roles[usize::from(letter)]);
-                let side = |at: u32| word.letters.get(at as usize).map_or(0, |&letter| usize::from(letter) + 1);
-                table.successor(letter, side(neighbours.left[place]), side(neighbours.right[place]))
-            } else {
-                table.successor(letter, 0, 0)
-            };
-            match successor {
-                Some(successor) => next.letters.extend_from_slice(successor),
-                None => next.letters.push(letter),
-            }
-        }
-    }
-
     fn by_rules(&mut self, start: usize, end: usize) -> Result<(), Fault> {
         let Self { plan, word, next, neighbours, scratch, generation, work, .. } = self;
         let step = *generation + 1;
-        for place in start..end {
+        let mut place = start;
+        while place < end {
             let letter = word.letters[place];
+            if plan.inert[usize::from(letter)] && !plan.contexts {
+                let length = word.letters[place..end].iter().take_while(|&&l| plan.inert[usize::from(l)]).count();
+                next.keep_all(word, place, place + length);
+                place += length;
+                continue;
+            }
             if plan.contexts {
                 neighbours.rightward(place, plan.roles[usize::from(letter)]);
             }
@@ -241,6 +242,7 @@ impl Rewriter {
                     }
                 }
             }
+            place += 1;
         }
         Ok(())
     }
@@ -352,6 +354,20 @@ impl Modules {
         }
         if let Some(key) = word.keys.get(place) {
             self.keys.push(*key);
+        }
+    }
+
+    /// Appends modules of another word that stay as they are.
+    fn keep_all(&mut self, word: &Self, start: usize, end: usize) {
+        self.letters.extend_from_slice(&word.letters[start..end]);
+        if let Some(&first) = word.starts.get(start) {
+            let after = word.starts.get(end).map_or(word.arguments.len(), |&after| after as usize);
+            let moved = (self.arguments.len() as u32).wrapping_sub(first);
+            self.starts.extend(word.starts[start..end].iter().map(|at| at.wrapping_add(moved)));
+            self.arguments.extend_from_slice(&word.arguments[first as usize..after]);
+        }
+        if !word.keys.is_empty() {
+            self.keys.extend_from_slice(&word.keys[start..end]);
         }
     }
 
