@@ -29,11 +29,35 @@
     /** The small picture being made. @type {any} */
     let thumb = null;
     let defineId = 0;
+    /** The generation that is defined. */
+    let iterations = 0;
     let viewId = 0;
+    /** How many segments are shown; null for all. @type {bigint | null} */
+    let upto = null;
     /** Whether a view is set; nothing is drawn before. */
     let seen = false;
     let awake = false;
     let dead = false;
+
+    /** Questions about what the newest definition derives and draws. @type {Record<string, (question: any) => object>} */
+    const READERS = {
+        string: ({ generation, start, count }) => {
+            const text = playground.slice(generation, start, count) ?? null;
+            return { text, length: (text !== null && playground.stringLength(generation)) || null };
+        },
+        symbol: ({ generation, index }) => {
+            const part = playground.part(generation, index, iterations);
+            const stroke = part && playground.segment(BigInt(part.segments[0]));
+            return { ancestry: playground.ancestry(generation, index), part, stroke };
+        },
+        descendant: ({ generation, index, later }) => ({ start: playground.part(generation, index, later)?.symbols[0] ?? null }),
+        pick: ({ x, y, tolerance }) => {
+            const found = playground.pick(x, y, tolerance);
+            if (!found) return { segment: null, symbol: null, ancestry: [], stroke: null };
+            const { segment, symbol } = found;
+            return { segment, symbol, ancestry: symbol === null ? [] : playground.ancestry(iterations, BigInt(symbol)), stroke: playground.segment(BigInt(segment)) };
+        },
+    };
 
     self.onmessage = ({ data }) => {
         if (data.type === 'init') return start(data.wasm);
@@ -68,15 +92,21 @@
     function work() {
         if (newDefine) {
             const { id, definition } = newDefine;
+            upto = newDefine.upto;
             newDefine = null;
             defineId = id;
-            self.postMessage({ type: 'report', id, report: playground.define(definition) });
+            const report = playground.define(definition);
+            if (report.ok) iterations = definition.iterations;
+            playground.play(upto ?? undefined);
+            self.postMessage({ type: 'report', id, report });
         }
         if (newView) {
             const { id, width, height, ratio, view } = newView;
+            upto = newView.upto;
             newView = null;
             viewId = id;
             playground.view(width, height, ratio, view.x, view.y, view.zoom, view.fx ?? 0, view.fy ?? 0);
+            playground.play(upto ?? undefined);
             seen = true;
         }
         const question = questions.shift();
@@ -95,14 +125,28 @@
         if (report) self.postMessage({ type: 'report', id: defineId, report });
         if (drawn) {
             const bitmap = canvas.transferToImageBitmap();
-            self.postMessage({ type: 'drawn', id: defineId, viewId, complete: drawn.complete, scale: drawn.scale, bitmap }, { transfer: [bitmap] });
+            self.postMessage({ type: 'drawn', id: defineId, viewId, complete: drawn.complete, scale: drawn.scale, bitmap, pose: pose() }, { transfer: [bitmap] });
         }
         return idle;
     }
 
+    /** The turtle's pose behind the segments that are shown, or before the first. */
+    function pose() {
+        if (upto === null) return null;
+        const began = upto > 0n;
+        const stroke = playground.segment(began ? upto - 1n : 0n);
+        if (!stroke) return null;
+        const { from, to, fittedFrom, fittedTo, heading, level } = stroke;
+        return { at: began ? to : from, fitted: began ? fittedTo : fittedFrom, heading, level };
+    }
+
     /** @param {any} question */
-    function answer({ type, id, text, format, width, height }) {
-        if (type === 'read') {
+    function answer(question) {
+        const { type, id, text, format, width, height } = question;
+        const reader = READERS[type];
+        if (reader) {
+            self.postMessage({ type, id, ...reader(question) });
+        } else if (type === 'read') {
             self.postMessage({ type: 'file', id, ...wasm.read(text) });
         } else if (type === 'export') {
             self.postMessage({ type: 'exported', id, ...playground.export(format) });

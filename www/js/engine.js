@@ -37,10 +37,19 @@ import { same } from './state.js';
  */
 
 /** @typedef {{width: number, height: number, ratio: number}} Canvas width and height in device pixels */
+/** @typedef {import('./reading/words.js').Link} Link */
+/** @typedef {import('./reading/words.js').Stroke} Stroke */
+/** How the picture is to be shown; only the first `upto` segments unless it is null. @typedef {{canvas: Canvas, view: View, upto: bigint | null}} Look */
 /**
- * A picture; `scale` is in device pixels per fitted extent at zoom 1.
- * @typedef {{id: number, viewId: number, complete: boolean, scale: number, bitmap: ImageBitmap, view: View, canvas: Canvas}} Drawn
+ * A picture; `scale` is in device pixels per fitted extent at zoom 1. `pose` is the turtle's where only the first
+ * segments are shown: `at` in model units, `fitted` in fitted extents from the fitted centre, heading in degrees.
+ * @typedef {{id: number, viewId: number, complete: boolean, scale: number, bitmap: ImageBitmap, pose: Pose | null} & Look} Drawn
  */
+/** @typedef {{at: [number, number], fitted: [number, number], heading: number, level: number}} Pose */
+/** Symbols of a generation from `start` on, and how many it has; null where it is too long to be written down. @typedef {{length: string | null, text: string | null}} StringPage */
+/** What a symbol has become: half-open ranges in decimal digits, the outline in fitted extents. @typedef {{symbols: [string, string], segments: [string, string], outline: [number, number][]}} Part */
+/** `ancestry` is empty and `part` null where neither is known; `stroke` is where its drawing begins. @typedef {{ancestry: Link[], part: Part | null, stroke: Stroke | null}} SymbolFacts */
+/** @typedef {{segment: string | null, symbol: string | null, ancestry: Link[], stroke: Stroke | null}} Picked */
 /** @typedef {{definition: Definition | null, diagnostics: Diagnostic[]}} FileRead */
 /** @typedef {{text: string | null, diagnostics: Diagnostic[]}} Exported */
 /** @typedef {ReturnType<typeof createEngine>} Engine */
@@ -81,8 +90,10 @@ export function createEngine(urls, events) {
     let failures = 0;
     /** @type {Definition | null} */
     let definition = null;
-    /** @type {{canvas: Canvas, view: View} | null} */
+    /** @type {Look | null} */
     let look = null;
+    /** @type {bigint | null} */
+    let upto = null;
     /** What is newer than what was sent. */
     let defineWaits = false;
     let lookWaits = false;
@@ -90,7 +101,7 @@ export function createEngine(urls, events) {
     let defineSent = 0;
     let lookSent = 0;
     let patience = 0;
-    /** Views sent and not yet drawn. @type {Map<number, {canvas: Canvas, view: View}>} */
+    /** Views sent and not yet drawn. @type {Map<number, Look>} */
     const views = new Map();
     /** @type {Map<number, {resolve: (answer: any) => void, reject: (reason: Error) => void}>} */
     const asked = new Map();
@@ -130,13 +141,13 @@ export function createEngine(urls, events) {
         if (definition && defineWaits) {
             defineWaits = false;
             defineSent = ++lastId;
-            worker.postMessage({ type: 'define', id: defineSent, definition });
+            worker.postMessage({ type: 'define', id: defineSent, definition, upto });
         }
         if (look && lookWaits) {
             lookWaits = false;
             lookSent = ++lastId;
             views.set(lookSent, look);
-            worker.postMessage({ type: 'view', id: lookSent, ...look.canvas, view: look.view });
+            worker.postMessage({ type: 'view', id: lookSent, ...look.canvas, view: look.view, upto: look.upto });
         }
         patience = window.setTimeout(goOn, PATIENCE);
         events.busy(true);
@@ -224,12 +235,34 @@ export function createEngine(urls, events) {
 
         /** @param {Canvas} canvas @param {View} view */
         look(canvas, view) {
-            const next = { canvas, view };
-            if (same(look, next)) return;
-            look = next;
+            if (look && same(look.canvas, canvas) && same(look.view, view)) return;
+            look = { canvas, view, upto };
             lookWaits = true;
             send();
         },
+
+        /** Shows only the first segments; all of them with null. @param {bigint | null} segments */
+        play(segments) {
+            if (segments === upto) return;
+            upto = segments;
+            if (!look) return;
+            look = { ...look, upto };
+            lookWaits = true;
+            send();
+        },
+
+        /** @param {number} generation @param {bigint} start @param {number} count @returns {Promise<StringPage>} */
+        string: (generation, start, count) => ask({ type: 'string', generation, start, count }),
+
+        /** A symbol of a generation, and what it has become in the one that is drawn. @param {number} generation @param {bigint} index @returns {Promise<SymbolFacts>} */
+        symbol: (generation, index) => ask({ type: 'symbol', generation, index }),
+
+        /** Where the symbols derived from another begin, in decimal digits. @param {number} generation @param {bigint} index @param {number} later @returns {Promise<string | null>} */
+        descendant: async (generation, index, later) => (await ask({ type: 'descendant', generation, index, later })).start,
+
+        /** What is drawn near a place, in device pixels. @param {number} x @param {number} y @param {number} tolerance @returns {Promise<Picked>} */
+        pick: (x, y, tolerance) => ask({ type: 'pick', x, y, tolerance }),
+
 
         /** @param {string} text @returns {Promise<FileRead>} */
         read: (text) => ask({ type: 'read', text }),

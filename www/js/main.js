@@ -5,8 +5,10 @@ import { announce, toast } from './announce.js';
 import { button, html, setText } from './dom.js';
 import { createEngine } from './engine.js';
 import { createGallery } from './gallery.js';
+import { createHover } from './hover.js';
 import { hasInk, houseInk, isDark } from './inks.js';
 import { readLink } from './link.js';
+import { createMarks } from './marks.js';
 import { opening } from './opening.js';
 import { captionOf, growthPanel } from './panels/growth-panel.js';
 import { keepPanel } from './panels/keep-panel.js';
@@ -14,8 +16,10 @@ import { lookPanel } from './panels/look-panel.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { tabs } from './panels/tabs.js';
 import { turtlePanel } from './panels/turtle-panel.js';
+import { createPlayback } from './playback.js';
+import { createReader } from './reading/reader.js';
 import { createStage } from './stage.js';
-import { definitionOf, sameSystem } from './state.js';
+import { definitionOf, sameDrawing, sameSystem } from './state.js';
 import { createStore } from './store.js';
 import { theme, themeButton } from './theme.js';
 
@@ -24,9 +28,13 @@ import { theme, themeButton } from './theme.js';
 
 const link = readLink(location.hash);
 const store = createStore(link ? link.state : opening(theme()));
-const engine = createEngine({ worker: 'worker.js', wasm: 'lsystem.wasm' }, { report: reported, drawn: (drawn) => stage.drawn(drawn), busy, failed });
+const engine = createEngine({ worker: 'worker.js', wasm: 'lsystem.wasm' }, { report: reported, drawn, busy, failed });
 engine.define(definitionOf(store.state));
-const stage = createStage(store, engine);
+const marks = createMarks();
+const stage = createStage(store, engine, marks);
+const playback = createPlayback(engine, { turtle: marks.turtle });
+const reader = createReader(engine, { mark: marks.part });
+const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.segment, light: reader.light, choose: reader.choose, upto: () => playback.upto });
 const rules = rulesPanel(store);
 const growth = growthPanel(store, engine);
 const turtle = turtlePanel(store);
@@ -85,6 +93,11 @@ function show(state, before) {
     turtle.show(state);
     look.show(state);
     stage.show(state, before);
+    reader.show(state, before);
+    if (before && !sameDrawing(state, before)) {
+        hover.forget();
+        playback.forget();
+    }
     showNames(state);
     button('undo').disabled = !store.canUndo;
     button('redo').disabled = !store.canRedo;
@@ -112,6 +125,8 @@ function reported(next) {
     rules.report(next);
     growth.report(next, store.state);
     turtle.report(next);
+    reader.report(next);
+    playback.report(next);
     const [mistake, ...more] = next.diagnostics.filter(({ severity }) => severity === 'error');
     if (mistake) {
         const words = more.length === 0 ? mistake.message : `${mistake.message}, and ${more.length} more`;
@@ -125,6 +140,13 @@ function reported(next) {
     setText(html('caption-text'), captionOf(store.state, next));
     html('drawing').setAttribute('aria-label', `Drawing: ${store.state.title || store.state.name || 'untitled system'}`);
     announce(next.empty ?? next.description);
+}
+
+/** @param {import('./engine.js').Drawn} picture */
+function drawn(picture) {
+    stage.drawn(picture);
+    playback.drawn(picture);
+    hover.drawn();
 }
 
 /** @param {boolean} under whether a newer drawing is under way */

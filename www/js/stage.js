@@ -23,8 +23,9 @@ const SLOW_MS = 300;
 /**
  * @param {import('./store.js').Store} store
  * @param {import('./engine.js').Engine} engine
+ * @param {{look: (sight: import('./marks.js').Sight) => void}} marks what moves with the picture
  */
-export function createStage(store, engine) {
+export function createStage(store, engine, marks) {
     const frame = html('stage');
     const canvas = byId('drawing', HTMLCanvasElement);
     const context = /** @type {ImageBitmapRenderingContext} */ (canvas.getContext('bitmaprenderer', { alpha: false }));
@@ -67,6 +68,7 @@ export function createStage(store, engine) {
     /** Puts the picture where the present view has it. */
     function place() {
         if (!drawn) return;
+        marks.look({ view: view(), scale: drawn.scale, size });
         const at = placement(drawn.view, view(), drawn.scale);
         const x = size.width / 2 + at.x - (drawn.size.width / 2) * at.factor;
         const y = size.height / 2 + at.y - (drawn.size.height / 2) * at.factor;

@@ -164,6 +164,18 @@ export function sameSystem(a, b) {
     return FIELDS.every((field) => field === 'view' || same(a[field], b[field]));
 }
 
+/** What only captions, inks and views depend on. @type {readonly (keyof State)[]} */
+const LOOKS = ['name', 'title', 'source', 'notes', 'palette', 'colourBy', 'background', 'width', 'minWidth', 'view'];
+
+/**
+ * Whether two states draw the same segments.
+ * @param {Readonly<State>} a
+ * @param {Readonly<State>} b
+ */
+export function sameDrawing(a, b) {
+    return FIELDS.every((field) => LOOKS.includes(field) || same(a[field], b[field]));
+}
+
 /** @param {number} limit in UTF-16 units @returns {(value: unknown) => string | undefined} */
 function text(limit) {
     // Half a surrogate pair cannot be written into a link or a file.

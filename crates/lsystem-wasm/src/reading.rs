@@ -2,7 +2,8 @@
 
 use crate::playground::Playground;
 use crate::{LIMITS, to_js};
-use lsystem::{Word, count_symbols, expand};
+use core::ops::Range;
+use lsystem::{Drawing, Word, count_symbols, expand};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -29,9 +30,23 @@ struct Link {
 struct Stroke {
     from: [f64; 2],
     to: [f64; 2],
+    /// Both ends where the page finds them at any view.
+    #[serde(rename = "fittedFrom")]
+    fitted_from: [f64; 2],
+    #[serde(rename = "fittedTo")]
+    fitted_to: [f64; 2],
     heading: f64,
     level: u32,
     colour: i32,
+}
+
+/// What a symbol has become in a later generation; numbers are decimal strings, ranges half open.
+#[derive(Serialize)]
+struct Part {
+    symbols: [String; 2],
+    segments: [String; 2],
+    /// The corners of a convex outline of its segments, in fitted extents; empty unless the shown generation is meant.
+    outline: Vec<[f64; 2]>,
 }
 
 #[derive(Serialize)]
@@ -85,8 +100,26 @@ impl Playground {
         to_js(&links)
     }
 
-    /// The segment of that number: `{from, to, heading, level, colour}`, in model units and degrees; null beyond the
-    /// last.
+    /// What the symbol at `index` of `generation` has become in generation `later`: `{symbols, segments, outline}`;
+    /// null where there is no such symbol, or where chance decides the derivation. The outline is there where `later`
+    /// is the generation that is drawn.
+    ///
+    /// # Errors
+    /// Throws only where the result cannot be translated.
+    pub fn part(&self, generation: u32, index: u128, later: u32) -> Result<JsValue, JsValue> {
+        let word = self.system.as_ref().and_then(|system| Word::new(system, later));
+        let part = word.and_then(|word| word.part(generation, index));
+        to_js(&part.map(|lsystem::Part { symbols, segments }| {
+            let drawing = self.drawing.as_ref().filter(|_| later == self.shown_iterations());
+            let corners = drawing.map(|drawing| (drawing, drawing.outline(segments.clone())));
+            let outline =
+                corners.map(|(drawing, corners)| corners.into_iter().map(|corner| fitted(drawing, corner)).collect());
+            Part { symbols: ends(symbols), segments: ends(segments), outline: outline.unwrap_or_default() }
+        }))
+    }
+
+    /// The segment of that number: `{from, to, fittedFrom, fittedTo, heading, level, colour}`, in model units and
+    /// degrees; `fittedFrom` and `fittedTo` in fitted extents from the fitted centre, y up. Null beyond the last.
     ///
     /// # Errors
     /// Throws only where the result cannot be translated.
@@ -94,7 +127,15 @@ impl Playground {
         let stroke = self.drawing.as_ref().and_then(|drawing| {
             let segment = drawing.segments_from(number).next()?;
             let heading = drawing.heading_at(number)?;
-            Some(Stroke { from: segment.from, to: segment.to, heading, level: segment.level, colour: segment.colour })
+            Some(Stroke {
+                from: segment.from,
+                to: segment.to,
+                fitted_from: fitted(drawing, segment.from),
+                fitted_to: fitted(drawing, segment.to),
+                heading,
+                level: segment.level,
+                colour: segment.colour,
+            })
         });
         to_js(&stroke)
     }
@@ -144,4 +185,15 @@ impl Playground {
         }
         self.written.as_ref()
     }
+}
+
+/// A model point relative to the fitted view: in fitted extents from its centre, y up.
+fn fitted(drawing: &Drawing, [x, y]: [f64; 2]) -> [f64; 2] {
+    let shown = lsystem::fit(drawing);
+    let side = shown.width.max(shown.height);
+    [(x - (shown.x + shown.width / 2.0)) / side, (y - (shown.y + shown.height / 2.0)) / side]
+}
+
+fn ends(range: Range<u128>) -> [String; 2] {
+    [range.start.to_string(), range.end.to_string()]
 }

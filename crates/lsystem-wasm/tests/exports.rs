@@ -122,6 +122,12 @@ fn a_playground_draws_and_reads_in_place() {
     let last = playground.segment(5_u128.pow(40) - 1).unwrap();
     assert_eq!(get(&last, "heading").as_f64().unwrap(), 90.0);
     assert!(playground.segment(5_u128.pow(40)).unwrap().is_null());
+    let part = playground.part(1, 10, 40).unwrap();
+    assert_eq!(text(&get(&part, "segments"), "1"), 5_u128.pow(40).to_string());
+    assert!(Array::unchecked_from_js(get(&part, "outline")).length() > 2);
+    // The tip of the plant is the highest point of the fitted picture.
+    let tip = Array::from(&get(&last, "fittedTo"));
+    assert!((tip.get(1).as_f64().unwrap() - 0.5).abs() < 1e-9);
     // The stem goes up the picture; to its right, below the first leaves, is nothing.
     assert!(!playground.pick(32.0, 60.0, 6.0).unwrap().is_null());
     assert!(playground.pick(1.0, 63.0, 2.0).unwrap().is_null());

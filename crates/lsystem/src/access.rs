@@ -6,6 +6,7 @@
 use crate::counts::{segments_of, sum_of, sums_by_depth};
 use crate::program::{Rewrite, SymbolId};
 use crate::{MAX_ITERATIONS, System};
+use core::ops::Range;
 
 /// Generation `n` of a system without random choices, read in place.
 #[derive(Clone, Debug)]
@@ -32,6 +33,16 @@ pub struct Ancestor {
     pub production: Option<usize>,
     /// Its place in that production's successor, or in the axiom, 0-based; 0 for a symbol that stayed.
     pub position: usize,
+}
+
+/// What a symbol of an earlier generation has become: positions in the string and numbers of segments, both 0-based
+/// and saturating.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// The symbols derived from it.
+    pub symbols: Range<u128>,
+    /// The segments that they draw.
+    pub segments: Range<u128>,
 }
 
 impl<'a> Word<'a> {
@@ -119,6 +130,37 @@ impl<'a> Word<'a> {
                 None => return segments,
             }
         }
+    }
+
+    /// What the symbol at `index` of an earlier `generation` (or of this one) has become; `None` where there is no such
+    /// symbol.
+    #[must_use]
+    pub fn part(&self, generation: u32, index: u128) -> Option<Part> {
+        let mut word = self.system.program.axiom.as_slice();
+        let mut skip = index;
+        let (mut symbols, mut segments) = (0_u128, 0_u128);
+        for steps in (0..=generation).rev() {
+            let depth = (self.n.checked_sub(generation)? + steps) as usize;
+            let held = word.iter().find(|&&s| {
+                let count = self.symbols[steps as usize][usize::from(s)];
+                if skip < count {
+                    return true;
+                }
+                skip -= count;
+                symbols = symbols.saturating_add(self.symbols[depth][usize::from(s)]);
+                segments = segments.saturating_add(self.segments[depth][usize::from(s)]);
+                false
+            })?;
+            if steps == 0 {
+                let letter = usize::from(*held);
+                return Some(Part {
+                    symbols: symbols..symbols.saturating_add(self.symbols[depth][letter]),
+                    segments: segments..segments.saturating_add(self.segments[depth][letter]),
+                });
+            }
+            word = self.successor(*held, depth as u32).unwrap_or(core::slice::from_ref(held));
+        }
+        None
     }
 
     /// Goes down to the letter that holds place `place` when letters are counted by `counts`.
@@ -226,6 +268,11 @@ mod tests {
                 prop_assert_eq!(chain.last().unwrap().index, start as u128);
                 for link in &chain {
                     prop_assert_eq!(strings[link.generation as usize][link.index as usize], link.symbol);
+                    let part = word.part(link.generation, link.index).unwrap();
+                    prop_assert!(part.symbols.contains(&(start as u128)));
+                    prop_assert_eq!(part.segments.start, word.segments_before(part.symbols.start));
+                    prop_assert_eq!(part.segments.end, word.segments_before(part.symbols.end));
+                    prop_assert_eq!(word.part(link.generation, strings[link.generation as usize].len() as u128), None);
                 }
                 let before: usize = string[..start].iter().map(draws).sum();
                 prop_assert_eq!(word.segments_before(start as u128), before as u128);

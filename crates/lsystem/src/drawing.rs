@@ -14,6 +14,7 @@ mod graph;
 mod hull;
 mod materialise;
 mod modules;
+mod outline;
 mod pick;
 mod segments;
 mod shape;

@@ -34,7 +34,7 @@ mod testing;
 mod turtle;
 mod walk;
 
-pub use access::{Ancestor, Word};
+pub use access::{Ancestor, Part, Word};
 pub use action::Action;
 pub use counts::{count, count_segments, count_symbols};
 pub use definition::Definition;

@@ -113,6 +113,26 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
     if !unit.is_normal() {
         return Ok(());
     }
+    for (first, last) in [(0, segments.len()), (segments.len() / 3, segments.len() * 2 / 3), (0, 1), (1, 1)] {
+        let ends: Vec<[f64; 2]> = segments[first..last.max(first)].iter().flat_map(|s| [s.from, s.to]).collect();
+        let outline = drawing.outline(first as u128..last as u128);
+        prop_assert_eq!(outline.is_empty(), ends.is_empty());
+        // Convex, around all ends, and no larger than the box around them.
+        for (corner, &from) in outline.iter().enumerate().filter(|_| outline.len() > 2) {
+            let to = outline[(corner + 1) % outline.len()];
+            let length = distance(from, &Segment { from: to, to, ..segments[0] });
+            let side = |p: [f64; 2]| (to[0] - from[0]) * (p[1] - from[1]) - (to[1] - from[1]) * (p[0] - from[0]);
+            prop_assert!(ends.iter().all(|&end| side(end) >= -1e-9 * extent * length));
+        }
+        for axis in 0..2 {
+            let least = |points: &[[f64; 2]]| points.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
+            let most = |points: &[[f64; 2]]| points.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
+            if !ends.is_empty() {
+                prop_assert!((least(&outline) - least(&ends)).abs() <= 1e-9 * extent);
+                prop_assert!((most(&outline) - most(&ends)).abs() <= 1e-9 * extent);
+            }
+        }
+    }
     for k in 0..4 {
         let segment = &segments[k * (segments.len() - 1) / 3];
         let middle = [0, 1].map(|axis| (segment.from[axis] + segment.to[axis]) / 2.0);
