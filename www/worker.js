@@ -142,12 +142,12 @@
 
     /** @param {any} question */
     function answer(question) {
-        const { type, id, text, format, width, height } = question;
+        const { type, id, bytes, format, width, height } = question;
         const reader = READERS[type];
         if (reader) {
             self.postMessage({ type, id, ...reader(question) });
         } else if (type === 'read') {
-            self.postMessage({ type: 'file', id, ...wasm.read(text) });
+            self.postMessage({ type: 'file', id, ...wasm.read_file(new Uint8Array(bytes)) });
         } else if (type === 'export') {
             self.postMessage({ type: 'exported', id, ...playground.export(format) });
         } else if (type === 'seed') {
@@ -155,11 +155,18 @@
         } else if (type === 'png') {
             const sheet = new OffscreenCanvas(1, 1);
             playground.snapshot(sheet, width, height);
-            sheet.convertToBlob({ type: 'image/png' }).then(
+            tagged(sheet, question.definition).then(
                 (blob) => self.postMessage({ type: 'png', id, blob }),
                 () => self.postMessage({ type: 'png', id, blob: null }),
             );
         }
+    }
+
+    /** A PNG file that carries its system, so that it can be opened again. @param {OffscreenCanvas} sheet @param {any} definition */
+    async function tagged(sheet, definition) {
+        const plain = await sheet.convertToBlob({ type: 'image/png' });
+        const bytes = wasm.tag_png(new Uint8Array(await plain.arrayBuffer()), definition);
+        return new Blob([/** @type {Uint8Array<ArrayBuffer>} */ (bytes)], { type: 'image/png' });
     }
 
     /** @param {any} thumb */

@@ -264,14 +264,14 @@ export function createEngine(urls, events) {
         pick: (x, y, tolerance) => ask({ type: 'pick', x, y, tolerance }),
 
 
-        /** @param {string} text @returns {Promise<FileRead>} */
-        read: (text) => ask({ type: 'read', text }),
+        /** @param {ArrayBuffer} bytes of a JSON file, or of a picture saved here @returns {Promise<FileRead>} */
+        read: (bytes) => ask({ type: 'read', bytes }),
 
-        /** @param {'svg' | 'csv' | 'txt' | 'json'} format @returns {Promise<Exported>} */
+        /** @param {'svg' | 'svg-compact' | 'csv' | 'txt' | 'json'} format @returns {Promise<Exported>} */
         export: (format) => ask({ type: 'export', format }),
 
-        /** @param {number} width @param {number} height @returns {Promise<Blob | null>} */
-        png: async (width, height) => (await ask({ type: 'png', width, height })).blob,
+        /** @param {number} width @param {number} height @param {Definition} carried in the file, to open it again @returns {Promise<Blob | null>} */
+        png: async (width, height, carried) => (await ask({ type: 'png', width, height, definition: carried })).blob,
 
         /** @returns {Promise<number>} */
         seed: async () => (await ask({ type: 'seed' })).seed,

@@ -2,6 +2,7 @@
 
 import { html, make } from './dom.js';
 import { latest } from './latest.js';
+import { DEEPEST } from './marks.js';
 import { grouped, plain, shortText } from './numerals.js';
 import { birth, descent, origin, visible } from './reading/words.js';
 
@@ -10,8 +11,10 @@ const NEAR = { mouse: 6, touch: 16 };
 /** A press that moved or lasted more than this was no tap: CSS pixels, milliseconds. */
 const SLIP = 6;
 const LONG = 500;
-/** Links of the chain that the card tells. */
-const TOLD = 4;
+/** Links of the chain that the card tells: beside a mouse, and where a finger leaves less room. */
+const TOLD = { mouse: 4, touch: 1 };
+/** What a finger tapped near the lower edge is told above: buttons stand there on a phone, in CSS pixels. */
+const FOOT = 72;
 /** Between the pointer and the card, in CSS pixels. */
 const APART = 18;
 
@@ -20,9 +23,9 @@ const APART = 18;
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{ratio: () => number, mark: (ends: [[number, number], [number, number]] | null) => void, light: (chain: import('./reading/words.js').Link[]) => void, choose: (chain: import('./reading/words.js').Link[]) => void, upto: () => bigint | null}} page
+ * @param {{ratio: () => number, mark: (ends: [[number, number], [number, number]] | null) => void, light: (chain: import('./reading/words.js').Link[]) => void, choose: (chain: import('./reading/words.js').Link[]) => void, reading: () => boolean, zoom: () => number, upto: () => bigint | null}} page
  */
-export function createHover(engine, { ratio, mark, light, choose, upto }) {
+export function createHover(engine, { ratio, mark, light, choose, reading, zoom, upto }) {
     const canvas = html('drawing');
     const stage = html('stage');
     const card = html('card');
@@ -41,7 +44,10 @@ export function createHover(engine, { ratio, mark, light, choose, upto }) {
             const found = picked.segment !== null && (shown === null || BigInt(picked.segment) < shown) ? picked : null;
             if (!found) return hide();
             tell(found);
-            if (chosen) choose(found.ancestry);
+            if (!chosen) return;
+            choose(found.ancestry);
+            // The string view says the same, and a phone has no room for both.
+            if (place.touch && reading() && found.ancestry.length > 0) card.hidden = true;
         },
     );
 
@@ -53,10 +59,18 @@ export function createHover(engine, { ratio, mark, light, choose, upto }) {
         canvas.classList.remove('found');
     }
 
+    // Where the drawing becomes larger or smaller, other things are in that place.
+    new ResizeObserver(leave).observe(stage);
+
     function leave() {
         if (place === null) return;
         place = null;
         hide();
+    }
+
+    /** @param {boolean} chosen */
+    function look(chosen) {
+        if (place && zoom() <= DEEPEST) ask(place, chosen);
     }
 
     /** @param {Picked} picked */
@@ -69,11 +83,12 @@ export function createHover(engine, { ratio, mark, light, choose, upto }) {
             told = segment;
             const own = ancestry.at(-1);
             const [, ...older] = descent(ancestry);
-            const more = older.length - TOLD;
+            const most = place.touch ? TOLD.touch : TOLD.mouse;
+            const more = older.length - most;
             const facts = [`Segment ${number(segment)}`, `heading ${plain(Number(stroke.heading.toFixed(2)))}°`, ...(stroke.level > 0 ? [`branch level ${stroke.level}`] : [])].join(', ');
             card.replaceChildren(
                 ...(own ? [make('p', { class: 'card-head' }, make('kbd', {}, visible(own.symbol)), make('span', {}, origin(ancestry).replace(/^.(, | at )/u, '')))] : []),
-                ...(older.length > 0 ? [make('ol', { class: 'card-path' }, ...older.slice(0, TOLD).map((link) => make('li', {}, make('kbd', {}, visible(link.symbol)), make('span', {}, birth(link)))), ...(more > 0 ? [make('li', { class: 'more' }, `and ${more} more, back to the axiom`)] : []))] : []),
+                ...(older.length > 0 ? [make('ol', { class: 'card-path' }, ...older.slice(0, most).map((link) => make('li', {}, make('kbd', {}, visible(link.symbol)), make('span', {}, birth(link)))), ...(more > 0 ? [make('li', { class: 'more' }, `and ${more} more, back to the axiom`)] : []))] : []),
                 make('p', { class: 'card-facts' }, facts, ...(symbol === null ? [] : [make('br'), `Symbol ${number(symbol)}`])),
             );
         }
@@ -81,7 +96,7 @@ export function createHover(engine, { ratio, mark, light, choose, upto }) {
         const { width, height } = card.getBoundingClientRect();
         const room = { width: stage.clientWidth, height: stage.clientHeight };
         const left = place.x + APART + width < room.width ? place.x + APART : Math.max(8, place.x - APART - width);
-        const top = place.y + APART + height < room.height ? place.y + APART : Math.max(8, place.y - APART - height);
+        const top = place.y + APART + height < room.height - (place.touch ? FOOT : 0) ? place.y + APART : Math.max(8, place.y - APART - height);
         card.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
     }
 
@@ -96,7 +111,7 @@ export function createHover(engine, { ratio, mark, light, choose, upto }) {
         if (event.buttons !== 0) return leave();
         if (event.pointerType !== 'mouse') return;
         place = placeOf(event);
-        ask(place, false);
+        look(false);
     });
     canvas.addEventListener('pointerdown', (event) => {
         press = event.isPrimary && event.button === 0 ? { x: event.clientX, y: event.clientY, time: event.timeStamp } : null;
@@ -106,7 +121,7 @@ export function createHover(engine, { ratio, mark, light, choose, upto }) {
         press = null;
         if (!tap) return;
         place = placeOf(event);
-        ask(place, true);
+        look(true);
     });
     canvas.addEventListener('pointerleave', (event) => {
         // A finger always leaves; what it tapped stays until it taps elsewhere.
@@ -116,7 +131,7 @@ export function createHover(engine, { ratio, mark, light, choose, upto }) {
     return {
         /** The picture is another one: what is under the pointer may be, too. */
         drawn() {
-            if (place && upto() === null) ask(place, false);
+            if (upto() === null) look(false);
         },
         /** What was told of is gone. */
         forget: leave,

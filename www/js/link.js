@@ -75,7 +75,7 @@ export function writeLink(state) {
 /**
  * Reads a hash, with or without its `#`.
  * @param {string} hash
- * @returns {{state: State, problems: string[]} | null} null where the hash holds no state of ours
+ * @returns {{state: State, problems: string[]} | null} null where the hash holds no state of ours: neither a version nor a field
  */
 export function readLink(hash) {
     const body = hash.replace(/^#/, '');
@@ -94,7 +94,7 @@ export function readLink(hash) {
         }
     }
     const version = given.get('v');
-    if (version === undefined && !given.has('axiom') && !given.has('rules')) return null;
+    if (version === undefined && !KEYS.some(([key]) => given.has(key))) return null;
     if (version !== undefined && Number(version) !== VERSION) problems.push('The link was made by another version of this page; some of it may be missing.');
     /** @type {Record<string, unknown>} */
     const values = {};

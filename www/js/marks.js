@@ -8,6 +8,8 @@ import { byId } from './dom.js';
 
 /** Farther outside the frame nothing is drawn exactly, in CSS pixels. */
 const FAR = 1e5;
+/** At larger zooms a number has no digits left for a place, and nothing is marked. */
+export const DEEPEST = 1e12;
 /** A shorter mark gets a ring, so that it is found, in CSS pixels. */
 const SHORT = 9;
 
@@ -41,7 +43,7 @@ export function createMarks() {
     }
 
     function place() {
-        show(frame, sight !== null && (ends !== null || outline.length > 0 || pose !== null));
+        show(frame, sight !== null && sight.view.zoom <= DEEPEST && (ends !== null || outline.length > 0 || pose !== null));
         if (!sight) return;
         show(segment, ends !== null);
         if (ends) {
@@ -49,13 +51,22 @@ export function createMarks() {
             for (const line of segment.querySelectorAll('line')) set(line, { x1, y1, x2, y2 });
             const ring = /** @type {SVGCircleElement} */ (segment.querySelector('circle'));
             set(ring, { cx: (x1 + x2) / 2, cy: (y1 + y2) / 2 });
-            show(ring, Math.hypot(x2 - x1, y2 - y1) < SHORT);
+            const short = Math.hypot(x2 - x1, y2 - y1) < SHORT;
+            show(ring, short);
+            show(/** @type {Element} */ (segment.querySelector('.halo')), !short);
         }
         show(part, outline.length > 0);
         if (outline.length > 0) {
             const corners = outline.map(seen);
             const d = `M${corners.map((corner) => corner.map((value) => value?.toFixed(2)).join(' ')).join('L')}Z`;
             for (const path of part.querySelectorAll('path')) set(path, { d });
+            const [xs, ys] = [0, 1].map((axis) => corners.map((corner) => corner[axis] ?? 0));
+            const [left, right, low, high] = [Math.min(...(xs ?? [])), Math.max(...(xs ?? [])), Math.min(...(ys ?? [])), Math.max(...(ys ?? []))];
+            const ring = /** @type {SVGCircleElement} */ (part.querySelector('circle'));
+            set(ring, { cx: (left + right) / 2, cy: (low + high) / 2 });
+            const short = Math.max(right - left, high - low) < SHORT;
+            show(ring, short);
+            for (const path of part.querySelectorAll('path')) show(path, !short);
         }
         show(turtle, pose !== null);
         if (pose) {

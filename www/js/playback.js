@@ -15,6 +15,9 @@ const CALM_MS = 500;
 /** After a longer pause, such as a hidden page, playing goes on from where it was, in milliseconds. */
 const GAP = 1000;
 
+/** @param {bigint} count */
+const briefly = (count) => (count < 10n ** 12n ? grouped(String(count)) : shortText(String(count)));
+
 /**
  * @param {import('./engine.js').Engine} engine
  * @param {{turtle: (pose: {at: [number, number], heading: number} | null) => void}} page
@@ -59,7 +62,8 @@ export function createPlayback(engine, { turtle }) {
         slider.style.setProperty('--at', String(part));
         slider.setAttribute('aria-valuetext', `${shortText(String(place))} of ${digits ? shortText(digits) : '…'} segments`);
         if (document.activeElement !== field) {
-            setValue(field, grouped(String(place)));
+            setValue(field, briefly(place));
+            field.title = `${grouped(String(place))} segments are drawn. Write a number, 10^12, 50 %`;
             field.removeAttribute('data-wrong');
         }
         setText(html('play-total'), digits ? `of ${shortText(digits)}` : '');
@@ -183,7 +187,11 @@ export function createPlayback(engine, { turtle }) {
             field.select();
         }
     });
-    field.addEventListener('focus', () => field.select());
+    // While it is not written in, a long number is shown shortened.
+    field.addEventListener('focus', () => {
+        setValue(field, grouped(String(upto ?? total ?? 0n)));
+        field.select();
+    });
     field.addEventListener('blur', () => {
         const place = readField();
         if (place !== null && place !== (upto ?? total)) {
@@ -229,7 +237,7 @@ export function createPlayback(engine, { turtle }) {
             if (upto === null || shown === null) return turtle(null);
             if (!pose) return;
             turtle({ at: pose.fitted, heading: pose.heading });
-            setText(html('play-pose'), `The turtle is ${poseText(pose)}.`);
+            setText(html('play-pose'), poseText(pose));
         },
     };
 }

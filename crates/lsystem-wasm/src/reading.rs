@@ -60,12 +60,13 @@ const VISITS: usize = 20_000;
 
 #[wasm_bindgen]
 impl Playground {
-    /// How many symbols generation `generation` has, as a decimal string; null where it is too long to be known.
+    /// How many symbols [`Playground::slice`] can give of generation `generation`, as a decimal string; null where it is
+    /// too long to be known. Where it has to be written down, characters count, those of parameters too.
     #[wasm_bindgen(js_name = stringLength)]
     pub fn string_length(&mut self, generation: u32) -> Option<String> {
-        let known = count_symbols(self.system.as_ref()?, generation);
-        match known {
-            Some(count) => Some(count.to_string()),
+        let system = self.system.as_ref()?;
+        match Word::new(system, generation) {
+            Some(_) => count_symbols(system, generation).map(|count| count.to_string()),
             None => Some(self.written(generation)?.symbols.len().to_string()),
         }
     }

@@ -5,7 +5,7 @@ import { even, slider } from '../controls/slider.js';
 import { numberField } from '../controls/number-field.js';
 import { listProblems } from '../controls/editor.js';
 import { grouped, plain, short, shortText } from '../numerals.js';
-import { MAX_ITERATIONS } from '../state.js';
+import { MAX_ITERATIONS, definitionOf } from '../state.js';
 
 /** @typedef {import('../engine.js').Report} Report */
 
@@ -48,6 +48,8 @@ export function growthPanel(store, source) {
 
     /** @type {Report | null} */
     let last = null;
+    /** How far the system can grow and why no farther, once that was found. @type {{system: string, largest: number, why: string} | null} */
+    let bound = null;
     /** Which of the two counts shows all its digits. @type {'symbols' | 'segments' | null} */
     let unfolded = null;
     for (const kind of /** @type {const} */ (['symbols', 'segments'])) {
@@ -83,10 +85,16 @@ export function growthPanel(store, source) {
             last = report;
             for (const kind of /** @type {const} */ (['symbols', 'segments'])) showCount(button(kind), report, kind);
             showDigits(report, unfolded);
-            iterationsSlider.limit(report.largest !== null && report.largest < MAX_ITERATIONS ? Math.max(report.largest, state.iterations) : null);
+            const system = JSON.stringify({ ...definitionOf(state), iterations: 0 });
+            if (bound?.system !== system) bound = null;
+            if (report.largest !== null && report.largest < MAX_ITERATIONS) {
+                const passed = report.diagnostics.find(({ field, severity }) => field === 'numbers' && severity === 'error');
+                bound = { system, largest: report.largest, why: passed?.message ?? '' };
+            }
+            iterationsSlider.limit(bound && Math.max(bound.largest, state.iterations));
             html('seed-row').classList.toggle('idle', !report.stochastic);
             setText(html('seed-note'), report.stochastic ? 'Chance decides between productions; the same seed grows the same plant.' : 'No production leaves anything to chance, so the seed changes nothing.');
-            setText(html('status'), statusOf(report));
+            setText(html('status'), statusOf(report, bound));
         },
     };
 }
@@ -94,10 +102,11 @@ export function growthPanel(store, source) {
 /**
  * How the picture is made, in words.
  * @param {Report} report
+ * @param {{largest: number, why: string} | null} bound
  */
-function statusOf({ memoised, blocks, largest }) {
-    if (memoised === null || blocks === null) return 'Growing…';
-    const limit = largest !== null && largest < MAX_ITERATIONS ? ` It can grow to n = ${largest} within the limits.` : '';
+function statusOf({ memoised, blocks, largest }, bound) {
+    const limit = bound ? ` It can grow to n = ${bound.largest}. ${largest === null ? `Beyond: ${bound.why}.` : ''}` : '';
+    if (memoised === null || blocks === null) return bound ? limit.trim() : 'Growing…';
     if (!memoised) return `Grown symbol by symbol.${limit}`;
     if (blocks <= 1) return limit.trim();
     return `${grouped(String(blocks))} shared pieces make up the whole drawing.${limit}`;

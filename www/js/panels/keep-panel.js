@@ -3,11 +3,12 @@
 import { announce, toast } from '../announce.js';
 import { listProblems } from '../controls/editor.js';
 import { button, byId, html, input, make } from '../dom.js';
+import { definitionOf } from '../state.js';
 
 /** @typedef {import('../engine.js').Engine} Engine */
 
 /** Larger files are no L-systems, in bytes. */
-const LARGEST_FILE = 4 << 20;
+const LARGEST_FILE = 64 << 20;
 
 /** @type {Record<string, string>} */
 const MIME = { svg: 'image/svg+xml', csv: 'text/csv', txt: 'text/plain', json: 'application/json' };
@@ -41,7 +42,7 @@ export function keepPanel(store, engine, page) {
             const { width, height } = page.canvas();
             const wanted = Number(byId('png-size', HTMLSelectElement).value);
             const factor = wanted === 0 ? 1 : wanted / Math.max(width, height);
-            const blob = await engine.png(Math.round(width * factor), Math.round(height * factor));
+            const blob = await engine.png(Math.round(width * factor), Math.round(height * factor), definitionOf(store.state));
             if (!blob) throw new Error('the browser could not make the picture');
             return download(blob, `${name}.png`);
         }
@@ -50,7 +51,10 @@ export function keepPanel(store, engine, page) {
             const first = diagnostics[0];
             return toast(first ? `Not saved: ${[first.message, first.hint].filter(Boolean).join(' ')}` : 'Not saved: there is nothing to save.');
         }
-        download(new Blob([text], { type: MIME[format] ?? 'text/plain' }), `${name}.${format}`);
+        const [ending = format, form] = format.split('-');
+        download(new Blob([text], { type: MIME[ending] ?? 'text/plain' }), `${name}${form ? `_${form}` : ''}.${ending}`);
+        // A compact picture may ask much of who shows it.
+        if (diagnostics[0]) toast([diagnostics[0].message, diagnostics[0].hint].filter(Boolean).join(' '));
     }
 
     /** @param {File} file */
@@ -59,10 +63,10 @@ export function keepPanel(store, engine, page) {
         problems.replaceChildren();
         if (file.size > LARGEST_FILE) return toast('This file is too large to be an L-system.');
         try {
-            const { definition, diagnostics } = await engine.read(await file.text());
+            const { definition, diagnostics } = await engine.read(await file.arrayBuffer());
             listProblems(problems, diagnostics);
-            if (!definition) return toast(`${file.name} could not be read: ${diagnostics[0]?.message ?? 'it is not JSON'}`);
-            const name = definition.name || file.name.replace(/\.json$/i, '');
+            if (!definition) return toast(`${file.name} could not be read: ${diagnostics[0]?.message ?? 'it holds no system'}`);
+            const name = definition.name || file.name.replace(/\.(json|svg|png)$/i, '');
             store.open({ ...definition, name });
             toast(`Opened ${file.name}${diagnostics.length > 0 ? ', with remarks: see Save' : ''}`);
         } catch (error) {

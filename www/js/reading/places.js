@@ -88,7 +88,7 @@ export function readPlace(text, length) {
     if (words === 'end' || words === 'last') return last;
     if (words === 'start' || words === 'first') return 0n;
     const percent = /^(\d+(?:\.\d+)?|\.\d+)\s*%$/.exec(words.replace(/(\d),(\d{1,2})(?=\s*%)/, '$1.$2'));
-    if (percent) return within(portion(last, Number(percent[1]) / 100), 0n, last);
+    if (percent) return within(portion(length, Number(percent[1]) / 100), 0n, last);
     const plain = words.replace(/[\s_,’']/g, '').replace(/[·*]/g, '×').replace(/×10(\^|(?=[⁰¹²³⁴-⁹]))/, 'e').replace(/^10(\^|(?=[⁰¹²³⁴-⁹]))/, '1e');
     const digits = plain.replace(/[⁰¹²³⁴-⁹]/g, (digit) => String('⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(digit)));
     const number = /^(\d+)(?:\.(\d*))?(?:e\+?(\d{1,4}))?$/.exec(digits);
@@ -125,7 +125,7 @@ export function paceText(perSecond) {
     if (perSecond < 10) return `${perSecond.toFixed(perSecond < 2 ? 1 : 0).replace(/\.0$/, '')} a second`;
     if (perSecond < 1e9) return `${Math.round(perSecond).toLocaleString('en')} a second`;
     const exponent = Math.floor(Math.log10(perSecond));
-    return `${(perSecond / 10 ** exponent).toFixed(1)} × 10${raised(exponent)} a second`;
+    return `${(perSecond / 10 ** exponent).toFixed(1)}\u2009×\u200910${raised(exponent)} a second`;
 }
 
 /** A count, short. @param {bigint} count */

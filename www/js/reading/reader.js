@@ -18,9 +18,9 @@ const UNTRACED = 'Where a symbol comes from is traced where neither chance nor n
 
 /**
  * @param {import('../engine.js').Engine} engine
- * @param {{mark: (outline: [number, number][]) => void}} page `mark` marks a part of the drawing
+ * @param {{mark: (outline: [number, number][]) => void, opened: () => void}} page `mark` marks a part of the drawing
  */
-export function createReader(engine, { mark }) {
+export function createReader(engine, { mark, opened }) {
     const frame = html('reader');
     const toggle = button('open-reader');
     const area = html('reader-text');
@@ -72,7 +72,9 @@ export function createReader(engine, { mark }) {
         (/** @type {number} */ wanted, /** @type {bigint} */ index) => engine.symbol(wanted, index),
         (answer, wanted, index) => {
             if (wanted !== generation() || index !== chosen) return;
-            mark(answer.part?.outline ?? []);
+            // What draws nothing is marked where the turtle is.
+            const outline = answer.part?.outline ?? [];
+            mark(outline.length > 0 || !answer.stroke ? outline : [answer.stroke.fittedFrom]);
             showPath(answer.ancestry, answer.part, answer.stroke);
         },
     );
@@ -270,6 +272,7 @@ export function createReader(engine, { mark }) {
         document.body.classList.toggle('reading', open);
         if (open) {
             stale = true;
+            opened();
             rows.measure();
             show();
             need();

@@ -1,6 +1,6 @@
 /** Where a symbol comes from, and how the turtle stands, in words. Pure functions. */
 
-import { grouped, plain } from '../numerals.js';
+import { grouped, plain, raised } from '../numerals.js';
 
 /**
  * One link of the chain from the axiom to a symbol; `index` in decimal digits, `position` in the successor (or in the
@@ -48,11 +48,14 @@ export function origin(chain) {
 
 /** A pose in words. @param {{at: [number, number], heading: number, level: number}} pose */
 export function poseText({ at, heading, level }) {
-    return `at ${at.map(coordinate).join(', ')}; heading ${plain(Number(heading.toFixed(2)))}°; ${level === 0 ? 'on the stem' : `branch level ${level}`}`;
+    return `At ${at.map(coordinate).join(', ')}, heading ${plain(Number(heading.toFixed(2)))}°, level ${level}`;
 }
 
 /** @param {number} value in model units */
 export function coordinate(value) {
-    if (value !== 0 && (Math.abs(value) >= 1e7 || Math.abs(value) < 1e-3)) return value.toExponential(3).replace('e+', 'e').replace('-', '−');
+    if (value !== 0 && (Math.abs(value) >= 1e7 || Math.abs(value) < 1e-3)) {
+        const [mantissa, exponent] = value.toExponential(3).split('e');
+        return `${mantissa}·10${raised(Number(exponent))}`.replace('-', '−');
+    }
     return plain(Number(value.toFixed(3))).replace('-', '−');
 }

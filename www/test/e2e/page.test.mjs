@@ -335,6 +335,10 @@ test('what would pass a limit is refused in words, and the picture stays', () =>
         await page.fill('#iterations', '5');
         await until(async () => (await page.locator('#numbers-problems li').count()) === 0, 'the list is empty again');
         assert.equal((await stillPicture(page)).digest, before.digest);
+        // The limit is known by now: the slider ends there, and says why.
+        assert.match(await text(page, '#status'), /It can grow to n = \d+\. Beyond: .{10,}/);
+        const highest = Number(await page.getAttribute('#iterations-slider', 'max'));
+        assert.equal(/n = (\d+)/.exec(await text(page, '#status'))?.[1], String(highest));
     }));
 
 test('counts stay exact at any depth, shortened and whole on demand', () =>
@@ -361,6 +365,9 @@ test('everything saves under a name that says what it is', () =>
             const content = (await readFile(String(await download.path()))).toString('latin1');
             assert.match(content, starts, format);
         }
+        const [compact] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=svg-compact]')]);
+        assert.equal(compact.suggestedFilename(), 'Koch_n4_compact.svg');
+        assert.match(await readFile(String(await compact.path()), 'utf8'), /<use/);
         await page.selectOption('#png-size', '2048');
         const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=png]')]);
         const bytes = await readFile(String(await download.path()));
@@ -378,6 +385,15 @@ test('what was saved as JSON opens again, and other files are refused in words',
         await page.setInputFiles('#file', saved);
         await until(async () => (await page.inputValue('#axiom')) === 'F', 'the file is open');
         assert.equal((await stillPicture(page)).digest, before.digest);
+        // A picture carries its system.
+        for (const format of ['svg', 'svg-compact', 'png']) {
+            const [picture] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${format}]`)]);
+            const bytes = await readFile(String(await picture.path()));
+            await page.fill('#axiom', 'F+F');
+            await page.setInputFiles('#file', { name: picture.suggestedFilename(), mimeType: 'image/any', buffer: bytes });
+            await until(async () => (await page.inputValue('#axiom')) === 'F', `the ${format} is open`);
+            assert.equal((await stillPicture(page)).digest, before.digest, format);
+        }
         const course = '{"name": "course", "initial": "A", "rules": {"A": "AB", "B": [{"p": 0.5, "e": "A"}, {"p": 0.5, "e": "B"}],}, "num_iters": 3, "angle_deg": 90}';
         await page.setInputFiles('#file', { name: 'course.json', mimeType: 'application/json', buffer: Buffer.from(course) });
         await until(async () => (await page.inputValue('#axiom')) === 'A', 'the course file is open');

@@ -1,0 +1,312 @@
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+import { DESKTOP, PHONE, close, nextPicture, picture, stillPicture, until, withPage } from './browser.mjs';
+
+after(close);
+
+/** @typedef {import('playwright-core').Page} Page */
+
+const PLANT = '#v=1&title=Plant&axiom=X&rules=X%20-%3E%20F%5B+X%5DF%5B-X%5D+X%0AF%20-%3E%20FF&angle=20&n=40';
+const SMALL = PLANT.replace('n=40', 'n=3');
+const STRAIGHT = '#v=1&axiom=F&rules=F%20-%3E%20FF&n=3&angle=90';
+const CHANCE = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%20:%200.5%0AF%20-%3E%20F%5B-F%5DF%20:%200.5&n=4&angle=25';
+
+/** @param {Page} page @param {string} selector */
+const text = async (page, selector) => (await page.textContent(selector)) ?? '';
+/** The symbols in sight. @param {Page} page */
+const symbols = async (page) => (await page.locator('.row-line .cells').allTextContents()).join('');
+/** @param {Page} page */
+const firstPlace = (page) => page.locator('.row-line .margin').first().textContent();
+
+/** @param {Page} page @param {string} place */
+async function goTo(page, place) {
+    await page.fill('#reader-goto', place);
+    await page.press('#reader-goto', 'Enter');
+}
+
+/** What the rules derive, the plain way. @param {number} n */
+function derive(n) {
+    const rules = /** @type {Record<string, string>} */ ({ X: 'F[+X]F[-X]+X', F: 'FF' });
+    let word = 'X';
+    for (let step = 0; step < n; step++) word = [...word].map((symbol) => rules[symbol] ?? symbol).join('');
+    return word;
+}
+
+test('the string is shown whole, generation by generation', () =>
+    withPage({ hash: SMALL }, async (page) => {
+        await page.click('#open-reader');
+        for (const n of [3, 2, 1, 0]) {
+            await until(async () => (await symbols(page)) === derive(n), `generation ${n}`);
+            assert.equal(await text(page, '#reader-generation'), `n = ${n}`);
+            if (n > 0) await page.click('#reader-back');
+        }
+        assert.ok(await page.isDisabled('#reader-back'));
+        await page.click('#reader-on');
+        await until(async () => (await symbols(page)) === derive(1), 'generation 1 again');
+        assert.equal(await page.locator('.cells .t-bracket').count() > 0, true);
+        // It follows the rules while it is open.
+        await page.fill('#rules', 'X -> FX');
+        await until(async () => (await symbols(page)) === 'FX', 'the new string');
+        await page.press('#reader-text', 'Escape');
+        assert.ok(!(await page.isVisible('#reader')));
+    }));
+
+test('a string of 10^19 symbols scrolls by rows, pages and to its ends', () =>
+    withPage({ hash: PLANT }, async (page) => {
+        await page.click('#open-reader');
+        await until(async () => /^F+$/.test(await symbols(page)), 'the first page');
+        assert.equal(await firstPlace(page), '1');
+        const columns = (await page.locator('.row-line .cells').first().textContent())?.length ?? 0;
+        assert.ok(columns >= 40 && columns % 10 === 0);
+        await page.focus('#reader-text');
+        await page.keyboard.press('ArrowDown');
+        assert.equal(await firstPlace(page), String(columns + 1));
+        await page.keyboard.press('PageDown');
+        await page.keyboard.press('PageUp');
+        assert.equal(await firstPlace(page), String(columns + 1));
+        await page.keyboard.press('End');
+        await until(async () => (await symbols(page)).endsWith('F[+X]F[-X]+X'), 'the last symbols');
+        assert.equal(await page.getAttribute('#reader-bar', 'aria-valuenow'), '100.0');
+        await page.keyboard.press('Home');
+        await until(async () => (await firstPlace(page)) === '1', 'the first row');
+        await page.hover('#reader-text');
+        await page.mouse.wheel(0, 4000);
+        await until(async () => (await firstPlace(page)) !== '1', 'the wheel scrolls');
+        await until(async () => /^F{400}/.test(await symbols(page)), 'rows are filled');
+        // The scroll bar goes to any part of it.
+        const bar = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#reader-bar').boundingBox());
+        await page.mouse.click(bar.x + bar.width / 2, bar.y + bar.height / 2);
+        await until(async () => Math.abs(Number(await page.getAttribute('#reader-bar', 'aria-valuenow')) - 50) < 2, 'half way');
+        await until(async () => (await symbols(page)).length > columns * 3, 'rows are filled again');
+    }));
+
+test('one jumps to a position, and a symbol tells where it comes from and what it draws', () =>
+    withPage({ hash: PLANT }, async (page) => {
+        await page.click('#open-reader');
+        await goTo(page, '10^12');
+        await until(async () => (await page.locator('.cells .chosen').count()) === 1, 'the symbol is chosen');
+        await until(async () => /F at step 40, by rule 2, (first|second) symbol/.test(await text(page, '#reader-path')), 'its origin');
+        assert.match(await text(page, '#reader-where'), /999,999,999,\d{3} to 1\.00.×.10¹² of 7\.90.×.10¹⁹/u);
+        assert.ok(await page.isVisible('#mark-part'));
+        await goTo(page, '100 %');
+        await until(async () => (await text(page, '#reader-path')).startsWith('XX at step 40, by rule 1, twelfth symbol'), 'the last symbol');
+        assert.match(await text(page, '#reader-path'), /Draws nothing itself/);
+        await goTo(page, 'nowhere');
+        assert.ok(await page.locator('#reader-goto[data-wrong]').count());
+        // What was chosen is followed through the generations.
+        await page.click('#reader-back');
+        await until(async () => (await text(page, '#reader-path')).startsWith('XX at step 39'), 'its parent');
+        await page.click('#reader-on');
+        await until(async () => (await text(page, '#reader-path')).startsWith('FF at step 40, by rule 1, first symbol'), 'the first it became');
+        await page.click('.links li:last-child button');
+        await until(async () => (await text(page, '#reader-generation')) === 'n = 0', 'the axiom');
+        await until(async () => (await symbols(page)) === 'X', 'its one symbol');
+        assert.match(await text(page, '#reader-path'), /first symbol of the axiom.*7\.90.×.10¹⁹ symbols at n = 40/s);
+    }));
+
+test('a click in the string chooses that very symbol', () =>
+    withPage({ hash: SMALL }, async (page) => {
+        await page.click('#open-reader');
+        await until(async () => (await symbols(page)) === derive(3), 'the string');
+        const cells = /** @type {{x: number, y: number}} */ (await page.locator('.row-line .cells').first().boundingBox());
+        const width = await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.ruler')).getBoundingClientRect().width / 50);
+        await page.mouse.click(cells.x + width * 9.5, cells.y + 8);
+        await until(async () => (await page.locator('.cells .chosen').count()) === 1, 'a symbol is chosen');
+        assert.equal(await page.locator('.cells .chosen').textContent(), derive(3)[9]);
+        await until(async () => (await text(page, '#reader-path')).includes('at step'), 'its origin');
+        await page.keyboard.press('ArrowRight');
+        await until(async () => (await page.locator('.cells .chosen').textContent()) === derive(3)[10], 'the next one');
+    }));
+
+test('the pointer on the drawing tells the segment and its symbol, and lights it in the string', () =>
+    withPage({ hash: STRAIGHT }, async (page) => {
+        // Eight segments, one above the other: the third is a little above a quarter of the height.
+        await page.click('#open-reader');
+        await until(async () => (await symbols(page)) === 'FFFFFFFF', 'the string');
+        await stillPicture(page);
+        const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
+        const shown = await page.evaluate(() => {
+            const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
+            const copy = document.createElement('canvas');
+            copy.width = canvas.width;
+            copy.height = canvas.height;
+            const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d'));
+            context.drawImage(canvas, 0, 0);
+            const { data } = context.getImageData(Math.floor(copy.width / 2), 0, 1, copy.height);
+            const rows = Array.from({ length: copy.height }, (_, y) => y).filter((y) => data[y * 4] !== data[0]);
+            return { top: rows[0] ?? 0, bottom: rows.at(-1) ?? 0 };
+        });
+        const at = (/** @type {number} */ part) => box.y + shown.bottom - (shown.bottom - shown.top) * part;
+        await page.mouse.move(box.x + box.width / 2 + 2, at(2.5 / 8));
+        await page.waitForSelector('#card:visible');
+        assert.match(await text(page, '#card'), /^Fstep 3, by rule 1, first symbol.*Segment 3, heading 90°.*Symbol 3$/s);
+        assert.equal(await page.getAttribute('#mark-segment', 'hidden'), null);
+        await until(async () => (await page.locator('.cells .lit').count()) === 1, 'it is lit');
+        const before = await page.evaluate(() => document.querySelector('.cells .lit')?.previousSibling?.textContent);
+        assert.equal(before, 'FF');
+        // Its ancestor is lit where an earlier generation is shown.
+        await page.click('#reader-back');
+        await page.mouse.move(box.x + box.width / 2 + 2, at(6.5 / 8));
+        await until(async () => (await text(page, '#card')).includes('Segment 7'), 'the seventh');
+        await until(async () => (await page.evaluate(() => document.querySelector('.cells .lit')?.previousSibling?.textContent)) === 'FFF', 'its parent, the fourth');
+        await page.mouse.move(box.x + 40, box.y + box.height / 2);
+        await until(async () => !(await page.isVisible('#card')), 'the card is gone');
+        assert.notEqual(await page.getAttribute('#mark-segment', 'hidden'), null);
+        assert.equal(await page.locator('.cells .lit').count(), 0);
+    }));
+
+test('hovering asks one question at a time, and nothing is asked without it', () =>
+    withPage(
+        {
+            hash: PLANT,
+            before: (page) =>
+                page.addInitScript(() => {
+                    const seen = /** @type {any} */ (globalThis);
+                    Object.assign(seen, { sent: 0, answered: 0, most: 0 });
+                    const Real = Worker;
+                    globalThis.Worker = class extends Real {
+                        constructor(/** @type {string | URL} */ url) {
+                            super(url);
+                            this.addEventListener('message', ({ data }) => data.type === 'pick' && (seen.answered += 1));
+                        }
+                        /** @param {any} message @param {any} [options] */
+                        postMessage(message, options) {
+                            if (message.type === 'pick') {
+                                seen.sent += 1;
+                                seen.most = Math.max(seen.most, seen.sent - seen.answered);
+                            }
+                            super.postMessage(message, options);
+                        }
+                    };
+                }),
+        },
+        async (page) => {
+            await stillPicture(page);
+            const counts = () => page.evaluate(() => ({ sent: Number(/** @type {any} */ (globalThis).sent), most: Number(/** @type {any} */ (globalThis).most) }));
+            assert.equal((await counts()).sent, 0);
+            await page.evaluate(() => {
+                const canvas = /** @type {HTMLElement} */ (document.querySelector('#drawing'));
+                for (let at = 0; at < 300; at++) canvas.dispatchEvent(new PointerEvent('pointermove', { clientX: 300 + at, clientY: 400, pointerType: 'mouse', bubbles: true }));
+            });
+            await until(async () => (await counts()).sent >= 2, 'the first and the last are asked');
+            await page.waitForTimeout(100);
+            const { sent, most } = await counts();
+            assert.ok(sent <= 3 && most === 1, `${sent} sent, ${most} at once`);
+        },
+    ));
+
+test('where chance decides, the segment tells its own facts only', () =>
+    withPage({ hash: CHANCE }, async (page) => {
+        await stillPicture(page);
+        const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
+        await page.click('#open-reader');
+        await until(async () => /^F[F+\-[\]]+$/.test(await symbols(page)), 'the string that was written down');
+        await page.locator('.row-line .cells').first().click({ position: { x: 30, y: 8 } });
+        await until(async () => (await text(page, '#reader-path')).includes('is traced where'), 'why nothing is told');
+        await page.click('#close-reader');
+        await stillPicture(page);
+        // Down the middle, until the stem is met.
+        for (let x = 0.3; x < 0.7 && !(await page.isVisible('#card')); x += 0.01) {
+            await page.mouse.move(box.x + box.width * x, box.y + box.height * 0.8);
+            await page.waitForTimeout(30);
+        }
+        assert.match(await text(page, '#card'), /^Segment \d+, heading/);
+    }));
+
+test('playback goes from nothing to the whole picture, and says where the turtle is', () =>
+    withPage({ hash: STRAIGHT.replace('n=3', 'n=10') }, async (page) => {
+        await stillPicture(page);
+        await page.click('#open-playback');
+        await page.click('#play');
+        await page.click('#close-playback');
+        const whole = await stillPicture(page);
+        await page.click('#open-playback');
+        await until(async () => (await page.getAttribute('#play', 'aria-label')) === 'Pause', 'it plays');
+        await page.click('#play');
+        assert.equal(await page.getAttribute('#play', 'aria-label'), 'Play');
+        await page.fill('#play-place', '0');
+        await page.press('#play-place', 'Enter');
+        await until(async () => /^At 0, 0, heading 90°/.test(await text(page, '#play-pose')), 'the start');
+        assert.ok((await stillPicture(page)).ink < 0.0001);
+        assert.ok(await page.isVisible('#mark-turtle'));
+        await page.fill('#play-place', '50 %');
+        await page.press('#play-place', 'Enter');
+        await until(async () => /^At 0, 513, heading 90°|^At 0, 512, heading 90°/.test(await text(page, '#play-pose')), 'half way');
+        const half = await stillPicture(page);
+        assert.ok(half.ink > 0);
+        await page.press('#play-place', 'ArrowUp');
+        await until(async () => /^At 0, 51[34], /.test(await text(page, '#play-pose')), 'one more');
+        await page.fill('#play-slider', '10000');
+        await until(async () => (await text(page, '#play-pose')) === 'The whole drawing.', 'the end');
+        assert.ok(!(await page.isVisible('#mark-turtle')));
+        assert.notEqual((await stillPicture(page)).digest, half.digest);
+        await page.click('#close-playback');
+        assert.equal((await stillPicture(page)).digest, whole.digest);
+        assert.ok(!(await page.evaluate(() => location.hash)).includes('play'));
+    }));
+
+test('the space bar plays to the end at any number of segments', () =>
+    withPage({ hash: PLANT, options: { ...DESKTOP, reducedMotion: 'no-preference' } }, async (page) => {
+        await stillPicture(page);
+        await page.focus('#drawing');
+        await page.keyboard.press(' ');
+        await until(async () => (await page.getAttribute('#play', 'aria-label')) === 'Pause', 'it plays');
+        assert.match(await text(page, '#play-pace'), /2\.4.×.10¹⁸ a second/);
+        const first = await picture(page);
+        const second = await nextPicture(page, first).catch(() => picture(page));
+        assert.notEqual(second.digest, first.digest);
+        await page.focus('#drawing');
+        await page.keyboard.press(' ');
+        assert.equal(await page.getAttribute('#play', 'aria-label'), 'Play');
+        await stillPicture(page);
+        // As fast as it goes: all in a second.
+        await page.fill('#play-speed', '1000');
+        assert.equal(await page.getAttribute('#play-ten', 'aria-pressed'), 'false');
+        await page.click('#play');
+        await until(async () => (await text(page, '#play-pose')) === 'The whole drawing.', 'the end');
+        assert.equal(await page.getAttribute('#play', 'aria-label'), 'Play');
+        await page.click('#play-ten');
+        assert.equal(await page.getAttribute('#play-ten', 'aria-pressed'), 'true');
+    }));
+
+test('another system ends playback with its whole picture; other inks do not', () =>
+    withPage({ hash: SMALL }, async (page) => {
+        await page.click('#open-playback');
+        await page.fill('#play-place', '20');
+        await page.press('#play-place', 'Enter');
+        await until(async () => (await text(page, '#play-pose')).startsWith('At '), 'on the way');
+        const part = await stillPicture(page);
+        await page.click('#tab-look');
+        await page.click('#inks .ink:nth-child(2)');
+        await nextPicture(page, part);
+        assert.match(await text(page, '#play-pose'), /^At /);
+        await page.fill('#angle', '35');
+        await until(async () => (await text(page, '#play-pose')) === 'The whole drawing.', 'the whole drawing');
+        assert.ok(!(await page.isVisible('#mark-turtle')));
+    }));
+
+test('on a phone the string, a tapped segment and playback are within reach', () =>
+    withPage({ hash: PLANT, options: PHONE }, async (page) => {
+        await stillPicture(page);
+        const stage = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
+        await page.touchscreen.tap(stage.x + stage.width / 2, stage.y + stage.height * 0.75);
+        await page.waitForSelector('#card:visible');
+        assert.match(await text(page, '#card'), /step 40, by rule 2/);
+        await page.tap('#open-reader');
+        await until(async () => /^F+$/.test(await symbols(page)), 'the string');
+        assert.ok(!(await page.isVisible('#panel')));
+        const columns = (await page.locator('.row-line .cells').first().textContent())?.length ?? 0;
+        assert.ok(columns >= 20, `${columns} columns`);
+        await page.touchscreen.tap(stage.x + stage.width / 2, stage.y + stage.height * 0.75);
+        await until(async () => (await page.locator('.cells .chosen').count()) === 1, 'the tapped symbol is chosen');
+        await page.tap('#close-reader');
+        assert.ok(await page.isVisible('#panel'));
+        await page.tap('#open-playback');
+        await until(async () => (await page.getAttribute('#play', 'aria-label')) === 'Pause', 'it plays');
+        for (const id of ['play', 'play-slider', 'play-place', 'play-speed', 'play-ten', 'close-playback']) {
+            const box = await page.locator(`#${id}`).boundingBox();
+            assert.ok(box && box.x >= 0 && box.x + box.width <= 390, id);
+        }
+        await page.tap('#close-playback');
+        assert.ok(!(await page.isVisible('#playback')));
+    }));
