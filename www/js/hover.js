@@ -16,7 +16,7 @@ const TOLD = { mouse: 4, touch: 1 };
 /** What a finger tapped near the lower edge is told above: buttons stand there on a phone, in CSS pixels. */
 const FOOT = 72;
 /** Between the pointer and the card, in CSS pixels. */
-const APART = 18;
+const APART = { mouse: 18, touch: 34 };
 
 /** @typedef {import('./engine.js').Picked} Picked */
 /** @typedef {{x: number, y: number, touch: boolean}} Place CSS pixels from the stage's upper left corner */
@@ -94,9 +94,10 @@ export function createHover(engine, { ratio, mark, light, choose, reading, zoom,
         }
         card.hidden = false;
         const { width, height } = card.getBoundingClientRect();
+        const apart = place.touch ? APART.touch : APART.mouse;
         const room = { width: stage.clientWidth, height: stage.clientHeight };
-        const left = place.x + APART + width < room.width ? place.x + APART : Math.max(8, place.x - APART - width);
-        const top = place.y + APART + height < room.height - (place.touch ? FOOT : 0) ? place.y + APART : Math.max(8, place.y - APART - height);
+        const left = place.x + apart + width < room.width ? place.x + apart : Math.max(8, place.x - apart - width);
+        const top = place.y + apart + height < room.height - (place.touch ? FOOT : 0) ? place.y + apart : Math.max(8, place.y - apart - height);
         card.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
     }
 

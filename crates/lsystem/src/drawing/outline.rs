@@ -12,7 +12,7 @@ const MANY: usize = 4096;
 impl Drawing {
     /// The corners, counter-clockwise, of a convex polygon around the axes of the segments with these numbers (0-based,
     /// in drawing order), in model units; one or two where they lie on a point or a line, none where there are no such
-    /// segments. Blocks are taken whole, so it takes as long as they are nested deep, however many segments there are.
+    /// segments. It is the smallest one, unless that has very many corners. Blocks are taken whole, so it takes as long as they are nested deep, however many segments there are.
     #[must_use]
     pub fn outline(&self, segments: Range<u128>) -> Vec<[f64; 2]> {
         let mut search = Search { drawing: self, segments, corners: vec![], directions: Directions::new() };
