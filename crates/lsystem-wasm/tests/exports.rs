@@ -124,9 +124,10 @@ fn a_playground_draws_and_reads_in_place() {
     assert!(playground.segment(5_u128.pow(40)).unwrap().is_null());
     let part = playground.part(1, 10, 40).unwrap();
     assert_eq!(text(&get(&part, "segments"), "1"), 5_u128.pow(40).to_string());
-    assert!(Array::unchecked_from_js(get(&part, "outline")).length() > 2);
+    let outline: Array = get(&part, "outline").unchecked_into();
+    assert!(outline.length() > 2);
     // The tip of the plant is the highest point of the fitted picture.
-    let tip = Array::from(&get(&last, "fittedTo"));
+    let tip: Array = get(&last, "fittedTo").unchecked_into();
     assert!((tip.get(1).as_f64().unwrap() - 0.5).abs() < 1e-9);
     // The stem goes up the picture; to its right, below the first leaves, is nothing.
     assert!(!playground.pick(32.0, 60.0, 6.0).unwrap().is_null());

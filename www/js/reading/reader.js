@@ -127,8 +127,8 @@ export function createReader(engine, { mark, opened }) {
         if (length === 0n) return setText(html('reader-where'), 'There are no symbols.');
         const last = within(first + BigInt(Math.ceil(rows.height / rows.rowHeight)) * BigInt(rows.columns), 0n, length);
         const beyond = length === REACH ? ', of which the first 3.4 × 10³⁸ can be read' : '';
-        setText(html('reader-where'), `${grouped(String(first + 1n))} to ${short(last)} of ${shortText(digits)}${beyond}`);
-        html('reader-where').title = `${grouped(digits)} symbols`;
+        setText(html('reader-where'), `${first < 10n ** 20n ? grouped(String(first + 1n)) : short(first + 1n)} to ${short(last)} of ${shortText(digits)}${beyond}`);
+        html('reader-where').title = `From ${grouped(String(first + 1n))} to ${grouped(String(last))} of ${grouped(digits)} symbols`;
     }
 
     /** @param {bigint} count */
