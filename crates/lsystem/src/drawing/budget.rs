@@ -1,6 +1,6 @@
 //! Whether a drawing stays within its limits, and up to which n it would.
 
-use super::materialise::{Outcome, Tally};
+use super::materialise::{Census, Outcome};
 use crate::turtle::{Op, Score};
 use crate::{LimitName, Limits, Program, Rewrite, SymbolId};
 
@@ -72,13 +72,13 @@ pub(crate) struct Search {
     fits: Option<u32>,
     exceeds: u32,
     trial: u32,
-    tally: Tally,
+    census: Census,
 }
 
 impl Search {
     /// Generation `n` passed `limit`.
     pub(crate) fn new(limit: LimitName, n: u32, seed: u32) -> Self {
-        Self { limit, fits: None, exceeds: n, trial: 0, tally: Tally::new(0, seed) }
+        Self { limit, fits: None, exceeds: n, trial: 0, census: Census::new(0, seed) }
     }
 
     /// Works on for `left` letters; `Some` at the end.
@@ -94,7 +94,7 @@ impl Search {
         if first >= self.exceeds {
             return Some(Exceeded { limit: self.limit, largest: self.fits });
         }
-        match self.tally.step(program, score, limits, left, |_| {}) {
+        match self.census.step(program, score, limits, left, |_| {}) {
             Outcome::Paused => return None,
             Outcome::Ended(()) => self.fits = Some(self.trial),
             Outcome::Passed(limit) => (self.exceeds, self.limit) = (self.trial, limit),
@@ -103,7 +103,7 @@ impl Search {
         // more than the limit.
         let first = self.fits.map_or(0, |fits| fits + 1);
         self.trial = (first + first.min(self.exceeds.saturating_sub(first) / 2)).max(first);
-        self.tally = Tally::new(self.trial, seed);
+        self.census = Census::new(self.trial, seed);
         None
     }
 }

@@ -8,11 +8,11 @@ use crate::walk::{Next, Walk};
 use crate::{LimitName, Limits, Program, Turtle};
 
 /// What an open branch costs in units of work: its turtle's state takes the memory of as many letters.
-const BRANCH: u64 = 32;
+pub(super) const BRANCH: u64 = 32;
 
 /// What a derivation has cost so far.
 #[derive(Clone, Debug)]
-pub(crate) struct Tally {
+pub(crate) struct Census {
     walk: Walk,
     symbols: u64,
     segments: u64,
@@ -31,7 +31,7 @@ pub(crate) enum Outcome<T> {
     Passed(LimitName),
 }
 
-impl Tally {
+impl Census {
     pub(crate) fn new(n: u32, seed: u32) -> Self {
         Self { walk: Walk::new(n, seed), symbols: 0, segments: 0, open: 0, deepest: 0 }
     }
@@ -92,7 +92,7 @@ impl Tally {
 /// A tree of blocks in the making.
 #[derive(Clone, Debug)]
 pub(crate) struct Materialiser {
-    tally: Tally,
+    census: Census,
     pen: Pen,
     saved: Vec<Pen>,
     tree: Tree,
@@ -102,7 +102,7 @@ pub(crate) struct Materialiser {
 impl Materialiser {
     pub(crate) fn new(turtle: &Turtle, score: &Score, seed: u32, n: u32) -> Self {
         Self {
-            tally: Tally::new(n, seed),
+            census: Census::new(n, seed),
             pen: Pen { at: [0.0; 2], heading: turtle.heading, style: StyleChange::start(score.width) },
             saved: vec![],
             tree: Tree::new(score.exponent),
@@ -111,12 +111,12 @@ impl Materialiser {
     }
 
     pub(crate) fn fraction(&self, program: &Program) -> f64 {
-        self.tally.fraction(program)
+        self.census.fraction(program)
     }
 
     /// The symbols met so far.
     pub(crate) fn symbols(&self) -> u64 {
-        self.tally.symbols
+        self.census.symbols
     }
 
     /// Goes on for `left` letters.
@@ -128,8 +128,8 @@ impl Materialiser {
         limits: &Limits,
         left: &mut u64,
     ) -> Outcome<Option<BlockId>> {
-        let Self { tally, pen, saved, tree, directions } = self;
-        let outcome = tally.step(program, score, limits, left, |ops| {
+        let Self { census, pen, saved, tree, directions } = self;
+        let outcome = census.step(program, score, limits, left, |ops| {
             pen.act(ops, saved, 1.0, directions, |from, to, style| tree.push(builder, from, to, style));
         });
         match outcome {

@@ -1,14 +1,13 @@
 //! Drawing a whole generation, for productions that look around themselves or compute.
 
 use super::builder::Builder;
+use super::materialise::BRANCH;
 use super::tree::Tree;
 use super::{BlockId, StyleChange};
 use crate::derivation::{fault, limit};
 use crate::turtle::{Directions, Op, Pen, Score, exponent_of};
 use crate::{Diagnostic, Fault, Image, LimitName, Limits, Rewriter, Rules, Turtle};
 
-/// What an open branch costs in units of work: its turtle's state takes the memory of as many letters.
-const BRANCH: u64 = 32;
 /// Modules read between two looks at the caller's budget.
 const PIECE: usize = 1 << 12;
 
