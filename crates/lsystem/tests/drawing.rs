@@ -128,7 +128,7 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
             let least = |points: &[[f64; 2]]| points.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
             let most = |points: &[[f64; 2]]| points.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
             if !ends.is_empty() {
-                let room = 1e-9 * extent + if outline.len() > 32 { 0.01 * extent } else { 0.0 };
+                let room = 1e-9 * extent + if ends.len() > 64 { 0.01 * extent } else { 0.0 };
                 prop_assert!((-1e-9 * extent..=room).contains(&(least(&ends) - least(&outline))));
                 prop_assert!((-1e-9 * extent..=room).contains(&(most(&outline) - most(&ends))));
             }
