@@ -77,7 +77,9 @@ fn expression(expr: &Expr, outer: u8, out: &mut String) {
 fn patterns(patterns: &[Pattern], out: &mut String) {
     for one in patterns {
         let empty = patterns.len() == 1 && one.parameters.is_empty() && matches!(one.symbol, '*' | 'ε');
-        pattern(one, empty, out);
+        // A line that begins with two slashes is a comment.
+        let comment = out.is_empty() && one.symbol == '/';
+        pattern(one, empty || comment, out);
     }
 }
 

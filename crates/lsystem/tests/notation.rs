@@ -186,3 +186,10 @@ proptest! {
         prop_assert_eq!(diagnostics, vec![]);
     }
 }
+
+#[test]
+fn a_context_of_slashes_is_no_comment() {
+    let (grammar, diagnostics) = parse("", "`/`/ < F -> G");
+    assert!(!is_wrong(&diagnostics), "{diagnostics:?}");
+    assert_eq!(print_rules(&grammar), "`/`/ < F -> G");
+}
