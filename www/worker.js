@@ -109,14 +109,15 @@
             playground.play(upto ?? undefined);
             seen = true;
         }
-        const question = questions.shift();
-        if (question) answer(question);
         const idle = !seen || step();
+        // Questions are about the newest definition, whose drawing may still be in the making.
+        const question = playground.built ? questions.shift() : undefined;
+        if (question) answer(question);
         if (idle && questions.length === 0) {
             if (!thumb && thumbs.length > 0) thumb = beginThumb(thumbs.shift());
             if (thumb) paintThumb();
         }
-        if (!idle || newDefine || newView || questions.length > 0 || thumb || thumbs.length > 0) wake();
+        if (!idle || newDefine || newView || (questions.length > 0 && playground.built) || thumb || thumbs.length > 0) wake();
     }
 
     /** @returns {boolean} whether there is nothing more to do */
@@ -153,17 +154,17 @@
         } else if (type === 'seed') {
             self.postMessage({ type: 'seed', id, seed: wasm.fresh_seed() });
         } else if (type === 'png') {
-            const sheet = new OffscreenCanvas(1, 1);
-            playground.snapshot(sheet, width, height);
-            tagged(sheet, question.definition).then(
+            tagged(question).then(
                 (blob) => self.postMessage({ type: 'png', id, blob }),
                 () => self.postMessage({ type: 'png', id, blob: null }),
             );
         }
     }
 
-    /** A PNG file that carries its system, so that it can be opened again. @param {OffscreenCanvas} sheet @param {any} definition */
-    async function tagged(sheet, definition) {
+    /** A PNG file that carries its system, so that it can be opened again. @param {any} question */
+    async function tagged({ width, height, definition }) {
+        const sheet = new OffscreenCanvas(1, 1);
+        playground.snapshot(sheet, width, height);
         const plain = await sheet.convertToBlob({ type: 'image/png' });
         const bytes = wasm.tag_png(new Uint8Array(await plain.arrayBuffer()), definition);
         return new Blob([/** @type {Uint8Array<ArrayBuffer>} */ (bytes)], { type: 'image/png' });

@@ -76,12 +76,21 @@ async function load(url) {
 }
 
 /**
- * @param {{worker: string, wasm: string}} urls
+ * A worker and its wasm, by address.
+ * @typedef {{worker: string, wasm: string}} Kit
+ */
+
+/**
+ * @param {Kit[]} kits the one to start with, and the one that can do everything
  * @param {Events} events
  */
-export function createEngine(urls, events) {
-    /** @type {Promise<ArrayBuffer> | null} */
+export function createEngine(kits, events) {
+    let kit = kits[0];
+    const full = kits[kits.length - 1];
+    /** The wasm of the kit in use. @type {Promise<ArrayBuffer> | null} */
     let wasm = null;
+    /** The full kit on its way. @type {Promise<void> | null} */
+    let growing = null;
     /** @type {Worker | null} */
     let worker = null;
     /** Whether the worker has been handed the wasm, so that it can be asked. */
@@ -103,13 +112,13 @@ export function createEngine(urls, events) {
     let patience = 0;
     /** Views sent and not yet drawn. @type {Map<number, Look>} */
     const views = new Map();
-    /** @type {Map<number, {resolve: (answer: any) => void, reject: (reason: Error) => void}>} */
+    /** Questions without an answer yet. @type {Map<number, {request: object, resolve: (answer: any) => void, reject: (reason: Error) => void}>} */
     const asked = new Map();
 
     start();
 
     function start() {
-        const fresh = new Worker(urls.worker);
+        const fresh = new Worker(kit.worker);
         worker = fresh;
         ready = false;
         clearTimeout(patience);
@@ -121,13 +130,14 @@ export function createEngine(urls, events) {
             event.preventDefault();
             if (worker === fresh) fail(event.message || 'the worker did not start');
         };
-        wasm ??= load(urls.wasm);
+        wasm ??= load(kit.wasm);
         wasm.then(
             (bytes) => {
                 if (worker !== fresh) return;
                 fresh.postMessage({ type: 'init', wasm: bytes });
                 ready = true;
                 send();
+                for (const { request } of asked.values()) fresh.postMessage(request);
             },
             (error) => {
                 wasm = null;
@@ -205,16 +215,42 @@ export function createEngine(urls, events) {
         events.failed(message, again);
     }
 
-    /** @param {object} request @returns {Promise<any>} */
-    async function ask(request) {
+    /** @param {object} question @returns {Promise<any>} */
+    async function ask(question) {
         revive();
         await wasm;
         return new Promise((resolve, reject) => {
             if (!worker) return reject(new Error('the drawing engine has stopped'));
             const id = ++lastId;
-            asked.set(id, { resolve, reject });
-            worker.postMessage({ ...request, id });
+            const request = { ...question, id };
+            asked.set(id, { request, resolve, reject });
+            if (ready) worker.postMessage(request);
         });
+    }
+
+    /** Goes over to the full kit, with the same state and the questions under way. The picture stays meanwhile. */
+    function grow() {
+        if (kit === full) return Promise.resolve();
+        growing ??= load(full.wasm).then(
+            (bytes) => {
+                kit = full;
+                wasm = Promise.resolve(bytes);
+                views.clear();
+                worker?.terminate();
+                start();
+            },
+            (error) => {
+                growing = null;
+                throw error;
+            },
+        );
+        return growing;
+    }
+
+    /** Asks what only the full kit can answer. @param {object} question @returns {Promise<any>} */
+    async function askFull(question) {
+        await grow();
+        return ask(question);
     }
 
     /** After a failure for good, new input or a question is worth a fresh start. */
@@ -263,15 +299,14 @@ export function createEngine(urls, events) {
         /** What is drawn near a place, in device pixels. @param {number} x @param {number} y @param {number} tolerance @returns {Promise<Picked>} */
         pick: (x, y, tolerance) => ask({ type: 'pick', x, y, tolerance }),
 
-
         /** @param {ArrayBuffer} bytes of a JSON file, or of a picture saved here @returns {Promise<FileRead>} */
-        read: (bytes) => ask({ type: 'read', bytes }),
+        read: (bytes) => askFull({ type: 'read', bytes }),
 
         /** @param {'svg' | 'svg-compact' | 'csv' | 'txt' | 'json'} format @returns {Promise<Exported>} */
-        export: (format) => ask({ type: 'export', format }),
+        export: (format) => askFull({ type: 'export', format }),
 
         /** @param {number} width @param {number} height @param {Definition} carried in the file, to open it again @returns {Promise<Blob | null>} */
-        png: async (width, height, carried) => (await ask({ type: 'png', width, height, definition: carried })).blob,
+        png: async (width, height, carried) => (await askFull({ type: 'png', width, height, definition: carried })).blob,
 
         /** @returns {Promise<number>} */
         seed: async () => (await ask({ type: 'seed' })).seed,

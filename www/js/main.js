@@ -26,9 +26,15 @@ import { theme, themeButton } from './theme.js';
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./engine.js').Report} Report */
 
+/** The small wasm is enough for a first picture; the other has files and exports too. */
+const KITS = [
+    { worker: 'worker.js', wasm: 'lsystem.wasm' },
+    { worker: 'worker-full.js', wasm: 'lsystem-full.wasm' },
+];
+
 const link = readLink(location.hash);
 const store = createStore(link ? link.state : opening(theme()));
-const engine = createEngine({ worker: 'worker.js', wasm: 'lsystem.wasm' }, { report: reported, drawn, busy, failed });
+const engine = createEngine(KITS, { report: reported, drawn, busy, failed });
 engine.define(definitionOf(store.state));
 const marks = createMarks();
 const stage = createStage(store, engine, marks);

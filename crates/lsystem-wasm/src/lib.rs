@@ -7,16 +7,20 @@
 //! with UTF-16 spans, thrown by the plain functions as `{diagnostics: [..]}`.
 
 mod clock;
+#[cfg(feature = "full")]
+mod files;
 mod playground;
 mod reading;
 mod report;
 mod surface;
 
+#[cfg(feature = "full")]
+pub use files::{read, read_file, tag_png};
 pub use playground::Playground;
 pub use report::{Problem, Report};
 
-use lsystem::{Definition, Diagnostic, FileContent, Limits, System};
-use report::{Failure, FileReport, problems};
+use lsystem::{Definition, Diagnostic, Limits, System};
+use report::{Failure, problems};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -64,38 +68,6 @@ pub fn draw(definition: JsValue, n: u32) -> Result<Segments, JsValue> {
         colours: arrays.colours.as_slice().into(),
         levels: arrays.levels.as_slice().into(),
     })
-}
-
-/// Reads a JSON file's text: `{definition, diagnostics}`, the definition null where the file cannot be used.
-///
-/// # Errors
-/// Throws only where the result cannot be translated.
-#[wasm_bindgen]
-pub fn read(text: &str) -> Result<JsValue, JsValue> {
-    let (definition, diagnostics) = lsystem::read_json(text);
-    let texts = definition.clone().unwrap_or_default();
-    to_js(&FileReport { definition, diagnostics: problems(&diagnostics, &texts, text) })
-}
-
-/// Reads a file's bytes, be it JSON or a PNG or SVG picture that carries its system: as [`read`].
-///
-/// # Errors
-/// Throws only where the result cannot be translated.
-#[wasm_bindgen]
-pub fn read_file(bytes: &[u8]) -> Result<JsValue, JsValue> {
-    let FileContent { definition, diagnostics, json } = lsystem::read_file(bytes);
-    let texts = definition.clone().unwrap_or_default();
-    to_js(&FileReport { definition, diagnostics: problems(&diagnostics, &texts, &json) })
-}
-
-/// A PNG file with a definition in it, so that [`read_file`] finds it again; bytes that are no PNG file as they are.
-///
-/// # Errors
-/// Throws where the argument is not a definition at all.
-#[wasm_bindgen]
-pub fn tag_png(bytes: Vec<u8>, definition: JsValue) -> Result<Vec<u8>, JsValue> {
-    let definition = from_js(definition)?;
-    Ok(lsystem::tag_png(&bytes, &lsystem::write_json(&definition)).unwrap_or(bytes))
 }
 
 /// A fresh seed.

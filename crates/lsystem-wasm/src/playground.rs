@@ -2,12 +2,12 @@
 
 use crate::clock::Clock;
 use crate::reading::Written;
-use crate::report::{ExportReport, Report, legend_of, problems};
+use crate::report::{Report, legend_of, problems};
 use crate::surface::Surface;
 use crate::{LIMITS, from_js, to_js};
 use lsystem::{
-    Definition, Diagnostic, Drawer, Drawing, Kind, Progress, Renderer, SvgForm, SvgOptions, System, View, Viewport,
-    count_segments, count_symbols, describe, expand, fitted_scale, why_empty, write_csv, write_json, write_svg,
+    Definition, Diagnostic, Drawer, Drawing, Kind, Progress, Renderer, System, View, Viewport, count_segments,
+    count_symbols, describe, fitted_scale, why_empty,
 };
 use serde::Serialize;
 use std::sync::Arc;
@@ -15,10 +15,7 @@ use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
 
 /// Work units between two looks at the clock: well under a millisecond each.
-const WORK: usize = 16_384;
-
-/// Segments that are written as text at most: more than any program opens.
-const TEXT_SEGMENTS: u64 = 2_000_000;
+pub(crate) const WORK: usize = 16_384;
 
 /// An L-system between edits: its drawing, and the picture on the canvas.
 #[wasm_bindgen]
@@ -26,13 +23,13 @@ pub struct Playground {
     surface: Surface,
     clock: Clock,
     /// What the shown drawing is of.
-    definition: Definition,
+    pub(crate) definition: Definition,
     pub(crate) system: Option<System>,
     pub(crate) drawing: Option<Arc<Drawing>>,
     pub(crate) written: Option<Written>,
     /// The drawing that is being built.
     drawer: Option<Drawer>,
-    report: Report,
+    pub(crate) report: Report,
     /// Whether the page has not seen the report yet.
     news: bool,
     renderer: Renderer,
@@ -166,6 +163,12 @@ impl Playground {
         }
     }
 
+    /// Whether no drawing is being built.
+    #[wasm_bindgen(getter)]
+    pub fn built(&self) -> bool {
+        self.drawer.is_none()
+    }
+
     /// Works for about `budget` milliseconds: `{report, drawn: {complete, scale}, idle}`, parts null without news.
     ///
     /// # Errors
@@ -186,63 +189,11 @@ impl Playground {
         let report = core::mem::take(&mut self.news).then_some(&self.report);
         to_js(&Step { report, drawn, idle: self.is_idle() })
     }
-
-    /// The system as text: `svg`, `svg-compact`, `csv`, `txt` (the string) or `json`; `{text, diagnostics}`, the text
-    /// null where a limit was passed.
-    ///
-    /// # Errors
-    /// Throws where there is no such format or no drawing yet.
-    pub fn export(&self, format: &str) -> Result<JsValue, JsValue> {
-        let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else {
-            return Err("nothing has been drawn yet".into());
-        };
-        let svg = |form| {
-            let svg = write_svg(drawing, &system.style, &self.svg_options(form))?;
-            let warning = svg.warning();
-            Ok((svg.text, warning))
-        };
-        let exported = match format {
-            "json" => Ok((write_json(&self.definition), None)),
-            "txt" => expand(system, self.definition.iterations, &LIMITS).map(|text| (text + "\n", None)),
-            "svg" => svg(SvgForm::Flat),
-            "svg-compact" => svg(SvgForm::Compact),
-            "csv" => write_csv(drawing, TEXT_SEGMENTS).map(|text| (text, None)),
-            _ => return Err(format!("there is no format `{format}`").into()),
-        };
-        let (text, diagnostic) = match exported {
-            Ok((text, warning)) => (Some(text), warning),
-            Err(limit) => (None, Some(limit)),
-        };
-        to_js(&ExportReport { text, diagnostics: problems(diagnostic.as_slice(), &self.definition, "") })
-    }
-
-    /// Paints the current view at another size onto another canvas, to the end.
-    ///
-    /// # Errors
-    /// Throws where the canvas refuses the picture.
-    pub fn snapshot(&self, canvas: OffscreenCanvas, width: u32, height: u32) -> Result<(), JsValue> {
-        let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else {
-            return Err("nothing has been drawn yet".into());
-        };
-        let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
-        let mut renderer = Renderer::new();
-        renderer.load(drawing.clone());
-        renderer.begin_until(&system.style, Viewport { width, height, ratio }, self.view, self.upto);
-        while renderer.step(WORK) == Progress::More {}
-        Surface::new(canvas)?.show(renderer.pixels(), width, height)
-    }
 }
 
 impl Playground {
     pub(crate) fn shown_iterations(&self) -> u32 {
         self.definition.iterations
-    }
-
-    fn svg_options(&self, form: SvgForm) -> SvgOptions {
-        let Definition { title, name, .. } = &self.definition;
-        let title = if title.is_empty() { name.clone() } else { title.clone() };
-        let (description, system) = (self.report.description.clone(), write_json(&self.definition));
-        SvgOptions { title, description, system, form, most: TEXT_SEGMENTS, ..SvgOptions::default() }
     }
 
     fn is_idle(&self) -> bool {

@@ -58,20 +58,6 @@ pub struct Legend {
     pub rewritten: bool,
 }
 
-/// What a file says.
-#[derive(Serialize)]
-pub(crate) struct FileReport {
-    pub(crate) definition: Option<Definition>,
-    pub(crate) diagnostics: Vec<Problem>,
-}
-
-/// What an export gives.
-#[derive(Serialize)]
-pub(crate) struct ExportReport {
-    pub(crate) text: Option<String>,
-    pub(crate) diagnostics: Vec<Problem>,
-}
-
 /// What a plain function throws.
 #[derive(Serialize)]
 pub(crate) struct Failure {

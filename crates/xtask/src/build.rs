@@ -9,24 +9,39 @@ use std::path::{Path, PathBuf};
 /// The boundary crate's library, and what is generated for it.
 const NAME: &str = "lsystem_wasm";
 
+/// A wasm with its worker: the page starts with a small one, and takes the full one when it needs more.
+struct Kit {
+    /// Cargo's options.
+    features: &'static [&'static str],
+    worker: &'static str,
+    wasm: &'static str,
+}
+
+const FIRST: Kit = Kit { features: &["--no-default-features"], worker: "worker.js", wasm: "lsystem.wasm" };
+const FULL: Kit = Kit { features: &[], worker: "worker-full.js", wasm: "lsystem-full.wasm" };
+
 /// Builds everything and puts it in place of `dist/` at once: whoever reads `dist/` finds the old site or the new one.
 pub(crate) fn build(workspace: &Workspace) -> Result<()> {
-    let generated = wasm(workspace)?;
     let new = tempfile::Builder::new().prefix(".dist-").tempdir_in(&workspace.root)?;
     let site = new.path().join("site");
     page(&workspace.www(), &site)?;
-    worker(&workspace.www(), &generated, &site)?;
-    fs::copy(generated.join(format!("{NAME}_bg.wasm")), site.join("lsystem.wasm"))?;
+    // The full one last: its types are left for the page's check.
+    for kit in [FIRST, FULL] {
+        let generated = wasm(workspace, &kit)?;
+        worker(&workspace.www(), &generated, &site.join(kit.worker))?;
+        fs::copy(generated.join(format!("{NAME}_bg.wasm")), site.join(kit.wasm))?;
+    }
     let gallery = gallery::gallery(&workspace.root.join("data_in"))?;
     files::write(&site.join("gallery.json"), gallery.to_string())?;
     replace(&site, &workspace.dist(), &new.path().join("old"))
 }
 
 /// Compiles the boundary crate and generates its JavaScript; returns the folder it is in.
-fn wasm(workspace: &Workspace) -> Result<PathBuf> {
+fn wasm(workspace: &Workspace, kit: &Kit) -> Result<PathBuf> {
     tools::wasm_target()?;
     let target = tools::WASM_TARGET;
-    run(&mut workspace.cargo(["build", "--release", "--lib", "--package=lsystem-wasm", "--target", target]))?;
+    let words = ["build", "--release", "--lib", "--package=lsystem-wasm", "--target", target];
+    run(&mut workspace.cargo(words.iter().chain(kit.features).copied()))?;
     // The page's type check reads the generated types here: www/tsconfig.worker.json.
     let out = workspace.root.join("target/wasm-bindgen");
     let wasm = workspace.target.join(target).join(format!("release/{NAME}.wasm"));
@@ -56,10 +71,10 @@ fn is_shipped(path: &Path) -> bool {
 
 /// One classic script from the generated JavaScript and ours: module workers and imports fail in sandboxed frames and
 /// from files, one script handed over as text does not.
-fn worker(www: &Path, generated: &Path, site: &Path) -> Result<()> {
+fn worker(www: &Path, generated: &Path, script: &Path) -> Result<()> {
     let glue = files::read_text(&generated.join(format!("{NAME}.js")))?;
     let ours = files::read_text(&www.join("worker.js"))?;
-    files::write(&site.join("worker.js"), format!("{glue}\n{ours}"))
+    files::write(script, format!("{glue}\n{ours}"))
 }
 
 /// Puts `new` where `place` is, moving what is there to `old`.
@@ -101,11 +116,11 @@ mod tests {
     #[test]
     fn joins_the_worker() -> Result<()> {
         let folder = tempfile::tempdir()?;
-        let [www, generated, site] = ["www", "generated", "site"].map(|name| folder.path().join(name));
+        let [www, generated, script] = ["www", "generated", "script.js"].map(|name| folder.path().join(name));
         files::write(&www.join("worker.js"), "use(glue)")?;
         files::write(&generated.join("lsystem_wasm.js"), "let glue = 1;")?;
-        worker(&www, &generated, &site)?;
-        assert_eq!(files::read_text(&site.join("worker.js"))?, "let glue = 1;\nuse(glue)");
+        worker(&www, &generated, &script)?;
+        assert_eq!(files::read_text(&script)?, "let glue = 1;\nuse(glue)");
         Ok(())
     }
 }

@@ -15,14 +15,17 @@ struct Size {
     gzip: usize,
 }
 
-/// Compares `dist/lsystem.wasm` with the committed limit and says how they stand.
+/// Compares the two wasm files of `dist/` with the committed limits and says how they stand.
 pub(crate) fn check(workspace: &Workspace) -> Result<()> {
-    let size = measure(&files::read(&workspace.dist().join("lsystem.wasm"))?)?;
     let file = "crates/lsystem-wasm/size-limit.txt";
-    let limit = read(&files::read_text(&workspace.root.join(file))?).with_context(|| format!("in {file}"))?;
-    println!("lsystem.wasm: {size}; limit {limit}");
-    if size.raw > limit.raw || size.gzip > limit.gzip {
-        bail!("lsystem.wasm has outgrown its limit: make it smaller, or raise the limit in {file} and say why");
+    let limits = files::read_text(&workspace.root.join(file))?;
+    for name in ["lsystem.wasm", "lsystem-full.wasm"] {
+        let size = measure(&files::read(&workspace.dist().join(name))?)?;
+        let limit = read(&limits, name).with_context(|| format!("in {file}"))?;
+        println!("{name}: {size}; limit {limit}");
+        if size.raw > limit.raw || size.gzip > limit.gzip {
+            bail!("{name} has outgrown its limit: make it smaller, or raise the limit in {file} and say why");
+        }
     }
     Ok(())
 }
@@ -33,14 +36,17 @@ fn measure(bytes: &[u8]) -> Result<Size> {
     Ok(Size { raw: bytes.len(), gzip: encoder.finish()?.len() })
 }
 
-/// Reads lines of `raw N` and `gzip N`; `#` starts a comment line.
-fn read(text: &str) -> Result<Size> {
-    let number = |name| {
-        let mut lines = text.lines().filter_map(|line| line.split_once(' '));
-        let value = lines.find(|(first, _)| *first == name).and_then(|(_, value)| value.trim().parse().ok());
-        value.with_context(|| format!("there is no line `{name} N`"))
+/// Reads the line `name: N raw, N gzip`; `#` starts a comment line.
+fn read(text: &str, name: &str) -> Result<Size> {
+    let line = text.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(':'));
+    let number = |unit| {
+        let mut parts = line?.split(',').filter_map(|part| part.trim().split_once(' '));
+        parts.find(|(_, its)| *its == unit)?.0.parse().ok()
     };
-    Ok(Size { raw: number("raw")?, gzip: number("gzip")? })
+    match (number("raw"), number("gzip")) {
+        (Some(raw), Some(gzip)) => Ok(Size { raw, gzip }),
+        _ => bail!("there is no line `{name}: N raw, N gzip`"),
+    }
 }
 
 impl fmt::Display for Size {
@@ -55,9 +61,12 @@ mod tests {
 
     #[test]
     fn reads_limits() {
-        assert_eq!(read("# why\nraw 20\ngzip 10\n").unwrap(), Size { raw: 20, gzip: 10 });
-        assert!(read("raw 20\n").is_err());
-        assert!(read("raw 20\ngzip ten\n").is_err());
+        let text = "# why\na: 20 raw, 10 gzip\nb: 4 gzip, 5 raw\nc: 3 raw\n";
+        assert_eq!(read(text, "a").unwrap(), Size { raw: 20, gzip: 10 });
+        assert_eq!(read(text, "b").unwrap(), Size { raw: 5, gzip: 4 });
+        for wrong in ["c", "d", ""] {
+            assert!(read(text, wrong).is_err(), "{wrong}");
+        }
     }
 
     #[test]

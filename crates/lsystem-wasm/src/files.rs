@@ -1,0 +1,120 @@
+//! Files: systems read from them and written to them.
+
+use crate::playground::{Playground, WORK};
+use crate::report::{Problem, problems};
+use crate::surface::Surface;
+use crate::{LIMITS, from_js, to_js};
+use lsystem::{
+    Definition, FileContent, Progress, Renderer, SvgForm, SvgOptions, Viewport, expand, write_csv, write_json,
+    write_svg,
+};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+use web_sys::OffscreenCanvas;
+
+/// Segments that are written as text at most: more than any program opens.
+const TEXT_SEGMENTS: u64 = 2_000_000;
+
+/// What a file says.
+#[derive(Serialize)]
+struct FileReport {
+    definition: Option<Definition>,
+    diagnostics: Vec<Problem>,
+}
+
+/// What an export gives.
+#[derive(Serialize)]
+struct ExportReport {
+    text: Option<String>,
+    diagnostics: Vec<Problem>,
+}
+
+/// Reads a JSON file's text: `{definition, diagnostics}`, the definition null where the file cannot be used.
+///
+/// # Errors
+/// Throws only where the result cannot be translated.
+#[wasm_bindgen]
+pub fn read(text: &str) -> Result<JsValue, JsValue> {
+    let (definition, diagnostics) = lsystem::read_json(text);
+    let texts = definition.clone().unwrap_or_default();
+    to_js(&FileReport { definition, diagnostics: problems(&diagnostics, &texts, text) })
+}
+
+/// Reads a file's bytes, be it JSON or a PNG or SVG picture that carries its system: as [`read`].
+///
+/// # Errors
+/// Throws only where the result cannot be translated.
+#[wasm_bindgen]
+pub fn read_file(bytes: &[u8]) -> Result<JsValue, JsValue> {
+    let FileContent { definition, diagnostics, json } = lsystem::read_file(bytes);
+    let texts = definition.clone().unwrap_or_default();
+    to_js(&FileReport { definition, diagnostics: problems(&diagnostics, &texts, &json) })
+}
+
+/// A PNG file with a definition in it, so that [`read_file`] finds it again; bytes that are no PNG file as they are.
+///
+/// # Errors
+/// Throws where the argument is not a definition at all.
+#[wasm_bindgen]
+pub fn tag_png(bytes: Vec<u8>, definition: JsValue) -> Result<Vec<u8>, JsValue> {
+    let definition = from_js(definition)?;
+    Ok(lsystem::tag_png(&bytes, &write_json(&definition)).unwrap_or(bytes))
+}
+
+#[wasm_bindgen]
+impl Playground {
+    /// The system as text: `svg`, `svg-compact`, `csv`, `txt` (the string) or `json`; `{text, diagnostics}`, the text
+    /// null where a limit was passed or nothing has been drawn.
+    ///
+    /// # Errors
+    /// Throws where there is no such format.
+    pub fn export(&self, format: &str) -> Result<JsValue, JsValue> {
+        let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else {
+            // The report says why nothing has been drawn.
+            return to_js(&ExportReport { text: None, diagnostics: self.report.diagnostics.clone() });
+        };
+        let svg = |form| {
+            let svg = write_svg(drawing, &system.style, &self.svg_options(form))?;
+            let warning = svg.warning();
+            Ok((svg.text, warning))
+        };
+        let exported = match format {
+            "json" => Ok((write_json(&self.definition), None)),
+            "txt" => expand(system, self.definition.iterations, &LIMITS).map(|text| (text + "\n", None)),
+            "svg" => svg(SvgForm::Flat),
+            "svg-compact" => svg(SvgForm::Compact),
+            "csv" => write_csv(drawing, TEXT_SEGMENTS).map(|text| (text, None)),
+            _ => return Err(format!("there is no format `{format}`").into()),
+        };
+        let (text, diagnostic) = match exported {
+            Ok((text, warning)) => (Some(text), warning),
+            Err(limit) => (None, Some(limit)),
+        };
+        to_js(&ExportReport { text, diagnostics: problems(diagnostic.as_slice(), &self.definition, "") })
+    }
+
+    /// Paints the current view at another size onto another canvas, to the end.
+    ///
+    /// # Errors
+    /// Throws where the canvas refuses the picture.
+    pub fn snapshot(&self, canvas: OffscreenCanvas, width: u32, height: u32) -> Result<(), JsValue> {
+        let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else {
+            return Err("nothing has been drawn yet".into());
+        };
+        let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
+        let mut renderer = Renderer::new();
+        renderer.load(drawing.clone());
+        renderer.begin_until(&system.style, Viewport { width, height, ratio }, self.view, self.upto);
+        while renderer.step(WORK) == Progress::More {}
+        Surface::new(canvas)?.show(renderer.pixels(), width, height)
+    }
+}
+
+impl Playground {
+    fn svg_options(&self, form: SvgForm) -> SvgOptions {
+        let Definition { title, name, .. } = &self.definition;
+        let title = if title.is_empty() { name.clone() } else { title.clone() };
+        let (description, system) = (self.report.description.clone(), write_json(&self.definition));
+        SvgOptions { title, description, system, form, most: TEXT_SEGMENTS, ..SvgOptions::default() }
+    }
+}
