@@ -4,6 +4,7 @@
  * the newest supersedes it. A worker that fails is replaced by a fresh one with the same state.
  */
 
+import { bytesOf, scriptAddress } from './files.js';
 import { same } from './state.js';
 
 /** @typedef {import('./state.js').Definition} Definition */
@@ -68,15 +69,8 @@ const PATIENCE = 250;
 /** A worker that fails this often in a row with the same state is not started again. */
 const MOST_FAILURES = 2;
 
-/** @param {string} url */
-async function load(url) {
-    const response = await fetch(url);
-    if (!response.ok) throw new Error(`${url}: ${response.status}`);
-    return response.arrayBuffer();
-}
-
 /**
- * A worker and its wasm, by address.
+ * A worker and its wasm, by name.
  * @typedef {{worker: string, wasm: string}} Kit
  */
 
@@ -118,7 +112,7 @@ export function createEngine(kits, events) {
     start();
 
     function start() {
-        const fresh = new Worker(kit.worker);
+        const fresh = new Worker(scriptAddress(kit.worker));
         worker = fresh;
         ready = false;
         clearTimeout(patience);
@@ -130,7 +124,7 @@ export function createEngine(kits, events) {
             event.preventDefault();
             if (worker === fresh) fail(event.message || 'the worker did not start');
         };
-        wasm ??= load(kit.wasm);
+        wasm ??= bytesOf(kit.wasm);
         wasm.then(
             (bytes) => {
                 if (worker !== fresh) return;
@@ -231,7 +225,7 @@ export function createEngine(kits, events) {
     /** Goes over to the full kit, with the same state and the questions under way. The picture stays meanwhile. */
     function grow() {
         if (kit === full) return Promise.resolve();
-        growing ??= load(full.wasm).then(
+        growing ??= bytesOf(full.wasm).then(
             (bytes) => {
                 kit = full;
                 wasm = Promise.resolve(bytes);

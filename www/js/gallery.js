@@ -1,6 +1,7 @@
 /** Every system of the collection, with a small picture of each, to search and pick. */
 
 import { button, byId, html, input, make, setText } from './dom.js';
+import { jsonOf } from './files.js';
 import { clean, definitionOf } from './state.js';
 
 /** @typedef {import('./state.js').Definition} Definition */
@@ -43,9 +44,7 @@ export function createGallery(engine, { pick, dress, look }) {
     );
 
     async function fill() {
-        const response = await fetch('gallery.json');
-        if (!response.ok) throw new Error(`gallery.json: ${response.status}`);
-        const entries = /** @type {Entry[]} */ (await response.json());
+        const entries = /** @type {Entry[]} */ (await jsonOf('gallery.json'));
         for (const [folder, inside] of groups(entries)) {
             const shelf = make('div', { class: 'cards' });
             for (const entry of inside) shelf.append(newCard(entry).card);

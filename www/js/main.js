@@ -4,6 +4,7 @@ import { followAddress } from './address.js';
 import { announce, toast } from './announce.js';
 import { button, html, setText } from './dom.js';
 import { createEngine } from './engine.js';
+import { kits } from './files.js';
 import { createGallery } from './gallery.js';
 import { createHover } from './hover.js';
 import { hasInk, houseInk, isDark } from './inks.js';
@@ -26,15 +27,9 @@ import { theme, themeButton } from './theme.js';
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./engine.js').Report} Report */
 
-/** The small wasm is enough for a first picture; the other has files and exports too. */
-const KITS = [
-    { worker: 'worker.js', wasm: 'lsystem.wasm' },
-    { worker: 'worker-full.js', wasm: 'lsystem-full.wasm' },
-];
-
 const link = readLink(location.hash);
 const store = createStore(link ? link.state : opening(theme()));
-const engine = createEngine(KITS, { report: reported, drawn, busy, failed });
+const engine = createEngine(kits(), { report: reported, drawn, busy, failed });
 engine.define(definitionOf(store.state));
 const marks = createMarks();
 const stage = createStage(store, engine, marks);

@@ -1,7 +1,7 @@
 //! `cargo xtask build`: the page, the worker and the wasm in one folder that any static host can serve.
 
 use crate::workspace::{Workspace, run};
-use crate::{bindgen, files, gallery, tools};
+use crate::{bindgen, files, gallery, one_file, tools};
 use anyhow::{Context, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -20,6 +20,16 @@ struct Kit {
 const FIRST: Kit = Kit { features: &["--no-default-features"], worker: "worker.js", wasm: "lsystem.wasm" };
 const FULL: Kit = Kit { features: &[], worker: "worker-full.js", wasm: "lsystem-full.wasm" };
 
+/// A single file made of a page, with a kit and the other files that the page would fetch.
+struct Whole {
+    page: &'static str,
+    file: &'static str,
+    kit: &'static Kit,
+    more: &'static [&'static str],
+}
+
+const WHOLE: [Whole; 1] = [Whole { page: "index.html", file: "playground.html", kit: &FULL, more: &["gallery.json"] }];
+
 /// Builds everything and puts it in place of `dist/` at once: whoever reads `dist/` finds the old site or the new one.
 pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     let new = tempfile::Builder::new().prefix(".dist-").tempdir_in(&workspace.root)?;
@@ -33,6 +43,11 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     }
     let gallery = gallery::gallery(&workspace.root.join("data_in"))?;
     files::write(&site.join("gallery.json"), gallery.to_string())?;
+    for Whole { page, file, kit, more } in WHOLE {
+        let carried = [&[kit.worker, kit.wasm], more].concat();
+        let text = one_file::one_file(&site, page, &carried)?;
+        files::write(&site.join(file), text)?;
+    }
     replace(&site, &workspace.dist(), &new.path().join("old"))
 }
 

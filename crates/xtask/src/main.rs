@@ -3,9 +3,11 @@
 mod bench;
 mod bindgen;
 mod build;
+mod bundle;
 mod files;
 mod gallery;
 mod lint;
+mod one_file;
 mod page;
 mod report;
 mod serve;

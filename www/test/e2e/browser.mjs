@@ -33,24 +33,25 @@ export async function close() {
 }
 
 /**
- * Opens the page, lets `use` work with it, and checks that nothing went wrong on the way.
- * @param {{hash?: string, options?: import('playwright-core').BrowserContextOptions, before?: (page: Page) => Promise<unknown>}} how
+ * Opens the page, or the one at `address`, lets `use` work with it, and checks that nothing went wrong on the way
+ * but what the test brings about: `expected` lines of the console.
+ * @param {{address?: string, hash?: string, expected?: RegExp, options?: import('playwright-core').BrowserContextOptions, before?: (page: Page) => Promise<unknown>}} how
  * @param {(page: Page) => Promise<unknown>} use
  */
-export async function withPage({ hash = '', options = DESKTOP, before }, use) {
+export async function withPage({ address = ADDRESS, hash = '', expected, options = DESKTOP, before }, use) {
     const context = await (await launch()).newContext({ reducedMotion: 'reduce', acceptDownloads: true, ...options });
     try {
         const page = await context.newPage();
         /** @type {string[]} */
         const wrong = [];
-        page.on('console', (message) => ['error', 'warning'].includes(message.type()) && wrong.push(message.text()));
+        page.on('console', (message) => ['error', 'warning'].includes(message.type()) && !expected?.test(message.text()) && wrong.push(message.text()));
         page.on('pageerror', (error) => wrong.push(String(error)));
         page.on('request', (request) => {
             const url = request.url();
-            if (!url.startsWith(ADDRESS) && !/^(blob|data):/.test(url)) wrong.push(`a request left the site: ${url}`);
+            if (!url.startsWith(address) && !/^(blob|data):/.test(url)) wrong.push(`a request left the site: ${url}`);
         });
         await before?.(page);
-        await page.goto(ADDRESS + hash);
+        await page.goto(address + hash);
         await page.waitForSelector('#stage.inked');
         await use(page);
         assert.deepEqual(wrong, []);

@@ -1,0 +1,203 @@
+//! Joins the page's modules into one classic script, for pages that are a single file: modules are refused from
+//! file:// and in frames without an origin.
+//!
+//! Every module becomes a function that returns what it exports, and they run in the order of their imports. That is
+//! all that a bundler has to do where modules import each other by relative names, without cycles, and export nothing
+//! that changes; anything else is an error here, so that what is joined behaves like what was written.
+
+use crate::files;
+use anyhow::{Context, Result, bail, ensure};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::{Component, Path, PathBuf};
+
+/// The script that does what the module `entry` does, with everything it imports.
+pub(crate) fn bundle(entry: &Path) -> Result<String> {
+    let mut bundle =
+        Bundle { names: BTreeMap::new(), open: vec![], script: String::from("(async () => {\n'use strict';\n") };
+    bundle.add(entry)?;
+    bundle.script.push_str("})();\n");
+    Ok(bundle.script)
+}
+
+struct Bundle {
+    /// The modules that are written, and the names of their values.
+    names: BTreeMap<PathBuf, String>,
+    /// Those whose imports are being written, from the entry on.
+    open: Vec<PathBuf>,
+    script: String,
+}
+
+impl Bundle {
+    /// Writes a module behind those it imports, and returns the name of its value.
+    fn add(&mut self, path: &Path) -> Result<String> {
+        if let Some(name) = self.names.get(path) {
+            return Ok(name.clone());
+        }
+        let shown = path.display();
+        ensure!(!self.open.iter().any(|open| open == path), "{shown} imports itself, by way of others");
+        self.open.push(path.to_owned());
+        let text = files::read_text(path)?;
+        let module = self.module(path, &text).with_context(|| format!("joining {shown}"))?;
+        self.open.pop();
+        let name = format!("module{}", self.names.len());
+        let file = path.file_name().unwrap_or_default().to_string_lossy();
+        // Each may await something before it is there, as modules may.
+        write!(self.script, "// {file}\nconst {name} = await (async () => {{\n{module}}})();\n")?;
+        self.names.insert(path.to_owned(), name.clone());
+        Ok(name)
+    }
+
+    /// The body of a module's function.
+    fn module(&mut self, path: &Path, text: &str) -> Result<String> {
+        let mut body = String::new();
+        let mut exports = vec![];
+        let mut lines = text.lines();
+        while let Some(line) = lines.next() {
+            if line.starts_with("import ") {
+                let mut statement = line.to_owned();
+                while !statement.ends_with(';') {
+                    statement.push_str(lines.next().context("an import does not end")?);
+                }
+                let (clause, source) = import(&statement)?;
+                let name = self.add(&beside(path, source))?;
+                match clause {
+                    None => {}
+                    Some(clause) => writeln!(body, "const {} = {name};", clause.replace(" as ", ": "))?,
+                }
+            } else if let Some(declaration) = line.strip_prefix("export ") {
+                exports.push(exported(declaration)?);
+                writeln!(body, "{declaration}")?;
+            } else {
+                ensure!(
+                    !imports_later(line),
+                    "`{}`: a module that is imported while running is not joined",
+                    line.trim()
+                );
+                ensure!(!line.contains("import.meta"), "a joined script has no import.meta");
+                writeln!(body, "{line}")?;
+            }
+        }
+        writeln!(body, "return {{ {} }};", exports.join(", "))?;
+        Ok(body)
+    }
+}
+
+/// The clause of an import as a pattern but for `as`, and where from; there is no clause where only what the module
+/// does is wanted.
+fn import(statement: &str) -> Result<(Option<String>, &str)> {
+    let read = || {
+        let rest = statement.strip_prefix("import ")?.strip_suffix("';")?;
+        let (clause, source) = rest.rsplit_once('\'')?;
+        let clause = clause.trim();
+        if clause.is_empty() {
+            return Some((None, source));
+        }
+        let clause = clause.strip_suffix("from")?.trim();
+        let names = clause.strip_prefix("* as ");
+        let is_list = clause.starts_with('{') && clause.ends_with('}');
+        (is_list || names.is_some()).then(|| (Some(names.unwrap_or(clause).to_owned()), source))
+    };
+    read().filter(|(_, source)| source.starts_with('.')).with_context(|| format!("`{statement}` is not joined"))
+}
+
+/// The name that a declaration exports.
+fn exported(declaration: &str) -> Result<&str> {
+    let mut words = declaration.split(|character: char| !(character.is_alphanumeric() || "_$".contains(character)));
+    let mut word = words.next();
+    if word == Some("async") {
+        word = words.next();
+    }
+    let name = words.next().unwrap_or_default();
+    match word {
+        Some("function" | "const" | "class") if !name.is_empty() => Ok(name),
+        _ => bail!("`export {declaration}` is not joined: name what is exported as a function, a const or a class"),
+    }
+}
+
+/// Whether a line imports while running, other than in a comment's types.
+fn imports_later(line: &str) -> bool {
+    let code = line.split("/*").next().unwrap_or_default().trim_start();
+    let comment = code.starts_with('*') || code.starts_with("//");
+    let mut before = code.split("import(");
+    let first = before.next().unwrap_or_default();
+    !comment && before.next().is_some() && !first.ends_with(|last: char| last.is_alphanumeric() || last == '.')
+}
+
+/// A relative address seen from a file.
+fn beside(file: &Path, address: &str) -> PathBuf {
+    let mut path = file.to_owned();
+    path.pop();
+    for part in Path::new(address).components() {
+        match part {
+            Component::ParentDir => _ = path.pop(),
+            Component::Normal(name) => path.push(name),
+            _ => {}
+        }
+    }
+    path
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn joined(modules: &[(&str, &str)]) -> Result<String> {
+        let folder = tempfile::tempdir()?;
+        for (name, text) in modules {
+            files::write(&folder.path().join(name), text)?;
+        }
+        bundle(&folder.path().join("main.js"))
+    }
+
+    #[test]
+    fn joins_modules_in_the_order_of_their_imports() {
+        let script = joined(&[
+            ("main.js", "import { a, b as c } from './in/a.js';\nimport {\n    d,\n} from './d.js';\nuse(a, c, d);\n"),
+            (
+                "in/a.js",
+                "import * as all from '../d.js';\nimport '../d.js';\nexport const a = all.d;\nexport function b() {}\n",
+            ),
+            ("d.js", "/** @type {import('./in/a.js').A} */\nexport const d = 1;\n"),
+        ]);
+        let expected = "(async () => {\n'use strict';\n\
+            // d.js\nconst module0 = await (async () => {\n/** @type {import('./in/a.js').A} */\nconst d = 1;\nreturn { d };\n})();\n\
+            // a.js\nconst module1 = await (async () => {\nconst all = module0;\nconst a = all.d;\nfunction b() {}\nreturn { a, b };\n})();\n\
+            // main.js\nconst module2 = await (async () => {\nconst { a, b: c } = module1;\nconst {    d,} = module0;\nuse(a, c, d);\nreturn {  };\n})();\n\
+            })();\n";
+        assert_eq!(script.unwrap(), expected);
+    }
+
+    #[test]
+    fn refuses_what_would_behave_otherwise() {
+        for (text, wrong) in [
+            ("export let a = 1;\n", "export let"),
+            ("export default 1;\n", "export default"),
+            ("export * from './a.js';\n", "export *"),
+            ("export { a };\n", "export {"),
+            ("import a from './a.js';\n", "import a"),
+            ("import { a } from 'elsewhere';\n", "elsewhere"),
+            ("import { a } from './gone.js';\n", "gone.js"),
+            ("const a = await import('./a.js');\n", "while running"),
+            ("use(import.meta.url);\n", "import.meta"),
+            ("import './main.js';\n", "imports itself"),
+        ] {
+            let error = format!("{:#}", joined(&[("main.js", text), ("a.js", "")]).unwrap_err());
+            assert!(error.contains(wrong), "{text}: {error}");
+        }
+    }
+
+    #[test]
+    fn tells_types_from_imports() {
+        for line in [
+            " * @param {import('./a.js').A} a",
+            "/** @type {import('./a.js').A} */ (a)",
+            "// import('./a.js')",
+            "reimport(a)",
+        ] {
+            assert!(!imports_later(line), "{line}");
+        }
+        assert!(imports_later("    import('./a.js').then(use);"));
+        assert!(imports_later("const a = await import('./a.js'); /** why */"));
+    }
+}

@@ -1,0 +1,238 @@
+//! Pages that are a single file: they work from a disk, in frames without an origin, and wherever they are put.
+//!
+//! Styles, scripts and icons go into the page, and so do the files that it would fetch (`www/js/files.js` reads them
+//! there). A policy that names every script and style by its hash forbids the page everything else, above all to ask
+//! for anything.
+
+use crate::{bundle, files};
+use anyhow::{Context, Result, ensure};
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD as BASE64;
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use sha2::{Digest, Sha256};
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::Path;
+
+/// Makes a single file of a page in the folder of the site; `carried` are the files it would fetch.
+pub(crate) fn one_file(site: &Path, page: &str, carried: &[&str]) -> Result<String> {
+    let text = files::read_text(&site.join(page))?;
+    Assembly { site, policy: Policy::default() }
+        .assemble(&text, carried)
+        .with_context(|| format!("making one file of {page}"))
+}
+
+/// What the page may run and show: the hashes of its own scripts and styles.
+#[derive(Default)]
+struct Policy {
+    scripts: Vec<String>,
+    styles: Vec<String>,
+}
+
+impl Policy {
+    fn write(&self) -> String {
+        let (scripts, styles) = (self.scripts.join(" "), self.styles.join(" "));
+        format!(
+            "default-src 'none'; script-src {scripts} 'wasm-unsafe-eval'; style-src {styles}; img-src blob: data:; \
+             worker-src blob:; base-uri 'none'; form-action 'none'"
+        )
+    }
+}
+
+fn hash(text: &str) -> String {
+    format!("'sha256-{}'", BASE64.encode(Sha256::digest(text)))
+}
+
+struct Assembly<'a> {
+    site: &'a Path,
+    policy: Policy,
+}
+
+/// Stands for the policy until all hashes are known.
+const POLICY: &str = "<meta name=\"policy\">";
+
+impl Assembly<'_> {
+    fn assemble(mut self, text: &str, carried: &[&str]) -> Result<String> {
+        let mut page = String::new();
+        let mut styles = String::new();
+        let mut modules = vec![];
+        for line in text.lines() {
+            let tag = Tag(line);
+            match (tag.name(), tag.attribute("rel"), tag.attribute("href").or(tag.attribute("src"))) {
+                ("meta", ..) if tag.attribute("http-equiv") == Some("Content-Security-Policy") => page.push_str(POLICY),
+                ("link", Some("stylesheet"), Some(name)) => styles.push_str(&self.read(name)?),
+                ("link", Some("icon"), Some(name)) => {
+                    page.push_str(
+                        &line.replace(name, &format!("data:image/svg+xml;base64,{}", BASE64.encode(self.read(name)?))),
+                    );
+                }
+                // What speeds up loading or installs the page has nothing to do here.
+                ("link", ..) => {}
+                ("script", _, Some(name)) if tag.attribute("type") == Some("module") => modules.push(name),
+                ("script", _, Some(name)) => {
+                    let script = self.read(name)?;
+                    page.push_str(&self.script(&script)?);
+                }
+                _ if line == "</head>" => {
+                    self.policy.styles.push(hash(&styles));
+                    ensure!(
+                        !styles.contains("</") && !styles.contains("@import") && !styles.contains("url("),
+                        "a style that is not whole in itself"
+                    );
+                    write!(page, "<style>{styles}</style>\n{line}\n")?;
+                }
+                // The files and the script come last, so that the page is there before they are read.
+                _ if line == "</body>" => {
+                    for name in carried {
+                        page.push_str(&self.carry(name)?);
+                    }
+                    for module in &modules {
+                        let script = bundle::bundle(&self.site.join(module))?;
+                        page.push_str(&self.script(&script)?);
+                    }
+                    writeln!(page, "{line}")?;
+                }
+                _ => writeln!(page, "{line}")?,
+            }
+        }
+        let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n", self.policy.write());
+        ensure!(page.contains(POLICY), "the page has no policy of its own");
+        Ok(page.replacen(POLICY, &policy, 1))
+    }
+
+    fn read(&self, name: &str) -> Result<String> {
+        files::read_text(&self.site.join(name))
+    }
+
+    fn script(&mut self, text: &str) -> Result<String> {
+        whole(text)?;
+        self.policy.scripts.push(hash(text));
+        Ok(format!("<script>{text}</script>\n"))
+    }
+
+    /// A file inside an element of a type that browsers neither run nor fetch.
+    fn carry(&self, name: &str) -> Result<String> {
+        if name.ends_with(".js") {
+            let text = self.read(name)?;
+            whole(&text)?;
+            return Ok(format!("<script type=\"text/plain\" data-file=\"{name}\">{text}</script>\n"));
+        }
+        let mut encoder = GzEncoder::new(vec![], Compression::best());
+        encoder.write_all(&files::read(&self.site.join(name))?)?;
+        let text = BASE64.encode(encoder.finish()?);
+        Ok(format!("<script type=\"application/gzip;base64\" data-file=\"{name}\">{text}</script>\n"))
+    }
+}
+
+/// Makes sure that a script's element ends where the script does.
+fn whole(script: &str) -> Result<()> {
+    let lower = script.to_ascii_lowercase();
+    ensure!(
+        !["</script", "<script", "<!--"].iter().any(|end| lower.contains(end)),
+        "a script that would end its element"
+    );
+    Ok(())
+}
+
+/// A line that is one tag, as the heads of our pages are written.
+struct Tag<'a>(&'a str);
+
+impl<'a> Tag<'a> {
+    fn name(&self) -> &'a str {
+        let inside = self.0.strip_prefix('<').unwrap_or_default();
+        inside.split([' ', '>']).next().unwrap_or_default()
+    }
+
+    fn attribute(&self, name: &str) -> Option<&'a str> {
+        let (_, rest) = self.0.split_once(&format!(" {name}=\""))?;
+        rest.split_once('"').map(|(value, _)| value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PAGE: &str = r#"<!doctype html>
+<html lang="en">
+<head>
+<meta http-equiv="Content-Security-Policy" content="default-src 'self'">
+<link rel="icon" href="icons/icon.svg" type="image/svg+xml">
+<link rel="manifest" href="manifest.webmanifest">
+<script src="early.js"></script>
+<link rel="stylesheet" href="a.css">
+<link rel="stylesheet" href="b.css">
+<link rel="modulepreload" href="b.js">
+<script type="module" src="main.js"></script>
+</head>
+<body>
+<p>text</p>
+</body>
+</html>
+"#;
+
+    fn site() -> tempfile::TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, text) in [
+            ("index.html", PAGE),
+            ("icons/icon.svg", "<svg/>"),
+            ("early.js", "early()"),
+            ("a.css", "a {}"),
+            ("b.css", "b {}"),
+            ("main.js", "import { b } from './b.js';\nb();\n"),
+            ("b.js", "export const b = 1;\n"),
+            ("worker.js", "work()"),
+            ("data.wasm", "data"),
+        ] {
+            files::write(&folder.path().join(name), text).unwrap();
+        }
+        folder
+    }
+
+    #[test]
+    fn puts_everything_into_the_page() {
+        let folder = site();
+        let page = one_file(folder.path(), "index.html", &["worker.js", "data.wasm"]).unwrap();
+        for part in [
+            "<link rel=\"icon\" href=\"data:image/svg+xml;base64,PHN2Zy8+\" type=\"image/svg+xml\">",
+            "<script>early()</script>",
+            "<style>a {}b {}</style>\n</head>",
+            "<p>text</p>\n<script type=\"text/plain\" data-file=\"worker.js\">work()</script>\n",
+            "<script type=\"application/gzip;base64\" data-file=\"data.wasm\">H4s",
+            "const b = 1;",
+        ] {
+            assert!(page.contains(part), "{part}\n{page}");
+        }
+        for gone in ["manifest", "modulepreload", "src=", "'self'"] {
+            assert!(!page.contains(gone), "{gone}\n{page}");
+        }
+    }
+
+    #[test]
+    fn names_scripts_and_styles_by_their_hashes() {
+        let folder = site();
+        let page = one_file(folder.path(), "index.html", &[]).unwrap();
+        assert_eq!(hash("early()"), "'sha256-G2Y/0fpEoq/QMzbid/byF0KE5sX9e6ar19Om2+xoMnU='");
+        assert!(page.contains(&format!("script-src {} 'sha256-", hash("early()"))), "{page}");
+        assert!(page.contains(&format!("style-src {};", hash("a {}b {}"))), "{page}");
+        assert!(page.contains("default-src 'none'") && page.contains("worker-src blob:"), "{page}");
+    }
+
+    #[test]
+    fn refuses_what_would_end_its_element() {
+        let folder = site();
+        for (name, text) in [
+            ("early.js", "'</script>'"),
+            ("b.js", "// <!--\n"),
+            ("a.css", "a { background: url(b.png) }"),
+            ("worker.js", "'<SCRIPT'"),
+        ] {
+            let path = folder.path().join(name);
+            let before = files::read_text(&path).unwrap();
+            files::write(&path, text).unwrap();
+            assert!(one_file(folder.path(), "index.html", &["worker.js"]).is_err(), "{name}");
+            files::write(&path, before).unwrap();
+        }
+    }
+}
