@@ -1,40 +1,48 @@
 /**
- * The state as a link, version 1: `#v=1&axiom=X&rules=X%20-%3E%20F%5B%2BX%5D&n=5&angle=25`.
+ * The state as a link, version 1: `#v=1&axiom=X&rules=X%20-%3E%20F%5B%2BX%5D&n=5&angle=25`; docs/links.md tells it whole.
  *
  * `&` parts the fields, the first `=` a name from its value; `+` is plus. Fields at their default are left out, unknown
  * ones are ignored, and a link is only ever read as text and numbers. URLSearchParams would turn `+` into a space and
  * escape what makes links readable.
  */
 
-import { DEFAULTS, clean, same } from './state.js';
+import { DEFAULTS, MAX_PALETTE, clean, same } from './state.js';
 
 /** @typedef {import('./state.js').State} State */
+/** @typedef {{state: State, problems: string[]}} Link what a link holds, and what of it could not be read, in words */
 /** @typedef {{write: (value: any) => string, read: (text: string) => unknown}} Form */
 
-/** Longer links are not read, in characters. */
-export const LONGEST = 100_000;
+/** Longer links are not read, in characters: the longest state there can be, compressed, is shorter. */
+export const LONGEST = 500_000;
+/** The key of what is compressed: packed.js. */
+export const PACKED = 'z';
 
 const VERSION = 1;
+/** No number is written with more characters. */
+const LONGEST_NUMBER = 40;
 
 /** @type {Form} */
-const text = { write: String, read: (value) => value };
+const text = { write: String, read: (value) => value.replace(/\r\n?/g, '\n') };
 /** @type {Form} */
 const number = {
     write: String,
-    read: (value) => (/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(value) ? Number(value) : undefined),
+    // Adding 0 turns -0 into 0.
+    read: (value) => (value.length <= LONGEST_NUMBER && /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i.test(value) ? Number(value) + 0 : undefined),
 };
 /** @type {Form} */
-const numbers = { write: (value) => value.join(), read: (value) => value.split(',').map(number.read) };
+const pair = { write: (value) => value.join(), read: (value) => value.split(',', 3).map(number.read) };
 /** @type {Form} */
-const colour = { write: (value) => value.slice(1), read: (value) => `#${value}` };
+const colour = { write: (value) => value.slice(1), read: (value) => `#${value.toLowerCase()}` };
 /** @type {Form} */
-const colours = { write: (value) => value.map(colour.write).join(), read: (value) => value.split(',').map(colour.read) };
+const colours = { write: (value) => value.map(colour.write).join(), read: (value) => value.split(',', MAX_PALETTE + 1).map(colour.read) };
 /** @type {Form} */
 const view = {
     write: ({ x, y, zoom, fx = 0, fy = 0 }) => (fx === 0 && fy === 0 ? [x, y, zoom] : [x, y, zoom, fx, fy]).join(),
     read: (value) => {
-        const [x, y, zoom, fx = 0, fy = 0, ...more] = value.split(',').map(number.read);
-        return more.length === 0 ? { x, y, zoom, fx, fy } : undefined;
+        const numbers = value.split(',', 6).map(number.read);
+        if ((numbers.length !== 3 && numbers.length !== 5) || numbers.includes(undefined)) return undefined;
+        const [x, y, zoom, fx = 0, fy = 0] = numbers;
+        return fx === 0 && fy === 0 ? { x, y, zoom } : { x, y, zoom, fx, fy };
     },
 };
 
@@ -48,7 +56,7 @@ const KEYS = [
     ['right', 'rightAngle', number],
     ['heading', 'heading', number],
     ['step', 'step', number],
-    ['start', 'start', numbers],
+    ['start', 'start', pair],
     ['turtle', 'dialect', text],
     ['do', 'overrides', text],
     ['seed', 'seed', number],
@@ -63,48 +71,66 @@ const KEYS = [
     ['view', 'view', view],
 ];
 
+/** What a link can hold. */
+const KNOWN = new Set(['v', PACKED, ...KEYS.map(([key]) => key)]);
+
 /**
- * The hash, with its `#`.
+ * The readable form, with its `#`.
  * @param {Readonly<State>} state
  */
 export function writeLink(state) {
+    return [`#v=${VERSION}`, ...writeFields(state, escape)].join('&');
+}
+
+/**
+ * The fields of a state that are not at their defaults, as `key=value`.
+ * @param {Readonly<State>} state
+ * @param {(value: string) => string} guard escapes `%`, `&`, and what else the place cannot hold
+ */
+export function writeFields(state, guard) {
     const fields = KEYS.filter(([, field]) => !same(state[field], DEFAULTS[field]));
-    return [`#v=${VERSION}`, ...fields.map(([key, field, form]) => `${key}=${escape(form.write(state[field]))}`)].join('&');
+    return fields.map(([key, field, form]) => `${key}=${guard(form.write(state[field]))}`);
 }
 
 /**
  * Reads a hash, with or without its `#`.
  * @param {string} hash
- * @returns {{state: State, problems: string[]} | null} null where the hash holds no state of ours: neither a version nor a field
+ * @param {string | null} [unpacked] the fields that were compressed in it; those that stand beside them win
+ * @returns {Link | null} null where the hash holds no state of ours: neither a version nor a field
  */
-export function readLink(hash) {
-    const body = hash.replace(/^#/, '');
-    if (body.length > LONGEST) return { state: clean({}), problems: [`The link is longer than ${LONGEST} characters and was not read.`] };
+export function readLink(hash, unpacked = null) {
+    if (hash.length > LONGEST) return { state: clean({}), problems: [`The link is longer than ${LONGEST} characters and was not read.`] };
     /** @type {Map<string, string>} */
     const given = new Map();
-    /** @type {string[]} */
-    const problems = [];
-    for (const part of body.split('&')) {
+    /** @type {Set<string>} */
+    const damaged = new Set();
+    for (const part of `${unpacked ?? ''}&${hash.replace(/^#/, '')}`.split('&')) {
         const at = part.indexOf('=');
-        if (at < 1) continue;
+        const key = part.slice(0, Math.max(0, at));
+        if (!KNOWN.has(key)) continue;
         try {
-            given.set(part.slice(0, at), decodeURIComponent(part.slice(at + 1)));
+            given.set(key, decodeURIComponent(part.slice(at + 1)));
         } catch {
-            problems.push(`“${part.slice(0, at).slice(0, 20)}” in the link is damaged and was left out.`);
+            damaged.add(key);
         }
     }
+    if (given.size === 0 && damaged.size === 0) return null;
+    const problems = [...damaged].map((key) => `“${key}” in the link is damaged and was left out.`);
     const version = given.get('v');
-    if (version === undefined && !KEYS.some(([key]) => given.has(key))) return null;
     if (version !== undefined && Number(version) !== VERSION) problems.push('The link was made by another version of this page; some of it may be missing.');
-    /** @type {Record<string, unknown>} */
+    if (given.has(PACKED) && unpacked === null) problems.push('The compressed part of the link was not read.');
+    /** @type {Partial<Record<keyof State, unknown>>} */
     const values = {};
     for (const [key, field, form] of KEYS) {
         const value = given.get(key);
-        if (value === undefined) continue;
-        values[field] = form.read(value);
-        if (values[field] === undefined) problems.push(`“${key}” in the link is not understood and was left out.`);
+        if (value !== undefined) values[field] = form.read(value);
     }
-    return { state: clean(values), problems };
+    const state = clean(values);
+    for (const [key, field] of KEYS) {
+        if (!given.has(key) || same(values[field], state[field])) continue;
+        problems.push(same(state[field], DEFAULTS[field]) ? `“${key}” in the link is not understood and was left out.` : `“${key}” in the link is out of bounds: the nearest value was taken.`);
+    }
+    return { state, problems };
 }
 
 /** @param {string} value */

@@ -8,9 +8,9 @@ import { kits } from './files.js';
 import { createGallery } from './gallery.js';
 import { createHover } from './hover.js';
 import { hasInk, houseInk, isDark } from './inks.js';
-import { readLink } from './link.js';
 import { createMarks } from './marks.js';
 import { opening } from './opening.js';
+import { bestLink, openLink } from './packed.js';
 import { captionOf, growthPanel } from './panels/growth-panel.js';
 import { keepPanel } from './panels/keep-panel.js';
 import { lookPanel } from './panels/look-panel.js';
@@ -27,7 +27,10 @@ import { theme, themeButton } from './theme.js';
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./engine.js').Report} Report */
 
-const link = readLink(location.hash);
+/** A note that says more is not read. */
+const MOST_PROBLEMS = 3;
+
+const link = await openLink(location.hash);
 const store = createStore(link ? link.state : opening(theme()));
 const engine = createEngine(kits(), { report: reported, drawn, busy, failed });
 engine.define(definitionOf(store.state));
@@ -40,8 +43,9 @@ const rules = rulesPanel(store);
 const growth = growthPanel(store, engine);
 const turtle = turtlePanel(store);
 const look = lookPanel(store);
-const address = followAddress(store, { open: openLink });
+followAddress(store, { open: opened });
 
+const address = async () => new URL(await bestLink(store.state), location.href).href;
 keepPanel(store, engine, { address, canvas: stage.resolution });
 createGallery(engine, {
     pick: (definition) => store.open(definition),
@@ -85,7 +89,7 @@ store.subscribe((state, before) => {
     show(state, before);
 });
 show(store.state, null);
-if (link && link.problems.length > 0) toast(link.problems.join(' '));
+if (link && link.problems.length > 0) toast(problemWords(link));
 
 /** @param {Readonly<State>} state @param {Readonly<State> | null} before */
 function show(state, before) {
@@ -161,10 +165,16 @@ function failed(message, again) {
     toast(`The drawing engine stopped (${message}). Change anything to start it again.`, { stay: true });
 }
 
-/** @param {NonNullable<ReturnType<typeof readLink>>} opened */
-function openLink({ state, problems }) {
-    store.open(state);
-    toast(['Opened the link. Undo brings back what was here.', ...problems].join(' '));
+/** @param {import('./link.js').Link} pasted */
+function opened(pasted) {
+    store.open(pasted.state);
+    toast(`Opened the link. Undo brings back what was here. ${problemWords(pasted)}`.trim());
+}
+
+/** The first few of a link's problems. @param {import('./link.js').Link} link */
+function problemWords({ problems }) {
+    const more = problems.length - MOST_PROBLEMS;
+    return [...problems.slice(0, MOST_PROBLEMS), ...(more > 0 ? [`There are ${more} more such problems.`] : [])].join(' ');
 }
 
 /**

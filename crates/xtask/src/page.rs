@@ -12,15 +12,15 @@ use std::thread;
 /// Where the end-to-end tests find the page: not at the root, so that every absolute address in it is found out.
 const MOUNT: &str = "/some/where/";
 
-/// Checks the page that has just been built.
-pub(crate) fn steps(workspace: &Workspace, report: &mut Report) {
+/// Checks the page that has just been built; `cases` is how many random states its unit tests try, if not as usual.
+pub(crate) fn steps(workspace: &Workspace, cases: Option<&str>, report: &mut Report) {
     let www = workspace.www();
     if !report.step("packages for the page's checks", || packages(&www)) {
         return;
     }
     report.step("types of the page", || types(&www, "tsconfig.json"));
     report.step("types of the worker", || types(&www, "tsconfig.worker.json"));
-    report.step("unit tests of the page", || unit(&www));
+    report.step("unit tests of the page", || unit(&www, cases));
     report.step("end-to-end tests of the page", || end_to_end(workspace, &www));
 }
 
@@ -40,9 +40,10 @@ fn types(www: &Path, project: &str) -> Result<()> {
     run(Command::new(tools::node()?).args([compiler, "--project", project]).current_dir(www))
 }
 
-fn unit(www: &Path) -> Result<()> {
+fn unit(www: &Path, cases: Option<&str>) -> Result<()> {
     let tests = tests(www, |path| path.starts_with("unit"))?;
-    run(Command::new(tools::node()?).arg("--test").args(tests).current_dir(www))
+    let cases = cases.map(|cases| ("LSYSTEM_CASES", cases));
+    run(Command::new(tools::node()?).arg("--test").args(tests).current_dir(www).envs(cases))
 }
 
 fn end_to_end(workspace: &Workspace, www: &Path) -> Result<()> {

@@ -31,6 +31,11 @@ impl Options {
         }
         Ok(options)
     }
+
+    /// How many random cases the property tests try, if not as usual.
+    fn cases(&self) -> Option<&'static str> {
+        self.thorough.then_some("10000")
+    }
 }
 
 pub(crate) fn test(workspace: &Workspace, options: &Options) -> Result<()> {
@@ -43,12 +48,11 @@ pub(crate) fn test(workspace: &Workspace, options: &Options) -> Result<()> {
         report.step("native tests", || {
             let products = ["--package=lsystem", "--package=lsystem-wasm", "--package=lsys"];
             let mut test = workspace.cargo(["test", "--no-fail-fast"].into_iter().chain(products));
-            if options.thorough {
-                test.env("LSYSTEM_CASES", "10000");
-            } else {
+            match options.cases() {
+                Some(cases) => test.env("LSYSTEM_CASES", cases),
                 // The same random systems every time: a change is judged by what it changes.
-                test.env("PROPTEST_RNG_SEED", "1");
-            }
+                None => test.env("PROPTEST_RNG_SEED", "1"),
+            };
             run(&mut test)
         });
         // On its own: together with the others Cargo would choose other features for the libraries below, and compile
@@ -63,7 +67,7 @@ pub(crate) fn test(workspace: &Workspace, options: &Options) -> Result<()> {
             report.step("size of the wasm", || size::check(workspace));
         }
         if has("page") {
-            page::steps(workspace, &mut report);
+            page::steps(workspace, options.cases(), &mut report);
         }
     }
     report.finish()

@@ -16,10 +16,10 @@ const MIME = { svg: 'image/svg+xml', csv: 'text/csv', txt: 'text/plain', json: '
 /**
  * @param {import('../store.js').Store} store
  * @param {Engine} engine
- * @param {{address: () => string, canvas: () => import('../engine.js').Canvas}} page
+ * @param {{address: () => Promise<string>, canvas: () => import('../engine.js').Canvas}} page
  */
 export function keepPanel(store, engine, page) {
-    for (const id of ['share', 'copy-link']) button(id).addEventListener('click', () => copyLink(page.address()));
+    for (const id of ['share', 'copy-link']) button(id).addEventListener('click', async () => copyLink(await page.address()));
 
     for (const save of document.querySelectorAll('[data-save]')) {
         save.addEventListener('click', async () => {
