@@ -25,6 +25,9 @@ pub enum Action {
     SetWidth(f64),
     /// Multiply the stroke width.
     ScaleWidth(f64),
+    /// In the next derivation step the branch ends here: this symbol and all that follows it in its branch is gone. Does
+    /// nothing when drawn.
+    Cut,
 }
 
 impl Action {
@@ -37,7 +40,7 @@ impl Action {
             Self::Move(_) => Self::Move(Some(number)),
             Self::TurnLeft(_) => Self::TurnLeft(Some(number)),
             Self::TurnRight(_) => Self::TurnRight(Some(number)),
-            Self::TurnRound | Self::Push | Self::Pop => self,
+            Self::TurnRound | Self::Push | Self::Pop | Self::Cut => self,
             // Out of range it is the nearest that there is.
             Self::SetColour(_) | Self::AddColour(_) => Self::SetColour(libm::floor(number) as i32),
             Self::SetWidth(_) | Self::ScaleWidth(_) => Self::SetWidth(number),

@@ -7,16 +7,23 @@ use crate::program::{Program, Rewrite, SymbolId};
 use crate::{Action, Rules, System, Tally};
 
 /// How many symbols generation `n` has, modules with parameters counted as one; `None` where that depends on random
-/// choices, contexts or conditions.
+/// choices, contexts, conditions or cut branches.
 #[must_use]
 pub fn count_symbols(system: &System, n: u32) -> Option<Tally> {
+    if system.rules.as_ref().is_some_and(Rules::is_cutting) {
+        return None;
+    }
     count(&system.program, n, |_| 1)
 }
 
-/// How many segments generation `n` draws; `None` where that depends on random choices, contexts or conditions.
+/// How many segments generation `n` draws; `None` where that depends on random choices, contexts, conditions or
+/// cut branches.
 #[must_use]
 pub fn count_segments(system: &System, n: u32) -> Option<Tally> {
     let rules = system.rules.as_ref();
+    if rules.is_some_and(Rules::is_cutting) {
+        return None;
+    }
     let drawn = |symbol| rules.map_or(Some(segments_of(system, symbol)), |rules| drawn_as(system, rules, symbol));
     let reachable = system.program.reachable();
     let segments: Vec<Option<u64>> = reachable
@@ -31,7 +38,8 @@ pub fn count_segments(system: &System, n: u32) -> Option<Tally> {
 /// The segments of what a letter is drawn as; `None` where they are not always as many.
 fn drawn_as(system: &System, rules: &Rules, letter: SymbolId) -> Option<u64> {
     let images = &rules.images[usize::from(letter)];
-    let mut all = images.iter().map(|image| image.successor.iter().map(|t| segments_of(system, t.letter)).sum());
+    let mut all =
+        images.iter().map(|image| image.successor.letters.iter().map(|&letter| segments_of(system, letter)).sum());
     let always = images.iter().any(|image| image.condition.is_none() && image.weight.is_none());
     let own = (!always).then(|| segments_of(system, letter));
     let first: u64 = own.or_else(|| all.next())?;

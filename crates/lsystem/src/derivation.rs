@@ -8,7 +8,7 @@ use crate::counts::{counts_until, sum_of, sums_by_depth};
 use crate::diagnostic::{Diagnostic, Kind, LimitName};
 use crate::program::{Program, Rewrite, SymbolId};
 use crate::walk::{Next, Walk};
-use crate::{Fault, Field, Key, Limits, MAX_ITERATIONS, Rewriter, Rules, System};
+use crate::{Fault, Field, Key, Letter, Limits, MAX_ITERATIONS, Rewriter, Rules, System};
 
 /// Texts up to this many bytes are copied whole; longer ones are composed of them. The source of a copy then stays
 /// in the processor's nearest cache, and only the writing costs.
@@ -86,9 +86,12 @@ fn write_modules(rules: &Rules, seed: u32, n: u32, limits: &Limits, text: &mut S
         rewriter.step(usize::MAX).map_err(|error| fault(rules, error, reached, limits, Some(reached)))?;
     }
     let word = rewriter.word();
-    for (place, &letter) in word.letters.iter().enumerate() {
-        let symbol = rules.letters[usize::from(letter)].symbol;
-        crate::print::module(symbol, word.arguments_of(place, rules), text);
+    let mut arguments = word.arguments.as_slice();
+    for &letter in &word.letters {
+        let Letter { symbol, arity } = rules.letters[usize::from(letter)];
+        let (own, rest) = arguments.split_at(usize::from(arity));
+        arguments = rest;
+        crate::print::module(symbol, own, text);
         if text.len() as u64 > limits.symbols {
             text.clear();
             return Err(limit(LimitName::Symbols, limits.symbols, None));

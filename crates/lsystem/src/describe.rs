@@ -69,6 +69,7 @@ fn action_words(system: &System, action: Action) -> String {
         Action::TurnLeft(degrees) => turn("left", degrees, system.turtle.left),
         Action::TurnRight(degrees) => turn("right", degrees, system.turtle.right),
         Action::TurnRound => "turns round".to_owned(),
+        Action::Cut => "cuts off the rest of its branch in the next step".to_owned(),
         Action::Push => "starts a branch".to_owned(),
         Action::Pop => "ends the branch".to_owned(),
         Action::SetColour(index) => format!("takes colour {index}"),

@@ -434,8 +434,6 @@ pub enum Undrawn {
     ThreeD,
     /// Polygons.
     Polygon,
-    /// Cutting a branch.
-    Cut,
 }
 
 /// The numbers of a definition.

@@ -49,6 +49,7 @@ impl Dialect {
             (Self::Abop, '#') => &[Action::ScaleWidth(core::f64::consts::SQRT_2)],
             (Self::Abop, '\'' | ',') => &[Action::AddColour(1)],
             (Self::Abop, ';') => &[Action::AddColour(-1)],
+            (Self::Abop, '%') => &[Action::Cut],
             (Self::EveryLetter, _) => &[Draw(None)],
             (Self::Lowercase, c) if c.is_lowercase() => &[Draw(None)],
             _ => &[],

@@ -155,6 +155,11 @@ impl Grammar {
         }
     }
 
+    /// The modules of the axiom and of all successors but those for drawing.
+    pub fn made(&self) -> impl Iterator<Item = &Module> {
+        self.axiom.iter().chain(self.productions.iter().flat_map(|production| &production.successor))
+    }
+
     /// Whether it is context-free and without parameters, so that every symbol derives by itself: with conditions
     /// nowhere, weights that are numbers, and each symbol drawn in one way only.
     #[must_use]

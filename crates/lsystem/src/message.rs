@@ -345,7 +345,6 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
             format!("{} {} and does nothing yet", named(*symbol), match meaning {
                 Undrawn::ThreeD => "turns out of the plane",
                 Undrawn::Polygon => "draws a filled polygon",
-                Undrawn::Cut => "cuts off its branch",
             }),
             format!("An override can give it another meaning, as in `{symbol}: nothing`."),
         ),

@@ -19,6 +19,7 @@
 //! | `open branch`, `push`; `close branch`, `pop` | save and restore the turtle |
 //! | `colour 3`, `next colour`, `next colour 2`, `previous colour` | choose from the palette, counted from 0 |
 //! | `width 2`, `width times 0.5`, `thicker`, `thinner` | stroke width in steps, or by a factor (√2, 1/√2) |
+//! | `cut branch` | in the next derivation step it and the rest of its branch are gone |
 //! | `nothing` | no action at all |
 
 use crate::notation::token::{Token, span_of, text_of, tokens};
@@ -120,6 +121,7 @@ fn print_action(action: Action) -> String {
         Action::TurnLeft(angle) => optional("turn left", angle),
         Action::TurnRight(angle) => optional("turn right", angle),
         Action::TurnRound => "turn round".to_owned(),
+        Action::Cut => "cut branch".to_owned(),
         Action::Push => "open branch".to_owned(),
         Action::Pop => "close branch".to_owned(),
         Action::SetColour(index) => format!("colour {index}"),
@@ -217,13 +219,14 @@ enum Form {
 const MOST: f64 = 1e9;
 
 /// The words of the actions, but for `nothing`.
-const FORMS: [(&str, Form); 20] = [
+const FORMS: [(&str, Form); 21] = [
     ("draw", Form::Optional(Action::Draw)),
     ("move", Form::Optional(Action::Move)),
     ("turn left", Form::Optional(Action::TurnLeft)),
     ("turn right", Form::Optional(Action::TurnRight)),
     ("turn round", Form::Plain(Action::TurnRound)),
     ("turn around", Form::Plain(Action::TurnRound)),
+    ("cut branch", Form::Plain(Action::Cut)),
     ("open branch", Form::Plain(Action::Push)),
     ("push", Form::Plain(Action::Push)),
     ("close branch", Form::Plain(Action::Pop)),

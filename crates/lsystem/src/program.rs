@@ -62,9 +62,8 @@ impl Program {
     /// weighted, the choice is among all weighted ones of that predecessor.
     #[must_use]
     pub fn new(grammar: &Grammar) -> Self {
-        let made = grammar.axiom.iter().chain(grammar.productions.iter().flat_map(|p| &p.successor));
         let matched = grammar.productions.iter().map(|p| p.predecessor.symbol);
-        let mut alphabet = set(made.map(|module| module.symbol).chain(matched));
+        let mut alphabet = set(grammar.made().map(|module| module.symbol).chain(matched));
         // Text is bounded far below 65,536 distinct letters times productions; the cap only guards the cast.
         alphabet.truncate(usize::from(SymbolId::MAX) + 1);
         let id = |symbol: char| alphabet.binary_search(&symbol).unwrap_or(0) as SymbolId;
@@ -103,7 +102,7 @@ impl Program {
     /// possible successor choose among them with equal chances here, whatever decides between them.
     #[must_use]
     pub fn outline(rules: &Rules) -> Self {
-        let word = |rule: &Rule| rule.successor.iter().map(|template| template.letter).collect::<Vec<_>>();
+        let word = |rule: &Rule| rule.successor.letters.clone();
         let rewrite = |(letter, rules): (usize, &Vec<Rule>)| {
             let always = |rule: &Rule| !rule.is_context_sensitive() && rule.condition.is_none();
             let last = rules.iter().position(|rule| always(rule) && rule.weight.is_none());
@@ -129,7 +128,7 @@ impl Program {
         };
         Self {
             alphabet: rules.letters.iter().map(|letter| letter.symbol).collect(),
-            axiom: rules.axiom.iter().map(|template| template.letter).collect(),
+            axiom: rules.axiom.letters.clone(),
             rewrites: rules.by_letter.iter().enumerate().map(rewrite).collect(),
         }
     }

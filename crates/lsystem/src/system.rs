@@ -16,7 +16,7 @@ pub struct System {
     pub grammar: Grammar,
     /// The grammar made ready for derivation; where there are `rules`, only an [outline](Program::outline) of them.
     pub program: Program,
-    /// The grammar made ready for derivation, where it is not [plain](Grammar::is_plain).
+    /// The grammar made ready for derivation, where it is not [plain](Grammar::is_plain) or cuts branches.
     pub rules: Option<Rules>,
     /// What its symbols do.
     pub turtle: Turtle,
@@ -43,19 +43,20 @@ impl System {
             diagnostics.push(Diagnostic { kind, field: Field::Rules, span: 0..0 });
             return (None, diagnostics);
         }
-        let grammar = &reading.grammar;
-        let rules = (!grammar.is_plain()).then(|| {
-            let places = reading.productions.iter().chain(&reading.images);
-            Rules::new(grammar, places.map(|places| places.predecessor.clone()).collect())
-        });
-        // What could not be computed has been noted where it was read.
-        let rules = rules.and_then(Result::ok);
-        let program = rules.as_ref().map_or_else(|| Program::new(grammar), Program::outline);
         // Each symbol stands once.
         let mut order: Vec<(char, usize)> = overrides.iter().enumerate().map(|(at, o)| (o.symbol, at)).collect();
         sort(&mut order);
         let overrides = order.iter().map(|&(symbol, at)| (symbol, overrides[at].actions.as_slice())).collect();
         let actions = Actions { dialect: definition.dialect, overrides };
+        let cuts = |symbol: char| actions.of(symbol).contains(&Action::Cut);
+        let grammar = &reading.grammar;
+        let rules = (!grammar.is_plain() || grammar.made().any(|module| cuts(module.symbol))).then(|| {
+            let places = reading.productions.iter().chain(&reading.images);
+            Rules::new(grammar, places.map(|places| places.predecessor.clone()).collect(), cuts)
+        });
+        // What could not be computed has been noted where it was read.
+        let rules = rules.and_then(Result::ok);
+        let program = rules.as_ref().map_or_else(|| Program::new(grammar), Program::outline);
         diagnostics.extend(doubts(&reading, &program, rules.as_ref(), &actions));
         let turtle = Turtle {
             actions: program.alphabet.iter().map(|&symbol| actions.drawn(symbol, grammar, rules.is_some())).collect(),
@@ -125,7 +126,6 @@ impl Actions<'_> {
                 Some(Undrawn::ThreeD)
             }
             (Dialect::Abop, '{' | '.' | '}') => Some(Undrawn::Polygon),
-            (Dialect::Abop, '%') => Some(Undrawn::Cut),
             _ => None,
         }
     }

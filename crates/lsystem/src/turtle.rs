@@ -83,6 +83,8 @@ impl Turtle {
             Action::TurnRound => Op::Turn(Heading::HALF),
             Action::Push => Op::Push,
             Action::Pop => Op::Pop,
+            // It acts when the word is derived.
+            Action::Cut => Op::Turn(Heading::EAST),
             Action::SetColour(index) => Op::Style(ColourChange::Set(index).into()),
             Action::AddColour(by) => Op::Style(ColourChange::Add(by).into()),
             Action::SetWidth(width) => {

@@ -421,7 +421,7 @@ proptest! {
 
     #[test]
     fn contexts_parameters_and_images_are_drawn(
-        system in naive::systems::system(Features { contexts: true, parameters: true, weights: true, images: true }),
+        system in naive::systems::system(Features { contexts: true, parameters: true, weights: true, images: true, cuts: true }),
         n in 0_u32..5,
     ) {
         let word = |n: u32| naive::modules(&system.grammar, system.seed, n);

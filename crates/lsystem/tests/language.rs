@@ -2,7 +2,7 @@
 
 mod naive;
 
-use lsystem::{Fault, Limits, Rewriter, System};
+use lsystem::{Fault, Letter, Limits, Rewriter, System};
 use naive::systems::{Features, system};
 use proptest::prelude::*;
 
@@ -25,13 +25,12 @@ fn check(system: &System, piece: usize) -> Result<(), TestCaseError> {
     for n in 0..6 {
         let expected = plain(n);
         let word = rewriter.word();
-        let letters = word.letters.iter().map(|&letter| rewriter.rules().letters[usize::from(letter)].symbol);
-        let arguments = (0..word.letters.len()).map(|place| word.arguments_of(place, rewriter.rules()).to_vec());
         let expected = expected.ok_or_else(|| TestCaseError::fail("a number is not finite"))?;
-        prop_assert_eq!(letters.collect::<String>(), expected.iter().map(|m| m.symbol).collect::<String>());
-        for (own, module) in arguments.zip(&expected) {
-            prop_assert_eq!(own, &module.arguments[..]);
-        }
+        let letters = word.letters.iter().map(|&letter| rewriter.rules().letters[usize::from(letter)]);
+        let own = expected.iter().map(|m| Letter { symbol: m.symbol, arity: m.arguments.len() as u8 });
+        prop_assert_eq!(letters.collect::<Vec<_>>(), own.collect::<Vec<_>>());
+        let arguments: Vec<f64> = expected.into_iter().flat_map(|module| module.arguments).collect();
+        prop_assert_eq!(&word.arguments, &arguments);
         if word.letters.len() > 600 {
             break;
         }
@@ -64,7 +63,17 @@ proptest! {
     }
 
     #[test]
-    fn stochastic_systems(system in system(Features { contexts: true, parameters: true, weights: true, images: false }), piece in 1_usize..9) {
+    fn systems_that_cut_branches(
+        system in any::<(bool, bool)>().prop_flat_map(|(contexts, parameters)| {
+            system(Features { contexts, parameters, weights: true, images: false, cuts: true })
+        }),
+        piece in 1_usize..9,
+    ) {
+        check(&system, piece)?;
+    }
+
+    #[test]
+    fn stochastic_systems(system in system(Features { contexts: true, parameters: true, weights: true, images: false, cuts: false }), piece in 1_usize..9) {
         check(&system, piece)?;
     }
 }

@@ -74,3 +74,26 @@ fn figure_2_6_has_the_published_sizes() {
     let text = expand(&tree, 1, &Limits::default()).unwrap();
     assert_eq!(text, "!(10)F(1)[&(45)B(0.6,7.069999999999999)]/(137.5)A(0.9,7.069999999999999)");
 }
+
+/// ABOP, section 3.2.3, the shedding of branches: each lives for three steps and leaves a scar.
+#[test]
+fn branches_are_shed() {
+    let tree =
+        system("A", "A -> F(1)[-X(3)B][+X(3)B]A\nB -> F(1)B\nX(d) : d > 0 -> X(d-1)\nX(d) : d == 0 -> U%\nU -> F(0.3)");
+    let at = |n| expand(&tree, n, &Limits::default()).unwrap();
+    assert_eq!(at(2), "F(1)[-X(2)F(1)B][+X(2)F(1)B]F(1)[-X(3)B][+X(3)B]A");
+    assert!(at(5).starts_with("F(1)[-U%F(1)F(1)F(1)F(1)B][+U%F(1)F(1)F(1)F(1)B]F(1)[-X(0)F(1)F(1)F(1)B]"));
+    assert!(at(6).starts_with("F(1)[-F(0.3)][+F(0.3)]F(1)[-U%F(1)"));
+    assert!(at(20).starts_with(&"F(1)[-F(0.3)][+F(0.3)]".repeat(15)));
+    // The counts depend on what is cut.
+    assert_eq!(count_symbols(&tree, 20), None);
+}
+
+#[test]
+fn plain_systems_are_cut_too() {
+    let system = system("A", "A -> F[+B]A\nB -> FC\nC -> %F");
+    assert_eq!(expand(&system, 4, &Limits::default()).unwrap(), "F[+F]F[+F%F]F[+FC]F[+B]A");
+    let drawn = lsystem::draw(&system, 4, &Limits::default()).unwrap();
+    assert_eq!((drawn.segment_count(), drawn.symbol_count()), (8, Some(24)));
+    assert_eq!(lsystem::count_segments(&system, 4), None);
+}

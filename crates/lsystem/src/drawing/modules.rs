@@ -229,6 +229,8 @@ impl Measure {
 #[derive(Clone, Debug, Default)]
 struct Reader {
     at: usize,
+    /// Where its arguments start.
+    argument: usize,
     image: Image,
     ops: Vec<Op>,
 }
@@ -242,7 +244,7 @@ impl Reader {
         left: &mut u64,
         act: &mut dyn FnMut(&[Op]),
     ) -> Result<bool, Fault> {
-        let Self { at, image, ops } = self;
+        let Self { at, argument, image, ops } = self;
         let (word, rules) = (rewriter.word(), rewriter.rules());
         let end = (*at + PIECE).min(word.letters.len());
         *left = left.saturating_sub(2 * (end - *at) as u64 + 1);
@@ -261,14 +263,20 @@ impl Reader {
         };
         while *at < end {
             let letter = word.letters[*at];
+            let arity = |letter: u16| usize::from(rules.letters[usize::from(letter)].arity);
+            let after = *argument + arity(letter);
             if rules.images[usize::from(letter)].is_empty() {
-                one(letter, word.arguments_of(*at, rules));
+                one(letter, &word.arguments[*argument..after]);
             } else {
-                let modules = rewriter.image(*at, image)?;
-                for (place, &letter) in modules.letters.iter().enumerate() {
-                    one(letter, modules.arguments_of(place, rules));
+                let modules = rewriter.image(*at, *argument, image)?;
+                let mut arguments = modules.arguments.as_slice();
+                for &letter in &modules.letters {
+                    let (own, rest) = arguments.split_at(arity(letter));
+                    arguments = rest;
+                    one(letter, own);
                 }
             }
+            *argument = after;
             *at += 1;
         }
         Ok(*at == word.letters.len())

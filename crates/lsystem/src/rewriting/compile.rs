@@ -7,16 +7,18 @@ use crate::{Grammar, Module, Pattern, Production};
 use core::ops::Range;
 
 impl Rules {
-    /// Compiles `grammar`. `spans` says where its productions stand in the text, then those for drawing.
+    /// Compiles `grammar`. `spans` says where its productions stand in the text, then those for drawing; `cuts` which
+    /// symbols cut off the rest of their branch.
     ///
     /// # Errors
     /// Where an expression cannot be computed.
-    pub fn new(grammar: &Grammar, spans: Vec<Range<usize>>) -> Result<Self, Unusable> {
+    pub fn new(grammar: &Grammar, spans: Vec<Range<usize>>, cuts: impl Fn(char) -> bool) -> Result<Self, Unusable> {
         let productions = || grammar.productions.iter().chain(&grammar.images);
         let matched = productions().flat_map(Production::patterns).map(letter_of_pattern);
         let made = grammar.axiom.iter().chain(productions().flat_map(|p| &p.successor)).map(letter_of_module);
         let letters: Vec<Letter> = set(matched.chain(made));
         let considered = letters.iter().map(|letter| grammar.seen.contains(letter.symbol)).collect();
+        let cuts = letters.iter().map(|letter| cuts(letter.symbol)).collect();
         let (mut by_letter, mut images) = (vec![Vec::new(); letters.len()], vec![Vec::new(); letters.len()]);
         let compiler = Compiler { grammar, letters: &letters };
         for (index, production) in productions().enumerate() {
@@ -29,7 +31,7 @@ impl Rules {
             rules.extend(first.into_iter().chain(rest));
         }
         let axiom = compiler.word(&grammar.axiom, &[], &mut 0)?;
-        Ok(Self { letters, considered, by_letter, images, axiom, spans })
+        Ok(Self { letters, considered, cuts, by_letter, images, axiom, spans })
     }
 }
 
@@ -74,13 +76,12 @@ impl Compiler<'_> {
         })
     }
 
-    fn word(&self, modules: &[Module], names: &[&str], randoms: &mut u16) -> Result<Vec<Template>, Unusable> {
-        let template = |module: &Module| {
-            let arguments =
-                module.arguments.iter().map(|expr| self.code(expr, names, randoms)).collect::<Result<_, _>>();
-            Ok(Template { letter: self.id(letter_of_module(module)), arguments: arguments? })
-        };
-        modules.iter().map(template).collect()
+    fn word(&self, modules: &[Module], names: &[&str], randoms: &mut u16) -> Result<Template, Unusable> {
+        let arguments = modules.iter().flat_map(|module| &module.arguments);
+        Ok(Template {
+            letters: modules.iter().map(|module| self.id(letter_of_module(module))).collect(),
+            arguments: arguments.map(|expr| self.code(expr, names, randoms)).collect::<Result<_, _>>()?,
+        })
     }
 
     fn code(&self, expr: &Expr, names: &[&str], randoms: &mut u16) -> Result<Code, Unusable> {

@@ -43,6 +43,8 @@ pub(super) struct Neighbours {
     pub(super) right: Vec<u32>,
     /// By module that opens a branch: the place after the branch.
     pub(super) after: Vec<u32>,
+    /// By module: where its arguments start.
+    pub(super) arguments: Vec<u32>,
     open: Vec<(u32, u32)>,
     nearest: u32,
 }
@@ -50,7 +52,7 @@ pub(super) struct Neighbours {
 impl Neighbours {
     /// Forgets everything and makes room for a word of `length` modules.
     pub(super) fn reset(&mut self, length: usize) {
-        for places in [&mut self.left, &mut self.right, &mut self.after] {
+        for places in [&mut self.left, &mut self.right, &mut self.after, &mut self.arguments] {
             places.clear();
             places.resize(length, NONE);
         }
@@ -63,9 +65,10 @@ impl Neighbours {
         self.nearest = NONE;
     }
 
-    /// Goes one module to the left in the pass from the end to the start.
+    /// Goes one module to the left, whose arguments start at `argument`, in the pass from the end to the start.
     #[inline]
-    pub(super) fn leftward(&mut self, place: usize, role: Role) {
+    pub(super) fn leftward(&mut self, place: usize, argument: usize, role: Role) {
+        self.arguments[place] = argument as u32;
         self.right[place] = self.nearest;
         match role {
             Role::Close => {

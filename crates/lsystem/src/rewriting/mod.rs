@@ -3,16 +3,19 @@
 //! Context-free systems without parameters need none of this: `derivation.rs` derives them letter by letter. Here
 //! a whole generation stands in memory, because a production's context is the generation around it.
 
+mod choose;
 mod compile;
 mod context;
 mod image;
+mod modules;
 mod rules;
 mod step;
 mod table;
 
 pub use image::Image;
+pub use modules::Modules;
 pub use rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
-pub use step::{Fault, Modules, Rewriter};
+pub use step::{Fault, Rewriter};
 
 #[cfg(test)]
 mod tests;

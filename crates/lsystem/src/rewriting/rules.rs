@@ -22,12 +22,14 @@ pub struct Rules {
     pub letters: Vec<Letter>,
     /// By letter: whether contexts see it (`ignore:`, `consider:`).
     pub considered: Vec<bool>,
+    /// By letter: whether it cuts off the rest of its branch in the next step.
+    pub cuts: Vec<bool>,
     /// By letter: its productions, those with a context first, in text order within each class.
     pub by_letter: Vec<Vec<Rule>>,
     /// By letter: its productions below `draw:`, in text order.
     pub images: Vec<Vec<Rule>>,
     /// The axiom; its arguments use no slots.
-    pub axiom: Vec<Template>,
+    pub axiom: Template,
     /// Where the productions stand in the text, then those below `draw:`; may be shorter.
     pub spans: Vec<Range<usize>>,
 }
@@ -48,7 +50,7 @@ pub struct Rule {
     pub weight: Option<Code>,
     /// What replaces the module. Slots number the parameters of left context, predecessor and right context, in the
     /// order they are written.
-    pub successor: Vec<Template>,
+    pub successor: Template,
 }
 
 impl Rule {
@@ -78,12 +80,12 @@ pub enum ContextPattern {
     Close,
 }
 
-/// A module to be made: a letter and how its arguments are computed.
-#[derive(Clone, Debug, PartialEq)]
+/// Modules to be made.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Template {
-    /// The letter.
-    pub letter: LetterId,
-    /// Its arguments.
+    /// Their letters.
+    pub letters: Vec<LetterId>,
+    /// How their arguments are computed, all of them one after the other.
     pub arguments: Vec<Code>,
 }
 
@@ -98,13 +100,17 @@ impl Rules {
     #[must_use]
     pub fn is_random(&self) -> bool {
         let random = |template: &Template| template.arguments.iter().any(Code::is_random);
-        let axiom = self.axiom.iter().any(random);
-        axiom
+        random(&self.axiom)
             || (self.by_letter.iter().chain(&self.images).flatten()).any(|rule| {
-                rule.weight.is_some()
-                    || rule.condition.as_ref().is_some_and(Code::is_random)
-                    || rule.successor.iter().any(random)
+                rule.weight.is_some() || rule.condition.as_ref().is_some_and(Code::is_random) || random(&rule.successor)
             })
+    }
+
+    /// Whether branches are ever cut.
+    #[must_use]
+    pub fn is_cutting(&self) -> bool {
+        let made = self.by_letter.iter().flatten().map(|rule| &rule.successor).chain([&self.axiom]);
+        made.flat_map(|template| &template.letters).any(|&letter| self.cuts[usize::from(letter)])
     }
 
     /// Whether any module has parameters.

@@ -1,22 +1,11 @@
 //! One derivation step after the other, in pieces of bounded work.
 
+use super::choose::{Place, Scratch};
 use super::context::{Neighbours, Role, roles};
-use super::rules::{LetterId, Rule, Rules, Template};
+use super::modules::{Chance, Modules, NotFinite};
+use super::rules::{Rule, Rules};
 use super::table::{Sides, Table};
-use crate::{Key, LimitName, Limits};
-
-/// A word of modules.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Modules {
-    /// The letters.
-    pub letters: Vec<LetterId>,
-    /// All modules' arguments, one after the other.
-    pub arguments: Vec<f64>,
-    /// By module: where its arguments start; kept only where some letter has parameters.
-    starts: Vec<u32>,
-    /// By module: its place in the derivation; kept only where chance plays a part.
-    keys: Vec<Key>,
-}
+use crate::{LimitName, Limits};
 
 /// Why a derivation cannot go on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,14 +34,16 @@ pub struct Rewriter {
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
     pub(super) rules: Rules,
-    roles: Vec<Role>,
+    pub(super) roles: Vec<Role>,
+    /// By letter: how many arguments it has.
+    pub(super) arities: Vec<u8>,
+    /// By letter: whether no production rewrites it.
+    inert: Vec<bool>,
     pub(super) seed: u32,
     limits: Limits,
     pub(super) random: bool,
-    parametric: bool,
     contexts: bool,
-    /// By letter: whether no production rewrites it.
-    inert: Vec<bool>,
+    cutting: bool,
     /// Decides by three letters alone, where that is possible.
     table: Option<Table>,
 }
@@ -62,21 +53,23 @@ pub(super) struct Plan {
 enum Pass {
     /// Nothing done yet.
     Start,
-    /// From the end to the start; this many modules are left.
-    Leftward(usize),
-    /// From the start to the end; this is the next module.
-    Rightward(usize),
+    /// From the start to the end: what is cut off is left out.
+    Cut(Shears),
+    /// From the end to the start; this many modules, and arguments, are left.
+    Leftward(usize, usize),
+    /// From the start to the end; the next module, and its arguments.
+    Rightward(usize, usize),
 }
 
-/// Memory that is used again.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Scratch {
-    /// The places of a context's modules.
-    found: Vec<u32>,
-    /// The parameters of left context, predecessor and right context.
-    pub(super) slots: Vec<f64>,
-    /// The weighted rules that apply.
-    choices: Vec<(usize, f64)>,
+/// How far the cutting of branches has come.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Shears {
+    /// The next module, and its arguments.
+    at: (usize, usize),
+    /// How many modules, and arguments, are kept so far.
+    kept: (usize, usize),
+    /// Branches open since the cut, where one is going on.
+    cut: Option<usize>,
 }
 
 /// Modules handled between two looks at the limits and the caller's budget.
@@ -89,22 +82,19 @@ impl Rewriter {
     /// Where an argument of the axiom is not finite.
     pub fn new(rules: Rules, seed: u32, limits: Limits) -> Result<Self, Fault> {
         let random = rules.is_random();
-        let parametric = rules.is_parametric();
+        let arities: Vec<u8> = rules.letters.iter().map(|letter| letter.arity).collect();
         let mut word = Modules::default();
-        for (index, template) in rules.axiom.iter().enumerate() {
-            let key = Key::root(index as u64);
-            word.push(template, (key, key), &[], (seed, 0), (parametric, random))
-                .map_err(|NotFinite| Fault::NotFinite(None))?;
-        }
+        word.start(&rules.axiom, &arities, seed, random).map_err(|NotFinite| Fault::NotFinite(None))?;
         let roles = roles(&rules);
         let plan = Plan {
+            contexts: rules.by_letter.iter().flatten().any(Rule::is_context_sensitive),
+            table: if rules.is_parametric() || random { None } else { Table::new(&rules, &roles) },
+            inert: rules.by_letter.iter().map(Vec::is_empty).collect(),
+            cutting: rules.is_cutting(),
             seed,
             limits,
             random,
-            parametric,
-            contexts: rules.by_letter.iter().flatten().any(Rule::is_context_sensitive),
-            table: if parametric || random { None } else { Table::new(&rules, &roles) },
-            inert: rules.by_letter.iter().map(Vec::is_empty).collect(),
+            arities,
             roles,
             rules,
         };
@@ -127,7 +117,7 @@ impl Rewriter {
         self.generation
     }
 
-    /// The modules of the last whole generation.
+    /// The modules of the last whole generation; while the next is in the making, without what is cut off.
     #[must_use]
     pub fn word(&self) -> &Modules {
         &self.word
@@ -136,8 +126,8 @@ impl Rewriter {
     /// By how much it is spent, 0 to 1: how far the next generation has come.
     pub(crate) fn fraction(&self) -> f64 {
         match self.pass {
-            Pass::Rightward(at) => at as f64 / self.word.letters.len().max(1) as f64,
-            Pass::Start | Pass::Leftward(_) => 0.0,
+            Pass::Rightward(at, _) => at as f64 / self.word.letters.len().max(1) as f64,
+            Pass::Start | Pass::Cut(_) | Pass::Leftward(..) => 0.0,
         }
     }
 
@@ -150,58 +140,63 @@ impl Rewriter {
     /// Works towards the next generation until it is reached (true) or about `budget` modules have been handled.
     ///
     /// # Errors
-    /// A limit, or a number that is not finite. The last whole generation stays.
+    /// A limit, or a number that is not finite.
     pub fn step(&mut self, budget: usize) -> Result<bool, Fault> {
         let mut left = budget.max(1);
         loop {
             let length = self.word.letters.len();
+            let piece = left.min(PIECE);
             match self.pass {
                 Pass::Start => {
                     self.next.clear();
-                    match (self.plan.contexts, &self.plan.table) {
-                        (true, Some(_)) => self.sides.reset(length),
-                        (true, None) => self.neighbours.reset(length),
-                        (false, _) => {}
-                    }
-                    self.pass = if self.plan.contexts { Pass::Leftward(length) } else { Pass::Rightward(0) };
+                    self.pass = if self.plan.cutting { Pass::Cut(Shears::default()) } else { self.look_around() };
                 }
-                Pass::Leftward(0) => {
+                Pass::Cut(mut shears) => {
+                    let start = shears.at.0;
+                    let done = self.cut(&mut shears, piece);
+                    left -= (shears.at.0 - start).min(left);
+                    self.pass = if done { self.look_around() } else { Pass::Cut(shears) };
+                }
+                Pass::Leftward(0, _) => {
                     self.neighbours.turn();
                     self.sides.turn();
-                    self.pass = Pass::Rightward(0);
+                    self.pass = Pass::Rightward(0, 0);
                 }
-                Pass::Leftward(end) => {
-                    let start = end.saturating_sub(left.min(PIECE));
+                Pass::Leftward(end, mut arguments) => {
+                    let start = end.saturating_sub(piece);
+                    let letters = &self.word.letters[start..end];
                     if let Some(table) = &self.plan.table {
-                        table.leftward(&self.word.letters, start, end, &mut self.sides);
+                        table.leftward(letters, start, &mut self.sides);
                     } else {
-                        for place in (start..end).rev() {
-                            self.neighbours.leftward(place, self.plan.roles[usize::from(self.word.letters[place])]);
+                        for (place, &letter) in (start..end).zip(letters).rev() {
+                            arguments -= usize::from(self.plan.arities[usize::from(letter)]);
+                            self.neighbours.leftward(place, arguments, self.plan.roles[usize::from(letter)]);
                         }
                     }
-                    left -= (end - start).min(left);
-                    self.pass = Pass::Leftward(start);
+                    left -= end - start;
+                    self.pass = Pass::Leftward(start, arguments);
                 }
-                Pass::Rightward(start) if start == length => {
+                Pass::Rightward(start, _) if start == length => {
                     core::mem::swap(&mut self.word, &mut self.next);
                     self.generation += 1;
                     self.pass = Pass::Start;
                     return Ok(true);
                 }
-                Pass::Rightward(start) => {
-                    let end = (start + left.min(PIECE)).min(length);
+                Pass::Rightward(start, mut arguments) => {
+                    let end = (start + piece).min(length);
                     self.work += (end - start) as u64;
                     if let Some(table) = &self.plan.table {
+                        let letters = &self.word.letters[start..end];
                         let next = &mut self.next.letters;
-                        table.rightward(&self.word.letters, start, end, self.plan.contexts, &mut self.sides, next);
+                        table.rightward(letters, start, self.plan.contexts, &mut self.sides, next);
                     } else {
-                        self.by_rules(start, end)?;
+                        self.by_rules(start, end, &mut arguments)?;
                     }
                     if self.work > self.plan.limits.work {
                         return Err(Fault::Limit(LimitName::Work));
                     }
-                    left -= (end - start).min(left);
-                    self.pass = Pass::Rightward(end);
+                    left -= end - start;
+                    self.pass = Pass::Rightward(end, arguments);
                 }
             }
             if left == 0 {
@@ -214,186 +209,98 @@ impl Rewriter {
         }
     }
 
-    fn by_rules(&mut self, start: usize, end: usize) -> Result<(), Fault> {
+    /// Makes room for what surrounds the modules of the word, and says which pass comes first.
+    fn look_around(&mut self) -> Pass {
+        let (modules, arguments) = (self.word.letters.len(), self.word.arguments.len());
+        if !self.plan.contexts {
+            return Pass::Rightward(0, 0);
+        }
+        match &self.plan.table {
+            Some(_) => self.sides.reset(modules),
+            None => self.neighbours.reset(modules),
+        }
+        Pass::Leftward(modules, arguments)
+    }
+
+    /// Goes on for `budget` modules leaving out of the word what its symbols cut off: each, and all that follows it up to
+    /// the end of its branch (ABOP's `%`). Says whether the end is reached.
+    fn cut(&mut self, shears: &mut Shears, budget: usize) -> bool {
+        let Self { plan, word, .. } = self;
+        let Shears { at: (at, argument), kept: (kept, kept_arguments), cut } = shears;
+        let end = (*at + budget).min(word.letters.len());
+        let (from, from_argument) = (*at, *argument);
+        // Modules are kept in runs.
+        let (mut run, mut run_arguments) = (from, from_argument);
+        let mut keep = |word: &mut Modules, run: usize, run_arguments: usize, at: usize, argument: usize| {
+            word.move_down(run..at, *kept, run_arguments..argument, *kept_arguments);
+            *kept += at - run;
+            *kept_arguments += argument - run_arguments;
+        };
+        while *at < end {
+            let letter = usize::from(word.letters[*at]);
+            match (*cut, plan.roles[letter]) {
+                (Some(0), Role::Close) => {
+                    (*cut, run, run_arguments) = (None, *at, *argument);
+                }
+                (Some(deep), Role::Open) => *cut = Some(deep + 1),
+                (Some(deep), Role::Close) => *cut = Some(deep - 1),
+                (None, _) if plan.rules.cuts[letter] => {
+                    keep(word, run, run_arguments, *at, *argument);
+                    *cut = Some(0);
+                }
+                _ => {}
+            }
+            *at += 1;
+            *argument += usize::from(plan.arities[letter]);
+        }
+        if cut.is_none() {
+            keep(word, run, run_arguments, *at, *argument);
+        }
+        let done = *at == word.letters.len();
+        if done {
+            word.truncate(*kept, *kept_arguments);
+        }
+        done
+    }
+
+    /// Rewrites modules one by one; `arguments` is where theirs are.
+    fn by_rules(&mut self, start: usize, end: usize, arguments: &mut usize) -> Result<(), Fault> {
         let Self { plan, word, next, neighbours, scratch, generation, work, .. } = self;
         let step = *generation + 1;
         let mut place = start;
         while place < end {
-            let letter = word.letters[place];
-            if plan.inert[usize::from(letter)] && !plan.contexts {
-                let length = word.letters[place..end].iter().take_while(|&&l| plan.inert[usize::from(l)]).count();
-                next.keep_all(word, place, place + length);
-                place += length;
-                continue;
+            // What stays is copied in runs.
+            let (run, run_arguments) = (place, *arguments);
+            while place < end && plan.inert[usize::from(word.letters[place])] {
+                let letter = usize::from(word.letters[place]);
+                if plan.contexts {
+                    neighbours.rightward(place, plan.roles[letter]);
+                }
+                *arguments += usize::from(plan.arities[letter]);
+                place += 1;
             }
+            if place > run {
+                next.keep(word, run..place, run_arguments..*arguments);
+            }
+            if place == end {
+                break;
+            }
+            let letter = usize::from(word.letters[place]);
             if plan.contexts {
-                neighbours.rightward(place, plan.roles[usize::from(letter)]);
+                neighbours.rightward(place, plan.roles[letter]);
             }
-            let key = word.keys.get(place).copied().unwrap_or(Key::root(0));
-            let at = Place { plan, word, neighbours, place, key, step };
-            match at.choose(&plan.rules.by_letter[usize::from(letter)], scratch, work) {
-                None => next.keep(word, place, &plan.rules),
+            let own = *arguments..*arguments + usize::from(plan.arities[letter]);
+            *arguments = own.end;
+            let chance = Chance { key: word.key_of(place), seed: plan.seed, step };
+            let at = Place { plan, word, neighbours, place, own: &word.arguments[own.clone()], chance };
+            match at.choose(&plan.rules.by_letter[letter], scratch, work) {
+                None => next.keep(word, place..place + 1, own),
                 Some(rule) => {
-                    for (child, template) in rule.successor.iter().enumerate() {
-                        let kept = (plan.parametric, plan.random);
-                        let child = if plan.random { key.child(step, child as u64) } else { key };
-                        next.push(template, (key, child), &scratch.slots, (plan.seed, step), kept)
-                            .map_err(|NotFinite| Fault::NotFinite(Some(rule.production)))?;
-                    }
+                    next.make(&rule.successor, at.slots(rule, scratch), &chance, plan.random)
+                        .map_err(|NotFinite| Fault::NotFinite(Some(rule.production)))?;
                 }
             }
             place += 1;
-        }
-        Ok(())
-    }
-}
-
-/// A module in its surroundings.
-pub(super) struct Place<'a> {
-    pub(super) plan: &'a Plan,
-    pub(super) word: &'a Modules,
-    pub(super) neighbours: &'a Neighbours,
-    pub(super) place: usize,
-    pub(super) key: Key,
-    pub(super) step: u32,
-}
-
-impl<'a> Place<'a> {
-    /// The production that applies; its parameters are then in the scratch.
-    pub(super) fn choose(&self, rules: &'a [Rule], scratch: &mut Scratch, work: &mut u64) -> Option<&'a Rule> {
-        scratch.choices.clear();
-        let mut class = None;
-        for (index, rule) in rules.iter().enumerate() {
-            // Once a weighted one applies, only weighted ones of its class do.
-            if class.is_some_and(|class| rule.weight.is_none() || class != rule.is_context_sensitive()) {
-                continue;
-            }
-            if !self.applies(rule, scratch, work) {
-                continue;
-            }
-            let Some(weight) = &rule.weight else { return Some(rule) };
-            class = Some(rule.is_context_sensitive());
-            let weight = weight.value(&scratch.slots, &|at| self.number(at));
-            if weight > 0.0 && weight.is_finite() {
-                scratch.choices.push((index, weight));
-            }
-        }
-        let total: f64 = scratch.choices.iter().map(|(_, weight)| weight).sum();
-        let mut roll = self.key.choice(self.plan.seed, self.step) * total;
-        let chosen = scratch.choices.iter().find(|(_, weight)| {
-            let here = roll < *weight;
-            roll -= weight;
-            here
-        });
-        let &(index, _) = chosen.or(scratch.choices.last())?;
-        // Others have been looked at since: its parameters are bound once more.
-        self.applies(&rules[index], scratch, work).then_some(&rules[index])
-    }
-
-    /// Whether a production applies here; its parameters are then in the scratch.
-    fn applies(&self, rule: &Rule, scratch: &mut Scratch, work: &mut u64) -> bool {
-        let Self { plan, word, neighbours, place, .. } = *self;
-        *work += 1;
-        scratch.found.clear();
-        if rule.is_context_sensitive() {
-            let letters = &word.letters;
-            if !neighbours.match_left(letters, place, &rule.left, &mut scratch.found)
-                || !neighbours.match_right(letters, &plan.roles, place, &rule.right, &mut scratch.found, work)
-            {
-                return false;
-            }
-        }
-        if plan.parametric {
-            scratch.slots.clear();
-            let (left, right) = scratch.found.split_at(rule.left.len().min(scratch.found.len()));
-            for &at in left.iter().chain([&(place as u32)]).chain(right) {
-                scratch.slots.extend_from_slice(word.arguments_of(at as usize, &plan.rules));
-            }
-        }
-        let Some(condition) = &rule.condition else { return true };
-        let value = condition.value(&scratch.slots, &|at| self.number(at));
-        value != 0.0 && !value.is_nan()
-    }
-
-    fn number(&self, place: u16) -> f64 {
-        self.key.number(self.plan.seed, self.step, place)
-    }
-}
-
-/// A number that is not finite.
-pub(super) struct NotFinite;
-
-impl Modules {
-    pub(super) fn clear(&mut self) {
-        self.letters.clear();
-        self.arguments.clear();
-        self.starts.clear();
-        self.keys.clear();
-    }
-
-    /// The arguments of the module at `place`.
-    #[must_use]
-    pub fn arguments_of(&self, place: usize, rules: &Rules) -> &[f64] {
-        let Some(&start) = self.starts.get(place) else { return &[] };
-        let arity = usize::from(rules.letters[usize::from(self.letters[place])].arity);
-        &self.arguments[start as usize..start as usize + arity]
-    }
-
-    /// The key of the module at `place`; without meaning where chance plays no part.
-    #[must_use]
-    pub fn key_of(&self, place: usize) -> Key {
-        self.keys.get(place).copied().unwrap_or(Key::root(place as u64))
-    }
-
-    /// Appends the module of another word that stays as it is.
-    pub(super) fn keep(&mut self, word: &Self, place: usize, rules: &Rules) {
-        self.letters.push(word.letters[place]);
-        if !word.starts.is_empty() {
-            self.starts.push(self.arguments.len() as u32);
-            self.arguments.extend_from_slice(word.arguments_of(place, rules));
-        }
-        if let Some(key) = word.keys.get(place) {
-            self.keys.push(*key);
-        }
-    }
-
-    /// Appends modules of another word that stay as they are.
-    fn keep_all(&mut self, word: &Self, start: usize, end: usize) {
-        self.letters.extend_from_slice(&word.letters[start..end]);
-        if let Some(&first) = word.starts.get(start) {
-            let after = word.starts.get(end).map_or(word.arguments.len(), |&after| after as usize);
-            let moved = (self.arguments.len() as u32).wrapping_sub(first);
-            self.starts.extend(word.starts[start..end].iter().map(|at| at.wrapping_add(moved)));
-            self.arguments.extend_from_slice(&word.arguments[first as usize..after]);
-        }
-        if !word.keys.is_empty() {
-            self.keys.extend_from_slice(&word.keys[start..end]);
-        }
-    }
-
-    /// Appends a module: its maker's key and its own, the slots to compute its arguments from, seed and step, and
-    /// whether arguments and keys are kept.
-    pub(super) fn push(
-        &mut self,
-        template: &Template,
-        (maker, own): (Key, Key),
-        slots: &[f64],
-        (seed, step): (u32, u32),
-        (parametric, random): (bool, bool),
-    ) -> Result<(), NotFinite> {
-        self.letters.push(template.letter);
-        if random {
-            self.keys.push(own);
-        }
-        if parametric {
-            self.starts.push(self.arguments.len() as u32);
-            for code in &template.arguments {
-                let value = code.value(slots, &|place| maker.number(seed, step, place));
-                if !value.is_finite() {
-                    return Err(NotFinite);
-                }
-                self.arguments.push(value);
-            }
         }
         Ok(())
     }

@@ -7,13 +7,14 @@ use super::rules::{ContextPattern, LetterId, Rules};
 /// By letter, left neighbour and right neighbour: the successor.
 #[derive(Clone, Debug)]
 pub(super) struct Table {
-    /// One more than the letters: 0 stands for no neighbour.
-    sides: usize,
+    /// How many bits tell neighbours apart.
+    bits: u32,
     /// The successor's place.
     chosen: Vec<u16>,
     successors: Vec<Successor>,
-    /// By letter.
-    roles: Vec<Role>,
+    /// By letter: what it does to neighbours in the pass to the left, and to the right.
+    leftward: Vec<Turn>,
+    rightward: Vec<Turn>,
 }
 
 /// A table of more letters would not stay in the nearest cache.
@@ -22,10 +23,24 @@ const MAX_LETTERS: usize = 32;
 /// The most letters of a successor: all are copied as if they were as many, which is quicker than to count.
 const LONGEST: usize = 8;
 
+/// Modules whose successors are put together before they are appended: they stay in the nearest cache.
+const BATCH: usize = 512;
+
 #[derive(Clone, Copy, Debug)]
 struct Successor {
     letters: [LetterId; LONGEST],
     length: u8,
+}
+
+/// What a letter does to the nearest neighbour that those behind it see.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Turn {
+    /// It is kept or replaced: `nearest & keep | put`, which needs no decision.
+    Pass { keep: u8, put: u8 },
+    /// A branch begins: the nearest waits for its end, and is seen inside where it is the way to the root.
+    Begin { keep: u8 },
+    /// A branch ends: the nearest is again what it was before.
+    End,
 }
 
 /// The neighbours of a word's modules as letters, each one more than the letter, or 0 for none.
@@ -36,6 +51,8 @@ pub(super) struct Sides {
     /// What waits for the ends of open branches.
     open: Vec<u8>,
     nearest: u8,
+    /// Room for successors.
+    made: Vec<LetterId>,
 }
 
 impl Sides {
@@ -50,28 +67,18 @@ impl Sides {
         self.open.clear();
         self.nearest = 0;
     }
+}
 
-    /// Goes by a bracket; what it is passed from, a branch begins at `start` and ends at the other.
-    #[inline]
-    fn bracket(&mut self, role: Role, start: Role) {
-        if role == start {
-            self.open.push(self.nearest);
-            if role == Role::Close {
-                self.nearest = 0;
-            }
-        } else {
-            self.nearest = self.open.pop().unwrap_or(0);
+/// Goes by a letter.
+#[inline]
+fn pass(nearest: &mut u8, open: &mut Vec<u8>, turn: Turn) {
+    match turn {
+        Turn::Pass { keep, put } => *nearest = *nearest & keep | put,
+        Turn::Begin { keep } => {
+            open.push(*nearest);
+            *nearest &= keep;
         }
-    }
-
-    /// Goes by a module.
-    #[inline]
-    fn pass(&mut self, letter: LetterId, role: Role, start: Role) {
-        match role {
-            Role::Open | Role::Close => self.bracket(role, start),
-            Role::Seen => self.nearest = letter as u8 + 1,
-            Role::Ignored => {}
-        }
+        Turn::End => *nearest = open.pop().unwrap_or(0),
     }
 }
 
@@ -79,36 +86,45 @@ impl Table {
     /// The table, where the rules allow one.
     pub(super) fn new(rules: &Rules, roles: &[Role]) -> Option<Self> {
         let letters = rules.letters.len();
-        let plain = (rules.by_letter.iter().flatten()).all(|rule| rule.is_plain() && rule.successor.len() <= LONGEST);
-        if letters > MAX_LETTERS || !plain {
+        let short = |rule: &super::rules::Rule| rule.is_plain() && rule.successor.letters.len() <= LONGEST;
+        if letters > MAX_LETTERS || !rules.by_letter.iter().flatten().all(short) {
             return None;
         }
-        let sides = letters + 1;
+        // One more than the letters: 0 stands for no neighbour.
+        let bits = usize::BITS - letters.leading_zeros();
         // Letters stay where nothing else is said.
         let stay = |letter: usize| Successor { letters: [letter as LetterId; LONGEST], length: 1 };
+        let turns = |begin: Role, keep: u8| -> Vec<Turn> {
+            let turn = |(letter, &role): (usize, &Role)| match role {
+                Role::Seen => Turn::Pass { keep: 0, put: letter as u8 + 1 },
+                Role::Ignored => Turn::Pass { keep: u8::MAX, put: 0 },
+                Role::Open | Role::Close if role == begin => Turn::Begin { keep },
+                Role::Open | Role::Close => Turn::End,
+            };
+            roles.iter().enumerate().map(turn).collect()
+        };
         let mut table = Self {
-            sides,
-            chosen: (0..letters * sides * sides).map(|slot| (slot / (sides * sides)) as u16).collect(),
+            bits,
+            chosen: (0..letters << (2 * bits)).map(|slot| (slot >> (2 * bits)) as u16).collect(),
             successors: (0..letters).map(stay).collect(),
-            roles: roles.to_vec(),
+            leftward: turns(Role::Close, 0),
+            rightward: turns(Role::Open, u8::MAX),
         };
         for (letter, by_letter) in rules.by_letter.iter().enumerate() {
             // The first that applies decides.
             for rule in by_letter.iter().rev() {
                 let number = u16::try_from(table.successors.len()).ok()?;
                 let mut letters = [0; LONGEST];
-                for (into, template) in letters.iter_mut().zip(&rule.successor) {
-                    *into = template.letter;
-                }
-                table.successors.push(Successor { letters, length: rule.successor.len() as u8 });
+                letters[..rule.successor.letters.len()].copy_from_slice(&rule.successor.letters);
+                table.successors.push(Successor { letters, length: rule.successor.letters.len() as u8 });
                 let left = rule.left.first().map(|&letter| usize::from(letter) + 1);
                 let right = rule.right.first().and_then(|pattern| match pattern {
                     ContextPattern::Letter(letter) => Some(usize::from(*letter) + 1),
                     ContextPattern::Open | ContextPattern::Close => None,
                 });
-                for l in left.map_or(0..sides, |l| l..l + 1) {
-                    for r in right.map_or(0..sides, |r| r..r + 1) {
-                        table.chosen[(letter * sides + l) * sides + r] = number;
+                for l in left.map_or(0..1 << bits, |l| l..l + 1) {
+                    for r in right.map_or(0..1 << bits, |r| r..r + 1) {
+                        table.chosen[(letter << bits | l) << bits | r] = number;
                     }
                 }
             }
@@ -116,37 +132,51 @@ impl Table {
         Some(table)
     }
 
-    /// Goes from `end` to `start`, in the pass that finds what is to the right.
-    pub(super) fn leftward(&self, word: &[LetterId], start: usize, end: usize, sides: &mut Sides) {
-        for place in (start..end).rev() {
-            let letter = word[place];
-            sides.right[place] = sides.nearest;
-            sides.pass(letter, self.roles[usize::from(letter)], Role::Close);
+    /// Goes from the end of `letters`, the first of which is at `start`, to their start, in the pass that finds what is
+    /// to the right.
+    pub(super) fn leftward(&self, letters: &[LetterId], start: usize, sides: &mut Sides) {
+        let Sides { right, open, nearest, .. } = sides;
+        let right = &mut right[start..start + letters.len()];
+        let mut near = *nearest;
+        for (&letter, right) in letters.iter().zip(right).rev() {
+            *right = near;
+            pass(&mut near, open, self.leftward[usize::from(letter)]);
         }
+        *nearest = near;
     }
 
-    /// Goes from `start` to `end` and appends what the modules become to `next`.
+    /// Goes through `letters`, the first of which is at `start`, and appends what they become to `next`. Without
+    /// `contexts` no production has one.
     pub(super) fn rightward(
         &self,
-        word: &[LetterId],
+        letters: &[LetterId],
         start: usize,
-        end: usize,
         contexts: bool,
         sides: &mut Sides,
         next: &mut Vec<LetterId>,
     ) {
-        let mut at = next.len();
-        next.resize(at + (end - start) * LONGEST, 0);
-        for (place, &letter) in (start..end).zip(&word[start..end]) {
-            let mut slot = usize::from(letter) * self.sides * self.sides;
-            if contexts {
-                slot += usize::from(sides.nearest) * self.sides + usize::from(sides.right[place]);
-                sides.pass(letter, self.roles[usize::from(letter)], Role::Open);
+        if !contexts {
+            for &letter in letters {
+                let successor = &self.successors[usize::from(self.chosen[usize::from(letter) << (2 * self.bits)])];
+                next.extend_from_slice(&successor.letters[..usize::from(successor.length)]);
             }
-            let successor = &self.successors[usize::from(self.chosen[slot])];
-            next[at..at + LONGEST].copy_from_slice(&successor.letters);
-            at += usize::from(successor.length);
+            return;
         }
-        next.truncate(at);
+        let Sides { right, open, nearest, made } = sides;
+        made.resize((BATCH + 1) * LONGEST, 0);
+        let bits = self.bits;
+        let mut near = *nearest;
+        for (batch, right) in letters.chunks(BATCH).zip(right[start..].chunks(BATCH)) {
+            let mut at = 0;
+            for (&letter, &right) in batch.iter().zip(right) {
+                let slot = (usize::from(letter) << bits | usize::from(near)) << bits | usize::from(right);
+                let successor = &self.successors[usize::from(self.chosen[slot])];
+                made[at..at + LONGEST].copy_from_slice(&successor.letters);
+                at += usize::from(successor.length);
+                pass(&mut near, open, self.rightward[usize::from(letter)]);
+            }
+            next.extend_from_slice(&made[..at]);
+        }
+        *nearest = near;
     }
 }

@@ -12,7 +12,7 @@ fn rules(axiom: &str, productions: &[(&str, char, &str, &str)], ignored: &str) -
     symbols.dedup();
     let letters: Vec<Letter> = symbols.iter().map(|&symbol| Letter { symbol, arity: 0 }).collect();
     let id = |symbol: char| symbols.binary_search(&symbol).unwrap() as LetterId;
-    let template = |symbol: char| Template { letter: id(symbol), arguments: vec![] };
+    let word = |text: &str| Template { letters: text.chars().map(id).collect(), arguments: vec![] };
     let mut by_letter = vec![vec![]; letters.len()];
     for (production, (left, strict, right, successor)) in productions.iter().enumerate() {
         by_letter[usize::from(id(*strict))].push(Rule {
@@ -27,7 +27,7 @@ fn rules(axiom: &str, productions: &[(&str, char, &str, &str)], ignored: &str) -
                 .collect(),
             condition: None,
             weight: None,
-            successor: successor.chars().map(template).collect(),
+            successor: word(successor),
         });
     }
     for rules in &mut by_letter {
@@ -35,7 +35,8 @@ fn rules(axiom: &str, productions: &[(&str, char, &str, &str)], ignored: &str) -
     }
     let considered = symbols.iter().map(|&symbol| !ignored.contains(symbol)).collect();
     let images = vec![vec![]; letters.len()];
-    Rules { letters, considered, by_letter, images, axiom: axiom.chars().map(template).collect(), spans: vec![] }
+    let cuts = symbols.iter().map(|&symbol| symbol == '%').collect();
+    Rules { letters, considered, cuts, by_letter, images, axiom: word(axiom), spans: vec![] }
 }
 
 fn derive(rules: Rules, n: u32, piece: usize) -> Rewriter {
@@ -97,6 +98,23 @@ fn contexts_respect_branches() {
 }
 
 #[test]
+fn branches_are_cut_in_the_next_step() {
+    let derived = |axiom: &str, productions: &[(&str, char, &str, &str)], n, piece| {
+        text(&derive(rules(axiom, productions, ""), n, piece))
+    };
+    for piece in [1, 2, 99] {
+        assert_eq!(derived("A[B%C[D]E]F[G]%H", &[], 0, piece), "A[B%C[D]E]F[G]%H");
+        assert_eq!(derived("A[B%C[D]E]F[G]%H", &[], 1, piece), "A[B]F[G]");
+        assert_eq!(derived("A%B]C%D]%", &[], 1, piece), "A]C]");
+        assert_eq!(derived("[[%A]B%C[", &[], 1, piece), "[[]B");
+        // What is cut off is no context, and what a symbol that cuts would become does not come into being.
+        assert_eq!(derived("A%B", &[("", 'A', "B", "C"), ("", '%', "", "D")], 1, piece), "A");
+        assert_eq!(derived("A", &[("", 'A', "", "B%A"), ("", 'B', "", "A")], 2, piece), "A");
+        assert_eq!(derived("A", &[("", 'A', "", "B%A"), ("", 'B', "", "A")], 3, piece), "B%A");
+    }
+}
+
+#[test]
 fn parameters_grow_and_conditions_hold() {
     // A(x) : x < 3 -> F(x)A(x + 1), as module counts and arguments.
     let letters = vec![Letter { symbol: 'A', arity: 1 }, Letter { symbol: 'F', arity: 1 }];
@@ -110,21 +128,19 @@ fn parameters_grow_and_conditions_hold() {
             crate::Op::Binary(Operator::Less),
         ])),
         weight: None,
-        successor: vec![
-            Template { letter: 1, arguments: vec![Code::Slot(0)] },
-            Template { letter: 0, arguments: vec![Code::Shifted(0, 1.0)] },
-        ],
+        successor: Template { letters: vec![1, 0], arguments: vec![Code::Slot(0), Code::Shifted(0, 1.0)] },
     };
-    let axiom = vec![Template { letter: 0, arguments: vec![Code::Constant(1.0)] }];
+    let axiom = Template { letters: vec![0], arguments: vec![Code::Constant(1.0)] };
     let (by_letter, images) = (vec![vec![rule], vec![]], vec![vec![]; 2]);
-    let rules = Rules { letters, considered: vec![true; 2], by_letter, images, axiom, spans: vec![] };
+    let rules =
+        Rules { letters, considered: vec![true; 2], cuts: vec![false; 2], by_letter, images, axiom, spans: vec![] };
     let rewriter = derive(rules.clone(), 5, 2);
     assert_eq!(rewriter.word().letters, [1, 1, 0]);
     assert_eq!(rewriter.word().arguments, [1.0, 2.0, 3.0]);
 
     let mut endless = rules;
     endless.by_letter[0][0].condition = None;
-    endless.by_letter[0][0].successor[1].arguments = vec![Code::Scaled(0, 1e200)];
+    endless.by_letter[0][0].successor.arguments[1] = Code::Scaled(0, 1e200);
     let mut rewriter = Rewriter::new(endless, 0, Limits::default()).unwrap();
     assert_eq!(rewriter.step(9), Ok(true));
     assert_eq!(rewriter.step(9), Err(Fault::NotFinite(Some(0))));

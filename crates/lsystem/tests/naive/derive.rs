@@ -27,6 +27,7 @@ pub fn modules(grammar: &Grammar, seed: u32, n: u32) -> Option<Vec<Module>> {
         if !is_finite(&word) {
             return None;
         }
+        word = uncut(&word);
         let tree = Tree::new(grammar, &word);
         let mut next = Vec::new();
         for (place, module) in word.iter().enumerate() {
@@ -46,6 +47,30 @@ pub fn images(grammar: &Grammar, seed: u32, word: &[Module]) -> Option<Vec<Modul
     let image = |place: usize| tree.successor(&grammar.images, seed, u32::MAX, place);
     let drawn = (0..word.len()).flat_map(|place| image(place).unwrap_or_else(|| vec![word[place].clone()]));
     Some(drawn.collect::<Vec<_>>()).filter(|word| is_finite(word))
+}
+
+/// The word without each `%` and what follows it up to the end of its branch.
+fn uncut(word: &[Module]) -> Vec<Module> {
+    let mut kept = Vec::new();
+    let mut rest = word;
+    while let Some((module, after)) = rest.split_first() {
+        rest = after;
+        if module.symbol != '%' {
+            kept.push(module.clone());
+            continue;
+        }
+        let mut level = 0;
+        let closing = rest.iter().position(|module| {
+            level += match module.symbol {
+                '[' => 1,
+                ']' => -1,
+                _ => 0,
+            };
+            level < 0
+        });
+        rest = &rest[closing.unwrap_or(rest.len())..];
+    }
+    kept
 }
 
 fn is_finite(word: &[Module]) -> bool {

@@ -53,6 +53,7 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
                 Action::TurnLeft(by) => turn(&mut state, by.unwrap_or(left)),
                 Action::TurnRight(by) => turn(&mut state, -by.unwrap_or(right)),
                 Action::TurnRound => turn(&mut state, 180.0),
+                Action::Cut => {}
                 Action::Push => {
                     saved.push(state);
                     state.level += 1;
@@ -87,7 +88,7 @@ fn replaced(action: Action, number: f64) -> Action {
         Action::TurnRight(_) => Action::TurnRight(Some(number)),
         Action::SetWidth(_) | Action::ScaleWidth(_) => Action::SetWidth(number.max(0.0)),
         Action::SetColour(_) | Action::AddColour(_) => Action::SetColour(number.floor() as i32),
-        Action::TurnRound | Action::Push | Action::Pop => action,
+        Action::TurnRound | Action::Push | Action::Pop | Action::Cut => action,
     }
 }
 

@@ -10,6 +10,7 @@ pub struct Features {
     pub parameters: bool,
     pub weights: bool,
     pub images: bool,
+    pub cuts: bool,
 }
 
 /// Systems with these features. Letters without parameters are A, B, F, + and -, those with parameters P(_), F(_),
@@ -32,8 +33,11 @@ pub fn system(features: Features) -> impl Strategy<Value = System> {
 /// A word whose arguments are some of `expressions`.
 fn word(features: Features, expressions: &[&'static str]) -> impl Strategy<Value = String> + use<> {
     let value = prop::sample::select(expressions.to_vec());
-    let plain =
-        prop::sample::select(vec!["A", "B", "F", "+", "-", "AB", "[A]", "[+B]", "[", "]"]).prop_map(str::to_owned);
+    let mut plain = vec!["A", "B", "F", "+", "-", "AB", "[A]", "[+B]", "[", "]"];
+    if features.cuts {
+        plain.extend(["%", "A[B%A]"]);
+    }
+    let plain = prop::sample::select(plain).prop_map(str::to_owned);
     let one = (prop::sample::select(vec!["P", "F", "+", "!"]), value.clone()).prop_map(|(s, x)| format!("{s}({x})"));
     let two = (value.clone(), value).prop_map(|(x, y)| format!("Q({x},{y})"));
     let share = if features.parameters { 2 } else { 0 };

@@ -1,0 +1,113 @@
+//! Which production applies to a module.
+
+use super::context::Neighbours;
+use super::modules::{Chance, Modules};
+use super::rules::Rule;
+use super::step::Plan;
+
+/// Memory that is used again.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
+    /// The places of a context's modules.
+    found: Vec<u32>,
+    /// The parameters of left context, predecessor and right context, where there is a context.
+    slots: Vec<f64>,
+    /// The weighted rules that apply.
+    choices: Vec<(usize, f64)>,
+}
+
+/// A module in its surroundings.
+pub(super) struct Place<'a> {
+    pub(super) plan: &'a Plan,
+    pub(super) word: &'a Modules,
+    pub(super) neighbours: &'a Neighbours,
+    pub(super) place: usize,
+    /// Its arguments.
+    pub(super) own: &'a [f64],
+    pub(super) chance: Chance,
+}
+
+impl<'a> Place<'a> {
+    /// The production that applies; [`Place::slots`] are then its parameters.
+    #[inline]
+    pub(super) fn choose(&self, rules: &'a [Rule], scratch: &mut Scratch, work: &mut u64) -> Option<&'a Rule> {
+        match rules {
+            [] => None,
+            [rule] if rule.weight.is_none() => self.applies(rule, scratch, work).then_some(rule),
+            _ => self.choose_among(rules, scratch, work),
+        }
+    }
+
+    /// The parameters of a production that applies here, where it was the last that was looked at.
+    #[inline]
+    pub(super) fn slots<'s>(&'s self, rule: &Rule, scratch: &'s Scratch) -> &'s [f64] {
+        if rule.is_context_sensitive() { &scratch.slots } else { self.own }
+    }
+
+    fn choose_among(&self, rules: &'a [Rule], scratch: &mut Scratch, work: &mut u64) -> Option<&'a Rule> {
+        scratch.choices.clear();
+        let mut class = None;
+        for (index, rule) in rules.iter().enumerate() {
+            // Once a weighted one applies, only weighted ones of its class do.
+            if class.is_some_and(|class| rule.weight.is_none() || class != rule.is_context_sensitive()) {
+                continue;
+            }
+            if !self.applies(rule, scratch, work) {
+                continue;
+            }
+            let Some(weight) = &rule.weight else { return Some(rule) };
+            class = Some(rule.is_context_sensitive());
+            let weight = weight.value(self.slots(rule, scratch), &|at| self.chance.number(at));
+            if weight > 0.0 && weight.is_finite() {
+                scratch.choices.push((index, weight));
+            }
+        }
+        let total: f64 = scratch.choices.iter().map(|(_, weight)| weight).sum();
+        let mut roll = self.chance.key.choice(self.chance.seed, self.chance.step) * total;
+        let chosen = scratch.choices.iter().find(|(_, weight)| {
+            let here = roll < *weight;
+            roll -= weight;
+            here
+        });
+        let &(index, _) = chosen.or(scratch.choices.last())?;
+        // Others have been looked at since: its parameters are bound once more.
+        self.applies(&rules[index], scratch, work).then_some(&rules[index])
+    }
+
+    /// Whether a production applies here; [`Place::slots`] are then its parameters.
+    #[inline]
+    fn applies(&self, rule: &Rule, scratch: &mut Scratch, work: &mut u64) -> bool {
+        *work += 1;
+        if rule.is_context_sensitive() && !self.surrounded(rule, scratch, work) {
+            return false;
+        }
+        let Some(condition) = &rule.condition else { return true };
+        let value = condition.value(self.slots(rule, scratch), &|at| self.chance.number(at));
+        value != 0.0 && !value.is_nan()
+    }
+
+    /// Whether the contexts of a production match; its parameters are then in the scratch.
+    fn surrounded(&self, rule: &Rule, scratch: &mut Scratch, work: &mut u64) -> bool {
+        let Self { plan, word, neighbours, place, .. } = *self;
+        let Scratch { found, slots, .. } = scratch;
+        found.clear();
+        if !neighbours.match_left(&word.letters, place, &rule.left, found)
+            || !neighbours.match_right(&word.letters, &plan.roles, place, &rule.right, found, work)
+        {
+            return false;
+        }
+        slots.clear();
+        if !word.arguments.is_empty() {
+            let (left, right) = found.split_at(rule.left.len());
+            let of = |&at: &u32| {
+                let start = neighbours.arguments[at as usize] as usize;
+                let arity = plan.arities[usize::from(word.letters[at as usize])];
+                &word.arguments[start..start + usize::from(arity)]
+            };
+            left.iter().for_each(|at| slots.extend_from_slice(of(at)));
+            slots.extend_from_slice(self.own);
+            right.iter().for_each(|at| slots.extend_from_slice(of(at)));
+        }
+        true
+    }
+}

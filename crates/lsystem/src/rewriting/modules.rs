@@ -1,0 +1,109 @@
+//! Words of modules.
+
+use super::rules::{LetterId, Template};
+use crate::Key;
+use core::ops::Range;
+
+/// A word of modules.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Modules {
+    /// The letters.
+    pub letters: Vec<LetterId>,
+    /// All modules' arguments, one after the other: each letter has as many as its arity says.
+    pub arguments: Vec<f64>,
+    /// By module: its place in the derivation; kept only where chance plays a part.
+    keys: Vec<Key>,
+}
+
+/// A number that is not finite.
+pub(super) struct NotFinite;
+
+/// What the random numbers of a production are drawn from.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Chance {
+    /// Of the module that is replaced.
+    pub(super) key: Key,
+    pub(super) seed: u32,
+    pub(super) step: u32,
+}
+
+impl Chance {
+    /// The random number at `place` of the production.
+    pub(super) fn number(&self, place: u16) -> f64 {
+        self.key.number(self.seed, self.step, place)
+    }
+}
+
+impl Modules {
+    pub(super) fn clear(&mut self) {
+        self.letters.clear();
+        self.arguments.clear();
+        self.keys.clear();
+    }
+
+    /// The key of the module at `place`; without meaning where chance plays no part.
+    pub(super) fn key_of(&self, place: usize) -> Key {
+        self.keys.get(place).copied().unwrap_or(Key::root(0))
+    }
+
+    /// Appends modules of another word that stay as they are, and their arguments.
+    pub(super) fn keep(&mut self, word: &Self, modules: Range<usize>, arguments: Range<usize>) {
+        self.letters.extend_from_slice(&word.letters[modules.clone()]);
+        self.arguments.extend_from_slice(&word.arguments[arguments]);
+        if !word.keys.is_empty() {
+            self.keys.extend_from_slice(&word.keys[modules]);
+        }
+    }
+
+    /// Appends the axiom, whose modules draw random numbers each by its own key; `arities` by letter.
+    pub(super) fn start(&mut self, axiom: &Template, arities: &[u8], seed: u32, random: bool) -> Result<(), NotFinite> {
+        let mut codes = axiom.arguments.iter();
+        for (index, &letter) in axiom.letters.iter().enumerate() {
+            let key = Key::root(index as u64);
+            if random {
+                self.keys.push(key);
+            }
+            self.letters.push(letter);
+            let chance = Chance { key, seed, step: 0 };
+            let own = codes.by_ref().take(usize::from(arities[usize::from(letter)]));
+            self.arguments.extend(own.map(|code| code.value(&[], &|place| chance.number(place))));
+        }
+        if self.arguments.iter().all(|number| number.is_finite()) { Ok(()) } else { Err(NotFinite) }
+    }
+
+    /// Appends what a production makes with the parameters in `slots`; `random` where keys are kept.
+    #[inline]
+    pub(super) fn make(
+        &mut self,
+        template: &Template,
+        slots: &[f64],
+        chance: &Chance,
+        random: bool,
+    ) -> Result<(), NotFinite> {
+        if random {
+            let children = 0..template.letters.len() as u64;
+            self.keys.extend(children.map(|index| chance.key.child(chance.step, index)));
+        }
+        self.letters.extend_from_slice(&template.letters);
+        let from = self.arguments.len();
+        let random = |place| chance.number(place);
+        self.arguments.extend(template.arguments.iter().map(|code| code.value(slots, &random)));
+        if self.arguments[from..].iter().all(|number| number.is_finite()) { Ok(()) } else { Err(NotFinite) }
+    }
+
+    /// Moves modules, with their arguments, to an earlier place.
+    pub(super) fn move_down(&mut self, modules: Range<usize>, to: usize, arguments: Range<usize>, to_argument: usize) {
+        self.letters.copy_within(modules.clone(), to);
+        self.arguments.copy_within(arguments, to_argument);
+        if !self.keys.is_empty() {
+            self.keys.copy_within(modules, to);
+        }
+    }
+
+    /// Forgets what comes after.
+    pub(super) fn truncate(&mut self, modules: usize, arguments: usize) {
+        self.letters.truncate(modules);
+        self.arguments.truncate(arguments);
+        self.keys.truncate(modules);
+    }
+}
