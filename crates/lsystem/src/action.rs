@@ -13,6 +13,16 @@ pub enum Action {
     TurnRight(Option<f64>),
     /// Turn by 180 degrees.
     TurnRound,
+    /// Pitch the heading down, away from the turtle's up, by degrees or by the system's angle for it.
+    PitchDown(Option<f64>),
+    /// Pitch the heading up.
+    PitchUp(Option<f64>),
+    /// Roll about the heading so that the turtle's left rises.
+    RollLeft(Option<f64>),
+    /// Roll about the heading so that the turtle's left sinks.
+    RollRight(Option<f64>),
+    /// Roll about the heading until the turtle's left is level and its up is not below it.
+    RollUpright,
     /// Save position, heading, colour, width and length, and go one branch level deeper.
     Push,
     /// Return to what the matching [`Action::Push`] saved.
@@ -40,10 +50,21 @@ impl Action {
             Self::Move(_) => Self::Move(Some(number)),
             Self::TurnLeft(_) => Self::TurnLeft(Some(number)),
             Self::TurnRight(_) => Self::TurnRight(Some(number)),
-            Self::TurnRound | Self::Push | Self::Pop | Self::Cut => self,
+            Self::PitchDown(_) => Self::PitchDown(Some(number)),
+            Self::PitchUp(_) => Self::PitchUp(Some(number)),
+            Self::RollLeft(_) => Self::RollLeft(Some(number)),
+            Self::RollRight(_) => Self::RollRight(Some(number)),
+            Self::TurnRound | Self::RollUpright | Self::Push | Self::Pop | Self::Cut => self,
             // Out of range it is the nearest that there is.
             Self::SetColour(_) | Self::AddColour(_) => Self::SetColour(libm::floor(number) as i32),
             Self::SetWidth(_) | Self::ScaleWidth(_) => Self::SetWidth(number),
         }
+    }
+
+    /// Whether it leads out of the plane.
+    #[must_use]
+    pub fn is_solid(self) -> bool {
+        use Action::{PitchDown, PitchUp, RollLeft, RollRight, RollUpright};
+        matches!(self, PitchDown(_) | PitchUp(_) | RollLeft(_) | RollRight(_) | RollUpright)
     }
 }

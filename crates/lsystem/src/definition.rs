@@ -26,12 +26,24 @@ pub struct Definition {
     pub angle: f64,
     /// The angle of a right turn, in degrees, clockwise.
     pub right_angle: Option<f64>,
+    /// The angle of pitching down, in degrees; `angle` unless given.
+    pub pitch_down: Option<f64>,
+    /// The angle of pitching up; as `pitch_down` unless given.
+    pub pitch_up: Option<f64>,
+    /// The angle of rolling left, in degrees; `angle` unless given.
+    pub roll_left: Option<f64>,
+    /// The angle of rolling right; as `roll_left` unless given.
+    pub roll_right: Option<f64>,
     /// The heading at the start: degrees counter-clockwise from +x.
     pub heading: f64,
     /// The step length, in model units.
     pub step: f64,
     /// Where the turtle starts, in model units, y up.
     pub start: [f64; 2],
+    /// What branches bend towards: x, y and z (towards the viewer), of any length ([`Tropism`](crate::Tropism)).
+    pub tropism: [f64; 3],
+    /// How easily they bend, in radians per segment for a `tropism` of length 1 across the heading; 0 for not at all.
+    pub elasticity: f64,
     /// What the symbols do.
     pub dialect: Dialect,
     /// Exceptions from the dialect, a line each: `G: move`, `B: turn left 90, draw 10`.
@@ -55,9 +67,15 @@ impl Default for Definition {
             iterations: 1,
             angle: 0.0,
             right_angle: None,
+            pitch_down: None,
+            pitch_up: None,
+            roll_left: None,
+            roll_right: None,
             heading: 90.0,
             step: 1.0,
             start: [0.0, 0.0],
+            tropism: [0.0, -1.0, 0.0],
+            elasticity: 0.0,
             dialect: Dialect::default(),
             overrides: String::new(),
             seed: 0,

@@ -60,14 +60,19 @@ fn action_words(system: &System, action: Action) -> String {
         None => format!("{verb} one step"),
         Some(length) => format!("{verb} {length}"),
     };
-    let turn = |side: &str, degrees: Option<f64>, own: Heading| {
-        format!("turns {side} by {}°", degrees.unwrap_or_else(|| own.degrees()))
+    let bend = |verb: &str, degrees: Option<f64>, own: Heading| {
+        format!("{verb} by {}°", degrees.unwrap_or_else(|| own.degrees()))
     };
     match action {
         Action::Draw(length) => along("draws", length),
         Action::Move(length) => along("moves", length),
-        Action::TurnLeft(degrees) => turn("left", degrees, system.turtle.left),
-        Action::TurnRight(degrees) => turn("right", degrees, system.turtle.right),
+        Action::TurnLeft(degrees) => bend("turns left", degrees, system.turtle.left),
+        Action::TurnRight(degrees) => bend("turns right", degrees, system.turtle.right),
+        Action::PitchDown(degrees) => bend("pitches down", degrees, system.turtle.pitch_down),
+        Action::PitchUp(degrees) => bend("pitches up", degrees, system.turtle.pitch_up),
+        Action::RollLeft(degrees) => bend("rolls left", degrees, system.turtle.roll_left),
+        Action::RollRight(degrees) => bend("rolls right", degrees, system.turtle.roll_right),
+        Action::RollUpright => "rolls upright".to_owned(),
         Action::TurnRound => "turns round".to_owned(),
         Action::Cut => "cuts off the rest of its branch in the next step".to_owned(),
         Action::Push => "starts a branch".to_owned(),

@@ -430,8 +430,6 @@ pub enum Role {
 /// What a symbol stands for that is not drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Undrawn {
-    /// Turns out of the plane.
-    ThreeD,
     /// Polygons.
     Polygon,
 }
@@ -443,12 +441,20 @@ pub enum Quantity {
     Angle,
     /// [`Definition::right_angle`](crate::Definition::right_angle).
     RightAngle,
+    /// [`Definition::pitch_down`](crate::Definition::pitch_down) or its counterpart.
+    Pitch,
+    /// [`Definition::roll_left`](crate::Definition::roll_left) or its counterpart.
+    Roll,
     /// [`Definition::heading`](crate::Definition::heading).
     Heading,
     /// [`Definition::step`](crate::Definition::step).
     Step,
     /// [`Definition::start`](crate::Definition::start).
     Start,
+    /// [`Definition::tropism`](crate::Definition::tropism).
+    Tropism,
+    /// [`Definition::elasticity`](crate::Definition::elasticity).
+    Elasticity,
     /// [`Style::width`](crate::Style::width).
     Width,
     /// [`Style::min_width`](crate::Style::min_width).
@@ -460,9 +466,10 @@ impl Quantity {
     #[must_use]
     pub fn expected(self) -> Expected {
         match self {
-            Self::Angle | Self::RightAngle | Self::Heading => Expected::Number,
+            Self::Angle | Self::RightAngle | Self::Pitch | Self::Roll | Self::Heading => Expected::Number,
             Self::Step => Expected::Between(1e-9, 1e9),
             Self::Start => Expected::Between(-1e9, 1e9),
+            Self::Tropism | Self::Elasticity => Expected::Between(-1e3, 1e3),
             Self::Width => Expected::Between(0.0, 1e9),
             Self::MinWidth => Expected::Between(0.0, 1e4),
         }
@@ -492,6 +499,8 @@ pub enum Expected {
     List,
     /// A pair of numbers.
     Point,
+    /// Three numbers.
+    Vector,
     /// An object, or a list of lines.
     Rules,
     /// An object, or a list of lines.

@@ -5,6 +5,7 @@
 //! order. Systems whose pieces are not all alike (stochastic or unbalanced productions) are materialised into a
 //! tree of blocks of the same type, so every reader sees one shape of data.
 
+mod body;
 mod budget;
 mod builder;
 mod bulk;
@@ -18,60 +19,66 @@ mod outline;
 mod pick;
 mod segments;
 mod shape;
+mod solid;
 mod style;
 mod tree;
 
+pub use body::Body;
+pub(crate) use builder::{Builder, Enclosed};
 pub use bulk::{SegmentArrays, SegmentChunk};
 pub use drawer::{Drawer, draw};
 pub use graph::Effect;
+pub(crate) use hull::hull;
 pub use pick::Pick;
 pub(crate) use segments::Frame;
 pub use segments::Segments;
 pub(crate) use shape::{Line, Shape, shapes};
+pub use solid::draw_solid;
 
 use crate::turtle::finite;
-use crate::{Heading, SymbolId};
+use crate::{Plane, Space, SymbolId};
 use core::ops::Range;
 use std::sync::OnceLock;
 
-/// A picture of an L-system's n-th generation, ready to be read: bounds, segments, pixels, files.
+/// A picture of an L-system's n-th generation in the plane or in another [`Space`], ready to be read: bounds, segments,
+/// pixels, files.
 #[derive(Clone, Debug)]
-pub struct Drawing {
+pub struct Drawing<S: Space = Plane> {
     /// Children before parents.
-    pub(crate) blocks: Vec<Block>,
+    pub(crate) blocks: Vec<Block<S>>,
     /// The contents of all blocks; each block names its range.
-    pub(crate) items: Vec<Item>,
-    /// The corners of all hulls; each block names its range.
-    pub(crate) corners: Vec<[f64; 2]>,
+    pub(crate) items: Vec<Item<S>>,
+    /// The corners of all hulls that have some; each block names its range.
+    pub(crate) corners: Vec<S::Point>,
     /// The styles in use; strokes and placements name theirs.
     pub(crate) styles: Vec<StyleChange>,
     /// The whole drawing, or `None` when nothing is drawn. Its frame has the axes of the model: the start heading is
     /// part of its contents, and a point `p` of it is `start + step * 2^exponent * p` in model units.
     pub(crate) root: Option<BlockId>,
     /// Where the turtle starts, in model units.
-    pub(crate) start: [f64; 2],
+    pub(crate) start: S::Point,
     /// The step length, in model units; 1 where it is zero, and all lengths and widths that depend on it are then 0.
     pub(crate) step: f64,
     /// The turtle's stroke width at the start, in multiples of the step length.
     pub(crate) width: f64,
     /// By depth from 1, sorted by letter: what every rewritten letter draws in that many steps and how it leaves the
     /// turtle; empty where blocks do not memoise.
-    pub(crate) pieces: Vec<Vec<(SymbolId, Piece)>>,
+    pub(crate) pieces: Vec<Vec<(SymbolId, Piece<S>)>>,
     /// Whether blocks are shared.
     pub(crate) memoised: bool,
     /// The symbols of its generation, where that was gone through.
     pub(crate) symbols: Option<u64>,
-    /// The root's extent in its own units, when somebody has asked: min x, min y, max x, max y.
-    pub(crate) extent: OnceLock<Option<[f64; 4]>>,
+    /// The root's extent in its own units, when somebody has asked.
+    pub(crate) extent: OnceLock<Option<S::Extent>>,
 }
 
 /// What a letter derived for some more steps does.
 #[derive(Clone, Copy, Debug)]
-pub struct Piece {
+pub struct Piece<S: Space = Plane> {
     /// What it draws; `None` if nothing.
     pub block: Option<BlockId>,
     /// How it leaves the turtle.
-    pub effect: Effect,
+    pub effect: Effect<S>,
 }
 
 impl Drawing {
@@ -87,6 +94,20 @@ impl Drawing {
         Some([a.min(c), b.min(d), a.max(c), b.max(d)])
     }
 
+    /// The direction in which the segment `number` (0-based) is drawn: degrees counter-clockwise from +x, in
+    /// `0.0..360.0`.
+    #[must_use]
+    pub fn heading_at(&self, number: u128) -> Option<f64> {
+        self.segments_from(number).heading()
+    }
+
+    /// The root's extent in its own units: min x, min y, max x, max y.
+    pub(crate) fn extent(&self) -> Option<[f64; 4]> {
+        *self.extent.get_or_init(|| extent::extent(self))
+    }
+}
+
+impl<S: Space> Drawing<S> {
     /// How many segments there are; `u128::MAX` stands for that many or more.
     #[must_use]
     pub fn segment_count(&self) -> u128 {
@@ -114,7 +135,7 @@ impl Drawing {
     /// What `symbol`, which a production rewrites, does in `depth` more steps (at least 1), where this drawing
     /// memoises and contains it.
     #[must_use]
-    pub fn piece(&self, symbol: SymbolId, depth: u32) -> Option<&Piece> {
+    pub fn piece(&self, symbol: SymbolId, depth: u32) -> Option<&Piece<S>> {
         let level = self.pieces.get(depth.checked_sub(1)? as usize)?;
         let place = level.binary_search_by_key(&symbol, |(s, _)| *s).ok()?;
         Some(&level[place].1)
@@ -122,33 +143,21 @@ impl Drawing {
 
     /// Every segment, in drawing order. A drawing that memoises may have more of them than anybody can wait for.
     #[must_use]
-    pub fn segments(&self) -> Segments<'_> {
+    pub fn segments(&self) -> Segments<'_, S> {
         Segments::new(self)
     }
 
     /// The segments from the one at `start` (0-based) on. Takes as long as the blocks are nested deep, however many
     /// segments come before.
     #[must_use]
-    pub fn segments_from(&self, start: u128) -> Segments<'_> {
+    pub fn segments_from(&self, start: u128) -> Segments<'_, S> {
         let mut segments = Segments::new(self);
         segments.pass(start);
         segments
     }
 
-    /// The direction in which the segment `number` (0-based) is drawn: degrees counter-clockwise from +x, in
-    /// `0.0..360.0`.
-    #[must_use]
-    pub fn heading_at(&self, number: u128) -> Option<f64> {
-        self.segments_from(number).heading()
-    }
-
-    /// The root's extent in its own units: min x, min y, max x, max y.
-    pub(crate) fn extent(&self) -> Option<[f64; 4]> {
-        *self.extent.get_or_init(|| extent::extent(self))
-    }
-
     /// A block's items.
-    pub(crate) fn items_of(&self, block: BlockId) -> &[Item] {
+    pub(crate) fn items_of(&self, block: BlockId) -> &[Item<S>] {
         let items = &self.blocks[block.0 as usize].items;
         &self.items[items.start as usize..items.end as usize]
     }
@@ -170,7 +179,7 @@ pub struct StyleId(pub u32);
 
 /// A piece of a drawing, in its own frame: the turtle enters at the origin heading along +x.
 #[derive(Clone, Debug)]
-pub struct Block {
+pub struct Block<S: Space = Plane> {
     /// Its contents in drawing order.
     pub items: Range<u32>,
     /// One unit of this block's frame is `2^exponent` step lengths, chosen so that its farthest coordinate is at least
@@ -178,11 +187,10 @@ pub struct Block {
     pub exponent: i32,
     /// How many segments it draws; `u128::MAX` stands for that many or more.
     pub segments: u128,
-    /// Corners of a convex polygon that contains every segment's axis (strokes' widths apart), counter-clockwise, in
-    /// block units; rounding may leave an end out by 1e-11. One corner or two where all is on a point or a line.
-    pub hull: Range<u32>,
-    /// How far the hull may be larger than the smallest one, in block units: nothing to speak of, unless the smallest
-    /// one has very many corners.
+    /// A convex body that contains every segment's axis (strokes' widths apart), in block units.
+    pub hull: S::Hull,
+    /// How far the hull may be larger than the smallest one of its sort, in block units: nothing to speak of, unless
+    /// the smallest one is very complicated.
     pub slack: f64,
     /// No stroke inside is wider than this change makes the width at entry.
     pub widest: WidthChange,
@@ -190,35 +198,35 @@ pub struct Block {
 
 /// Something a block contains.
 #[derive(Clone, Copy, Debug)]
-pub enum Item {
+pub enum Item<S: Space = Plane> {
     /// One segment.
-    Stroke(Stroke),
+    Stroke(Stroke<S>),
     /// A smaller block.
-    Block(Placed),
+    Block(Placed<S>),
 }
 
 /// One segment, in block units.
 #[derive(Clone, Copy, Debug)]
-pub struct Stroke {
+pub struct Stroke<S: Space = Plane> {
     /// Where it starts.
-    pub from: [f64; 2],
+    pub from: S::Point,
     /// Where it ends.
-    pub to: [f64; 2],
+    pub to: S::Point,
     /// The style it is drawn in, relative to the block's entry.
     pub style: StyleId,
 }
 
 /// A block placed in another block's frame: `p -> at + scale * rotate(heading, p)`.
 #[derive(Clone, Copy, Debug)]
-pub struct Placed {
+pub struct Placed<S: Space = Plane> {
     /// Which block.
     pub block: BlockId,
     /// The style at its entry, relative to the containing block's entry.
     pub style: StyleId,
     /// Its origin, in the containing block's units.
-    pub at: [f64; 2],
-    /// How far it is turned, counter-clockwise.
-    pub heading: Heading,
+    pub at: S::Point,
+    /// How it is turned.
+    pub heading: S::Turn,
     /// Containing units for one of its own: length factor times `2^(its exponent - the container's)`.
     pub scale: f64,
 }
@@ -254,11 +262,11 @@ pub struct WidthChange {
 
 /// One segment of a drawing, in model units, y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Segment {
+pub struct Segment<S: Space = Plane> {
     /// Where it starts.
-    pub from: [f64; 2],
+    pub from: S::Point,
     /// Where it ends.
-    pub to: [f64; 2],
+    pub to: S::Point,
     /// The colour index, not yet wrapped to a palette.
     pub colour: i32,
     /// The branch level: how many branches are open.

@@ -20,12 +20,16 @@ mod notation;
 mod notes;
 mod overrides;
 mod place;
+mod plane;
 mod print;
 mod program;
 mod progress;
 mod render;
 mod rewriting;
+mod rotation;
+mod solid;
 mod sorted;
+mod space;
 mod style;
 mod system;
 mod tally;
@@ -43,8 +47,8 @@ pub use describe::{LegendEntry, describe, kind, legend, short_count, why_empty};
 pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Quantity, Role, Severity, Undrawn};
 pub use dialect::Dialect;
 pub use drawing::{
-    Block, BlockId, ColourChange, Drawer, Drawing, Effect, Item, Pick, Piece, Placed, Segment, SegmentArrays,
-    SegmentChunk, Segments, Stroke, StyleChange, StyleId, WidthChange, draw,
+    Block, BlockId, Body, ColourChange, Drawer, Drawing, Effect, Item, Pick, Piece, Placed, Segment, SegmentArrays,
+    SegmentChunk, Segments, Stroke, StyleChange, StyleId, WidthChange, draw, draw_solid,
 };
 pub use expr::{Code, Expr, Function, Meaning, Op, Operator, SIGN, STACK, Unusable};
 pub use format::{
@@ -57,15 +61,19 @@ pub use limits::{Limits, MAX_CONTEXT, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, 
 pub use notation::{parse, plain_word};
 pub use overrides::{Override, parse_overrides, print_actions, print_overrides};
 pub use place::{render_diagnostic, utf16_span};
+pub use plane::Plane;
 pub use print::{print_axiom, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
 pub use progress::Progress;
 pub use render::{Rect, RenderStats, Renderer, View, Viewport, fit, fitted_scale, to_model};
 pub use rewriting::{ContextPattern, Fault, Image, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template};
+pub use rotation::Rotation;
+pub use solid::Solid;
+pub use space::{Axis, Space};
 pub use style::{Colour, ColourBy, Style};
 pub use system::System;
 pub use tally::Tally;
-pub use turtle::Turtle;
+pub use turtle::{Tropism, Turtle};
 
 /// The README's Rust code is tested with the rest.
 #[cfg(doctest)]

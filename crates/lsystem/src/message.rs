@@ -343,7 +343,6 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         ),
         Kind::NotDrawn { symbol, meaning } => hinted(
             format!("{} {} and does nothing yet", named(*symbol), match meaning {
-                Undrawn::ThreeD => "turns out of the plane",
                 Undrawn::Polygon => "draws a filled polygon",
             }),
             format!("An override can give it another meaning, as in `{symbol}: nothing`."),
@@ -352,9 +351,13 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
             let quantity = match quantity {
                 Quantity::Angle => "angle",
                 Quantity::RightAngle => "right angle",
+                Quantity::Pitch => "pitch angle",
+                Quantity::Roll => "roll angle",
                 Quantity::Heading => "heading at the start",
                 Quantity::Step => "step length",
                 Quantity::Start => "starting point's coordinate",
+                Quantity::Tropism => "tropism's coordinate",
+                Quantity::Elasticity => "elasticity",
                 Quantity::Width => "stroke width",
                 Quantity::MinWidth => "least stroke width",
             };
@@ -430,6 +433,7 @@ fn expected_words(expected: Expected) -> String {
         Expected::Object => "an object".into(),
         Expected::List => "a list".into(),
         Expected::Point => "a list of two numbers".into(),
+        Expected::Vector => "a list of three numbers".into(),
         Expected::Rules | Expected::Overrides => "an object or a list of lines".into(),
         Expected::Successor => "a string or a list of outcomes".into(),
         Expected::Outcome => "an outcome {\"p\": 0.5, \"e\": \"F+F\"}".into(),

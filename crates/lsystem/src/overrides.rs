@@ -16,6 +16,9 @@
 //! | `turn left`, `turn left 90` | counter-clockwise, by the left angle or by these degrees |
 //! | `turn right`, `turn right 90` | clockwise |
 //! | `turn round` | by 180 degrees |
+//! | `pitch down`, `pitch up 30` | the heading away from the turtle's up, or towards it |
+//! | `roll left`, `roll right 30` | about the heading: the turtle's left rises, or sinks |
+//! | `roll upright` | about the heading, until the turtle's left is level |
 //! | `open branch`, `push`; `close branch`, `pop` | save and restore the turtle |
 //! | `colour 3`, `next colour`, `next colour 2`, `previous colour` | choose from the palette, counted from 0 |
 //! | `width 2`, `width times 0.5`, `thicker`, `thinner` | stroke width in steps, or by a factor (√2, 1/√2) |
@@ -122,6 +125,11 @@ fn print_action(action: Action) -> String {
         Action::TurnRight(angle) => optional("turn right", angle),
         Action::TurnRound => "turn round".to_owned(),
         Action::Cut => "cut branch".to_owned(),
+        Action::PitchDown(angle) => optional("pitch down", angle),
+        Action::PitchUp(angle) => optional("pitch up", angle),
+        Action::RollLeft(angle) => optional("roll left", angle),
+        Action::RollRight(angle) => optional("roll right", angle),
+        Action::RollUpright => "roll upright".to_owned(),
         Action::Push => "open branch".to_owned(),
         Action::Pop => "close branch".to_owned(),
         Action::SetColour(index) => format!("colour {index}"),
@@ -219,7 +227,7 @@ enum Form {
 const MOST: f64 = 1e9;
 
 /// The words of the actions, but for `nothing`.
-const FORMS: [(&str, Form); 21] = [
+const FORMS: [(&str, Form); 26] = [
     ("draw", Form::Optional(Action::Draw)),
     ("move", Form::Optional(Action::Move)),
     ("turn left", Form::Optional(Action::TurnLeft)),
@@ -227,6 +235,11 @@ const FORMS: [(&str, Form); 21] = [
     ("turn round", Form::Plain(Action::TurnRound)),
     ("turn around", Form::Plain(Action::TurnRound)),
     ("cut branch", Form::Plain(Action::Cut)),
+    ("pitch down", Form::Optional(Action::PitchDown)),
+    ("pitch up", Form::Optional(Action::PitchUp)),
+    ("roll left", Form::Optional(Action::RollLeft)),
+    ("roll right", Form::Optional(Action::RollRight)),
+    ("roll upright", Form::Plain(Action::RollUpright)),
     ("open branch", Form::Plain(Action::Push)),
     ("push", Form::Plain(Action::Push)),
     ("close branch", Form::Plain(Action::Pop)),

@@ -5,7 +5,7 @@ use crate::notes::Notes;
 use crate::sorted::{set, sort};
 use crate::{
     Action, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, LimitName, MAX_ITERATIONS, MAX_LETTERS,
-    MAX_PALETTE, Production, Program, Quantity, Rules, Style, Turtle, Undrawn, parse_overrides,
+    MAX_PALETTE, Production, Program, Quantity, Rules, Style, Tropism, Turtle, Undrawn, parse_overrides,
 };
 use core::ops::Range;
 
@@ -58,10 +58,19 @@ impl System {
         let rules = rules.and_then(Result::ok);
         let program = rules.as_ref().map_or_else(|| Program::new(grammar), Program::outline);
         diagnostics.extend(doubts(&reading, &program, rules.as_ref(), &actions));
+        let angle =
+            |own: [Option<f64>; 2]| Heading::from_degrees(own.into_iter().flatten().next().unwrap_or(definition.angle));
+        let Definition { right_angle, pitch_down, pitch_up, roll_left, roll_right, .. } = *definition;
+        let tropism = Tropism { vector: definition.tropism, elasticity: definition.elasticity };
         let turtle = Turtle {
             actions: program.alphabet.iter().map(|&symbol| actions.drawn(symbol, grammar, rules.is_some())).collect(),
             left: Heading::from_degrees(definition.angle),
-            right: Heading::from_degrees(definition.right_angle.unwrap_or(definition.angle)),
+            right: angle([right_angle, None]),
+            pitch_down: angle([pitch_down, None]),
+            pitch_up: angle([pitch_up, pitch_down]),
+            roll_left: angle([roll_left, None]),
+            roll_right: angle([roll_right, roll_left]),
+            tropism: (tropism.elasticity != 0.0 && tropism.vector != [0.0; 3]).then_some(tropism),
             heading: Heading::from_degrees(definition.heading),
             start: definition.start,
             step: definition.step,
@@ -70,6 +79,17 @@ impl System {
         let grammar = reading.grammar;
         let system = Self { grammar, program, rules, turtle, style: definition.style.clone(), seed: definition.seed };
         (Some(system), diagnostics)
+    }
+
+    /// Whether its drawing leaves the plane: whether a symbol that may occur pitches or rolls, or a tropism pulls out of
+    /// the plane. It is drawn by [`draw_solid`](crate::draw_solid) then; [`draw`](crate::draw) ignores what leads out.
+    #[must_use]
+    pub fn is_solid(&self) -> bool {
+        // What is drawn below `draw:` is in no generation.
+        let reachable = self.program.reachable().into_iter().map(|reached| reached || self.rules.is_some());
+        let leads_out = |actions: &[Action]| actions.iter().any(|action| action.is_solid());
+        self.turtle.tropism.is_some_and(|tropism| tropism.vector[2] != 0.0)
+            || self.turtle.actions.iter().zip(reachable).any(|(actions, reached)| reached && leads_out(actions))
     }
 
     /// Whether chance plays a part, so that the seed matters.
@@ -122,9 +142,6 @@ impl Actions<'_> {
             return None;
         }
         match (self.dialect, symbol) {
-            (Dialect::Abop, '&' | '^' | '\\' | '/' | '$') | (Dialect::Practical, '&' | '^' | '<' | '>') => {
-                Some(Undrawn::ThreeD)
-            }
             (Dialect::Abop, '{' | '.' | '}') => Some(Undrawn::Polygon),
             _ => None,
         }
@@ -142,6 +159,14 @@ fn check_numbers(definition: &Definition) -> Vec<Diagnostic> {
         (Quantity::Step, definition.step),
         (Quantity::Start, definition.start[0]),
         (Quantity::Start, definition.start[1]),
+        (Quantity::Pitch, definition.pitch_down.unwrap_or(0.0)),
+        (Quantity::Pitch, definition.pitch_up.unwrap_or(0.0)),
+        (Quantity::Roll, definition.roll_left.unwrap_or(0.0)),
+        (Quantity::Roll, definition.roll_right.unwrap_or(0.0)),
+        (Quantity::Tropism, definition.tropism[0]),
+        (Quantity::Tropism, definition.tropism[1]),
+        (Quantity::Tropism, definition.tropism[2]),
+        (Quantity::Elasticity, definition.elasticity),
         (Quantity::Width, style.width),
         (Quantity::MinWidth, style.min_width),
     ];

@@ -1,6 +1,6 @@
 //! What the tests of several files share.
 
-use crate::{Grammar, Heading, Module, Production, Program, Style, System, Turtle};
+use crate::{Grammar, Module, Production, Program, Style, System, Turtle};
 
 /// How many cases a property test tries: 500, or what the environment variable `LSYSTEM_CASES` says.
 pub(crate) fn cases() -> u32 {
@@ -19,14 +19,6 @@ pub(crate) fn system(axiom: &str, rules: &[Rule], seed: u32) -> System {
     });
     let grammar = Grammar { axiom: modules(axiom), productions: productions.collect(), ..Grammar::default() };
     let program = Program::new(&grammar);
-    let turtle = Turtle {
-        actions: vec![vec![]; program.alphabet.len()],
-        left: Heading::EAST,
-        right: Heading::EAST,
-        heading: Heading::UP,
-        start: [0.0; 2],
-        step: 1.0,
-        width: 0.0,
-    };
+    let turtle = Turtle { actions: vec![vec![]; program.alphabet.len()], ..Turtle::default() };
     System { grammar, program, rules: None, turtle, style: Style::default(), seed }
 }

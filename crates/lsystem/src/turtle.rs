@@ -1,7 +1,9 @@
 //! The turtle: what each letter of a program does, and from where it starts.
 
 use crate::drawing::{StyleChange, WidthChange};
-use crate::{Action, ColourChange, Heading};
+pub(crate) use crate::plane::Directions;
+use crate::space::{Axis, Space};
+use crate::{Action, ColourChange, Heading, Plane};
 
 /// A turtle ready to read a program's words.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,6 +14,16 @@ pub struct Turtle {
     pub left: Heading,
     /// Of a right turn, clockwise.
     pub right: Heading,
+    /// Of pitching down, the heading away from the turtle's up.
+    pub pitch_down: Heading,
+    /// Of pitching up.
+    pub pitch_up: Heading,
+    /// Of rolling left: by the right-hand rule about the heading, which lifts the turtle's left.
+    pub roll_left: Heading,
+    /// Of rolling right.
+    pub roll_right: Heading,
+    /// What bends the turtle's heading after each segment.
+    pub tropism: Option<Tropism>,
     /// At the start.
     pub heading: Heading,
     /// Where it starts, in model units.
@@ -22,14 +34,28 @@ pub struct Turtle {
     pub width: f64,
 }
 
+/// A pull upon the turtle's heading (ABOP, section 2.1): after each segment the heading H turns towards the vector T by
+/// `elasticity * |H x T|` radians.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tropism {
+    /// T, in the directions of the model: x to the right, y up, z towards the viewer.
+    pub vector: [f64; 3],
+    /// How easily branches bend.
+    pub elasticity: f64,
+}
+
 /// An action with every default filled in.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Op {
+pub(crate) enum Op<S: Space = Plane> {
     /// Go forward and draw; in units of [`Score::unit`].
     Draw(f64),
     /// Go forward without drawing; in the same units.
     Move(f64),
-    Turn(Heading),
+    Turn(S::Turn),
+    /// Roll until the turtle's left is level.
+    Upright,
+    /// Turn as a tropism wants.
+    Bend(Tropism),
     Push,
     Pop,
     Style(StyleChange),
@@ -37,9 +63,9 @@ pub(crate) enum Op {
 
 /// A turtle's actions made ready to run, in units that keep every length at most 1.
 #[derive(Clone, Debug)]
-pub(crate) struct Score {
+pub(crate) struct Score<S: Space = Plane> {
     /// By letter; empty for letters that are out of reach.
-    pub(crate) ops: Vec<Vec<Op>>,
+    pub(crate) ops: Vec<Vec<Op<S>>>,
     /// A length of 1 is `2^exponent` steps.
     pub(crate) exponent: i32,
     /// One step in model units; 1 where the turtle's own step is zero, which the lengths then say.
@@ -48,13 +74,33 @@ pub(crate) struct Score {
     pub(crate) width: f64,
 }
 
+impl Default for Turtle {
+    /// One that heads up from the origin, with steps of length 1, angles of 0, and no letters.
+    fn default() -> Self {
+        Self {
+            actions: vec![],
+            left: Heading::EAST,
+            right: Heading::EAST,
+            pitch_down: Heading::EAST,
+            pitch_up: Heading::EAST,
+            roll_left: Heading::EAST,
+            roll_right: Heading::EAST,
+            tropism: None,
+            heading: Heading::UP,
+            start: [0.0; 2],
+            step: 1.0,
+            width: 0.0,
+        }
+    }
+}
+
 impl Turtle {
     /// The actions of the `reachable` letters.
-    pub(crate) fn score(&self, reachable: &[bool]) -> Score {
-        let mut ops: Vec<Vec<Op>> = (self.actions.iter().zip(reachable))
-            .map(|(actions, &reached)| if reached { actions.iter().map(|&a| self.op(a)).collect() } else { vec![] })
+    pub(crate) fn score<S: Space>(&self, reachable: &[bool]) -> Score<S> {
+        let mut ops: Vec<Vec<Op<S>>> = (self.actions.iter().zip(reachable))
+            .map(|(actions, &reached)| if reached { self.ops(actions) } else { vec![] })
             .collect();
-        let length = |op: &Op| if let Op::Draw(l) | Op::Move(l) = op { l.abs() } else { 0.0 };
+        let length = |op: &Op<S>| if let Op::Draw(l) | Op::Move(l) = op { l.abs() } else { 0.0 };
         let exponent = exponent_of(ops.iter().flatten().map(length).fold(0.0, f64::max));
         for op in ops.iter_mut().flatten() {
             *op = op.scaled(-exponent);
@@ -72,15 +118,38 @@ impl Turtle {
         if self.steps() == 0.0 { 1.0 } else { self.step }
     }
 
+    /// What a letter does, lengths in steps.
+    fn ops<S: Space>(&self, actions: &[Action]) -> Vec<Op<S>> {
+        let mut ops = Vec::with_capacity(actions.len());
+        for &action in actions {
+            ops.push(self.op(action));
+            if let (Action::Draw(_), Some(tropism)) = (action, self.tropism) {
+                ops.push(Op::Bend(tropism));
+            }
+        }
+        ops
+    }
+
     /// An action, lengths in steps.
-    fn op(&self, action: Action) -> Op {
+    fn op<S: Space>(&self, action: Action) -> Op<S> {
+        let turn = |about: Axis, degrees: Option<f64>, own: Heading| {
+            Op::Turn(S::turn(about, degrees.map_or(own, Heading::from_degrees)))
+        };
+        let back = |about: Axis, degrees: Option<f64>, own: Heading| {
+            Op::Turn(S::turn(about, -degrees.map_or(own, Heading::from_degrees)))
+        };
         let in_steps = |length: Option<f64>| length.map_or(self.steps(), |l| finite(l / self.unit()));
         match action {
             Action::Draw(length) => Op::Draw(in_steps(length)),
             Action::Move(length) => Op::Move(in_steps(length)),
-            Action::TurnLeft(degrees) => Op::Turn(degrees.map_or(self.left, Heading::from_degrees)),
-            Action::TurnRight(degrees) => Op::Turn(-degrees.map_or(self.right, Heading::from_degrees)),
-            Action::TurnRound => Op::Turn(Heading::HALF),
+            Action::TurnLeft(degrees) => turn(Axis::Up, degrees, self.left),
+            Action::TurnRight(degrees) => back(Axis::Up, degrees, self.right),
+            Action::PitchDown(degrees) => turn(Axis::Left, degrees, self.pitch_down),
+            Action::PitchUp(degrees) => back(Axis::Left, degrees, self.pitch_up),
+            Action::RollLeft(degrees) => turn(Axis::Ahead, degrees, self.roll_left),
+            Action::RollRight(degrees) => back(Axis::Ahead, degrees, self.roll_right),
+            Action::RollUpright => Op::Upright,
+            Action::TurnRound => Op::Turn(S::turn(Axis::Up, Heading::HALF)),
             Action::Push => Op::Push,
             Action::Pop => Op::Pop,
             // It acts when the word is derived.
@@ -97,14 +166,14 @@ impl Turtle {
     }
 }
 
-impl Score {
+impl<S: Space> Score<S> {
     /// A further action of the turtle that this is the score of; its length may be above 1.
-    pub(crate) fn op(&self, turtle: &Turtle, action: Action) -> Op {
+    pub(crate) fn op(&self, turtle: &Turtle, action: Action) -> Op<S> {
         turtle.op(action).scaled(-self.exponent)
     }
 }
 
-impl Op {
+impl<S: Space> Op<S> {
     /// The same with lengths times `2^exponent`.
     fn scaled(self, exponent: i32) -> Self {
         match self {
@@ -117,22 +186,22 @@ impl Op {
 
 /// Where the turtle is and how it draws.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Pen {
-    pub(crate) at: [f64; 2],
-    pub(crate) heading: Heading,
+pub(crate) struct Pen<S: Space = Plane> {
+    pub(crate) at: S::Point,
+    pub(crate) heading: S::Turn,
     pub(crate) style: StyleChange,
 }
 
-impl Pen {
+impl<S: Space> Pen<S> {
     /// Acts, with `saved` as the stack of open branches and lengths times `scale`; hands each segment to `draw`.
     /// A `Pop` without a branch to return from does nothing.
     pub(crate) fn act(
         &mut self,
-        ops: &[Op],
+        ops: &[Op<S>],
         saved: &mut Vec<Self>,
         scale: f64,
-        directions: &mut Directions,
-        mut draw: impl FnMut([f64; 2], [f64; 2], &StyleChange),
+        directions: &mut S::Directions,
+        mut draw: impl FnMut(S::Point, S::Point, &StyleChange),
     ) {
         for &op in ops {
             match op {
@@ -142,7 +211,9 @@ impl Pen {
                     draw(from, self.at, &self.style);
                 }
                 Op::Move(length) => self.forward(length * scale, directions),
-                Op::Turn(by) => self.heading += by,
+                Op::Turn(by) => self.heading = S::then(self.heading, by),
+                Op::Upright => self.heading = S::upright(self.heading),
+                Op::Bend(tropism) => self.heading = S::bent(self.heading, &tropism),
                 Op::Push => {
                     saved.push(*self);
                     self.style.level = self.style.level.saturating_add(1);
@@ -153,34 +224,8 @@ impl Pen {
         }
     }
 
-    fn forward(&mut self, length: f64, directions: &mut Directions) {
-        let (c, s) = directions.cos_sin(self.heading);
-        self.at = [self.at[0] + length * c, self.at[1] + length * s];
-    }
-}
-
-/// Cosines and sines of the headings met last: a turtle has few, and meets them again at once.
-#[derive(Clone, Debug)]
-pub(crate) struct Directions {
-    slots: Vec<(Heading, f64, f64)>,
-}
-
-impl Directions {
-    /// Enough for all multiples of most angles.
-    const BITS: u32 = 9;
-
-    pub(crate) fn new() -> Self {
-        Self { slots: vec![(Heading::EAST, 1.0, 0.0); 1 << Self::BITS] }
-    }
-
-    pub(crate) fn cos_sin(&mut self, heading: Heading) -> (f64, f64) {
-        let hash = heading.units().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (64 - Self::BITS);
-        let slot = &mut self.slots[hash as usize];
-        if slot.0 != heading {
-            let (c, s) = heading.cos_sin();
-            *slot = (heading, c, s);
-        }
-        (slot.1, slot.2)
+    fn forward(&mut self, length: f64, directions: &mut S::Directions) {
+        self.at = S::ahead(&S::axes(directions, self.heading), self.at, length);
     }
 }
 

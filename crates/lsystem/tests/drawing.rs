@@ -33,10 +33,10 @@ fn system(axiom: &str, rules: &[(char, &str, f64)], angle: f64) -> System {
         actions: actions.collect(),
         left: Heading::from_degrees(angle),
         right: Heading::from_degrees(angle),
-        heading: Heading::UP,
         start: [3.0, -4.0],
         step: 0.7,
         width: 0.5,
+        ..Turtle::default()
     };
     System { grammar, program, rules: None, turtle, style: Style::default(), seed: 7 }
 }

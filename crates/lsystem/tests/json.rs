@@ -46,10 +46,15 @@ fn definition() -> impl Strategy<Value = Definition> {
         (0..=1000_u32, any::<u32>(), prop_oneof![Just(0), any::<u32>()]),
         (number(), prop::option::of(number()), prop_oneof![Just(90.0), number()]),
         (prop_oneof![Just(1.0), 1e-9..1e9], prop_oneof![Just([0.0, 0.0]), prop::array::uniform2(-1e9..1e9)]),
+        (
+            prop::array::uniform4(prop::option::of(number())),
+            prop_oneof![Just([0.0, -1.0, 0.0]), prop::array::uniform3(-1e3..1e3)],
+            prop_oneof![Just(0.0), -1e3..1e3],
+        ),
         prop_oneof![Just(Dialect::EveryLetter), prop::sample::select(Dialect::ALL.to_vec())],
         style(),
     )
-        .prop_map(|(words, texts, whole, angles, lengths, dialect, style)| Definition {
+        .prop_map(|(words, texts, whole, angles, lengths, space, dialect, style)| Definition {
             name: words.0,
             title: words.1,
             source: words.2,
@@ -64,6 +69,12 @@ fn definition() -> impl Strategy<Value = Definition> {
             heading: angles.2,
             step: lengths.0,
             start: lengths.1,
+            pitch_down: space.0[0],
+            pitch_up: space.0[1],
+            roll_left: space.0[2],
+            roll_right: space.0[3],
+            tropism: space.1,
+            elasticity: space.2,
             dialect,
             style,
         })
@@ -140,6 +151,10 @@ fn our_form_says_the_rest() {
         rules: "// branching\nF -> F[+F]F[-F][F]".into(),
         angle: 30.0,
         right_angle: Some(25.7),
+        pitch_down: Some(40.0),
+        roll_right: Some(20.5),
+        tropism: [0.0, 1.0, -0.5],
+        elasticity: 0.22,
         step: 15.0,
         start: [700.0, 50.0],
         dialect: Dialect::Practical,
@@ -161,8 +176,12 @@ fn our_form_says_the_rest() {
           "turtle": {
             "dialect": "practical",
             "right_angle_deg": 25.7,
+            "pitch_down_deg": 40,
+            "roll_right_deg": 20.5,
             "step": 15,
             "start": [700, 50],
+            "tropism": [0, 1, -0.5],
+            "elasticity": 0.22,
             "overrides": {
               "G": "move"
             }

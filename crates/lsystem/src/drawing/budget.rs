@@ -1,6 +1,7 @@
 //! Whether a drawing stays within its limits, and up to which n it would.
 
 use super::materialise::{Census, Outcome};
+use crate::space::Space;
 use crate::turtle::{Op, Score};
 use crate::{LimitName, Limits, Program, Rewrite, SymbolId};
 
@@ -21,8 +22,8 @@ pub(crate) struct Forecast {
 }
 
 impl Forecast {
-    pub(crate) fn new(score: &Score) -> Self {
-        let draws = |ops: &Vec<Op>| ops.iter().filter(|op| matches!(op, Op::Draw(_))).count() as u128;
+    pub(crate) fn new<S: Space>(score: &Score<S>) -> Self {
+        let draws = |ops: &Vec<Op<S>>| ops.iter().filter(|op| matches!(op, Op::Draw(_))).count() as u128;
         Self { sums: score.ops.iter().map(|ops| (draws(ops), 0)).collect(), generation: 0, largest: None }
     }
 
@@ -82,10 +83,10 @@ impl Search {
     }
 
     /// Works on for `left` letters; `Some` at the end.
-    pub(crate) fn step(
+    pub(crate) fn step<S: Space>(
         &mut self,
         program: &Program,
-        score: &Score,
+        score: &Score<S>,
         limits: &Limits,
         seed: u32,
         left: &mut u64,

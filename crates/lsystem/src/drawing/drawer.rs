@@ -7,14 +7,12 @@ use super::materialise::{Materialiser, Outcome};
 use super::modules::{self, Modular};
 use super::{BlockId, Drawing};
 use crate::derivation::limit;
+use crate::space::Axis;
 use crate::turtle::Score;
 use crate::{
-    Diagnostic, Heading, LimitName, Limits, MAX_ITERATIONS, Program, Progress, Rewrite, SymbolId, System, Turtle,
+    Diagnostic, LimitName, Limits, MAX_ITERATIONS, Plane, Program, Progress, Rewrite, Space, SymbolId, System, Turtle,
 };
 use std::sync::OnceLock;
-
-/// What making one item of a block costs, in letters derived.
-const ITEM: u64 = 16;
 
 /// Draws generation `n`.
 ///
@@ -28,48 +26,55 @@ pub fn draw(system: &System, n: u32, limits: &Limits) -> Result<Drawing, Diagnos
 /// A drawing in the making. It keeps what it needs of its system, so it can wait for its next step as long as
 /// anybody likes; one that is superseded is simply dropped.
 #[derive(Clone, Debug)]
-pub struct Drawer {
+pub struct Drawer<S: Space = Plane> {
     program: Program,
     turtle: Turtle,
-    score: Score,
+    score: Score<S>,
     memoises: bool,
     seed: u32,
     n: u32,
     limits: Limits,
-    builder: Builder,
+    builder: Builder<S>,
     /// The symbols of the generation, where it has been gone through.
     symbols: Option<u64>,
-    state: State,
+    state: State<S>,
 }
 
 #[derive(Clone, Debug)]
-enum State {
+enum State<S: Space> {
     /// Finding which letters are needed at which depth.
     Plan(Plan),
     /// Making the blocks of one depth after the other; the last level may be incomplete.
     Build {
         needed: Vec<Vec<SymbolId>>,
-        pieces: Vec<Level>,
+        pieces: Vec<Level<S>>,
     },
     /// Counting whether it will fit.
     Forecast(Forecast),
     /// Deriving and drawing letter by letter.
-    Materialise(Box<Materialiser>),
+    Materialise(Box<Materialiser<S>>),
     /// Deriving whole generations, and drawing the last.
-    Modules(Box<Modular>),
+    Modules(Box<Modular<S>>),
     /// A limit was passed: finding the largest n that is within.
     Search(Search),
     Done {
         root: Option<BlockId>,
-        pieces: Vec<Level>,
+        pieces: Vec<Level<S>>,
     },
     Failed(Diagnostic),
 }
 
 impl Drawer {
-    /// Prepares to draw generation `n`.
+    /// Prepares to draw generation `n` in the plane.
     #[must_use]
     pub fn new(system: &System, n: u32, limits: Limits) -> Self {
+        Self::within(system, n, limits)
+    }
+}
+
+impl<S: Space> Drawer<S> {
+    /// Prepares to draw generation `n`.
+    pub(super) fn within(system: &System, n: u32, limits: Limits) -> Self {
         let (program, turtle, seed) = (system.program.clone(), system.turtle.clone(), system.seed);
         // What is drawn below `draw:` is in no generation.
         let reachable = if system.rules.is_some() { vec![true; turtle.actions.len()] } else { program.reachable() };
@@ -87,7 +92,7 @@ impl Drawer {
         } else if program.is_deterministic() {
             State::Forecast(Forecast::new(&score))
         } else {
-            State::Materialise(Box::new(Materialiser::new(&turtle, &score, seed, n)))
+            State::Materialise(Box::new(Materialiser::new(start::<S>(&turtle), &score, seed, n)))
         };
         Self { program, turtle, score, memoises, seed, n, limits, builder: Builder::new(), symbols: None, state }
     }
@@ -123,7 +128,7 @@ impl Drawer {
     ///
     /// # Errors
     /// As [`draw`].
-    pub fn finish(mut self) -> Result<Drawing, Diagnostic> {
+    pub fn finish(mut self) -> Result<Drawing<S>, Diagnostic> {
         while self.step(1 << 20) == Progress::More {}
         let (root, pieces) = match self.state {
             State::Failed(diagnostic) => return Err(diagnostic),
@@ -136,7 +141,7 @@ impl Drawer {
             corners: self.builder.corners,
             styles: self.builder.styles.list,
             root,
-            start: self.turtle.start,
+            start: S::point([self.turtle.start[0], self.turtle.start[1], 0.0]),
             step: self.score.step,
             width: self.score.width,
             pieces,
@@ -147,7 +152,7 @@ impl Drawer {
     }
 
     /// Works on in the present state; returns the next one when this one is over.
-    fn advance(&mut self, left: &mut u64) -> Option<State> {
+    fn advance(&mut self, left: &mut u64) -> Option<State<S>> {
         let Self { program, turtle, score, seed, n, limits, builder, symbols, .. } = self;
         match &mut self.state {
             State::Plan(plan) => {
@@ -172,8 +177,8 @@ impl Drawer {
                             Rewrite::Keep | Rewrite::Choose(_) => &[],
                         };
                         let below = depth.checked_sub(1).map(|below| &pieces[below]);
-                        let piece = graph::piece(builder, score, below, word, Heading::EAST);
-                        *left = left.saturating_sub(ITEM * (1 + word.len() as u64));
+                        let piece = graph::piece(builder, score, below, word, S::AHEAD);
+                        *left = left.saturating_sub(S::ITEM * (1 + word.len() as u64));
                         if pieces.is_empty() {
                             pieces.push(vec![]);
                         }
@@ -182,19 +187,19 @@ impl Drawer {
                     }
                     None if pieces.len() < needed.len() => {
                         pieces.push(vec![]);
-                        *left = left.saturating_sub(ITEM);
+                        *left = left.saturating_sub(S::ITEM);
                         None
                     }
                     None => {
                         let axiom = &program.axiom;
-                        let root = graph::piece(builder, score, pieces.last(), axiom, turtle.heading).block;
-                        *left = left.saturating_sub(ITEM * (1 + axiom.len() as u64));
+                        let root = graph::piece(builder, score, pieces.last(), axiom, start::<S>(turtle)).block;
+                        *left = left.saturating_sub(S::ITEM * (1 + axiom.len() as u64));
                         Some(State::Done { root, pieces: core::mem::take(pieces) })
                     }
                 }
             }
             State::Forecast(forecast) => match forecast.step(program, limits, *n, left)? {
-                Ok(()) => Some(State::Materialise(Box::new(Materialiser::new(turtle, score, *seed, *n)))),
+                Ok(()) => Some(State::Materialise(Box::new(Materialiser::new(start::<S>(turtle), score, *seed, *n)))),
                 Err(exceeded) => Some(failed(&exceeded, limits)),
             },
             State::Materialise(materialiser) => match materialiser.step(program, score, builder, limits, left) {
@@ -225,7 +230,12 @@ impl Drawer {
     }
 }
 
-fn failed(exceeded: &Exceeded, limits: &Limits) -> State {
+fn failed<S: Space>(exceeded: &Exceeded, limits: &Limits) -> State<S> {
     let value = if exceeded.limit == LimitName::Segments { limits.segments } else { limits.work };
     State::Failed(limit(exceeded.limit, value, exceeded.largest))
+}
+
+/// How the turtle starts.
+pub(super) fn start<S: Space>(turtle: &Turtle) -> S::Turn {
+    S::turn(Axis::Up, turtle.heading)
 }

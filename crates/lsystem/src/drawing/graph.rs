@@ -3,40 +3,44 @@
 use super::builder::Builder;
 use super::{BlockId, Item, Piece, Placed, Stroke, StyleChange};
 use crate::sorted::set;
+use crate::space::{Space, reach};
 use crate::turtle::{Op, Pen, Score, exponent_of};
-use crate::{Heading, Program, Rewrite, SymbolId};
+use crate::{Plane, Program, Rewrite, SymbolId};
 
 /// How a piece of a drawing leaves the turtle, in the frame in which it entered: at the origin heading along +x.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Effect {
+pub struct Effect<S: Space = Plane> {
     /// Where it ends, in units of `2^exponent` steps.
-    pub at: [f64; 2],
+    pub at: S::Point,
     /// Of the unit that `at` is in.
     pub exponent: i32,
-    /// How far it has turned, counter-clockwise.
-    pub heading: Heading,
+    /// How it has turned.
+    pub heading: S::Turn,
     /// What has happened to the style.
     pub style: StyleChange,
 }
 
-/// Whether every reachable letter always draws the same: no choices, and no rewritten letter or successor that ends
-/// on another branch than it began on or returns from branches it did not open.
-pub(crate) fn memoises(program: &Program, score: &Score) -> bool {
-    (program.rewrites.iter().zip(program.reachable()).enumerate()).all(|(symbol, (rewrite, reached))| {
-        let balanced = |word: &[SymbolId]| {
-            let kept = |&&s: &&SymbolId| matches!(program.rewrites[usize::from(s)], Rewrite::Keep);
-            is_balanced(word.iter().filter(kept).flat_map(|&s| &score.ops[usize::from(s)]))
-        };
-        match rewrite {
-            _ if !reached => true,
-            Rewrite::Keep => true,
-            Rewrite::Always(word) => balanced(word) && is_balanced(&score.ops[symbol]),
-            Rewrite::Choose(_) => false,
-        }
-    })
+/// Whether every reachable letter always draws the same: no choices, nothing that looks to the directions of the model,
+/// and no rewritten letter or successor that ends on another branch than it began on or returns from branches it did
+/// not open.
+pub(crate) fn memoises<S: Space>(program: &Program, score: &Score<S>) -> bool {
+    let looks_out = |op: &Op<S>| matches!(op, Op::Upright | Op::Bend(_));
+    !score.ops.iter().flatten().any(looks_out)
+        && (program.rewrites.iter().zip(program.reachable()).enumerate()).all(|(symbol, (rewrite, reached))| {
+            let balanced = |word: &[SymbolId]| {
+                let kept = |&&s: &&SymbolId| matches!(program.rewrites[usize::from(s)], Rewrite::Keep);
+                is_balanced(word.iter().filter(kept).flat_map(|&s| &score.ops[usize::from(s)]))
+            };
+            match rewrite {
+                _ if !reached => true,
+                Rewrite::Keep => true,
+                Rewrite::Always(word) => balanced(word) && is_balanced(&score.ops[symbol]),
+                Rewrite::Choose(_) => false,
+            }
+        })
 }
 
-fn is_balanced<'a>(ops: impl IntoIterator<Item = &'a Op>) -> bool {
+fn is_balanced<'a, S: Space>(ops: impl IntoIterator<Item = &'a Op<S>>) -> bool {
     let mut level = 0_i64;
     let never_below = ops.into_iter().all(|op| {
         match op {
@@ -99,23 +103,23 @@ fn rewritten(program: &Program, word: &[SymbolId]) -> Vec<SymbolId> {
 }
 
 /// The pieces of one depth, sorted by letter.
-pub(crate) type Level = Vec<(SymbolId, Piece)>;
+pub(crate) type Level<S = Plane> = Vec<(SymbolId, Piece<S>)>;
 
 /// Makes the piece of a `word` whose rewritten letters have the pieces of the level `below`; at depth 0, where there
 /// is none, every letter acts by itself. The turtle enters with `heading`.
-pub(crate) fn piece(
-    builder: &mut Builder,
-    score: &Score,
-    below: Option<&Level>,
+pub(crate) fn piece<S: Space>(
+    builder: &mut Builder<S>,
+    score: &Score<S>,
+    below: Option<&Level<S>>,
     word: &[SymbolId],
-    heading: Heading,
-) -> Piece {
-    let lower = |symbol: SymbolId| -> Option<&Piece> {
+    heading: S::Turn,
+) -> Piece<S> {
+    let lower = |symbol: SymbolId| -> Option<&Piece<S>> {
         let below = below?;
         below.binary_search_by_key(&symbol, |(s, _)| *s).ok().map(|place| &below[place].1)
     };
     let exponent = word.iter().filter_map(|&s| exponent(builder, score, s, lower(s))).max().unwrap_or(0);
-    let mut pen = Pen { at: [0.0; 2], heading, style: StyleChange::NONE };
+    let mut pen = Pen { at: S::Point::default(), heading, style: StyleChange::NONE };
     let (mut saved, mut items) = (Vec::new(), Vec::new());
     for &symbol in word {
         match lower(symbol) {
@@ -140,21 +144,26 @@ pub(crate) fn piece(
 }
 
 /// The exponent of the longest way in what a letter does; `None` if it goes nowhere.
-fn exponent(builder: &Builder, score: &Score, symbol: SymbolId, lower: Option<&Piece>) -> Option<i32> {
+fn exponent<S: Space>(
+    builder: &Builder<S>,
+    score: &Score<S>,
+    symbol: SymbolId,
+    lower: Option<&Piece<S>>,
+) -> Option<i32> {
     match lower {
         None => {
-            let goes = |op: &Op| matches!(op, Op::Draw(_) | Op::Move(_));
+            let goes = |op: &Op<S>| matches!(op, Op::Draw(_) | Op::Move(_));
             score.ops[usize::from(symbol)].iter().any(goes).then_some(score.exponent)
         }
         Some(Piece { block, effect }) => {
             let block = block.map(|block| builder.blocks[block.0 as usize].exponent);
-            block.max((effect.at != [0.0; 2]).then_some(effect.exponent))
+            block.max((effect.at != S::Point::default()).then_some(effect.exponent))
         }
     }
 }
 
 /// Places `block` where the pen is, in units of `2^exponent` steps.
-fn place(builder: &mut Builder, block: BlockId, pen: &Pen, exponent: i32) -> Placed {
+fn place<S: Space>(builder: &mut Builder<S>, block: BlockId, pen: &Pen<S>, exponent: i32) -> Placed<S> {
     let own = builder.blocks[block.0 as usize].exponent;
     Placed {
         block,
@@ -166,16 +175,22 @@ fn place(builder: &mut Builder, block: BlockId, pen: &Pen, exponent: i32) -> Pla
 }
 
 /// Moves the pen as a piece does.
-fn follow(builder: &mut Builder, pen: &mut Pen, effect: &Effect, exponent: i32) {
-    let (c, s) = builder.directions.cos_sin(pen.heading);
-    let [u, v] = effect.at.map(|w| libm::scalbn(w, effect.exponent.saturating_sub(exponent)));
-    pen.at = [pen.at[0] + c * u - s * v, pen.at[1] + s * u + c * v];
-    pen.heading += effect.heading;
+fn follow<S: Space>(builder: &mut Builder<S>, pen: &mut Pen<S>, effect: &Effect<S>, exponent: i32) {
+    let axes = S::axes(&mut builder.directions, pen.heading);
+    let by = shifted(effect.at, effect.exponent.saturating_sub(exponent));
+    pen.at = S::lie(&axes, pen.at, by);
+    pen.heading = S::then(pen.heading, effect.heading);
     pen.style = pen.style.then(&effect.style);
 }
 
-fn effect(pen: &Pen, exponent: i32) -> Effect {
-    let shift = exponent_of(pen.at[0].abs().max(pen.at[1].abs()));
-    let at = pen.at.map(|w| libm::scalbn(w, -shift));
+fn effect<S: Space>(pen: &Pen<S>, exponent: i32) -> Effect<S> {
+    let shift = exponent_of(reach(&pen.at));
+    let at = shifted(pen.at, -shift);
     Effect { at, exponent: exponent.saturating_add(shift), heading: pen.heading, style: pen.style }
+}
+
+/// Every coordinate times `2^exponent`.
+fn shifted<P: AsMut<[f64]>>(mut point: P, exponent: i32) -> P {
+    point.as_mut().iter_mut().for_each(|c| *c = libm::scalbn(*c, exponent));
+    point
 }

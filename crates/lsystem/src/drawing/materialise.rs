@@ -3,9 +3,10 @@
 use super::builder::Builder;
 use super::tree::Tree;
 use super::{BlockId, StyleChange};
-use crate::turtle::{Directions, Op, Pen, Score};
+use crate::space::Space;
+use crate::turtle::{Op, Pen, Score};
 use crate::walk::{Next, Walk};
-use crate::{LimitName, Limits, Program, Turtle};
+use crate::{LimitName, Limits, Program};
 
 /// What an open branch costs in units of work: its turtle's state takes the memory of as many letters.
 pub(super) const BRANCH: u64 = 32;
@@ -41,13 +42,13 @@ impl Census {
     }
 
     /// Goes on for `left` letters, handing the actions of each of the last generation to `act`.
-    pub(crate) fn step(
+    pub(crate) fn step<S: Space>(
         &mut self,
         program: &Program,
-        score: &Score,
+        score: &Score<S>,
         limits: &Limits,
         left: &mut u64,
-        mut act: impl FnMut(&[Op]),
+        mut act: impl FnMut(&[Op<S>]),
     ) -> Outcome<()> {
         let began = self.walk.work;
         let until = began.saturating_add(*left).min(limits.work);
@@ -71,7 +72,7 @@ impl Census {
         outcome
     }
 
-    fn count(&mut self, ops: &[Op]) {
+    fn count<S: Space>(&mut self, ops: &[Op<S>]) {
         for op in ops {
             match op {
                 Op::Draw(_) => self.segments += 1,
@@ -83,7 +84,7 @@ impl Census {
                     }
                 }
                 Op::Pop => self.open = self.open.saturating_sub(1),
-                Op::Move(_) | Op::Turn(_) | Op::Style(_) => {}
+                Op::Move(_) | Op::Turn(_) | Op::Upright | Op::Bend(_) | Op::Style(_) => {}
             }
         }
     }
@@ -91,22 +92,22 @@ impl Census {
 
 /// A tree of blocks in the making.
 #[derive(Clone, Debug)]
-pub(crate) struct Materialiser {
+pub(crate) struct Materialiser<S: Space> {
     census: Census,
-    pen: Pen,
-    saved: Vec<Pen>,
-    tree: Tree,
-    directions: Directions,
+    pen: Pen<S>,
+    saved: Vec<Pen<S>>,
+    tree: Tree<S>,
+    directions: S::Directions,
 }
 
-impl Materialiser {
-    pub(crate) fn new(turtle: &Turtle, score: &Score, seed: u32, n: u32) -> Self {
+impl<S: Space> Materialiser<S> {
+    pub(crate) fn new(heading: S::Turn, score: &Score<S>, seed: u32, n: u32) -> Self {
         Self {
             census: Census::new(n, seed),
-            pen: Pen { at: [0.0; 2], heading: turtle.heading, style: StyleChange::start(score.width) },
+            pen: Pen { at: S::Point::default(), heading, style: StyleChange::start(score.width) },
             saved: vec![],
             tree: Tree::new(score.exponent),
-            directions: Directions::new(),
+            directions: S::directions(),
         }
     }
 
@@ -123,8 +124,8 @@ impl Materialiser {
     pub(crate) fn step(
         &mut self,
         program: &Program,
-        score: &Score,
-        builder: &mut Builder,
+        score: &Score<S>,
+        builder: &mut Builder<S>,
         limits: &Limits,
         left: &mut u64,
     ) -> Outcome<Option<BlockId>> {

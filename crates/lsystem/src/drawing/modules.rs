@@ -1,11 +1,13 @@
 //! Drawing a whole generation, for productions that look around themselves or compute.
 
 use super::builder::Builder;
+use super::drawer::start;
 use super::materialise::BRANCH;
 use super::tree::Tree;
 use super::{BlockId, StyleChange};
 use crate::derivation::{fault, limit};
-use crate::turtle::{Directions, Op, Pen, Score, exponent_of};
+use crate::space::Space;
+use crate::turtle::{Op, Pen, Score, exponent_of};
 use crate::{Diagnostic, Fault, Image, LimitName, Limits, Rewriter, Rules, Turtle};
 
 /// Modules read between two looks at the caller's budget.
@@ -13,22 +15,22 @@ const PIECE: usize = 1 << 12;
 
 /// A drawing in the making: derives generation after generation, measures the last, and draws it.
 #[derive(Clone, Debug)]
-pub(crate) struct Modular {
+pub(crate) struct Modular<S: Space> {
     rewriter: Rewriter,
     seed: u32,
-    reader: Reader,
-    stage: Stage,
+    reader: Reader<S>,
+    stage: Stage<S>,
 }
 
 #[derive(Clone, Debug)]
-enum Stage {
+enum Stage<S: Space> {
     Derive,
     Measure(Measure),
     Draw {
-        pen: Pen,
-        saved: Vec<Pen>,
-        tree: Tree,
-        directions: Directions,
+        pen: Pen<S>,
+        saved: Vec<Pen<S>>,
+        tree: Tree<S>,
+        directions: S::Directions,
         /// Of lengths, to the unit of the tree.
         scale: f64,
     },
@@ -50,7 +52,7 @@ pub(crate) enum Outcome {
     Failed(Diagnostic),
 }
 
-impl Modular {
+impl<S: Space> Modular<S> {
     /// Ready to draw from the axiom on.
     pub(crate) fn new(rules: &Rules, seed: u32, limits: &Limits) -> Result<Self, Diagnostic> {
         let rewriter =
@@ -79,8 +81,8 @@ impl Modular {
     /// Works on for `left` modules.
     pub(crate) fn step(
         &mut self,
-        (turtle, score): (&Turtle, &Score),
-        builder: &mut Builder,
+        (turtle, score): (&Turtle, &Score<S>),
+        builder: &mut Builder<S>,
         limits: &Limits,
         n: u32,
         left: &mut u64,
@@ -114,10 +116,14 @@ impl Modular {
                         let shift = exponent_of(measure.longest);
                         *reader = Reader::default();
                         *stage = Stage::Draw {
-                            pen: Pen { at: [0.0; 2], heading: turtle.heading, style: StyleChange::start(score.width) },
+                            pen: Pen {
+                                at: S::Point::default(),
+                                heading: start::<S>(turtle),
+                                style: StyleChange::start(score.width),
+                            },
                             saved: Vec::new(),
                             tree: Tree::new(score.exponent.saturating_add(shift)),
-                            directions: Directions::new(),
+                            directions: S::directions(),
                             scale: libm::scalbn(1.0, -shift),
                         };
                     }
@@ -125,7 +131,7 @@ impl Modular {
                 Outcome::Paused
             }
             Stage::Draw { pen, saved, tree, directions, scale } => {
-                let mut act = |ops: &[Op]| {
+                let mut act = |ops: &[Op<S>]| {
                     pen.act(ops, saved, *scale, directions, |from, to, style| tree.push(builder, from, to, style));
                 };
                 match reader.read(rewriter, (turtle, score), left, &mut act) {
@@ -196,7 +202,7 @@ struct Measure {
 }
 
 impl Measure {
-    fn add(&mut self, ops: &[Op]) {
+    fn add<S: Space>(&mut self, ops: &[Op<S>]) {
         for op in ops {
             match *op {
                 Op::Draw(length) => {
@@ -209,7 +215,7 @@ impl Measure {
                     self.deepest = self.deepest.max(self.open);
                 }
                 Op::Pop => self.open = self.open.saturating_sub(1),
-                Op::Turn(_) | Op::Style(_) => {}
+                Op::Turn(_) | Op::Upright | Op::Bend(_) | Op::Style(_) => {}
             }
         }
     }
@@ -226,23 +232,29 @@ impl Measure {
 }
 
 /// Goes through the modules of a generation as the turtle reads them.
-#[derive(Clone, Debug, Default)]
-struct Reader {
+#[derive(Clone, Debug)]
+struct Reader<S: Space> {
     at: usize,
     /// Where its arguments start.
     argument: usize,
     image: Image,
-    ops: Vec<Op>,
+    ops: Vec<Op<S>>,
 }
 
-impl Reader {
+impl<S: Space> Default for Reader<S> {
+    fn default() -> Self {
+        Self { at: 0, image: Image::default(), ops: vec![] }
+    }
+}
+
+impl<S: Space> Reader<S> {
     /// Hands over what `left` modules do; says whether the generation is at its end.
     fn read(
         &mut self,
         rewriter: &Rewriter,
-        (turtle, score): (&Turtle, &Score),
+        (turtle, score): (&Turtle, &Score<S>),
         left: &mut u64,
-        act: &mut dyn FnMut(&[Op]),
+        act: &mut dyn FnMut(&[Op<S>]),
     ) -> Result<bool, Fault> {
         let Self { at, argument, image, ops } = self;
         let (word, rules) = (rewriter.word(), rewriter.rules());

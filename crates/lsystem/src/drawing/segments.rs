@@ -1,27 +1,19 @@
 //! The segments of a drawing, one by one.
 
 use super::{BlockId, Drawing, Item, Placed, Segment, Stroke, StyleChange};
-use crate::Heading;
-use crate::turtle::Directions;
+use crate::space::Space;
+use crate::{Heading, Plane};
 
 /// Iterates over a drawing's segments in drawing order. Made by [`Drawing::segments`].
 #[derive(Clone, Debug)]
-pub struct Segments<'a> {
-    strokes: Strokes<'a>,
+pub struct Segments<'a, S: Space = Plane> {
+    strokes: Strokes<'a, S>,
     /// The number of segments still to come, saturating.
     left: u128,
     unit: f64,
 }
 
-impl<'a> Segments<'a> {
-    pub(super) fn new(drawing: &'a Drawing) -> Self {
-        let mut strokes = Strokes::new(drawing);
-        if let Some(root) = drawing.root {
-            strokes.enter(root, &Frame::new(1.0, StyleChange::start(drawing.width)));
-        }
-        Self { strokes, left: drawing.segment_count(), unit: drawing.unit() }
-    }
-
+impl Segments<'_> {
     /// The direction of the next segment, in degrees counter-clockwise from +x, in `0.0..360.0`. It is known in the
     /// frame of its block, where even a segment that is nothing beside the whole drawing has a length.
     pub(super) fn heading(&self) -> Option<f64> {
@@ -29,6 +21,16 @@ impl<'a> Segments<'a> {
         let (x, y) = (stroke.to[0] - stroke.from[0], stroke.to[1] - stroke.from[1]);
         let own = libm::atan2(y, x) * (180.0 / core::f64::consts::PI);
         Some((frame.heading + Heading::from_degrees(own)).degrees())
+    }
+}
+
+impl<'a, S: Space> Segments<'a, S> {
+    pub(super) fn new(drawing: &'a Drawing<S>) -> Self {
+        let mut strokes = Strokes::new(drawing);
+        if let Some(root) = drawing.root {
+            strokes.enter(root, &Frame::new(1.0, StyleChange::start(drawing.width)));
+        }
+        Self { strokes, left: drawing.segment_count(), unit: drawing.unit() }
     }
 
     /// Passes over the next `count` segments, blocks that hold none other being passed over whole.
@@ -38,14 +40,18 @@ impl<'a> Segments<'a> {
     }
 }
 
-impl Iterator for Segments<'_> {
-    type Item = Segment;
+impl<S: Space> Iterator for Segments<'_, S> {
+    type Item = Segment<S>;
 
-    fn next(&mut self) -> Option<Segment> {
+    fn next(&mut self) -> Option<Segment<S>> {
         let (from, to, style) = self.strokes.next()?;
         self.left = self.left.saturating_sub(1);
         let Drawing { start, step, .. } = self.strokes.drawing;
-        let model = |[x, y]: [f64; 2]| [start[0] + self.unit * x, start[1] + self.unit * y];
+        let model = |mut point: S::Point| {
+            let unit = self.unit;
+            point.as_mut().iter_mut().zip(start.as_ref()).for_each(|(c, start)| *c = start + unit * *c);
+            point
+        };
         Some(Segment {
             from: model(from),
             to: model(to),
@@ -63,63 +69,61 @@ impl Iterator for Segments<'_> {
 
 /// Where a block lies in the frame that is being read, and in what style it is entered.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Frame {
-    pub(crate) at: [f64; 2],
-    pub(crate) heading: Heading,
+pub(crate) struct Frame<S: Space = Plane> {
+    pub(crate) at: S::Point,
+    pub(crate) heading: S::Turn,
     pub(crate) scale: f64,
     pub(crate) style: StyleChange,
-    /// Cosine and sine of the heading, times the scale.
-    axis: (f64, f64),
+    /// Of the heading, times the scale.
+    axes: S::Axes,
 }
 
-impl Frame {
+impl<S: Space> Frame<S> {
     /// Unturned at the origin.
     pub(crate) fn new(scale: f64, style: StyleChange) -> Self {
-        Self { at: [0.0; 2], heading: Heading::EAST, scale, style, axis: (scale, 0.0) }
+        Self { at: S::Point::default(), heading: S::AHEAD, scale, style, axes: S::scaled(S::AXES, scale) }
     }
 
     /// Where a point of the block lies.
-    pub(crate) fn lie(&self, [u, v]: [f64; 2]) -> [f64; 2] {
-        let (c, s) = self.axis;
-        [self.at[0] + (c * u - s * v), self.at[1] + (s * u + c * v)]
+    pub(crate) fn lie(&self, point: S::Point) -> S::Point {
+        S::lie(&self.axes, self.at, point)
     }
 
     /// The frame of a block inside this one.
-    pub(crate) fn place(&self, placed: &Placed, drawing: &Drawing, directions: &mut Directions) -> Self {
-        let (heading, scale) = (self.heading + placed.heading, self.scale * placed.scale);
-        let (c, s) = directions.cos_sin(heading);
+    pub(crate) fn place(&self, placed: &Placed<S>, drawing: &Drawing<S>, directions: &mut S::Directions) -> Self {
+        let (heading, scale) = (S::then(self.heading, placed.heading), self.scale * placed.scale);
         Self {
             at: self.lie(placed.at),
             heading,
             scale,
             style: self.style.then(&drawing.styles[placed.style.0 as usize]),
-            axis: (c * scale, s * scale),
+            axes: S::scaled(S::axes(directions, heading), scale),
         }
     }
 }
 
 /// The strokes of a block in some frame, in drawing order: from, to, style.
 #[derive(Clone, Debug)]
-pub(super) struct Strokes<'a> {
-    drawing: &'a Drawing,
+pub(super) struct Strokes<'a, S: Space = Plane> {
+    drawing: &'a Drawing<S>,
     /// The blocks that are being read, outermost first: the items still to be read, and where.
-    open: Vec<(u32, u32, Frame)>,
-    directions: Directions,
+    open: Vec<(u32, u32, Frame<S>)>,
+    directions: S::Directions,
 }
 
-impl<'a> Strokes<'a> {
-    pub(super) fn new(drawing: &'a Drawing) -> Self {
-        Self { drawing, open: vec![], directions: Directions::new() }
+impl<'a, S: Space> Strokes<'a, S> {
+    pub(super) fn new(drawing: &'a Drawing<S>) -> Self {
+        Self { drawing, open: vec![], directions: S::directions() }
     }
 
     /// Reads `block` before anything else.
-    pub(super) fn enter(&mut self, block: BlockId, frame: &Frame) {
+    pub(super) fn enter(&mut self, block: BlockId, frame: &Frame<S>) {
         let items = &self.drawing.blocks[block.0 as usize].items;
         self.open.push((items.start, items.end, *frame));
     }
 
     /// The next stroke and the frame it lies in.
-    fn next_placed(&mut self) -> Option<(&'a Stroke, Frame)> {
+    fn next_placed(&mut self) -> Option<(&'a Stroke<S>, Frame<S>)> {
         loop {
             let (next, end, frame) = self.open.last_mut()?;
             if next == end {
@@ -164,8 +168,8 @@ impl<'a> Strokes<'a> {
     }
 }
 
-impl Iterator for Strokes<'_> {
-    type Item = ([f64; 2], [f64; 2], StyleChange);
+impl<S: Space> Iterator for Strokes<'_, S> {
+    type Item = (S::Point, S::Point, StyleChange);
 
     fn next(&mut self) -> Option<Self::Item> {
         let (stroke, frame) = self.next_placed()?;

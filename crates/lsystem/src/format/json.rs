@@ -24,12 +24,16 @@
 //!
 //! | key | type, default | meaning |
 //! |---|---|---|
-//! | `dialect` | `"abop"` (the default), `"every-letter"`, `"practical"`, `"lowercase"` | what symbols do |
+//! | `dialect` | `"abop"` (the default), `"every-letter"`, `"practical"`, `"lowercase"`, `"axes"` | what symbols do |
 //! | `overrides` | object, `{}` | exceptions, as in `{"G": "move", "A": "draw 10"}`; or a list of lines `"G: move"` |
 //! | `right_angle_deg` | number | the angle of a right turn, where it is not `angle_deg` |
+//! | `pitch_down_deg`, `pitch_up_deg` | number | the angle of pitching down, where it is not `angle_deg`; of pitching up, where that is another |
+//! | `roll_left_deg`, `roll_right_deg` | number | of rolling left and right, in the same way |
 //! | `heading_deg` | number, 90 | at the start, degrees counter-clockwise from +x |
 //! | `step` | number, 1 | the step length, in model units |
 //! | `start` | `[x, y]`, `[0, 0]` | where the turtle starts, in model units, y up |
+//! | `tropism` | `[x, y, z]`, `[0, -1, 0]` | what branches bend towards, z towards the viewer |
+//! | `elasticity` | number, 0 | how easily they bend |
 //!
 //! and `style`, whose defaults are those of [`Style::for_dialect`],
 //!
@@ -71,7 +75,20 @@ const KEYS: [&str; 12] = [
     "style",
 ];
 /// The keys of `turtle`.
-const TURTLE_KEYS: [&str; 6] = ["dialect", "overrides", "right_angle_deg", "heading_deg", "step", "start"];
+const TURTLE_KEYS: [&str; 12] = [
+    "dialect",
+    "overrides",
+    "right_angle_deg",
+    "pitch_down_deg",
+    "pitch_up_deg",
+    "roll_left_deg",
+    "roll_right_deg",
+    "heading_deg",
+    "step",
+    "start",
+    "tropism",
+    "elasticity",
+];
 /// The keys of `style`.
 const STYLE_KEYS: [&str; 5] = ["palette", "colour_by", "background", "width", "min_width"];
 /// The keys of an outcome.
@@ -276,23 +293,23 @@ impl File {
         if let Some(dialect) = self.word(turtle, "dialect", &Dialect::NAMES) {
             definition.dialect = Dialect::ALL[dialect];
         }
-        if last(turtle, "right_angle_deg").is_some() {
-            let mut angle = definition.angle;
-            self.number(turtle, "right_angle_deg", Quantity::RightAngle.expected(), &mut angle);
-            definition.right_angle = Some(angle);
+        let usual = definition.angle;
+        for (key, quantity, into) in [
+            ("right_angle_deg", Quantity::RightAngle, &mut definition.right_angle),
+            ("pitch_down_deg", Quantity::Pitch, &mut definition.pitch_down),
+            ("pitch_up_deg", Quantity::Pitch, &mut definition.pitch_up),
+            ("roll_left_deg", Quantity::Roll, &mut definition.roll_left),
+            ("roll_right_deg", Quantity::Roll, &mut definition.roll_right),
+        ] {
+            if last(turtle, key).is_some() {
+                self.number(turtle, key, quantity.expected(), into.insert(usual));
+            }
         }
         self.number(turtle, "heading_deg", Quantity::Heading.expected(), &mut definition.heading);
         self.number(turtle, "step", Quantity::Step.expected(), &mut definition.step);
-        if let Some(value) = last(turtle, "start") {
-            match value {
-                Value::Array(pair) if pair.elements.len() == 2 => {
-                    for (value, into) in pair.elements.iter().zip(&mut definition.start) {
-                        self.number_value("start", Quantity::Start.expected(), value, into);
-                    }
-                }
-                other => self.wrong_type("start", Expected::Point, other),
-            }
-        }
+        self.point(turtle, "start", Quantity::Start, Expected::Point, &mut definition.start);
+        self.point(turtle, "tropism", Quantity::Tropism, Expected::Vector, &mut definition.tropism);
+        self.number(turtle, "elasticity", Quantity::Elasticity.expected(), &mut definition.elasticity);
         match last(turtle, "overrides") {
             None => {}
             Some(Value::Object(overrides)) => definition.overrides = self.overrides(overrides),
@@ -414,6 +431,19 @@ impl File {
     fn number(&mut self, object: &Object<'_>, key: &str, expected: Expected, into: &mut f64) {
         if let Some(value) = last(object, key) {
             self.number_value(key, expected, value, into);
+        }
+    }
+
+    /// A list of as many numbers as there is room for.
+    fn point(&mut self, object: &Object<'_>, key: &str, quantity: Quantity, expected: Expected, into: &mut [f64]) {
+        match last(object, key) {
+            None => {}
+            Some(Value::Array(list)) if list.elements.len() == into.len() => {
+                for (value, into) in list.elements.iter().zip(into) {
+                    self.number_value(key, quantity.expected(), value, into);
+                }
+            }
+            Some(other) => self.wrong_type(key, expected, other),
         }
     }
 

@@ -60,9 +60,14 @@ fn our_form(definition: &Definition) -> String {
 fn turtle(definition: &Definition) -> String {
     let usual = Definition::default();
     let mut members = vec![("dialect", string(definition.dialect.name()))];
-    if let Some(angle) = definition.right_angle {
-        members.push(("right_angle_deg", json_number(angle)));
-    }
+    let angles = [
+        ("right_angle_deg", definition.right_angle),
+        ("pitch_down_deg", definition.pitch_down),
+        ("pitch_up_deg", definition.pitch_up),
+        ("roll_left_deg", definition.roll_left),
+        ("roll_right_deg", definition.roll_right),
+    ];
+    members.extend(angles.into_iter().filter_map(|(key, angle)| Some((key, json_number(angle?)))));
     if definition.heading != usual.heading {
         members.push(("heading_deg", json_number(definition.heading)));
     }
@@ -71,6 +76,12 @@ fn turtle(definition: &Definition) -> String {
     }
     if definition.start != usual.start {
         members.push(("start", format!("[{}]", definition.start.map(json_number).join(", "))));
+    }
+    if definition.tropism != usual.tropism {
+        members.push(("tropism", format!("[{}]", definition.tropism.map(json_number).join(", "))));
+    }
+    if definition.elasticity != usual.elasticity {
+        members.push(("elasticity", json_number(definition.elasticity)));
     }
     if !definition.overrides.is_empty() {
         let overrides = crate::overrides::entries(&definition.overrides);

@@ -7,9 +7,11 @@
 use lsystem::{Action, Dialect, Grammar, Segment, System};
 
 mod derive;
+mod space;
 pub mod systems;
 
 pub use derive::{images, modules};
+pub use space::solid_segments;
 
 /// The word of generation `n` without its arguments.
 pub fn expand(grammar: &Grammar, seed: u32, n: u32) -> String {
@@ -48,12 +50,20 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
                         level: state.level,
                         width: state.width * turtle.step.abs(),
                     });
+                    if let Some(tropism) = turtle.tropism {
+                        let (radians, [x, y, _]) = (state.degrees.to_radians(), tropism.vector);
+                        let across = libm::cos(radians) * y - libm::sin(radians) * x;
+                        turn(&mut state, (tropism.elasticity * across).to_degrees());
+                    }
                 }
                 Action::Move(length) => advance(&mut state, length.unwrap_or(turtle.step)),
                 Action::TurnLeft(by) => turn(&mut state, by.unwrap_or(left)),
                 Action::TurnRight(by) => turn(&mut state, -by.unwrap_or(right)),
                 Action::TurnRound => turn(&mut state, 180.0),
                 Action::Cut => {}
+                // These lead out of the plane.
+                Action::PitchDown(_) | Action::PitchUp(_) | Action::RollLeft(_) | Action::RollRight(_) => {}
+                Action::RollUpright => {}
                 Action::Push => {
                     saved.push(state);
                     state.level += 1;
@@ -88,7 +98,11 @@ fn replaced(action: Action, number: f64) -> Action {
         Action::TurnRight(_) => Action::TurnRight(Some(number)),
         Action::SetWidth(_) | Action::ScaleWidth(_) => Action::SetWidth(number.max(0.0)),
         Action::SetColour(_) | Action::AddColour(_) => Action::SetColour(number.floor() as i32),
-        Action::TurnRound | Action::Push | Action::Pop | Action::Cut => action,
+        Action::PitchDown(_) => Action::PitchDown(Some(number)),
+        Action::PitchUp(_) => Action::PitchUp(Some(number)),
+        Action::RollLeft(_) => Action::RollLeft(Some(number)),
+        Action::RollRight(_) => Action::RollRight(Some(number)),
+        Action::TurnRound | Action::RollUpright | Action::Push | Action::Pop | Action::Cut => action,
     }
 }
 

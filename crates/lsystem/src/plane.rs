@@ -1,0 +1,127 @@
+//! The plane: headings are integers, hulls are polygons.
+
+use crate::drawing::{Builder, Enclosed, Item, hull};
+use crate::space::{Axis, Space, times};
+use crate::turtle::exponent_of;
+use crate::{Heading, Tropism};
+use core::ops::Range;
+
+/// Drawings in the plane, x to the right and y up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Plane;
+
+impl Space for Plane {
+    type Point = [f64; 2];
+    /// Counter-clockwise.
+    type Turn = Heading;
+    /// Cosine and sine.
+    type Axes = (f64, f64);
+    type Directions = Directions;
+    /// Corners of a convex polygon, counter-clockwise; one or two where all is on a point or a line. Rounding may leave
+    /// the end of a segment's axis out by 1e-11.
+    type Hull = Range<u32>;
+    /// Min x, min y, max x, max y.
+    type Extent = [f64; 4];
+
+    const AHEAD: Heading = Heading::EAST;
+    const AXES: (f64, f64) = (1.0, 0.0);
+    const ITEM: u64 = 16;
+
+    fn directions() -> Directions {
+        Directions::new()
+    }
+
+    fn turn(about: Axis, by: Heading) -> Heading {
+        if about == Axis::Up { by } else { Heading::EAST }
+    }
+
+    fn then(first: Heading, next: Heading) -> Heading {
+        first + next
+    }
+
+    fn upright(turn: Heading) -> Heading {
+        turn
+    }
+
+    fn bent(turn: Heading, tropism: &Tropism) -> Heading {
+        let ((c, s), [x, y, _]) = (turn.cos_sin(), tropism.vector);
+        turn + Heading::from_degrees(tropism.elasticity * (c * y - s * x) * (180.0 / core::f64::consts::PI))
+    }
+
+    fn axes(directions: &mut Directions, turn: Heading) -> (f64, f64) {
+        directions.cos_sin(turn)
+    }
+
+    fn scaled((c, s): (f64, f64), factor: f64) -> (f64, f64) {
+        (c * factor, s * factor)
+    }
+
+    fn lie(&(c, s): &(f64, f64), [x, y]: [f64; 2], [u, v]: [f64; 2]) -> [f64; 2] {
+        [x + (c * u - s * v), y + (s * u + c * v)]
+    }
+
+    fn ahead(&(c, s): &(f64, f64), [x, y]: [f64; 2], length: f64) -> [f64; 2] {
+        [x + length * c, y + length * s]
+    }
+
+    fn point([x, y, _]: [f64; 3]) -> [f64; 2] {
+        [x, y]
+    }
+
+    fn enclose(builder: &mut Builder, items: &[Item]) -> Enclosed<Self> {
+        let Builder { blocks, corners, directions, points, .. } = builder;
+        points.clear();
+        let mut slack = 0.0_f64;
+        for item in items {
+            match item {
+                Item::Stroke(stroke) => {
+                    // Most strokes begin where the one before ended.
+                    if points.last() != Some(&stroke.from) {
+                        points.push(stroke.from);
+                    }
+                    points.push(stroke.to);
+                }
+                Item::Block(placed) => {
+                    let block = &blocks[placed.block.0 as usize];
+                    let axes = Self::scaled(directions.cos_sin(placed.heading), placed.scale);
+                    let corners = &corners[block.hull.start as usize..block.hull.end as usize];
+                    points.extend(corners.iter().map(|&corner| Self::lie(&axes, placed.at, corner)));
+                    slack = slack.max(placed.scale * block.slack);
+                }
+            }
+        }
+        let reach = points.iter().flatten().fold(0.0_f64, |reach, c| reach.max(c.abs()));
+        let shift = exponent_of(reach);
+        let unit = libm::scalbn(1.0, -shift);
+        points.iter_mut().for_each(|point| *point = times(*point, unit));
+        let slack = slack * unit + hull(points);
+        let first = corners.len() as u32;
+        corners.extend(&*points);
+        Enclosed { hull: first..corners.len() as u32, slack, shift }
+    }
+}
+
+/// Cosines and sines of the headings met last: a turtle has few, and meets them again at once.
+#[derive(Clone, Debug)]
+pub struct Directions {
+    slots: Vec<(Heading, f64, f64)>,
+}
+
+impl Directions {
+    /// Enough for all multiples of most angles.
+    const BITS: u32 = 9;
+
+    pub(crate) fn new() -> Self {
+        Self { slots: vec![(Heading::EAST, 1.0, 0.0); 1 << Self::BITS] }
+    }
+
+    pub(crate) fn cos_sin(&mut self, heading: Heading) -> (f64, f64) {
+        let hash = heading.units().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (64 - Self::BITS);
+        let slot = &mut self.slots[hash as usize];
+        if slot.0 != heading {
+            let (c, s) = heading.cos_sin();
+            *slot = (heading, c, s);
+        }
+        (slot.1, slot.2)
+    }
+}

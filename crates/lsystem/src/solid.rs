@@ -1,0 +1,70 @@
+//! Space of three dimensions: frames are rotation matrices, hulls are boxes and balls.
+
+use crate::drawing::{Body, Builder, Enclosed, Item};
+use crate::rotation::{Rotation, Vector, combine};
+use crate::space::{Axis, Space};
+use crate::{Heading, Tropism};
+
+/// Drawings in space: x to the right, y up, z towards the viewer. A turtle with the usual heading of 90 degrees starts
+/// with its heading up, its left along -x and its own up towards the viewer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Solid;
+
+impl Space for Solid {
+    type Point = Vector;
+    type Turn = Rotation;
+    /// Heading, left and up.
+    type Axes = [Vector; 3];
+    type Directions = ();
+    type Hull = Body;
+    /// The least and the greatest coordinates.
+    type Extent = [Vector; 2];
+
+    const AHEAD: Rotation = Rotation::NONE;
+    const AXES: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    // Bodies take ten times as long as hulls of polygons.
+    const ITEM: u64 = 160;
+
+    fn directions() {}
+
+    fn turn(about: Axis, by: Heading) -> Rotation {
+        Rotation::about(about, by)
+    }
+
+    fn then(first: Rotation, next: Rotation) -> Rotation {
+        first.then(&next)
+    }
+
+    fn upright(turn: Rotation) -> Rotation {
+        turn.upright()
+    }
+
+    fn bent(turn: Rotation, tropism: &Tropism) -> Rotation {
+        turn.bent(tropism.vector, tropism.elasticity)
+    }
+
+    fn axes((): &mut (), turn: Rotation) -> [Vector; 3] {
+        turn.columns()
+    }
+
+    fn scaled(axes: [Vector; 3], factor: f64) -> [Vector; 3] {
+        axes.map(|axis| axis.map(|c| c * factor))
+    }
+
+    fn lie(axes: &[Vector; 3], at: Vector, point: Vector) -> Vector {
+        let by = combine(axes, point);
+        [at[0] + by[0], at[1] + by[1], at[2] + by[2]]
+    }
+
+    fn ahead([h, ..]: &[Vector; 3], at: Vector, length: f64) -> Vector {
+        [at[0] + length * h[0], at[1] + length * h[1], at[2] + length * h[2]]
+    }
+
+    fn point(model: [f64; 3]) -> Vector {
+        model
+    }
+
+    fn enclose(builder: &mut Builder<Self>, items: &[Item<Self>]) -> Enclosed<Self> {
+        Body::enclose(&builder.blocks, &builder.items, items)
+    }
+}
