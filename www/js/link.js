@@ -29,8 +29,8 @@ const number = {
     // Adding 0 turns -0 into 0.
     read: (value) => (value.length <= LONGEST_NUMBER && /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i.test(value) ? Number(value) + 0 : undefined),
 };
-/** @type {Form} */
-const pair = { write: (value) => value.join(), read: (value) => value.split(',', 3).map(number.read) };
+/** Numbers that belong together: one more than there may be shows that there are too many. @type {(count: number) => Form} */
+const list = (count) => ({ write: (value) => value.join(), read: (value) => value.split(',', count + 1).map(number.read) });
 /** @type {Form} */
 const colour = { write: (value) => value.slice(1), read: (value) => `#${value.toLowerCase()}` };
 /** @type {Form} */
@@ -54,9 +54,15 @@ const KEYS = [
     ['n', 'iterations', number],
     ['angle', 'angle', number],
     ['right', 'rightAngle', number],
+    ['down', 'pitchDown', number],
+    ['up', 'pitchUp', number],
+    ['roll', 'rollLeft', number],
+    ['rollright', 'rollRight', number],
     ['heading', 'heading', number],
     ['step', 'step', number],
-    ['start', 'start', pair],
+    ['start', 'start', list(2)],
+    ['tropism', 'tropism', list(3)],
+    ['elasticity', 'elasticity', number],
     ['turtle', 'dialect', text],
     ['do', 'overrides', text],
     ['seed', 'seed', number],

@@ -2,7 +2,7 @@
  * The page's state: one flat value that controls, links, undo and the worker share. Nothing here touches the page.
  */
 
-/** @typedef {'abop' | 'every-letter' | 'practical' | 'lowercase'} Dialect */
+/** @typedef {'abop' | 'every-letter' | 'practical' | 'lowercase' | 'axes'} Dialect */
 /** @typedef {'symbol' | 'single' | 'level'} ColourBy */
 
 /**
@@ -24,9 +24,15 @@
  * @property {number} iterations 0 to 1,000
  * @property {number} angle of a left turn, and of a right one unless `rightAngle` is given
  * @property {number | null} rightAngle
+ * @property {number | null} pitchDown as `angle` where null
+ * @property {number | null} pitchUp as `pitchDown` where null
+ * @property {number | null} rollLeft as `angle` where null
+ * @property {number | null} rollRight as `rollLeft` where null
  * @property {number} heading 0 = +x, 90 = up
  * @property {number} step
  * @property {[number, number]} start
+ * @property {[number, number, number]} tropism what branches bend towards: x, y, z towards the viewer
+ * @property {number} elasticity how easily they bend; 0 for not at all
  * @property {Dialect} dialect
  * @property {string} overrides
  * @property {number} seed 0 to 2^32 - 1
@@ -46,7 +52,7 @@ export const MIN_ZOOM = 1e-2;
 export const MAX_ZOOM = 1e25;
 
 /** @type {readonly Dialect[]} */
-export const DIALECTS = ['abop', 'every-letter', 'practical', 'lowercase'];
+export const DIALECTS = ['abop', 'every-letter', 'practical', 'lowercase', 'axes'];
 /** @type {readonly ColourBy[]} */
 export const COLOUR_BY = ['symbol', 'level', 'single'];
 
@@ -61,9 +67,15 @@ export const DEFAULTS = Object.freeze({
     iterations: 1,
     angle: 0,
     rightAngle: null,
+    pitchDown: null,
+    pitchUp: null,
+    rollLeft: null,
+    rollRight: null,
     heading: 90,
     step: 1,
     start: /** @type {[number, number]} */ ([0, 0]),
+    tropism: /** @type {[number, number, number]} */ ([0, -1, 0]),
+    elasticity: 0,
     dialect: 'abop',
     overrides: '',
     seed: 0,
@@ -89,9 +101,15 @@ const CLEAN = {
     iterations: number(0, MAX_ITERATIONS, true),
     angle: number(-3600, 3600),
     rightAngle: orNull(number(-3600, 3600)),
+    pitchDown: orNull(number(-3600, 3600)),
+    pitchUp: orNull(number(-3600, 3600)),
+    rollLeft: orNull(number(-3600, 3600)),
+    rollRight: orNull(number(-3600, 3600)),
     heading: number(-3600, 3600),
     step: number(1e-9, 1e9),
     start: (value) => (Array.isArray(value) && value.length === 2 ? pair(value.map(number(-1e9, 1e9))) : undefined),
+    tropism: (value) => (Array.isArray(value) && value.length === 3 ? triple(value.map(number(-1000, 1000))) : undefined),
+    elasticity: number(-1000, 1000),
     dialect: oneOf(DIALECTS),
     overrides: text(20_000),
     seed: number(0, 2 ** 32 - 1, true),
@@ -209,4 +227,9 @@ function colour(value) {
 /** @param {(number | undefined)[]} values @returns {[number, number] | undefined} */
 function pair([a, b]) {
     return a === undefined || b === undefined ? undefined : [a, b];
+}
+
+/** @param {(number | undefined)[]} values @returns {[number, number, number] | undefined} */
+function triple([a, b, c]) {
+    return a === undefined || b === undefined || c === undefined ? undefined : [a, b, c];
 }

@@ -3,7 +3,7 @@
 use crate::args::Changes;
 use crate::input::{self, Input};
 use crate::{Failure, print};
-use lsystem::{Diagnostic, Drawing, Tally, count_segments, count_symbols};
+use lsystem::{Diagnostic, Drawing, Plane, Tally, count_segments, count_symbols};
 use serde::Serialize;
 use std::fmt::{self, Display};
 use std::path::PathBuf;
@@ -85,7 +85,7 @@ fn facts(input: &Input) -> Facts {
         growth: Growth { symbols: ratio(|c| &c.symbols), segments: ratio(|c| &c.segments) },
         symbols: now.symbols.map(|count| count.to_string()),
         segments: now.segments.map(|count| count.to_string()),
-        bounds: drawn.and_then(Drawing::bounds).filter(|b| b.iter().all(|x| x.is_finite())),
+        bounds: drawn.and_then(Drawing::<Plane>::bounds).filter(|b| b.iter().all(|x| x.is_finite())),
         memoised: drawn.map(Drawing::is_memoised),
         blocks: drawn.map(Drawing::block_count),
         limit: limit.map(Diagnostic::message),

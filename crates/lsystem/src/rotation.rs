@@ -98,8 +98,7 @@ impl Rotation {
     fn straightened(self) -> Self {
         let [h, l, _] = self.columns;
         let off = (dot(h, h) - 1.0).abs().max((dot(l, l) - 1.0).abs()).max(dot(h, l).abs());
-        // Also what is no number is left alone.
-        if !(off > ROUNDING) {
+        if off.is_nan() || off <= ROUNDING {
             return self;
         }
         let unit = |v: Vector| {

@@ -286,8 +286,8 @@ mod tests {
         check("A -> [&F!A]/////'[&F!A]///////'[&F!A]\nF -> S/////F\nS -> F", 22.5, 9, 0.03);
         check("A -> F[&A][/+A]^F\\A\nF -> FF", 25.7, 8, 0.03);
         // A long chain of blocks, each nearly as large as the one that holds it.
-        check("A -> F&/A", 137.5, 300, 0.2);
+        check("A -> F&/A", 137.5, 300, 0.6);
         // Made stroke by stroke.
-        check("A -> F[&A][/+A]^F\\$A\nF -> FF", 25.7, 8, 0.0);
+        check("A -> F[&A][/+A]^F\\$A\nF -> FF", 25.7, 8, 0.01);
     }
 }

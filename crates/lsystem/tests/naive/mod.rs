@@ -2,7 +2,7 @@
 //!
 //! Independent of the core's shortcuts on purpose: productions are read from the grammar, not from the compiled
 //! program, and headings are floating-point degrees that are summed up.
-#![allow(dead_code, unreachable_pub, reason = "each test binary uses its own part")]
+#![allow(dead_code, unreachable_pub, unused_imports, reason = "each test binary uses its own part")]
 
 use lsystem::{Action, Dialect, Grammar, Segment, System};
 

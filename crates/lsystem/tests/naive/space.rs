@@ -24,6 +24,9 @@ impl State {
         for v in [&mut self.heading, &mut self.left, &mut self.up] {
             let (across, along) = (cross(axis, *v), dot(axis, *v) * (1.0 - c));
             *v = [0, 1, 2].map(|i| v[i] * c + across[i] * s + axis[i] * along);
+            // Axes that are not quite unit vectors any more would make it worse each time.
+            let length = dot(*v, *v).sqrt();
+            *v = v.map(|c| c / length);
         }
     }
 
