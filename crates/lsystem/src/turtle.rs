@@ -153,7 +153,7 @@ impl Turtle {
             Action::Push => Op::Push,
             Action::Pop => Op::Pop,
             // It acts when the word is derived.
-            Action::Cut => Op::Turn(Heading::EAST),
+            Action::Cut => Op::Turn(S::AHEAD),
             Action::SetColour(index) => Op::Style(ColourChange::Set(index).into()),
             Action::AddColour(by) => Op::Style(ColourChange::Add(by).into()),
             Action::SetWidth(width) => {

@@ -243,7 +243,7 @@ struct Reader<S: Space> {
 
 impl<S: Space> Default for Reader<S> {
     fn default() -> Self {
-        Self { at: 0, image: Image::default(), ops: vec![] }
+        Self { at: 0, argument: 0, image: Image::default(), ops: vec![] }
     }
 }
 

@@ -96,6 +96,7 @@ pub fn solid_segments(system: &System, n: u32) -> Vec<Segment<Solid>> {
                 Action::RollLeft(degrees) => state.rotate(state.heading, by(degrees, turtle.roll_left)),
                 Action::RollRight(degrees) => state.rotate(state.heading, -by(degrees, turtle.roll_right)),
                 Action::RollUpright => state.upright(),
+                Action::Cut => {}
                 Action::Push => {
                     saved.push(state);
                     state.level += 1;
