@@ -3,7 +3,7 @@
 
 mod naive;
 
-use lsystem::{Definition, Limits, Segment, System, count_segments, count_symbols, draw, expand};
+use lsystem::{Definition, Limits, Segment, Space, System, count_segments, count_symbols, draw, draw_solid, expand};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -29,6 +29,10 @@ struct Published {
     /// Degrees; of both turns unless `right_angle` is given.
     angle: f64,
     right_angle: Option<f64>,
+    /// Down and up.
+    pitch: Option<[f64; 2]>,
+    /// Left and right.
+    roll: Option<[f64; 2]>,
     heading: f64,
     #[serde(default = "one")]
     step: f64,
@@ -98,6 +102,10 @@ impl Published {
             iterations: self.n,
             angle: self.angle,
             right_angle: self.right_angle,
+            pitch_down: self.pitch.map(|[down, _]| down),
+            pitch_up: self.pitch.map(|[_, up]| up),
+            roll_left: self.roll.map(|[left, _]| left),
+            roll_right: self.roll.map(|[_, right]| right),
             heading: self.heading,
             step: self.step,
             start: self.start,
@@ -154,6 +162,11 @@ fn files_say_what_was_published() {
         );
         let (read, expected) = (system(&read), system(&expected));
         assert_eq!(read.grammar, expected.grammar, "{}", published.file);
+        let angles = |system: &System| {
+            let turtle = &system.turtle;
+            [turtle.pitch_down, turtle.pitch_up, turtle.roll_left, turtle.roll_right]
+        };
+        assert_eq!(angles(&read), angles(&expected), "{}", published.file);
         assert_eq!(read.turtle.actions, expected.turtle.actions, "{}", published.file);
     }
 }
@@ -175,7 +188,7 @@ fn counts_are_as_published() {
         }
         exact += 1;
     }
-    assert_eq!(exact, 52, "systems with exact counts");
+    assert_eq!(exact, 55, "systems with exact counts");
 }
 
 #[test]
@@ -185,18 +198,31 @@ fn strings_and_segments_equal_the_reference() {
             let system = published.system(n + 1);
             let file = &published.file;
             assert_eq!(text(&system, n), naive::expand(&system.grammar, system.seed, n), "{file} at {n}");
-            same_segments(&segments(&system, n), &naive::segments(&system, n), &format!("{file} at {n}"));
+            let what = format!("{file} at {n}");
+            if system.is_solid() {
+                let drawing = draw_solid(&system, n, &Limits::default()).unwrap_or_else(|limit| panic!("{limit:?}"));
+                let fast: Vec<_> = drawing.segments().collect();
+                same_segments(&fast, &naive::solid_segments(&system, n), &what);
+            } else {
+                same_segments(&segments(&system, n), &naive::segments(&system, n), &what);
+            }
         }
     }
 }
 
 /// Everything equal but coordinates, and those to 1e-9 of the drawing's extent.
-fn same_segments(fast: &[Segment], slow: &[Segment], what: &str) {
+fn same_segments<S: Space>(fast: &[Segment<S>], slow: &[Segment<S>], what: &str) {
     assert_eq!(fast.len(), slow.len(), "{what}");
-    let extent = naive::bounds(slow).map_or(0.0, |[x0, y0, x1, y1]| (x1 - x0).max(y1 - y0));
+    let ends = || slow.iter().flat_map(|segment| [segment.from, segment.to]);
+    let side = |axis: usize| {
+        let places = || ends().filter_map(|end| end.as_ref().get(axis).copied());
+        places().fold(f64::NEG_INFINITY, f64::max) - places().fold(f64::INFINITY, f64::min)
+    };
+    let extent = (0..3).map(side).fold(0.0, f64::max);
     for (i, (a, b)) in fast.iter().zip(slow).enumerate() {
         assert_eq!((a.colour, a.level, a.width), (b.colour, b.level, b.width), "{what}, segment {i}");
-        for (a, b) in a.from.iter().chain(&a.to).zip(b.from.iter().chain(&b.to)) {
+        let ends = |s: &Segment<S>| [s.from, s.to].map(|end| end.as_ref().to_vec()).concat();
+        for (a, b) in ends(a).iter().zip(&ends(b)) {
             assert!((a - b).abs() <= 1e-9 * extent, "{what}, segment {i}: {a} and {b}");
         }
     }

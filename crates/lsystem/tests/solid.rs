@@ -312,3 +312,50 @@ fn numbers_of_all_sizes_stay_numbers() {
     }
     assert!(Action::PitchDown(None).is_solid() && !Action::TurnLeft(None).is_solid());
 }
+
+/// The files of `data_in` that leave the plane.
+const FILES: [&str; 17] = [
+    "practical-1/tree3d0",
+    "practical-1/tree3d1",
+    "trees-and-turtles/of-trees-and-turtles",
+    "abop/1.19",
+    "abop/1.25",
+    "abop/2.6a",
+    "abop/2.6b",
+    "abop/2.6c",
+    "abop/2.6d",
+    "abop/2.7a",
+    "abop/2.7b",
+    "abop/2.7c",
+    "abop/2.7d",
+    "abop/2.8a",
+    "abop/2.8b",
+    "abop/2.8c",
+    "abop/2.8d",
+];
+
+fn file(name: &str) -> Definition {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data_in").join(name);
+    let text = std::fs::read_to_string(path.with_added_extension("json")).expect(name);
+    let (definition, diagnostics) = lsystem::read_json(&text);
+    assert_eq!(diagnostics, [], "{name}");
+    definition.expect(name)
+}
+
+#[test]
+fn files_equal_the_reference() {
+    for name in FILES {
+        let definition = file(name);
+        let system = system(&definition);
+        assert!(system.is_solid(), "{name}");
+        check(&system, definition.iterations).unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+}
+
+#[test]
+fn modules_of_figure_2_6_are_as_counted() {
+    for (n, modules) in [(10, 7162), (17, 917_498)] {
+        let drawing = draw_solid(&system(&file("abop/2.6a")), n, &Limits::default()).unwrap();
+        assert_eq!(drawing.symbol_count(), Some(modules));
+    }
+}

@@ -97,6 +97,8 @@ impl<S: Space> Drawer<S> {
         Self { program, turtle, score, memoises, seed, n, limits, builder: Builder::new(), symbols: None, state }
     }
 
+    // Twice in the wasm, once in `draw` and once by itself, it would be a tenth of what the page loads.
+    #[inline(never)]
     /// Works on, for about `work` letters (some hundred thousand take a few milliseconds), and says whether there is
     /// more to do.
     pub fn step(&mut self, work: u64) -> Progress {
