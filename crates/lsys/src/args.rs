@@ -25,7 +25,8 @@ usage: lsys expand FILE [-n N] [--seed S]
                        carries its system; - for standard input
   -n, --iterations N   derivation steps, 0 to 1000, in place of the file's
   --seed S             which random choices to make, 0 to 4294967295, in place of the file's
-  --format FORMAT      svg, png, csv (columns x0,y0,x1,y1,level,colour) or txt (the string)
+  --format FORMAT      svg, png, csv (columns x0,y0,x1,y1,level,colour; in space
+                       x0,y0,z0,x1,y1,z1,level,colour) or txt (the string)
   --size WxH           a png's size in pixels, such as 4000x3000; else 1024 along the longer side
   --compact            an svg whose size hardly depends on N: each block of the drawing once, and then placed
   --out-dir DIR        writes every FILE's output into DIR, named after the file

@@ -5,7 +5,7 @@ use crate::input::{self, Input};
 use crate::output::{Pending, with_extension};
 use crate::progress::Progress;
 use crate::{Failure, picture, print};
-use lsystem::{SvgOptions, write_csv, write_json, write_svg};
+use lsystem::{Outlook, SvgOptions, write_csv, write_json, write_svg};
 use std::io::IsTerminal;
 
 /// Does all `jobs`. One that fails is reported, and the others are still done.
@@ -51,10 +51,19 @@ fn one(job: &Job, changes: Changes) -> Result<(), Failure> {
 fn form(input: &Input, format: Format) -> Result<Vec<u8>, Failure> {
     let style = &input.system.style;
     let wrong = |limit| input.limit(&limit);
-    let drawing = || lsystem::draw(&input.system, input.iterations, &input.limits).map_err(wrong);
+    let (system, n, limits) = (&input.system, input.iterations, &input.limits);
+    let solid = || lsystem::draw_solid(system, n, limits).map_err(wrong);
+    // What is in space is seen from where the page would look at it first.
+    let drawing = || match system.is_solid() {
+        true => solid()?.seen_from(&Outlook::default(), limits.segments).map_err(wrong),
+        false => lsystem::draw(system, n, limits).map_err(wrong),
+    };
     match format {
         Format::Png(size) => picture::png(drawing()?, style, size, &write_json(&input.definition))
             .map_err(|error| Failure::Words(format!("PNG: {error}"))),
+        Format::Csv if system.is_solid() => {
+            write_csv(&solid()?, limits.segments).map(String::into_bytes).map_err(wrong)
+        }
         Format::Csv => write_csv(&drawing()?, input.limits.segments).map(String::into_bytes).map_err(wrong),
         Format::Svg(form) => {
             let title = [&input.definition.title, &input.definition.name].into_iter().find(|title| !title.is_empty());

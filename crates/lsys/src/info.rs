@@ -3,7 +3,7 @@
 use crate::args::Changes;
 use crate::input::{self, Input};
 use crate::{Failure, print};
-use lsystem::{Diagnostic, Drawing, Plane, Tally, count_segments, count_symbols};
+use lsystem::{Diagnostic, Drawing, Limits, Space, System, Tally, count_segments, count_symbols};
 use serde::Serialize;
 use std::fmt::{self, Display};
 use std::path::PathBuf;
@@ -22,9 +22,9 @@ struct Facts {
     symbols: Option<String>,
     /// As `symbols`.
     segments: Option<String>,
-    /// Min x, min y, max x, max y of all segments' axes, in model units; `None` where nothing is drawn, a limit is
+    /// The least and the greatest coordinates, x, y, and z where the drawing leaves the plane, of all segments' axes, in model units; `None` where nothing is drawn, a limit is
     /// passed, or a number is beyond the range of `f64`.
-    bounds: Option<[f64; 4]>,
+    bounds: Option<Vec<f64>>,
     growth: Growth,
     /// Whether equal pieces of the drawing are shared.
     memoised: Option<bool>,
@@ -66,13 +66,26 @@ pub(crate) fn info(files: &[PathBuf], json: bool, changes: Changes) -> Result<()
 }
 
 fn facts(input: &Input) -> Facts {
+    if input.system.is_solid() {
+        facts_in(input, lsystem::draw_solid, |drawing| drawing.bounds().map(|bounds| bounds.concat()))
+    } else {
+        facts_in(input, lsystem::draw, |drawing| drawing.bounds().map(Vec::from))
+    }
+}
+
+/// The facts about a system that is drawn by `draw`.
+fn facts_in<S: Space>(
+    input: &Input,
+    draw: fn(&System, u32, &Limits) -> Result<Drawing<S>, Diagnostic>,
+    bounds: fn(&Drawing<S>) -> Option<Vec<f64>>,
+) -> Facts {
     let (system, n) = (&input.system, input.iterations);
-    let drawing = lsystem::draw(system, n, &input.limits);
+    let drawing = draw(system, n, &input.limits);
     let (drawn, limit) = (drawing.as_ref().ok(), drawing.as_ref().err());
     let now = Counts::new(input, n, drawn);
     let before = n.checked_sub(1).map(|n| match now.derived {
-        true => Counts::new(input, n, lsystem::draw(system, n, &input.limits).ok().as_ref()),
-        false => Counts::new(input, n, None),
+        true => Counts::new(input, n, draw(system, n, &input.limits).ok().as_ref()),
+        false => Counts::new(input, n, None::<&Drawing<S>>),
     });
     let ratio = |of: fn(&Counts) -> &Option<Tally>| ratio(of(&now).as_ref()?, of(before.as_ref()?).as_ref()?);
     Facts {
@@ -85,7 +98,7 @@ fn facts(input: &Input) -> Facts {
         growth: Growth { symbols: ratio(|c| &c.symbols), segments: ratio(|c| &c.segments) },
         symbols: now.symbols.map(|count| count.to_string()),
         segments: now.segments.map(|count| count.to_string()),
-        bounds: drawn.and_then(Drawing::<Plane>::bounds).filter(|b| b.iter().all(|x| x.is_finite())),
+        bounds: drawn.and_then(bounds).filter(|b| b.iter().all(|x| x.is_finite())),
         memoised: drawn.map(Drawing::is_memoised),
         blocks: drawn.map(Drawing::block_count),
         limit: limit.map(Diagnostic::message),
@@ -102,7 +115,7 @@ struct Counts {
 
 impl Counts {
     /// Of generation `n`, which `drawing` shows; `None` where it is too large to be drawn.
-    fn new(input: &Input, n: u32, drawing: Option<&Drawing>) -> Self {
+    fn new<S: Space>(input: &Input, n: u32, drawing: Option<&Drawing<S>>) -> Self {
         let (symbols, segments) = (count_symbols(&input.system, n), count_segments(&input.system, n));
         let derived = symbols.is_none() || segments.is_none();
         Self {
@@ -150,9 +163,10 @@ impl Display for Facts {
         }
         writeln!(f, "  symbols     {}", self.symbols.clone().unwrap_or_else(unknown))?;
         writeln!(f, "  segments    {}", self.segments.clone().unwrap_or_else(unknown))?;
-        if let Some([x0, y0, x1, y1]) = self.bounds {
-            let [x0, y0, x1, y1] = [x0, y0, x1, y1].map(readable);
-            writeln!(f, "  bounds      x {x0} to {x1}, y {y0} to {y1}")?;
+        if let Some((least, most)) = self.bounds.as_ref().and_then(|bounds| bounds.split_at_checked(bounds.len() / 2)) {
+            let sides = ["x", "y", "z"].into_iter().zip(least.iter().zip(most));
+            let sides = sides.map(|(axis, (&from, &to))| format!("{axis} {} to {}", readable(from), readable(to)));
+            writeln!(f, "  bounds      {}", sides.collect::<Vec<_>>().join(", "))?;
         }
         if let Growth { symbols: Some(symbols), segments } = self.growth {
             let segments = segments.map_or_else(unknown, |growth| format!("x {growth:.6}"));

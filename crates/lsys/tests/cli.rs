@@ -158,6 +158,26 @@ fn csv_has_a_line_for_each_segment() {
 }
 
 #[test]
+fn what_leaves_the_plane_is_drawn_as_it_is_seen() {
+    let csv = good("draw data_in/practical-1/tree3d1.json --format csv -n 1");
+    assert_eq!(csv.lines().next(), Some("x0,y0,z0,x1,y1,z1,level,colour"));
+    assert_eq!(csv.lines().count(), 10 + 1);
+    let svg = good("draw data_in/abop/2.7a.json -n 4 --format svg");
+    assert!(svg.contains("<path") && !svg.contains("NaN"), "{svg}");
+    expect![[r#"
+        Hilbert curve in space
+          file        data_in/abop/1.19.json
+          kind        deterministic, memoised, blocks: 5
+          iterations  2
+          symbols     271
+          segments    63
+          bounds      x 0 to 3, y 0 to 3, z -3 to 0
+          growth      symbols x 9.344828, segments x 9.000000 in the last step
+    "#]]
+    .assert_eq(&good("info data_in/abop/1.19.json"));
+}
+
+#[test]
 fn pictures_have_the_size_that_is_asked_for() {
     let folder = Folder::new("png");
     let line = format!("draw data_in/curves/koch-snowflake.json {} --format png", folder.base("koch"));

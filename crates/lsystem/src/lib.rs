@@ -47,8 +47,8 @@ pub use describe::{LegendEntry, describe, kind, legend, short_count, why_empty};
 pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Quantity, Role, Severity, Undrawn};
 pub use dialect::Dialect;
 pub use drawing::{
-    Block, BlockId, Body, ColourChange, Drawer, Drawing, Effect, Item, Pick, Piece, Placed, Segment, SegmentArrays,
-    SegmentChunk, Segments, Stroke, StyleChange, StyleId, WidthChange, draw, draw_solid,
+    Block, BlockId, Body, ColourChange, Drawer, Drawing, Effect, Item, Outlook, Pick, Piece, Placed, Segment,
+    SegmentArrays, SegmentChunk, Segments, Stroke, StyleChange, StyleId, WidthChange, draw, draw_solid,
 };
 pub use expr::{Code, Expr, Function, Meaning, Op, Operator, SIGN, STACK, Unusable};
 pub use format::{

@@ -3,7 +3,7 @@
 mod naive;
 
 use lsystem::{
-    Action, Definition, Dialect, Drawing, Kind, LimitName, Limits, Segment, Solid, System, draw, draw_solid,
+    Action, Definition, Dialect, Drawing, Kind, LimitName, Limits, Outlook, Segment, Solid, System, draw, draw_solid,
 };
 use proptest::prelude::*;
 
@@ -358,4 +358,40 @@ fn modules_of_figure_2_6_are_as_counted() {
         let drawing = draw_solid(&system(&file("abop/2.6a")), n, &Limits::default()).unwrap();
         assert_eq!(drawing.symbol_count(), Some(modules));
     }
+}
+
+#[test]
+fn on_paper_what_is_nearer_covers_what_is_farther() {
+    // A cross in the plane of x and y, one arm towards the viewer, and one away.
+    let cross = system(&Definition { step: 2.0, start: [5.0, 1.0], ..abop("'[&F]'[+F]'[^F]", "", 90.0) });
+    let drawing = draw_solid(&cross, 0, &Limits::default()).unwrap();
+    let from = |azimuth: f64, elevation: f64| {
+        let outlook = Outlook { azimuth, elevation };
+        let seen = drawing.seen_from(&outlook, 10).unwrap();
+        let round = |p: [f64; 2]| p.map(|c| (c * 1e6).round() / 1e6 + 0.0);
+        seen.segments().map(|s| (s.colour, round(s.to))).collect::<Vec<_>>()
+    };
+    assert_eq!(from(0.0, 0.0), [(1, [5.0, 1.0]), (2, [3.0, 1.0]), (3, [5.0, 1.0])]);
+    // From the right, z goes to the left; what went to the left is behind.
+    assert_eq!(from(90.0, 0.0), [(2, [0.0, 1.0]), (1, [2.0, 1.0]), (3, [-2.0, 1.0])]);
+    // From straight above, z goes down.
+    assert_eq!(from(0.0, 90.0), [(1, [5.0, 2.0]), (2, [3.0, 0.0]), (3, [5.0, -2.0])]);
+    // From behind.
+    assert_eq!(from(180.0, 0.0), [(3, [-5.0, 1.0]), (2, [-3.0, 1.0]), (1, [-5.0, 1.0])]);
+    let error = drawing.seen_from(&Outlook::default(), 2).unwrap_err();
+    assert!(matches!(error.kind, Kind::Limit { limit: LimitName::Segments, value: 2, .. }));
+    // A negative step turns the drawing round in all three directions.
+    let back = system(&Definition { overrides: "F: draw -2".into(), ..abop("'[&F]'[^F]", "", 90.0) });
+    let seen =
+        draw_solid(&back, 0, &Limits::default()).unwrap().seen_from(&Outlook { azimuth: 0.0, elevation: 0.0 }, 9);
+    assert_eq!(seen.unwrap().segments().map(|s| s.colour).collect::<Vec<_>>(), [2, 1]);
+}
+
+#[test]
+fn tables_have_a_column_for_each_coordinate() {
+    let drawing = draw_solid(&system(&abop("F&F", "", 90.0)), 0, &Limits::default()).unwrap();
+    let text = lsystem::write_csv(&drawing, 10).unwrap();
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some("x0,y0,z0,x1,y1,z1,level,colour"));
+    assert!(lines.all(|line| line.split(',').count() == 8) && text.lines().count() == 3, "{text}");
 }

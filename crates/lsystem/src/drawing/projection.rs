@@ -1,0 +1,84 @@
+//! Drawings in space as drawings in the plane, for everything that is made for paper.
+
+use super::builder::Builder;
+use super::segments::{Frame, Strokes};
+use super::tree::Tree;
+use super::{Drawing, StyleChange};
+use crate::derivation::limit;
+use crate::plane::Plane;
+use crate::rotation::dot;
+use crate::{Diagnostic, LimitName, Solid};
+use std::sync::OnceLock;
+
+/// From where a drawing in space is seen on paper. Lines that are parallel stay so, and +y is up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outlook {
+    /// Around the vertical, in degrees: 0 looks from +z, 90 from +x.
+    pub azimuth: f64,
+    /// How far from above, in degrees: 0 looks level, 90 straight down.
+    pub elevation: f64,
+}
+
+impl Default for Outlook {
+    /// A little from the right and from above.
+    fn default() -> Self {
+        Self { azimuth: 25.0, elevation: 12.0 }
+    }
+}
+
+impl Outlook {
+    /// To the right and upwards on the paper, and towards who looks at it: unit vectors of the model.
+    #[must_use]
+    pub fn axes(&self) -> [[f64; 3]; 3] {
+        let cos_sin = |degrees: f64| crate::Heading::from_degrees(degrees).cos_sin();
+        let ((ca, sa), (ce, se)) = (cos_sin(self.azimuth), cos_sin(self.elevation));
+        [[ca, 0.0, -sa], [-se * sa, ce, -se * ca], [ce * sa, se, ce * ca]]
+    }
+}
+
+impl Drawing<Solid> {
+    /// The drawing as it is seen: every segment where it lies on the paper, those whose middles are farther away
+    /// before those that are nearer, so that these cover them. Depths apart, coordinates are exact to 1e-9 of the extent.
+    ///
+    /// # Errors
+    /// [`Kind::Limit`](crate::Kind::Limit) where there are more than `most` segments.
+    pub fn seen_from(&self, outlook: &Outlook, most: u64) -> Result<Drawing, Diagnostic> {
+        if self.segment_count() > u128::from(most) {
+            return Err(limit(LimitName::Segments, most, None));
+        }
+        let [right, up, back] = outlook.axes();
+        let paper = |point: [f64; 3]| [dot(right, point), dot(up, point)];
+        let mut strokes = Strokes::new(self);
+        if let Some(root) = self.root {
+            strokes.enter(root, &Frame::new(1.0, StyleChange::start(self.width)));
+        }
+        // A negative step turns the picture round.
+        let sign = if self.step < 0.0 { -1.0 } else { 1.0 };
+        let depth = |from, to| sign * (dot(back, from) + dot(back, to));
+        let mut seen: Vec<_> =
+            strokes.map(|(from, to, style)| (depth(from, to), paper(from), paper(to), style)).collect();
+        seen.sort_by(|a, b| a.0.total_cmp(&b.0));
+
+        let mut builder: Builder<Plane> = Builder::new();
+        // Coordinates in space are within 1, those on paper within √3 then.
+        let mut tree = Tree::new(self.root.map_or(0, |root| self.blocks[root.0 as usize].exponent));
+        for (_, from, to, style) in &seen {
+            tree.push(&mut builder, *from, *to, style);
+        }
+        let root = tree.finish(&mut builder);
+        Ok(Drawing {
+            blocks: builder.blocks,
+            items: builder.items,
+            corners: builder.corners,
+            styles: builder.styles.list,
+            root,
+            start: paper(self.start),
+            step: self.step,
+            width: self.width,
+            pieces: vec![],
+            memoised: false,
+            symbols: self.symbols,
+            extent: OnceLock::new(),
+        })
+    }
+}
