@@ -151,6 +151,8 @@
             self.postMessage({ type: 'file', id, ...wasm.read_file(new Uint8Array(bytes)) });
         } else if (type === 'export') {
             self.postMessage({ type: 'exported', id, ...playground.export(format) });
+        } else if (type === 'qr') {
+            self.postMessage({ type: 'qr', id, modules: wasm.qr_code(question.text) ?? null });
         } else if (type === 'seed') {
             self.postMessage({ type: 'seed', id, seed: wasm.fresh_seed() });
         } else if (type === 'png') {

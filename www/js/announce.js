@@ -1,6 +1,6 @@
 /** Words for assistive technology and short notes on the drawing. */
 
-import { html, setText } from './dom.js';
+import { html, make, setText } from './dom.js';
 
 const PAUSE = 900;
 const TOAST = 3200;
@@ -18,14 +18,27 @@ export function announce(words) {
 }
 
 /**
- * Shows a short note on the drawing; it is read out as well.
+ * Shows a short note on the drawing; it is read out as well. With an `action` it has a button for it, and stays until it
+ * is used or closed.
  * @param {string} words
- * @param {{stay?: boolean}} [options]
+ * @param {{stay?: boolean, action?: {label: string, act: () => void}}} [options]
  */
-export function toast(words, { stay = false } = {}) {
+export function toast(words, { stay = false, action } = {}) {
     const note = html('toast');
     clearTimeout(toastTimer);
-    setText(note, words);
+    const close = () => note.classList.remove('shown');
+    if (action) {
+        const act = make('button', { type: 'button', class: 'toast-act' }, action.label);
+        const dismiss = make('button', { type: 'button', class: 'toast-close', 'aria-label': 'Close this note' }, '×');
+        act.addEventListener('click', () => {
+            close();
+            action.act();
+        });
+        dismiss.addEventListener('click', close);
+        note.replaceChildren(make('span', {}, words), act, dismiss);
+    } else {
+        note.replaceChildren(words);
+    }
     note.classList.add('shown');
-    if (!stay) toastTimer = window.setTimeout(() => note.classList.remove('shown'), Math.max(TOAST, words.length * 60));
+    if (!stay && !action) toastTimer = window.setTimeout(close, Math.max(TOAST, words.length * 60));
 }

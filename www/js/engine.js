@@ -302,6 +302,9 @@ export function createEngine(kits, events) {
         /** @param {number} width @param {number} height @param {Definition} carried in the file, to open it again @returns {Promise<Blob | null>} */
         png: async (width, height, carried) => (await askFull({ type: 'png', width, height, definition: carried })).blob,
 
+        /** The modules of a text's QR code, row by row, 1 for dark; null where it is too long. @param {string} text @returns {Promise<Uint8Array | null>} */
+        qr: async (text) => (await askFull({ type: 'qr', text })).modules,
+
         /** @returns {Promise<number>} */
         seed: async () => (await ask({ type: 'seed' })).seed,
 

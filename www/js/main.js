@@ -12,6 +12,7 @@ import { createMarks } from './marks.js';
 import { opening } from './opening.js';
 import { bestLink, openLink } from './packed.js';
 import { captionOf, growthPanel } from './panels/growth-panel.js';
+import { favouritesPanel } from './panels/favourites-panel.js';
 import { keepPanel } from './panels/keep-panel.js';
 import { lookPanel } from './panels/look-panel.js';
 import { rulesPanel } from './panels/rules-panel.js';
@@ -19,8 +20,12 @@ import { tabs } from './panels/tabs.js';
 import { turtlePanel } from './panels/turtle-panel.js';
 import { createPlayback } from './playback.js';
 import { createReader } from './reading/reader.js';
+import { createSession } from './session.js';
+import { openSession } from './sessions.js';
+import { createShare } from './share.js';
 import { createStage } from './stage.js';
 import { definitionOf, sameDrawing, sameSystem } from './state.js';
+import { createStorage } from './storage.js';
 import { createStore } from './store.js';
 import { theme, themeButton } from './theme.js';
 
@@ -31,7 +36,10 @@ import { theme, themeButton } from './theme.js';
 const MOST_PROBLEMS = 3;
 
 const link = await openLink(location.hash);
-const store = createStore(link ? link.state : opening(theme()));
+const keeper = createStorage(() => localStorage);
+const session = createSession(keeper, createStorage(() => sessionStorage));
+const left = session.start(location.hash, link !== null);
+const store = createStore(left?.state ?? link?.state ?? opening(theme()), left?.origin);
 const engine = createEngine(kits(), { report: reported, drawn, busy, failed });
 engine.define(definitionOf(store.state));
 const marks = createMarks();
@@ -46,7 +54,9 @@ const look = lookPanel(store);
 followAddress(store, { open: opened });
 
 const address = async () => new URL(await bestLink(store.state), location.href).href;
-keepPanel(store, engine, { address, canvas: stage.resolution });
+const share = createShare(store, engine);
+const favourites = favouritesPanel(store, engine, { keeper, session });
+keepPanel(store, engine, { address, select: share.select, favourites: favourites.take, canvas: stage.resolution });
 createGallery(engine, {
     pick: (definition) => store.open(definition),
     dress: (definition) => ({ ...definition, ...dressOf(definition) }),
@@ -88,8 +98,9 @@ store.subscribe((state, before) => {
     if (!sameSystem(state, before)) engine.define(definitionOf(state));
     show(state, before);
 });
+session.follow(store);
 show(store.state, null);
-if (link && link.problems.length > 0) toast(problemWords(link));
+greet();
 
 /** @param {Readonly<State>} state @param {Readonly<State> | null} before */
 function show(state, before) {
@@ -165,9 +176,23 @@ function failed(message, again) {
     toast(`The drawing engine stopped (${message}). Change anything to start it again.`, { stay: true });
 }
 
+/** Tells of a link's problems, and of the visit before this one. */
+function greet() {
+    const problems = link && !left?.again ? problemWords(link) : '';
+    const [last] = session.others();
+    const offered = link && !left && last ? openSession(last) : null;
+    if (last && offered && !sameSystem(offered.state, store.state)) {
+        toast(problems || 'This is the link you opened.', { action: { label: 'Continue where you left off', act: () => session.resume(last) } });
+    } else if (problems) {
+        toast(problems);
+    } else if (left && !left.again) {
+        toast('This is where you left off.');
+    }
+}
+
 /** @param {import('./link.js').Link} pasted */
 function opened(pasted) {
-    store.open(pasted.state);
+    session.visit(pasted.state);
     toast(`Opened the link. Undo brings back what was here. ${problemWords(pasted)}`.trim());
 }
 

@@ -7,12 +7,12 @@ import { FIELDS, clean, same } from './state.js';
 /** @typedef {ReturnType<typeof createStore>} Store */
 /** @typedef {(state: Readonly<State>, before: Readonly<State>) => void} Listener */
 
-/** @param {State} initial */
-export function createStore(initial) {
+/** @param {State} initial @param {State} [from] what Reset returns to, where it is something else */
+export function createStore(initial, from = initial) {
     /** @type {Readonly<State>} */
     let state = clean(initial);
     /** What Reset returns to: the system as it was picked or opened. @type {Readonly<State>} */
-    let origin = state;
+    let origin = clean(from);
     let history = EMPTY;
     /** @type {Listener[]} */
     const listeners = [];
@@ -68,10 +68,11 @@ export function createStore(initial) {
         /**
          * Opens another system: one step to undo, and what Reset returns to.
          * @param {object} values
+         * @param {object} [from] what Reset returns to, where it is something else
          */
-        open(values) {
+        open(values, from = values) {
             const next = clean(values);
-            origin = next;
+            origin = clean(from);
             history = record(settle(history), state, next, '', Date.now());
             become(next);
         },

@@ -10,6 +10,8 @@ mod clock;
 #[cfg(feature = "full")]
 mod files;
 mod playground;
+#[cfg(feature = "full")]
+mod qr;
 mod reading;
 mod report;
 mod surface;
@@ -17,6 +19,8 @@ mod surface;
 #[cfg(feature = "full")]
 pub use files::{read, read_file, tag_png};
 pub use playground::Playground;
+#[cfg(feature = "full")]
+pub use qr::qr_code;
 pub use report::{Problem, Report};
 
 use lsystem::{Definition, Diagnostic, Limits, System};

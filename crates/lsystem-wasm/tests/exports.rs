@@ -2,7 +2,7 @@
 #![cfg(target_family = "wasm")]
 
 use js_sys::{Array, Float32Array, JSON, Reflect};
-use lsystem_wasm::{Playground, draw, expand, fresh_seed, read, read_file, tag_png};
+use lsystem_wasm::{Playground, draw, expand, fresh_seed, qr_code, read, read_file, tag_png};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::OffscreenCanvas;
@@ -168,4 +168,18 @@ fn pictures_carry_their_system() {
     assert!(get(&none, "definition").is_null());
     assert_eq!(get(&none, "diagnostics").unchecked_into::<Array>().length(), 1);
     assert_eq!(tag_png(vec![1, 2], object(PLANT)).unwrap(), [1, 2]);
+}
+
+#[wasm_bindgen_test]
+fn qr_codes_grow_with_the_text_to_a_limit() {
+    let side = |text: &str| qr_code(text).map(|modules| modules.len().isqrt());
+    let code = qr_code("https://example.org/#v=1&axiom=F").unwrap();
+    // Version 3 holds it, 29 modules a side; the finder pattern's ring and its gap are where they must be.
+    assert_eq!(code.len(), 29 * 29);
+    assert_eq!(code[..9], [1, 1, 1, 1, 1, 1, 1, 0, code[8]]);
+    assert_eq!(code[29..37], [1, 0, 0, 0, 0, 0, 1, 0]);
+    assert!(code.iter().all(|&module| module <= 1));
+    assert_eq!(side(&"x".repeat(1732)), Some(137));
+    assert_eq!(side(&"x".repeat(1733)), None);
+    assert_eq!(side(&"x".repeat(1_000_000)), None);
 }

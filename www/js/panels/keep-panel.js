@@ -1,8 +1,11 @@
 /** Links, files, and opening them again. */
 
-import { announce, toast } from '../announce.js';
+import { toast } from '../announce.js';
 import { listProblems } from '../controls/editor.js';
-import { button, byId, html, input, make } from '../dom.js';
+import { copyText } from '../copy.js';
+import { button, byId, html, input } from '../dom.js';
+import { download, fileName } from '../download.js';
+import { isFavouritesFile } from '../favourites.js';
 import { definitionOf } from '../state.js';
 
 /** @typedef {import('../engine.js').Engine} Engine */
@@ -16,10 +19,14 @@ const MIME = { svg: 'image/svg+xml', csv: 'text/csv', txt: 'text/plain', json: '
 /**
  * @param {import('../store.js').Store} store
  * @param {Engine} engine
- * @param {{address: () => Promise<string>, canvas: () => import('../engine.js').Canvas}} page
+ * @param {{address: () => Promise<string>, select: () => void, favourites: (text: string) => void, canvas: () => import('../engine.js').Canvas}} page
+ *   `select` shows the link for the reader to copy, `favourites` takes a file of them
  */
 export function keepPanel(store, engine, page) {
-    for (const id of ['share', 'copy-link']) button(id).addEventListener('click', async () => copyLink(await page.address()));
+    button('copy-link').addEventListener('click', async () => {
+        if (await copyText(await page.address())) toast('Link copied');
+        else page.select();
+    });
 
     for (const save of document.querySelectorAll('[data-save]')) {
         save.addEventListener('click', async () => {
@@ -63,7 +70,12 @@ export function keepPanel(store, engine, page) {
         problems.replaceChildren();
         if (file.size > LARGEST_FILE) return toast('This file is too large to be an L-system.');
         try {
-            const { definition, diagnostics } = await engine.read(await file.arrayBuffer());
+            const bytes = await file.arrayBuffer();
+            if (/\.json$/i.test(file.name)) {
+                const text = new TextDecoder().decode(bytes);
+                if (isFavouritesFile(text)) return page.favourites(text);
+            }
+            const { definition, diagnostics } = await engine.read(bytes);
             listProblems(problems, diagnostics);
             if (!definition) return toast(`${file.name} could not be read: ${diagnostics[0]?.message ?? 'it holds no system'}`);
             const name = definition.name || file.name.replace(/\.(json|svg|png)$/i, '');
@@ -107,31 +119,4 @@ export function keepPanel(store, engine, page) {
         const file = event.dataTransfer?.files[0];
         if (file) openFile(file);
     });
-}
-
-/** @param {string} address */
-async function copyLink(address) {
-    try {
-        await navigator.clipboard.writeText(address);
-        toast('Link copied');
-    } catch {
-        // Some frames refuse the clipboard; the address bar holds the same link.
-        toast('The clipboard is not available here: copy the address of this page instead.');
-    }
-}
-
-/** @param {Blob} blob @param {string} name */
-function download(blob, name) {
-    const url = URL.createObjectURL(blob);
-    const anchor = make('a', { href: url, download: name });
-    anchor.click();
-    // The download has its own hold on the blob by then.
-    setTimeout(() => URL.revokeObjectURL(url), 60_000);
-    announce(`Saved ${name}`);
-}
-
-/** @param {import('../state.js').State} state */
-function fileName({ name, title, iterations }) {
-    const base = (name || title).normalize('NFKD').replace(/[^\w.-]+/g, '_').replace(/^[_.]+|_+$/g, '').slice(0, 60) || 'l-system';
-    return `${base}_n${iterations}`;
 }

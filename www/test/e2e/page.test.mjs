@@ -417,7 +417,8 @@ test('a dropped file opens', () =>
 test('copy link copies the address of exactly this picture', () =>
     withPage({ hash: KOCH, options: { viewport: { width: 1280, height: 800 }, permissions: ['clipboard-read', 'clipboard-write'] } }, async (page) => {
         await page.fill('#iterations', '2');
-        await page.click('#share');
+        await page.click('#tab-keep');
+        await page.click('#copy-link');
         await until(async () => (await text(page, '#toast')) === 'Link copied', 'the note');
         const copied = await page.evaluate(() => navigator.clipboard.readText());
         assert.equal(new URL(copied).hash, KOCH.replace('n=4', 'n=2'));
@@ -528,8 +529,10 @@ test('it works where storage and the clipboard are refused', () =>
         },
         async (page) => {
             await page.click('#theme');
-            await page.click('#share');
-            await until(async () => (await text(page, '#toast')).includes('clipboard'), 'the note');
+            await page.click('#tab-keep');
+            await page.click('#copy-link');
+            await until(async () => (await text(page, '#share-status')).includes('clipboard'), 'the note');
+            await page.click('#close-share');
             assert.ok((await picture(page)).ink > 0.001);
         },
     ));

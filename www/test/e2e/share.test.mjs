@@ -1,0 +1,206 @@
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, test } from 'node:test';
+import jsqr from 'jsqr';
+import { clean } from '../../js/state.js';
+import { openLink } from '../../js/packed.js';
+import { ADDRESS, DESKTOP, PHONE, close, stillPicture, until, withPage } from './browser.mjs';
+
+after(close);
+
+const KOCH = '#v=1&title=Koch&axiom=F&rules=F%20-%3E%20F+F--F+F&n=4&angle=60&heading=0';
+const CLIPBOARD = { permissions: ['clipboard-read', 'clipboard-write'] };
+
+/** @param {import('playwright-core').Page} page @param {string} selector */
+const text = async (page, selector) => (await page.textContent(selector)) ?? '';
+/** @param {import('playwright-core').Page} page */
+const copied = (page) => page.evaluate(() => navigator.clipboard.readText());
+
+/** Opens the dialog and waits for all it shows. @param {import('playwright-core').Page} page */
+async function share(page) {
+    await page.click('#share');
+    await until(async () => (await page.inputValue('#share-link')) !== '' && (await text(page, '#qr-note')) !== '', 'the dialog is filled');
+}
+
+/** What a camera would read. @param {import('playwright-core').Page} page */
+async function scan(page) {
+    const shot = (await page.locator('#qr-frame').screenshot()).toString('base64');
+    const { data, width, height } = await page.evaluate(async (png) => {
+        const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${png}`)).blob());
+        const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+        const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
+        context.drawImage(bitmap, 0, 0);
+        return { data: [...context.getImageData(0, 0, bitmap.width, bitmap.height).data], width: bitmap.width, height: bitmap.height };
+    }, shot);
+    const read = jsqr(Uint8ClampedArray.from(data), width, height);
+    return read?.data;
+}
+
+for (const [device, options] of /** @type {const} */ ([
+    ['desktop', { ...DESKTOP, ...CLIPBOARD, deviceScaleFactor: 3 }],
+    ['phone, dark', { ...PHONE, ...CLIPBOARD, colorScheme: 'dark' }],
+])) {
+    test(`the link is copied, scanned and sent: ${device}`, () =>
+        withPage(
+            {
+                hash: KOCH,
+                options: { ...options, bypassCSP: true },
+                before: (page) =>
+                    page.addInitScript(() => {
+                        const seen = /** @type {any} */ (globalThis);
+                        navigator.share = async (data) => {
+                            seen.shared = data;
+                        };
+                    }),
+            },
+            async (page) => {
+                await page.fill('#iterations', '3');
+                await share(page);
+                const link = ADDRESS + KOCH.replace('n=4', 'n=3');
+                assert.equal(await page.inputValue('#share-link'), link);
+                await page.click('#copy-share');
+                await until(async () => (await text(page, '#share-status')) === 'Link copied', 'it is told');
+                assert.equal(await text(page, '#copy-share'), 'Copied');
+                assert.equal(await copied(page), link);
+                const scanned = await scan(page);
+                assert.ok(scanned?.startsWith(`${ADDRESS}#`), scanned);
+                assert.deepEqual((await openLink(new URL(String(scanned)).hash))?.state, (await openLink(new URL(link).hash))?.state);
+                await page.click('#share-send');
+                assert.deepEqual(await page.evaluate(() => /** @type {any} */ (globalThis).shared), { title: 'Koch', url: link });
+                await page.keyboard.press('Escape');
+                assert.ok(!(await page.isVisible('#share-dialog')));
+                assert.equal(await page.evaluate(() => document.activeElement?.id), 'share');
+            },
+        ));
+}
+
+test('the place looked at is shared, or not', () =>
+    withPage({ hash: `${KOCH}&view=0.1,0.2,3` }, async (page) => {
+        await share(page);
+        assert.match(await page.inputValue('#share-link'), /&view=0\.1,0\.2,3$/);
+        await page.uncheck('#share-view');
+        await until(async () => (await page.inputValue('#share-link')) === ADDRESS + KOCH, 'the fitted picture');
+        assert.doesNotMatch(await page.inputValue('#embed-code'), /view=/);
+        await page.click('#close-share');
+        await page.click('#fit');
+        await share(page);
+        assert.ok(!(await page.isVisible('#share-view')));
+    }));
+
+test('code for other pages has the state and the controls asked for', () =>
+    withPage({ hash: `${KOCH}&title=${encodeURIComponent('"Koch" <&>')}&do=X:%20turn%20left%2090%0AY:%20move`, options: { ...DESKTOP, ...CLIPBOARD, bypassCSP: true } }, async (page) => {
+        await share(page);
+        await page.check('input[name=controls][value=rules]');
+        await page.uncheck('input[name=controls][value=n]');
+        await until(async () => (await page.inputValue('#embed-code')).includes('controls=angle,rules'), 'the controls');
+        await page.click('#copy-code');
+        await until(async () => (await text(page, '#share-status')) === 'Code copied', 'it is told');
+        const frame = await copied(page);
+        assert.match(frame, /^<iframe .*<\/iframe>$/);
+        const parsed = await page.evaluate((code) => {
+            const element = new DOMParser().parseFromString(code, 'text/html').querySelector('iframe');
+            return { src: String(element?.getAttribute('src')), title: element?.title };
+        }, frame);
+        assert.equal(parsed.title, '"Koch" <&>');
+        assert.ok(parsed.src.startsWith(`${ADDRESS}embed.html#v=1&`));
+        const state = (await openLink(new URL(parsed.src).hash))?.state;
+        assert.equal(state?.title, '"Koch" <&>');
+        assert.equal(state?.overrides, 'X: turn left 90\nY: move');
+        assert.equal(state?.iterations, 4);
+
+        await page.check('#embed-element');
+        await until(async () => (await page.inputValue('#embed-code')).includes('<l-system'), 'the element');
+        const element = await page.evaluate((code) => {
+            const parts = new DOMParser().parseFromString(code, 'text/html');
+            const found = parts.querySelector('l-system');
+            const attributes = Object.fromEntries([...(found?.attributes ?? [])].map(({ name, value }) => [name, value]));
+            return { script: parts.querySelector('script')?.getAttribute('src'), rules: found?.textContent?.trim(), attributes };
+        }, await page.inputValue('#embed-code'));
+        assert.deepEqual(element, {
+            script: `${ADDRESS}l-system.js`,
+            rules: 'F -> F+F--F+F',
+            attributes: { title: '"Koch" <&>', axiom: 'F', n: '4', angle: '60', heading: '0', do: 'X: turn left 90\nY: move', controls: 'angle,rules' },
+        });
+    }));
+
+test('where the clipboard is refused the text is selected, and the older way tried', async () => {
+    for (const older of [true, false]) {
+        await withPage(
+            {
+                hash: KOCH,
+                before: (page) =>
+                    page.addInitScript((works) => {
+                        Object.defineProperty(navigator, 'clipboard', { value: { writeText: () => Promise.reject(new DOMException('refused', 'NotAllowedError')) } });
+                        if (!works) document.execCommand = () => false;
+                    }, older),
+            },
+            async (page) => {
+                await share(page);
+                await page.click('#copy-share');
+                await until(async () => (await text(page, '#share-status')) !== '', 'it is told');
+                if (older) {
+                    assert.equal(await text(page, '#share-status'), 'Link copied');
+                    await page.click('#close-share');
+                    await page.click('#tab-look');
+                    await page.fill('#axiom', '');
+                    await page.focus('#axiom');
+                    await page.keyboard.press('Control+v');
+                    assert.equal(await page.inputValue('#axiom'), ADDRESS + KOCH);
+                    return;
+                }
+                assert.match(await text(page, '#share-status'), /selected: (Ctrl\+|⌘)C/);
+                const selected = () => page.evaluate(() => {
+                    const field = /** @type {HTMLInputElement} */ (document.activeElement);
+                    return field.value.slice(field.selectionStart ?? 0, field.selectionEnd ?? 0);
+                });
+                assert.equal(await selected(), ADDRESS + KOCH);
+                await page.click('#close-share');
+                // The button in Save has no field of its own.
+                await page.click('#tab-keep');
+                await page.click('#copy-link');
+                await until(async () => (await text(page, '#share-status')).includes('selected'), 'the dialog opens for it');
+                assert.equal(await selected(), ADDRESS + KOCH);
+            },
+        );
+    }
+});
+
+test('a link too long for a QR code says so; one that is long enough for both is compressed', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await stillPicture(page);
+        let seed = 1;
+        const noise = Array.from({ length: 4000 }, () => String.fromCharCode(33 + ((seed = (seed * 48271) % 2147483647) % 90))).join('');
+        await page.fill('#rules', `// ${'the same words again, '.repeat(100)}\nF -> F+F`);
+        await share(page);
+        assert.match(await page.inputValue('#share-link'), /#v=1&z=[\w-]+$/);
+        assert.ok(await page.isVisible('#qr'));
+        await page.click('#close-share');
+        await page.fill('#rules', `// ${noise}\nF -> F+F`);
+        await page.click('#share');
+        await until(async () => (await text(page, '#qr-note')).includes('too long'), 'the refusal');
+        assert.ok(!(await page.isVisible('#qr')) && !(await page.isVisible('#save-qr')));
+        assert.match(await text(page, '#share-link-note'), /\d,\d{3} characters/);
+        assert.deepEqual((await openLink(new URL(await page.inputValue('#share-link')).hash))?.state, clean({ title: 'Koch', axiom: 'F', rules: `// ${noise}\nF -> F+F`, iterations: 4, angle: 60, heading: 0 }));
+    }));
+
+test('the QR code is saved as a picture', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await share(page);
+        const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-qr')]);
+        assert.equal(download.suggestedFilename(), 'Koch_n4_qr.svg');
+        assert.match(await readFile(String(await download.path()), 'utf8'), /^<svg xmlns="http:\/\/www\.w3\.org\/2000\/svg" .*<\/svg>\n$/);
+    }));
+
+test('the keyboard reaches everything in the dialog, in order, and stays there', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await share(page);
+        assert.equal(await page.evaluate(() => document.activeElement?.id), 'copy-share');
+        /** @type {string[]} */
+        const order = [];
+        for (let step = 0; step < 14; step++) {
+            await page.keyboard.press('Tab');
+            order.push(await page.evaluate(() => document.activeElement?.id || /** @type {HTMLInputElement | null} */ (document.activeElement)?.value || document.activeElement?.nodeName || ''));
+        }
+        for (const id of ['save-qr', 'embed-frame', 'angle', 'n', 'rules', 'string', 'play', 'embed-code', 'copy-code', 'close-share', 'share-link']) assert.ok(order.includes(id), `${id} in ${order}`);
+        assert.ok(!order.some((id) => ['axiom', 'drawing', 'share'].includes(id)));
+    }));

@@ -1,0 +1,55 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { MOST_FAVOURITES, favourite, isFavouritesFile, readFavourites, readFile, rename, writeFile } from '../../js/favourites.js';
+import { readLink, writeLink } from '../../js/link.js';
+import { shortestLink } from '../../js/packed.js';
+import { clean } from '../../js/state.js';
+import { dice, randomState } from './random.mjs';
+
+const ROUNDS = Math.min(2000, Number(process.env.LSYSTEM_CASES ?? 100));
+
+test('favourites come back from their file, and are not added twice', async () => {
+    const roll = dice(11);
+    for (let round = 0; round < ROUNDS; round++) {
+        const states = Array.from({ length: 1 + Math.floor(roll() * 5) }, () => randomState(roll));
+        const list = states.map((state, at) => favourite(` Number\t${at} `, state));
+        const file = writeFile(list);
+        assert.ok(isFavouritesFile(file));
+        const read = await readFile([], file);
+        assert.deepEqual(read?.list.map(({ name, link }) => ({ name, link })), list.map(({ name, link }) => ({ name, link })));
+        assert.deepEqual(read?.list.map(({ link }) => readLink(link)?.state), states);
+        const twice = await readFile(list, file);
+        assert.deepEqual([twice?.added, twice?.known, twice?.list], [0, list.length, list]);
+    }
+});
+
+test('a favourite has a name, whatever it was given', () => {
+    assert.equal(favourite(' \n ', clean({ title: 'Koch' })).name, 'Koch');
+    assert.equal(favourite('', clean({})).name, 'Untitled system');
+    assert.equal(favourite('x'.repeat(1000), clean({})).name.length, 120);
+    const list = [favourite('A', clean({})), favourite('B', clean({ axiom: 'F' }))];
+    const [a, b] = list;
+    assert.deepEqual(rename(list, String(b?.id), ' New  name ').map(({ name }) => name), ['A', 'New name']);
+    assert.deepEqual(rename(list, String(a?.id), ' '), list);
+});
+
+test('files by other hands: whole addresses and compressed links, damage and excess', async () => {
+    const state = clean({ axiom: 'F', rules: 'F -> F+F\n'.repeat(100) });
+    const links = [`https://example.org/page/${await shortestLink(state)}`, '#v=1&axiom=F', 'axiom=F+F', '#v=1&angle=x', 'nothing', '', 7, null, '#v=1&z=eJzz'];
+    const file = JSON.stringify({ favourites: [...links.map((link) => ({ name: 'x', link })), null, 7, 'text', {}, { link: '#axiom=G', name: 7 }] });
+    const read = await readFile([], file);
+    assert.deepEqual([read?.added, read?.damaged, read?.known, read?.tooMany], [4, 10, 0, 0]);
+    assert.deepEqual(read?.list.map(({ link }) => link), [writeLink(state), '#v=1&axiom=F', '#v=1&axiom=F+F', '#v=1&axiom=G']);
+    const many = JSON.stringify({ favourites: Array.from({ length: MOST_FAVOURITES + 20 }, (_, at) => ({ name: `${at}`, link: `#seed=${at}` })) });
+    const full = await readFile(read?.list ?? [], many);
+    assert.equal(full?.list.length, MOST_FAVOURITES);
+    assert.equal(full?.tooMany, 24);
+    for (const none of ['', '[]', '{}', '{"favourites": 7}', 'null', '{"favourites"', '[{"favourites": []}]']) assert.equal(await readFile([], none), null, none);
+    assert.ok(!isFavouritesFile('{"initial": "F", "notes": "l-systems favourites"}'));
+});
+
+test('what stands in the storage may be anything', () => {
+    for (const value of [undefined, null, 7, 'text', {}, [null], [{}], [{ id: 1, name: 'a', link: '#' }]]) assert.deepEqual(readFavourites(value), []);
+    const list = [favourite('A', clean({}))];
+    assert.deepEqual(readFavourites(list), list);
+});

@@ -1,0 +1,69 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { createSession } from '../../js/session.js';
+import { MOST_SESSIONS, keepSession, openSession, readSessions } from '../../js/sessions.js';
+import { clean } from '../../js/state.js';
+import { createStorage } from '../../js/storage.js';
+import { dice, randomState } from './random.mjs';
+
+test('a visit comes back as it was, and Reset with it', () => {
+    const roll = dice(5);
+    for (let round = 0; round < 50; round++) {
+        const [state, origin] = [randomState(roll), randomState(roll)];
+        const [session] = keepSession([], 'a', state, origin, round);
+        assert.ok(session);
+        assert.deepEqual(openSession(session), { state, origin });
+    }
+});
+
+test('the newest visits are kept, each once', () => {
+    /** @type {import('../../js/sessions.js').Session[]} */
+    let list = [];
+    for (let visit = 0; visit < 20; visit++) {
+        for (const angle of [visit, visit + 0.5]) list = keepSession(list, `visit ${visit}`, clean({ angle }), clean({}), visit);
+    }
+    assert.equal(list.length, MOST_SESSIONS);
+    assert.deepEqual(list.map(({ link }) => link).slice(0, 2), ['#v=1&angle=19.5', '#v=1&angle=18.5']);
+    const again = keepSession(list, 'another', clean({ angle: 18.5 }), clean({}), 20);
+    assert.deepEqual(again.map(({ id }) => id).slice(0, 3), ['another', 'visit 19', 'visit 17']);
+});
+
+test('what stands in the storage may be anything', () => {
+    for (const value of [undefined, null, 7, 'text', {}, [null], [{}], [{ id: 'a', time: 'now', link: '#', origin: '#' }]]) assert.deepEqual(readSessions(value), []);
+    assert.equal(openSession({ id: 'a', time: 0, link: 'no link', origin: '' }), null);
+});
+
+/** A storage that holds `room` characters. @param {number} room @returns {Storage} */
+function area(room = Infinity) {
+    /** @type {Map<string, string>} */
+    const map = new Map();
+    return /** @type {any} */ ({
+        get length() {
+            return map.size;
+        },
+        getItem: (/** @type {string} */ key) => map.get(key) ?? null,
+        removeItem: (/** @type {string} */ key) => map.delete(key),
+        setItem: (/** @type {string} */ key, /** @type {string} */ value) => {
+            if (value.length > room) throw new DOMException('full', 'QuotaExceededError');
+            map.set(key, value);
+        },
+    });
+}
+
+test('storage that is refused, full or scribbled over is no error', () => {
+    for (const refused of [() => { throw new DOMException('refused', 'SecurityError'); }, () => /** @type {any} */ (null)]) {
+        const keeper = createStorage(refused);
+        assert.equal(keeper.available, false);
+        assert.equal(keeper.write('a', 1), false);
+        assert.equal(keeper.read('a'), undefined);
+        assert.equal(createSession(keeper, keeper).start('', false), null);
+    }
+    const small = createStorage(() => area(4));
+    assert.ok(small.available);
+    assert.equal(small.write('a', 'long text'), false);
+    assert.equal(small.write('a', 7), true);
+    assert.equal(small.read('a'), 7);
+    const scribbled = area();
+    scribbled.setItem('l-systems:a', '{"not": ');
+    assert.equal(createStorage(() => scribbled).read('a'), undefined);
+});
