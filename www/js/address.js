@@ -47,4 +47,7 @@ export function followAddress(store, { open }) {
         if (link) open(link);
         else write();
     });
+
+    /** Puts what is shown into the address now. */
+    return write;
 }

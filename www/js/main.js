@@ -38,7 +38,7 @@ const MOST_PROBLEMS = 3;
 const link = await openLink(location.hash);
 const keeper = createStorage(() => localStorage);
 const session = createSession(keeper, createStorage(() => sessionStorage));
-const left = session.start(location.hash, link !== null);
+const left = session.start(location.hash, link && link.state);
 const store = createStore(left?.state ?? link?.state ?? opening(theme()), left?.origin);
 const engine = createEngine(kits(), { report: reported, drawn, busy, failed });
 engine.define(definitionOf(store.state));
@@ -51,7 +51,7 @@ const rules = rulesPanel(store);
 const growth = growthPanel(store, engine);
 const turtle = turtlePanel(store);
 const look = lookPanel(store);
-followAddress(store, { open: opened });
+const showAddress = followAddress(store, { open: opened });
 
 const address = async () => new URL(await bestLink(store.state), location.href).href;
 const share = createShare(store, engine);
@@ -99,6 +99,8 @@ store.subscribe((state, before) => {
     show(state, before);
 });
 session.follow(store);
+// The first plant has the plain address; what somebody made has its own.
+if (left && !link) showAddress();
 show(store.state, null);
 greet();
 
@@ -178,7 +180,7 @@ function failed(message, again) {
 
 /** Tells of a link's problems, and of the visit before this one. */
 function greet() {
-    const problems = link && !left?.again ? problemWords(link) : '';
+    const problems = link ? problemWords(link) : '';
     const [last] = session.others();
     const offered = link && !left && last ? openSession(last) : null;
     if (last && offered && !sameSystem(offered.state, store.state)) {

@@ -1,5 +1,6 @@
 /** This visit: kept as it goes on, and found again after a reload or on return. */
 
+import { writeLink } from './link.js';
 import { keepSession, openSession, readSessions } from './sessions.js';
 import { sameSystem } from './state.js';
 
@@ -44,19 +45,20 @@ export function createSession(keeper, tab) {
         others: () => list().filter((one) => one.id !== own),
 
         /**
-         * What to show first where the address is `hash`: this tab's own visit after a reload, or, without a link, the
-         * last one; null where there is neither.
+         * What to show first where the address is `hash`: this tab's own visit after a reload, one that ended with just
+         * what is linked, or, without a link, the last one; null where there is none.
          * @param {string} hash
-         * @param {boolean} linked whether the hash holds a state
-         * @returns {{state: State, origin: State, again: boolean} | null} `again` after a reload
+         * @param {State | null} linked what the hash holds
+         * @returns {{state: State, origin: State, again: boolean} | null} `again` where the reader sees what the address says
          */
         start(hash, linked) {
             const here = /** @type {{id?: unknown, hash?: unknown} | undefined} */ (tab.read('tab'));
             const mine = here?.hash === hash ? list().find((one) => one.id === here.id) : undefined;
             if (mine) own = mine.id;
-            const session = mine ?? (linked ? undefined : list()[0]);
+            const link = linked && writeLink(linked);
+            const session = mine ?? list().find((one) => link === null || one.link === link);
             const opened = session ? openSession(session) : null;
-            return opened && { ...opened, again: mine !== undefined };
+            return opened && { ...opened, again: mine !== undefined || linked !== null };
         },
 
         /** @param {Store} store */

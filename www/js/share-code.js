@@ -9,6 +9,12 @@ const HEIGHT = 420;
 /** In one word, the tags would end the script of a page that holds all of this in itself. */
 const SCRIPT = 'script';
 
+/** Keys of links by which an HTML element would mean something else: their attributes are called otherwise. */
+const ATTRIBUTES = new Map([
+    ['title', 'caption'],
+    ['width', 'stroke'],
+]);
+
 /** @param {Readonly<State>} state */
 const titleOf = (state) => state.title || state.name || 'L-system';
 
@@ -30,10 +36,12 @@ export function frameCode(state, link, controls, page) {
  */
 export function elementCode(state, controls, script) {
     const fields = writeFields(state, String).map((field) => /** @type {[string, string]} */ ([field.slice(0, field.indexOf('=')), field.slice(field.indexOf('=') + 1)]));
-    const attributes = fields.filter(([key]) => key !== 'rules');
+    const attributes = fields.filter(([key]) => key !== 'rules').map(([key, value]) => /** @type {[string, string]} */ ([ATTRIBUTES.get(key) ?? key, value]));
     if (controls.length > 0) attributes.push(['controls', controls.join()]);
     const opening = ['<l-system', ...attributes.map(([key, value]) => `${key}="${attribute(value)}"`)].join(' ');
-    return `<${SCRIPT} src="${attribute(script)}" defer></${SCRIPT}>\n${opening}>\n${text(state.rules)}\n</l-system>`;
+    // Pages without scripts show the rules.
+    const rules = state.rules === '' ? '' : `<pre>\n${text(state.rules)}\n</pre>`;
+    return `<${SCRIPT} src="${attribute(script)}" defer></${SCRIPT}>\n${opening}>${rules}</l-system>`;
 }
 
 /** @param {string} value */

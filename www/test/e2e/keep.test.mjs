@@ -48,6 +48,10 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
             assert.equal((await stillPicture(back)).digest, shown.digest);
             assert.equal(await back.inputValue('#angle'), '31');
             assert.match(await text(back, '#toast'), /where you left off/);
+            await until(() => back.evaluate(() => location.hash.includes('angle=31')), 'the address says what is shown');
+            await back.reload();
+            await back.waitForSelector('#stage.inked');
+            assert.equal(await back.locator('#toast.shown').count(), 0);
             // What Reset returns to has come back, too.
             await back.click('#reset');
             assert.equal(await back.inputValue('#angle'), '22.5');

@@ -29,8 +29,9 @@ test('every control has a name', () =>
             [...document.querySelectorAll('button, input, select, textarea')]
                 .filter((element) => {
                     const labels = 'labels' in element ? /** @type {HTMLInputElement} */ (element).labels : null;
-                    const words = element.getAttribute('aria-label') ?? [...(labels ?? [])].map((label) => label.textContent).join('') + element.textContent;
-                    return element.id !== 'file' && words.trim() === '';
+                    const named = element.getAttribute('aria-labelledby') ?? '';
+                    const words = element.getAttribute('aria-label') ?? document.getElementById(named)?.textContent ?? [...(labels ?? [])].map((label) => label.textContent).join('') + element.textContent;
+                    return element.getAttribute('type') !== 'file' && words.trim() === '';
                 })
                 .map((element) => element.outerHTML),
         );

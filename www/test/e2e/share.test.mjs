@@ -119,7 +119,7 @@ test('code for other pages has the state and the controls asked for', () =>
         assert.deepEqual(element, {
             script: `${ADDRESS}l-system.js`,
             rules: 'F -> F+F--F+F',
-            attributes: { title: '"Koch" <&>', axiom: 'F', n: '4', angle: '60', heading: '0', do: 'X: turn left 90\nY: move', controls: 'angle,rules' },
+            attributes: { caption: '"Koch" <&>', axiom: 'F', n: '4', angle: '60', heading: '0', do: 'X: turn left 90\nY: move', controls: 'angle,rules' },
         });
     }));
 

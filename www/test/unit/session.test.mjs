@@ -56,7 +56,7 @@ test('storage that is refused, full or scribbled over is no error', () => {
         assert.equal(keeper.available, false);
         assert.equal(keeper.write('a', 1), false);
         assert.equal(keeper.read('a'), undefined);
-        assert.equal(createSession(keeper, keeper).start('', false), null);
+        assert.equal(createSession(keeper, keeper).start('', null), null);
     }
     const small = createStorage(() => area(4));
     assert.ok(small.available);
