@@ -106,22 +106,26 @@ export function writeFields(state, guard) {
  */
 export function readLink(hash, unpacked = null) {
     if (hash.length > LONGEST) return { state: clean({}), problems: [`The link is longer than ${LONGEST} characters and was not read.`] };
+    // What is repeated is decoded once, so that damage costs no more than its length.
     /** @type {Map<string, string>} */
-    const given = new Map();
-    /** @type {Set<string>} */
-    const damaged = new Set();
+    const parts = new Map();
     for (const part of `${unpacked ?? ''}&${hash.replace(/^#/, '')}`.split('&')) {
         const at = part.indexOf('=');
         const key = part.slice(0, Math.max(0, at));
-        if (!KNOWN.has(key)) continue;
+        if (KNOWN.has(key)) parts.set(key, part.slice(at + 1));
+    }
+    if (parts.size === 0) return null;
+    /** @type {Map<string, string>} */
+    const given = new Map();
+    /** @type {string[]} */
+    const problems = [];
+    for (const [key, value] of parts) {
         try {
-            given.set(key, decodeURIComponent(part.slice(at + 1)));
+            given.set(key, decodeURIComponent(value));
         } catch {
-            damaged.add(key);
+            problems.push(`“${key}” in the link is damaged and was left out.`);
         }
     }
-    if (given.size === 0 && damaged.size === 0) return null;
-    const problems = [...damaged].map((key) => `“${key}” in the link is damaged and was left out.`);
     const version = given.get('v');
     if (version !== undefined && Number(version) !== VERSION) problems.push('The link was made by another version of this page; some of it may be missing.');
     if (given.has(PACKED) && unpacked === null) problems.push('The compressed part of the link was not read.');
