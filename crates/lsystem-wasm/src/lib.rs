@@ -84,7 +84,8 @@ pub fn fresh_seed() -> Result<u32, JsValue> {
 }
 
 fn from_js(definition: JsValue) -> Result<Definition, JsValue> {
-    serde_wasm_bindgen::from_value(definition).map_err(JsValue::from)
+    let style = serde_wasm_bindgen::from_value(definition.clone())?;
+    Ok(Definition { style, ..serde_wasm_bindgen::from_value(definition)? })
 }
 
 /// Translates to plain objects and arrays, absent values to null.

@@ -50,8 +50,9 @@ pub struct Definition {
     pub overrides: String,
     /// Selects among the outcomes of stochastic productions.
     pub seed: u32,
-    /// Colours and widths.
-    #[serde(flatten)]
+    /// Colours and widths: further fields beside the others. Who deserialises reads them as a [`Style`] of their own,
+    /// because reading flattened fields takes much code.
+    #[serde(flatten, skip_deserializing)]
     pub style: Style,
 }
 

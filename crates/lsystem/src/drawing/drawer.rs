@@ -154,6 +154,8 @@ impl<S: Space> Drawer<S> {
     }
 
     /// Works on in the present state; returns the next one when this one is over.
+    // Once is enough in the wasm.
+    #[inline(never)]
     fn advance(&mut self, left: &mut u64) -> Option<State<S>> {
         let Self { program, turtle, score, seed, n, limits, builder, symbols, .. } = self;
         match &mut self.state {
