@@ -281,6 +281,21 @@ for (const [what, area] of /** @type {const} */ ([['refused', 'refused'], ['full
         ));
 }
 
+test('a sandboxed frame, which may keep nothing, works and says so', () =>
+    withPage({ hash: KOCH, expected: /Permissions policy/ }, async (page) => {
+        const frame = `${ADDRESS}frame.html`;
+        await page.route(frame, (route) => route.fulfill({ contentType: 'text/html', body: `<iframe sandbox="allow-scripts" width="1200" height="700" src="playground.html${KOCH}"></iframe>` }));
+        await page.goto(frame);
+        const inside = page.frameLocator('iframe');
+        await inside.locator('#stage.inked').waitFor();
+        await inside.locator('#angle').fill('50');
+        await inside.locator('#tab-keep').click();
+        assert.ok(await inside.locator('#favourites-refused').isVisible());
+        await inside.locator('#copy-link').click();
+        await until(async () => (await inside.locator('#share-status').textContent()) !== '', 'the dialog, or the clipboard');
+        assert.match(await inside.locator('#share-link').inputValue(), /angle=50/);
+    }));
+
 test('undo and redo cover the gallery, links, favourites, files and playthings between them', () =>
     withPage({ hash: KOCH }, async (page) => {
         const axiom = () => page.inputValue('#axiom');

@@ -204,3 +204,13 @@ test('the keyboard reaches everything in the dialog, in order, and stays there',
         for (const id of ['save-qr', 'embed-frame', 'angle', 'n', 'rules', 'string', 'play', 'embed-code', 'copy-code', 'close-share', 'share-link']) assert.ok(order.includes(id), `${id} in ${order}`);
         assert.ok(!order.some((id) => ['axiom', 'drawing', 'share'].includes(id)));
     }));
+
+test('a page from a disk says what its links are good for', () =>
+    withPage({ address: new URL('../../../dist/playground.html', import.meta.url).href, hash: KOCH }, async (page) => {
+        await share(page);
+        assert.match(await text(page, '#share-link-note'), /this computer only/);
+        assert.match(await text(page, '#qr-note'), /no address that a phone could open/);
+        assert.match(await text(page, '#embed-note'), /web server/);
+        assert.ok(!(await page.isVisible('#qr')));
+        assert.match(await page.inputValue('#share-link'), /^file:.*\/playground\.html#v=1&title=Koch/);
+    }));
