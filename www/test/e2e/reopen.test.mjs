@@ -1,0 +1,50 @@
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+import { close, withPage } from './browser.mjs';
+
+after(close);
+
+test('every system of the gallery comes back from the files that the page saves of it', () =>
+    withPage({}, async (page) => {
+        const { checked, wrong } = await page.evaluate(async () => {
+            const worker = new Worker('worker-full.js');
+            const wasm = await (await fetch('lsystem-full.wasm')).arrayBuffer();
+            const { FIELDS, clean, definitionOf, same } = await import(new URL('js/state.js', document.baseURI).href);
+            let id = 0;
+            /** The next message that answers. @param {object} request @param {string} type @param {(message: any) => boolean} [last] @returns {Promise<any>} */
+            const ask = (request, type, last = () => true) =>
+                new Promise((resolve, reject) => {
+                    worker.onmessage = ({ data }) => {
+                        if (data.type === 'fatal') reject(new Error(data.message));
+                        else if (data.type === type && last(data)) resolve(data);
+                    };
+                    worker.postMessage({ ...request, id: ++id });
+                });
+            await ask({ type: 'init', wasm }, 'ready');
+            worker.postMessage({ type: 'view', id: ++id, width: 64, height: 64, ratio: 1, view: { x: 0, y: 0, zoom: 1 }, upto: null });
+            const entries = await (await fetch('gallery.json')).json();
+            /** @type {string[]} */
+            const wrong = [];
+            for (const entry of entries) {
+                // The generation has no bearing on how a system is written, and small ones are written quickly.
+                const definition = definitionOf(clean({ ...entry.definition, iterations: Math.min(3, entry.definition.iterations) }));
+                await ask({ type: 'define', definition, upto: null }, 'report', ({ report }) => report.memoised !== null || !report.ok);
+                const files = [];
+                for (const format of ['json', 'svg', 'svg-compact']) {
+                    const { text } = await ask({ type: 'export', format }, 'exported');
+                    files.push({ format, bytes: text === null ? new ArrayBuffer(0) : new TextEncoder().encode(text).buffer });
+                }
+                const { blob } = await ask({ type: 'png', width: 64, height: 64, definition }, 'png');
+                files.push({ format: 'png', bytes: await blob.arrayBuffer() });
+                for (const { format, bytes } of files) {
+                    const read = (await ask({ type: 'read', bytes }, 'file')).definition;
+                    const back = read && clean(read);
+                    if (!back || !FIELDS.every((/** @type {keyof typeof back} */ field) => field === 'view' || same(back[field], definition[field]))) wrong.push(`${entry.path} as ${format}`);
+                }
+            }
+            worker.terminate();
+            return { checked: entries.length, wrong };
+        });
+        assert.ok(checked > 80, `${checked} systems`);
+        assert.deepEqual(wrong, []);
+    }));
