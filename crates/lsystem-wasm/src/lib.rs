@@ -9,6 +9,7 @@
 mod clock;
 #[cfg(feature = "full")]
 mod files;
+mod notation;
 mod playground;
 #[cfg(feature = "full")]
 mod qr;
@@ -18,6 +19,7 @@ mod surface;
 
 #[cfg(feature = "full")]
 pub use files::{read, read_file, tag_png};
+pub use notation::notation;
 pub use playground::Playground;
 #[cfg(feature = "full")]
 pub use qr::qr_code;

@@ -7,7 +7,7 @@ use crate::surface::Surface;
 use crate::{LIMITS, from_js, to_js};
 use lsystem::{
     Definition, Diagnostic, Drawer, Drawing, Kind, Progress, Renderer, System, View, Viewport, count_segments,
-    count_symbols, describe, fitted_scale, why_empty,
+    count_symbols, describe, fitted_scale, kind, why_empty,
 };
 use serde::Serialize;
 use std::sync::Arc;
@@ -115,6 +115,7 @@ impl Playground {
         let known = Report {
             ok: true,
             diagnostics,
+            kind: kind(&system),
             stochastic: system.is_stochastic(),
             symbols: count_symbols(&system, n).map(|count| count.to_string()),
             segments: count_segments(&system, n).map(|count| count.to_string()),

@@ -27,6 +27,8 @@ pub struct Report {
     pub ok: bool,
     /// Everything there is to say about its texts and limits.
     pub diagnostics: Vec<Problem>,
+    /// What sort of system it is, in words.
+    pub kind: String,
     /// Whether chance plays a part.
     pub stochastic: bool,
     /// Whether the drawing shares its blocks.

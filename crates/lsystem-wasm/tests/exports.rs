@@ -2,7 +2,7 @@
 #![cfg(target_family = "wasm")]
 
 use js_sys::{Array, Float32Array, JSON, Reflect};
-use lsystem_wasm::{Playground, draw, expand, fresh_seed, qr_code, read, read_file, tag_png};
+use lsystem_wasm::{Playground, draw, expand, fresh_seed, notation, qr_code, read, read_file, tag_png};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::OffscreenCanvas;
@@ -41,6 +41,20 @@ fn draws_segments_with_colour_and_level() {
     assert_eq!(drawn.colours.to_vec(), [0, 1, 2]);
     assert_eq!(drawn.levels.to_vec(), [0, 1, 0]);
     assert_eq!(draw(object(PLANT), 5).unwrap().segments.length(), 4 * 422);
+}
+
+#[wasm_bindgen_test]
+fn texts_are_classed_by_utf16_unit() {
+    let definition = object(r#"{"axiom": "[F", "rules": "// 🌿\nr = 0.9\nF = ", "overrides": "G: move"}"#);
+    let notation = notation(definition).unwrap();
+    assert_eq!(text(&notation, "axiom"), "b_");
+    assert_eq!(text(&notation, "rules"), "ccccc_k_m_nnn_k_m_");
+    assert_eq!(text(&notation, "overrides"), "pm_____");
+    let constant = get(&notation, "constants").unchecked_into::<Array>().get(0);
+    assert_eq!(text(&constant, "name"), "r");
+    assert_eq!(get(&constant, "value").as_f64(), Some(0.9));
+    assert_eq!([get(&constant, "start").as_f64(), get(&constant, "end").as_f64()], [Some(10.0), Some(13.0)]);
+    assert_eq!(get(&constant, "number").as_bool(), Some(true));
 }
 
 #[wasm_bindgen_test]

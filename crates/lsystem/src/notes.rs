@@ -1,9 +1,10 @@
 //! Collecting the diagnostics of a text while it is read.
 
-use crate::{Diagnostic, Field, Kind};
+use crate::{Class, Diagnostic, Field, Kind};
 use core::ops::Range;
 
-/// The diagnostics of one text while it is read: bounded in number, in the order of the text at the end.
+/// The diagnostics of one text while it is read: bounded in number, in the order of the text at the end. Where they are
+/// asked for, the classes of its parts as well.
 #[derive(Debug)]
 pub(crate) struct Notes {
     field: Field,
@@ -11,6 +12,8 @@ pub(crate) struct Notes {
     left_out: usize,
     /// Look-alikes noted already: once each is enough.
     look_alikes: Vec<char>,
+    /// By byte of the text; empty where nobody asked.
+    classes: Vec<Class>,
 }
 
 /// More than this many diagnostics of one text help nobody.
@@ -18,7 +21,23 @@ const MOST: usize = 100;
 
 impl Notes {
     pub(crate) fn new(field: Field) -> Self {
-        Self { field, list: Vec::new(), left_out: 0, look_alikes: Vec::new() }
+        Self { field, list: Vec::new(), left_out: 0, look_alikes: Vec::new(), classes: Vec::new() }
+    }
+
+    /// The same, for the classes of `text` as well.
+    pub(crate) fn classing(field: Field, text: &str) -> Self {
+        Self { classes: vec![Class::Plain; text.len()], ..Self::new(field) }
+    }
+
+    /// Notes what stands at `span`; what is noted later is noted over it.
+    pub(crate) fn class(&mut self, class: Class, span: Range<usize>) {
+        if let Some(part) = self.classes.get_mut(span) {
+            part.fill(class);
+        }
+    }
+
+    pub(crate) fn into_classes(self) -> Vec<Class> {
+        self.classes
     }
 
     pub(crate) fn add(&mut self, kind: Kind, span: Range<usize>) {

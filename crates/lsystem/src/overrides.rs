@@ -30,7 +30,7 @@ use crate::notation::{is_comment, is_short_enough, lines};
 use crate::notes::{Notes, similar};
 use crate::print::{number, symbol};
 use crate::sorted::repeated;
-use crate::{Action, Diagnostic, Expected, Field, Kind};
+use crate::{Action, Class, Diagnostic, Expected, Field, Kind};
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use core::ops::Range;
 
@@ -47,12 +47,24 @@ pub struct Override {
 #[must_use]
 pub fn parse_overrides(text: &str) -> (Vec<Override>, Vec<Diagnostic>) {
     let mut notes = Notes::new(Field::Overrides);
+    let found = read(text, &mut notes);
+    (found, notes.finish())
+}
+
+/// Reads overrides, what there is to say of them into `notes`.
+pub(crate) fn read(text: &str, notes: &mut Notes) -> Vec<Override> {
     let (mut found, mut places) = (Vec::new(), Vec::new());
-    if is_short_enough(text, &mut notes) {
-        for line in lines(text).filter(|line| !is_comment(&text[line.clone()])) {
-            let tokens = tokens(text, line.clone(), &mut notes);
-            if let Some((symbol, place)) = head(&tokens, line.end, &mut notes) {
-                found.push(Override { symbol, actions: actions(&tokens[2..], line.end, &mut notes) });
+    if is_short_enough(text, notes) {
+        for line in lines(text) {
+            if is_comment(&text[line.clone()]) {
+                notes.class(Class::Comment, line);
+                continue;
+            }
+            let tokens = tokens(text, line.clone(), notes);
+            if let Some((symbol, place)) = head(&tokens, line.end, notes) {
+                notes.class(Class::Predecessor, place.clone());
+                notes.class(Class::Mark, tokens[1].span());
+                found.push(Override { symbol, actions: actions(&tokens[2..], line.end, notes) });
                 places.push(place);
             }
         }
@@ -64,7 +76,7 @@ pub fn parse_overrides(text: &str) -> (Vec<Override>, Vec<Diagnostic>) {
     }
     let mut replaced = repeated(symbols(&found).rev());
     found.retain(|_| replaced.pop() == Some(false));
-    (found, notes.finish())
+    found
 }
 
 fn symbols(overrides: &[Override]) -> impl DoubleEndedIterator<Item = char> {

@@ -1,6 +1,6 @@
 //! Showing where a diagnostic points: as printed source with carets, and in JavaScript's units.
 
-use crate::{Diagnostic, Severity};
+use crate::{Class, Diagnostic, Severity};
 use core::ops::Range;
 
 /// A span of bytes of `text` as a span of UTF-16 units, which JavaScript counts in. What lies outside the text is cut
@@ -12,6 +12,13 @@ pub fn utf16_span(text: &str, span: Range<usize>) -> Range<usize> {
     let units = |part: &str| part.chars().map(char::len_utf16).sum::<usize>();
     let before = units(&text[..start]);
     before..before + units(&text[start..end])
+}
+
+/// The letters of classes by byte, one for each UTF-16 unit of `text`.
+#[must_use]
+pub fn utf16_letters(text: &str, classes: &[Class]) -> String {
+    let of = |at: usize| classes.get(at).copied().unwrap_or_default().letter();
+    text.char_indices().flat_map(|(at, ch)| core::iter::repeat_n(of(at), ch.len_utf16())).collect()
 }
 
 /// A diagnostic for a terminal, with the line it is about and carets below the place. `text` is what

@@ -1,5 +1,6 @@
 //! Named constants, and what names mean in a production.
 
+use super::classes::ConstantPlace;
 use super::expression::Names;
 use crate::Kind;
 use crate::expr::Meaning;
@@ -18,11 +19,12 @@ pub(crate) struct Constants {
 
 #[derive(Debug)]
 struct Defined {
-    name: String,
     value: f64,
     /// The value as written.
     text: String,
+    /// Of the name and what follows it up to the value.
     span: Range<usize>,
+    place: ConstantPlace,
     used: bool,
 }
 
@@ -31,10 +33,16 @@ impl Constants {
         self.places.contains_key(name)
     }
 
-    /// Adds a constant: its value, as a number and as written, and where its name stands.
-    pub(super) fn define(&mut self, name: String, value: f64, text: String, span: Range<usize>) {
-        self.places.insert(name.clone(), self.defined.len());
-        self.defined.push(Defined { name, value, text, span, used: false });
+    /// Adds a constant: its value as written, and where its name stands. One whose value is wrong counts as 1.
+    pub(super) fn define(&mut self, place: ConstantPlace, text: String, span: Range<usize>) -> f64 {
+        let value = place.value.unwrap_or(1.0);
+        self.places.insert(place.name.clone(), self.defined.len());
+        self.defined.push(Defined { value, text, span, place, used: false });
+        value
+    }
+
+    pub(super) fn into_places(self) -> Vec<ConstantPlace> {
+        self.defined.into_iter().map(|constant| constant.place).collect()
     }
 
     /// Notes what is known at the end only: names that are defined further down, and those that nothing uses.
@@ -44,9 +52,9 @@ impl Constants {
                 *below = self.meaning(name).is_some();
             }
         });
-        for Defined { name, text, span, used, .. } in self.defined {
+        for Defined { place, text, span, used, .. } in self.defined {
             if !used {
-                notes.add(Kind::ConstantUnused { name: excerpt(&name), value: text }, span);
+                notes.add(Kind::ConstantUnused { name: excerpt(&place.name), value: text }, span);
             }
         }
     }

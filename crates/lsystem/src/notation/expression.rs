@@ -3,7 +3,7 @@
 use super::token::{Token, span_of, text_of};
 use crate::expr::{Code, Expr, Function, Meaning, Operator, Unusable};
 use crate::notes::{Notes, similar};
-use crate::{Kind, Role};
+use crate::{Class, Kind, Role};
 use core::ops::Range;
 
 /// The names that arithmetic may use.
@@ -290,7 +290,13 @@ impl Reader<'_> {
         let (digits, span): (String, _) = (run.iter().map(|t| t.ch).collect(), span_of(run, 0));
         // Rust also reads `inf` and `nan`, which cannot start with a digit or a point.
         match digits.parse::<f64>() {
-            Ok(value) => Some(Expr::Number(value)),
+            Ok(value) => {
+                // In conditions and weights it has their class.
+                if matches!(self.role, Role::Constant | Role::Argument | Role::Axiom) {
+                    self.notes.class(Class::Number, span);
+                }
+                Some(Expr::Number(value))
+            }
             Err(_) => {
                 self.notes.add(Kind::NumberMalformed { text: crate::notes::excerpt(&digits) }, span);
                 None
@@ -304,7 +310,9 @@ impl Reader<'_> {
         if let Some(open) = self.peek().filter(|t| t.is('(') && t.joined) {
             return self.call(&name, span, open);
         }
-        if self.names.meaning(&name).is_some() {
+        if let Some(meaning) = self.names.meaning(&name) {
+            let constant = matches!(meaning, Meaning::Constant(_));
+            self.notes.class(if constant { Class::Constant } else { Class::Parameter }, span);
             return Some(Expr::Name(name));
         }
         let kind = if function(&name).is_some() {
@@ -330,6 +338,7 @@ impl Reader<'_> {
             self.notes.add(kind, span);
             return None;
         };
+        self.notes.class(Class::Function, span.clone());
         self.at += 1;
         let mut arguments = Vec::new();
         if self.peek().is_none_or(|t| !t.is(')')) {

@@ -1,12 +1,13 @@
 //! The lines of a text of rules: productions, constants and headings.
 
+use super::classes::ConstantPlace;
 use super::constants::Constants;
 use super::expression;
 use super::production::{self, Line};
 use super::token::{Token, span_of, text_of, tokens};
 use super::{Reading, arrow};
 use crate::notes::{Notes, excerpt};
-use crate::{Constant, Kind, Production, Role, Seen};
+use crate::{Class, Constant, Expr, Kind, Production, Role, Seen};
 use core::ops::Range;
 use std::collections::BTreeMap;
 
@@ -14,7 +15,9 @@ use std::collections::BTreeMap;
 pub(crate) fn read(text: &str, reading: &mut Reading, constants: &mut Constants, notes: &mut Notes) {
     let mut rules = Rules { text, reading, notes, constants, productions: Vec::new(), drawing: false };
     for line in super::lines(text) {
-        if !super::is_comment(&text[line.clone()]) {
+        if super::is_comment(&text[line.clone()]) {
+            rules.notes.class(Class::Comment, line);
+        } else {
             rules.line(line);
         }
     }
@@ -44,7 +47,9 @@ impl Rules<'_> {
         if let Some(rest) = text.strip_prefix(define)
             && rest.starts_with(super::token::is_blank)
         {
-            let tokens = tokens(self.text, line.end - rest.len()..line.end, self.notes);
+            let from = line.end - rest.len();
+            self.notes.class(Class::Heading, from - define.len()..from);
+            let tokens = tokens(self.text, from..line.end, self.notes);
             return self.define(&tokens, line.end);
         }
         let tokens = tokens(self.text, line.clone(), self.notes);
@@ -74,8 +79,12 @@ impl Rules<'_> {
     fn heading(&mut self, word: &str, tokens: &[Token], after: usize, end: usize) -> bool {
         let place = span_of(&tokens[..after], 0);
         match word {
-            "ignore" | "consider" => self.seen(word == "consider", &tokens[after..], place),
+            "ignore" | "consider" => {
+                self.notes.class(Class::Heading, place.clone());
+                self.seen(word == "consider", &tokens[after..], place);
+            }
             "draw" => {
+                self.notes.class(Class::Heading, place);
                 self.drawing = true;
                 self.statement(&tokens[after..], end);
             }
@@ -112,6 +121,7 @@ impl Rules<'_> {
         if let [equals, rest @ ..] = value
             && equals.is('=')
         {
+            self.notes.class(Class::Mark, equals.span());
             value = rest;
         }
         self.add_constant(name, value, end);
@@ -137,6 +147,7 @@ impl Rules<'_> {
         if !named && name.iter().skip(1).any(|t| is_mark(*t)) {
             return self.no_arrow(tokens);
         }
+        self.notes.class(Class::Mark, tokens[equals].span());
         self.add_constant(name, value, end);
     }
 
@@ -150,17 +161,20 @@ impl Rules<'_> {
         if !is_name(name) || expression::is_reserved(&text) {
             return self.notes.add(Kind::ConstantName { text: text_of(name) }, span);
         }
-        let (name, text) = (text, text_of(value));
-        let value = expression::read(value, end, Role::Constant, self.constants, self.notes);
+        self.notes.class(Class::Constant, span_of(name, end));
+        let (name, text, place) = (text, text_of(value), span_of(value, end));
+        let expr = expression::read(value, end, Role::Constant, self.constants, self.notes);
         if self.constants.contains(&name) {
             return self.notes.add(Kind::ConstantTwice { name: excerpt(&name) }, span);
         }
+        let is_number = matches!(expr, Some(Expr::Number(_))) && !value.iter().any(|t| t.is('('));
         // A value that is wrong is noted already; the name is known nevertheless.
-        let value = match value.map(|expr| expression::code(&expr, self.constants)) {
-            Some(Ok(crate::Code::Constant(value))) => value,
-            _ => 1.0,
+        let value = match expr.map(|expr| expression::code(&expr, self.constants)) {
+            Some(Ok(crate::Code::Constant(value))) => Some(value),
+            _ => None,
         };
-        self.constants.define(name.clone(), value, text, span);
+        let value =
+            self.constants.define(ConstantPlace { name: name.clone(), value, span: place, is_number }, text, span);
         self.reading.grammar.constants.push(Constant { name, value });
     }
 }

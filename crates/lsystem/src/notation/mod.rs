@@ -24,6 +24,7 @@
 //! write branches in `[ ]` (ABOP, section 1.8). A symbol with another number of parameters is another letter.
 
 pub(crate) mod arrow;
+mod classes;
 mod constants;
 pub(crate) mod expression;
 mod line;
@@ -33,6 +34,7 @@ pub(crate) mod word;
 
 use crate::notes::Notes;
 use crate::{Diagnostic, Field, Grammar, Kind, LimitName, MAX_TEXT, Module, Role};
+pub use classes::{Class, Classes, ConstantPlace, classify};
 use constants::Constants;
 use core::ops::Range;
 
@@ -79,22 +81,29 @@ pub(crate) struct Places {
 
 /// Reads an axiom and rules, keeping all places.
 pub(crate) fn read(axiom: &str, rules: &str) -> Reading {
-    let mut reading = Reading::default();
     let mut constants = Constants::default();
-    let mut rules_notes = Notes::new(Field::Rules);
-    if is_short_enough(rules, &mut rules_notes) {
-        line::read(rules, &mut reading, &mut constants, &mut rules_notes);
-    }
-    let mut notes = Notes::new(Field::Axiom);
-    if is_short_enough(axiom, &mut notes) {
-        let tokens = token::tokens(axiom, 0..axiom.len(), &mut notes);
-        let word = word::word(&tokens, Role::Axiom, &mut constants, &mut notes);
-        reading.grammar.axiom = word.modules;
-        reading.axiom = word.spans;
-    }
+    let mut notes = [Notes::new(Field::Axiom), Notes::new(Field::Rules)];
+    let mut reading = read_with(axiom, rules, &mut constants, &mut notes);
+    let [notes, mut rules_notes] = notes;
     constants.finish(&mut rules_notes);
     reading.diagnostics = notes.finish();
     reading.diagnostics.extend(rules_notes.finish());
+    reading
+}
+
+/// Reads both texts, what there is to say of them into `notes`.
+fn read_with(axiom: &str, rules: &str, constants: &mut Constants, notes: &mut [Notes; 2]) -> Reading {
+    let mut reading = Reading::default();
+    let [notes, rules_notes] = notes;
+    if is_short_enough(rules, rules_notes) {
+        line::read(rules, &mut reading, constants, rules_notes);
+    }
+    if is_short_enough(axiom, notes) {
+        let tokens = token::tokens(axiom, 0..axiom.len(), notes);
+        let word = word::word(&tokens, Role::Axiom, constants, notes);
+        reading.grammar.axiom = word.modules;
+        reading.axiom = word.spans;
+    }
     reading
 }
 

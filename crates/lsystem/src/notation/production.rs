@@ -7,7 +7,7 @@ use super::word::{is_empty, patterns, word};
 use super::{Places, Reading};
 use crate::notes::{Notes, excerpt};
 use crate::sorted::{repeated, set};
-use crate::{Code, Expr, Kind, LimitName, MAX_CONTEXT, Pattern, Production, Role};
+use crate::{Class, Code, Expr, Kind, LimitName, MAX_CONTEXT, Pattern, Production, Role};
 use core::ops::Range;
 
 /// A line with an arrow, to be read when all constants are known.
@@ -28,16 +28,19 @@ pub(super) fn read(line: &Line, constants: &mut Constants, reading: &mut Reading
     let is_double = tokens[arrow.start].is('=');
     let arrow = span_of(&tokens[arrow.clone()], *end);
     let (head, condition) = match outside(before, ':').next() {
-        Some(colon) => (&before[..colon], Some(&before[colon + 1..])),
+        Some(colon) => (&before[..colon], Some(&before[colon..])),
         None => (before, None),
     };
     if condition.is_some() && is_double && super::arrow::find(after).is_some() {
         return notes.add(Kind::ArrowForComparison, arrow);
     }
     let (successor, weight) = match outside(after, ':').last() {
-        Some(colon) => (&after[..colon], Some(&after[colon + 1..])),
+        Some(colon) => (&after[..colon], Some(&after[colon..])),
         None => (after, None),
     };
+    notes.class(Class::Mark, arrow.clone());
+    let condition = condition.map(|condition| classed(condition, Class::Condition, notes));
+    let weight = weight.map(|weight| classed(weight, Class::Weight, notes));
     let has_head = !head.is_empty();
     let head = read_head(head, &arrow, notes);
     let parameters = head.names(notes);
@@ -79,6 +82,14 @@ pub(super) fn read(line: &Line, constants: &mut Constants, reading: &mut Reading
     };
     list.push(production);
     places_list.push(places);
+}
+
+/// Notes the classes of a colon and of what follows it, which is given back.
+fn classed<'a>(part: &'a [Token], class: Class, notes: &mut Notes) -> &'a [Token] {
+    let (colon, rest) = part.split_at(1);
+    notes.class(Class::Mark, span_of(colon, 0));
+    notes.class(class, span_of(rest, 0));
+    rest
 }
 
 /// What stands before the condition: patterns and their places. `strict` is `None` where it could not be read.
@@ -139,6 +150,7 @@ fn read_head(head: &[Token], arrow: &Range<usize>, notes: &mut Notes) -> Head {
     let from = less.first().map_or(0, |at| at + 1);
     let to = greater.first().copied().unwrap_or(head.len());
     let strict = &head[from..to];
+    notes.class(Class::Predecessor, span_of(strict, 0));
     let left = less.first().map_or(Vec::new(), |&at| context(&head[..at], head[at], notes));
     let right = greater.first().map_or(Vec::new(), |&at| context(&head[at + 1..], head[at], notes));
     check_contexts(&left, &right, notes);
@@ -169,6 +181,8 @@ fn read_head(head: &[Token], arrow: &Range<usize>, notes: &mut Notes) -> Head {
 }
 
 fn context(tokens: &[Token], mark: Token, notes: &mut Notes) -> Vec<(Pattern, Range<usize>)> {
+    notes.class(Class::Mark, mark.span());
+    notes.class(Class::Context, span_of(tokens, 0));
     if tokens.is_empty() {
         notes.add(Kind::ContextMissing { mark: mark.ch }, mark.span());
     }

@@ -4,7 +4,7 @@ use super::arrow;
 use super::expression::{self, Names};
 use super::token::{Token, span_of, text_of};
 use crate::notes::Notes;
-use crate::{Expr, Kind, LimitName, MAX_PARAMETERS, Module, Pattern, Role};
+use crate::{Class, Expr, Kind, LimitName, MAX_PARAMETERS, Module, Pattern, Role};
 use core::ops::Range;
 
 /// The modules of a word and where each stands.
@@ -24,9 +24,12 @@ pub(crate) fn word(tokens: &[Token], role: Role, names: &mut dyn Names, notes: &
     if let Some(arrow) = stray(tokens) {
         notes.add(if role == Role::Axiom { Kind::ArrowInAxiom } else { Kind::SecondArrow }, arrow);
     }
-    pieces(tokens, notes, |notes, symbol, inside, span| {
+    pieces(tokens, notes, |notes, token, inside, span| {
+        if !token.literal {
+            notes.class(Class::of_symbol(token.ch), token.span());
+        }
         let arguments = inside.map_or(Vec::new(), |inside| arguments(inside, &span, role, names, notes));
-        word.modules.push(Module { symbol, arguments });
+        word.modules.push(Module { symbol: token.ch, arguments });
         word.spans.push(span);
     });
     word
@@ -36,9 +39,9 @@ pub(crate) fn word(tokens: &[Token], role: Role, names: &mut dyn Names, notes: &
 /// context.
 pub(crate) fn patterns(tokens: &[Token], notes: &mut Notes) -> (Vec<Pattern>, Vec<Range<usize>>) {
     let (mut patterns, mut spans) = (Vec::new(), Vec::new());
-    pieces(tokens, notes, |notes, symbol, inside, span| {
+    pieces(tokens, notes, |notes, token, inside, span| {
         let parameters = inside.map_or(Vec::new(), |inside| parameters(inside, &span, notes));
-        patterns.push(Pattern { symbol, parameters });
+        patterns.push(Pattern { symbol: token.ch, parameters });
         spans.push(span);
     });
     (patterns, spans)
@@ -53,7 +56,7 @@ pub(crate) fn is_empty(tokens: &[Token]) -> bool {
 fn pieces(
     tokens: &[Token],
     notes: &mut Notes,
-    mut piece: impl FnMut(&mut Notes, char, Option<&[Token]>, Range<usize>),
+    mut piece: impl FnMut(&mut Notes, Token, Option<&[Token]>, Range<usize>),
 ) {
     let mut at = 0;
     while let Some(&token) = tokens.get(at) {
@@ -62,7 +65,7 @@ fn pieces(
             notes.add(Kind::ParenthesisSymbol { symbol: token.ch }, token.span());
         }
         let Some(open) = tokens.get(at).filter(|t| t.is('(') && t.joined) else {
-            piece(notes, token.ch, None, token.span());
+            piece(notes, token, None, token.span());
             continue;
         };
         let Some(length) = closing(&tokens[at..]) else {
@@ -70,7 +73,7 @@ fn pieces(
         };
         let inside = &tokens[at + 1..at + length];
         at += length + 1;
-        piece(notes, token.ch, Some(inside), token.span().start..tokens[at - 1].span().end);
+        piece(notes, token, Some(inside), token.span().start..tokens[at - 1].span().end);
     }
 }
 
@@ -124,6 +127,7 @@ fn parameters(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> Vec<S
     parts(inside)
         .map(|(part, end)| {
             let name: String = part.iter().map(|t| t.ch).collect();
+            notes.class(Class::Parameter, span_of(part, end));
             if !super::line::is_name(part) || expression::is_reserved(&name) {
                 notes.add(Kind::ParameterName { text: text_of(part) }, span_of(part, end));
             }

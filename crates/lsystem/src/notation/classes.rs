@@ -1,0 +1,177 @@
+//! What each part of a text is, for showing it in colours.
+
+use super::constants::Constants;
+use crate::notes::Notes;
+use crate::overrides;
+use crate::{Definition, Field};
+use core::ops::Range;
+
+/// What a character of a text belongs to. Each class is also a letter, so that the classes of a text make a text.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Class {
+    /// White space, symbols that have no class of their own, and what could not be read.
+    #[default]
+    Plain = b'_',
+    /// A comment.
+    Comment = b'c',
+    /// A heading: `ignore:`, `consider:`, `draw:`, `#define`.
+    Heading = b'h',
+    /// The arrow, and what separates contexts, condition, weight and values: `<`, `>`, `:`, `=`.
+    Mark = b'm',
+    /// The strict predecessor, or the symbol whose actions follow.
+    Predecessor = b'p',
+    /// A left or right context.
+    Context = b'x',
+    /// A condition.
+    Condition = b'i',
+    /// A weight.
+    Weight = b'w',
+    /// A named constant, where it is given a value and where it is used.
+    Constant = b'k',
+    /// A parameter.
+    Parameter = b'a',
+    /// A function.
+    Function = b'f',
+    /// A number in a value or an argument.
+    Number = b'n',
+    /// A bracket of an axiom or a successor: `[ ] { }`.
+    Bracket = b'b',
+    /// A symbol that turns in most dialects, in an axiom or a successor.
+    Turn = b't',
+}
+
+impl Class {
+    /// Its letter.
+    #[must_use]
+    pub fn letter(self) -> char {
+        char::from(self as u8)
+    }
+
+    /// What a symbol of an axiom or a successor is.
+    pub(super) fn of_symbol(symbol: char) -> Self {
+        match symbol {
+            '[' | ']' | '{' | '}' => Self::Bracket,
+            '+' | '-' | '&' | '^' | '\\' | '/' | '|' | '<' | '>' | '$' => Self::Turn,
+            _ => Self::Plain,
+        }
+    }
+}
+
+/// How the texts of a definition read, be they right or wrong.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Classes {
+    /// Of the axiom, by byte.
+    pub axiom: Vec<Class>,
+    /// Of the rules, by byte.
+    pub rules: Vec<Class>,
+    /// Of the overrides, by byte.
+    pub overrides: Vec<Class>,
+    /// Constants in text order, each name once.
+    pub constants: Vec<ConstantPlace>,
+}
+
+/// Where the value of a named constant stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConstantPlace {
+    /// Its name.
+    pub name: String,
+    /// Its value; `None` where that is wrong.
+    pub value: Option<f64>,
+    /// The value in the rules, in bytes.
+    pub span: Range<usize>,
+    /// Whether the value is one number, so that another number may stand in its place.
+    pub is_number: bool,
+}
+
+/// Says what each part of a definition's texts is.
+///
+/// ```
+/// let definition = lsystem::Definition { rules: "r = 0.9".into(), ..Default::default() };
+/// let classes = lsystem::classify(&definition);
+/// let letters: String = classes.rules.iter().map(|class| class.letter()).collect();
+/// assert_eq!(letters, "k_m_nnn");
+/// assert_eq!(classes.constants[0].span, 4..7);
+/// ```
+#[must_use]
+pub fn classify(definition: &Definition) -> Classes {
+    let Definition { axiom, rules, overrides, .. } = definition;
+    let mut constants = Constants::default();
+    let mut notes = [Notes::classing(Field::Axiom, axiom), Notes::classing(Field::Rules, rules)];
+    super::read_with(axiom, rules, &mut constants, &mut notes);
+    let [axiom, rules] = notes.map(Notes::into_classes);
+    let mut notes = Notes::classing(Field::Overrides, overrides);
+    overrides::read(overrides, &mut notes);
+    Classes { axiom, rules, overrides: notes.into_classes(), constants: constants.into_places() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Pairs of lines: a line of rules, and the letters of its classes.
+    #[track_caller]
+    fn check(axiom: [&str; 2], rules: &[[&str; 2]]) {
+        let text: Vec<&str> = rules.iter().map(|[line, _]| *line).collect();
+        let classes =
+            classify(&Definition { axiom: axiom[0].to_owned(), rules: text.join("\n"), ..Definition::default() });
+        assert_eq!(crate::utf16_letters(axiom[0], &classes.axiom), axiom[1]);
+        let letters = crate::utf16_letters(&text.join("\n"), &classes.rules);
+        let mut from = 0;
+        for [line, expected] in rules {
+            let to = from + line.encode_utf16().count();
+            assert_eq!(letters[from..to], **expected, "{line}");
+            from = to + 1;
+        }
+    }
+
+    #[test]
+    fn classes_of_the_notation() {
+        check(
+            ["A(r, 2)[-F]", "__k__n_bt_b"],
+            &[
+                ["# ABOP", "cccccc"],
+                ["  // two", "cccccccc"],
+                ["r = 0.9", "k_m_nnn"],
+                ["#define q 2*r", "hhhhhhh_k_n_k"],
+                ["ignore: +-F", "hhhhhhh____"],
+                [
+                    "A < B(x) > C[D] : x >= r -> +F(x^2, sin(q)) : 0.5",
+                    "x_m_ppap_m_xxxx_m_aiiiik_mm_t__a_n__fff_k___m_www",
+                ],
+                ["F(l) -> F(l)F(1)", "ppap_mm___a___n_"],
+                ["draw: A -> {[F]}`[`", "hhhhh_p_mm_bb_bb___"],
+                ["ψ -> 𝛼+", "p_mm___t"],
+            ],
+        );
+    }
+
+    #[test]
+    fn what_is_wrong_is_plain_and_the_rest_has_its_class() {
+        check(["(", "_"], &[["F = FF", "______"], ["G -> F(", "p_mm___"], ["H -> F : x", "p_mm___m_w"], ["->", "mm"]]);
+    }
+
+    #[test]
+    fn overrides_have_their_symbols() {
+        let classes = classify(&Definition { overrides: "# so\nG: move".to_owned(), ..Definition::default() });
+        let letters: String = classes.overrides.iter().map(|class| class.letter()).collect();
+        assert_eq!(letters, "cccc_pm_____");
+    }
+
+    #[test]
+    fn constants_have_places() {
+        let rules = "a = −2.5\nb = 2*a\nc = (3)\nd = \na = 1\n#define e 1e-3\nf=.5";
+        let places = classify(&Definition { rules: rules.to_owned(), ..Definition::default() }).constants;
+        let found: Vec<_> =
+            places.iter().map(|c| (c.name.as_str(), c.value, &rules[c.span.clone()], c.is_number)).collect();
+        let expected = [
+            ("a", Some(-2.5), "−2.5", true),
+            ("b", Some(-5.0), "2*a", false),
+            ("c", Some(3.0), "(3)", false),
+            ("d", None, "", false),
+            ("e", Some(1e-3), "1e-3", true),
+            ("f", Some(0.5), ".5", true),
+        ];
+        assert_eq!(found, expected);
+    }
+}
