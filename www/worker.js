@@ -149,6 +149,8 @@
             self.postMessage({ type, id, ...reader(question) });
         } else if (type === 'read') {
             self.postMessage({ type: 'file', id, ...wasm.read_file(new Uint8Array(bytes)) });
+        } else if (type === 'notation') {
+            self.postMessage({ type, id, ...wasm.notation(question.texts) });
         } else if (type === 'export') {
             self.postMessage({ type: 'exported', id, ...playground.export(format) });
         } else if (type === 'qr') {

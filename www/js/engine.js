@@ -26,6 +26,7 @@ import { same } from './state.js';
  * @typedef {object} Report
  * @property {boolean} ok when false, the last good drawing stays
  * @property {Diagnostic[]} diagnostics
+ * @property {string} kind `deterministic`, or those of `stochastic`, `context-sensitive`, `parametric` that hold, separated by commas
  * @property {boolean} stochastic
  * @property {boolean | null} memoised whether the drawing shares its blocks; null while unknown
  * @property {string | null} symbols exact decimal digits
@@ -51,6 +52,11 @@ import { same } from './state.js';
 /** What a symbol has become: half-open ranges in decimal digits, the outline in fitted extents. @typedef {{symbols: [string, string], segments: [string, string], outline: [number, number][]}} Part */
 /** `ancestry` is empty and `part` null where neither is known; `stroke` is where its drawing begins. @typedef {{ancestry: Link[], part: Part | null, stroke: Stroke | null}} SymbolFacts */
 /** @typedef {{segment: string | null, symbol: string | null, ancestry: Link[], stroke: Stroke | null}} Picked */
+/**
+ * How texts read, be they right or wrong: the letter of its class for each UTF-16 unit, and the named constants of the rules.
+ * @typedef {{axiom: string, rules: string, overrides: string, constants: Constant[]}} Notation
+ */
+/** `value` is null where it is wrong; it stands from `start` to `end` in the rules, and another number may take its place if it is one `number`. @typedef {{name: string, value: number | null, start: number, end: number, number: boolean}} Constant */
 /** @typedef {{definition: Definition | null, diagnostics: Diagnostic[]}} FileRead */
 /** @typedef {{text: string | null, diagnostics: Diagnostic[]}} Exported */
 /** @typedef {ReturnType<typeof createEngine>} Engine */
@@ -292,6 +298,9 @@ export function createEngine(kits, events) {
 
         /** What is drawn near a place, in device pixels. @param {number} x @param {number} y @param {number} tolerance @returns {Promise<Picked>} */
         pick: (x, y, tolerance) => ask({ type: 'pick', x, y, tolerance }),
+
+        /** @param {{axiom: string, rules: string, overrides: string}} texts @returns {Promise<Notation>} */
+        notation: (texts) => ask({ type: 'notation', texts }),
 
         /** @param {ArrayBuffer} bytes of a JSON file, or of a picture saved here @returns {Promise<FileRead>} */
         read: (bytes) => askFull({ type: 'read', bytes }),

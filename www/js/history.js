@@ -22,13 +22,13 @@ const MOST = 500;
  * @param {History} history
  * @param {Readonly<State>} before
  * @param {Partial<State>} patch what is new
- * @param {string} label names the control; changes with an empty label are never joined
+ * @param {string} label names the control; changes with an empty label are never joined, and those of a drag always
  * @param {number} now in milliseconds
  * @returns {History}
  */
 export function record(history, before, patch, label, now) {
     const last = history.past.at(-1);
-    const joins = last !== undefined && label !== '' && last.label === label && now - last.time < TOGETHER;
+    const joins = last !== undefined && label !== '' && last.label === label && (now - last.time < TOGETHER || label.startsWith('drag '));
     /** @type {Partial<State>} */
     const was = {};
     for (const field of fieldsOf(patch)) put(was, field, before[field]);

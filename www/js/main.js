@@ -9,8 +9,10 @@ import { createGallery } from './gallery.js';
 import { createHover } from './hover.js';
 import { hasInk, houseInk, isDark } from './inks.js';
 import { createMarks } from './marks.js';
+import { followNotation } from './notation.js';
 import { opening } from './opening.js';
 import { bestLink, openLink } from './packed.js';
+import { constantsPanel } from './panels/constants-panel.js';
 import { captionOf, growthPanel } from './panels/growth-panel.js';
 import { favouritesPanel } from './panels/favourites-panel.js';
 import { keepPanel } from './panels/keep-panel.js';
@@ -50,6 +52,7 @@ const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark:
 const rules = rulesPanel(store);
 const growth = growthPanel(store, engine);
 const turtle = turtlePanel(store);
+followNotation(store, engine, [rules, constantsPanel(store, rules), turtle]);
 const look = lookPanel(store);
 const showAddress = followAddress(store, { open: opened });
 

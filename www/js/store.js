@@ -44,7 +44,8 @@ export function createStore(initial, from = initial) {
         },
 
         /**
-         * Changes some fields; undo takes it back. Quick changes with the same label are one.
+         * Changes some fields; undo takes it back. Quick changes with the same label are one, and those of a drag, whose
+         * label starts with `drag `, until it is settled.
          * @param {Partial<State>} patch
          * @param {string} label
          */

@@ -1,64 +1,76 @@
-/** Which parts of a line of rules are what, for tinting it. Only a guess at the notation: the core reads it. Pure functions. */
+/**
+ * Colours of texts. The core says what each UTF-16 unit of a text is, as a letter; here the letters of a line become
+ * spans. Pure functions.
+ */
 
-/** @typedef {'comment' | 'name' | 'arrow' | 'bracket' | 'turn' | 'weight'} Tint */
-/** @typedef {{start: number, end: number, tint: Tint}} Span half open, in UTF-16 units */
+/** By the core's letter (`Class` in `classes.rs`); what is not here has no tint. @type {Record<string, string>} */
+const TINTS = {
+    c: 'comment',
+    h: 'heading',
+    m: 'mark',
+    p: 'predecessor',
+    x: 'context',
+    i: 'condition',
+    w: 'weight',
+    k: 'constant',
+    a: 'parameter',
+    f: 'function',
+    n: 'number',
+    b: 'bracket',
+    t: 'turn',
+};
 
-const ARROW = /-->|->|=>|→/;
-const BRACKET = /[[\]{}]/;
-const TURN = /[+\-&^|\\/<>$]/;
+/** @typedef {{start: number, end: number, tint: string}} Span half open, in UTF-16 units */
 
 /**
  * The tinted spans of a line, in order.
- * @param {string} line
- * @param {'rules' | 'axiom' | 'overrides'} kind
+ * @param {string} letters one for each UTF-16 unit of the line
  * @returns {Span[]}
  */
-export function tints(line, kind) {
+export function spansOf(letters) {
     /** @type {Span[]} */
     const spans = [];
-    if (kind === 'rules') rule(line, spans);
-    else if (kind === 'axiom') symbols(line, 0, spans);
-    else override(line, spans);
+    for (const { 0: run, index } of letters.matchAll(/(.)\1*/gs)) {
+        const tint = TINTS[run.charAt(0)];
+        if (tint) spans.push({ start: index, end: index + run.length, tint });
+    }
     return spans;
 }
 
-/** @param {string} line @param {Span[]} spans */
-function rule(line, spans) {
-    const words = line.trimStart();
-    const arrow = ARROW.exec(line);
-    if (words.startsWith('//') || words.startsWith('# ')) {
-        add(spans, 0, line.length, 'comment');
-    } else if (arrow) {
-        add(spans, 0, arrow.index, 'name');
-        const from = arrow.index + arrow[0].length;
-        add(spans, arrow.index, from, 'arrow');
-        const weight = /:\s*[\d.,/]+\s*$/.exec(line.slice(from));
-        symbols(weight ? line.slice(0, from + weight.index) : line, from, spans);
-        if (weight) add(spans, from + weight.index, line.length, 'weight');
-    } else {
-        const name = /^\s*(#?define\s+)?[\p{L}_][\p{L}\d_]*\s*(?=[=:\s])/u.exec(line);
-        if (name) add(spans, 0, name[0].length, 'name');
-    }
+/**
+ * Letters for a text that was edited, until the core has read it: what stays keeps its letters, what is new has those
+ * of what it stands behind.
+ * @param {string} letters
+ * @param {string} before the text they belong to
+ * @param {string} after
+ */
+export function carried(letters, before, after) {
+    if (letters.length !== before.length) return '_'.repeat(after.length);
+    const { head, tail } = edit(before, after);
+    const fresh = after.length - tail - head;
+    const like = head > 0 && !/\s/.test(after.charAt(head - 1)) ? letters.charAt(head - 1) : '_';
+    return letters.slice(0, head) + like.repeat(fresh) + letters.slice(letters.length - tail);
 }
 
-/** @param {string} line @param {number} from @param {Span[]} spans */
-function symbols(line, from, spans) {
-    for (let at = from; at < line.length; at++) {
-        const symbol = line.charAt(at);
-        if (BRACKET.test(symbol)) add(spans, at, at + 1, 'bracket');
-        else if (TURN.test(symbol)) add(spans, at, at + 1, 'turn');
-    }
+/**
+ * How many units two texts have in common at their start and at their end.
+ * @param {string} before
+ * @param {string} after
+ */
+export function edit(before, after) {
+    const most = Math.min(before.length, after.length);
+    let head = 0;
+    while (head < most && before.charCodeAt(head) === after.charCodeAt(head)) head++;
+    let tail = 0;
+    while (tail < most - head && before.charCodeAt(before.length - 1 - tail) === after.charCodeAt(after.length - 1 - tail)) tail++;
+    return { head, tail };
 }
 
-/** @param {string} line @param {Span[]} spans */
-function override(line, spans) {
-    const colon = line.indexOf(':', 1);
-    if (colon < 0) return;
-    add(spans, 0, colon, 'name');
-    add(spans, colon, colon + 1, 'arrow');
-}
-
-/** @param {Span[]} spans @param {number} start @param {number} end @param {Tint} tint */
-function add(spans, start, end, tint) {
-    if (end > start) spans.push({ start, end, tint });
+/**
+ * The tint of a symbol of a string, if it has one.
+ * @param {string} symbol
+ */
+export function tintOf(symbol) {
+    if (/[[\]{}]/.test(symbol)) return 'bracket';
+    return /[+\-&^|\\/<>$]/.test(symbol) ? 'turn' : '';
 }

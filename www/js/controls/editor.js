@@ -4,10 +4,17 @@
  */
 
 import { make, setValue } from '../dom.js';
-import { tints } from '../tint.js';
+import { carried, spansOf } from '../tint.js';
 
 /** @typedef {import('../engine.js').Diagnostic} Diagnostic */
-/** @typedef {{show: (text: string) => void, mark: (diagnostics: Diagnostic[]) => void}} Editor */
+/**
+ * @typedef {object} Editor
+ * @property {(text: string) => void} show
+ * @property {(start: number, end: number, text: string) => string} replace puts `text` in the place of a part; caret and
+ *   selection stay where they are. Gives the whole text.
+ * @property {(letters: string, text: string) => void} tint with the letters of `text`, if that is still what it shows
+ * @property {(diagnostics: Diagnostic[]) => void} mark
+ */
 
 /** Longer lines are not tinted, in UTF-16 units. */
 const TINTED = 4000;
@@ -25,12 +32,19 @@ export function editor(area, problems, kind, { change, settle }) {
     layer.append('\u200b');
     /** @type {Diagnostic[]} */
     let marks = [];
+    /** What the layer shows, and the letters that tint it. */
+    let text = '';
+    let letters = '';
 
     /** What each line of the layer shows, to leave alone the lines that stay as they are. @type {string[]} */
     let shown = [];
 
     function paint() {
-        const lines = linesOf(area.value, marks);
+        if (area.value !== text) {
+            letters = carried(letters, text, area.value);
+            text = area.value;
+        }
+        const lines = linesOf(text, marks, letters);
         const keys = lines.map((line) => JSON.stringify(line));
         const most = Math.min(keys.length, shown.length);
         let head = 0;
@@ -38,7 +52,7 @@ export function editor(area, problems, kind, { change, settle }) {
         let tail = 0;
         while (tail < most - head && keys.at(-1 - tail) === shown.at(-1 - tail)) tail++;
         for (const old of [...layer.children].slice(head, shown.length - tail)) old.remove();
-        const fresh = lines.slice(head, lines.length - tail).map((line) => make('span', {}, ...pieces(line, kind)));
+        const fresh = lines.slice(head, lines.length - tail).map((line) => make('span', {}, ...pieces(line)));
         if (head > 0) layer.children[head - 1]?.after(...fresh);
         else layer.prepend(...fresh);
         shown = keys;
@@ -56,9 +70,19 @@ export function editor(area, problems, kind, { change, settle }) {
     }
 
     return {
-        show(text) {
-            if (area.value === text) return;
-            setValue(area, text);
+        show(next) {
+            if (area.value === next) return;
+            setValue(area, next);
+            paint();
+        },
+        replace(start, end, part) {
+            area.setRangeText(part, start, end, 'preserve');
+            paint();
+            return area.value;
+        },
+        tint(next, of) {
+            if (of !== text || next === letters) return;
+            letters = next;
             paint();
         },
         mark(diagnostics) {
@@ -106,14 +130,16 @@ function place(text, offset) {
 }
 
 /** @typedef {{start: number, end: number, severity: 'warning' | 'error'}} Mark */
+/** @typedef {{text: string, letters: string, marks: Mark[]}} Line */
 
 /**
- * The lines of a text, each with its line break and the mistakes in it, by offsets into the line.
+ * The lines of a text, each with its line break, its letters and the mistakes in it, by offsets into the line.
  * @param {string} text
  * @param {Diagnostic[]} diagnostics
- * @returns {{text: string, marks: Mark[]}[]}
+ * @param {string} [letters] one for each UTF-16 unit
+ * @returns {Line[]}
  */
-export function linesOf(text, diagnostics) {
+export function linesOf(text, diagnostics, letters = '') {
     // A mistake where something is missing has no width: underline the symbol before it.
     const marks = diagnostics.map(({ start, end, severity }) => (end > start ? { start, end, severity } : { start: Math.max(0, Math.min(start, text.length) - 1), end: Math.max(1, start), severity }));
     let from = 0;
@@ -121,17 +147,16 @@ export function linesOf(text, diagnostics) {
         const [first, last] = [from, from + line.length];
         from = last;
         const inside = marks.filter(({ start, end }) => start < last && end > first);
-        return { text: line, marks: inside.map(({ start, end, severity }) => ({ start: Math.max(0, start - first), end: Math.min(end - first, line.length), severity })) };
+        return { text: line, letters: letters.slice(first, last), marks: inside.map(({ start, end, severity }) => ({ start: Math.max(0, start - first), end: Math.min(end - first, line.length), severity })) };
     });
 }
 
 /**
  * A line in spans: tints and mistakes may overlap, so it is cut at every edge of either.
- * @param {{text: string, marks: Mark[]}} line
- * @param {'axiom' | 'rules' | 'overrides'} kind
+ * @param {Line} line
  */
-function pieces({ text, marks }, kind) {
-    const spans = text.length > TINTED ? [] : tints(text.replace(/\n$/, ''), kind);
+function pieces({ text, letters, marks }) {
+    const spans = text.length > TINTED ? [] : spansOf(letters);
     const edges = [...new Set([0, text.length, ...[...spans, ...marks].flatMap(({ start, end }) => [start, end])])].sort((a, b) => a - b);
     const nodes = [];
     let next = 0;

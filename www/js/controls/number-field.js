@@ -3,7 +3,7 @@
 import { plain, readNumber } from '../numerals.js';
 import { setValue } from '../dom.js';
 
-/** @typedef {{low: number, high: number, step: number, whole?: boolean, change: (value: number) => void, settle: () => void}} Range */
+/** @typedef {{low: number, high: number, step: number | (() => number), whole?: boolean, change: (value: number) => void, settle: () => void}} Range */
 
 /**
  * @param {HTMLInputElement} field
@@ -13,8 +13,9 @@ import { setValue } from '../dom.js';
 export function numberField(field, { low, high, step, whole = false, change, settle }) {
     let shown = 0;
     field.setAttribute('role', 'spinbutton');
-    field.setAttribute('aria-valuemin', decimal(low));
-    field.setAttribute('aria-valuemax', decimal(high));
+    // Bounds that only numbers as such have say nothing.
+    if (Math.abs(low) < 1e21) field.setAttribute('aria-valuemin', decimal(low));
+    if (Math.abs(high) < 1e21) field.setAttribute('aria-valuemax', decimal(high));
 
     /** @param {number} value */
     const fits = (value) => Math.min(high, Math.max(low, whole ? Math.round(value) : value));
@@ -33,7 +34,7 @@ export function numberField(field, { low, high, step, whole = false, change, set
         if (event.key === 'Enter') return field.select();
         if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
         event.preventDefault();
-        const size = step * (event.shiftKey ? 10 : event.altKey && !whole ? 0.1 : 1);
+        const size = (typeof step === 'number' ? step : step()) * (event.shiftKey ? 10 : event.altKey && !whole ? 0.1 : 1);
         const from = readNumber(field.value) ?? shown;
         const next = fits(Number(plain(from + (event.key === 'ArrowUp' ? size : -size))));
         field.value = plain(next);
@@ -61,5 +62,6 @@ export function numberField(field, { low, high, step, whole = false, change, set
 
 /** Without an exponent, which ARIA does not know. @param {number} value */
 function decimal(value) {
-    return String(value).includes('e') ? value.toFixed(12) : String(value);
+    const digits = String(value).includes('e') ? value.toFixed(12) : String(value);
+    return digits.includes('e') ? BigInt(value).toString() : digits;
 }

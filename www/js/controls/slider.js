@@ -1,7 +1,7 @@
 /** A slider over a scale of values, even or not. */
 
-/** @typedef {{stops: readonly number[], text: (value: number) => string, change: (value: number) => void, settle: () => void}} Scale */
-/** @typedef {{show: (value: number) => void, limit: (highest: number | null) => void}} Slider */
+/** `held` tells that more may follow of the same gesture. @typedef {{stops: readonly number[], text: (value: number) => string, change: (value: number, held: boolean) => void, settle: () => void}} Scale */
+/** @typedef {{show: (value: number) => void, limit: (highest: number | null) => void, scale: (stops: readonly number[]) => void}} Slider */
 
 /**
  * @param {HTMLInputElement} element
@@ -20,7 +20,7 @@ export function slider(element, { stops, text, change, settle }) {
     element.addEventListener('input', () => {
         element.setAttribute('aria-valuetext', text(stopAt()));
         paint();
-        change(stopAt());
+        change(stopAt(), true);
     });
     element.addEventListener('change', settle);
 
@@ -38,6 +38,11 @@ export function slider(element, { stops, text, change, settle }) {
             element.max = String(last);
             element.value = String(nearest(stops, value));
             paint();
+        },
+        scale(next) {
+            stops = next;
+            last = stops.length - 1;
+            element.max = String(last);
         },
     };
 }

@@ -21,7 +21,7 @@ const DEGREES = { low: -3600, high: 3600, step: 1 };
 export function growthPanel(store, source) {
     const settle = () => store.settle();
     /** @param {(value: number) => Partial<import('../state.js').State>} patch @param {string} label */
-    const changing = (patch, label) => ({ change: (/** @type {number} */ value) => store.change(patch(value), label), settle });
+    const changing = (patch, label) => ({ change: (/** @type {number} */ value, held = false) => store.change(patch(value), held ? `drag ${label}` : label), settle });
     const iterations = changing((value) => ({ iterations: value }), 'iterations');
     const angle = changing((value) => ({ angle: value }), 'angle');
     const right = changing((value) => ({ rightAngle: value }), 'rightAngle');

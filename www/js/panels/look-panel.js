@@ -38,8 +38,8 @@ export function lookPanel(store) {
     background.addEventListener('input', () => store.change({ background: background.value }, 'background'));
     background.addEventListener('change', settle);
 
-    const width = { settle, change: (/** @type {number} */ value) => store.change({ width: value }, 'width') };
-    const thin = { settle, change: (/** @type {number} */ value) => store.change({ minWidth: value }, 'minWidth') };
+    const width = { settle, change: (/** @type {number} */ value, held = false) => store.change({ width: value }, held ? 'drag width' : 'width') };
+    const thin = { settle, change: (/** @type {number} */ value, held = false) => store.change({ minWidth: value }, held ? 'drag minWidth' : 'minWidth') };
     const widthSlider = slider(input('width-slider'), { stops: WIDTHS, text: (value) => `${plain(value)} steps`, ...width });
     const showWidth = numberField(input('width'), { low: 0, high: 1000, step: 0.1, ...width });
     const thinSlider = slider(input('thin-slider'), { stops: THIN, text: (value) => `${plain(value)} pixels`, ...thin });

@@ -21,6 +21,20 @@ export function rulesPanel(store) {
             axiom.show(state.axiom);
             rules.show(state.rules);
         },
+        /** @param {import('../engine.js').Notation} notation @param {import('../notation.js').Texts} texts */
+        read(notation, texts) {
+            axiom.tint(notation.axiom, texts.axiom);
+            rules.tint(notation.rules, texts.rules);
+        },
+        /**
+         * Puts another value in the place of a constant's; caret and selection stay.
+         * @param {import('../engine.js').Constant} constant
+         * @param {string} value
+         * @param {string} label of the change
+         */
+        rewrite({ start, end }, value, label) {
+            store.change({ rules: rules.replace(start, end, value) }, label);
+        },
         /** @param {import('../engine.js').Report} report */
         report({ diagnostics }) {
             axiom.mark(diagnostics.filter(({ field }) => field === 'axiom'));

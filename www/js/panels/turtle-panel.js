@@ -43,6 +43,10 @@ export function turtlePanel(store) {
             showX(state.start[0]);
             showY(state.start[1]);
         },
+        /** @param {import('../engine.js').Notation} notation @param {import('../notation.js').Texts} texts */
+        read(notation, texts) {
+            overrides.tint(notation.overrides, texts.overrides);
+        },
         /** @param {import('../engine.js').Report} report */
         report({ ok, legend, diagnostics }) {
             overrides.mark(diagnostics.filter(({ field }) => field === 'overrides'));

@@ -1,7 +1,7 @@
 /** Rows of symbols of equal width: what is in sight of a long string. Symbols are found by arithmetic, not by elements. */
 
 import { make } from '../dom.js';
-import { tints } from '../tint.js';
+import { tintOf } from '../tint.js';
 import { marginText } from './places.js';
 import { visible } from './words.js';
 
@@ -163,7 +163,7 @@ export function rowsView(area) {
             run = '';
         };
         symbols.forEach((symbol, at) => {
-            const tint = tints(symbol, 'axiom')[0]?.tint;
+            const tint = tintOf(symbol);
             const own = marks.filter((mark) => mark.at === at).map(({ name }) => name);
             // Others may be wider than a column in the font at hand.
             const foreign = symbol < '\u0020' || symbol > '\u007e';
