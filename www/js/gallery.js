@@ -3,10 +3,11 @@
 import { button, byId, html, input, make, setText } from './dom.js';
 import { jsonOf } from './files.js';
 import { clean, definitionOf } from './state.js';
+import { TAGS, makingOf, tagsOf, tally } from './tags.js';
 
 /** @typedef {import('./state.js').Definition} Definition */
-/** @typedef {{path: string, folder: string, definition: Definition}} Entry */
-/** @typedef {{entry: Entry, card: HTMLButtonElement, picture: HTMLCanvasElement, words: string, painted: string}} Card */
+/** @typedef {{path: string, folder: string, definition: Definition} & import('./tags.js').Sorts} Entry */
+/** @typedef {{entry: Entry, card: HTMLButtonElement, picture: HTMLCanvasElement, words: string, tags: string[], painted: string}} Card */
 
 /** The side of a small picture, in CSS pixels. */
 const SIDE = 168;
@@ -32,6 +33,9 @@ export function createGallery(engine, { pick, dress, look }) {
     const cards = new Map();
     /** @type {Promise<void> | null} */
     let filled = null;
+    /** @type {Set<string>} */
+    const chosen = new Set();
+    const chips = new Map(Object.entries(TAGS).map(([tag, meaning]) => [tag, newChip(tag, meaning)]));
 
     const seen = new IntersectionObserver(
         (entries) => {
@@ -52,14 +56,36 @@ export function createGallery(engine, { pick, dress, look }) {
         }
     }
 
+    /** @param {string} tag @param {string} meaning */
+    function newChip(tag, meaning) {
+        const count = make('span', { class: 'chip-count' });
+        const chip = make('button', { type: 'button', class: 'chip', title: meaning, 'aria-pressed': 'false' }, tag, ' ', count);
+        chip.addEventListener('click', () => {
+            if (!chosen.delete(tag)) chosen.add(tag);
+            filter();
+        });
+        html('chips').append(chip);
+        return { chip, count };
+    }
+
     /** @param {Entry} entry @returns {Card} */
     function newCard(entry) {
         const definition = definitionOf(clean(entry.definition));
         const picture = make('canvas', { class: 'thumb', width: '1', height: '1', 'aria-hidden': 'true' });
         const title = definition.title || definition.name;
-        const card = make('button', { type: 'button', class: 'card' }, picture, make('span', { class: 'card-title' }, title), make('span', { class: 'card-kind' }, kindOf(definition)));
-        const made = { entry: { ...entry, definition }, card, picture, painted: '', words: [title, definition.name, definition.source, definition.notes, entry.folder, kindOf(definition)].join(' ').toLowerCase() };
-        card.title = [title, definition.source].filter(Boolean).join('\n');
+        const kind = `${entry.kinds.join(', ')}, n\u00a0=\u00a0${definition.iterations}`;
+        const card = make(
+            'button',
+            { type: 'button', class: 'card', 'aria-describedby': 'gallery-about' },
+            picture,
+            make('span', { class: 'card-title' }, title),
+            make('span', { class: 'card-kind' }, kind),
+            make('span', { class: 'card-kind' }, makingOf(entry)),
+        );
+        const tags = tagsOf(entry);
+        const words = [title, definition.name, definition.source, definition.notes, entry.folder, folderTitle(entry.folder), ...tags].join(' ').toLowerCase();
+        const made = { entry: { ...entry, definition }, card, picture, painted: '', tags, words };
+        for (const event of ['focus', 'pointerenter']) card.addEventListener(event, () => tell(definition));
         card.addEventListener('click', () => {
             dialog.close();
             pick(dress(definition));
@@ -90,18 +116,32 @@ export function createGallery(engine, { pick, dress, look }) {
         }
     }
 
+    /** Where a system comes from and what there is to say of it. @param {Definition} definition */
+    function tell({ title, name, source, notes }) {
+        setText(html('about-title'), title || name);
+        setText(html('about-source'), source);
+        setText(html('about-notes'), notes);
+    }
+
     function filter() {
         const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
-        let found = 0;
-        for (const { card, words: own } of cards.values()) {
-            card.hidden = !words.every((word) => own.includes(word));
-            if (!card.hidden) found += 1;
+        const worded = [...cards.values()].filter(({ words: own }) => words.every((word) => own.includes(word)));
+        const counts = tally(worded.map(({ tags }) => tags), chosen);
+        for (const [tag, { chip, count }] of chips) {
+            const pressed = chosen.has(tag);
+            chip.setAttribute('aria-pressed', String(pressed));
+            chip.classList.toggle('barren', !pressed && !counts.get(tag));
+            setText(count, String(counts.get(tag)));
         }
+        const shown = new Set(worded.filter(({ tags }) => [...chosen].every((tag) => tags.includes(tag))));
+        for (const card of cards.values()) card.card.hidden = !shown.has(card);
+        const found = shown.size;
+        setText(html('found'), found === cards.size ? `${found} systems` : `${found} of ${cards.size} systems`);
         for (const shelf of shelves.children) {
             if (shelf instanceof HTMLElement) shelf.hidden = !shelf.querySelector('.card:not([hidden])');
         }
         nothing.hidden = found > 0;
-        setText(nothing, found > 0 ? '' : 'Nothing in the gallery has these words.');
+        setText(nothing, found > 0 ? '' : chosen.size > 0 ? 'Nothing in the gallery is like that.' : 'Nothing in the gallery has these words.');
     }
 
     async function open() {
@@ -144,10 +184,4 @@ function groups(entries) {
 function folderTitle(folder) {
     const words = folder.replaceAll(/[-_/]+/g, ' ').trim();
     return SHELVES.get(folder) ?? (words ? words.charAt(0).toUpperCase() + words.slice(1) : 'More');
-}
-
-/** @param {Definition} definition */
-function kindOf({ rules, iterations }) {
-    const stochastic = rules.split('\n').some((line) => /(->|→|=>).*:\s*[\d.]+\s*$/.test(line));
-    return `${stochastic ? 'stochastic, ' : ''}n\u00a0=\u00a0${iterations}`;
 }

@@ -2,34 +2,47 @@
 
 use crate::files;
 use anyhow::{Context, Result, bail};
-use lsystem::{Definition, Diagnostic, Field, System, read_json, render_diagnostic};
+use lsystem::{Definition, Diagnostic, Field, Limits, System, draw, kind, read_json, render_diagnostic};
 use serde_json::{Value, json};
 use std::path::Path;
 
-/// An array of `{path, folder, definition}` for the JSON files below `folder`, sorted by path.
+/// An array of `{path, folder, kinds, memoised, blocks, definition}` for the JSON files below `folder`, sorted by path:
+/// what sort of system each is, and how its drawing is made.
 pub(crate) fn gallery(folder: &Path) -> Result<Value> {
     let files = files::list(folder, |path| path.extension().is_none_or(|ending| ending == "json"))?;
     let entries = files.iter().map(|file| {
         let path = file.strip_prefix(folder)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
         let (parent, _) = path.rsplit_once('/').unwrap_or_default();
-        Ok(json!({"path": path, "folder": parent, "definition": read(&path, &files::read_text(file)?)?}))
+        let (definition, system) = read(&path, &files::read_text(file)?)?;
+        let Ok(drawing) = draw(&system, definition.iterations, &Limits::default()) else {
+            bail!("{path} grows too large for the gallery");
+        };
+        Ok(json!({
+            "path": path,
+            "folder": parent,
+            "kinds": kind(&system).split(", ").collect::<Vec<_>>(),
+            "memoised": drawing.is_memoised(),
+            "blocks": drawing.block_count(),
+            "definition": definition,
+        }))
     });
     entries.collect()
 }
 
 /// Reads one file; what cannot be drawn has no place in the gallery.
-fn read(path: &str, text: &str) -> Result<Definition> {
+fn read(path: &str, text: &str) -> Result<(Definition, System)> {
     let (definition, diagnostics) = read_json(text);
     refuse(path, &diagnostics, |_| text)?;
     let definition = definition.with_context(|| format!("{path} holds no system"))?;
-    let (_, diagnostics) = System::new(&definition);
+    let (system, diagnostics) = System::new(&definition);
     refuse(path, &diagnostics, |field| match field {
         Field::Axiom => &definition.axiom,
         Field::Rules => &definition.rules,
         Field::Overrides => &definition.overrides,
         _ => "",
     })?;
-    Ok(definition)
+    let system = system.with_context(|| format!("{path} holds no system that can be used"))?;
+    Ok((definition, system))
 }
 
 fn refuse<'a>(path: &str, diagnostics: &[Diagnostic], text: impl Fn(Field) -> &'a str) -> Result<()> {
@@ -58,6 +71,9 @@ mod tests {
         assert_eq!(gallery[0]["folder"], "a/deep");
         assert_eq!(gallery[0]["definition"]["axiom"], "X");
         assert_eq!(gallery[1]["folder"], "b");
+        assert_eq!(gallery[1]["kinds"], json!(["deterministic"]));
+        assert_eq!(gallery[1]["memoised"], true);
+        assert_eq!(gallery[1]["blocks"], 1);
     }
 
     #[test]

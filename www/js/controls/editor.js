@@ -28,8 +28,6 @@ const TINTED = 4000;
  */
 export function editor(area, problems, kind, { change, settle }) {
     const layer = /** @type {HTMLElement} */ (area.previousElementSibling);
-    // A line break at the end shows only when something follows it.
-    layer.append('\u200b');
     /** @type {Diagnostic[]} */
     let marks = [];
     /** What the layer shows, and the letters that tint it. */
@@ -143,7 +141,10 @@ export function linesOf(text, diagnostics, letters = '') {
     // A mistake where something is missing has no width: underline the symbol before it.
     const marks = diagnostics.map(({ start, end, severity }) => (end > start ? { start, end, severity } : { start: Math.max(0, Math.min(start, text.length) - 1), end: Math.max(1, start), severity }));
     let from = 0;
-    return text.split(/(?<=\n)/).map((line) => {
+    const lines = text.split(/(?<=\n)/);
+    // The line after a line break at the end.
+    if (text.endsWith('\n')) lines.push('');
+    return lines.map((line) => {
         const [first, last] = [from, from + line.length];
         from = last;
         const inside = marks.filter(({ start, end }) => start < last && end > first);

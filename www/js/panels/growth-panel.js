@@ -104,12 +104,13 @@ export function growthPanel(store, source) {
  * @param {Report} report
  * @param {{largest: number, why: string} | null} bound
  */
-function statusOf({ memoised, blocks, largest }, bound) {
+function statusOf({ kind, memoised, blocks, largest }, bound) {
     const limit = bound ? ` It can grow to n = ${bound.largest}. ${largest === null ? `Beyond: ${bound.why}.` : ''}` : '';
     if (memoised === null || blocks === null) return bound ? limit.trim() : 'Growing…';
-    if (!memoised) return `Grown symbol by symbol.${limit}`;
-    if (blocks <= 1) return limit.trim();
-    return `${grouped(String(blocks))} shared pieces make up the whole drawing.${limit}`;
+    const sort = kind.charAt(0).toUpperCase() + kind.slice(1);
+    if (!memoised) return `${sort}; grown symbol by symbol.${limit}`;
+    if (blocks <= 1) return `${sort}.${limit}`;
+    return `${sort}; ${grouped(String(blocks))} shared pieces make up the whole drawing.${limit}`;
 }
 
 /** @param {HTMLButtonElement} element @param {Report} report @param {'symbols' | 'segments'} kind */

@@ -1,6 +1,6 @@
 /** Axiom and productions. */
 
-import { byId, html } from '../dom.js';
+import { byId, html, setText } from '../dom.js';
 import { editor } from '../controls/editor.js';
 
 /** @param {import('../store.js').Store} store */
@@ -20,6 +20,9 @@ export function rulesPanel(store) {
         show(state) {
             axiom.show(state.axiom);
             rules.show(state.rules);
+            setText(html('system-source'), state.source);
+            setText(html('system-notes'), state.notes);
+            html('about').hidden = state.source === '' && state.notes === '';
         },
         /** @param {import('../engine.js').Notation} notation @param {import('../notation.js').Texts} texts */
         read(notation, texts) {

@@ -1,9 +1,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { linesOf } from '../../js/controls/editor.js';
+import { outgrown, scaleAbout, writtenAs } from '../../js/controls/scale.js';
 import { even, nearest } from '../../js/controls/slider.js';
 import { grouped, plain, readNumber, short, shortText, zoomText } from '../../js/numerals.js';
-import { tints } from '../../js/tint.js';
+import { carried, spansOf } from '../../js/tint.js';
 import { dice, randomState } from './random.mjs';
 
 test('counts are whole up to nine digits and shortened beyond', () => {
@@ -32,26 +33,55 @@ test('sliders find the nearest stop', () => {
     assert.equal(nearest([0, 1, 5, 10], 1e9), 3);
 });
 
-test('tints are in order, within the line, and never overlap', () => {
+test('tints are the runs of the letters that have one', () => {
+    assert.deepEqual(spansOf('pp_mm__bt'), [
+        { start: 0, end: 2, tint: 'predecessor' },
+        { start: 3, end: 5, tint: 'mark' },
+        { start: 7, end: 8, tint: 'bracket' },
+        { start: 8, end: 9, tint: 'turn' },
+    ]);
+    assert.deepEqual(spansOf(''), []);
+});
+
+test('letters are carried along with an edit', () => {
+    assert.equal(carried('k_m_nnn', 'r = 0.9', 'r = 0.95'), 'k_m_nnnn');
+    assert.equal(carried('k_m_nnn', 'r = 0.9', 'r = 1'), 'k_m__');
+    assert.equal(carried('k_m_nnn', 'r = 0.9', 'r = 0.'), 'k_m_nn');
+    assert.equal(carried('k_m_n_k_m_n', 'r = 1\ns = 2', 'r = 13\ns = 2'), 'k_m_nn_k_m_n');
+    assert.equal(carried('', 'never read', 'new'), '___');
     const roll = dice(11);
     for (let round = 0; round < 300; round++) {
-        for (const line of randomState(roll).rules.split('\n')) {
-            for (const kind of /** @type {const} */ (['rules', 'axiom', 'overrides'])) {
-                let last = 0;
-                for (const { start, end } of tints(line, kind)) {
-                    assert.ok(start >= last && end > start && end <= line.length);
-                    last = end;
-                }
-            }
-        }
+        const [before, after] = [randomState(roll).rules, randomState(roll).rules];
+        assert.equal(carried('x'.repeat(before.length), before, after).length, after.length);
     }
 });
 
-test('tints tell the parts of a production', () => {
-    /** @param {string} line */
-    const parts = (line) => tints(line, 'rules').map(({ start, end, tint }) => `${tint}:${line.slice(start, end).trim()}`);
-    assert.deepEqual(parts('// a comment'), ['comment:// a comment']);
-    assert.deepEqual(parts('F -> F[+F] : 0.5'), ['name:F', 'arrow:->', 'bracket:[', 'turn:+', 'bracket:]', 'weight:: 0.5']);
+test('scales follow their value', () => {
+    const ends = (/** @type {number} */ value) => [scaleAbout(value)[0], scaleAbout(value).at(-1)];
+    assert.deepEqual(ends(0.9), [0, 1.8]);
+    assert.deepEqual(ends(-0.9), [-1.8, 0]);
+    assert.deepEqual(ends(0), [-1, 1]);
+    assert.deepEqual(ends(137.5), [0, 275]);
+    assert.ok(scaleAbout(0.9).includes(0.9));
+    assert.deepEqual(scaleAbout(45), even(0, 90, 1));
+    const roll = dice(5);
+    for (let round = 0; round < 500; round++) {
+        const value = (roll() - 0.5) * 10 ** Math.floor(roll() * 40 - 20);
+        const stops = scaleAbout(value);
+        assert.ok(stops.length >= 50 && stops.length <= 600, `${value}: ${stops.length}`);
+        stops.forEach((stop, at) => assert.ok(at === 0 || stop > /** @type {number} */ (stops[at - 1]), String(value)));
+        assert.ok(!outgrown(stops, value), String(value));
+        assert.ok(Math.abs(/** @type {number} */ (stops[nearest(stops, value)]) - value) <= Math.abs(value) / 50, String(value));
+    }
+    for (const value of [5e-324, 1e-300, Number.MAX_VALUE, -Number.MAX_VALUE]) assert.ok(scaleAbout(value).every(Number.isFinite), String(value));
+    assert.ok(outgrown(scaleAbout(1), 2) && outgrown(scaleAbout(1), -0.1) && outgrown(scaleAbout(1), 0.01) && !outgrown(scaleAbout(1), 0));
+});
+
+test('numbers are written as those whose place they take', () => {
+    assert.equal(writtenAs(0.85, '0.9'), '0.85');
+    assert.equal(writtenAs(0.85, '.9'), '.85');
+    assert.equal(writtenAs(-0.5, '−.9'), '-.5');
+    assert.equal(writtenAs(12, '.9'), '12');
 });
 
 test('mistakes are cut at line ends, and one without width marks the symbol before it', () => {
