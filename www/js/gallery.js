@@ -131,6 +131,7 @@ export function createGallery(engine, { pick, dress, look }) {
             const pressed = chosen.has(tag);
             chip.setAttribute('aria-pressed', String(pressed));
             chip.classList.toggle('barren', !pressed && !counts.get(tag));
+            chip.hidden = ![...cards.values()].some(({ tags }) => tags.includes(tag));
             setText(count, String(counts.get(tag)));
         }
         const shown = new Set(worded.filter(({ tags }) => [...chosen].every((tag) => tags.includes(tag))));

@@ -49,10 +49,17 @@ export function editor(area, problems, kind, { change, settle }) {
         while (head < most && keys[head] === shown[head]) head++;
         let tail = 0;
         while (tail < most - head && keys.at(-1 - tail) === shown.at(-1 - tail)) tail++;
-        for (const old of [...layer.children].slice(head, shown.length - tail)) old.remove();
-        const fresh = lines.slice(head, lines.length - tail).map((line) => make('span', {}, ...pieces(line)));
-        if (head > 0) layer.children[head - 1]?.after(...fresh);
-        else layer.prepend(...fresh);
+        const old = [...layer.children].slice(head, shown.length - tail);
+        const fresh = lines.slice(head, lines.length - tail);
+        const lasting = Math.min(old.length, fresh.length);
+        const last = old.at(-1) ?? layer.children[head - 1];
+        fresh.slice(0, lasting).forEach((line, at) => {
+            if (keys[head + at] !== shown[head + at]) old[at]?.replaceChildren(...pieces(line));
+        });
+        for (const gone of old.slice(lasting)) gone.remove();
+        const more = fresh.slice(lasting).map((line) => make('span', {}, ...pieces(line)));
+        if (last) last.after(...more);
+        else layer.prepend(...more);
         shown = keys;
     }
 
@@ -100,12 +107,13 @@ export function editor(area, problems, kind, { change, settle }) {
  * @param {HTMLTextAreaElement} [area]
  */
 export function listProblems(list, diagnostics, area) {
+    const place = area && placesIn(area.value);
     list.replaceChildren(
         ...diagnostics.map(({ severity, message, hint, start, end }) => {
             const words = [make('span', { class: 'problem-text' }, ...withCode(message))];
             if (hint) words.push(make('span', { class: 'problem-hint' }, ...withCode(hint)));
-            if (!area) return make('li', { class: severity }, ...words);
-            const go = make('button', { type: 'button', class: 'problem' }, make('span', { class: 'place' }, place(area.value, start)), ...words);
+            if (!area || !place) return make('li', { class: severity }, ...words);
+            const go = make('button', { type: 'button', class: 'problem' }, make('span', { class: 'place' }, place(start)), ...words);
             go.addEventListener('click', () => {
                 area.focus();
                 area.setSelectionRange(start, Math.max(end, start));
@@ -120,11 +128,15 @@ function withCode(words) {
     return words.split(/(`[^`]+`)/).map((part) => (part.length > 2 && part.startsWith('`') ? make('code', {}, part) : part));
 }
 
-/** @param {string} text @param {number} offset */
-function place(text, offset) {
-    const before = text.slice(0, offset).split('\n');
-    const column = [.../** @type {string} */ (before.at(-1))].length + 1;
-    return text.includes('\n') ? `Line ${before.length}, column ${column}` : `Column ${column}`;
+/** Says where an offset is. @param {string} text @returns {(offset: number) => string} */
+function placesIn(text) {
+    const starts = [0];
+    for (let at = text.indexOf('\n'); at >= 0; at = text.indexOf('\n', at + 1)) starts.push(at + 1);
+    return (offset) => {
+        const line = starts.findLastIndex((start) => start <= offset);
+        const column = [...text.slice(starts[line], offset)].length + 1;
+        return starts.length > 1 ? `Line ${line + 1}, column ${column}` : `Column ${column}`;
+    };
 }
 
 /** @typedef {{start: number, end: number, severity: 'warning' | 'error'}} Mark */
