@@ -25,6 +25,7 @@ import { createReader } from './reading/reader.js';
 import { createSession } from './session.js';
 import { openSession } from './sessions.js';
 import { createShare } from './share.js';
+import { createShortcuts } from './shortcuts.js';
 import { createStage } from './stage.js';
 import { definitionOf, sameDrawing, sameSystem } from './state.js';
 import { createStorage } from './storage.js';
@@ -66,6 +67,7 @@ createGallery(engine, {
     look: theme,
 });
 tabs();
+createShortcuts();
 themeButton((next) => {
     // What wears the page's own inks, or is the page's own plant, changes with it.
     const former = next === 'dark' ? 'light' : 'dark';

@@ -73,7 +73,7 @@ mod tests {
         assert_eq!(gallery[1]["folder"], "b");
         assert_eq!(gallery[1]["kinds"], json!(["deterministic"]));
         assert_eq!(gallery[1]["memoised"], true);
-        assert_eq!(gallery[1]["blocks"], 1);
+        assert_eq!(gallery[1]["blocks"], 2);
     }
 
     #[test]

@@ -1,0 +1,237 @@
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { after, test } from 'node:test';
+import { DESKTOP, PHONE, close, nextPicture, stillPicture, until, withPage } from './browser.mjs';
+
+after(close);
+
+/** @typedef {import('playwright-core').Page} Page */
+
+const RULES = '// so\nr = 0.9\nb = 2*r\nA(l) : l > 0.1 -> F(l)[+A(l*r)][-A(l*r)] : 0.7\nA(l) -> F(l) : 0.3';
+const TREE = `#v=1&title=Tree&axiom=A(1)&rules=${encodeURIComponent(RULES)}&n=5&angle=25`;
+const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/**
+ * What axe-core finds at the levels that keep people out.
+ * @param {Page} page
+ * @returns {Promise<string[]>}
+ */
+async function barriers(page) {
+    await page.evaluate(axe);
+    return page.evaluate(async () => {
+        const { violations } = await /** @type {any} */ (globalThis).axe.run(document, { resultTypes: ['violations'] });
+        return violations
+            .filter((/** @type {any} */ { impact }) => impact === 'serious' || impact === 'critical')
+            .flatMap((/** @type {any} */ { id, nodes }) => nodes.map((/** @type {any} */ node) => `${id}: ${node.target.join(' ')} ${node.any[0]?.message ?? ''}`));
+    });
+}
+
+/** A tab of the controls, on a phone as well. @param {string} name */
+const tab = (name) => async (/** @type {Page} */ page) => {
+    if (await page.isVisible(`#tab-${name}`)) await page.click(`#tab-${name}`);
+};
+
+/** Every state that the page can be in, as far as what can be seen and reached differs. @type {Record<string, (page: Page) => Promise<unknown>>} */
+const STATES = {
+    'as it opens': async () => {},
+    rules: async (page) => {
+        await tab('rules')(page);
+        for (const summary of await page.locator('#section-rules summary:visible').all()) await summary.click();
+    },
+    mistakes: async (page) => {
+        await tab('rules')(page);
+        await page.fill('#rules', `${RULES}\nG = = 1\nX -> F\nX -> G`);
+        await page.waitForSelector('#rules-problems .error');
+        await page.waitForSelector('#rules-problems .warning');
+    },
+    'nothing drawn': async (page) => {
+        await tab('rules')(page);
+        await page.fill('#axiom', 'Q');
+        await page.waitForSelector('#empty:visible');
+    },
+    turtle: tab('turtle'),
+    look: tab('look'),
+    keep: tab('keep'),
+    gallery: async (page) => {
+        await page.click('#open-gallery');
+        await page.waitForSelector('.thumb.inked');
+        await page.click('.chip >> nth=1');
+    },
+    shortcuts: (page) => page.click('#open-shortcuts'),
+    string: async (page) => {
+        await page.click('#open-reader');
+        await page.waitForSelector('#reader:visible');
+        await page.focus('#reader-text');
+        await page.keyboard.press('ArrowRight');
+        await until(async () => ((await page.textContent('#reader-path')) ?? '').length > 3, 'a symbol is chosen');
+    },
+    playback: async (page) => {
+        await page.click('#open-playback');
+        await page.waitForSelector('#playback:visible');
+    },
+};
+
+for (const [name, options] of /** @type {const} */ ([
+    ['desktop', DESKTOP],
+    ['desktop, dark', { ...DESKTOP, colorScheme: /** @type {const} */ ('dark') }],
+    ['phone', PHONE],
+    ['phone, dark', { ...PHONE, colorScheme: /** @type {const} */ ('dark') }],
+    ['more contrast', { ...DESKTOP, contrast: /** @type {const} */ ('more') }],
+    ['zoomed to 200 %', { viewport: { width: 640, height: 400 } }],
+])) {
+    test(`axe-core finds no barrier: ${name}`, async () => {
+        for (const [state, enter] of Object.entries(STATES)) {
+            await withPage({ hash: TREE, options }, async (page) => {
+                await enter(page);
+                assert.deepEqual(await barriers(page), [], state);
+            });
+        }
+    });
+}
+
+test('the sheet of keys opens with ? and its button, and closes with Escape', () =>
+    withPage({ hash: TREE }, async (page) => {
+        await page.focus('#rules');
+        await page.keyboard.type('?');
+        assert.ok(!(await page.isVisible('#shortcuts')), 'a question mark in a text is a text');
+        await page.focus('#drawing');
+        await page.keyboard.press('?');
+        await page.waitForSelector('#shortcuts:visible');
+        await page.keyboard.press('Escape');
+        assert.ok(!(await page.isVisible('#shortcuts')));
+        assert.equal(await page.evaluate(() => document.activeElement?.id), 'drawing');
+        await page.click('#open-shortcuts');
+        assert.match((await page.textContent('#shortcuts')) ?? '', /Shift.*Alt/s);
+        await page.click('#close-shortcuts');
+    }));
+
+test('everything can be reached and left with the keyboard', () =>
+    withPage({ hash: TREE }, async (page) => {
+        const reached = new Set();
+        await page.focus('#skip');
+        for (let press = 0; press < 120; press++) {
+            await page.keyboard.press('Tab');
+            const id = await page.evaluate(() => {
+                const element = document.activeElement;
+                return element === document.body || element === null ? '' : element.id || `${element.tagName} ${element.className} ${element.getAttribute('aria-label') ?? element.textContent}`.slice(0, 60);
+            });
+            if (id === 'skip' || id === '') break;
+            reached.add(id);
+        }
+        for (const id of ['drawing', 'fit', 'open-reader', 'open-playback', 'open-gallery', 'open-shortcuts', 'theme', 'axiom', 'rules', 'iterations-slider', 'iterations', 'angle', 'tab-turtle', 'dialect', 'overrides']) {
+            assert.ok(reached.has(id), `${id} among ${[...reached].join(', ')}`);
+        }
+        // Tabs move with the arrows.
+        await page.focus('#tab-turtle');
+        await page.keyboard.press('ArrowRight');
+        assert.equal(await page.evaluate(() => document.activeElement?.id), 'tab-look');
+        assert.ok(await page.isVisible('#section-look'));
+    }));
+
+test('keys on the drawing do what the sheet says', () =>
+    withPage({ hash: TREE }, async (page) => {
+        await page.focus('#drawing');
+        await page.keyboard.press('ArrowRight');
+        assert.equal(await page.inputValue('#angle'), '26');
+        await page.keyboard.press('Alt+ArrowLeft');
+        assert.equal(await page.inputValue('#angle'), '25.9');
+        await page.keyboard.press('ArrowDown');
+        assert.equal(await page.inputValue('#iterations'), '4');
+        await page.keyboard.press('Shift+ArrowLeft');
+        await until(() => page.evaluate(() => location.hash.includes('view=')), 'the picture has moved');
+        await page.keyboard.press('0');
+        await until(() => page.evaluate(() => !location.hash.includes('view=')), 'it fits again');
+        await page.keyboard.press('+');
+        assert.match((await page.textContent('#zoom')) ?? '', /^150/);
+        await page.keyboard.press('Space');
+        await page.waitForSelector('#playback:visible');
+    }));
+
+test('number fields step with the arrows, ten times with Shift, a tenth with Alt', () =>
+    withPage({ hash: TREE }, async (page) => {
+        await page.focus('#angle');
+        for (const [key, value] of [['ArrowUp', '26'], ['Shift+ArrowUp', '36'], ['Alt+ArrowDown', '35.9'], ['Shift+ArrowDown', '25.9']]) {
+            await page.keyboard.press(String(key));
+            assert.equal(await page.inputValue('#angle'), value, key);
+        }
+        await page.focus('#iterations');
+        await page.keyboard.press('Shift+ArrowUp');
+        assert.equal(await page.inputValue('#iterations'), '15');
+    }));
+
+test('results and mistakes are announced, once and when typing has paused', () =>
+    withPage(
+        {
+            hash: TREE,
+            before: (page) =>
+                page.addInitScript(() => {
+                    const said = (/** @type {any} */ (globalThis).said = /** @type {string[]} */ ([]));
+                    addEventListener('DOMContentLoaded', () => {
+                        const region = /** @type {HTMLElement} */ (document.querySelector('#announcer'));
+                        new MutationObserver(() => said.push(region.textContent ?? '')).observe(region, { childList: true, characterData: true, subtree: true });
+                    });
+                }),
+        },
+        async (page) => {
+            const said = () => page.evaluate(() => /** @type {any} */ (globalThis).said);
+            assert.equal(await page.getAttribute('#announcer', 'aria-live'), 'polite');
+            await until(async () => /lines? after 5 derivation steps/.test((await said()).at(-1) ?? ''), 'the drawing is told');
+            const before = (await said()).length;
+            await page.focus('#rules');
+            await page.keyboard.press('Control+End');
+            await page.keyboard.type('\nG = = 1', { delay: 40 });
+            await until(async () => /last good drawing stays/.test((await said()).at(-1) ?? ''), 'the mistake is told');
+            assert.equal((await said()).length, before + 1);
+        },
+    ));
+
+for (const [width, height] of /** @type {const} */ ([[640, 400], [320, 640], [320, 256]])) {
+    test(`nothing is lost or scrolls sideways at ${width} x ${height}`, () =>
+        withPage({ hash: TREE, options: { viewport: { width, height } } }, async (page) => {
+            const sideways = () =>
+                page.evaluate(() => [document.scrollingElement, ...document.querySelectorAll('.sections, .section, .shelves, .shortcuts-body')].filter((element) => element && element.scrollWidth > element.clientWidth + 1).map((element) => `${element?.className}: ${element?.scrollWidth} > ${element?.clientWidth}`));
+            assert.deepEqual(await sideways(), []);
+            for (const name of ['rules', 'grow', 'turtle', 'look', 'keep']) {
+                await page.click(`#tab-${name}`);
+                assert.ok(await page.isVisible(`#section-${name}`), name);
+                assert.deepEqual(await sideways(), [], name);
+                const last = page.locator(`#section-${name} :is(button, input, textarea, select, summary):visible`).last();
+                await last.scrollIntoViewIfNeeded();
+                const box = await last.boundingBox();
+                assert.ok(box && box.x >= 0 && box.x + box.width <= width + 1 && box.y >= 0 && box.y < height, `${name}: ${JSON.stringify(box)}`);
+            }
+            for (const opener of ['gallery', 'shortcuts']) {
+                await page.click(`#open-${opener}`);
+                await page.waitForSelector(`#${opener}:visible`);
+                assert.deepEqual(await sideways(), [], opener);
+                await page.click(`#close-${opener}`);
+            }
+        }));
+}
+
+test('with the system’s own colours, texts, mistakes and sliders can be seen', () =>
+    withPage({ hash: TREE, options: { ...DESKTOP, forcedColors: 'active' } }, async (page) => {
+        const colours = () =>
+            page.evaluate(() => {
+                const style = (/** @type {string} */ name) => getComputedStyle(/** @type {Element} */ (document.querySelector(name)));
+                return { layer: style('[data-editor=rules] > pre').color, area: style('#rules').color, paper: style('body').backgroundColor };
+            });
+        const { layer, area, paper } = await colours();
+        assert.notEqual(layer, paper);
+        assert.match(area, /rgba\(0, 0, 0, 0\)/);
+        await page.fill('#rules', 'F = = F');
+        await page.waitForSelector('[data-editor=rules] .wrong');
+        const line = await page.locator('[data-editor=rules] .wrong').first().evaluate((element) => getComputedStyle(element).textDecorationLine);
+        assert.equal(line, 'underline');
+    }));
+
+test('with less motion nothing glides', () =>
+    withPage({ hash: TREE, options: { ...DESKTOP, reducedMotion: 'reduce' } }, async (page) => {
+        const before = await stillPicture(page);
+        await page.click('#zoom-in');
+        assert.match((await page.textContent('#zoom')) ?? '', /^150/);
+        assert.notEqual((await nextPicture(page, before)).digest, before.digest);
+        const moving = await page.evaluate(() => document.getAnimations().filter((animation) => animation.playState === 'running').length);
+        assert.equal(moving, 0);
+    }));
