@@ -28,6 +28,7 @@ import { same } from './state.js';
  * @property {Diagnostic[]} diagnostics
  * @property {string} kind `deterministic`, or those of `stochastic`, `context-sensitive`, `parametric` that hold, separated by commas
  * @property {boolean} stochastic
+ * @property {boolean} solid whether the drawing leaves the plane
  * @property {boolean | null} memoised whether the drawing shares its blocks; null while unknown
  * @property {string | null} symbols exact decimal digits
  * @property {string | null} segments exact decimal digits

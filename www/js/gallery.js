@@ -73,7 +73,7 @@ export function createGallery(engine, { pick, dress, look }) {
         const definition = definitionOf(clean(entry.definition));
         const picture = make('canvas', { class: 'thumb', width: '1', height: '1', 'aria-hidden': 'true' });
         const title = definition.title || definition.name;
-        const kind = `${entry.kinds.join(', ')}, n\u00a0=\u00a0${definition.iterations}`;
+        const kind = `${[...entry.kinds, ...(entry.solid ? ['3D'] : [])].join(', ')}, n\u00a0=\u00a0${definition.iterations}`;
         const card = make(
             'button',
             { type: 'button', class: 'card', 'aria-describedby': 'gallery-about' },

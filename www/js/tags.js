@@ -1,6 +1,6 @@
 /** What systems of the gallery can be filtered by. Pure functions. */
 
-/** @typedef {{kinds: string[], memoised: boolean, blocks: number}} Sorts */
+/** @typedef {{kinds: string[], solid: boolean, memoised: boolean, blocks: number}} Sorts */
 
 /** All tags, in groups of which one system has one at most, but for the kinds. */
 export const TAGS = Object.freeze({
@@ -8,6 +8,8 @@ export const TAGS = Object.freeze({
     stochastic: 'Chance decides between productions',
     'context-sensitive': 'Productions look at what stands around a symbol',
     parametric: 'Symbols carry numbers',
+    '2D': 'Drawn in the plane',
+    '3D': 'The turtle leaves the plane',
     'shared pieces': 'Equal pieces are drawn once: any number of iterations',
     'symbol by symbol': 'Every symbol is grown by itself',
 });
@@ -16,8 +18,8 @@ export const TAGS = Object.freeze({
  * The tags of a system, in the order of TAGS.
  * @param {Sorts} sorts
  */
-export function tagsOf({ kinds, memoised }) {
-    const own = [...kinds, memoised ? 'shared pieces' : 'symbol by symbol'];
+export function tagsOf({ kinds, solid, memoised }) {
+    const own = [...kinds, solid ? '3D' : '2D', memoised ? 'shared pieces' : 'symbol by symbol'];
     return Object.keys(TAGS).filter((tag) => own.includes(tag));
 }
 

@@ -117,6 +117,7 @@ impl Playground {
             diagnostics,
             kind: kind(&system),
             stochastic: system.is_stochastic(),
+            solid: system.is_solid(),
             symbols: count_symbols(&system, n).map(|count| count.to_string()),
             segments: count_segments(&system, n).map(|count| count.to_string()),
             legend: legend_of(&system),

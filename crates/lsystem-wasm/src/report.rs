@@ -31,6 +31,8 @@ pub struct Report {
     pub kind: String,
     /// Whether chance plays a part.
     pub stochastic: bool,
+    /// Whether the drawing leaves the plane.
+    pub solid: bool,
     /// Whether the drawing shares its blocks.
     pub memoised: Option<bool>,
     /// Symbols of the generation.

@@ -1,16 +1,17 @@
-//! `cargo xtask bench`: speed beside other implementations and beside plain copying, and the times of pictures.
+//! `cargo xtask bench`: speed beside other implementations and beside plain copying, the times of pictures, and
+//! how free the page stays.
 
 use crate::workspace::{Workspace, run};
-use crate::{bindgen, page, tools};
+use crate::{bindgen, build, page, tools};
 use anyhow::{Result, bail};
 use std::ffi::OsStr;
 use std::process::Command;
 
-/// Measures natively, in the browser, pictures, or all of it.
+/// Measures natively, in the browser, pictures, the page, or all of it.
 pub(crate) fn bench<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a str>) -> Result<()> {
     let parts: Vec<_> = words.collect();
-    if let Some(word) = parts.iter().find(|word| !["native", "web", "pictures"].contains(word)) {
-        bail!("there is no part `{word}` of the measurements; there are native, web, pictures");
+    if let Some(word) = parts.iter().find(|word| !["native", "web", "pictures", "page"].contains(word)) {
+        bail!("there is no part `{word}` of the measurements; there are native, web, pictures, page");
     }
     let has = |part| parts.is_empty() || parts.contains(&part);
     if has("native") {
@@ -23,6 +24,10 @@ pub(crate) fn bench<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a s
     }
     if has("pictures") {
         browser(workspace, "pictures".as_ref())?;
+    }
+    if has("page") {
+        build::build(workspace)?;
+        page::bench(workspace)?;
     }
     Ok(())
 }

@@ -2,11 +2,11 @@
 
 use crate::files;
 use anyhow::{Context, Result, bail};
-use lsystem::{Definition, Diagnostic, Field, Limits, System, draw, kind, read_json, render_diagnostic};
+use lsystem::{Definition, Diagnostic, Field, Limits, System, draw, draw_solid, kind, read_json, render_diagnostic};
 use serde_json::{Value, json};
 use std::path::Path;
 
-/// An array of `{path, folder, kinds, memoised, blocks, definition}` for the JSON files below `folder`, sorted by path:
+/// An array of `{path, folder, kinds, solid, memoised, blocks, definition}` for the JSON files below `folder`, sorted by path:
 /// what sort of system each is, and how its drawing is made.
 pub(crate) fn gallery(folder: &Path) -> Result<Value> {
     let files = files::list(folder, |path| path.extension().is_none_or(|ending| ending == "json"))?;
@@ -14,15 +14,23 @@ pub(crate) fn gallery(folder: &Path) -> Result<Value> {
         let path = file.strip_prefix(folder)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
         let (parent, _) = path.rsplit_once('/').unwrap_or_default();
         let (definition, system) = read(&path, &files::read_text(file)?)?;
-        let Ok(drawing) = draw(&system, definition.iterations, &Limits::default()) else {
+        let solid = system.is_solid();
+        let (n, limits) = (definition.iterations, Limits::default());
+        let made = if solid {
+            draw_solid(&system, n, &limits).map(|drawing| (drawing.is_memoised(), drawing.block_count()))
+        } else {
+            draw(&system, n, &limits).map(|drawing| (drawing.is_memoised(), drawing.block_count()))
+        };
+        let Ok((memoised, blocks)) = made else {
             bail!("{path} grows too large for the gallery");
         };
         Ok(json!({
             "path": path,
             "folder": parent,
             "kinds": kind(&system).split(", ").collect::<Vec<_>>(),
-            "memoised": drawing.is_memoised(),
-            "blocks": drawing.block_count(),
+            "solid": solid,
+            "memoised": memoised,
+            "blocks": blocks,
             "definition": definition,
         }))
     });
@@ -72,6 +80,7 @@ mod tests {
         assert_eq!(gallery[0]["definition"]["axiom"], "X");
         assert_eq!(gallery[1]["folder"], "b");
         assert_eq!(gallery[1]["kinds"], json!(["deterministic"]));
+        assert_eq!(gallery[1]["solid"], false);
         assert_eq!(gallery[1]["memoised"], true);
         assert_eq!(gallery[1]["blocks"], 2);
     }

@@ -48,6 +48,19 @@ fn unit(www: &Path, cases: Option<&str>) -> Result<()> {
 
 fn end_to_end(workspace: &Workspace, www: &Path) -> Result<()> {
     let tests = tests(www, |path| !path.starts_with("unit"))?;
+    // One file at a time: browsers share the machine's few cores, and some tests measure time.
+    with_page(workspace, |node| node.args(["--test", "--test-concurrency=1"]).args(tests).current_dir(www))
+}
+
+/// How free the page's thread stays while it is used.
+pub(crate) fn bench(workspace: &Workspace) -> Result<()> {
+    let www = workspace.www();
+    packages(&www)?;
+    with_page(workspace, |node| node.arg("test/bench/drags.mjs").current_dir(www))
+}
+
+/// Runs Node.js as `prepare` says, while the page is served.
+fn with_page(workspace: &Workspace, prepare: impl FnOnce(&mut Command) -> &mut Command) -> Result<()> {
     let browser = tools::browser()?;
     let listener = TcpListener::bind("127.0.0.1:0")?;
     let address = format!("http://{}{MOUNT}", listener.local_addr()?);
@@ -55,11 +68,7 @@ fn end_to_end(workspace: &Workspace, www: &Path) -> Result<()> {
     // The listener is bound, so nobody has to wait; the thread ends with the process.
     thread::spawn(move || server::run(&listener, &dist, MOUNT));
     let temporary = tempfile::tempdir()?;
-    // One file at a time: browsers share the machine's few cores, and some tests measure time.
-    run(Command::new(tools::node()?)
-        .args(["--test", "--test-concurrency=1"])
-        .args(tests)
-        .current_dir(www)
+    run(prepare(&mut Command::new(tools::node()?))
         .env("LSYSTEM_URL", address)
         .env("CHROMIUM", browser.chromium)
         .env("TMPDIR", temporary.path()))

@@ -34,9 +34,7 @@ export function numberField(field, { low, high, step, whole = false, change, set
         if (event.key === 'Enter') return field.select();
         if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
         event.preventDefault();
-        const size = (typeof step === 'number' ? step : step()) * (event.shiftKey ? 10 : event.altKey && !whole ? 0.1 : 1);
-        const from = readNumber(field.value) ?? shown;
-        const next = fits(Number(plain(from + (event.key === 'ArrowUp' ? size : -size))));
+        const next = fits(stepped(readNumber(field.value) ?? shown, event, typeof step === 'number' ? step : step(), whole));
         field.value = plain(next);
         field.removeAttribute('data-wrong');
         change((shown = next));
@@ -58,6 +56,68 @@ export function numberField(field, { low, high, step, whole = false, change, set
         field.removeAttribute('data-wrong');
         setValue(field, plain(value));
     };
+}
+
+/**
+ * A field for a number that may be left out, for what it has then; it stands there, faint.
+ * @param {HTMLInputElement} field
+ * @param {{low: number, high: number, step: number, change: (value: number | null) => void, settle: () => void}} range
+ * @returns {(value: number | null, inherited: number) => void} shows another value, and what holds without one
+ */
+export function optionalField(field, { low, high, step, change, settle }) {
+    /** @type {number | null} */
+    let shown = null;
+    let without = 0;
+    const written = (/** @type {number | null} */ value) => (value === null ? '' : plain(value));
+    const fits = (/** @type {number} */ value) => Math.min(high, Math.max(low, value));
+    /** What the field says; undefined where that is neither nothing nor a number within the range. */
+    const read = () => {
+        const value = readNumber(field.value);
+        if (field.value.trim() === '') return null;
+        return value === null || fits(value) !== value ? undefined : value;
+    };
+
+    field.addEventListener('input', () => {
+        const value = read();
+        field.toggleAttribute('data-wrong', value === undefined);
+        if (value !== undefined) change((shown = value));
+    });
+    field.addEventListener('keydown', (event) => {
+        if (event.key === 'Enter') return field.select();
+        if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
+        event.preventDefault();
+        shown = fits(stepped(readNumber(field.value) ?? shown ?? without, event, step));
+        field.value = plain(shown);
+        field.removeAttribute('data-wrong');
+        change(shown);
+    });
+    field.addEventListener('focus', () => field.select());
+    field.addEventListener('blur', () => {
+        field.value = written(shown);
+        field.removeAttribute('data-wrong');
+        settle();
+    });
+
+    return (value, inherited) => {
+        shown = value;
+        without = inherited;
+        field.placeholder = plain(inherited);
+        if (document.activeElement === field && read() === value) return;
+        field.removeAttribute('data-wrong');
+        setValue(field, written(value));
+    };
+}
+
+/**
+ * What an arrow key makes of a number: Shift ten steps, Alt a tenth.
+ * @param {number} from
+ * @param {KeyboardEvent} event
+ * @param {number} step
+ * @param {boolean} [whole]
+ */
+function stepped(from, { key, shiftKey, altKey }, step, whole = false) {
+    const size = step * (shiftKey ? 10 : altKey && !whole ? 0.1 : 1);
+    return Number(plain(from + (key === 'ArrowUp' ? size : -size)));
 }
 
 /** Without an exponent, which ARIA does not know. @param {number} value */

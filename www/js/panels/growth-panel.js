@@ -104,10 +104,10 @@ export function growthPanel(store, source) {
  * @param {Report} report
  * @param {{largest: number, why: string} | null} bound
  */
-function statusOf({ kind, memoised, blocks, largest }, bound) {
+function statusOf({ kind, solid, memoised, blocks, largest }, bound) {
     const limit = bound ? ` It can grow to n = ${bound.largest}. ${largest === null ? `Beyond: ${bound.why}.` : ''}` : '';
     if (memoised === null || blocks === null) return bound ? limit.trim() : 'Growing…';
-    const sort = kind.charAt(0).toUpperCase() + kind.slice(1);
+    const sort = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}${solid ? ', in space' : ''}`;
     if (!memoised) return `${sort}; grown symbol by symbol.${limit}`;
     if (blocks <= 1) return `${sort}.${limit}`;
     return `${sort}; ${grouped(String(blocks))} shared pieces make up the whole drawing.${limit}`;

@@ -2,7 +2,7 @@
 
 import { byId, html, input, make, setText } from '../dom.js';
 import { editor } from '../controls/editor.js';
-import { numberField } from '../controls/number-field.js';
+import { numberField, optionalField } from '../controls/number-field.js';
 import { DIALECTS } from '../state.js';
 
 /** @type {Record<import('../state.js').Dialect, string>} */
@@ -31,6 +31,37 @@ export function turtlePanel(store) {
     const showX = numberField(input('start-x'), { low: -1e9, high: 1e9, step: 1, settle, change: (x) => store.change({ start: [x, store.state.start[1]] }, 'start') });
     const showY = numberField(input('start-y'), { low: -1e9, high: 1e9, step: 1, settle, change: (y) => store.change({ start: [store.state.start[0], y] }, 'start') });
 
+    const bends = html('bends');
+    const angles = { low: -3600, high: 3600, step: 1, settle };
+    const showDown = optionalField(input('pitch-down'), { ...angles, change: (pitchDown) => store.change({ pitchDown }, 'pitchDown') });
+    const showUp = optionalField(input('pitch-up'), { ...angles, change: (pitchUp) => store.change({ pitchUp }, 'pitchUp') });
+    const showLeft = optionalField(input('roll-left'), { ...angles, change: (rollLeft) => store.change({ rollLeft }, 'rollLeft') });
+    const showRight = optionalField(input('roll-right'), { ...angles, change: (rollRight) => store.change({ rollRight }, 'rollRight') });
+    const showElasticity = numberField(input('elasticity'), { low: -1000, high: 1000, step: 0.01, settle, change: (elasticity) => store.change({ elasticity }, 'elasticity') });
+    const showPull = ['x', 'y', 'z'].map((axis, at) =>
+        numberField(input(`tropism-${axis}`), {
+            low: -1000,
+            high: 1000,
+            step: 0.1,
+            settle,
+            change: (value) => {
+                const [x, y, z] = store.state.tropism;
+                store.change({ tropism: [at === 0 ? value : x, at === 1 ? value : y, at === 2 ? value : z] }, 'tropism');
+            },
+        }),
+    );
+    /** Whether the drawing leaves the plane. */
+    let solid = false;
+
+    /** Angles in space are shown where they matter, or were given. @param {import('../state.js').State} state */
+    function showSpace({ angle, pitchDown, pitchUp, rollLeft, rollRight }) {
+        html('space').hidden = !solid && [pitchDown, pitchUp, rollLeft, rollRight].every((value) => value === null);
+        showDown(pitchDown, angle);
+        showUp(pitchUp, pitchDown ?? angle);
+        showLeft(rollLeft, angle);
+        showRight(rollRight, rollLeft ?? angle);
+    }
+
     let shown = '';
     return {
         /** @param {import('../state.js').State} state */
@@ -42,15 +73,23 @@ export function turtlePanel(store) {
             showStep(state.step);
             showX(state.start[0]);
             showY(state.start[1]);
+            showSpace(state);
+            showElasticity(state.elasticity);
+            state.tropism.forEach((value, at) => showPull[at]?.(value));
+            // What bends is shown; what does not is opened by who wants it to.
+            if (state.elasticity !== 0 && !bends.hasAttribute('open')) bends.setAttribute('open', '');
         },
         /** @param {import('../engine.js').Notation} notation @param {import('../notation.js').Texts} texts */
         read(notation, texts) {
             overrides.tint(notation.overrides, texts.overrides);
         },
         /** @param {import('../engine.js').Report} report */
-        report({ ok, legend, diagnostics }) {
+        report(report) {
+            const { ok, legend, diagnostics } = report;
             overrides.mark(diagnostics.filter(({ field }) => field === 'overrides'));
             if (!ok) return;
+            solid = report.solid;
+            showSpace(store.state);
             const key = JSON.stringify(legend);
             if (key === shown) return;
             shown = key;

@@ -170,3 +170,31 @@ test('the gallery says what sort each system is, and filters by it', () =>
         await card.click();
         await until(async () => /^[A-Z][a-z, -]+(;|\.)/.test((await page.textContent('#status')) ?? ''), 'the page says it too');
     }));
+
+test('angles in space are asked for where the turtle leaves the plane, and tropism where it bends', () =>
+    withPage({ hash: '#v=1&axiom=A&rules=A%20-%3E%20F%5B%26A%5D%5B/%5EA%5D&n=4&angle=30' }, async (page) => {
+        await page.waitForSelector('#space:visible');
+        assert.equal(await page.getAttribute('#pitch-down', 'placeholder'), '30');
+        await page.fill('#pitch-down', '20');
+        assert.equal(await page.getAttribute('#pitch-up', 'placeholder'), '20');
+        await page.focus('#roll-left');
+        await page.keyboard.press('Shift+ArrowUp');
+        assert.equal(await page.inputValue('#roll-left'), '40');
+        await until(() => page.evaluate(() => /down=20&roll=40/.test(location.hash)), 'the address holds them');
+        await page.fill('#pitch-down', '');
+        assert.equal(await page.getAttribute('#pitch-up', 'placeholder'), '30');
+        await page.fill('#roll-left', '');
+        assert.match((await page.textContent('#status')) ?? '', /in space/);
+        assert.ok(!(await page.isVisible('#elasticity')));
+        await page.click('#bends summary');
+        await page.fill('#elasticity', '0.2');
+        await page.fill('#tropism-x', '1');
+        await until(() => page.evaluate(() => /tropism=1,-1,0&elasticity=0\.2/.test(location.hash)), 'the address holds it');
+        await page.fill('#rules', 'A -> F[+A][-A]');
+        await until(async () => !(await page.isVisible('#space')), 'in the plane there are two angles');
+        const link = await page.evaluate(() => location.hash);
+        await withPage({ hash: link }, async (other) => {
+            assert.ok(await other.isVisible('#elasticity'), 'what bends is shown');
+            assert.equal(await other.inputValue('#elasticity'), '0.2');
+        });
+    }));
