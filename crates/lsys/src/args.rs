@@ -10,7 +10,7 @@ pub(crate) const HELP: &str = "\
 Derives, draws and inspects L-systems.
 
 usage: lsys expand FILE [-n N] [--seed S]
-       lsys draw FILE [OUT_BASE] [-n N] [--seed S] [--format svg|png|csv|txt] [--size WxH] [--compact]
+       lsys draw FILE [OUT_BASE] [-n N] [--seed S] [--format svg|png|csv|txt|obj|glb] [--size WxH] [--compact]
        lsys draw FILE... --out-dir DIR [the same options]
        lsys info FILE... [-n N] [--seed S] [--json]
        lsys FILE OUT_BASE
@@ -26,7 +26,8 @@ usage: lsys expand FILE [-n N] [--seed S]
   -n, --iterations N   derivation steps, 0 to 1000, in place of the file's
   --seed S             which random choices to make, 0 to 4294967295, in place of the file's
   --format FORMAT      svg, png, csv (columns x0,y0,x1,y1,level,colour; in space
-                       x0,y0,z0,x1,y1,z1,level,colour) or txt (the string)
+                       x0,y0,z0,x1,y1,z1,level,colour), txt (the string), or a mesh of coloured tubes
+                       as obj or glb (binary glTF)
   --size WxH           a png's size in pixels, such as 4000x3000; else 1024 along the longer side
   --compact            an svg whose size hardly depends on N: each block of the drawing once, and then placed
   --out-dir DIR        writes every FILE's output into DIR, named after the file
@@ -88,6 +89,10 @@ pub(crate) enum Format {
     Svg(SvgForm),
     /// The segments.
     Csv,
+    /// Tubes of all segments, as text.
+    Obj,
+    /// The same as binary glTF.
+    Glb,
     /// The picture in pixels; without a size, as large as usual.
     Png(Option<Size>),
 }
@@ -109,6 +114,8 @@ impl Format {
             Self::Txt => "txt",
             Self::Svg(_) => "svg",
             Self::Csv => "csv",
+            Self::Obj => "obj",
+            Self::Glb => "glb",
             Self::Png(_) => "png",
         }
     }
@@ -279,9 +286,11 @@ fn format(text: &OsString) -> Result<Format, String> {
     match text.to_str() {
         Some("svg") => Ok(Format::Svg(SvgForm::Flat)),
         Some("csv") => Ok(Format::Csv),
+        Some("obj") => Ok(Format::Obj),
+        Some("glb") => Ok(Format::Glb),
         Some("txt") => Ok(Format::Txt),
         Some("png") => Ok(Format::Png(None)),
-        _ => Err(format!("--format takes svg, png, csv or txt, not `{}`", text.to_string_lossy())),
+        _ => Err(format!("--format takes svg, png, csv, txt, obj or glb, not `{}`", text.to_string_lossy())),
     }
 }
 
@@ -364,7 +373,7 @@ mod tests {
         check("expand a --seed x", &expect!["error: --seed takes a whole number from 0 to 4294967295, not `x`"]);
         check("expand a --json", &expect!["error: --json goes with info only"]);
         check("expand a --format svg", &expect!["error: --format and --out-dir go with draw only"]);
-        check("draw a --format gif", &expect!["error: --format takes svg, png, csv or txt, not `gif`"]);
+        check("draw a --format gif", &expect!["error: --format takes svg, png, csv, txt, obj or glb, not `gif`"]);
         check("draw a --size 10x10", &expect!["error: --size goes with --format png only"]);
         check("draw a --compact --format csv", &expect!["error: --compact goes with draw and --format svg only"]);
         check("info a --compact", &expect!["error: --compact goes with draw and --format svg only"]);

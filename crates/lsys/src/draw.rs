@@ -5,7 +5,7 @@ use crate::input::{self, Input};
 use crate::output::{Pending, with_extension};
 use crate::progress::Progress;
 use crate::{Failure, picture, print};
-use lsystem::{Outlook, SvgOptions, write_csv, write_json, write_svg};
+use lsystem::{Drawing, Mesh, Outlook, Solid, SvgOptions, write_csv, write_glb, write_json, write_obj, write_svg};
 use std::io::IsTerminal;
 
 /// Does all `jobs`. One that fails is reported, and the others are still done.
@@ -25,8 +25,8 @@ pub(crate) fn draw(jobs: &[Job], changes: Changes) -> Result<(), Failure> {
 fn one(job: &Job, changes: Changes) -> Result<(), Failure> {
     let input = input::read(&job.file, changes)?;
     match &job.target {
-        Target::Print(Format::Png(_)) if std::io::stdout().is_terminal() => {
-            Err(Failure::Words("a terminal cannot show a PNG: name an OUT_BASE".to_owned()))
+        Target::Print(Format::Png(_) | Format::Glb) if std::io::stdout().is_terminal() => {
+            Err(Failure::Words("a terminal cannot show this: name an OUT_BASE".to_owned()))
         }
         Target::Print(format) => {
             let bytes = form(&input, *format)?;
@@ -47,6 +47,9 @@ fn one(job: &Job, changes: Changes) -> Result<(), Failure> {
     }
 }
 
+/// Tubes in a mesh at most: some hundred megabytes, and more than most programs open.
+const MESH_SEGMENTS: u64 = 500_000;
+
 /// The system in a format, as a file's bytes.
 fn form(input: &Input, format: Format) -> Result<Vec<u8>, Failure> {
     let style = &input.system.style;
@@ -58,17 +61,21 @@ fn form(input: &Input, format: Format) -> Result<Vec<u8>, Failure> {
         true => solid()?.seen_from(&Outlook::default(), limits.segments).map_err(wrong),
         false => lsystem::draw(system, n, limits).map_err(wrong),
     };
+    let mesh = |drawing: &Drawing<Solid>| Mesh::new(drawing, style, MESH_SEGMENTS).map_err(wrong);
+    let title = [&input.definition.title, &input.definition.name].into_iter().find(|title| !title.is_empty());
+    let name = title.map_or("", String::as_str);
     match format {
         Format::Png(size) => picture::png(drawing()?, style, size, &write_json(&input.definition))
             .map_err(|error| Failure::Words(format!("PNG: {error}"))),
+        Format::Obj => Ok(write_obj(&mesh(&solid()?)?, name).into_bytes()),
+        Format::Glb => Ok(write_glb(&mesh(&solid()?)?, name)),
         Format::Csv if system.is_solid() => {
             write_csv(&solid()?, limits.segments).map(String::into_bytes).map_err(wrong)
         }
         Format::Csv => write_csv(&drawing()?, input.limits.segments).map(String::into_bytes).map_err(wrong),
         Format::Svg(form) => {
-            let title = [&input.definition.title, &input.definition.name].into_iter().find(|title| !title.is_empty());
             let options = SvgOptions {
-                title: title.cloned().unwrap_or_default(),
+                title: name.to_owned(),
                 system: write_json(&input.definition),
                 form,
                 most: input.limits.segments,

@@ -548,7 +548,7 @@ fn usage() {
         "draw data_in/abop/1.24a.json --format gif",
         2,
         &expect![[r#"
-            error: --format takes svg, png, csv or txt, not `gif`
+            error: --format takes svg, png, csv, txt, obj or glb, not `gif`
             lsys --help tells more
         "#]],
     );

@@ -15,6 +15,7 @@ mod grammar;
 mod heading;
 mod key;
 mod limits;
+mod mesh;
 mod message;
 mod notation;
 mod notes;
@@ -52,12 +53,14 @@ pub use drawing::{
 };
 pub use expr::{Code, Expr, Function, Meaning, Op, Operator, SIGN, STACK, Unusable};
 pub use format::{
-    FileContent, Svg, SvgForm, SvgOptions, read_file, read_json, tag_png, write_csv, write_json, write_svg,
+    FileContent, Svg, SvgForm, SvgOptions, read_file, read_json, tag_png, write_csv, write_glb, write_json, write_obj,
+    write_svg,
 };
 pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
 pub use heading::Heading;
 pub use key::Key;
 pub use limits::{Limits, MAX_CONTEXT, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS, MAX_TEXT};
+pub use mesh::Mesh;
 pub use notation::{Class, Classes, ConstantPlace, classify, parse, plain_word};
 pub use overrides::{Override, parse_overrides, print_actions, print_overrides};
 pub use place::{render_diagnostic, utf16_letters, utf16_span};

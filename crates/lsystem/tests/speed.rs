@@ -1,6 +1,6 @@
 //! Timings of drawing, printed: `cargo test --release -p lsystem --test speed -- --ignored --nocapture`.
 
-use lsystem::{Definition, Limits, Rewriter, SegmentArrays, System, draw, expand_into};
+use lsystem::{Definition, Dialect, Limits, Outlook, Rewriter, SegmentArrays, System, draw, draw_solid, expand_into};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -54,6 +54,46 @@ fn building() {
             black_box(drawing.bounds());
             let bounds = began.elapsed().as_secs_f64() * 1e3;
             println!("{name:12} n = {n:4}: {time:8.3} ms, bounds {bounds:.3} ms, {} blocks", drawing.block_count());
+        }
+    }
+}
+
+#[test]
+#[ignore = "a measurement"]
+fn building_in_space() {
+    let bush = "A -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\nL -> ['''^^-F+F+F-|-F+F+F]";
+    let tree = Definition {
+        axiom: "T".into(),
+        rules: "T -> TF\nF -> F[+F][-FF][<F][>FF][&F]".into(),
+        angle: 45.0,
+        dialect: Dialect::Practical,
+        ..Definition::default()
+    };
+    let honda = "A(l) -> F(l)[&(45)B(l*0.6)]/(137.5)A(l*0.9)\nB(l) -> F(l)[-(45)$C(l*0.6)]C(l*0.9)\n\
+                 C(l) -> F(l)[+(45)$B(l*0.6)]B(l*0.9)";
+    let random = "F -> F[&+F]/F[^F]F : 1\nF -> F[&F]\\F[-F] : 1";
+    for (name, system, generations) in [
+        ("tree3d0", System::new(&tree).0.unwrap(), vec![8, 12, 20, 30, 1000]),
+        ("bush", system("A", bush, 22.5), vec![8, 12, 20, 30, 1000]),
+        ("honda", system("A(1)", honda, 45.0), vec![14, 18]),
+        ("random", system("F", random, 22.5), vec![9]),
+    ] {
+        for n in generations {
+            let limits = Limits { segments: 3_000_000, ..Limits::default() };
+            let began = Instant::now();
+            let drawing = draw_solid(&system, n, &limits).unwrap();
+            let time = began.elapsed().as_secs_f64() * 1e3;
+            let began = Instant::now();
+            black_box(drawing.bounds());
+            let bounds = began.elapsed().as_secs_f64() * 1e3;
+            let began = Instant::now();
+            let seen = drawing.seen_from(&Outlook::default(), 3_000_000).is_ok();
+            let paper = began.elapsed().as_secs_f64() * 1e3;
+            let (blocks, segments) = (drawing.block_count(), drawing.segment_count());
+            println!("{name:8} n = {n:4}: {time:8.3} ms, bounds {bounds:.3} ms, {blocks} blocks, {segments} segments");
+            if seen {
+                println!("                    on paper in {paper:.1} ms");
+            }
         }
     }
 }

@@ -90,7 +90,7 @@ impl Body {
 /// The smallest box around `items` of a block as exactly as some effort can tell: the least and greatest coordinates.
 pub(super) fn extent(blocks: &[Block<Solid>], all: &[Item<Solid>], items: &[Item<Solid>]) -> [Vector; 2] {
     const EXACT: f64 = 1e-11;
-    const PATIENCE: usize = 20_000;
+    const PATIENCE: usize = 3_000;
     let contents = Contents { blocks, items: all };
     [-1.0, 1.0].map(|sign| {
         [0, 1, 2].map(|i| {

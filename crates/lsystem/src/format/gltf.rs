@@ -1,0 +1,120 @@
+//! Meshes as binary glTF 2.0 (`.glb`), the format of viewers, browsers and game engines.
+
+use super::number::write_exact;
+use crate::Mesh;
+use core::fmt::Write;
+
+/// Numbers of the format, by their names in its specification.
+const FLOAT: u32 = 5126;
+const UNSIGNED_SHORT: u32 = 5123;
+const UNSIGNED_INT: u32 = 5125;
+const ARRAY_BUFFER: u32 = 34962;
+const ELEMENT_ARRAY_BUFFER: u32 = 34963;
+
+/// Writes a mesh: places and normals as 32-bit floats, colours as linear 16-bit numbers with alpha 1 (as the format wants
+/// them), indices of 32 bits. The material is rough and no metal. A mesh without triangles gives a scene with nothing in it.
+#[must_use]
+pub fn write_glb(mesh: &Mesh, name: &str) -> Vec<u8> {
+    let (corners, indices) = (mesh.positions.len(), 3 * mesh.triangles.len());
+    let mut bytes = Vec::with_capacity(corners * 32 + indices * 4);
+    for value in mesh.positions.iter().chain(&mesh.normals).flatten() {
+        bytes.extend(value.to_le_bytes());
+    }
+    let linear: Vec<u16> = (0..=255).map(linear).collect();
+    for colour in &mesh.colours {
+        let [r, g, b] = colour.map(|c| linear[usize::from(c)]);
+        [r, g, b, u16::MAX].iter().for_each(|value| bytes.extend(value.to_le_bytes()));
+    }
+    for index in mesh.triangles.iter().flatten() {
+        bytes.extend(index.to_le_bytes());
+    }
+
+    let mut json = String::from("{\"asset\":{\"version\":\"2.0\",\"generator\":\"lsystem\"},\"scene\":0,");
+    if mesh.triangles.is_empty() {
+        json.push_str("\"scenes\":[{}]}");
+    } else {
+        json.push_str("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"name\":");
+        write_string(&mut json, name);
+        json.push_str(
+            "}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":1,\"COLOR_0\":2},\
+             \"indices\":3,\"material\":0}]}],\
+             \"materials\":[{\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":0.8}}],\"accessors\":[",
+        );
+        let least = |axis: usize| mesh.positions.iter().map(|p| p[axis]).fold(f32::INFINITY, f32::min);
+        let most = |axis: usize| mesh.positions.iter().map(|p| p[axis]).fold(f32::NEG_INFINITY, f32::max);
+        accessor(&mut json, 0, FLOAT, "VEC3", corners);
+        for (key, bound) in [("min", [0, 1, 2].map(least)), ("max", [0, 1, 2].map(most))] {
+            let _ = write!(json, ",\"{key}\":[");
+            for (axis, value) in bound.into_iter().enumerate() {
+                if axis > 0 {
+                    json.push(',');
+                }
+                write_exact(&mut json, f64::from(value));
+            }
+            json.push(']');
+        }
+        json.push_str("},");
+        accessor(&mut json, 1, FLOAT, "VEC3", corners);
+        json.push_str("},");
+        accessor(&mut json, 2, UNSIGNED_SHORT, "VEC4", corners);
+        json.push_str(",\"normalized\":true},");
+        accessor(&mut json, 3, UNSIGNED_INT, "SCALAR", indices);
+        json.push_str("}],\"bufferViews\":[");
+        let lengths = [(12 * corners, ARRAY_BUFFER), (12 * corners, ARRAY_BUFFER), (8 * corners, ARRAY_BUFFER)];
+        let mut offset = 0;
+        for (view, (length, target)) in lengths.into_iter().chain([(4 * indices, ELEMENT_ARRAY_BUFFER)]).enumerate() {
+            let comma = if view > 0 { "," } else { "" };
+            // Writing to a `String` cannot fail.
+            let _ = write!(
+                json,
+                "{comma}{{\"buffer\":0,\"byteOffset\":{offset},\"byteLength\":{length},\"target\":{target}}}"
+            );
+            offset += length;
+        }
+        let _ = write!(json, "],\"buffers\":[{{\"byteLength\":{}}}]}}", bytes.len());
+    }
+
+    // Chunks are whole numbers of four bytes.
+    while !json.len().is_multiple_of(4) {
+        json.push(' ');
+    }
+    let chunks: &[(&[u8; 4], &[u8])] = match bytes.as_slice() {
+        [] => &[(b"JSON", json.as_bytes())],
+        bytes => &[(b"JSON", json.as_bytes()), (b"BIN\0", bytes)],
+    };
+    let total = 12 + chunks.iter().map(|(_, chunk)| 8 + chunk.len()).sum::<usize>();
+    let mut file = Vec::with_capacity(total);
+    file.extend(b"glTF");
+    file.extend(2_u32.to_le_bytes());
+    file.extend((total as u32).to_le_bytes());
+    for (kind, chunk) in chunks {
+        file.extend((chunk.len() as u32).to_le_bytes());
+        file.extend(*kind);
+        file.extend(*chunk);
+    }
+    file
+}
+
+/// All of an accessor but its end.
+fn accessor(json: &mut String, view: u32, component: u32, kind: &str, count: usize) {
+    let _ = write!(json, "{{\"bufferView\":{view},\"componentType\":{component},\"type\":\"{kind}\",\"count\":{count}");
+}
+
+/// An sRGB value as a linear one.
+fn linear(value: u16) -> u16 {
+    let value = f64::from(value) / 255.0;
+    let linear = if value <= 0.040_45 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) };
+    libm::round(linear * f64::from(u16::MAX)) as u16
+}
+
+fn write_string(json: &mut String, text: &str) {
+    json.push('"');
+    for ch in text.chars() {
+        match ch {
+            '"' | '\\' => json.extend(['\\', ch]),
+            _ if ch.is_control() => json.push(' '),
+            _ => json.push(ch),
+        }
+    }
+    json.push('"');
+}

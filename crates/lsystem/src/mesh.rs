@@ -1,0 +1,270 @@
+//! Drawings as triangles: every stroke a tube.
+//!
+//! Strokes that follow each other end to end share a ring of corners on the plane that halves the angle between them,
+//! so that a bent path is one closed tube. Where widths differ a tube tapers to the width of the stroke that follows.
+
+use crate::derivation::limit;
+use crate::rotation::{Vector, cross, dot, norm};
+use crate::{Diagnostic, Drawing, LimitName, Segment, Solid, Style};
+
+/// Triangles with colours, in model units.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Corners: x, y, z.
+    pub positions: Vec<[f32; 3]>,
+    /// Of each corner: the direction in which the surface faces, of length 1.
+    pub normals: Vec<[f32; 3]>,
+    /// Of each corner: red, green and blue in sRGB.
+    pub colours: Vec<[u8; 3]>,
+    /// Three corners each, counter-clockwise as seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// The longer side of a picture that a stroke's least width is meant for, in pixels.
+const PICTURE: f64 = 1024.0;
+/// Strokes that turn by more than a right angle or so do not share a ring: it would be too pointed.
+const SHARPEST: f64 = -0.1;
+/// How far the middle of an end stands out, in radii.
+const ROUND: f64 = 0.6;
+
+impl Mesh {
+    /// Makes tubes of all strokes, with as many sides as their number allows: eight for some ten thousand, four for
+    /// very many. A stroke is as wide as the style's least width makes it in a picture of 1024 pixels. Strokes without
+    /// length give nothing, and coordinates beyond the range of `f32` are the farthest there.
+    ///
+    /// # Errors
+    /// [`Kind::Limit`](crate::Kind::Limit) where there are more than `most` segments.
+    pub fn new(drawing: &Drawing<Solid>, style: &Style, most: u64) -> Result<Self, Diagnostic> {
+        let count = drawing.segment_count();
+        if count > u128::from(most) {
+            return Err(limit(LimitName::Segments, most, None));
+        }
+        let extent = drawing.bounds().map_or(0.0, |[low, high]| (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max));
+        let sides = match count {
+            0..=20_000 => 8,
+            20_001..=100_000 => 6,
+            _ => 4,
+        };
+        let least = 0.5 * style.min_width.max(0.1) * extent / PICTURE;
+        let mut tubes = Tubes { mesh: Self::default(), sides, least, style, last: None };
+        for segment in drawing.segments() {
+            tubes.add(&segment);
+        }
+        tubes.close();
+        Ok(tubes.mesh)
+    }
+}
+
+/// Tubes in the making.
+struct Tubes<'a> {
+    mesh: Mesh,
+    sides: u32,
+    /// No tube's radius is less.
+    least: f64,
+    style: &'a Style,
+    /// The stroke whose far end is still open.
+    last: Option<Open>,
+}
+
+/// A stroke that has its first ring.
+#[derive(Clone, Copy)]
+struct Open {
+    to: Vector,
+    /// Its direction, and a direction across it from which its corners are counted.
+    along: Vector,
+    across: Vector,
+    radius: f64,
+    colour: [u8; 3],
+    /// The first corner of its first ring.
+    ring: u32,
+}
+
+impl Tubes<'_> {
+    fn add(&mut self, segment: &Segment<Solid>) {
+        let way = minus(segment.to, segment.from);
+        let length = norm(way);
+        if !(length > 0.0 && length.is_finite()) {
+            return;
+        }
+        let along = way.map(|c| c / length);
+        let radius = (0.5 * segment.width).max(self.least);
+        let colour = self.style.colour_of(segment.colour, segment.level).rgb;
+        let gap = |last: &Open| norm(minus(segment.from, last.to));
+        let joined = self.last.filter(|last| gap(last) <= 1e-9 * length && dot(last.along, along) > SHARPEST);
+        let (across, ring) = match joined {
+            Some(last) => self.join(&last, along, radius, colour),
+            None => {
+                self.close();
+                let across = across(along);
+                let ring = self.ring(segment.from, along, across, along, radius, colour);
+                self.end(segment.from, along.map(|c| -c), radius, colour, |side| [ring + side + 1, ring + side]);
+                (across, ring)
+            }
+        };
+        self.last = Some(Open { to: segment.to, along, across, radius, colour, ring });
+    }
+
+    /// Ends a stroke where the next one goes on along `along`; returns how that one's corners are counted, and its
+    /// first ring.
+    fn join(&mut self, last: &Open, along: Vector, radius: f64, colour: [u8; 3]) -> (Vector, u32) {
+        let half = unit([0, 1, 2].map(|i| last.along[i] + along[i]));
+        let ring = self.ring(last.to, last.along, last.across, half, radius, last.colour);
+        self.wall(last.ring, ring);
+        // The corners lie on the plane across `half`; seen along the next stroke they are a circle again.
+        let on_plane = slide(last.across, last.along, half);
+        let across = slide(on_plane, along, along);
+        let across = unit(across);
+        if colour == last.colour {
+            return (across, ring);
+        }
+        (across, self.ring(last.to, along, across, half, radius, colour))
+    }
+
+    /// Closes the tube that is open.
+    fn close(&mut self) {
+        if let Some(last) = self.last.take() {
+            let ring = self.ring(last.to, last.along, last.across, last.along, last.radius, last.colour);
+            self.wall(last.ring, ring);
+            self.end(last.to, last.along, last.radius, last.colour, |side| [ring + side, ring + side + 1]);
+        }
+    }
+
+    /// The corners of a tube along `along` where it meets the plane across `plane`; returns the first of them.
+    fn ring(&mut self, at: Vector, along: Vector, across: Vector, plane: Vector, radius: f64, colour: [u8; 3]) -> u32 {
+        let first = self.mesh.positions.len() as u32;
+        let third = cross(along, across);
+        for side in 0..self.sides {
+            let (c, s) = crate::Heading::from_degrees(360.0 * f64::from(side) / f64::from(self.sides)).cos_sin();
+            let out = [0, 1, 2].map(|i| c * across[i] + s * third[i]);
+            let corner = slide(out, along, plane);
+            self.corner([0, 1, 2].map(|i| at[i] + radius * corner[i]), unit(slide(out, plane, plane)), colour);
+        }
+        first
+    }
+
+    fn corner(&mut self, at: Vector, normal: Vector, colour: [u8; 3]) {
+        self.mesh.positions.push(at.map(|c| c.clamp(-f64::from(f32::MAX), f64::from(f32::MAX)) as f32));
+        self.mesh.normals.push(normal.map(|c| c as f32));
+        self.mesh.colours.push(colour);
+    }
+
+    /// The rounded end of a tube, which points along `out`; `edge` tells two corners of its ring, the second of which
+    /// may be the one after the last.
+    fn end(&mut self, at: Vector, out: Vector, radius: f64, colour: [u8; 3], edge: impl Fn(u32) -> [u32; 2]) {
+        let middle = self.mesh.positions.len() as u32;
+        self.corner([0, 1, 2].map(|i| at[i] + ROUND * radius * out[i]), out, colour);
+        for side in 0..self.sides {
+            let [a, b] = edge(side).map(|corner| if corner == middle { middle - self.sides } else { corner });
+            self.mesh.triangles.push([a, b, middle]);
+        }
+    }
+
+    /// The side of a tube between two rings.
+    fn wall(&mut self, from: u32, to: u32) {
+        for side in 0..self.sides {
+            let next = (side + 1) % self.sides;
+            self.mesh.triangles.push([from + side, from + next, to + next]);
+            self.mesh.triangles.push([from + side, to + next, to + side]);
+        }
+    }
+}
+
+/// A vector moved along `along` until it is on the plane across `plane`.
+fn slide(vector: Vector, along: Vector, plane: Vector) -> Vector {
+    let by = dot(vector, plane) / dot(along, plane);
+    [0, 1, 2].map(|i| vector[i] - by * along[i])
+}
+
+/// Some direction across another.
+fn across(along: Vector) -> Vector {
+    // Away from the axis that it is closest to.
+    let least = (0..3).min_by(|&a, &b| along[a].abs().total_cmp(&along[b].abs())).unwrap_or(0);
+    let mut axis = [0.0; 3];
+    axis[least] = 1.0;
+    unit(cross(along, axis))
+}
+
+fn minus(a: Vector, b: Vector) -> Vector {
+    [0, 1, 2].map(|i| a[i] - b[i])
+}
+
+fn unit(vector: Vector) -> Vector {
+    let length = norm(vector);
+    vector.map(|c| c / length)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Definition, Limits, System, draw_solid};
+    use std::collections::BTreeMap;
+
+    fn mesh(axiom: &str, rules: &str, angle: f64, n: u32) -> Mesh {
+        let style = Style { width: 0.1, min_width: 0.0, ..Style::default() };
+        let definition = Definition {
+            axiom: axiom.into(),
+            rules: rules.into(),
+            angle,
+            style: style.clone(),
+            ..Definition::default()
+        };
+        let system = System::new(&definition).0.unwrap();
+        Mesh::new(&draw_solid(&system, n, &Limits::default()).unwrap(), &style, 100_000).unwrap()
+    }
+
+    /// The volume inside, which is negative where triangles face inwards.
+    fn volume(mesh: &Mesh) -> f64 {
+        let corner = |index: u32| mesh.positions[index as usize].map(f64::from);
+        mesh.triangles.iter().map(|t| dot(corner(t[0]), cross(corner(t[1]), corner(t[2]))) / 6.0).sum()
+    }
+
+    /// Every edge has a triangle on each side, places and not corners being compared.
+    fn check_closed(mesh: &Mesh) {
+        let mut edges = BTreeMap::<_, i32>::new();
+        let place = |index: u32| mesh.positions[index as usize].map(|c| (f64::from(c) * 1e5).round() as i64);
+        for t in &mesh.triangles {
+            for (a, b) in [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])] {
+                *edges.entry((place(a), place(b))).or_default() += 1;
+                *edges.entry((place(b), place(a))).or_default() -= 1;
+            }
+        }
+        assert!(edges.values().all(|&count| count == 0));
+        for (position, normal) in mesh.positions.iter().zip(&mesh.normals) {
+            assert!(position.iter().all(|c| c.is_finite()));
+            assert!((norm(normal.map(f64::from)) - 1.0).abs() < 1e-6, "{normal:?}");
+        }
+    }
+
+    #[test]
+    fn a_stroke_is_a_closed_tube() {
+        let tube = mesh("F", "", 0.0, 0);
+        check_closed(&tube);
+        assert_eq!((tube.positions.len(), tube.triangles.len()), (18, 32));
+        // A prism of eight sides, and two pyramids on its ends.
+        let base = 8.0 * 0.5 * 0.05 * 0.05 * libm::sin(core::f64::consts::FRAC_PI_4);
+        assert!((volume(&tube) - base * (1.0 + 2.0 * ROUND * 0.05 / 3.0)).abs() < 1e-8, "{}", volume(&tube));
+    }
+
+    #[test]
+    fn paths_bend_without_gaps() {
+        // Five strokes with six rings, and two ends.
+        let path = mesh("F+F&F/F-F", "", 60.0, 0);
+        check_closed(&path);
+        assert_eq!((path.positions.len(), path.triangles.len()), (6 * 8 + 2, (5 * 2 + 2) * 8));
+        // Where the halves of a bend meet, what one side loses the other gains.
+        let straight = mesh("FFFFF", "", 0.0, 0);
+        assert!((volume(&path) - volume(&straight)).abs() < 1e-6);
+        // Another colour needs a ring of its own, and what turns back is another tube.
+        assert_eq!(mesh("F'F", "", 0.0, 0).positions.len(), 4 * 8 + 2);
+        assert_eq!(mesh("F|F", "", 0.0, 0).positions.len(), 2 * 18);
+        check_closed(&mesh("F'F+'F^F[&F][/+F]!F", "", 25.7, 0));
+    }
+
+    #[test]
+    fn trees_are_meshes() {
+        let tree = mesh("A", "A -> F[&A][/+A]^!F\\'A\nF -> FF", 25.7, 5);
+        check_closed(&tree);
+        assert!(volume(&tree) > 0.0 && tree.triangles.len() > 1_000);
+        assert_eq!(mesh("A", "", 0.0, 0), Mesh::default());
+    }
+}
