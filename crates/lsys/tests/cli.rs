@@ -162,6 +162,11 @@ fn what_leaves_the_plane_is_drawn_as_it_is_seen() {
     let csv = good("draw data_in/practical-1/tree3d1.json --format csv -n 1");
     assert_eq!(csv.lines().next(), Some("x0,y0,z0,x1,y1,z1,level,colour"));
     assert_eq!(csv.lines().count(), 10 + 1);
+    let obj = good("draw data_in/practical-1/tree3d1.json --format obj -n 1");
+    assert_eq!(obj.lines().filter(|line| line.starts_with("o ")).count(), 1, "{obj}");
+    let folder = Folder::new("glb");
+    good(&format!("draw data_in/curves/koch-snowflake.json {} --format glb -n 2", folder.base("koch")));
+    assert!(std::fs::read(folder.0.join("koch.glb")).expect("is there").starts_with(b"glTF"));
     let svg = good("draw data_in/abop/2.7a.json -n 4 --format svg");
     assert!(svg.contains("<path") && !svg.contains("NaN"), "{svg}");
     expect![[r#"
