@@ -3,7 +3,7 @@
 import { button, byId, html, input, make, setText } from './dom.js';
 import { jsonOf } from './files.js';
 import { clean, definitionOf } from './state.js';
-import { TAGS, makingOf, tagsOf, tally } from './tags.js';
+import { TAGS, choose, count, makingOf, tagsOf } from './tags.js';
 
 /** @typedef {import('./state.js').Definition} Definition */
 /** @typedef {{path: string, folder: string, definition: Definition} & import('./tags.js').Sorts} Entry */
@@ -34,7 +34,7 @@ export function createGallery(engine, { pick, dress, look }) {
     /** @type {Promise<void> | null} */
     let filled = null;
     /** @type {Set<string>} */
-    const chosen = new Set();
+    let chosen = new Set();
     const chips = new Map(Object.entries(TAGS).map(([tag, meaning]) => [tag, newChip(tag, meaning)]));
 
     const seen = new IntersectionObserver(
@@ -58,14 +58,14 @@ export function createGallery(engine, { pick, dress, look }) {
 
     /** @param {string} tag @param {string} meaning */
     function newChip(tag, meaning) {
-        const count = make('span', { class: 'chip-count' });
-        const chip = make('button', { type: 'button', class: 'chip', title: meaning, 'aria-pressed': 'false' }, tag, ' ', count);
+        const many = make('span', { class: 'chip-count' });
+        const chip = make('button', { type: 'button', class: 'chip', title: meaning, 'aria-pressed': 'false' }, tag, ' ', many);
         chip.addEventListener('click', () => {
-            if (!chosen.delete(tag)) chosen.add(tag);
+            chosen = choose(chosen, tag);
             filter();
         });
         html('chips').append(chip);
-        return { chip, count };
+        return { chip, many };
     }
 
     /** @param {Entry} entry @returns {Card} */
@@ -126,13 +126,14 @@ export function createGallery(engine, { pick, dress, look }) {
     function filter() {
         const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
         const worded = [...cards.values()].filter(({ words: own }) => words.every((word) => own.includes(word)));
-        const counts = tally(worded.map(({ tags }) => tags), chosen);
-        for (const [tag, { chip, count }] of chips) {
+        const tagged = worded.map(({ tags }) => tags);
+        for (const [tag, { chip, many }] of chips) {
             const pressed = chosen.has(tag);
             chip.setAttribute('aria-pressed', String(pressed));
-            chip.classList.toggle('barren', !pressed && !counts.get(tag));
+            const number = count(tagged, pressed ? chosen : choose(chosen, tag));
+            chip.classList.toggle('barren', number === 0);
             chip.hidden = ![...cards.values()].some(({ tags }) => tags.includes(tag));
-            setText(count, String(counts.get(tag)));
+            setText(many, String(number));
         }
         const shown = new Set(worded.filter(({ tags }) => [...chosen].every((tag) => tags.includes(tag))));
         for (const card of cards.values()) card.card.hidden = !shown.has(card);

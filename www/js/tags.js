@@ -2,7 +2,7 @@
 
 /** @typedef {{kinds: string[], solid: boolean, memoised: boolean, blocks: number}} Sorts */
 
-/** All tags, in groups of which one system has one at most, but for the kinds. */
+/** All tags, and what they mean. */
 export const TAGS = Object.freeze({
     deterministic: 'Nothing is left to chance',
     stochastic: 'Chance decides between productions',
@@ -32,17 +32,29 @@ export function makingOf({ memoised, blocks }) {
     return blocks === 1 ? 'one piece' : `${blocks} shared pieces`;
 }
 
+/** A system has one of each of these: who chooses one gives up the other. */
+const EITHER = [
+    ['2D', '3D'],
+    ['shared pieces', 'symbol by symbol'],
+];
+
 /**
- * How many of these have all the chosen tags and one more, for each tag.
+ * The chosen tags with one more, or without it if it was chosen.
+ * @param {ReadonlySet<string>} chosen
+ * @param {string} tag
+ * @returns {Set<string>}
+ */
+export function choose(chosen, tag) {
+    if (chosen.has(tag)) return new Set([...chosen].filter((each) => each !== tag));
+    const rivals = EITHER.find((pair) => pair.includes(tag)) ?? [];
+    return new Set([...[...chosen].filter((each) => !rivals.includes(each)), tag]);
+}
+
+/**
+ * How many of these have all the chosen tags.
  * @param {readonly string[][]} tagged the tags of each
  * @param {ReadonlySet<string>} chosen
- * @returns {Map<string, number>}
  */
-export function tally(tagged, chosen) {
-    const counts = new Map(Object.keys(TAGS).map((tag) => [tag, 0]));
-    for (const own of tagged) {
-        if (![...chosen].every((tag) => own.includes(tag))) continue;
-        for (const tag of own) counts.set(tag, (counts.get(tag) ?? 0) + 1);
-    }
-    return counts;
+export function count(tagged, chosen) {
+    return tagged.filter((own) => [...chosen].every((tag) => own.includes(tag))).length;
 }

@@ -154,6 +154,15 @@ test('the gallery says what sort each system is, and filters by it', () =>
         for (const kind of await page.locator('.card:visible .card-kind').allTextContents()) assert.match(kind, /stochastic|symbol by symbol|piece/);
         assert.equal(await page.getAttribute('.chip:has-text("stochastic")', 'aria-pressed'), 'true');
         await page.click('.chip:has-text("stochastic")');
+        // A system is drawn in the plane or in space: one of them at a time.
+        await page.click('.chip:has-text("2D")');
+        const flat = await shown();
+        await page.click('.chip:has-text("3D")');
+        assert.equal(await page.getAttribute('.chip:has-text("2D")', 'aria-pressed'), 'false');
+        const solid = await shown();
+        assert.ok(solid > 3 && flat + solid === all, `${flat} + ${solid} = ${all}`);
+        await page.click('.chip:has-text("3D")');
+        assert.equal(await shown(), all);
         await page.fill('#search', 'algorithmic beauty');
         const abop = await shown();
         assert.ok(abop > 10 && abop < all);
