@@ -47,7 +47,7 @@ const view = {
 };
 
 /** Key in the link, field of the state, form of its value; in the order of writing. @type {[string, keyof State, Form][]} */
-const KEYS = [
+export const KEYS = [
     ['title', 'title', text],
     ['axiom', 'axiom', text],
     ['rules', 'rules', text],

@@ -10,6 +10,7 @@ import { createHover } from './hover.js';
 import { hasInk, houseInk, isDark } from './inks.js';
 import { createMarks } from './marks.js';
 import { followNotation } from './notation.js';
+import { keepOffline } from './offline.js';
 import { opening } from './opening.js';
 import { bestLink, openLink } from './packed.js';
 import { constantsPanel } from './panels/constants-panel.js';
@@ -108,6 +109,7 @@ session.follow(store);
 if (left && !link) showAddress();
 show(store.state, null);
 greet();
+keepOffline();
 
 /** @param {Readonly<State>} state @param {Readonly<State> | null} before */
 function show(state, before) {

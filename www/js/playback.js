@@ -20,9 +20,9 @@ const briefly = (count) => (count < 10n ** 12n ? grouped(String(count)) : shortT
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{turtle: (pose: {at: [number, number], heading: number} | null) => void}} page
+ * @param {{turtle: (pose: {at: [number, number], heading: number} | null) => void, offered?: () => boolean}} page
  */
-export function createPlayback(engine, { turtle }) {
+export function createPlayback(engine, { turtle, offered = () => true }) {
     const bar = html('playback');
     const toggle = button('open-playback');
     const play = button('play');
@@ -149,7 +149,7 @@ export function createPlayback(engine, { turtle }) {
     });
     play.addEventListener('click', turn);
     html('drawing').addEventListener('keydown', (event) => {
-        if (event.key !== ' ' || event.ctrlKey || event.metaKey || event.altKey) return;
+        if (event.key !== ' ' || !offered() || event.ctrlKey || event.metaKey || event.altKey) return;
         event.preventDefault();
         if (event.repeat) return;
         if (!open) setOpen(true);
@@ -213,6 +213,17 @@ export function createPlayback(engine, { turtle }) {
         /** How many segments are shown; null for all. */
         get upto() {
             return upto;
+        },
+
+        /** Plays on, or pauses. @param {boolean} on */
+        turn(on) {
+            if (on === playing || (on && !offered())) return;
+            if (on && !open) setOpen(true);
+            turn();
+        },
+
+        close() {
+            if (open) setOpen(false);
         },
 
         /** Another drawing comes: back to the whole picture. */

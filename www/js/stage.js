@@ -24,8 +24,10 @@ const SLOW_MS = 300;
  * @param {import('./store.js').Store} store
  * @param {import('./engine.js').Engine} engine
  * @param {{look: (sight: import('./marks.js').Sight) => void}} marks what moves with the picture
+ * @param {{takes?: (event: PointerEvent | WheelEvent) => boolean, keys?: () => readonly ('angle' | 'iterations')[]}} [page]
+ *   `takes` tells which gestures are the drawing's, rather than of the page it stands in; `keys` what arrows change
  */
-export function createStage(store, engine, marks) {
+export function createStage(store, engine, marks, { takes = () => true, keys = () => ['angle', 'iterations'] } = {}) {
     const frame = html('stage');
     const canvas = byId('drawing', HTMLCanvasElement);
     const context = /** @type {ImageBitmapRenderingContext} */ (canvas.getContext('bitmaprenderer', { alpha: false }));
@@ -106,6 +108,7 @@ export function createStage(store, engine, marks) {
     button('zoom-out').addEventListener('click', () => zoom(1 / ZOOM_STEP));
 
     gestures(canvas, {
+        takes,
         drag: (dx, dy) => look(pan(view(), dx, dy, scale())),
         zoom: (factor, x, y) => {
             const box = frame.getBoundingClientRect();
@@ -128,6 +131,7 @@ export function createStage(store, engine, marks) {
         const by = PAN_STEP * Math.min(size.width, size.height);
         if (arrow && shiftKey) return () => look(pan(view(), -(arrow[0] ?? 0) * by, (arrow[1] ?? 0) * by, scale()));
         const turn = altKey ? 0.1 : 1;
+        if (arrow && !keys().includes(arrow[0] ? 'angle' : 'iterations')) return undefined;
         const { angle, iterations } = store.state;
         switch (key) {
             case 'ArrowLeft':
@@ -187,14 +191,14 @@ export function createStage(store, engine, marks) {
 /**
  * Pointer, wheel and pinch, as drags and zooms in client coordinates.
  * @param {HTMLElement} element
- * @param {{drag: (dx: number, dy: number) => void, zoom: (factor: number, x: number, y: number) => void, fit: () => void}} act
+ * @param {{takes: (event: PointerEvent | WheelEvent) => boolean, drag: (dx: number, dy: number) => void, zoom: (factor: number, x: number, y: number) => void, fit: () => void}} act
  */
-function gestures(element, { drag, zoom, fit }) {
+function gestures(element, { takes, drag, zoom, fit }) {
     /** @type {Map<number, {x: number, y: number}>} */
     const pointers = new Map();
 
     element.addEventListener('pointerdown', (event) => {
-        if (event.button !== 0) return;
+        if (event.button !== 0 || !takes(event)) return;
         element.setPointerCapture(event.pointerId);
         pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
         element.classList.add('held');
@@ -222,6 +226,7 @@ function gestures(element, { drag, zoom, fit }) {
     element.addEventListener(
         'wheel',
         (event) => {
+            if (!takes(event)) return;
             event.preventDefault();
             const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1);
             // A pinch on a track pad arrives as a wheel with Ctrl held, in much smaller steps.

@@ -155,6 +155,15 @@ export function clean(values, base = DEFAULTS) {
 }
 
 /**
+ * The nearest valid value of a field, or undefined where there is none.
+ * @param {keyof State} field
+ * @param {unknown} value
+ */
+export function cleanField(field, value) {
+    return CLEAN[field](value);
+}
+
+/**
  * What the worker, files and the gallery know of a state: all but the view.
  * @param {Readonly<State>} state
  * @returns {Definition}

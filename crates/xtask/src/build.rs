@@ -1,7 +1,7 @@
 //! `cargo xtask build`: the page, the worker and the wasm in one folder that any static host can serve.
 
 use crate::workspace::{Workspace, run};
-use crate::{bindgen, files, gallery, one_file, tools};
+use crate::{bindgen, files, gallery, include, offline, one_file, tools};
 use anyhow::{Context, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -28,7 +28,10 @@ struct Whole {
     more: &'static [&'static str],
 }
 
-const WHOLE: [Whole; 1] = [Whole { page: "index.html", file: "playground.html", kit: &FULL, more: &["gallery.json"] }];
+const WHOLE: [Whole; 2] = [
+    Whole { page: "index.html", file: "playground.html", kit: &FULL, more: &["gallery.json"] },
+    Whole { page: "embed.html", file: "embed.html", kit: &FIRST, more: &[] },
+];
 
 /// Builds everything and puts it in place of `dist/` at once: whoever reads `dist/` finds the old site or the new one.
 pub(crate) fn build(workspace: &Workspace) -> Result<()> {
@@ -43,11 +46,14 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     }
     let gallery = gallery::gallery(&workspace.root.join("data_in"))?;
     files::write(&site.join("gallery.json"), gallery.to_string())?;
+    let (index, embed) = ("index.html", site.join("embed.html"));
+    files::write(&embed, include::include(&files::read_text(&embed)?, index, &files::read_text(&site.join(index))?)?)?;
     for Whole { page, file, kit, more } in WHOLE {
         let carried = [&[kit.worker, kit.wasm], more].concat();
         let text = one_file::one_file(&site, page, &carried)?;
         files::write(&site.join(file), text)?;
     }
+    offline::list_files(&site)?;
     replace(&site, &workspace.dist(), &new.path().join("old"))
 }
 

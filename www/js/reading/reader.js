@@ -356,6 +356,8 @@ export function createReader(engine, { mark, opened }) {
             return open;
         },
 
+        close: () => setOpen(false),
+
         /** @param {import('../state.js').State} state @param {import('../state.js').State | null} before */
         show(state, before) {
             const grown = iterations !== state.iterations;

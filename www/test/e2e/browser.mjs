@@ -34,11 +34,12 @@ export async function close() {
 
 /**
  * Opens the page, or the one at `address`, lets `use` work with it, and checks that nothing went wrong on the way
- * but what the test brings about: `expected` lines of the console.
- * @param {{address?: string, hash?: string, expected?: RegExp, options?: import('playwright-core').BrowserContextOptions, before?: (page: Page) => Promise<unknown>}} how
+ * but what the test brings about: `expected` lines of the console. `also` names another address that may be asked, and
+ * `drawing` the element that tells that the drawing is there, or null.
+ * @param {{address?: string, also?: string, drawing?: string | null, hash?: string, expected?: RegExp, options?: import('playwright-core').BrowserContextOptions, before?: (page: Page) => Promise<unknown>}} how
  * @param {(page: Page) => Promise<unknown>} use
  */
-export async function withPage({ address = ADDRESS, hash = '', expected, options = DESKTOP, before }, use) {
+export async function withPage({ address = ADDRESS, also = address, drawing = '#stage.inked', hash = '', expected, options = DESKTOP, before }, use) {
     const context = await (await launch()).newContext({ reducedMotion: 'reduce', acceptDownloads: true, ...options });
     try {
         const page = await context.newPage();
@@ -48,11 +49,11 @@ export async function withPage({ address = ADDRESS, hash = '', expected, options
         page.on('pageerror', (error) => wrong.push(String(error)));
         page.on('request', (request) => {
             const url = request.url();
-            if (!url.startsWith(address) && !/^(blob|data):/.test(url)) wrong.push(`a request left the site: ${url}`);
+            if (!url.startsWith(address) && !url.startsWith(also) && !/^(blob|data):/.test(url)) wrong.push(`a request left the site: ${url}`);
         });
         await before?.(page);
         await page.goto(address + hash);
-        await page.waitForSelector('#stage.inked');
+        if (drawing) await page.waitForSelector(drawing);
         await use(page);
         assert.deepEqual(wrong, []);
     } finally {
@@ -84,7 +85,7 @@ export async function until(check, what, patience = 8000) {
 
 /**
  * The picture as it is on the canvas: a digest of its pixels, and the part of them that is not background.
- * @param {Page} page
+ * @param {Page | import('playwright-core').Frame} page
  * @returns {Promise<{digest: string, ink: number, width: number, height: number}>}
  */
 export function picture(page) {

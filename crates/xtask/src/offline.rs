@@ -1,0 +1,63 @@
+//! The list of files that the page keeps for use without a network, written in front of its service worker.
+
+use crate::files;
+use anyhow::{Context, Result};
+use serde_json::{Map, Value};
+use sha2::{Digest, Sha256};
+use std::fmt::Write as _;
+use std::path::Path;
+
+const WORKER: &str = "service-worker.js";
+/// Of no use without a network, or large and the same again.
+const LEFT_OUT: [&str; 2] = [WORKER, "playground.html"];
+
+/// Completes the service worker in the folder of the site, whose other files are in place.
+pub(crate) fn list_files(site: &Path) -> Result<()> {
+    let mut hashes = Map::new();
+    for file in files::list(site, |_| true)? {
+        let path = file.strip_prefix(site)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
+        if LEFT_OUT.contains(&&*path) {
+            continue;
+        }
+        let hash = hex(&Sha256::digest(files::read(&file)?));
+        // Some hosts answer only to the folder.
+        hashes.insert(if path == "index.html" { String::new() } else { path }, hash.into());
+    }
+    let list = Value::Object(hashes).to_string();
+    let worker = site.join(WORKER);
+    let text = files::read_text(&worker)?;
+    // The worker itself is of the version, too: another one is another version.
+    let build = &hex(&Sha256::digest(format!("{list}{text}")))[..16];
+    files::write(&worker, format!("const BUILD = \"{build}\";\nconst FILES = {list};\n{text}"))
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_all_files_by_their_hashes() {
+        let folder = tempfile::tempdir().unwrap();
+        let site = folder.path();
+        for (name, text) in [("index.html", ""), ("js/a.js", "abc"), ("playground.html", "x"), (WORKER, "work()")] {
+            files::write(&site.join(name), text).unwrap();
+        }
+        list_files(site).unwrap();
+        let worker = files::read_text(&site.join(WORKER)).unwrap();
+        // The first two are published examples of SHA-256.
+        let list = "const FILES = {\"\":\"e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855\",\
+                    \"js/a.js\":\"ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad\"};\nwork()";
+        assert!(worker.starts_with("const BUILD = \"") && worker.ends_with(list), "{worker}");
+        files::write(&site.join(WORKER), "work()").unwrap();
+        files::write(&site.join("js/a.js"), "abd").unwrap();
+        list_files(site).unwrap();
+        assert_ne!(files::read_text(&site.join(WORKER)).unwrap()[..40], worker[..40]);
+    }
+}

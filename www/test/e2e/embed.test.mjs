@@ -1,0 +1,356 @@
+/** The drawing in other people's pages: a frame, a sandbox, an element, a file. The host is another site. */
+
+import assert from 'node:assert/strict';
+import { copyFile, mkdtemp, rm } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { ADDRESS, DESKTOP, PHONE, close, picture, until, withPage } from './browser.mjs';
+
+/** @typedef {import('playwright-core').Page} Page */
+/** @typedef {import('playwright-core').Frame} Frame */
+
+const WEED = 'v=1&title=Weed&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%5B-F%5DF&n=4&angle=25';
+const ELEMENT = `<script src="${ADDRESS}l-system.js"></script>`;
+
+/** What the host serves, by path. @type {Map<string, string>} */
+const pages = new Map();
+const server = createServer((request, response) => {
+    const page = pages.get(String(request.url));
+    response.writeHead(page === undefined ? 404 : 200, { 'content-type': 'text/html; charset=utf-8' });
+    response.end(page);
+});
+let host = '';
+let folder = '';
+
+before(async () => {
+    await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
+    const address = server.address();
+    // By another name than the playground's: not only another origin, but another site.
+    host = `http://localhost:${typeof address === 'object' ? address?.port : ''}/`;
+    folder = await mkdtemp(join(tmpdir(), 'on a stick ü '));
+    await copyFile(new URL('../../../dist/embed.html', import.meta.url), join(folder, 'embed.html'));
+});
+after(async () => {
+    await close();
+    server.close();
+    await rm(folder, { recursive: true });
+});
+
+/**
+ * Opens a page of another site with this body.
+ * @param {string} body
+ * @param {(page: Page) => Promise<unknown>} use
+ * @param {{options?: import('playwright-core').BrowserContextOptions, expected?: RegExp, head?: string}} [how]
+ */
+function withHost(body, use, { options = DESKTOP, expected, head = '' } = {}) {
+    const path = `/${pages.size}`;
+    pages.set(path, `<!doctype html><html lang="en"><title>Host</title><link rel="icon" href="data:,">${head}<style>iframe, l-system { display: block; width: 600px; max-width: 100%; height: 400px; border: 0; aspect-ratio: auto }</style><body>${body}</body></html>`);
+    return withPage({ address: host, hash: path.slice(1), also: ADDRESS, drawing: null, options, expected }, use);
+}
+
+/** @param {string} hash @param {string} [more] attributes */
+const frameOf = (hash, more = '') => `<iframe title="A drawing" src="${ADDRESS}embed.html#${hash.replaceAll('&', '&amp;')}" ${more}></iframe>`;
+
+/** The frame with a drawing in it. @param {Page} page @param {number} [index] @returns {Promise<Frame>} */
+function drawn(page, index = 0) {
+    return until(async () => {
+        const frame = embedded(page)[index];
+        const rests = await frame?.evaluate(() => document.querySelector('#stage.inked')?.getAttribute('aria-busy') === 'false');
+        return rests ? frame : null;
+    }, 'the drawing comes to rest');
+}
+
+/** The frames that have begun to load. @param {Page} page */
+const embedded = (page) => page.frames().filter((frame) => frame.url().includes('embed.html'));
+
+/** Waits for another picture. @param {Frame} frame @param {{digest: string}} before */
+const changes = (frame, before) => until(async () => (await picture(frame)).digest !== before.digest && (await frame.getAttribute('#stage', 'aria-busy')) === 'false', 'the picture changes');
+
+/** Behind an element: collects what it says. */
+const LISTEN = `<script>
+    var heard = [];
+    for (const kind of ['ready', 'change', 'error']) document.querySelector('l-system').addEventListener(kind, ({ detail }) => heard.push([kind, detail]));
+</script>`;
+/** @param {Page} page @returns {Promise<[string, any][]>} */
+const heard = (page) => page.evaluate(() => /** @type {any} */ (window).heard);
+
+test('a frame draws, names itself, and shows the controls that were asked for and no others', () =>
+    withHost(frameOf(`${WEED}&controls=n,angle`) + frameOf(WEED), async (page) => {
+        const [first, second] = [await drawn(page), await drawn(page, 1)];
+        assert.ok((await picture(first)).ink > 0.002);
+        assert.equal(await first.title(), 'Weed – L-system');
+        assert.equal(await first.getAttribute('#drawing', 'aria-label'), 'Drawing: Weed');
+        await until(async () => ((await first.textContent('#description')) ?? '').length > 10, 'the drawing is described');
+        const shown = async (/** @type {Frame} */ frame) => Object.fromEntries(await Promise.all(['#iterations', '#angle', '#right', '#rules', '#open-reader', '#open-playback', '#reset', '#open'].map(async (name) => [name, await frame.isVisible(name)])));
+        assert.deepEqual(await shown(first), { '#iterations': true, '#angle': true, '#right': false, '#rules': false, '#open-reader': false, '#open-playback': false, '#reset': true, '#open': true });
+        assert.deepEqual(await shown(second), { '#iterations': false, '#angle': false, '#right': false, '#rules': false, '#open-reader': false, '#open-playback': false, '#reset': false, '#open': true });
+        // Keys change what controls change.
+        const before = await picture(second);
+        await second.focus('#drawing');
+        await page.keyboard.press('ArrowUp');
+        await page.keyboard.press('ArrowRight');
+        await page.keyboard.press('Shift+ArrowRight');
+        await changes(second, before);
+        assert.match((await second.textContent('#caption-text')) ?? '', /^n = 4, 25°/);
+        await first.focus('#drawing');
+        await page.keyboard.press('ArrowUp');
+        await until(async () => /^n = 5/.test((await first.textContent('#caption-text')) ?? ''), 'one iteration more');
+        await first.fill('#angle', '30');
+        await until(async () => /30°/.test((await first.textContent('#caption-text')) ?? ''), 'another angle');
+        await first.click('#reset');
+        await until(async () => /^n = 4, 25°/.test((await first.textContent('#caption-text')) ?? ''), 'as it was embedded');
+    }));
+
+test('string and playback work in a frame', () =>
+    withHost(frameOf(`${WEED}&controls=string,play,rules`, 'style="height: 700px"'), async (page) => {
+        const frame = await drawn(page);
+        const whole = await picture(frame);
+        await frame.click('#open-reader');
+        await until(async () => /F/.test((await frame.textContent('#reader-text')) ?? ''), 'the string is shown');
+        await frame.click('#close-reader');
+        await frame.click('#open-playback');
+        await frame.click('#play');
+        await frame.fill('#play-place', '5');
+        await frame.press('#play-place', 'Enter');
+        await until(async () => { const now = await picture(frame); return now.ink > 0 && now.ink < whole.ink / 2; }, 'five segments are drawn');
+        await frame.click('#close-playback');
+        await frame.fill('#rules', 'F -> FF');
+        await until(async () => /16 segments/.test((await frame.textContent('#caption-text')) ?? ''), 'the edited rules are drawn');
+    }));
+
+test('the wheel scrolls the page until the drawing has the focus', () =>
+    withHost(`${frameOf(WEED)}<p style="height: 3000px">text</p>`, async (page) => {
+        const frame = await drawn(page);
+        await page.mouse.move(300, 200);
+        await page.mouse.wheel(0, 100);
+        await until(() => page.evaluate(() => scrollY > 50), 'the page scrolls');
+        assert.equal(await frame.evaluate(() => document.querySelector('#zoom')?.textContent?.includes('100')), true);
+        await page.evaluate(() => scrollTo(0, 0));
+        const before = await picture(frame);
+        await page.mouse.click(300, 200);
+        await page.mouse.wheel(0, -300);
+        await changes(frame, before);
+        assert.equal(await page.evaluate(() => scrollY), 0);
+        // Escape gives the wheel back.
+        await page.keyboard.press('Escape');
+        await page.mouse.wheel(0, 100);
+        await until(() => page.evaluate(() => scrollY > 50), 'the page scrolls again');
+    }));
+
+test('a finger scrolls the page over a drawing that was not tapped', () =>
+    withHost(
+        `<meta name="viewport" content="width=device-width">${frameOf(WEED)}<p style="height: 3000px">text</p>`,
+        async (page) => {
+            const frame = await drawn(page);
+            const action = () => frame.evaluate(() => getComputedStyle(/** @type {Element} */ (document.querySelector('#drawing'))).touchAction);
+            assert.equal(await action(), 'pan-x pan-y');
+            const before = await picture(frame);
+            const session = await page.context().newCDPSession(page);
+            const touch = (/** @type {'touchStart' | 'touchMove' | 'touchEnd'} */ type, /** @type {number[]} */ ...ys) => session.send('Input.dispatchTouchEvent', { type, touchPoints: ys.map((y) => ({ x: 150, y })) });
+            await touch('touchStart', 250);
+            for (let y = 240; y >= 100; y -= 10) await touch('touchMove', y);
+            await touch('touchEnd');
+            await until(() => page.evaluate(() => scrollY > 50), 'the page scrolls');
+            assert.equal((await picture(frame)).digest, before.digest);
+            await page.evaluate(() => scrollTo(0, 0));
+            await page.tap('iframe', { position: { x: 150, y: 200 } });
+            await until(async () => (await action()) === 'none', 'the drawing takes the finger');
+        },
+        { options: PHONE },
+    ));
+
+test('a sandbox without an origin, storage or popups', () =>
+    withHost(
+        frameOf(`${WEED}&controls=n,angle,rules,string,play`, 'sandbox="allow-scripts"'),
+        async (page) => {
+            const frame = await drawn(page);
+            assert.equal(await frame.evaluate(() => self.origin), 'null');
+            const before = await picture(frame);
+            await frame.fill('#iterations', '3');
+            await changes(frame, before);
+            await frame.click('#open');
+            await frame.waitForSelector('#away:visible');
+            const address = await frame.inputValue('#away-address');
+            assert.ok(address.startsWith(`${ADDRESS}#v=1&title=Weed`) && address.includes('&n=3'), address);
+            assert.equal(await frame.evaluate(() => document.activeElement?.id), 'away-address');
+        },
+        { expected: /Blocked opening/ },
+    ));
+
+test('the playground opens with what the visitor has made of it', () =>
+    withHost(frameOf(`${WEED}&controls=n`), async (page) => {
+        const frame = await drawn(page);
+        await frame.fill('#iterations', '3');
+        await until(async () => (await frame.getAttribute('#open', 'href'))?.includes('&n=3'), 'the address follows');
+        const [opened] = await Promise.all([page.context().waitForEvent('page'), frame.click('#open')]);
+        await opened.waitForSelector('#stage.inked');
+        assert.ok(opened.url().startsWith(`${ADDRESS}#v=1`), opened.url());
+        assert.equal(await opened.inputValue('#iterations'), '3');
+        assert.equal(await opened.textContent('#specimen-title'), 'Weed');
+        assert.equal(await opened.evaluate(() => window.opener), null);
+    }));
+
+test('mistakes are told in words', () =>
+    withHost(frameOf('v=1&axiom=F&rules=F%20%3D%20FF&n=3') + frameOf('') + frameOf('v=1&axiom=F&rules=F%20-%3E%20FF&n=2&angle=x'), async (page) => {
+        const all = await until(() => { const frames = embedded(page); return frames.length === 3 && frames; }, 'three frames');
+        const [wrong, nothing, damaged] = /** @type {[Frame, Frame, Frame]} */ (all);
+        await until(async () => /->/.test((await wrong.textContent('#mistake')) ?? '') && (await wrong.isVisible('#mistake')), 'the wrong arrow');
+        assert.match((await nothing.textContent('#mistake')) ?? '', /no drawing in the address/);
+        await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
+        await damaged.waitForSelector('#stage.inked');
+        assert.match((await damaged.textContent('#toast')) ?? '', /“angle”/);
+    }));
+
+test('a drawing out of sight waits, and stops playing when it is scrolled away', () =>
+    withHost(`${frameOf(WEED)}<p style="height: 6000px">text</p>${frameOf(`${WEED}&controls=play`)}`, async (page) => {
+        await drawn(page);
+        const far = await until(() => embedded(page)[1], 'the second frame');
+        await far.waitForSelector('#app');
+        await new Promise((resolve) => setTimeout(resolve, 400));
+        assert.equal(page.workers().length, 1);
+        assert.equal(await far.locator('#stage.inked').count(), 0);
+        await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
+        await drawn(page, 1);
+        assert.equal(page.workers().length, 2);
+        await far.click('#open-playback');
+        await until(async () => (await far.getAttribute('#play', 'aria-label')) === 'Pause', 'it plays');
+        await page.evaluate(() => scrollTo(0, 0));
+        await until(async () => (await far.getAttribute('#play', 'aria-label')) === 'Play', 'it pauses');
+    }));
+
+test('a frame from a disk', () =>
+    withPage({ address: pathToFileURL(join(folder, 'embed.html')).href, hash: `#${WEED}&controls=n`, drawing: '#stage.inked' }, async (page) => {
+        assert.ok((await picture(page)).ink > 0.001);
+        await page.fill('#iterations', '3');
+        await until(async () => (await page.getAttribute('#open', 'href'))?.includes('playground.html#v=1'), 'the playground is the file beside it');
+    }));
+
+test('on paper there are picture and system, and no controls', () =>
+    withPage({ address: `${ADDRESS}embed.html`, hash: `#${WEED}&controls=n,angle,rules,string,play`, options: { viewport: { width: 600, height: 400 } } }, async (page) => {
+        await page.emulateMedia({ media: 'print' });
+        for (const name of ['#panel', '.tools-read', '.tools-view']) assert.equal(await page.isVisible(name), false, name);
+        assert.match((await page.textContent('#sheet')) ?? '', /AxiomFProductionsF -> F\[\+F\]F\[-F\]F/);
+        const box = (await page.locator('#drawing').boundingBox()) ?? { height: 0, y: -1 };
+        const sheet = (await page.locator('#sheet').boundingBox()) ?? { y: 0, height: 0 };
+        assert.ok(box.height > 200 && box.y >= 0 && sheet.y >= box.y + box.height - 1 && sheet.y + sheet.height <= 401, JSON.stringify({ box, sheet }));
+        assert.ok((await page.pdf()).length > 2000);
+    }));
+
+test('an element draws from attributes and text, and they can be changed', () =>
+    withHost(
+        `<l-system caption="Weed" axiom="F" angle="25" n="4" controls="n" stroke="0.2">
+            F -&gt; F[+F]F[-F]F
+        </l-system>${LISTEN}`,
+        async (page) => {
+            const frame = await drawn(page);
+            assert.equal(await page.evaluate(() => document.querySelector('l-system')?.shadowRoot?.querySelector('iframe')?.title), 'L-system: Weed');
+            await until(async () => (await heard(page)).some(([kind]) => kind === 'ready'), 'it is ready');
+            const [, ready] = /** @type {[string, any]} */ ((await heard(page)).find(([kind]) => kind === 'ready'));
+            assert.equal(ready.values.rules, 'F -> F[+F]F[-F]F');
+            assert.equal(ready.values.width, 0.2);
+            assert.equal(ready.segments, '625');
+            assert.match(ready.link, /^#v=1&title=Weed&axiom=F/);
+
+            let before = await picture(frame);
+            await page.evaluate(() => document.querySelector('l-system')?.setAttribute('angle', '40'));
+            await changes(frame, before);
+            before = await picture(frame);
+            await page.evaluate(() => { const element = document.querySelector('l-system'); if (element) element.textContent = 'F -> F[+F]F'; });
+            await changes(frame, before);
+            await page.evaluate(() => document.querySelector('l-system')?.setAttribute('controls', 'angle,string'));
+            await until(async () => !(await frame.isVisible('#iterations')) && (await frame.isVisible('#angle')) && (await frame.isVisible('#open-reader')), 'other controls');
+            const told = (await heard(page)).filter(([kind]) => kind === 'change').map(([, detail]) => [detail.by, detail.values.angle, detail.values.rules]);
+            assert.deepEqual(told, [['host', 40, 'F -> F[+F]F[-F]F'], ['host', 40, 'F -> F[+F]F']]);
+
+            await frame.fill('#angle', '10');
+            await until(async () => (await heard(page)).some(([kind, detail]) => kind === 'change' && detail.by === 'visitor' && detail.values.angle === 10), 'the visitor is told of');
+            assert.equal(await page.evaluate(() => /** @type {any} */ (document.querySelector('l-system')).values.angle), 10);
+            const now = await page.evaluate(() => /** @type {any} */ (document.querySelector('l-system')).get());
+            assert.ok(now.values.angle === 10 && now.description.length > 10 && now.segments === '81', JSON.stringify(now));
+            await page.evaluate(() => /** @type {any} */ (document.querySelector('l-system')).reset());
+            await until(async () => (await frame.inputValue('#angle')) === '40', 'back to what the page says');
+            await page.evaluate(() => document.querySelector('l-system')?.removeAttribute('angle'));
+            await until(async () => (await frame.inputValue('#angle')) === '0', 'what is no longer said has its default');
+            assert.equal(await page.evaluate(() => history.length), 2);
+        },
+        { head: ELEMENT },
+    ));
+
+test('an element tells mistakes, opens links, plays, moves and starts again', () =>
+    withHost(
+        `<l-system axiom="F" n="3" controls="play"><pre>F = FF</pre></l-system><div id="elsewhere"></div>${LISTEN}`,
+        async (page) => {
+            await until(async () => (await heard(page)).some(([kind, { problems }]) => kind === 'error' && problems[0]?.field === 'rules' && /->/.test(problems[0].hint)), 'the mistake and its place');
+            await page.evaluate((link) => /** @type {any} */ (document.querySelector('l-system')).open(`https://example.org/play/#${link}`), WEED);
+            const frame = await drawn(page);
+            assert.equal(await frame.isVisible('#mistake'), false);
+            await page.evaluate(() => /** @type {any} */ (document.querySelector('l-system')).set({ n: 5, angle: 'wide', colour: 'level', other: 1 }));
+            await until(async () => (await heard(page)).some(([kind, { message }]) => kind === 'error' && /“angle”/.test(message) && /“other”/.test(message)), 'what cannot be set');
+            await until(async () => /^n = 5, 25°/.test((await frame.textContent('#caption-text')) ?? ''), 'and what can');
+            await page.evaluate(() => /** @type {any} */ (document.querySelector('l-system')).play());
+            await until(async () => (await frame.getAttribute('#play', 'aria-label')) === 'Pause', 'it plays');
+            await page.evaluate(() => /** @type {any} */ (document.querySelector('l-system')).pause());
+            await until(async () => (await frame.getAttribute('#play', 'aria-label')) === 'Play', 'it pauses');
+            await page.evaluate(() => {
+                const element = document.querySelector('l-system');
+                if (!element) return;
+                const pre = element.querySelector('pre');
+                if (pre) pre.textContent = 'F -> FF';
+                document.querySelector('#elsewhere')?.append(element);
+            });
+            const moved = await drawn(page);
+            await until(async () => /8 segments/.test((await moved.textContent('#caption-text')) ?? ''), 'what it says is drawn anew');
+        },
+        { head: ELEMENT },
+    ));
+
+test('without JavaScript the element shows what it holds', () =>
+    withHost(
+        '<l-system axiom="F"><pre>F -&gt; FF</pre></l-system>',
+        async (page) => {
+            assert.equal(await page.isVisible('pre'), true);
+            assert.equal(page.frames().length, 1);
+        },
+        { head: ELEMENT, options: { ...DESKTOP, javaScriptEnabled: false } },
+    ));
+
+test('a frame hears its holder and nobody else, and answers only whom it knows', () =>
+    withHost(`${frameOf(`${WEED}&host=https%3A%2F%2Fexample.org`)}${frameOf(WEED)}<script>
+        var heard = [];
+        addEventListener('message', (event) => heard.push([event.source === frames[0] ? 0 : 1, event.data]));
+    </script>`, async (page) => {
+        const [strict, open] = [await drawn(page), await drawn(page, 1)];
+        const kinds = async (/** @type {number} */ which) => (await heard(page)).filter(([from]) => Number(from) === which).map(([, data]) => data.lsystem);
+        assert.ok((await kinds(1)).every((kind) => kind === 'hello'));
+        const say = (/** @type {number} */ which, /** @type {unknown} */ message) => page.evaluate(([to, what]) => window.frames[Number(to)]?.postMessage(what, '*'), [which, message]);
+        for (const junk of [null, 'set', 7, {}, { lsystem: 'toString' }, { lsystem: 'constructor' }, { lsystem: 'set' }, { lsystem: 'set', values: null }, { lsystem: 'open', link: 5 }, { lsystem: 'set', values: { __proto__: null, constructor: 1 } }]) await say(1, junk);
+        await say(0, { lsystem: 'set', values: { n: 2 } });
+        await say(1, { lsystem: 'set', values: { n: 2 } });
+        await say(1, { lsystem: 'get', id: 'mine' });
+        await until(async () => (await kinds(1)).includes('state'), 'an answer');
+        const answer = (await heard(page)).map(([, data]) => data).find(({ lsystem }) => lsystem === 'state');
+        assert.ok(answer.id === 'mine' && answer.values.n === 2, JSON.stringify(answer));
+        assert.ok((await kinds(1)).includes('ready'));
+        await until(async () => /^n = 2/.test((await open.textContent('#caption-text')) ?? ''), 'the one changes');
+        assert.match((await strict.textContent('#caption-text')) ?? '', /^n = 4/);
+        assert.deepEqual([...new Set(await kinds(0))], ['hello']);
+        // The frame beside it is not its holder.
+        await open.evaluate(() => parent.frames[0]?.postMessage({ lsystem: 'set', values: { n: 1 } }, '*'));
+        await strict.evaluate(() => parent.frames[1]?.postMessage({ lsystem: 'set', values: { n: 1 } }, '*'));
+        await new Promise((resolve) => setTimeout(resolve, 300));
+        assert.match((await open.textContent('#caption-text')) ?? '', /^n = 2/);
+    }));
+
+test('the course page draws its ten drawings', () =>
+    withPage({ address: `${ADDRESS}course.html`, also: ADDRESS, drawing: null }, async (page) => {
+        const show = (/** @type {number} */ at) => page.evaluate((index) => { const all = document.querySelectorAll('l-system, iframe'); all[index]?.scrollIntoView(); return all.length; }, at);
+        assert.equal(await show(0), 10);
+        for (let at = 0; at < 10; at++) {
+            await show(at);
+            await until(async () => (await Promise.all(embedded(page).map((frame) => frame.locator('#stage.inked').count()))).filter(Boolean).length > at, `drawing ${at + 1}`);
+        }
+        for (const frame of embedded(page)) assert.equal(await frame.locator('#mistake:visible').count(), 0);
+    }));

@@ -1,0 +1,192 @@
+/** Without a network, and from one version to the next. A copy of the site is served under a name that is not local. */
+
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { cp, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { close, picture, stillPicture, until, withPage } from './browser.mjs';
+
+/** @typedef {import('playwright-core').Page} Page */
+
+const KOCH = '#v=1&title=Koch&axiom=F&rules=F%20-%3E%20F+F--F+F&n=4&angle=60&heading=0';
+const TYPES = { html: 'text/html; charset=utf-8', js: 'text/javascript; charset=utf-8', css: 'text/css; charset=utf-8', wasm: 'application/wasm', svg: 'image/svg+xml', json: 'application/json', png: 'image/png', webmanifest: 'application/manifest+json' };
+
+let site = '';
+let origin = '';
+/** What was asked for since it was last emptied. @type {string[]} */
+let asked = [];
+let down = false;
+
+const server = createServer(async (request, response) => {
+    const path = String(request.url).replace(/[?#].*$/, '').replace(/\/$/, '/index.html');
+    asked.push(path);
+    if (down) {
+        response.destroy();
+        return;
+    }
+    try {
+        const body = await readFile(join(site, path.replace(/^\/play\//, '')));
+        response.writeHead(200, { 'content-type': TYPES[/** @type {keyof typeof TYPES} */ (path.split('.').pop())] ?? 'text/plain', 'cache-control': 'max-age=600' });
+        response.end(body);
+    } catch {
+        response.writeHead(404);
+        response.end();
+    }
+});
+
+before(async () => {
+    await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
+    const address = server.address();
+    origin = `http://l-systems.localhost:${typeof address === 'object' ? address?.port : ''}/play/`;
+});
+after(async () => {
+    await close();
+    server.close();
+});
+
+/** A fresh copy of the site for a test. @param {() => Promise<unknown>} use */
+async function withSite(use) {
+    site = await mkdtemp(join(tmpdir(), 'site-'));
+    down = false;
+    try {
+        await cp(new URL('../../../dist/', import.meta.url), site, { recursive: true });
+        await use();
+    } finally {
+        await rm(site, { recursive: true });
+    }
+}
+
+/** Publishes another version of the page: another title. @param {string} title */
+async function publish(title) {
+    const page = join(site, 'index.html');
+    const old = await readFile(page);
+    const fresh = old.toString().replace(/<h1>.*?<\/h1>/, `<h1>${title}</h1>`);
+    await writeFile(page, fresh);
+    const hash = (/** @type {string | Buffer} */ text) => createHash('sha256').update(text).digest('hex');
+    const worker = join(site, 'service-worker.js');
+    const text = (await readFile(worker, 'utf8')).replace(hash(old), hash(fresh)).replace(/BUILD = "\w+"/, `BUILD = "${hash(title).slice(0, 16)}"`);
+    await writeFile(worker, text);
+}
+
+/** Waits until this version is kept whole. @param {Page} page */
+const kept = (page) => page.evaluate(async () => { await navigator.serviceWorker.ready; });
+/** @param {Page} page */
+const update = (page) => page.evaluate(async () => { await (await navigator.serviceWorker.getRegistration())?.update(); });
+/** @param {Page} page */
+const title = (page) => page.textContent('h1');
+
+const how = () => ({ address: origin, hash: KOCH, expected: /ERR_EMPTY_RESPONSE|Failed to load resource|ERR_FAILED|unknown error occurred when fetching the script/ });
+
+test('the page, the gallery, exports, embedded drawings and the course page work after one visit without a network', () =>
+    withSite(() =>
+        withPage(how(), async (page) => {
+            const before = await stillPicture(page);
+            await kept(page);
+            down = true;
+            await page.reload();
+            await page.waitForSelector('#stage.inked');
+            assert.equal((await stillPicture(page)).digest, before.digest);
+            asked = [];
+            await page.click('#open-gallery');
+            await page.waitForSelector('.thumb.inked');
+            await page.click('#close-gallery');
+            await page.click('#tab-keep');
+            const [saved] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=json]')]);
+            assert.ok(JSON.parse(await readFile(await saved.path(), 'utf8')).initial);
+            await page.goto(`${origin}index.html`);
+            await page.waitForSelector('#stage.inked');
+            await page.goto(`${origin}embed.html${KOCH}`);
+            await page.waitForSelector('#stage.inked');
+            await page.goto(`${origin}course.html`);
+            const first = await until(() => page.frames().find((frame) => frame.url().includes('embed.html')), 'a frame of the course page');
+            await first.waitForSelector('#stage.inked');
+            assert.deepEqual(asked.filter((path) => path !== '/play/service-worker.js'), []);
+        }),
+    ));
+
+test('a new version is told of, and opens with the next visit', () =>
+    withSite(() =>
+        withPage(how(), async (page) => {
+            await kept(page);
+            await page.reload();
+            await page.waitForSelector('#stage.inked');
+            const old = await title(page);
+            await publish('Second');
+            // The browser looks for one by itself, but in its own time.
+            await update(page);
+            await page.waitForSelector('#renewal:visible');
+            assert.equal(await title(page), old);
+            await page.reload();
+            await until(async () => (await title(page)) === 'Second', 'the new version is open');
+            await page.waitForSelector('#stage.inked');
+            assert.equal(await page.isVisible('#renewal'), false);
+            assert.equal((await page.evaluate(() => caches.keys())).length, 1);
+            // And stays.
+            down = true;
+            await page.reload();
+            await page.waitForSelector('#stage.inked');
+            assert.equal(await title(page), 'Second');
+        }),
+    ));
+
+test('a new version opens at once if the reader likes, and keeps the drawing', () =>
+    withSite(() =>
+        withPage(how(), async (page) => {
+            await kept(page);
+            await page.reload();
+            await page.waitForSelector('#stage.inked');
+            await publish('Third');
+            await update(page);
+            await page.waitForSelector('#renewal:visible');
+            await page.fill('#iterations', '3');
+            await until(async () => (await page.evaluate(() => location.hash)).includes('n=3'), 'the address follows');
+            await page.click('#renew');
+            await until(async () => (await title(page)) === 'Third', 'the new version is open');
+            await page.waitForSelector('#stage.inked');
+            assert.equal(await page.inputValue('#iterations'), '3');
+            assert.ok((await picture(page)).ink > 0.001);
+        }),
+    ));
+
+test('half an upload is not kept, and nothing that is not of the site', () =>
+    withSite(() =>
+        withPage(how(), async (page) => {
+            await kept(page);
+            await page.reload();
+            await page.waitForSelector('#stage.inked');
+            const old = await title(page);
+            await publish('Fourth');
+            await writeFile(join(site, 'js/view.js'), 'not yet');
+            const worker = join(site, 'service-worker.js');
+            // The list names the file that is still to come.
+            const text = (await readFile(worker, 'utf8')).replace(/"js\/view.js":"\w+"/, `"js/view.js":"${'0'.repeat(64)}"`);
+            await writeFile(worker, text);
+            const state = await page.evaluate(async () => {
+                const registration = await navigator.serviceWorker.getRegistration();
+                await registration?.update();
+                const fresh = registration?.installing;
+                if (!fresh) return 'none';
+                return new Promise((resolve) => fresh.addEventListener('statechange', () => resolve(fresh.state)));
+            });
+            assert.equal(state, 'redundant');
+            await page.reload();
+            await page.waitForSelector('#stage.inked');
+            assert.equal(await title(page), old);
+            const names = await page.evaluate(async () => {
+                await fetch('elsewhere.json').catch(() => {});
+                const [name] = await caches.keys();
+                return (await (await caches.open(String(name))).keys()).map(({ url }) => url);
+            });
+            assert.ok(names.length > 40 && names.every((name) => name.startsWith(origin)), names.join('\n'));
+            assert.ok(!names.some((name) => /elsewhere|playground\.html|service-worker/.test(name)));
+        }),
+    ));
+
+test('a copy under development keeps nothing', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await new Promise((resolve) => setTimeout(resolve, 300));
+        assert.deepEqual(await page.evaluate(async () => [(await navigator.serviceWorker.getRegistrations()).length, (await caches.keys()).length]), [0, 0]);
+    }));

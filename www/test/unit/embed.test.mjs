@@ -1,0 +1,51 @@
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { CONTROLS, readControls, readOptions } from '../../js/embed/options.js';
+import { fieldsOf, valuesOf } from '../../js/embed/values.js';
+import { KEYS } from '../../js/link.js';
+import { DEFAULTS, clean } from '../../js/state.js';
+import { dice, randomState } from './random.mjs';
+
+test('options stand in the address beside the system', () => {
+    const none = { controls: [], theme: null, host: null };
+    assert.deepEqual(readOptions(''), none);
+    assert.deepEqual(readOptions('#v=1&axiom=controls&rules=theme'), none);
+    assert.deepEqual(readOptions('#controls=n,angle&theme=dark&host=https%3A%2F%2Fa.example%2Fpage'), { controls: ['angle', 'n'], theme: 'dark', host: 'https://a.example' });
+    assert.deepEqual(readOptions('controls=rules&controls=play'), { ...none, controls: ['play'] });
+    for (const bad of ['#controls=%', '#theme=blue', '#host=javascript:alert(1)', '#host=https%3A%2F%2F', '#host=null', '#host=*', '#controls=__proto__,toString', `#controls=${'n,'.repeat(10_000)}x`.replace('n', 'x')]) {
+        const { theme, host } = readOptions(bad);
+        assert.deepEqual([theme, host], [null, null], bad.slice(0, 40));
+    }
+});
+
+test('controls are known by name, in any order and case', () => {
+    assert.deepEqual(readControls('Play  string,N'), ['n', 'string', 'play']);
+    assert.deepEqual(readControls('all'), CONTROLS);
+    assert.deepEqual(readControls('all-of-them'), []);
+});
+
+test('values carry a state whole, and come back the same', () => {
+    for (let seed = 1; seed <= 200; seed++) {
+        const state = randomState(dice(seed));
+        const { fields, problems } = fieldsOf(structuredClone(valuesOf(state)));
+        assert.deepEqual(problems, []);
+        assert.deepEqual(clean({ ...DEFAULTS, ...fields }), state);
+        // As attributes give them, in strings.
+        const strings = Object.fromEntries(KEYS.filter(([, field]) => state[field] !== null).map(([key, field, form]) => [key, form.write(state[field])]));
+        assert.deepEqual(clean({ ...DEFAULTS, ...fieldsOf(strings).fields }), state);
+    }
+});
+
+test('what is no value is told and left out', () => {
+    const { fields, problems } = fieldsOf({ n: 3, angle: 'wide', palette: ['red'], view: {}, colour: 'level', nothing: 1, toString: 2 });
+    assert.deepEqual(fields, { iterations: 3, colourBy: 'level' });
+    for (const key of ['angle', 'palette', 'view', 'nothing', 'toString']) assert.ok(problems.some((words) => words.includes(`“${key}”`)), key);
+    for (const junk of [null, 7, 'n=3', undefined]) assert.equal(fieldsOf(junk).problems.length, 1);
+});
+
+test('the element knows every key', () => {
+    const source = readFileSync(new URL('../../l-system.js', import.meta.url), 'utf8');
+    const list = /const VALUES = \[([^;]*)\];/.exec(source)?.[1] ?? '';
+    assert.deepEqual([...list.matchAll(/'([a-z]+)'/g)].map(([, key]) => key), KEYS.map(([key]) => key));
+});
