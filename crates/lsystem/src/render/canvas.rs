@@ -3,6 +3,7 @@
 //! Bits lie in vertical strips of 64 columns, a word per row, so that stamping a tile at any offset is a loop over
 //! consecutive words with one shift. Painting goes from the last drawn to the first: what is covered stays.
 
+use super::inks::{Dye, PLANES};
 use super::tile::Bits;
 use core::ops::Range;
 
@@ -20,11 +21,11 @@ pub(super) struct Canvas {
     pub rows: usize,
     /// Cells in a strip.
     pub cells: usize,
-    /// Colour digits.
-    pub digits: usize,
+    /// Bit planes of colours.
+    pub planes: usize,
     /// By strip, then row.
     pub covered: Vec<u64>,
-    /// By digit, then strip, then row. Only bits that are covered are ever set.
+    /// By plane, then strip, then row. Only bits that are covered are ever set.
     pub colours: Vec<u64>,
     /// By strip, then cell: whether anything was painted there.
     pub touched: Vec<bool>,
@@ -36,16 +37,16 @@ pub(super) struct Canvas {
 
 impl Canvas {
     /// Makes it empty and at least `width` by `height` subsamples.
-    pub(super) fn reset(&mut self, width: usize, height: usize, digits: usize) {
+    pub(super) fn reset(&mut self, width: usize, height: usize, planes: usize) {
         let (strips, rows) = (width.div_ceil(STRIP), height);
-        if (strips, rows, digits) != (self.strips, self.rows, self.digits) {
-            (self.strips, self.rows, self.digits) = (strips, rows, digits);
+        if (strips, rows, planes) != (self.strips, self.rows, self.planes) {
+            (self.strips, self.rows, self.planes) = (strips, rows, planes);
             self.cells = rows.div_ceil(CELL);
             let size = strips * rows;
             self.covered.clear();
             self.covered.resize(size, 0);
             self.colours.clear();
-            self.colours.resize(size * digits, 0);
+            self.colours.resize(size * planes, 0);
             let cells = strips * self.cells;
             self.touched.clear();
             self.touched.resize(cells, false);
@@ -64,8 +65,8 @@ impl Canvas {
                 let first = index / cells * rows + index % cells * CELL;
                 let last = index / cells * rows + (index % cells * CELL + CELL).min(rows);
                 self.covered[first..last].fill(0);
-                for digit in 0..digits {
-                    self.colours[digit * size + first..digit * size + last].fill(0);
+                for plane in 0..planes {
+                    self.colours[plane * size + first..plane * size + last].fill(0);
                 }
             }
         }
@@ -113,20 +114,21 @@ impl Canvas {
         (x[0] <= x[1] && y[0] <= y[1]).then_some((x.map(|v| v as usize), y.map(|v| v as usize)))
     }
 
-    /// Paints a tile with its upper left corner at (`x`, `y`), its shades in these colours.
-    pub(super) fn stamp(&mut self, tile: &Bits<'_>, [x, y]: [i64; 2], colours: &[u32]) {
-        let above = (-y).clamp(0, tile.rows as i64) as usize;
-        let below = (self.rows as i64 - y).clamp(0, tile.rows as i64) as usize;
-        if above >= below {
-            return;
-        }
-        let row = (y + above as i64) as usize;
+    /// Paints a tile with its upper left corner at (`x`, `y`), dyed.
+    pub(super) fn stamp(&mut self, tile: &Bits<'_>, [x, y]: [i64; 2], dye: &Dye) {
         let shift = x.rem_euclid(STRIP as i64) as u32;
-        for strip in 0..tile.strips {
+        for (strip, &extent) in tile.extents.iter().enumerate() {
+            let [first, last] = [extent & u64::from(u32::MAX), extent >> 32].map(|row| row as i64);
+            let above = (-y).clamp(first, last.max(first)) as usize;
+            let below = (self.rows as i64 - y).clamp(first, last.max(first)) as usize;
+            if above >= below {
+                continue;
+            }
+            let row = (y + above as i64) as usize;
             let left = x.div_euclid(STRIP as i64) + strip as i64;
-            self.stamp_strip(tile, strip, above..below, left, row, colours, |word| word << shift);
+            self.stamp_strip(tile, strip, above..below, left, row, dye, |word| word << shift);
             if shift > 0 {
-                self.stamp_strip(tile, strip, above..below, left + 1, row, colours, |word| word >> (64 - shift));
+                self.stamp_strip(tile, strip, above..below, left + 1, row, dye, |word| word >> (64 - shift));
             }
         }
     }
@@ -141,39 +143,61 @@ impl Canvas {
         rows: Range<usize>,
         to: i64,
         row: usize,
-        colours: &[u32],
+        dye: &Dye,
         moved: impl Fn(u64) -> u64,
     ) {
         let Some(to) = usize::try_from(to).ok().filter(|&to| to < self.strips) else { return };
-        let count = rows.len();
-        let cells = self.cells;
-        if self.is_closed(to, [row / CELL, (row + count - 1) / CELL]) {
-            return;
-        }
-        self.touched[to * cells + row / CELL..=to * cells + (row + count - 1) / CELL].fill(true);
-        let at = to * self.rows + row;
-        let source = from * tile.rows + rows.start;
-        let covered = &mut self.covered[at..at + count];
-        let bits = &tile.covered[source..source + count];
-        let (size, tile_size) = (self.strips * self.rows, tile.strips * tile.rows);
-        if self.digits > 0
-            && covered.iter().zip(bits).fold(0, |new, (covered, word)| new | moved(*word) & !covered) == 0
-        {
-            return;
-        }
-        for (shade, colour) in colours.iter().enumerate() {
-            let shaded =
-                if tile.shades.is_empty() { bits } else { &tile.shades[shade * tile_size + source..][..count] };
-            for digit in (0..self.digits).filter(|digit| colour >> digit & 1 != 0) {
-                let plane = &mut self.colours[digit * size + at..][..count];
-                for ((plane, covered), word) in plane.iter_mut().zip(&*covered).zip(shaded) {
-                    *plane |= moved(*word) & !covered;
+        let size = self.strips * self.rows;
+        let end = row + rows.len();
+        let mut next = row;
+        while next < end {
+            let cell = next / CELL;
+            let part = next..end.min((cell + 1) * CELL);
+            next = part.end;
+            if self.is_closed(to, [cell, cell]) {
+                continue;
+            }
+            let at = to * self.rows + part.start;
+            let source = from * tile.rows + rows.start + part.start - row;
+            let covered = &mut self.covered[at..at + part.len()];
+            let bits = &tile.covered[source..source + part.len()];
+            // Most of what is stamped in a crowd is covered already.
+            let (new, full) = (covered.iter().zip(bits))
+                .fold((0, u64::MAX), |(new, full), (covered, word)| (new | moved(*word) & !covered, full & covered));
+            if new == 0 {
+                if full == u64::MAX && part.len() == CELL {
+                    self.close(to, cell);
+                }
+                continue;
+            }
+            self.touched[to * self.cells + cell] = true;
+            if self.planes == 0 {
+                for (covered, word) in covered.iter_mut().zip(bits) {
+                    *covered |= moved(*word);
+                }
+                continue;
+            }
+            for (i, (covered, word)) in covered.iter_mut().zip(bits).enumerate() {
+                let new = moved(*word) & !*covered;
+                if new == 0 {
+                    continue;
+                }
+                *covered |= new;
+                let mut planes = [0; PLANES];
+                for (plane, words) in planes.iter_mut().zip(tile.colours.chunks_exact(tile.covered.len())) {
+                    *plane = moved(words[source + i]);
+                }
+                dye.apply(&mut planes);
+                for (words, plane) in self.colours.chunks_exact_mut(size).zip(planes) {
+                    words[at + i] |= plane & new;
                 }
             }
         }
-        for (covered, word) in covered.iter_mut().zip(bits) {
-            *covered |= moved(*word);
-        }
+    }
+
+    /// Notes that a cell is covered throughout.
+    fn close(&mut self, strip: usize, cell: usize) {
+        self.open[strip * self.cells.div_ceil(CELLS) + cell / CELLS] &= !(1 << (cell % CELLS));
     }
 
     /// Whether these cells of a strip, ends included, are known to be covered throughout.
@@ -183,22 +207,22 @@ impl Canvas {
         (cells[0] / CELLS..=cells[1] / CELLS).all(|word| self.open[strip * words + word] & columns(word, cells) == 0)
     }
 
-    /// Paints a shape row by row. `sides` gives the first and the last column in each of `rows`, which are asked for
-    /// one after the other, and `bounds` the first and the last column that the shape reaches in some of them.
+    /// Paints a shape row by row. `sides` gives the first and the last column in each of `rows`, and `bounds` the
+    /// first and the last column that the shape reaches in some of them.
     #[inline]
     pub(super) fn fill(
         &mut self,
         rows: Range<usize>,
         colour: u32,
         bounds: impl Fn(Range<usize>) -> [i64; 2],
-        mut sides: impl FnMut(usize) -> [i64; 2],
+        sides: impl Fn(usize) -> [i64; 2],
     ) {
         let right = (self.strips * STRIP) as i64 - 1;
-        let mut row = rows.start;
-        while row < rows.end {
-            let cell = row / CELL;
+        let mut start = rows.start;
+        while start < rows.end {
+            let cell = start / CELL;
             let end = rows.end.min((cell + 1) * CELL);
-            let reach = bounds(row..end);
+            let reach = bounds(start..end);
             let reach = [reach[0].max(0), reach[1].min(right)];
             let mut closed = true;
             if reach[0] <= reach[1] {
@@ -209,14 +233,16 @@ impl Canvas {
                     }
                 }
             }
-            for row in row..end {
-                let [first, last] = sides(row);
-                let (first, last) = (first.max(0), last.min(right));
-                if first <= last && !closed {
-                    self.span(row, first as usize, last as usize, colour);
+            if !closed {
+                for row in start..end {
+                    let [first, last] = sides(row);
+                    let (first, last) = (first.max(0), last.min(right));
+                    if first <= last {
+                        self.span(row, first as usize, last as usize, colour);
+                    }
                 }
             }
-            row = end;
+            start = end;
         }
     }
 
@@ -227,17 +253,17 @@ impl Canvas {
             let bits = columns(strip, [first, last]);
             let at = strip * self.rows + row;
             let before = self.covered[at];
+            if bits & !before == 0 {
+                continue;
+            }
             self.covered[at] = before | bits;
-            let mut digits = colour;
-            let mut plane = at;
-            while digits != 0 {
-                if digits & 1 != 0
-                    && let Some(word) = self.colours.get_mut(plane)
-                {
-                    *word |= bits & !before;
+            let size = self.covered.len();
+            let mut left = colour;
+            for plane in 0..self.planes {
+                if left & 1 != 0 {
+                    self.colours[plane * size + at] |= bits & !before;
                 }
-                digits >>= 1;
-                plane += self.covered.len();
+                left >>= 1;
             }
         }
     }

@@ -1,14 +1,15 @@
 //! Which colours a block draws with, so that one picture of it serves whatever colour it is entered with.
 
+use crate::limits::MAX_PALETTE;
 use crate::{Block, ColourBy, ColourChange, Drawing, Item, Style, StyleChange};
 
 /// A colour, as far as it is known inside a block.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Shade {
-    /// This palette entry.
-    Fixed(u32),
-    /// So many palette entries after the one at the block's entry.
-    Moving(u32),
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Shade {
+    /// A palette entry, or how many entries it is after the one at the block's entry.
+    pub number: u32,
+    /// Whether it is a palette entry.
+    pub fixed: bool,
 }
 
 /// How colours are chosen for a picture.
@@ -16,73 +17,59 @@ pub(super) enum Shade {
 pub(super) struct Choice {
     by: ColourBy,
     /// Of the palette; at least 1.
-    colours: u32,
+    pub colours: u32,
 }
 
 impl Choice {
-    /// More palette entries than a set can hold are not counted.
-    fn is_countable(self) -> bool {
-        self.colours <= u64::BITS
-    }
-
     /// The shade after a change, from the entry's.
     pub(super) fn shade(self, change: &StyleChange) -> Shade {
         let wrapped = |index: i32| i64::from(index).rem_euclid(i64::from(self.colours.max(1))) as u32;
+        let moving = |number: u32| Shade { number, fixed: false };
         match (self.by, change.colour) {
-            (ColourBy::Single, _) => Shade::Moving(0),
-            (ColourBy::Level, _) => Shade::Moving(change.level % self.colours.max(1)),
-            (ColourBy::Symbol, ColourChange::Set(index)) => Shade::Fixed(wrapped(index)),
-            (ColourBy::Symbol, ColourChange::Add(count)) => Shade::Moving(wrapped(count)),
+            (ColourBy::Single, _) => moving(0),
+            (ColourBy::Level, _) => moving(change.level % self.colours.max(1)),
+            (ColourBy::Symbol, ColourChange::Set(index)) => Shade { number: wrapped(index), fixed: true },
+            (ColourBy::Symbol, ColourChange::Add(count)) => moving(wrapped(count)),
         }
     }
 
     /// `first`, then `second`.
     pub(super) fn then(self, first: Shade, second: Shade) -> Shade {
-        let sum = |a: u32, b: u32| if a + b >= self.colours { a + b - self.colours } else { a + b };
-        match (first, second) {
-            (_, Shade::Fixed(ink)) => Shade::Fixed(ink),
-            (Shade::Fixed(ink), Shade::Moving(by)) => Shade::Fixed(sum(ink, by)),
-            (Shade::Moving(a), Shade::Moving(b)) => Shade::Moving(sum(a, b)),
+        if second.fixed {
+            return second;
         }
+        let sum = first.number + second.number;
+        Shade { number: if sum >= self.colours { sum - self.colours } else { sum }, fixed: first.fixed }
     }
 }
 
-/// A set of shades. Their places in it, fixed ones first, are the numbers that a canvas knows them by.
+/// The shades that something is drawn with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Inks {
-    fixed: u64,
-    moving: u64,
+pub(super) enum Inks {
+    /// Nothing is drawn.
+    #[default]
+    None,
+    /// All in one.
+    One(Shade),
+    /// Several.
+    Many,
 }
 
 impl Inks {
-    pub(super) fn count(self) -> u32 {
-        self.fixed.count_ones() + self.moving.count_ones()
-    }
-
-    fn insert(&mut self, shade: Shade) {
-        match shade {
-            Shade::Fixed(ink) => self.fixed |= 1 << ink,
-            Shade::Moving(by) => self.moving |= 1 << by,
+    fn with(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::None, inks) | (inks, Self::None) => inks,
+            (Self::One(a), Self::One(b)) if a == b => self,
+            _ => Self::Many,
         }
     }
 
-    fn number(self, shade: Shade) -> u32 {
-        let before = |bits: u64, index: u32| (bits & !(u64::MAX << index)).count_ones();
-        match shade {
-            Shade::Fixed(ink) => before(self.fixed, ink),
-            Shade::Moving(by) => self.fixed.count_ones() + before(self.moving, by),
+    fn after(self, choice: Choice, entry: Shade) -> Self {
+        match self {
+            Self::One(shade) => Self::One(choice.then(entry, shade)),
+            inks => inks,
         }
     }
-
-    pub(super) fn shades(self) -> impl Iterator<Item = Shade> {
-        let fixed = (0..u64::BITS).filter(move |ink| self.fixed >> ink & 1 != 0).map(Shade::Fixed);
-        fixed.chain((0..u64::BITS).filter(move |by| self.moving >> by & 1 != 0).map(Shade::Moving))
-    }
-}
-
-/// Binary digits of the numbers below `count`.
-pub(super) fn digits(count: u32) -> usize {
-    (u32::BITS - count.saturating_sub(1).leading_zeros()) as usize
 }
 
 /// The colours of all blocks of a drawing.
@@ -91,10 +78,10 @@ pub(super) struct InkTable {
     pub choice: Choice,
     ready: bool,
     blocks: Vec<Inks>,
-    /// The palette entries of the picture, by number.
+    /// The palette entries of the picture, by number on its canvas.
     used: Vec<u32>,
-    /// The colours of the picture.
-    pub picture: Inks,
+    /// Whether some shade is fixed inside a block.
+    fixes: bool,
 }
 
 impl InkTable {
@@ -107,7 +94,7 @@ impl InkTable {
     pub(super) fn prepare(&mut self, drawing: &Drawing, style: &Style) -> bool {
         let colours = match style.colour_by {
             ColourBy::Single => 1,
-            ColourBy::Symbol | ColourBy::Level => u32::try_from(style.palette.len()).unwrap_or(u32::MAX / 2).max(1),
+            ColourBy::Symbol | ColourBy::Level => style.palette.len().clamp(1, MAX_PALETTE) as u32,
         };
         let choice = Choice { by: style.colour_by, colours };
         if self.ready && self.choice == choice {
@@ -115,21 +102,17 @@ impl InkTable {
         }
         (self.ready, self.choice) = (true, choice);
         self.blocks.clear();
-        self.picture = Inks::default();
-        if !choice.is_countable() {
-            self.used = (0..colours).collect();
-            return true;
-        }
         for block in &drawing.blocks {
             let inks = of_block(choice, drawing, block, &self.blocks);
             self.blocks.push(inks);
         }
-        if let Some(root) = drawing.root {
-            for shade in self.blocks[root.0 as usize].shades() {
-                self.picture.insert(choice.then(Shade::Fixed(0), shade));
-            }
-        }
-        self.used = (0..colours).filter(|ink| self.picture.fixed >> ink & 1 != 0).collect();
+        self.fixes = drawing.styles.iter().any(|style| choice.shade(style).fixed);
+        let start = Shade { number: 0, fixed: true };
+        self.used = match drawing.root.map(|root| self.of(root.0 as usize).after(choice, start)) {
+            Some(Inks::One(shade)) => vec![shade.number],
+            Some(Inks::Many) => (0..colours).collect(),
+            _ => vec![],
+        };
         true
     }
 
@@ -138,22 +121,35 @@ impl InkTable {
         &self.used
     }
 
-    /// The shades in a block, or `None` if there are too many to count.
-    pub(super) fn of(&self, block: usize) -> Option<Inks> {
-        self.blocks.get(block).copied()
+    /// The shades in a block.
+    pub(super) fn of(&self, block: usize) -> Inks {
+        self.blocks.get(block).copied().unwrap_or_default()
     }
 
-    /// The number of a shade on a canvas with these inks.
-    pub(super) fn number(&self, inks: Inks, shade: Shade) -> u32 {
-        match shade {
-            Shade::Fixed(ink) if !self.choice.is_countable() => ink,
-            _ => inks.number(shade),
-        }
+    /// Binary digits of a palette entry's number.
+    pub(super) fn digits(&self) -> usize {
+        (u32::BITS - (self.choice.colours - 1).leading_zeros()) as usize
+    }
+
+    /// The bit planes that the picture takes for its colours.
+    pub(super) fn picture_planes(&self) -> usize {
+        if self.used.len() > 1 { self.digits() } else { 0 }
+    }
+
+    /// The bit planes that a tile with these shades takes: the digits of the number and, where it matters, one more
+    /// that tells what is fixed.
+    pub(super) fn planes(&self, inks: Inks) -> usize {
+        if inks == Inks::Many { self.digits() + usize::from(self.fixes) } else { 0 }
+    }
+
+    /// A shade as the bits of as many planes.
+    pub(super) fn code(&self, shade: Shade) -> u32 {
+        shade.number | u32::from(shade.fixed) << self.digits()
     }
 }
 
 fn of_block(choice: Choice, drawing: &Drawing, block: &Block, blocks: &[Inks]) -> Inks {
-    let mut inks = Inks::default();
+    let mut inks = Inks::None;
     let mut last = None;
     for item in &drawing.items[block.items.start as usize..block.items.end as usize] {
         let (style, inner) = match item {
@@ -165,12 +161,89 @@ fn of_block(choice: Choice, drawing: &Drawing, block: &Block, blocks: &[Inks]) -
             continue;
         }
         let entry = choice.shade(&drawing.styles[style.0 as usize]);
-        match inner {
-            None => inks.insert(entry),
-            Some(block) => {
-                blocks[block.0 as usize].shades().for_each(|shade| inks.insert(choice.then(entry, shade)));
-            }
+        inks = inks.with(match inner {
+            None => Inks::One(entry),
+            Some(block) => blocks[block.0 as usize].after(choice, entry),
+        });
+        if inks == Inks::Many {
+            break;
         }
     }
     inks
+}
+
+/// A change of colour numbers in binary, for 64 of them at a time: what a tile's shades are where it is stamped.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Dye {
+    /// The shade at the block's entry.
+    pub entry: Shade,
+    /// Of the palette.
+    pub colours: u32,
+    /// Binary digits of a number; the plane behind them tells what is fixed.
+    pub digits: usize,
+}
+
+/// The most bit planes of a colour: the digits of [`MAX_PALETTE`] colours' numbers, and one that tells what
+/// is fixed.
+pub(super) const PLANES: usize = 9;
+
+impl Dye {
+    /// Makes the numbers in `planes` what they are after the entry's shade.
+    #[inline(always)]
+    pub(super) fn apply(&self, planes: &mut [u64; PLANES]) {
+        let Shade { number: by, fixed } = self.entry;
+        let digits = self.digits.min(PLANES - 1);
+        let kept = planes[digits];
+        if by != 0 {
+            // n + by, and n - (colours - by), which is the same modulo the palette's size; the latter where it is not
+            // negative.
+            let back = self.colours - by;
+            let (mut carry, mut borrow) = (0, 0);
+            let mut sums = [[0; 2]; PLANES];
+            for (digit, sum) in sums.iter_mut().enumerate().take(digits) {
+                let n = planes[digit];
+                let more = u64::from(by >> digit & 1).wrapping_neg();
+                let less = u64::from(back >> digit & 1).wrapping_neg();
+                *sum = [n ^ more ^ carry, n ^ less ^ borrow];
+                carry = n & more | carry & (n ^ more);
+                borrow = !n & (less | borrow) | less & borrow;
+            }
+            for (plane, [up, down]) in planes.iter_mut().zip(sums).take(digits) {
+                let moved = up & borrow | down & !borrow;
+                *plane = *plane & kept | moved & !kept;
+            }
+        }
+        planes[digits] = if fixed { u64::MAX } else { kept };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dyeing_adds_modulo_the_palette() {
+        for colours in [2, 3, 5, 8, 100, 256] {
+            let digits = (u32::BITS - (colours - 1_u32).leading_zeros()) as usize;
+            let choice = Choice { by: ColourBy::Symbol, colours };
+            for by in (0..colours).step_by(7) {
+                for number in 0..colours {
+                    for (fixed, entry_fixed) in [(false, false), (true, false), (false, true), (true, true)] {
+                        let entry = Shade { number: by, fixed: entry_fixed };
+                        let shade = Shade { number, fixed };
+                        let mut planes = [0; PLANES];
+                        for (digit, plane) in planes.iter_mut().enumerate().take(digits) {
+                            *plane = u64::from(number >> digit & 1) << 17;
+                        }
+                        planes[digits] = u64::from(fixed) << 17;
+                        Dye { entry, colours, digits }.apply(&mut planes);
+                        let got: u32 = (0..digits).map(|d| (planes[d] >> 17 & 1) as u32 * (1 << d)).sum();
+                        let expected = choice.then(entry, shade);
+                        assert_eq!(got, expected.number, "{number} + {by} of {colours}");
+                        assert_eq!(planes[digits] >> 17 & 1 != 0, entry_fixed || fixed);
+                    }
+                }
+            }
+        }
+    }
 }

@@ -6,7 +6,9 @@
 
 mod canvas;
 mod inks;
+mod mixer;
 mod resolve;
+mod seen;
 mod shape;
 mod stroke;
 mod tile;

@@ -91,7 +91,7 @@ impl Output {
                 out.fill(self.shades[0][0]);
                 continue;
             }
-            if frame.digits == 0 && covered == [u64::MAX; 4] {
+            if frame.planes == 0 && covered == [u64::MAX; 4] {
                 out.fill(self.shades[0][16]);
                 continue;
             }
@@ -116,18 +116,23 @@ impl Output {
 
     /// A row of pixels in a cell where colours meet.
     fn mixed(&mut self, frame: &Canvas, at: usize, covered: [u64; 4], pixels: Range<usize>) {
-        // Sixteenths of the channels, 16 bits each: at most 16 * 255.
-        let mut sums = [0x0008_0008_0008_u64; SIDE];
-        let mut add = |words: [u64; 4], [r, g, b]: [u32; 3]| {
-            let colour = u64::from(r) | u64::from(g) << 16 | u64::from(b) << 32;
-            let Counts { mut even, mut odd } = counts(words);
-            for [first, second] in sums.as_chunks_mut().0 {
-                *first += (even & 31) * colour;
-                *second += (odd & 31) * colour;
-                (even, odd) = (even >> 8, odd >> 8);
+        // Sixteenths of the channels, at most 16 * 255, by channel: of the pixels at even and at odd places.
+        let mut sums = [[[8_u16; SIDE / 2]; 2]; 3];
+        let mut add = |words: [u64; 4], colour: [u32; 3]| {
+            let Counts { even, odd } = counts(words);
+            let counts = [even, odd].map(|counts| counts.to_le_bytes().map(u16::from));
+            for (sums, channel) in sums.iter_mut().zip(colour) {
+                for (sums, counts) in sums.iter_mut().zip(&counts) {
+                    for (sum, count) in sums.iter_mut().zip(counts) {
+                        *sum += count * channel as u16;
+                    }
+                }
             }
         };
-        add(covered.map(|word| !word), self.background);
+        let bare = covered.map(|word| !word);
+        if bare != [0; 4] {
+            add(bare, self.background);
+        }
         let mut rest = covered;
         while rest != [0; 4] {
             let (ink, same) = first_ink(frame, at, rest);
@@ -137,8 +142,9 @@ impl Output {
             }
         }
         let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
-        for (pixel, sum) in out.iter_mut().zip(sums) {
-            *pixel = [(sum >> 4) as u8, (sum >> 20) as u8, (sum >> 36) as u8, u8::MAX];
+        for (x, pixel) in out.iter_mut().enumerate().take(SIDE) {
+            let channel = |c: usize| (sums[c][x % 2][x / 2] >> 4) as u8;
+            *pixel = [channel(0), channel(1), channel(2), u8::MAX];
         }
     }
 }
@@ -153,7 +159,7 @@ fn first_ink(frame: &Canvas, at: usize, rest: [u64; 4]) -> (usize, [u64; 4]) {
     let row = rest.iter().position(|&word| word != 0).unwrap_or(0);
     let bit = rest[row].trailing_zeros() & 63;
     let (mut ink, mut same) = (0, rest);
-    for digit in 0..frame.digits {
+    for digit in 0..frame.planes {
         let plane = rows(&frame.colours, digit * frame.covered.len() + at);
         let one = plane[row] >> bit & 1;
         ink |= (one as usize) << digit;

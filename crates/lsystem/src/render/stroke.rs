@@ -17,7 +17,7 @@ const FRACTION: u32 = 24;
 const HALF: i64 = 1 << (FRACTION - 1);
 
 /// The left or the right side of a stroke, from top to bottom: an arc around the upper end, an edge, an arc around
-/// the lower end. Rows are asked for one after the other.
+/// the lower end.
 struct Side {
     /// -1 on the left, 1 on the right.
     sign: f64,
@@ -26,7 +26,7 @@ struct Side {
     square: f64,
     /// The rows of the edge.
     edge: [i64; 2],
-    /// Where the edge is in the next row of it, and how far it goes from row to row.
+    /// Where the edge is in the first row of it, and how far it goes from row to row.
     at: i64,
     step: i64,
 }
@@ -45,11 +45,9 @@ impl Side {
 
     /// The x of this side in the middle of `row`, as a fixed point number.
     #[inline]
-    fn next(&mut self, row: i64) -> i64 {
+    fn x(&self, row: i64) -> i64 {
         if row >= self.edge[0] && row < self.edge[1] {
-            let at = self.at;
-            self.at = at.wrapping_add(self.step);
-            return at;
+            return self.at.wrapping_add(self.step.wrapping_mul(row - self.edge[0]));
         }
         let centre = if row < self.edge[0] { self.upper } else { self.lower };
         let height = row as f64 + 0.5 - centre[1];
@@ -67,8 +65,8 @@ impl Capsule {
         let Some((ends, direction)) = self.clipped(size) else { return 0 };
         let first = ((ends[0][1] - radius - 0.5).ceil() as i64).max(0);
         let last = ((ends[1][1] + radius - 0.5).floor() as i64).min(height - 1);
-        let mut left = Side::new(-1.0, ends, direction, radius, first);
-        let mut right = Side::new(1.0, ends, direction, radius, first);
+        let left = Side::new(-1.0, ends, direction, radius, first);
+        let right = Side::new(1.0, ends, direction, radius, first);
         if first > last {
             return 0;
         }
@@ -90,7 +88,7 @@ impl Capsule {
         canvas.fill(first as usize..last as usize + 1, colour, bounds, |row| {
             // From the first to the last subsample centre between the sides.
             let row = row as i64;
-            [(left.next(row) + HALF - 1) >> FRACTION, (right.next(row) - HALF) >> FRACTION]
+            [(left.x(row) + HALF - 1) >> FRACTION, (right.x(row) - HALF) >> FRACTION]
         });
         (last - first + 1).max(0) as usize
     }

@@ -57,7 +57,7 @@ fn the_picture_is_that_of_every_segment_stroked_in_order() {
             let style = Style { colour_by, ..sample.0.style.clone() };
             let truth = brute_force(&drawing, &style, viewport, view);
             // As it is, and with tiles wherever there can be any.
-            for simple in [tile::SIMPLE, 0] {
+            for simple in [tile::SIMPLE_STROKES, 0] {
                 renderer.walk.simple = simple;
                 renderer.load(drawing.clone());
                 picture(&mut renderer, &style, viewport, view);

@@ -1,6 +1,6 @@
 //! Cosines and sines, remembered.
 
-use super::tile::Mixer;
+use super::mixer::Mixer;
 use crate::Heading;
 use core::hash::{Hash, Hasher};
 

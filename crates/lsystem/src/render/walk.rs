@@ -2,15 +2,15 @@
 
 use super::RenderStats;
 use super::canvas::Canvas;
-use super::inks::{self, Choice, InkTable, Inks, Shade};
+use super::inks::{Choice, Dye, InkTable, Inks, Shade};
+use super::seen::Seen;
 use super::shape::Shape;
 use super::stroke::Capsule;
-use super::tile::{self, Key, Mixer, Tile, Tiles};
+use super::tile::{self, Key, Tile, Tiles};
 use super::turns::Turns;
 use super::view::{Camera, SAMPLES, View, Viewport};
 use super::wide::Wide;
 use crate::{BlockId, Drawing, Heading, Item, Placed, Progress, Style, StyleChange};
-use core::hash::{Hash, Hasher};
 
 /// The largest extent, in subsamples, at which a block is painted as a line.
 const TINY: f64 = 2.0;
@@ -120,57 +120,25 @@ struct Target {
     shade: Shade,
 }
 
-/// What has been painted already: overlapping branches often repeat each other exactly.
-struct Seen {
-    slots: Vec<u64>,
-}
-
-impl Default for Seen {
-    fn default() -> Self {
-        Self { slots: vec![0; SEEN] }
-    }
-}
-
-impl Seen {
-    fn clear(&mut self) {
-        self.slots.fill(0);
-    }
-
-    /// Notes a block; whether it was new.
-    fn insert(&mut self, node: &Node) -> bool {
-        let mut mixer = Mixer::default();
-        node.block.hash(&mut mixer);
-        node.place.heading.hash(&mut mixer);
-        for value in [node.place.scale, node.pen.width] {
-            mixer.write_u64(value.to_bits());
-        }
-        for value in node.place.origin {
-            mixer.write_u64((value * 64.0).round() as i64 as u64);
-        }
-        node.pen.shade.hash(&mut mixer);
-        let hash = mixer.finish() | 1;
-        core::mem::replace(&mut self.slots[(hash >> 20) as usize % SEEN], hash) != hash
-    }
-}
-
-/// How many blocks are remembered as painted.
-const SEEN: usize = 1 << 14;
-
 /// A picture in the making.
 pub(super) struct Walk {
-    /// Below this number of strokes, tiles are made only where they save much.
+    /// Below this number of strokes on the picture, tiles are made only where they save much.
     pub simple: u64,
+    /// The strokes on the picture so far.
+    painted: u64,
     look: Look,
     camera: Option<Camera>,
     inks: InkTable,
     /// The picture, then a canvas for each size of tile.
     canvases: [Canvas; 1 + tile::SIZES],
-    /// By canvas: the shades on it.
-    colours: [Inks; 1 + tile::SIZES],
+    /// By canvas: how often it has been started anew.
+    serials: [u64; 1 + tile::SIZES],
     tiles: Tiles,
     turns: Turns,
     stack: Vec<Node>,
     seen: Seen,
+    /// Whether blocks may recur.
+    repeats: bool,
     making: Vec<Making>,
     pub stats: RenderStats,
 }
@@ -178,16 +146,18 @@ pub(super) struct Walk {
 impl Default for Walk {
     fn default() -> Self {
         Self {
-            simple: tile::SIMPLE,
+            simple: tile::SIMPLE_STROKES,
+            painted: 0,
             look: Look::default(),
             camera: None,
             inks: InkTable::default(),
             canvases: Default::default(),
-            colours: Default::default(),
+            serials: Default::default(),
             tiles: Tiles::default(),
             turns: Turns::default(),
             stack: vec![],
             seen: Seen::default(),
+            repeats: false,
             making: vec![],
             stats: RenderStats::default(),
         }
@@ -213,6 +183,8 @@ impl Walk {
         upto: Option<u128>,
     ) {
         self.stats = RenderStats::default();
+        self.repeats = drawing.memoised;
+        self.painted = 0;
         self.seen.clear();
         self.stack.clear();
         self.making.clear();
@@ -225,8 +197,7 @@ impl Walk {
             self.tiles.clear();
         }
         let [width, height] = [viewport.width, viewport.height].map(|side| side as usize * SAMPLES as usize);
-        self.canvases[0].reset(width, height, inks::digits(self.inks.used().len() as u32));
-        self.colours[0] = self.inks.picture;
+        self.canvases[0].reset(width, height, self.inks.picture_planes());
         let Some((root, block)) = drawing.root.and_then(|id| Some((id, drawing.blocks.get(id.0 as usize)?))) else {
             return;
         };
@@ -238,7 +209,7 @@ impl Walk {
             cos: camera.scale,
             sin: 0.0,
         };
-        let pen = Pen { shade: Shade::Fixed(0), width: drawing.width };
+        let pen = Pen { shade: Shade { number: 0, fixed: true }, width: drawing.width };
         self.camera = Some(camera);
         self.stack.push(Node { block: root, cursor: block.items.end, canvas: 0, place, far: Some(far), pen });
         if let Some(upto) = upto {
@@ -258,8 +229,7 @@ impl Walk {
     pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], left: &mut i64) -> Progress {
         while *left > 0 {
             if let Some(making) = self.making.pop_if(|making| making.height == self.stack.len()) {
-                let shades = making.inks.count() as usize;
-                let tile = self.tiles.insert(making.key, &self.canvases[1 + making.size], shades, making.corner);
+                let tile = self.tiles.insert(making.key, &self.canvases[1 + making.size], making.corner);
                 self.stats.tiles += 1;
                 *left -= self.stamp(&tile, making.inks, making.target);
                 continue;
@@ -343,24 +313,32 @@ impl Walk {
     }
 
     fn stroke(&mut self, canvas: usize, [from, to]: [[f64; 2]; 2], pen: Pen) -> i64 {
+        let radius = self.look.radius(pen.width);
+        if self.repeats && !self.seen.paint([self.tag(canvas), radius.to_bits()], [from, to]) {
+            return 0;
+        }
         self.stats.strokes += 1;
-        let capsule = Capsule { from, to, radius: self.look.radius(pen.width) };
-        let colour = self.inks.number(self.colours[canvas], pen.shade);
-        capsule.paint(&mut self.canvases[canvas], colour) as i64 / 4
+        self.painted += u64::from(canvas == 0);
+        let colour = self.inks.code(pen.shade);
+        Capsule { from, to, radius }.paint(&mut self.canvases[canvas], colour) as i64 / 4
+    }
+
+    /// What tells a canvas from others, former tiles included.
+    fn tag(&self, canvas: usize) -> u64 {
+        self.serials[canvas] << 8 | canvas as u64
     }
 
     /// Stamps a tile whose block has these shades.
     fn stamp(&mut self, tile: &Tile, inks: Inks, target: Target) -> i64 {
         self.stats.stamps += 1;
         let at = [0, 1].map(|axis| target.cell[axis] + tile.corner[axis]);
-        let mut colours = [0; 2 * u64::BITS as usize];
-        let count = inks.count() as usize;
-        for (colour, shade) in colours.iter_mut().zip(inks.shades()) {
-            let shade = self.inks.choice.then(target.shade, shade);
-            *colour = self.inks.number(self.colours[target.canvas], shade);
-        }
-        self.canvases[target.canvas].stamp(&self.tiles.bits(tile), at, &colours[..count]);
-        (tile.strips * tile.rows) as i64 / 32
+        let entry = match inks {
+            Inks::One(shade) => self.inks.choice.then(target.shade, shade),
+            _ => target.shade,
+        };
+        let dye = Dye { entry, colours: self.inks.choice.colours, digits: self.inks.digits() };
+        self.canvases[target.canvas].stamp(&self.tiles.bits(tile), at, &dye);
+        (tile.strips * tile.rows) as i64 / 64
     }
 
     /// Paints a block, or puts it on the stack.
@@ -382,8 +360,12 @@ impl Walk {
             return 1;
         }
         let extent = 2.0 * place.scale * shape.half[0].max(shape.half[1]);
-        if node.canvas == 0 && drawing.memoised && !self.seen.insert(&node) {
-            return 1;
+        if self.repeats {
+            let block = u64::from(node.block.0) << 32 ^ place.heading.units();
+            let sizes = [place.scale.to_bits(), node.pen.width.to_bits()];
+            if !self.seen.paint([self.tag(node.canvas), block, sizes[0], sizes[1]], [place.origin]) {
+                return 1;
+            }
         }
         if let Some(line) = &shape.line
             && extent < LONG
@@ -398,13 +380,14 @@ impl Walk {
             return self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &shape.last));
         }
         node.cursor = block.items.end;
-        if let Some(size) = tile::size(extent, shape.strokes, self.stats.strokes < self.simple)
+        let simple = node.canvas == 0 && self.painted < self.simple;
+        if let Some(size) = tile::size(extent, shape.strokes, simple)
             && size + 1 > node.canvas
             && radius <= BROAD
-            && drawing.memoised
-            && let Some(inks) = self.inks.of(node.block.0 as usize)
+            && self.repeats
         {
-            let fine = !self.tiles.crowded && tile::is_sparse(extent, shape.strokes);
+            let sparse = tile::is_sparse(extent, shape.strokes);
+            let fine = sparse && !self.tiles.crowded;
             let snapped = tile::snap(place.origin, size, fine);
             let key = Key {
                 block: node.block,
@@ -414,21 +397,27 @@ impl Walk {
                 fine,
                 width: (radius > self.look.hairline).then_some(node.pen.width.to_bits()),
             };
-            let target = Target { canvas: node.canvas, cell: snapped.cell, shade: node.pen.shade };
-            if let Some(tile) = self.tiles.get(&key) {
-                return self.stamp(&tile, inks, target);
-            }
-            let from_origin = [0, 1].map(|axis| centre[axis] - place.origin[axis] + snapped.rest[axis]);
-            let corner = [0, 1].map(|axis| (from_origin[axis] - reach[axis]).floor() as i64);
-            let far = [0, 1].map(|axis| (from_origin[axis] + reach[axis]).ceil() as i64 - corner[axis]);
-            let far = far.map(|side| side.max(1) as usize);
-            if Tiles::fits(far, inks.count() as usize) {
-                self.canvases[1 + size].reset(far[0], far[1], inks::digits(inks.count()));
-                node.place.origin = [0, 1].map(|axis| snapped.rest[axis] - corner[axis] as f64);
-                node.canvas = 1 + size;
-                node.pen.shade = Shade::Moving(0);
-                self.colours[1 + size] = inks;
-                self.making.push(Making { key, height: self.stack.len(), size, inks, corner, target });
+            // What does not recur is not worth a tile. Whether there is one from an earlier picture must not matter:
+            // pictures do not depend on what was pictured before.
+            if node.canvas > 0 || !sparse || !self.seen.want(&key) {
+                let inks = self.inks.of(node.block.0 as usize);
+                let target = Target { canvas: node.canvas, cell: snapped.cell, shade: node.pen.shade };
+                if let Some(tile) = self.tiles.get(&key) {
+                    return self.stamp(&tile, inks, target);
+                }
+                let from_origin = [0, 1].map(|axis| centre[axis] - place.origin[axis] + snapped.rest[axis]);
+                let corner = [0, 1].map(|axis| (from_origin[axis] - reach[axis]).floor() as i64);
+                let far = [0, 1].map(|axis| (from_origin[axis] + reach[axis]).ceil() as i64 - corner[axis]);
+                let far = far.map(|side| side.max(1) as usize);
+                let planes = self.inks.planes(inks);
+                if Tiles::fits(far, planes) {
+                    self.canvases[1 + size].reset(far[0], far[1], planes);
+                    self.serials[1 + size] += 1;
+                    node.place.origin = [0, 1].map(|axis| snapped.rest[axis] - corner[axis] as f64);
+                    node.canvas = 1 + size;
+                    node.pen.shade = Shade::default();
+                    self.making.push(Making { key, height: self.stack.len(), size, inks, corner, target });
+                }
             }
         }
         self.stats.blocks += 1;
