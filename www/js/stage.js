@@ -154,6 +154,13 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
         }
     }
 
+    /** @param {boolean} under whether a drawing or its fine picture is being made */
+    function growing(under) {
+        clearTimeout(slow);
+        if (under) slow = window.setTimeout(() => (html('busy').hidden = false), SLOW_MS);
+        else html('busy').hidden = true;
+    }
+
     return {
         resolution,
 
@@ -166,12 +173,7 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
             engine.look(resolution(), view());
         },
 
-        /** @param {boolean} under whether a drawing is being made */
-        growing(under) {
-            clearTimeout(slow);
-            if (under) slow = window.setTimeout(() => (html('busy').hidden = false), SLOW_MS);
-            else html('busy').hidden = true;
-        },
+        growing,
 
         /** @param {Drawn} picture */
         drawn({ bitmap, scale: deviceScale, view: from, canvas: made, complete }) {
@@ -182,7 +184,7 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
             canvas.style.width = `${drawn.size.width}px`;
             canvas.style.height = `${drawn.size.height}px`;
             frame.classList.add('inked');
-            if (!complete) html('busy').hidden = false;
+            growing(!complete);
             place();
         },
     };

@@ -1,7 +1,7 @@
 //! The command line as a value.
 
 use lexopt::prelude::{Long, Short, Value};
-use lsystem::{MAX_ITERATIONS, SvgForm};
+use lsystem::{MAX_ITERATIONS, MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE, SvgForm, Viewport};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
@@ -103,9 +103,6 @@ pub(crate) struct Size {
     pub(crate) width: u32,
     pub(crate) height: u32,
 }
-
-/// The most pixels of a picture: the renderer needs some twenty bytes for each.
-const MOST_PIXELS: u64 = 100_000_000;
 
 impl Format {
     /// The file name's extension.
@@ -294,14 +291,19 @@ fn format(text: &OsString) -> Result<Format, String> {
     }
 }
 
+fn is_possible(width: u32, height: u32) -> bool {
+    let viewport = Viewport { width, height, ratio: 1.0 };
+    width > 0 && height > 0 && viewport.within_limits() == viewport
+}
+
 fn size(text: &OsString) -> Result<Size, String> {
     let text = text.to_string_lossy();
     let sides = text.split_once('x').and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)));
     match sides {
-        Some((width, height)) if (1..=MOST_PIXELS).contains(&(u64::from(width) * u64::from(height))) => {
-            Ok(Size { width, height })
-        }
-        Some(_) => Err(format!("--size takes 1 to {MOST_PIXELS} pixels in all, not `{text}`")),
+        Some((width, height)) if is_possible(width, height) => Ok(Size { width, height }),
+        Some(_) => Err(format!(
+            "--size takes 1 to {MAX_PICTURE_SIDE} pixels each way and {MAX_PICTURE_PIXELS} in all, not `{text}`"
+        )),
         None => Err(format!("--size takes a width and a height such as 1600x1200, not `{text}`")),
     }
 }
@@ -383,11 +385,13 @@ mod tests {
         );
         check(
             "draw a --format png --size 0x10",
-            &expect!["error: --size takes 1 to 100000000 pixels in all, not `0x10`"],
+            &expect!["error: --size takes 1 to 32768 pixels each way and 100000000 in all, not `0x10`"],
         );
         check(
             "draw a --format png --size 4000000000x4000000000",
-            &expect!["error: --size takes 1 to 100000000 pixels in all, not `4000000000x4000000000`"],
+            &expect![
+                "error: --size takes 1 to 32768 pixels each way and 100000000 in all, not `4000000000x4000000000`"
+            ],
         );
         check("draw a.json b.json", &expect!["error: OUT_BASE b.json looks like a system; use --out-dir for many"]);
         check("draw a b c", &expect!["error: draw takes one FILE and one OUT_BASE; use --out-dir for many files"]);

@@ -5,7 +5,7 @@ use crate::report::{Problem, problems};
 use crate::surface::Surface;
 use crate::{LIMITS, from_js, to_js};
 use lsystem::{
-    Definition, FileContent, Progress, Renderer, SvgForm, SvgOptions, Viewport, expand, write_csv, write_json,
+    Definition, Detail, FileContent, Progress, Renderer, SvgForm, SvgOptions, Viewport, expand, write_csv, write_json,
     write_svg,
 };
 use serde::Serialize;
@@ -104,9 +104,10 @@ impl Playground {
         let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
         let mut renderer = Renderer::new();
         renderer.load(drawing.clone());
-        renderer.begin_until(&system.style, Viewport { width, height, ratio }, self.view, self.upto);
+        let viewport = Viewport { width, height, ratio }.within_limits();
+        renderer.begin_with(&system.style, viewport, self.view, Detail::Fine, self.upto);
         while renderer.step(WORK) == Progress::More {}
-        Surface::new(canvas)?.show(renderer.pixels(), width, height)
+        Surface::new(canvas)?.show(renderer.pixels(), viewport)
     }
 }
 

@@ -10,6 +10,7 @@ mod clock;
 #[cfg(feature = "full")]
 mod files;
 mod notation;
+mod painter;
 mod playground;
 #[cfg(feature = "full")]
 mod qr;

@@ -1,13 +1,14 @@
 //! The page's handle: keeps a system between edits and works in steps that end on time.
 
 use crate::clock::Clock;
+use crate::painter::{Painter, Scene};
 use crate::reading::Written;
 use crate::report::{Report, legend_of, problems};
 use crate::surface::Surface;
 use crate::{LIMITS, from_js, to_js};
 use lsystem::{
-    Definition, Diagnostic, Drawer, Drawing, Kind, Progress, Renderer, System, View, Viewport, count_segments,
-    count_symbols, describe, fitted_scale, kind, why_empty,
+    Definition, Diagnostic, Drawer, Drawing, Kind, Progress, System, View, Viewport, count_segments, count_symbols,
+    describe, fitted_scale, kind, why_empty,
 };
 use serde::Serialize;
 use std::sync::Arc;
@@ -20,7 +21,7 @@ pub(crate) const WORK: usize = 16_384;
 /// An L-system between edits: its drawing, and the picture on the canvas.
 #[wasm_bindgen]
 pub struct Playground {
-    surface: Surface,
+    painter: Painter,
     clock: Clock,
     /// What the shown drawing is of.
     pub(crate) definition: Definition,
@@ -32,7 +33,6 @@ pub struct Playground {
     pub(crate) report: Report,
     /// Whether the page has not seen the report yet.
     news: bool,
-    renderer: Renderer,
     pub(crate) viewport: Viewport,
     pub(crate) view: View,
     /// How many segments the picture shows; all of them without it.
@@ -45,10 +45,8 @@ pub struct Playground {
 enum Picture {
     /// What is on the canvas is out of date.
     Stale,
-    /// The renderer is at work.
+    /// The painter has been told.
     Begun,
-    /// The canvas shows it.
-    Shown,
 }
 
 /// The answer of [`Playground::step`].
@@ -75,7 +73,7 @@ impl Playground {
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
         Ok(Self {
-            surface: Surface::new(canvas)?,
+            painter: Painter::new(Surface::new(canvas)?),
             clock: Clock::new(),
             definition: Definition::default(),
             system: None,
@@ -84,11 +82,10 @@ impl Playground {
             drawer: None,
             report: Report::default(),
             news: false,
-            renderer: Renderer::new(),
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
             view: View::default(),
             upto: None,
-            picture: Picture::Shown,
+            picture: Picture::Begun,
         })
     }
 
@@ -149,7 +146,7 @@ impl Playground {
     #[expect(clippy::too_many_arguments, reason = "an object would have to be read field by field")]
     pub fn view(&mut self, width: u32, height: u32, ratio: f64, x: f64, y: f64, zoom: f64, fine_x: f64, fine_y: f64) {
         let view = View { x, y, zoom, fine: [fine_x, fine_y] };
-        let viewport = Viewport { width, height, ratio };
+        let viewport = Viewport { width, height, ratio }.within_limits();
         if (view, viewport) != (self.view, self.viewport) {
             (self.view, self.viewport) = (view, viewport);
             self.picture = Picture::Stale;
@@ -199,7 +196,7 @@ impl Playground {
     }
 
     fn is_idle(&self) -> bool {
-        self.drawer.is_none() && (self.picture == Picture::Shown || !self.is_visible())
+        self.drawer.is_none() && (self.picture == Picture::Begun && self.painter.is_done() || !self.is_visible())
     }
 
     /// Whether there is something to paint and somewhere to paint it.
@@ -228,7 +225,7 @@ impl Playground {
                 self.report.description = describe(system, n, &segments, drawing.bounds());
                 self.report.segments = Some(segments.to_string());
                 let drawing = Arc::new(drawing);
-                self.renderer.load(drawing.clone());
+                self.painter.load(drawing.clone());
                 self.drawing = Some(drawing);
             }
             Err(limit) => self.refuse(limit),
@@ -247,16 +244,12 @@ impl Playground {
     fn paint(&mut self) -> Result<Option<Drawn>, JsValue> {
         let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else { return Ok(None) };
         if self.picture == Picture::Stale {
-            self.renderer.begin_until(&system.style, self.viewport, self.view, self.upto);
+            let (style, viewport, view, upto) = (system.style.clone(), self.viewport, self.view, self.upto);
+            self.painter.begin(Scene { style, viewport, view, upto });
             self.picture = Picture::Begun;
         }
-        if self.renderer.step(WORK) == Progress::More {
-            return Ok(None);
-        }
-        self.picture = Picture::Shown;
-        self.surface.show(self.renderer.pixels(), self.viewport.width, self.viewport.height)?;
-        let scale = fitted_scale(drawing, self.viewport);
-        Ok(Some(Drawn { complete: true, scale }))
+        let shown = self.painter.step(&self.clock)?;
+        Ok(shown.map(|complete| Drawn { complete, scale: fitted_scale(drawing, self.viewport) }))
     }
 }
 

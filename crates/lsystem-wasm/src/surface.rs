@@ -1,5 +1,6 @@
 //! Where pixels meet the browser.
 
+use lsystem::Viewport;
 use wasm_bindgen::{Clamped, JsCast, JsValue};
 use web_sys::{ImageData, OffscreenCanvas, OffscreenCanvasRenderingContext2d};
 
@@ -15,8 +16,8 @@ impl Surface {
         Ok(Self { canvas, context: context.dyn_into()? })
     }
 
-    /// Shows a picture of `width` x `height` opaque RGBA pixels, and makes the canvas that size.
-    pub(crate) fn show(&self, pixels: &[u8], width: u32, height: u32) -> Result<(), JsValue> {
+    /// Shows a picture of opaque RGBA pixels, and makes the canvas its size.
+    pub(crate) fn show(&self, pixels: &[u8], Viewport { width, height, .. }: Viewport) -> Result<(), JsValue> {
         // Setting a size clears the canvas even where it is the same.
         if (self.canvas.width(), self.canvas.height()) != (width, height) {
             self.canvas.set_width(width);

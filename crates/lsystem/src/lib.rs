@@ -59,7 +59,10 @@ pub use format::{
 pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
 pub use heading::Heading;
 pub use key::Key;
-pub use limits::{Limits, MAX_CONTEXT, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS, MAX_TEXT};
+pub use limits::{
+    Limits, MAX_CONTEXT, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS, MAX_PICTURE_PIXELS,
+    MAX_PICTURE_SIDE, MAX_TEXT,
+};
 pub use mesh::Mesh;
 pub use notation::{Class, Classes, ConstantPlace, classify, parse, plain_word};
 pub use overrides::{Override, parse_overrides, print_actions, print_overrides};
@@ -68,7 +71,7 @@ pub use plane::Plane;
 pub use print::{print_axiom, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
 pub use progress::Progress;
-pub use render::{Rect, RenderStats, Renderer, View, Viewport, fit, fitted_scale, to_model};
+pub use render::{Detail, Rect, RenderStats, Renderer, View, Viewport, fit, fitted_scale, to_model};
 pub use rewriting::{ContextPattern, Fault, Image, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template};
 pub use rotation::Rotation;
 pub use solid::Solid;

@@ -51,6 +51,12 @@ pub const MAX_TEXT: usize = 1 << 20;
 /// The most colours in a palette.
 pub const MAX_PALETTE: usize = 256;
 
+/// The most pixels along a side of a picture.
+pub const MAX_PICTURE_SIDE: u32 = 1 << 15;
+
+/// The most pixels of a picture: they take up to two gigabytes while it is made.
+pub const MAX_PICTURE_PIXELS: u32 = 100_000_000;
+
 /// The most different symbols in a system: what a [`SymbolId`](crate::SymbolId) can tell apart.
 pub const MAX_LETTERS: usize = crate::SymbolId::MAX as usize + 1;
 

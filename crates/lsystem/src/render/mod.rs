@@ -22,7 +22,7 @@ mod sample;
 #[cfg(test)]
 mod tests;
 
-pub use view::{Rect, View, Viewport, fit, fitted_scale, to_model};
+pub use view::{Detail, Rect, View, Viewport, fit, fitted_scale, to_model};
 
 use crate::{Drawing, Progress, Style};
 use shape::Shape;
@@ -65,17 +65,20 @@ impl Renderer {
         self.walk.clear();
     }
 
-    /// Starts a picture of the loaded drawing; a picture that was being made is given up.
+    /// Starts a picture of the loaded drawing; a picture that was being made is given up. A viewport that is too large
+    /// is cut to [`Viewport::within_limits`].
     pub fn begin(&mut self, style: &Style, viewport: Viewport, view: View) {
-        self.begin_until(style, viewport, view, None);
+        self.begin_with(style, viewport, view, Detail::Fine, None);
     }
 
-    /// As [`Renderer::begin`], a picture of the first `upto` segments only: the turtle on its way.
-    pub fn begin_until(&mut self, style: &Style, viewport: Viewport, view: View, upto: Option<u128>) {
+    /// As [`Renderer::begin`], in coarse or in fine `detail`; of the first `upto` segments only, if that is given: the
+    /// turtle on its way.
+    pub fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>) {
+        let viewport = viewport.within_limits();
         if let Some(drawing) = &self.drawing {
-            self.walk.begin(drawing, style, viewport, view, upto);
+            self.walk.begin(drawing, style, viewport, view, detail, upto);
         }
-        self.output.begin(style, self.walk.inks(), viewport);
+        self.output.begin(style, self.walk.inks(), viewport, detail);
     }
 
     /// Goes on with the picture for about `work` units (one unit is in the order of 10 to 100 nanoseconds).

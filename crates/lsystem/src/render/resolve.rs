@@ -1,7 +1,7 @@
 //! From subsamples to pixels.
 
-use super::Viewport;
 use super::canvas::Canvas;
+use super::{Detail, Viewport};
 use crate::Progress;
 use crate::Style;
 use core::ops::Range;
@@ -18,26 +18,29 @@ pub(super) struct Output {
     shades: Vec<[[u8; 4]; 32]>,
     /// By strip, then cell: whether the pixels there are not background.
     inked: Vec<bool>,
+    detail: Detail,
     /// The next cell to do.
     next: usize,
 }
 
-/// Pixels along the side of a cell.
+/// Pixels along the side of a cell of 4x4 subsamples each.
 const SIDE: usize = 16;
 
 impl Output {
     /// Starts a picture whose colours have the palette entries `inks`, by number.
-    pub(super) fn begin(&mut self, style: &Style, inks: &[u32], viewport: Viewport) {
+    pub(super) fn begin(&mut self, style: &Style, inks: &[u32], viewport: Viewport, detail: Detail) {
         let (width, height) = (viewport.width as usize, viewport.height as usize);
         let background = style.background.rgb.map(u32::from);
-        if (self.width, self.height, self.background) != (width, height, background) || self.pixels.is_empty() {
-            (self.width, self.height, self.background) = (width, height, background);
+        let known = (self.width, self.height, self.background, self.detail) == (width, height, background, detail);
+        if !known || self.pixels.is_empty() {
+            (self.width, self.height, self.background, self.detail) = (width, height, background, detail);
             let [r, g, b] = style.background.rgb;
             self.pixels.clear();
             self.pixels.reserve_exact(width * height * 4);
             self.pixels.extend([r, g, b, u8::MAX].iter().cycle().take(width * height * 4));
             self.inked.clear();
-            self.inked.resize(width.div_ceil(SIDE) * height.div_ceil(SIDE), false);
+            let side = 4 * SIDE / detail.samples();
+            self.inked.resize(width.div_ceil(side) * height.div_ceil(side), false);
         }
         self.palette.clear();
         let colour = |&ink: &u32| style.palette.get(ink as usize).map(|colour| colour.rgb.map(u32::from));
@@ -68,7 +71,10 @@ impl Output {
             }
             let touched = frame.touched.get(self.next).copied().unwrap_or_default();
             if touched || self.inked[self.next] {
-                self.cell(frame, self.next);
+                match self.detail {
+                    Detail::Fine => self.cell(frame, self.next),
+                    Detail::Coarse => self.coarse_cell(frame, self.next),
+                }
                 self.inked[self.next] = touched;
                 *left -= 30;
             }
@@ -111,6 +117,29 @@ impl Output {
                 continue;
             }
             self.mixed(frame, at, covered, y * self.width + left..y * self.width + right);
+        }
+    }
+
+    /// A cell whose subsamples are pixels.
+    fn coarse_cell(&mut self, frame: &Canvas, index: usize) {
+        const SIDE: usize = u64::BITS as usize;
+        let (strip, cell) = (index / frame.cells, index % frame.cells);
+        let left = strip * SIDE;
+        let right = (left + SIDE).min(self.width);
+        for y in cell * SIDE..(cell * SIDE + SIDE).min(self.height) {
+            let at = strip * frame.rows + y;
+            let (out, _) = self.pixels[(y * self.width + left) * 4..(y * self.width + right) * 4].as_chunks_mut::<4>();
+            let covered = frame.covered[at];
+            if covered == 0 {
+                out.fill(self.shades[0][0]);
+                continue;
+            }
+            for (x, pixel) in out.iter_mut().enumerate() {
+                let digits = frame.colours.chunks_exact(frame.covered.len()).enumerate();
+                let ink: usize = digits.map(|(digit, plane)| ((plane[at] >> x & 1) as usize) << digit).sum();
+                let count = if covered >> x & 1 != 0 { 16 } else { 0 };
+                *pixel = self.shades[ink.min(self.palette.len() - 1)][count];
+            }
         }
     }
 

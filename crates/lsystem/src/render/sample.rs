@@ -1,8 +1,11 @@
 //! Drawings and a brute-force picture for the tests of this module.
 
-use super::view::{Camera, SAMPLES};
+use super::view::Camera;
 use super::{View, Viewport};
 use crate::{BlockId, ColourBy, Definition, Dialect, Drawing, Item, Limits, Style, StyleChange, System, draw};
+
+/// Subsamples along one side of a pixel, by definition.
+const SAMPLES: f64 = 4.0;
 
 /// A system to be drawn at several n.
 #[derive(Clone, Debug)]
@@ -72,7 +75,7 @@ pub(super) fn brute_force_until(
     upto: usize,
 ) -> Vec<u8> {
     let mut left = upto;
-    let camera = Camera::new(drawing, viewport, view);
+    let camera = Camera::new(drawing, viewport, view, SAMPLES);
     let (width, height) = (viewport.width as i64 * 4, viewport.height as i64 * 4);
     let mut inks = vec![None; (width * height) as usize];
     let hairline = (style.min_width * viewport.ratio).max(1.0) * SAMPLES / 2.0;

@@ -83,7 +83,7 @@ fn a_turtle_on_its_way_has_drawn_the_first_segments() {
         renderer.load(drawing.clone());
         let count = drawing.segment_count();
         for upto in [0, 1, count / 3, count - 1, count] {
-            renderer.begin_until(&style, viewport, view, Some(upto));
+            renderer.begin_with(&style, viewport, view, Detail::Fine, Some(upto));
             while renderer.step(10_000) == Progress::More {}
             let truth = brute_force_until(&drawing, &style, viewport, view, upto as usize);
             let (mean, worst) = difference(renderer.pixels(), &truth, 320);
@@ -367,4 +367,52 @@ fn full_size_pictures_are_true() {
         }
     }
     assert!(failures.is_empty(), "{failures:?}");
+}
+
+#[test]
+fn a_coarse_picture_has_the_ink_of_the_fine_one_where_that_has_it() {
+    let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+    let [mut fine, mut coarse] = [Renderer::new(), Renderer::new()];
+    for (name, sample, n) in samples() {
+        let drawing = Arc::new(sample.draw(n));
+        fine.load(drawing.clone());
+        coarse.load(drawing.clone());
+        for zoom in [1.0, 10.0] {
+            let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
+            picture(&mut fine, &sample.0.style, viewport, view);
+            coarse.begin_with(&sample.0.style, viewport, view, Detail::Coarse, None);
+            while coarse.step(10_000) == Progress::More {}
+            assert_eq!(coarse.pixels().len(), fine.pixels().len());
+            // A sample stands for sixteen; what that loses evens out over some pixels.
+            let (blurred, truth) = (tiles(coarse.pixels(), 320), tiles(fine.pixels(), 320));
+            let differences = blurred.iter().zip(&truth).map(|(a, b)| (a - b).abs());
+            let worst = differences.clone().fold(0.0, f64::max);
+            let mean = differences.sum::<f64>() / truth.len() as f64;
+            println!("{name:12} {zoom:5} mean {mean:.2} worst {worst:.2}");
+            assert!(mean < 8.0 && worst < 48.0, "{name} {zoom}: mean {mean:.2} worst {worst:.2}");
+        }
+    }
+}
+
+/// The mean of each 8x8 tile of a picture.
+fn tiles(pixels: &[u8], width: usize) -> Vec<f64> {
+    let columns = width.div_ceil(8);
+    let mut sums = vec![0.0; columns * (pixels.len() / 4 / width).div_ceil(8)];
+    for (i, pixel) in pixels.chunks(4).enumerate() {
+        let sum: f64 = pixel[..3].iter().map(|&v| f64::from(v)).sum();
+        sums[i / width / 8 * columns + i % width / 8] += sum / (3.0 * 64.0);
+    }
+    sums
+}
+
+#[test]
+fn pictures_have_a_largest_size() {
+    let within = |width, height| {
+        let Viewport { width, height, .. } = Viewport { width, height, ratio: 1.0 }.within_limits();
+        (width, height)
+    };
+    assert_eq!(within(11_520, 5_800), (11_520, 5_800));
+    assert_eq!(within(100_000, 10), (32_768, 10));
+    assert_eq!(within(20_000, u32::MAX), (20_000, 5_000));
+    assert_eq!(within(0, u32::MAX), (0, 32_768));
 }

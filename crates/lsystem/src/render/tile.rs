@@ -5,7 +5,7 @@
 
 use super::canvas::Canvas;
 use super::mixer::Mixer;
-use super::view::SAMPLES;
+use super::view::Detail;
 use crate::{BlockId, Heading};
 use core::hash::BuildHasherDefault;
 use std::collections::HashMap;
@@ -65,7 +65,8 @@ pub(super) struct Snapped {
 
 /// Whether the strokes of a block can be told apart: it has fewer than pixels.
 pub(super) fn is_sparse(extent: f64, strokes: u32) -> bool {
-    f64::from(strokes) < extent * extent / (SAMPLES * SAMPLES)
+    let side = extent / Detail::Fine.samples() as f64;
+    f64::from(strokes) < side * side
 }
 
 /// The nearest place for the origin of a block's tile, in `fine` or in ordinary steps.

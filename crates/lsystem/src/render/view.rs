@@ -2,6 +2,7 @@
 
 use super::wide::Wide;
 use crate::Drawing;
+use crate::limits::{MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 
 /// The size of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,6 +13,17 @@ pub struct Viewport {
     pub height: u32,
     /// Device pixels in one CSS pixel.
     pub ratio: f64,
+}
+
+impl Viewport {
+    /// The same, or the upper left part of it where it is larger than pictures may be: [`MAX_PICTURE_SIDE`] each way
+    /// and [`MAX_PICTURE_PIXELS`] in all.
+    #[must_use]
+    pub fn within_limits(self) -> Self {
+        let width = self.width.min(MAX_PICTURE_SIDE);
+        let height = self.height.min(MAX_PICTURE_SIDE).min(MAX_PICTURE_PIXELS / width.max(1));
+        Self { width, height, ..self }
+    }
 }
 
 /// A place and a magnification, relative to the fitted drawing, so that the drawing can change under it.
@@ -71,16 +83,16 @@ pub fn fit(drawing: &Drawing) -> Rect {
 #[must_use]
 pub fn fitted_scale(drawing: &Drawing, viewport: Viewport) -> f64 {
     let (_, rect) = root_bounds(drawing);
-    Camera::new(drawing, viewport, View::default()).scale / SAMPLES * rect.longer_side()
+    Camera::new(drawing, viewport, View::default(), 1.0).scale * rect.longer_side()
 }
 
 /// The model point, y up, that the view shows at (`px`, `py`): device pixels from the upper left corner.
 #[must_use]
 pub fn to_model(drawing: &Drawing, viewport: Viewport, view: View, px: f64, py: f64) -> [f64; 2] {
     let (unit, _) = root_bounds(drawing);
-    let camera = Camera::new(drawing, viewport, view);
+    let camera = Camera::new(drawing, viewport, view, 1.0);
     let [x, y] = camera.place([Wide::default(); 2]);
-    let local = [(px * SAMPLES - x) / camera.scale, (y - py * SAMPLES) / camera.scale];
+    let local = [(px - x) / camera.scale, (y - py) / camera.scale];
     [0, 1].map(|axis| drawing.start[axis] + unit * local[axis])
 }
 
@@ -109,8 +121,26 @@ pub(super) fn root_bounds(drawing: &Drawing) -> (f64, Rect) {
     (unit, Rect { x: x - side / 2.0, y: y - side / 2.0, width: side, height: side })
 }
 
-/// Subsamples along one side of a pixel.
-pub(super) const SAMPLES: f64 = 4.0;
+/// How closely a picture looks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Detail {
+    /// 4x4 subsamples a pixel: smooth edges.
+    #[default]
+    Fine,
+    /// One sample a pixel: rough edges, in a fraction of the time.
+    Coarse,
+}
+
+impl Detail {
+    /// Subsamples along one side of a pixel.
+    pub(super) const fn samples(self) -> usize {
+        match self {
+            Self::Fine => 4,
+            Self::Coarse => 1,
+        }
+    }
+}
+
 /// Empty space around a fitted drawing, as a part of the viewport's shorter side.
 const MARGIN: f64 = 0.04;
 
@@ -129,7 +159,8 @@ pub(super) struct Camera {
 }
 
 impl Camera {
-    pub(super) fn new(drawing: &Drawing, viewport: Viewport, view: View) -> Self {
+    /// With so many subsamples along one side of a pixel.
+    pub(super) fn new(drawing: &Drawing, viewport: Viewport, view: View, samples: f64) -> Self {
         let (_, rect) = root_bounds(drawing);
         let exponent = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize)).map_or(0, |root| root.exponent);
         let (width, height) = (f64::from(viewport.width), f64::from(viewport.height));
@@ -144,7 +175,7 @@ impl Camera {
         };
         let margin = 2.0 * MARGIN * width.min(height);
         let usable = [width - margin, height - margin];
-        let fitted = (usable[0] / (rect.width + pad)).min(usable[1] / (rect.height + pad)) * SAMPLES;
+        let fitted = (usable[0] / (rect.width + pad)).min(usable[1] / (rect.height + pad)) * samples;
         let zoom = if view.zoom.is_finite() && view.zoom > 0.0 { view.zoom } else { 1.0 };
         let scale = fitted * zoom;
         let side = rect.longer_side();
@@ -155,11 +186,12 @@ impl Camera {
         };
         Self {
             centre: [along(cx, view.x, view.fine[0]), along(cy, view.y, view.fine[1])],
-            middle: [width * SAMPLES / 2.0, height * SAMPLES / 2.0],
+            middle: [width * samples / 2.0, height * samples / 2.0],
             scale,
             step: libm::scalbn(scale, -exponent),
         }
     }
+
     /// Where a point of the root block's frame is, in subsamples.
     pub(super) fn place(&self, at: [Wide; 2]) -> [f64; 2] {
         let [x, y] = [0, 1].map(|axis| at[axis].minus(self.centre[axis]) * self.scale);

@@ -8,7 +8,7 @@ use super::shape::Shape;
 use super::stroke::Capsule;
 use super::tile::{self, Key, Tile, Tiles};
 use super::turns::Turns;
-use super::view::{Camera, SAMPLES, View, Viewport};
+use super::view::{Camera, Detail, View, Viewport};
 use super::wide::Wide;
 use crate::{BlockId, Drawing, Heading, Item, Placed, Progress, Style, StyleChange};
 
@@ -180,6 +180,7 @@ impl Walk {
         style: &Style,
         viewport: Viewport,
         view: View,
+        detail: Detail,
         upto: Option<u128>,
     ) {
         self.stats = RenderStats::default();
@@ -188,15 +189,16 @@ impl Walk {
         self.seen.clear();
         self.stack.clear();
         self.making.clear();
-        let camera = Camera::new(drawing, viewport, view);
+        let camera = Camera::new(drawing, viewport, view, detail.samples() as f64);
         let min_width = (style.min_width * viewport.ratio).max(1.0);
-        let hairline = if min_width.is_finite() { min_width * SAMPLES / 2.0 } else { SAMPLES / 2.0 };
+        let min_width = if min_width.is_finite() { min_width } else { 1.0 };
+        let hairline = min_width * detail.samples() as f64 / 2.0;
         let look = Look { hairline, step: camera.step, scale: camera.scale };
         if self.inks.prepare(drawing, style) || look != self.look {
             self.look = look;
             self.tiles.clear();
         }
-        let [width, height] = [viewport.width, viewport.height].map(|side| side as usize * SAMPLES as usize);
+        let [width, height] = [viewport.width, viewport.height].map(|side| side as usize * detail.samples());
         self.canvases[0].reset(width, height, self.inks.picture_planes());
         let Some((root, block)) = drawing.root.and_then(|id| Some((id, drawing.blocks.get(id.0 as usize)?))) else {
             return;
