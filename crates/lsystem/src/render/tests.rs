@@ -416,3 +416,65 @@ fn pictures_have_a_largest_size() {
     assert_eq!(within(20_000, u32::MAX), (20_000, 5_000));
     assert_eq!(within(0, u32::MAX), (0, 32_768));
 }
+
+/// Views a little apart each: zooming in slowly, and panning by parts of a pixel.
+fn steady_views(drawing: &Drawing, zoom: f64) -> Vec<Vec<View>> {
+    let view = if zoom == 1.0 { View::default() } else { close_up(drawing, zoom) };
+    let zooms = (0..12).map(|i| View { zoom: zoom * (1.0 + f64::from(i) / 640.0), ..view }).collect();
+    let viewport = Viewport { width: 160, height: 100, ratio: 1.0 };
+    let pixel = 1.0 / (fitted_scale(drawing, viewport) * zoom);
+    let pans = (0..12).map(|i| View { x: view.x + f64::from(i) * pixel / 8.0, ..view }).collect();
+    vec![zooms, pans]
+}
+
+#[test]
+fn slow_zooms_and_pans_neither_shimmer_nor_pop() {
+    let viewport = Viewport { width: 160, height: 100, ratio: 1.0 };
+    let mut renderer = Renderer::new();
+    let mut failures = vec![];
+    let ink = |pixels: &[u8], style: &Style| {
+        let far = |pixel: &[u8]| (0..3).map(|c| f64::from(pixel[c].abs_diff(style.background.rgb[c]))).sum::<f64>();
+        pixels.chunks(4).map(far).sum::<f64>() / (pixels.len() / 4 * 3) as f64
+    };
+    for (name, sample, n) in samples() {
+        let drawing = Arc::new(sample.draw(n));
+        let style = &sample.0.style;
+        for (simple, zoom) in [(tile::SIMPLE_STROKES, 1.0), (0, 1.0), (0, 10.0)] {
+            renderer.walk.simple = simple;
+            renderer.load(drawing.clone());
+            for views in steady_views(&drawing, zoom) {
+                let mut last: Option<(Vec<u8>, Vec<u8>)> = None;
+                for view in views {
+                    picture(&mut renderer, style, viewport, view);
+                    let ours = renderer.pixels().to_vec();
+                    let truth = brute_force(&drawing, style, viewport, view);
+                    // The ink in the picture is that of the truth, so it goes up and down with nothing else.
+                    let (got, expected) = (ink(&ours, style), ink(&truth, style));
+                    let off = (got - expected).abs() / (1.0 + 0.02 * expected);
+                    let (mut extra, mut worst) = (0.0, 0.0_f64);
+                    if let Some((before, truth_before)) = &last {
+                        // An eighth of a pixel of movement changes what lies on edges; what our picture changes beyond
+                        // that is what tiles are off by, an eighth of a subsample or less, twice.
+                        let (change, _) = difference(before, &ours, 160);
+                        let (needed, _) = difference(truth_before, &truth, 160);
+                        extra = change - needed;
+                        // Nothing pops up or vanishes: no 8x8 tile changes much more than in truth.
+                        let moved = |a: &[u8], b: &[u8]| -> Vec<f64> {
+                            tiles(a, 160).iter().zip(tiles(b, 160)).map(|(a, b)| a - b).collect()
+                        };
+                        let pops = moved(before, &ours)
+                            .into_iter()
+                            .zip(moved(truth_before, &truth))
+                            .map(|(a, b)| (a - b).abs());
+                        worst = pops.fold(0.0, f64::max);
+                    }
+                    if off > 1.0 || extra > 2.5 || worst > 16.0 {
+                        failures.push((name, simple, zoom, view.zoom, off, extra, worst));
+                    }
+                    last = Some((ours, truth));
+                }
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{failures:#?}");
+}
