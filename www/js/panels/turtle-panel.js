@@ -50,8 +50,9 @@ export function turtlePanel(store) {
             },
         }),
     );
-    /** Whether the drawing leaves the plane. */
+    /** Whether the drawing leaves the plane, and whether it bends. */
     let solid = false;
+    let bent = false;
 
     /** Angles in space are shown where they matter, or were given. @param {import('../state.js').State} state */
     function showSpace({ angle, pitchDown, pitchUp, rollLeft, rollRight }) {
@@ -76,8 +77,9 @@ export function turtlePanel(store) {
             showSpace(state);
             showElasticity(state.elasticity);
             state.tropism.forEach((value, at) => showPull[at]?.(value));
-            // What bends is shown; what does not is opened by who wants it to.
-            if (state.elasticity !== 0 && !bends.hasAttribute('open')) bends.setAttribute('open', '');
+            // What begins to bend is shown; the reader may close it again.
+            if (state.elasticity !== 0 && !bent) bends.setAttribute('open', '');
+            bent = state.elasticity !== 0;
         },
         /** @param {import('../engine.js').Notation} notation @param {import('../notation.js').Texts} texts */
         read(notation, texts) {

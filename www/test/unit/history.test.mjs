@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { EMPTY, TOGETHER, record, redo, undo } from '../../js/history.js';
+import { EMPTY, TOGETHER, record, redo, settle, undo } from '../../js/history.js';
 import { FIELDS, clean, same } from '../../js/state.js';
 import { createStore } from '../../js/store.js';
 import { dice, randomState } from './random.mjs';
@@ -14,6 +14,15 @@ test('quick changes by one control are one step, others are not', () => {
     history = record(history, clean({ angle: 3 }), { angle: 4 }, 'angle', 200 + TOGETHER);
     history = record(history, clean({ angle: 4 }), { iterations: 5 }, 'iterations', 210 + TOGETHER);
     assert.equal(history.past.length, 3);
+});
+
+test('a drag is one step, however long it rests, until it is let go', () => {
+    let history = record(EMPTY, clean({ angle: 1 }), { angle: 2 }, 'drag angle', 0);
+    history = record(history, clean({ angle: 2 }), { angle: 3 }, 'drag angle', 10 * TOGETHER);
+    assert.equal(history.past.length, 1);
+    history = record(settle(history), clean({ angle: 3 }), { angle: 4 }, 'drag angle', 10 * TOGETHER + 1);
+    assert.equal(history.past.length, 2);
+    assert.deepEqual(undo(history)?.patch, { angle: 3 });
 });
 
 test('a control moved there and back leaves nothing to undo', () => {

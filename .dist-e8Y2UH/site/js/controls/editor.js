@@ -1,0 +1,187 @@
+/**
+ * A text area whose text is tinted and whose mistakes are underlined in place: the same text stands in a layer behind
+ * it, in spans, while the area itself shows only caret and selection.
+ */
+
+import { make, setValue } from '../dom.js';
+import { carried, spansOf } from '../tint.js';
+
+/** @typedef {import('../engine.js').Diagnostic} Diagnostic */
+/**
+ * @typedef {object} Editor
+ * @property {(text: string) => void} show
+ * @property {(start: number, end: number, text: string) => string} replace puts `text` in the place of a part; caret and
+ *   selection stay where they are. Gives the whole text.
+ * @property {(letters: string, text: string) => void} tint with the letters of `text`, if that is still what it shows
+ * @property {(diagnostics: Diagnostic[]) => void} mark
+ */
+
+/** Longer lines are not tinted, in UTF-16 units. */
+const TINTED = 4000;
+
+/**
+ * @param {HTMLTextAreaElement} area
+ * @param {HTMLElement} problems the list under it
+ * @param {'axiom' | 'rules' | 'overrides'} kind
+ * @param {{change: (text: string) => void, settle: () => void}} on
+ * @returns {Editor}
+ */
+export function editor(area, problems, kind, { change, settle }) {
+    const layer = /** @type {HTMLElement} */ (area.previousElementSibling);
+    /** @type {Diagnostic[]} */
+    let marks = [];
+    /** What the layer shows, and the letters that tint it. */
+    let text = '';
+    let letters = '';
+
+    /** What each line of the layer shows, to leave alone the lines that stay as they are. @type {string[]} */
+    let shown = [];
+
+    function paint() {
+        if (area.value !== text) {
+            letters = carried(letters, text, area.value);
+            text = area.value;
+        }
+        const lines = linesOf(text, marks, letters);
+        const keys = lines.map((line) => JSON.stringify(line));
+        const most = Math.min(keys.length, shown.length);
+        let head = 0;
+        while (head < most && keys[head] === shown[head]) head++;
+        let tail = 0;
+        while (tail < most - head && keys.at(-1 - tail) === shown.at(-1 - tail)) tail++;
+        const old = [...layer.children].slice(head, shown.length - tail);
+        const fresh = lines.slice(head, lines.length - tail);
+        const lasting = Math.min(old.length, fresh.length);
+        const last = old.at(-1) ?? layer.children[head - 1];
+        fresh.slice(0, lasting).forEach((line, at) => {
+            if (keys[head + at] !== shown[head + at]) old[at]?.replaceChildren(...pieces(line));
+        });
+        for (const gone of old.slice(lasting)) gone.remove();
+        const more = fresh.slice(lasting).map((line) => make('span', {}, ...pieces(line)));
+        if (last) last.after(...more);
+        else layer.prepend(...more);
+        shown = keys;
+    }
+
+    area.addEventListener('input', () => {
+        paint();
+        change(area.value);
+    });
+    area.addEventListener('blur', settle);
+    if (kind === 'axiom') {
+        area.addEventListener('keydown', (event) => {
+            if (event.key === 'Enter' && !event.isComposing) event.preventDefault();
+        });
+    }
+
+    return {
+        show(next) {
+            if (area.value === next) return;
+            setValue(area, next);
+            paint();
+        },
+        replace(start, end, part) {
+            area.setRangeText(part, start, end, 'preserve');
+            paint();
+            return area.value;
+        },
+        tint(next, of) {
+            if (of !== text || next === letters) return;
+            letters = next;
+            paint();
+        },
+        mark(diagnostics) {
+            if (JSON.stringify(diagnostics) === JSON.stringify(marks)) return;
+            marks = diagnostics;
+            area.setAttribute('aria-invalid', String(marks.some((mark) => mark.severity === 'error')));
+            listProblems(problems, marks, area);
+            paint();
+        },
+    };
+}
+
+/**
+ * Lists diagnostics in words; where they have a place in `area`, a click goes there.
+ * @param {HTMLElement} list
+ * @param {Diagnostic[]} diagnostics
+ * @param {HTMLTextAreaElement} [area]
+ */
+export function listProblems(list, diagnostics, area) {
+    const place = area && placesIn(area.value);
+    list.replaceChildren(
+        ...diagnostics.map(({ severity, message, hint, start, end }) => {
+            const words = [make('span', { class: 'problem-text' }, ...withCode(message))];
+            if (hint) words.push(make('span', { class: 'problem-hint' }, ...withCode(hint)));
+            if (!area || !place) return make('li', { class: severity }, ...words);
+            const go = make('button', { type: 'button', class: 'problem' }, make('span', { class: 'place' }, place(start)), ...words);
+            go.addEventListener('click', () => {
+                area.focus();
+                area.setSelectionRange(start, Math.max(end, start));
+            });
+            return make('li', { class: severity }, go);
+        }),
+    );
+}
+
+/** What stands between backquotes is code; the backquotes stay, because some hints mean them. @param {string} words */
+function withCode(words) {
+    return words.split(/(`[^`]+`)/).map((part) => (part.length > 2 && part.startsWith('`') ? make('code', {}, part) : part));
+}
+
+/** Says where an offset is. @param {string} text @returns {(offset: number) => string} */
+function placesIn(text) {
+    const starts = [0];
+    for (let at = text.indexOf('\n'); at >= 0; at = text.indexOf('\n', at + 1)) starts.push(at + 1);
+    return (offset) => {
+        const line = starts.findLastIndex((start) => start <= offset);
+        const column = [...text.slice(starts[line], offset)].length + 1;
+        return starts.length > 1 ? `Line ${line + 1}, column ${column}` : `Column ${column}`;
+    };
+}
+
+/** @typedef {{start: number, end: number, severity: 'warning' | 'error'}} Mark */
+/** @typedef {{text: string, letters: string, marks: Mark[]}} Line */
+
+/**
+ * The lines of a text, each with its line break, its letters and the mistakes in it, by offsets into the line.
+ * @param {string} text
+ * @param {Diagnostic[]} diagnostics
+ * @param {string} [letters] one for each UTF-16 unit
+ * @returns {Line[]}
+ */
+export function linesOf(text, diagnostics, letters = '') {
+    // A mistake where something is missing has no width: underline the symbol before it.
+    const marks = diagnostics.map(({ start, end, severity }) => (end > start ? { start, end, severity } : { start: Math.max(0, Math.min(start, text.length) - 1), end: Math.max(1, start), severity }));
+    let from = 0;
+    const lines = text.split(/(?<=\n)/);
+    // The line after a line break at the end.
+    if (text.endsWith('\n')) lines.push('');
+    return lines.map((line) => {
+        const [first, last] = [from, from + line.length];
+        from = last;
+        const inside = marks.filter(({ start, end }) => start < last && end > first);
+        return { text: line, letters: letters.slice(first, last), marks: inside.map(({ start, end, severity }) => ({ start: Math.max(0, start - first), end: Math.min(end - first, line.length), severity })) };
+    });
+}
+
+/**
+ * A line in spans: tints and mistakes may overlap, so it is cut at every edge of either.
+ * @param {Line} line
+ */
+function pieces({ text, letters, marks }) {
+    const spans = text.length > TINTED ? [] : spansOf(letters);
+    const edges = [...new Set([0, text.length, ...[...spans, ...marks].flatMap(({ start, end }) => [start, end])])].sort((a, b) => a - b);
+    const nodes = [];
+    let next = 0;
+    for (let at = 0; at + 1 < edges.length; at++) {
+        const from = /** @type {number} */ (edges[at]);
+        const to = /** @type {number} */ (edges[at + 1]);
+        while (next < spans.length && /** @type {{end: number}} */ (spans[next]).end <= from) next++;
+        const span = spans[next];
+        const over = marks.filter(({ start, end }) => start <= from && end >= to).map(({ severity }) => severity);
+        const names = [span && span.start <= from ? `t-${span.tint}` : '', over.includes('error') ? 'wrong' : over.length > 0 ? 'doubtful' : ''].filter(Boolean);
+        const piece = text.slice(from, to);
+        nodes.push(names.length > 0 ? make('span', { class: names.join(' ') }, piece) : document.createTextNode(piece));
+    }
+    return nodes;
+}

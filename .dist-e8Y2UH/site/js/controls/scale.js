@@ -1,0 +1,54 @@
+/** Scales for sliders whose values may be anything: the range follows the value. Pure functions. */
+
+import { plain } from '../numerals.js';
+
+/** Stops between zero and twice the value, at least. */
+const FEWEST = 200;
+/** Values smaller than this part of a scale deserve a finer one. */
+const SMALL = 1 / 20;
+
+/**
+ * Stops from zero to twice a value, on its side of zero; about zero itself from -1 to 1. Steps are 1, 2 or 5 times a
+ * power of ten, and 1 where whole numbers are many enough.
+ * @param {number} value finite
+ * @returns {number[]} ascending
+ */
+export function scaleAbout(value) {
+    const size = Math.min(Math.abs(value) || 1, Number.MAX_VALUE / 4);
+    const span = 2 * size;
+    const fine = stepBelow(span / FEWEST);
+    const step = Number.isInteger(value) && size >= 20 ? Math.max(1, fine) : fine;
+    const most = Math.ceil(Number((span / step).toPrecision(12)));
+    const up = Array.from({ length: most + 1 }, (_, at) => Number((at * step).toPrecision(12)));
+    if (value > 0) return up;
+    const down = up.map((stop) => 0 - stop).reverse();
+    return value < 0 ? down : [...down.slice(most / 2, -1), ...up.slice(0, most / 2 + 1)];
+}
+
+/** The largest of 1, 2 and 5 times a power of ten that is not above `most`. @param {number} most above 0 */
+function stepBelow(most) {
+    const power = 10 ** Math.floor(Math.log10(most));
+    const times = [5, 2, 1].find((factor) => factor * power <= most * (1 + 1e-9)) ?? 1;
+    return Number((times * power).toPrecision(3)) || Number.MIN_VALUE;
+}
+
+/**
+ * Whether a value is shown badly by a scale: outside of it, at its far end, or so near zero that its steps are coarse.
+ * @param {readonly number[]} stops ascending
+ * @param {number} value
+ */
+export function outgrown(stops, value) {
+    const [low = 0, high = 0] = [stops[0], stops.at(-1)];
+    const size = Math.max(-low, high);
+    return value < low || value > high || Math.abs(value) >= size || (value !== 0 && Math.abs(value) < size * SMALL);
+}
+
+/**
+ * A number for a text, written as the one whose place it takes: without a zero before the point if that has none.
+ * @param {number} value
+ * @param {string} former
+ */
+export function writtenAs(value, former) {
+    const written = plain(value);
+    return /^\s*[-+−]?\./.test(former) ? written.replace(/^(-?)0\./, '$1.') : written;
+}

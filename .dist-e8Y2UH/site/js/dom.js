@@ -1,0 +1,65 @@
+/** Small helpers for a page whose elements stand in index.html and are only ever updated. */
+
+/**
+ * The element with this id, which must be of this type.
+ * @template {Element} T
+ * @param {string} id
+ * @param {new (...args: any[]) => T} type
+ * @returns {T}
+ */
+export function byId(id, type) {
+    const element = document.getElementById(id);
+    if (element instanceof type) return element;
+    throw new Error(`index.html has no ${type.name} #${id}`);
+}
+
+/** @param {string} id */
+export const button = (id) => byId(id, HTMLButtonElement);
+/** @param {string} id */
+export const input = (id) => byId(id, HTMLInputElement);
+/** @param {string} id */
+export const html = (id) => byId(id, HTMLElement);
+
+/**
+ * A new element. Children that are strings become text, never markup.
+ * @template {keyof HTMLElementTagNameMap} K
+ * @param {K} tag
+ * @param {Record<string, string | boolean>} [attributes] `true` sets an empty attribute, `false` none
+ * @param {...(Node | string)} children
+ * @returns {HTMLElementTagNameMap[K]}
+ */
+export function make(tag, attributes = {}, ...children) {
+    const element = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes)) {
+        if (value !== false) element.setAttribute(name, value === true ? '' : value);
+    }
+    element.append(...children);
+    return element;
+}
+
+/**
+ * Sets text only where it differs, so that assistive technology is not told twice.
+ * @param {Element} element
+ * @param {string} text
+ */
+export function setText(element, text) {
+    if (element.textContent !== text) element.textContent = text;
+}
+
+/**
+ * Sets a field's text and keeps the caret where the change ends.
+ * @param {HTMLInputElement | HTMLTextAreaElement} field
+ * @param {string} text
+ */
+export function setValue(field, text) {
+    const old = field.value;
+    if (old === text) return;
+    field.value = text;
+    if (document.activeElement !== field) return;
+    let tail = 0;
+    while (tail < Math.min(old.length, text.length) && old.at(-1 - tail) === text.at(-1 - tail)) tail++;
+    field.setSelectionRange(text.length - tail, text.length - tail);
+}
+
+/** Whether the reader asked for less motion. */
+export const calm = () => matchMedia('(prefers-reduced-motion: reduce)').matches;

@@ -1,0 +1,20 @@
+/** Files for the reader to keep. */
+
+import { announce } from './announce.js';
+import { make } from './dom.js';
+
+/** @param {Blob} blob @param {string} name */
+export function download(blob, name) {
+    const url = URL.createObjectURL(blob);
+    const anchor = make('a', { href: url, download: name });
+    anchor.click();
+    // The download has its own hold on the blob by then.
+    setTimeout(() => URL.revokeObjectURL(url), 60_000);
+    announce(`Saved ${name}`);
+}
+
+/** A name for files of a state, without its ending. @param {import('./state.js').State} state */
+export function fileName({ name, title, iterations }) {
+    const base = (name || title).normalize('NFKD').replace(/[^\w.-]+/g, '_').replace(/^[_.]+|_+$/g, '').slice(0, 60) || 'l-system';
+    return `${base}_n${iterations}`;
+}

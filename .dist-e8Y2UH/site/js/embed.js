@@ -1,0 +1,249 @@
+/** Puts an embedded drawing together: the drawing of the address, with the controls that the address asks for. */
+
+import { announce, toast } from './announce.js';
+import { button, html, input, make, setText } from './dom.js';
+import { createDials } from './embed/dials.js';
+import { talk } from './embed/messages.js';
+import { readOptions } from './embed/options.js';
+import { watchSight } from './embed/sight.js';
+import { createEngine } from './engine.js';
+import { kits } from './files.js';
+import { createHover } from './hover.js';
+import { isDark } from './inks.js';
+import { writeLink } from './link.js';
+import { createMarks } from './marks.js';
+import { followNotation } from './notation.js';
+import { bestLink, openLink } from './packed.js';
+import { constantsPanel } from './panels/constants-panel.js';
+import { captionOf } from './panels/growth-panel.js';
+import { rulesPanel } from './panels/rules-panel.js';
+import { createPlayback } from './playback.js';
+import { createReader } from './reading/reader.js';
+import { createStage } from './stage.js';
+import { DEFAULTS, definitionOf, sameDrawing, sameSystem } from './state.js';
+import { createStore } from './store.js';
+
+/** @typedef {import('./state.js').State} State */
+/** @typedef {import('./engine.js').Report} Report */
+/** @typedef {import('./embed/options.js').Control} Control */
+
+const NOTHING = 'There is no drawing in the address of this frame.';
+
+let options = readOptions(location.hash);
+showTheme();
+const link = await openLink(location.hash);
+const store = createStore(link ? link.state : DEFAULTS);
+/** @type {Control[]} */
+let controls = options.controls;
+/** What was last said of the drawing. */
+let facts = { description: '', symbols: /** @type {string | null} */ (null), segments: /** @type {string | null} */ (null) };
+/** The parts that draw: there once the drawing has been in sight. @type {ReturnType<typeof begin> | null} */
+let parts = null;
+let seen = false;
+/** Whether the system has changed while nobody saw it. */
+let stale = false;
+/** Whether there is no system at all. */
+let blank = link === null;
+
+const rules = rulesPanel(store);
+const constants = constantsPanel(store, rules);
+const dials = createDials(store);
+const host = talk(store, { host: options.host, offer, play: (on) => parts?.playback.turn(on), facts: () => facts });
+
+offer(controls);
+store.subscribe(show);
+show(store.state, null);
+if (!link) {
+    say(NOTHING);
+    host.error(NOTHING);
+} else if (link.problems.length > 0) {
+    toast(link.problems.slice(0, 3).join(' '));
+    host.error(link.problems.join(' '));
+}
+
+watchSight(html('stage'), (now) => {
+    seen = now;
+    if (seen) wake();
+    else parts?.playback.turn(false);
+});
+// Paper shows what is out of sight, too.
+addEventListener('beforeprint', wake);
+addEventListener('hashchange', async () => {
+    options = readOptions(location.hash);
+    showTheme();
+    offer(options.controls);
+    const opened = await openLink(location.hash);
+    if (opened) store.open(opened.state);
+    else say(NOTHING);
+});
+
+button('reset').addEventListener('click', () => store.change({ ...store.origin }, ''));
+html('drawing').addEventListener('keydown', (event) => {
+    // Back to the page: its keys and its wheel are its own again.
+    if (event.key === 'Escape') html('drawing').blur();
+});
+html('open').addEventListener('click', openPlayground);
+button('away-close').addEventListener('click', () => {
+    html('away').hidden = true;
+    html('open').focus();
+});
+
+/** Draws, from now on. */
+function wake() {
+    if (blank) return;
+    if (!parts) parts = begin();
+    else if (stale) parts.engine.define(definitionOf(store.state));
+    stale = false;
+}
+
+function begin() {
+    const marks = createMarks();
+    let ready = false;
+    const engine = createEngine(kits(), {
+        report: reported,
+        drawn(picture) {
+            stage.drawn(picture);
+            playback.drawn(picture);
+            hover.drawn();
+            if (!ready) host.ready();
+            ready = true;
+        },
+        busy: (under) => html('stage').setAttribute('aria-busy', String(under)),
+        failed(message, again) {
+            if (again) return;
+            say(`The drawing engine stopped (${message}).`);
+            host.error(`The drawing engine stopped (${message}).`);
+        },
+    });
+    engine.define(definitionOf(store.state));
+    followNotation(store, engine, [rules, constants]);
+    const canvas = html('drawing');
+    const stage = createStage(store, engine, marks, {
+        // Until somebody turns to the drawing, wheel and fingers scroll the page it stands in.
+        takes: (event) => (event instanceof PointerEvent && event.pointerType === 'mouse') || (document.hasFocus() && document.activeElement === canvas),
+        keys: () => [...(controls.includes('angle') ? /** @type {const} */ (['angle']) : []), ...(controls.includes('n') ? /** @type {const} */ (['iterations']) : [])],
+    });
+    const playback = createPlayback(engine, { turtle: marks.turtle, offered: () => controls.includes('play') });
+    const reader = createReader(engine, { mark: marks.part, opened: () => hover.forget() });
+    // What is under the pointer is told by its symbols, which only those know who can read the string.
+    const reads = () => controls.includes('string');
+    const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.segment, light: reader.light, choose: reader.choose, reading: () => reader.open, zoom: () => (reads() ? (store.state.view?.zoom ?? 1) : Infinity), upto: () => playback.upto });
+    stage.show(store.state, null);
+    reader.show(store.state, null);
+    return { engine, stage, playback, reader, hover };
+}
+
+/** Shows these controls and no others. @param {Control[]} asked */
+function offer(asked) {
+    controls = asked;
+    dials.offer(controls);
+    const has = (/** @type {Control} */ control) => controls.includes(control);
+    html('section-rules').hidden = !has('rules');
+    html('constants-row').hidden = !has('rules');
+    html('panel').hidden = !(has('n') || has('angle') || has('rules'));
+    button('open-reader').hidden = !has('string');
+    button('open-playback').hidden = !has('play');
+    if (!has('string')) parts?.reader.close();
+    if (!has('play')) parts?.playback.close();
+    button('reset').hidden = html('panel').hidden;
+    document.body.classList.toggle('with-rules', has('rules'));
+    setText(html('keys'), [has('angle') && 'Left and right arrows change the angle.', has('n') && 'Up and down arrows change the iterations.', 'Shift and arrows move the picture, plus and minus zoom, zero fits it.', has('play') && 'Space plays the drawing.', 'Escape leaves it.'].filter(Boolean).join(' '));
+}
+
+/** @param {Readonly<State>} state @param {Readonly<State> | null} before */
+function show(state, before) {
+    rules.show(state);
+    dials.show(state);
+    parts?.stage.show(state, before);
+    parts?.reader.show(state, before);
+    if (before && !sameSystem(state, before)) {
+        stale = true;
+        blank = false;
+        if (seen) wake();
+    }
+    if (before && !sameDrawing(state, before)) {
+        parts?.hover.forget();
+        parts?.playback.forget();
+    }
+    const title = state.title || state.name;
+    document.title = title ? `${title} – L-system` : 'L-system';
+    setText(html('caption-title'), title);
+    const edited = !sameSystem(state, store.origin);
+    button('reset').disabled = !edited && state.view === store.origin.view;
+    html('stage').classList.toggle('on-dark', isDark(state.background));
+    html('stage').style.setProperty('--sheet', state.background);
+    showSheet(state);
+    address();
+}
+
+/** @param {Report} report */
+function reported(report) {
+    parts?.stage.growing(report.ok && report.memoised === null);
+    rules.report(report);
+    dials.report(report);
+    parts?.reader.report(report);
+    parts?.playback.report(report);
+    const mistakes = report.diagnostics.filter(({ severity }) => severity === 'error');
+    const [first, ...more] = mistakes;
+    if (first) {
+        const where = controls.includes('rules') || first.field === 'numbers' ? '' : ` (in the ${first.field})`;
+        const words = [`${first.message}${where}${more.length > 0 ? `, and ${more.length} more` : ''}.`, first.hint].filter(Boolean).join(' ');
+        say(words);
+        announce(words);
+        host.error(first.message, mistakes);
+        return;
+    }
+    say('');
+    facts = { description: report.description, symbols: report.symbols, segments: report.segments };
+    setText(html('empty'), report.empty ?? '');
+    html('empty').hidden = report.empty === null;
+    setText(html('description'), report.description);
+    setText(html('caption-text'), captionOf(store.state, report));
+    html('drawing').setAttribute('aria-label', `Drawing: ${store.state.title || store.state.name || 'L-system'}`);
+    announce(report.empty ?? report.description);
+}
+
+function showTheme() {
+    if (options.theme) document.documentElement.dataset.theme = options.theme;
+    else delete document.documentElement.dataset.theme;
+}
+
+/** What is wrong, in words, on the drawing; nothing with none. @param {string} words */
+function say(words) {
+    setText(html('mistake'), words);
+    html('mistake').hidden = words === '';
+}
+
+/** The system in words, for paper. @param {Readonly<State>} state */
+function showSheet(state) {
+    const rows = Object.entries({ Axiom: state.axiom, Productions: state.rules, Source: state.source }).filter(([, text]) => text !== '');
+    html('sheet').replaceChildren(...rows.flatMap(([name, text]) => [make('dt', {}, name), make('dd', {}, text)]));
+}
+
+/** Points at the playground with what is shown now. */
+async function address() {
+    // A folder has no page of its own where nobody serves it.
+    const place = new URL(location.protocol === 'file:' ? 'playground.html' : './', location.href);
+    const state = store.state;
+    html('open').setAttribute('href', new URL(writeLink(state), place).href);
+    const best = await bestLink(state);
+    if (state === store.state) html('open').setAttribute('href', new URL(best, place).href);
+}
+
+/** @param {MouseEvent} event */
+function openPlayground(event) {
+    if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+    event.preventDefault();
+    const href = String(html('open').getAttribute('href'));
+    const opened = open(href, '_blank');
+    if (opened) {
+        opened.opener = null;
+        return;
+    }
+    // A sandbox without popups; the address is still good for another window.
+    html('away').hidden = false;
+    const field = input('away-address');
+    field.value = href;
+    field.focus();
+    field.select();
+}

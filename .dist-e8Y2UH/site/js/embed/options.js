@@ -1,0 +1,42 @@
+/** How an embedded drawing is to behave: keys in its address that stand beside those of the system. Pure functions. */
+
+/** @typedef {'angle' | 'n' | 'rules' | 'string' | 'play'} Control */
+
+/** @type {readonly Control[]} */
+export const CONTROLS = ['angle', 'n', 'rules', 'string', 'play'];
+
+/** Longer values are not read, in characters. */
+const LONGEST = 1000;
+
+/**
+ * `host` is the origin that is told of changes from the start.
+ * @typedef {{controls: Control[], theme: 'light' | 'dark' | null, host: string | null}} Options
+ */
+
+/** @param {string} hash with or without its `#` @returns {Options} */
+export function readOptions(hash) {
+    const theme = valueOf(hash, 'theme');
+    return { controls: readControls(valueOf(hash, 'controls')), theme: theme === 'light' || theme === 'dark' ? theme : null, host: originOf(valueOf(hash, 'host')) };
+}
+
+/** The known ones of a list, in the order of CONTROLS. @param {string} list parted by commas or blanks @returns {Control[]} */
+export function readControls(list) {
+    const asked = list.toLowerCase().split(/[\s,]+/);
+    return CONTROLS.filter((control) => asked.includes(control) || asked.includes('all'));
+}
+
+/** The last value of a key. @param {string} hash @param {string} key */
+function valueOf(hash, key) {
+    const part = hash.replace(/^#/, '').split('&').findLast((each) => each.startsWith(`${key}=`)) ?? '';
+    try {
+        return decodeURIComponent(part.slice(key.length + 1, LONGEST));
+    } catch {
+        return '';
+    }
+}
+
+/** @param {string} text */
+function originOf(text) {
+    if (!/^https?:/.test(text)) return null;
+    return URL.canParse(text) ? new URL(text).origin : null;
+}

@@ -1,0 +1,40 @@
+/** The state under the keys of links, as messages carry it. Pure functions. */
+
+import { KEYS } from '../link.js';
+import { cleanField } from '../state.js';
+
+/** @typedef {import('../state.js').State} State */
+
+/**
+ * Every value of a state, by its key.
+ * @param {Readonly<State>} state
+ * @returns {Record<string, unknown>}
+ */
+export function valuesOf(state) {
+    return Object.fromEntries(KEYS.map(([key, field]) => [key, structuredClone(state[field])]));
+}
+
+/**
+ * The fields that values of unknown origin stand for, and in words which of them mean nothing. A string is read as in a
+ * link where it can be, so that `'25'` and `25` are the same angle.
+ * @param {unknown} values by key
+ * @returns {{fields: Partial<State>, problems: string[]}}
+ */
+export function fieldsOf(values) {
+    if (typeof values !== 'object' || values === null) return { fields: {}, problems: ['What is set has to be an object of values by their keys.'] };
+    /** @type {string[]} */
+    const problems = [];
+    /** @type {Record<string, unknown>} */
+    const given = {};
+    for (const [key, value] of Object.entries(values)) {
+        const [, field, form] = KEYS.find(([known]) => known === key) ?? [];
+        if (!field || !form) {
+            problems.push(`There is nothing called “${key.slice(0, 20)}” to set.`);
+            continue;
+        }
+        const known = (typeof value === 'string' ? cleanField(field, form.read(value)) : undefined) ?? cleanField(field, value);
+        if (known === undefined) problems.push(`“${key}” cannot be set to that.`);
+        else given[field] = known;
+    }
+    return { fields: /** @type {Partial<State>} */ (given), problems };
+}

@@ -1,0 +1,324 @@
+/**
+ * The worker as seen from the page. Nothing is ever queued: one state is in flight, the newest one waits, those between
+ * are forgotten. A state in flight is let finish while it is quick, so that a long drag shows pictures on the way; then
+ * the newest supersedes it. A worker that fails is replaced by a fresh one with the same state.
+ */
+
+import { bytesOf, scriptAddress } from './files.js';
+import { same } from './state.js';
+
+/** @typedef {import('./state.js').Definition} Definition */
+/** @typedef {import('./state.js').View} View */
+/** @typedef {'axiom' | 'rules' | 'overrides' | 'file' | 'numbers'} Field */
+
+/**
+ * @typedef {object} Diagnostic
+ * @property {Field} field
+ * @property {'warning' | 'error'} severity
+ * @property {string} message
+ * @property {string | null} hint
+ * @property {number} start UTF-16 offset into the field
+ * @property {number} end
+ */
+
+/**
+ * What a definition means, or what is wrong with it.
+ * @typedef {object} Report
+ * @property {boolean} ok when false, the last good drawing stays
+ * @property {Diagnostic[]} diagnostics
+ * @property {string} kind `deterministic`, or those of `stochastic`, `context-sensitive`, `parametric` that hold, separated by commas
+ * @property {boolean} stochastic
+ * @property {boolean} solid whether the drawing leaves the plane
+ * @property {boolean | null} memoised whether the drawing shares its blocks; null while unknown
+ * @property {string | null} symbols exact decimal digits
+ * @property {string | null} segments exact decimal digits
+ * @property {number | null} blocks of the drawing; null while unknown
+ * @property {number | null} largest the most iterations within the limits, where one was passed
+ * @property {{symbol: string, actions: string | string[], rewritten: boolean}[]} legend
+ * @property {string | null} empty why nothing draws
+ * @property {string} description the text alternative of the picture
+ */
+
+/** @typedef {{width: number, height: number, ratio: number}} Canvas width and height in device pixels */
+/** @typedef {import('./reading/words.js').Link} Link */
+/** @typedef {import('./reading/words.js').Stroke} Stroke */
+/** How the picture is to be shown; only the first `upto` segments unless it is null. @typedef {{canvas: Canvas, view: View, upto: bigint | null}} Look */
+/**
+ * A picture; `scale` is in device pixels per fitted extent at zoom 1. `pose` is the turtle's where only the first
+ * segments are shown: `at` in model units, `fitted` in fitted extents from the fitted centre, heading in degrees.
+ * @typedef {{id: number, viewId: number, complete: boolean, scale: number, bitmap: ImageBitmap, pose: Pose | null} & Look} Drawn
+ */
+/** @typedef {{at: [number, number], fitted: [number, number], heading: number, level: number}} Pose */
+/** Symbols of a generation from `start` on, and how many it has; null where it is too long to be written down. @typedef {{length: string | null, text: string | null}} StringPage */
+/** What a symbol has become: half-open ranges in decimal digits, the outline in fitted extents. @typedef {{symbols: [string, string], segments: [string, string], outline: [number, number][]}} Part */
+/** `ancestry` is empty and `part` null where neither is known; `stroke` is where its drawing begins. @typedef {{ancestry: Link[], part: Part | null, stroke: Stroke | null}} SymbolFacts */
+/** @typedef {{segment: string | null, symbol: string | null, ancestry: Link[], stroke: Stroke | null}} Picked */
+/**
+ * How texts read, be they right or wrong: the letter of its class for each UTF-16 unit, and the named constants of the rules.
+ * @typedef {{axiom: string, rules: string, overrides: string, constants: Constant[]}} Notation
+ */
+/** `value` is null where it is wrong; it stands from `start` to `end` in the rules, and another number may take its place if it is one `number`. @typedef {{name: string, value: number | null, start: number, end: number, number: boolean}} Constant */
+/** @typedef {{definition: Definition | null, diagnostics: Diagnostic[]}} FileRead */
+/** @typedef {{text: string | null, diagnostics: Diagnostic[]}} Exported */
+/** @typedef {ReturnType<typeof createEngine>} Engine */
+
+/**
+ * @typedef {object} Events
+ * @property {(report: Report, id: number) => void} report
+ * @property {(drawn: Drawn) => void} drawn
+ * @property {(busy: boolean) => void} busy whether a newer state is under way than the one shown
+ * @property {(message: string, again: boolean) => void} failed `again` tells whether a fresh worker has taken over
+ */
+
+/** A state in flight is superseded when it is not drawn after this time, in milliseconds. */
+const PATIENCE = 250;
+
+/** A worker that fails this often in a row with the same state is not started again. */
+const MOST_FAILURES = 2;
+
+/**
+ * A worker and its wasm, by name.
+ * @typedef {{worker: string, wasm: string}} Kit
+ */
+
+/**
+ * @param {Kit[]} kits the one to start with, and the one that can do everything
+ * @param {Events} events
+ */
+export function createEngine(kits, events) {
+    let kit = kits[0];
+    const full = kits[kits.length - 1];
+    /** The wasm of the kit in use. @type {Promise<ArrayBuffer> | null} */
+    let wasm = null;
+    /** The full kit on its way. @type {Promise<void> | null} */
+    let growing = null;
+    /** @type {Worker | null} */
+    let worker = null;
+    /** Whether the worker has been handed the wasm, so that it can be asked. */
+    let ready = false;
+    let lastId = 0;
+    let failures = 0;
+    /** @type {Definition | null} */
+    let definition = null;
+    /** @type {Look | null} */
+    let look = null;
+    /** @type {bigint | null} */
+    let upto = null;
+    /** What is newer than what was sent. */
+    let defineWaits = false;
+    let lookWaits = false;
+    /** The last of each that was sent, by id, and the timer that ends the patience with them; 0 when they are drawn. */
+    let defineSent = 0;
+    let lookSent = 0;
+    let patience = 0;
+    /** Views sent and not yet drawn. @type {Map<number, Look>} */
+    const views = new Map();
+    /** Questions without an answer yet. @type {Map<number, {request: object, resolve: (answer: any) => void, reject: (reason: Error) => void}>} */
+    const asked = new Map();
+
+    start();
+
+    function start() {
+        const fresh = new Worker(scriptAddress(kit.worker));
+        worker = fresh;
+        ready = false;
+        clearTimeout(patience);
+        patience = 0;
+        defineWaits = definition !== null;
+        lookWaits = look !== null;
+        fresh.onmessage = ({ data }) => worker === fresh && receive(data);
+        fresh.onerror = (event) => {
+            event.preventDefault();
+            if (worker === fresh) fail(event.message || 'the worker did not start');
+        };
+        wasm ??= bytesOf(kit.wasm);
+        wasm.then(
+            (bytes) => {
+                if (worker !== fresh) return;
+                fresh.postMessage({ type: 'init', wasm: bytes });
+                ready = true;
+                send();
+                for (const { request } of asked.values()) fresh.postMessage(request);
+            },
+            (error) => {
+                wasm = null;
+                if (worker === fresh) fail(error.message, true);
+            },
+        );
+    }
+
+    function send() {
+        if (!worker || !ready || patience || !(defineWaits || lookWaits)) return;
+        if (definition && defineWaits) {
+            defineWaits = false;
+            defineSent = ++lastId;
+            worker.postMessage({ type: 'define', id: defineSent, definition, upto });
+        }
+        if (look && lookWaits) {
+            lookWaits = false;
+            lookSent = ++lastId;
+            views.set(lookSent, look);
+            worker.postMessage({ type: 'view', id: lookSent, ...look.canvas, view: look.view, upto: look.upto });
+        }
+        patience = window.setTimeout(goOn, PATIENCE);
+        events.busy(true);
+    }
+
+    /** The state in flight is done with, or the patience with it is at an end: the newest one may follow. */
+    function goOn() {
+        clearTimeout(patience);
+        patience = 0;
+        send();
+    }
+
+    /** The state in flight is shown, or cannot be. */
+    function settle() {
+        goOn();
+        if (!patience) events.busy(false);
+    }
+
+    /** @param {any} message */
+    function receive(message) {
+        const question = asked.get(message.id);
+        switch (message.type) {
+            case 'report':
+                // What is wrong is not drawn.
+                if (message.id === defineSent && !message.report.ok) settle();
+                events.report(message.report, message.id);
+                break;
+            case 'drawn': {
+                failures = 0;
+                const seen = views.get(message.viewId);
+                for (const id of views.keys()) if (id < message.viewId) views.delete(id);
+                if (seen) events.drawn({ ...message, ...seen });
+                if (message.id >= defineSent && message.viewId >= lookSent) settle();
+                break;
+            }
+            case 'fatal':
+                fail(message.message);
+                break;
+            default:
+                asked.delete(message.id);
+                question?.resolve(message);
+        }
+    }
+
+    /** @param {string} message @param {boolean} [hopeless] */
+    function fail(message, hopeless = false) {
+        worker?.terminate();
+        worker = null;
+        failures += 1;
+        views.clear();
+        for (const { reject } of asked.values()) reject(new Error(message));
+        asked.clear();
+        const again = !hopeless && failures < MOST_FAILURES;
+        if (again) start();
+        events.failed(message, again);
+    }
+
+    /** @param {object} question @returns {Promise<any>} */
+    async function ask(question) {
+        revive();
+        await wasm;
+        return new Promise((resolve, reject) => {
+            if (!worker) return reject(new Error('the drawing engine has stopped'));
+            const id = ++lastId;
+            const request = { ...question, id };
+            asked.set(id, { request, resolve, reject });
+            if (ready) worker.postMessage(request);
+        });
+    }
+
+    /** Goes over to the full kit, with the same state and the questions under way. The picture stays meanwhile. */
+    function grow() {
+        if (kit === full) return Promise.resolve();
+        growing ??= bytesOf(full.wasm).then(
+            (bytes) => {
+                kit = full;
+                wasm = Promise.resolve(bytes);
+                views.clear();
+                worker?.terminate();
+                start();
+            },
+            (error) => {
+                growing = null;
+                throw error;
+            },
+        );
+        return growing;
+    }
+
+    /** Asks what only the full kit can answer. @param {object} question @returns {Promise<any>} */
+    async function askFull(question) {
+        await grow();
+        return ask(question);
+    }
+
+    /** After a failure for good, new input or a question is worth a fresh start. */
+    function revive() {
+        if (worker) return;
+        failures = 0;
+        start();
+    }
+
+    return {
+        /** @param {Definition} newest */
+        define(newest) {
+            definition = newest;
+            defineWaits = true;
+            revive();
+            send();
+        },
+
+        /** @param {Canvas} canvas @param {View} view */
+        look(canvas, view) {
+            if (look && same(look.canvas, canvas) && same(look.view, view)) return;
+            look = { canvas, view, upto };
+            lookWaits = true;
+            send();
+        },
+
+        /** Shows only the first segments; all of them with null. @param {bigint | null} segments */
+        play(segments) {
+            if (segments === upto) return;
+            upto = segments;
+            if (!look) return;
+            look = { ...look, upto };
+            lookWaits = true;
+            send();
+        },
+
+        /** @param {number} generation @param {bigint} start @param {number} count @returns {Promise<StringPage>} */
+        string: (generation, start, count) => ask({ type: 'string', generation, start, count }),
+
+        /** A symbol of a generation, and what it has become in the one that is drawn. @param {number} generation @param {bigint} index @returns {Promise<SymbolFacts>} */
+        symbol: (generation, index) => ask({ type: 'symbol', generation, index }),
+
+        /** Where the symbols derived from another begin, in decimal digits. @param {number} generation @param {bigint} index @param {number} later @returns {Promise<string | null>} */
+        descendant: async (generation, index, later) => (await ask({ type: 'descendant', generation, index, later })).start,
+
+        /** What is drawn near a place, in device pixels. @param {number} x @param {number} y @param {number} tolerance @returns {Promise<Picked>} */
+        pick: (x, y, tolerance) => ask({ type: 'pick', x, y, tolerance }),
+
+        /** @param {{axiom: string, rules: string, overrides: string}} texts @returns {Promise<Notation>} */
+        notation: (texts) => ask({ type: 'notation', texts }),
+
+        /** @param {ArrayBuffer} bytes of a JSON file, or of a picture saved here @returns {Promise<FileRead>} */
+        read: (bytes) => askFull({ type: 'read', bytes }),
+
+        /** @param {'svg' | 'svg-compact' | 'csv' | 'txt' | 'json'} format @returns {Promise<Exported>} */
+        export: (format) => askFull({ type: 'export', format }),
+
+        /** @param {number} width @param {number} height @param {Definition} carried in the file, to open it again @returns {Promise<Blob | null>} */
+        png: async (width, height, carried) => (await askFull({ type: 'png', width, height, definition: carried })).blob,
+
+        /** The modules of a text's QR code, row by row, 1 for dark; null where it is too long. @param {string} text @returns {Promise<Uint8Array | null>} */
+        qr: async (text) => (await askFull({ type: 'qr', text })).modules,
+
+        /** @returns {Promise<number>} */
+        seed: async () => (await ask({ type: 'seed' })).seed,
+
+        /** @param {Definition} small @param {number} width @param {number} height @returns {Promise<ImageBitmap | null>} */
+        thumb: async (small, width, height) => (await ask({ type: 'thumb', definition: small, width, height })).bitmap,
+    };
+}

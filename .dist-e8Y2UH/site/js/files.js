@@ -1,0 +1,53 @@
+/**
+ * The site's other files: fetched from beside the page, or found in the page itself where that is a single file, whose
+ * build has put them there (crates/xtask/src/one_file.rs).
+ */
+
+/** A wasm with its worker: the small one is enough for a first picture, the other has files and exports too. */
+const KITS = [
+    { worker: 'worker.js', wasm: 'lsystem.wasm' },
+    { worker: 'worker-full.js', wasm: 'lsystem-full.wasm' },
+];
+
+/** @param {string} name */
+const carried = (name) => document.querySelector(`script[data-file="${name}"]`);
+
+/** Those at hand, the one to start with first; a single file carries one of them. */
+export function kits() {
+    const here = KITS.filter(({ wasm }) => carried(wasm));
+    return here.length > 0 ? here : KITS;
+}
+
+/** Whether the page is a single file. */
+export const isWhole = () => KITS.some(({ wasm }) => carried(wasm));
+
+/**
+ * The address of a classic script.
+ * @param {string} name
+ */
+export function scriptAddress(name) {
+    const text = carried(name)?.textContent;
+    return text ? URL.createObjectURL(new Blob([text], { type: 'text/javascript' })) : name;
+}
+
+/** @param {string} name @returns {Promise<ArrayBuffer>} */
+export async function bytesOf(name) {
+    const here = carried(name);
+    if (here) return unpack(here.textContent ?? '');
+    const response = await fetch(name);
+    if (!response.ok) throw new Error(`${name}: ${response.status}`);
+    return response.arrayBuffer();
+}
+
+/** @param {string} name @returns {Promise<any>} */
+export async function jsonOf(name) {
+    return JSON.parse(new TextDecoder().decode(await bytesOf(name)));
+}
+
+/** Bytes that were deflated by gzip and written in base 64. @param {string} text */
+function unpack(text) {
+    const packed = atob(text);
+    const bytes = new Uint8Array(packed.length);
+    for (let at = 0; at < packed.length; at++) bytes[at] = packed.charCodeAt(at);
+    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+}

@@ -1,0 +1,189 @@
+/** Every system of the collection, with a small picture of each, to search and pick. */
+
+import { button, byId, html, input, make, setText } from './dom.js';
+import { jsonOf } from './files.js';
+import { clean, definitionOf } from './state.js';
+import { TAGS, choose, count, makingOf, tagsOf } from './tags.js';
+
+/** @typedef {import('./state.js').Definition} Definition */
+/** @typedef {{path: string, folder: string, definition: Definition} & import('./tags.js').Sorts} Entry */
+/** @typedef {{entry: Entry, card: HTMLButtonElement, picture: HTMLCanvasElement, words: string, tags: string[], painted: string}} Card */
+
+/** The side of a small picture, in CSS pixels. */
+const SIDE = 168;
+
+/** Shelves that come first, with their names; the others follow under the names of their folders. */
+const SHELVES = new Map([
+    ['garden', 'Garden'],
+    ['abop', 'The Algorithmic Beauty of Plants'],
+    ['curves', 'Famous curves'],
+]);
+
+/**
+ * @param {import('./engine.js').Engine} engine
+ * @param {{pick: (definition: Definition) => void, dress: (definition: Definition) => Definition, look: () => string}} page
+ *   `dress` gives a system that says nothing of its look the page's; `look` names that look
+ */
+export function createGallery(engine, { pick, dress, look }) {
+    const dialog = byId('gallery', HTMLDialogElement);
+    const shelves = html('shelves');
+    const search = input('search');
+    const nothing = html('nothing-found');
+    /** @type {Map<Element, Card>} */
+    const cards = new Map();
+    /** @type {Promise<void> | null} */
+    let filled = null;
+    /** @type {Set<string>} */
+    let chosen = new Set();
+    const chips = new Map(Object.entries(TAGS).map(([tag, meaning]) => [tag, newChip(tag, meaning)]));
+
+    const seen = new IntersectionObserver(
+        (entries) => {
+            for (const { isIntersecting, target } of entries) {
+                const card = cards.get(target);
+                if (isIntersecting && card) paint(card);
+            }
+        },
+        { root: shelves, rootMargin: '120px' },
+    );
+
+    async function fill() {
+        const entries = /** @type {Entry[]} */ (await jsonOf('gallery.json'));
+        for (const [folder, inside] of groups(entries)) {
+            const shelf = make('div', { class: 'cards' });
+            for (const entry of inside) shelf.append(newCard(entry).card);
+            shelves.append(make('section', { class: 'shelf' }, make('h3', {}, folderTitle(folder)), shelf));
+        }
+    }
+
+    /** @param {string} tag @param {string} meaning */
+    function newChip(tag, meaning) {
+        const many = make('span', { class: 'chip-count' });
+        const chip = make('button', { type: 'button', class: 'chip', title: meaning, 'aria-pressed': 'false' }, tag, ' ', many);
+        chip.addEventListener('click', () => {
+            chosen = choose(chosen, tag);
+            filter();
+        });
+        html('chips').append(chip);
+        return { chip, many };
+    }
+
+    /** @param {Entry} entry @returns {Card} */
+    function newCard(entry) {
+        const definition = definitionOf(clean(entry.definition));
+        const picture = make('canvas', { class: 'thumb', width: '1', height: '1', 'aria-hidden': 'true' });
+        const title = definition.title || definition.name;
+        const kind = `${[...entry.kinds, ...(entry.solid ? ['3D'] : [])].join(', ')}, n\u00a0=\u00a0${definition.iterations}`;
+        const card = make(
+            'button',
+            { type: 'button', class: 'card', 'aria-describedby': 'gallery-about' },
+            picture,
+            make('span', { class: 'card-title' }, title),
+            make('span', { class: 'card-kind' }, kind),
+            make('span', { class: 'card-kind' }, makingOf(entry)),
+        );
+        const tags = tagsOf(entry);
+        const words = [title, definition.name, definition.source, definition.notes, entry.folder, folderTitle(entry.folder), ...tags].join(' ').toLowerCase();
+        const made = { entry: { ...entry, definition }, card, picture, painted: '', tags, words };
+        for (const event of ['focus', 'pointerenter']) card.addEventListener(event, () => tell(definition));
+        card.addEventListener('click', () => {
+            dialog.close();
+            pick(dress(definition));
+        });
+        cards.set(card, made);
+        seen.observe(card);
+        return made;
+    }
+
+    /** @param {Card} card */
+    async function paint(card) {
+        const wanted = look();
+        if (card.painted === wanted) return;
+        card.painted = wanted;
+        const side = Math.round(SIDE * Math.min(2, devicePixelRatio || 1));
+        const definition = dress(card.entry.definition);
+        card.picture.style.background = definition.background;
+        try {
+            const bitmap = await engine.thumb({ ...definition, minWidth: Math.min(definition.minWidth, 1) }, side, side);
+            if (!bitmap) return;
+            card.picture.width = bitmap.width;
+            card.picture.height = bitmap.height;
+            card.picture.getContext('bitmaprenderer')?.transferFromImageBitmap(bitmap);
+            card.picture.classList.add('inked');
+        } catch {
+            // The worker was replaced meanwhile; the picture comes when the gallery is next opened.
+            card.painted = '';
+        }
+    }
+
+    /** Where a system comes from and what there is to say of it. @param {Definition} definition */
+    function tell({ title, name, source, notes }) {
+        setText(html('about-title'), title || name);
+        setText(html('about-source'), source);
+        setText(html('about-notes'), notes);
+    }
+
+    function filter() {
+        const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
+        const worded = [...cards.values()].filter(({ words: own }) => words.every((word) => own.includes(word)));
+        const tagged = worded.map(({ tags }) => tags);
+        for (const [tag, { chip, many }] of chips) {
+            const pressed = chosen.has(tag);
+            chip.setAttribute('aria-pressed', String(pressed));
+            const number = count(tagged, pressed ? chosen : choose(chosen, tag));
+            chip.classList.toggle('barren', number === 0);
+            chip.hidden = ![...cards.values()].some(({ tags }) => tags.includes(tag));
+            setText(many, String(number));
+        }
+        const shown = new Set(worded.filter(({ tags }) => [...chosen].every((tag) => tags.includes(tag))));
+        for (const card of cards.values()) card.card.hidden = !shown.has(card);
+        const found = shown.size;
+        setText(html('found'), found === cards.size ? `${found} systems` : `${found} of ${cards.size} systems`);
+        for (const shelf of shelves.children) {
+            if (shelf instanceof HTMLElement) shelf.hidden = !shelf.querySelector('.card:not([hidden])');
+        }
+        nothing.hidden = found > 0;
+        setText(nothing, found > 0 ? '' : chosen.size > 0 ? 'Nothing in the gallery is like that.' : 'Nothing in the gallery has these words.');
+    }
+
+    async function open() {
+        dialog.showModal();
+        // A focused search field would raise the keyboard of a phone.
+        if (matchMedia('(pointer: coarse)').matches) button('close-gallery').focus();
+        try {
+            await (filled ??= fill());
+            filter();
+            for (const [card] of cards) {
+                // Asks again for those in sight: the look may be another one by now.
+                seen.unobserve(card);
+                seen.observe(card);
+            }
+        } catch (error) {
+            filled = null;
+            nothing.hidden = false;
+            setText(nothing, `The gallery could not be loaded (${error instanceof Error ? error.message : error}).`);
+        }
+    }
+
+    button('open-gallery').addEventListener('click', open);
+    button('close-gallery').addEventListener('click', () => dialog.close());
+    search.addEventListener('input', filter);
+    // A click beside the sheet closes it.
+    dialog.addEventListener('click', (event) => {
+        if (event.target === dialog) dialog.close();
+    });
+}
+
+/** The systems by folder, those of SHELVES first. @param {Entry[]} entries */
+function groups(entries) {
+    /** @type {Map<string, Entry[]>} */
+    const folders = new Map([...SHELVES.keys()].map((folder) => [folder, []]));
+    for (const entry of entries) folders.set(entry.folder, [...(folders.get(entry.folder) ?? []), entry]);
+    return [...folders].filter(([, inside]) => inside.length > 0);
+}
+
+/** `practical-1` is shown as `Practical 1`. @param {string} folder */
+function folderTitle(folder) {
+    const words = folder.replaceAll(/[-_/]+/g, ' ').trim();
+    return SHELVES.get(folder) ?? (words ? words.charAt(0).toUpperCase() + words.slice(1) : 'More');
+}

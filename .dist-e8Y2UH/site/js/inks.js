@@ -1,0 +1,37 @@
+/** Sets of inks and paper to choose from. */
+
+/** @typedef {import('./state.js').State} State */
+/** @typedef {{name: string, palette: string[], background: string}} Ink */
+
+import { DEFAULTS, same } from './state.js';
+
+/** @type {readonly Ink[]} */
+export const INKS = [
+    { name: 'Fern', palette: [...DEFAULTS.palette], background: DEFAULTS.background },
+    { name: 'Night garden', palette: ['#9fd3a4', '#d3dc8c', '#f0c36d', '#ee9b78', '#d88ab0'], background: '#101512' },
+    { name: 'Sepia', palette: ['#4b3524', '#7a573a', '#a67c52', '#6b4a2f', '#8d6e4f'], background: '#f4ead6' },
+    { name: 'Cyanotype', palette: ['#eef4f5', '#cfe2ea', '#a5c8dc', '#dfeaf0', '#8fb6d0'], background: '#163a5f' },
+    { name: 'Autumn', palette: ['#4a3328', '#8a3b21', '#c4622d', '#dd9a33', '#a8a13b'], background: '#fbf6ea' },
+    { name: 'Blossom', palette: ['#4a3b3f', '#7d4a5a', '#b9577a', '#dc86a2', '#eab6c4'], background: '#fdf6f4' },
+    { name: 'Ink', palette: ['#16181a'], background: '#ffffff' },
+    { name: 'Chalk', palette: ['#f1efe6'], background: '#25302b' },
+];
+
+/** What a system looks like that says nothing of its look. @param {'light' | 'dark'} theme @returns {Ink} */
+export function houseInk(theme) {
+    return /** @type {Ink} */ (INKS[theme === 'dark' ? 1 : 0]);
+}
+
+/** @param {Pick<State, 'palette' | 'background'>} state @param {Pick<State, 'palette' | 'background'>} ink */
+export function hasInk(state, ink) {
+    return same(state.palette, ink.palette) && same(state.background, ink.background);
+}
+
+/**
+ * Whether a background asks for light marks upon it.
+ * @param {string} colour `#rrggbb`
+ */
+export function isDark(colour) {
+    const [r, g, b] = [1, 3, 5].map((at) => (parseInt(colour.slice(at, at + 2), 16) / 255) ** 2.2);
+    return 0.2126 * /** @type {number} */ (r) + 0.7152 * /** @type {number} */ (g) + 0.0722 * /** @type {number} */ (b) < 0.3;
+}

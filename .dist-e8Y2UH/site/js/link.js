@@ -1,0 +1,152 @@
+/**
+ * The state as a link, version 1: `#v=1&axiom=X&rules=X%20-%3E%20F%5B%2BX%5D&n=5&angle=25`; docs/links.md tells it whole.
+ *
+ * `&` parts the fields, the first `=` a name from its value; `+` is plus. Fields at their default are left out, unknown
+ * ones are ignored, and a link is only ever read as text and numbers. URLSearchParams would turn `+` into a space and
+ * escape what makes links readable.
+ */
+
+import { DEFAULTS, MAX_PALETTE, clean, same } from './state.js';
+
+/** @typedef {import('./state.js').State} State */
+/** @typedef {{state: State, problems: string[]}} Link what a link holds, and what of it could not be read, in words */
+/** @typedef {{write: (value: any) => string, read: (text: string) => unknown}} Form */
+
+/** Longer links are not read, in characters: the longest state there can be, compressed, is shorter. */
+export const LONGEST = 500_000;
+/** The key of what is compressed: packed.js. */
+export const PACKED = 'z';
+
+const VERSION = 1;
+/** No number is written with more characters. */
+const LONGEST_NUMBER = 40;
+
+/** @type {Form} */
+const text = { write: String, read: (value) => value.replace(/\r\n?/g, '\n') };
+/** @type {Form} */
+const number = {
+    write: String,
+    // Adding 0 turns -0 into 0.
+    read: (value) => (value.length <= LONGEST_NUMBER && /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i.test(value) ? Number(value) + 0 : undefined),
+};
+/** Numbers that belong together: one more than there may be shows that there are too many. @type {(count: number) => Form} */
+const list = (count) => ({ write: (value) => value.join(), read: (value) => value.split(',', count + 1).map(number.read) });
+/** @type {Form} */
+const colour = { write: (value) => value.slice(1), read: (value) => `#${value.toLowerCase()}` };
+/** @type {Form} */
+const colours = { write: (value) => value.map(colour.write).join(), read: (value) => value.split(',', MAX_PALETTE + 1).map(colour.read) };
+/** @type {Form} */
+const view = {
+    write: ({ x, y, zoom, fx = 0, fy = 0 }) => (fx === 0 && fy === 0 ? [x, y, zoom] : [x, y, zoom, fx, fy]).join(),
+    read: (value) => {
+        const numbers = value.split(',', 6).map(number.read);
+        if ((numbers.length !== 3 && numbers.length !== 5) || numbers.includes(undefined)) return undefined;
+        const [x, y, zoom, fx = 0, fy = 0] = numbers;
+        return fx === 0 && fy === 0 ? { x, y, zoom } : { x, y, zoom, fx, fy };
+    },
+};
+
+/** Key in the link, field of the state, form of its value; in the order of writing. @type {[string, keyof State, Form][]} */
+export const KEYS = [
+    ['title', 'title', text],
+    ['axiom', 'axiom', text],
+    ['rules', 'rules', text],
+    ['n', 'iterations', number],
+    ['angle', 'angle', number],
+    ['right', 'rightAngle', number],
+    ['down', 'pitchDown', number],
+    ['up', 'pitchUp', number],
+    ['roll', 'rollLeft', number],
+    ['rollright', 'rollRight', number],
+    ['heading', 'heading', number],
+    ['step', 'step', number],
+    ['start', 'start', list(2)],
+    ['tropism', 'tropism', list(3)],
+    ['elasticity', 'elasticity', number],
+    ['turtle', 'dialect', text],
+    ['do', 'overrides', text],
+    ['seed', 'seed', number],
+    ['palette', 'palette', colours],
+    ['colour', 'colourBy', text],
+    ['bg', 'background', colour],
+    ['width', 'width', number],
+    ['thin', 'minWidth', number],
+    ['name', 'name', text],
+    ['source', 'source', text],
+    ['notes', 'notes', text],
+    ['view', 'view', view],
+];
+
+/** What a link can hold. */
+const KNOWN = new Set(['v', PACKED, ...KEYS.map(([key]) => key)]);
+
+/**
+ * The readable form, with its `#`.
+ * @param {Readonly<State>} state
+ */
+export function writeLink(state) {
+    return [`#v=${VERSION}`, ...writeFields(state, escape)].join('&');
+}
+
+/**
+ * The fields of a state that are not at their defaults, as `key=value`.
+ * @param {Readonly<State>} state
+ * @param {(value: string) => string} guard escapes `%`, `&`, and what else the place cannot hold
+ */
+export function writeFields(state, guard) {
+    const fields = KEYS.filter(([, field]) => !same(state[field], DEFAULTS[field]));
+    return fields.map(([key, field, form]) => `${key}=${guard(form.write(state[field]))}`);
+}
+
+/**
+ * Reads a hash, with or without its `#`.
+ * @param {string} hash
+ * @param {string | null} [unpacked] the fields that were compressed in it; those that stand beside them win
+ * @returns {Link | null} null where the hash holds no state of ours: neither a version nor a field
+ */
+export function readLink(hash, unpacked = null) {
+    if (hash.length > LONGEST) return { state: clean({}), problems: [`The link is longer than ${LONGEST} characters and was not read.`] };
+    // What is repeated is decoded once, so that damage costs no more than its length.
+    /** @type {Map<string, string>} */
+    const parts = new Map();
+    for (const part of `${unpacked ?? ''}&${hash.replace(/^#/, '')}`.split('&')) {
+        const at = part.indexOf('=');
+        const key = part.slice(0, Math.max(0, at));
+        if (KNOWN.has(key)) parts.set(key, part.slice(at + 1));
+    }
+    if (parts.size === 0) return null;
+    /** @type {Map<string, string>} */
+    const given = new Map();
+    /** @type {string[]} */
+    const problems = [];
+    for (const [key, value] of parts) {
+        try {
+            given.set(key, decodeURIComponent(value));
+        } catch {
+            problems.push(`“${key}” in the link is damaged and was left out.`);
+        }
+    }
+    const version = given.get('v');
+    if (version !== undefined && Number(version) !== VERSION) problems.push('The link was made by another version of this page; some of it may be missing.');
+    if (given.has(PACKED) && unpacked === null) problems.push('The compressed part of the link was not read.');
+    /** @type {Partial<Record<keyof State, unknown>>} */
+    const values = {};
+    for (const [key, field, form] of KEYS) {
+        const value = given.get(key);
+        if (value !== undefined) values[field] = form.read(value);
+    }
+    const state = clean(values);
+    for (const [key, field] of KEYS) {
+        if (!given.has(key) || same(values[field], state[field])) continue;
+        problems.push(same(state[field], DEFAULTS[field]) ? `“${key}” in the link is not understood and was left out.` : `“${key}” in the link is out of bounds: the nearest value was taken.`);
+    }
+    return { state, problems };
+}
+
+/** @param {string} value */
+function escape(value) {
+    // encodeURIComponent leaves A-Za-z0-9 - _ . ! ~ * ' ( ) as they are; chat programs cut links at a parenthesis.
+    return encodeURIComponent(value)
+        .replace(/[()]/g, (character) => (character === '(' ? '%28' : '%29'))
+        .replace(/%(2B|2C|2F|3A|3B|3D|40)/g, (code) => decodeURIComponent(code));
+}

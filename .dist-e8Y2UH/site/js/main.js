@@ -1,0 +1,221 @@
+/** Puts the page together: state, worker, drawing and controls. */
+
+import { followAddress } from './address.js';
+import { announce, toast } from './announce.js';
+import { button, html, setText } from './dom.js';
+import { createEngine } from './engine.js';
+import { kits } from './files.js';
+import { createGallery } from './gallery.js';
+import { createHover } from './hover.js';
+import { hasInk, houseInk, isDark } from './inks.js';
+import { createMarks } from './marks.js';
+import { followNotation } from './notation.js';
+import { keepOffline } from './offline.js';
+import { opening } from './opening.js';
+import { bestLink, openLink } from './packed.js';
+import { constantsPanel } from './panels/constants-panel.js';
+import { captionOf, growthPanel } from './panels/growth-panel.js';
+import { favouritesPanel } from './panels/favourites-panel.js';
+import { keepPanel } from './panels/keep-panel.js';
+import { lookPanel } from './panels/look-panel.js';
+import { rulesPanel } from './panels/rules-panel.js';
+import { tabs } from './panels/tabs.js';
+import { turtlePanel } from './panels/turtle-panel.js';
+import { createPlayback } from './playback.js';
+import { createReader } from './reading/reader.js';
+import { createSession } from './session.js';
+import { openSession } from './sessions.js';
+import { createShare } from './share.js';
+import { createShortcuts } from './shortcuts.js';
+import { createStage } from './stage.js';
+import { definitionOf, sameDrawing, sameSystem } from './state.js';
+import { createStorage } from './storage.js';
+import { createStore } from './store.js';
+import { theme, themeButton } from './theme.js';
+
+/** @typedef {import('./state.js').State} State */
+/** @typedef {import('./engine.js').Report} Report */
+
+/** A note that says more is not read. */
+const MOST_PROBLEMS = 3;
+
+const link = await openLink(location.hash);
+const keeper = createStorage(() => localStorage);
+const session = createSession(keeper, createStorage(() => sessionStorage));
+const left = session.start(location.hash, link && link.state);
+const store = createStore(left?.state ?? link?.state ?? opening(theme()), left?.origin);
+const engine = createEngine(kits(), { report: reported, drawn, busy, failed });
+engine.define(definitionOf(store.state));
+const marks = createMarks();
+const stage = createStage(store, engine, marks);
+const playback = createPlayback(engine, { turtle: marks.turtle });
+const reader = createReader(engine, { mark: marks.part, opened: () => hover.forget() });
+const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.segment, light: reader.light, choose: reader.choose, reading: () => reader.open, zoom: () => store.state.view?.zoom ?? 1, upto: () => playback.upto });
+const rules = rulesPanel(store);
+const growth = growthPanel(store, engine);
+const turtle = turtlePanel(store);
+followNotation(store, engine, [rules, constantsPanel(store, rules), turtle]);
+const look = lookPanel(store);
+const showAddress = followAddress(store, { open: opened });
+
+const address = async () => new URL(await bestLink(store.state), location.href).href;
+const share = createShare(store, engine);
+const favourites = favouritesPanel(store, engine, { keeper, session });
+keepPanel(store, engine, { address, select: share.select, favourites: favourites.take, canvas: stage.resolution });
+createGallery(engine, {
+    pick: (definition) => store.open(definition),
+    dress: (definition) => ({ ...definition, ...dressOf(definition) }),
+    look: theme,
+});
+tabs();
+createShortcuts();
+themeButton((next) => {
+    // What wears the page's own inks, or is the page's own plant, changes with it.
+    const former = next === 'dark' ? 'light' : 'dark';
+    const { palette, background } = hasInk(store.state, opening(former)) ? opening(next) : houseInk(next);
+    if ([houseInk(former), opening(former)].some((ink) => hasInk(store.state, ink))) store.dress({ palette: [...palette], background });
+});
+
+html('skip').addEventListener('click', (event) => {
+    // The address belongs to the drawing.
+    event.preventDefault();
+    html('drawing').focus();
+});
+button('undo').addEventListener('click', () => store.undo());
+button('redo').addEventListener('click', () => store.redo());
+button('reset').addEventListener('click', () => store.change({ ...store.origin }, ''));
+addEventListener('keydown', (event) => {
+    const command = (event.ctrlKey || event.metaKey) && !event.altKey;
+    const key = event.key.toLowerCase();
+    if (!command || (key !== 'z' && key !== 'y')) return;
+    event.preventDefault();
+    if (key === 'y' || event.shiftKey) store.redo();
+    else store.undo();
+});
+// The browser's own undo knows nothing of the other controls; its menu entry gives ours.
+addEventListener('beforeinput', (event) => {
+    if (event.inputType !== 'historyUndo' && event.inputType !== 'historyRedo') return;
+    event.preventDefault();
+    if (event.inputType === 'historyUndo') store.undo();
+    else store.redo();
+});
+
+store.subscribe((state, before) => {
+    if (!sameSystem(state, before)) engine.define(definitionOf(state));
+    show(state, before);
+});
+session.follow(store);
+// The first plant has the plain address; what somebody made has its own.
+if (left && !link) showAddress();
+show(store.state, null);
+greet();
+keepOffline();
+
+/** @param {Readonly<State>} state @param {Readonly<State> | null} before */
+function show(state, before) {
+    rules.show(state);
+    growth.show(state);
+    turtle.show(state);
+    look.show(state);
+    stage.show(state, before);
+    reader.show(state, before);
+    if (before && !sameDrawing(state, before)) {
+        hover.forget();
+        playback.forget();
+    }
+    showNames(state);
+    button('undo').disabled = !store.canUndo;
+    button('redo').disabled = !store.canRedo;
+    const touched = !sameSystem(state, store.origin);
+    button('reset').disabled = !touched && state.view === store.origin.view;
+    html('stage').classList.toggle('on-dark', isDark(state.background));
+    html('stage').style.setProperty('--sheet', state.background);
+}
+
+/** @param {Readonly<State>} state */
+function showNames(state) {
+    const title = state.title || state.name || 'Untitled system';
+    const edited = !sameSystem(state, store.origin);
+    setText(html('specimen-title'), title);
+    setText(html('specimen-source'), state.source);
+    html('edited').hidden = !edited;
+    setText(html('caption-title'), edited ? `${title}, edited` : title);
+    const heading = `${title} – L-systems`;
+    if (document.title !== heading) document.title = heading;
+}
+
+/** @param {Report} next */
+function reported(next) {
+    stage.growing(next.ok && next.memoised === null);
+    rules.report(next);
+    growth.report(next, store.state);
+    turtle.report(next);
+    reader.report(next);
+    playback.report(next);
+    const [mistake, ...more] = next.diagnostics.filter(({ severity }) => severity === 'error');
+    if (mistake) {
+        const words = more.length === 0 ? mistake.message : `${mistake.message}, and ${more.length} more`;
+        setText(html('caption-text'), 'This is the last good drawing.');
+        announce(`${words}. The last good drawing stays.`);
+        return;
+    }
+    setText(html('empty'), next.empty ?? '');
+    html('empty').hidden = next.empty === null;
+    setText(html('description'), next.description);
+    setText(html('caption-text'), captionOf(store.state, next));
+    html('drawing').setAttribute('aria-label', `Drawing: ${store.state.title || store.state.name || 'untitled system'}`);
+    announce(next.empty ?? next.description);
+}
+
+/** @param {import('./engine.js').Drawn} picture */
+function drawn(picture) {
+    stage.drawn(picture);
+    playback.drawn(picture);
+    hover.drawn();
+}
+
+/** @param {boolean} under whether a newer drawing is under way */
+function busy(under) {
+    html('stage').setAttribute('aria-busy', String(under));
+}
+
+/** @param {string} message @param {boolean} again */
+function failed(message, again) {
+    if (again) return;
+    toast(`The drawing engine stopped (${message}). Change anything to start it again.`, { stay: true });
+}
+
+/** Tells of a link's problems, and of the visit before this one. */
+function greet() {
+    const problems = link ? problemWords(link) : '';
+    const [last] = session.others();
+    const offered = link && !left && last ? openSession(last) : null;
+    if (last && offered && !sameSystem(offered.state, store.state)) {
+        toast(problems || 'This is the link you opened.', { action: { label: 'Continue where you left off', act: () => session.resume(last) } });
+    } else if (problems) {
+        toast(problems);
+    } else if (left && !left.again) {
+        toast('This is where you left off.');
+    }
+}
+
+/** @param {import('./link.js').Link} pasted */
+function opened(pasted) {
+    session.visit(pasted.state);
+    toast(`Opened the link. Undo brings back what was here. ${problemWords(pasted)}`.trim());
+}
+
+/** The first few of a link's problems. @param {import('./link.js').Link} link */
+function problemWords({ problems }) {
+    const more = problems.length - MOST_PROBLEMS;
+    return [...problems.slice(0, MOST_PROBLEMS), ...(more > 0 ? [`There are ${more} more such problems.`] : [])].join(' ');
+}
+
+/**
+ * The page's inks, for a system that says nothing of its look.
+ * @param {import('./state.js').Definition} definition
+ */
+function dressOf(definition) {
+    const { palette, background } = hasInk(definition, houseInk('light')) ? houseInk(theme()) : definition;
+    return { palette: [...palette], background };
+}

@@ -1,0 +1,70 @@
+/** Numbers in words and digits. Pure functions. */
+
+const THIN_SPACE = '\u2009';
+
+/**
+ * Digits in groups of three.
+ * @param {string} digits of a whole number
+ */
+export function grouped(digits) {
+    return digits.replace(/\B(?=(\d{3})+$)/g, ',');
+}
+
+/**
+ * A whole number, short enough to read: up to nine digits as they are, more as mantissa and exponent.
+ * @param {string} digits
+ * @returns {{mantissa: string, exponent: number | null}}
+ */
+export function short(digits) {
+    if (digits.length <= 9) return { mantissa: grouped(digits), exponent: null };
+    let hundredths = Math.round(Number(digits.slice(0, 4)) / 10);
+    let exponent = digits.length - 1;
+    if (hundredths === 1000) {
+        hundredths = 100;
+        exponent += 1;
+    }
+    return { mantissa: (hundredths / 100).toFixed(2), exponent };
+}
+
+/**
+ * The same in one line of plain text: `1.23 × 10^45`, with raised digits.
+ * @param {string} digits
+ */
+export function shortText(digits) {
+    const { mantissa, exponent } = short(digits);
+    return exponent === null ? mantissa : `${mantissa}${THIN_SPACE}×${THIN_SPACE}10${raised(exponent)}`;
+}
+
+/** @param {number} value a whole number */
+export function raised(value) {
+    return [...String(value)].map((digit) => (digit === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)])).join('');
+}
+
+/**
+ * A zoom for the tool bar: `100 %`, `×12`, `×1.5·10⁶`.
+ * @param {number} zoom
+ */
+export function zoomText(zoom) {
+    if (zoom < 10) return `${zoom < 0.1 ? (zoom * 100).toFixed(1) : Math.round(zoom * 100)}${THIN_SPACE}%`;
+    if (zoom < 10_000) return `×${Math.round(zoom).toLocaleString('en')}`;
+    const exponent = Math.floor(Math.log10(zoom));
+    return `×${(zoom / 10 ** exponent).toFixed(1)}·10${raised(exponent)}`;
+}
+
+/**
+ * A number as a person wrote it: decimal comma or point, any minus sign, an optional unit sign.
+ * @param {string} text
+ * @returns {number | null}
+ */
+export function readNumber(text) {
+    const plain = text.trim().replace(/[−–]/g, '-').replace(',', '.').replace(/\s*(°|px|steps?)$/, '');
+    return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : null;
+}
+
+/**
+ * A number for a field: twelve digits, none more than needed.
+ * @param {number} value
+ */
+export function plain(value) {
+    return String(Number(value.toPrecision(12)));
+}

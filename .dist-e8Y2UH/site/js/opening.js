@@ -1,0 +1,32 @@
+/** What a first visit shows, at once. */
+
+import { clean } from './state.js';
+
+/** The same plant by day and by night: trunk, branches and leaves follow the colour symbol. */
+const INKS = {
+    light: {
+        palette: ['#5a4632', '#585532', '#4c6334', '#3a6f38', '#2b7a3c', '#2f8741', '#4b9748', '#70a850', '#9bbb5c'],
+        background: '#fbfaf5',
+    },
+    dark: {
+        palette: ['#8d7358', '#7f8355', '#63905a', '#4d9d60', '#4aa667', '#58b274', '#74c186', '#97cd92', '#bfdd9f'],
+        background: '#101512',
+    },
+};
+
+/** @param {'light' | 'dark'} theme */
+export function opening(theme) {
+    return clean({
+        name: 'twig',
+        title: 'A twig by two rules',
+        source: 'After Prusinkiewicz and Lindenmayer, The Algorithmic Beauty of Plants (1990), figure 1.24 f',
+        axiom: 'X',
+        rules: "X -> F'!-[[X]+X]+F![+FX]-X\nF -> FF",
+        iterations: 8,
+        angle: 22.5,
+        heading: 80,
+        width: 14,
+        minWidth: 0.7,
+        ...INKS[theme],
+    });
+}

@@ -1,0 +1,117 @@
+/**
+ * Long states as short links: `#v=1&z=` and the same fields, compressed (zlib, RFC 1950) and written in base64url.
+ * The checksum in it tells a damaged link from a whole one.
+ */
+
+import { LONGEST, PACKED, readLink, writeFields, writeLink } from './link.js';
+
+/** @typedef {import('./state.js').State} State */
+/** @typedef {import('./link.js').Link} Link */
+
+/** Readable links are kept up to this length, in characters: what mail and chat programs leave whole. */
+export const LONG = 1500;
+
+/** No state is larger, in bytes of its fields. */
+const MOST_BYTES = 512 << 10;
+
+/** A compressed part is unpacked in pieces of this many bytes, each of which gives at most a thousand times as much. */
+const PIECE = 256;
+
+/**
+ * The link of a state, with its `#`: readable, unless that is long and the compressed form is shorter.
+ * @param {Readonly<State>} state
+ * @returns {Promise<string>}
+ */
+export async function bestLink(state) {
+    const readable = writeLink(state);
+    return readable.length > LONG ? shorter(readable, await packedLink(state)) : readable;
+}
+
+/**
+ * The shortest link of a state, with its `#`.
+ * @param {Readonly<State>} state
+ * @returns {Promise<string>}
+ */
+export async function shortestLink(state) {
+    return shorter(writeLink(state), await packedLink(state));
+}
+
+/**
+ * Reads a hash of either form, with or without its `#`.
+ * @param {string} hash
+ * @returns {Promise<Link | null>} null where the hash holds no state of ours
+ */
+export async function openLink(hash) {
+    const code = hash.length > LONGEST ? undefined : new RegExp(`^#?(?:[^]*&)?${PACKED}=([^&]*)`).exec(hash)?.[1];
+    if (code === undefined) return readLink(hash);
+    try {
+        return readLink(hash, await inflate(fromBase64(code)));
+    } catch (error) {
+        const { state, problems } = /** @type {Link} */ (readLink(hash, ''));
+        return { state, problems: [wordsOf(error), ...problems] };
+    }
+}
+
+/** @param {Readonly<State>} state @returns {Promise<string | null>} null where the browser cannot compress */
+async function packedLink(state) {
+    if (typeof CompressionStream !== 'function') return null;
+    const fields = writeFields(state, (value) => value.replace(/[%&]/g, (character) => (character === '%' ? '%25' : '%26')));
+    const stream = new Blob([fields.join('&')]).stream().pipeThrough(new CompressionStream('deflate'));
+    return `#v=1&${PACKED}=${toBase64(new Uint8Array(await new Response(stream).arrayBuffer()))}`;
+}
+
+/** @param {string} readable @param {string | null} packed */
+function shorter(readable, packed) {
+    return packed !== null && packed.length < readable.length ? packed : readable;
+}
+
+class TooLarge extends Error {}
+
+/** @param {Uint8Array<ArrayBuffer>} bytes @returns {Promise<string>} */
+async function inflate(bytes) {
+    let at = 0;
+    // Piece by piece, because browsers unpack all that they are handed before they look whether anybody wants it.
+    const pieces = new ReadableStream(
+        {
+            pull(controller) {
+                if (at < bytes.length) controller.enqueue(bytes.subarray(at, (at += PIECE)));
+                else controller.close();
+            },
+        },
+        { highWaterMark: 0 },
+    );
+    const reader = pieces.pipeThrough(new DecompressionStream('deflate')).getReader();
+    const decoder = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true });
+    let text = '';
+    let size = 0;
+    for (;;) {
+        const { done, value } = await reader.read();
+        if (done) return text + decoder.decode();
+        size += value.length;
+        if (size > MOST_BYTES) {
+            reader.cancel().catch(() => {});
+            throw new TooLarge();
+        }
+        text += decoder.decode(value, { stream: true });
+    }
+}
+
+/** @param {unknown} error */
+function wordsOf(error) {
+    if (error instanceof TooLarge) return 'The compressed part of the link holds more than any drawing needs, and was not read.';
+    if (typeof DecompressionStream !== 'function') return 'This browser cannot read compressed links: a newer one can.';
+    return 'The compressed part of the link is damaged or cut off, and was not read.';
+}
+
+/** @param {Uint8Array} bytes */
+function toBase64(bytes) {
+    let text = '';
+    for (let at = 0; at < bytes.length; at += 8192) text += String.fromCharCode(...bytes.subarray(at, at + 8192));
+    return btoa(text).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+}
+
+/** @param {string} text */
+function fromBase64(text) {
+    if (!/^[\w-]*$/.test(text)) throw new SyntaxError('not base64url');
+    return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (character) => character.charCodeAt(0));
+}

@@ -1,0 +1,160 @@
+/** Iterations, angles, seed, and how large the result is. */
+
+import { button, byId, html, input, make, setText } from '../dom.js';
+import { even, slider } from '../controls/slider.js';
+import { numberField } from '../controls/number-field.js';
+import { listProblems } from '../controls/editor.js';
+import { grouped, plain, short, shortText } from '../numerals.js';
+import { MAX_ITERATIONS, definitionOf } from '../state.js';
+
+/** @typedef {import('../engine.js').Report} Report */
+
+/** Fine where pictures differ most, up to what any system may ask for. */
+const ITERATIONS = [...even(0, 24, 1), ...even(26, 40, 2), ...even(45, 100, 5), 120, 150, 200, 300, 500, 700, MAX_ITERATIONS];
+const ANGLES = even(0, 180, 0.5);
+const DEGREES = { low: -3600, high: 3600, step: 1 };
+
+/**
+ * @param {import('../store.js').Store} store
+ * @param {{seed: () => Promise<number>}} source
+ */
+export function growthPanel(store, source) {
+    const settle = () => store.settle();
+    /** @param {(value: number) => Partial<import('../state.js').State>} patch @param {string} label */
+    const changing = (patch, label) => ({ change: (/** @type {number} */ value, held = false) => store.change(patch(value), held ? `drag ${label}` : label), settle });
+    const iterations = changing((value) => ({ iterations: value }), 'iterations');
+    const angle = changing((value) => ({ angle: value }), 'angle');
+    const right = changing((value) => ({ rightAngle: value }), 'rightAngle');
+
+    const iterationsSlider = slider(input('iterations-slider'), { stops: ITERATIONS, text: (n) => `${n} iterations`, ...iterations });
+    const showIterations = numberField(input('iterations'), { low: 0, high: MAX_ITERATIONS, step: 1, whole: true, ...iterations });
+    const angleSlider = slider(input('angle-slider'), { stops: ANGLES, text: (value) => `${plain(value)} degrees`, ...angle });
+    const showAngle = numberField(input('angle'), { ...DEGREES, ...angle });
+    const rightSlider = slider(input('right-slider'), { stops: ANGLES, text: (value) => `${plain(value)} degrees`, ...right });
+    const showRight = numberField(input('right'), { ...DEGREES, ...right });
+    const showSeed = numberField(input('seed'), { low: 0, high: 2 ** 32 - 1, step: 1, whole: true, ...changing((value) => ({ seed: value }), 'seed') });
+
+    const twoAngles = input('two-angles');
+    twoAngles.addEventListener('change', () => {
+        store.change({ rightAngle: twoAngles.checked ? store.state.angle : null }, '');
+    });
+    button('dice').addEventListener('click', async () => {
+        try {
+            store.change({ seed: await source.seed() }, '');
+        } catch {
+            // The worker stopped meanwhile; its failure is shown elsewhere.
+        }
+    });
+
+    /** @type {Report | null} */
+    let last = null;
+    /** How far the system can grow and why no farther, once that was found. @type {{system: string, largest: number, why: string} | null} */
+    let bound = null;
+    /** Which of the two counts shows all its digits. @type {'symbols' | 'segments' | null} */
+    let unfolded = null;
+    for (const kind of /** @type {const} */ (['symbols', 'segments'])) {
+        button(kind).addEventListener('click', () => {
+            unfolded = unfolded === kind ? null : kind;
+            if (last) showDigits(last, unfolded);
+        });
+    }
+
+    return {
+        /** @param {import('../state.js').State} state */
+        show(state) {
+            iterationsSlider.show(state.iterations);
+            showIterations(state.iterations);
+            angleSlider.show(state.angle);
+            showAngle(state.angle);
+            const differs = state.rightAngle !== null;
+            twoAngles.checked = differs;
+            html('right-row').hidden = !differs;
+            setText(html('angle-label'), differs ? 'Left turns' : 'Angle');
+            if (state.rightAngle !== null) {
+                rightSlider.show(state.rightAngle);
+                showRight(state.rightAngle);
+            }
+            showSeed(state.seed);
+            showAnglePicture(state.angle);
+        },
+
+        /** @param {Report} report @param {import('../state.js').State} state */
+        report(report, state) {
+            listProblems(html('numbers-problems'), report.diagnostics.filter(({ field }) => field === 'numbers'));
+            if (!report.ok) return;
+            last = report;
+            for (const kind of /** @type {const} */ (['symbols', 'segments'])) showCount(button(kind), report, kind);
+            showDigits(report, unfolded);
+            const system = JSON.stringify({ ...definitionOf(state), iterations: 0 });
+            if (bound?.system !== system) bound = null;
+            if (report.largest !== null && report.largest < MAX_ITERATIONS) {
+                const passed = report.diagnostics.find(({ field, severity }) => field === 'numbers' && severity === 'error');
+                bound = { system, largest: report.largest, why: passed?.message ?? '' };
+            }
+            iterationsSlider.limit(bound && Math.max(bound.largest, state.iterations));
+            html('seed-row').classList.toggle('idle', !report.stochastic);
+            setText(html('seed-note'), report.stochastic ? 'Chance decides between productions; the same seed grows the same plant.' : 'No production leaves anything to chance, so the seed changes nothing.');
+            setText(html('status'), statusOf(report, bound));
+        },
+    };
+}
+
+/**
+ * How the picture is made, in words.
+ * @param {Report} report
+ * @param {{largest: number, why: string} | null} bound
+ */
+function statusOf({ kind, solid, memoised, blocks, largest }, bound) {
+    const limit = bound ? ` It can grow to n = ${bound.largest}. ${largest === null ? `Beyond: ${bound.why}.` : ''}` : '';
+    if (memoised === null || blocks === null) return bound ? limit.trim() : 'Growing…';
+    const sort = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}${solid ? ', in space' : ''}`;
+    if (!memoised) return `${sort}; grown symbol by symbol.${limit}`;
+    if (blocks <= 1) return `${sort}.${limit}`;
+    return `${sort}; ${grouped(String(blocks))} shared pieces make up the whole drawing.${limit}`;
+}
+
+/** @param {HTMLButtonElement} element @param {Report} report @param {'symbols' | 'segments'} kind */
+function showCount(element, report, kind) {
+    const digits = report[kind];
+    const long = digits !== null && short(digits).exponent !== null;
+    element.disabled = !long;
+    element.title = long ? `Show all digits of the number of ${kind}` : '';
+    // Without a picture yet the count may still come; with one, it was never made.
+    if (digits === null) return setText(element, report.memoised === null ? '…' : '–');
+    const { mantissa, exponent } = short(digits);
+    if (exponent === null) return setText(element, mantissa);
+    if (element.getAttribute('data-digits') === digits && element.childElementCount > 0) return;
+    element.setAttribute('data-digits', digits);
+    element.replaceChildren(`${mantissa} × 10`, make('sup', {}, String(exponent)));
+}
+
+/** @param {Report} report @param {'symbols' | 'segments' | null} kind */
+function showDigits(report, kind) {
+    const digits = kind && report[kind];
+    const frame = html('digits');
+    const shown = Boolean(digits && short(digits).exponent !== null);
+    frame.hidden = !shown;
+    for (const each of /** @type {const} */ (['symbols', 'segments'])) button(each).setAttribute('aria-expanded', String(shown && each === kind));
+    if (shown && digits) setText(frame, `${grouped(digits)} ${kind}`);
+}
+
+/** The angle itself beside its name. @param {number} degrees */
+function showAnglePicture(degrees) {
+    const picture = byId('angle-picture', SVGSVGElement);
+    const turn = ((degrees % 360) + 360) % 360;
+    const [x, y] = [Math.cos((turn * Math.PI) / 180), -Math.sin((turn * Math.PI) / 180)];
+    const at = (/** @type {number} */ radius) => `${(x * radius).toFixed(2)} ${(y * radius).toFixed(2)}`;
+    picture.querySelector('.hand')?.setAttribute('d', `M0 0L${at(10)}`);
+    picture.querySelector('.arc')?.setAttribute('d', turn === 0 ? '' : `M6 0A6 6 0 ${turn > 180 ? 1 : 0} 0 ${at(6)}`);
+}
+
+/**
+ * What the caption says under the title.
+ * @param {import('../state.js').State} state
+ * @param {Report} report
+ */
+export function captionOf({ iterations, angle, rightAngle }, { segments }) {
+    const turns = rightAngle === null ? `${plain(angle)}°` : `${plain(angle)}° and ${plain(rightAngle)}°`;
+    const size = segments === null ? '' : `, ${shortText(segments)} ${segments === '1' ? 'segment' : 'segments'}`;
+    return `n = ${iterations}, ${turns}${size}`;
+}

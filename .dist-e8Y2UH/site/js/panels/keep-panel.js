@@ -1,0 +1,122 @@
+/** Links, files, and opening them again. */
+
+import { toast } from '../announce.js';
+import { listProblems } from '../controls/editor.js';
+import { copyText } from '../copy.js';
+import { button, byId, html, input } from '../dom.js';
+import { download, fileName } from '../download.js';
+import { isFavouritesFile } from '../favourites.js';
+import { definitionOf } from '../state.js';
+
+/** @typedef {import('../engine.js').Engine} Engine */
+
+/** Larger files are no L-systems, in bytes. */
+const LARGEST_FILE = 64 << 20;
+
+/** @type {Record<string, string>} */
+const MIME = { svg: 'image/svg+xml', csv: 'text/csv', txt: 'text/plain', json: 'application/json' };
+
+/**
+ * @param {import('../store.js').Store} store
+ * @param {Engine} engine
+ * @param {{address: () => Promise<string>, select: () => void, favourites: (text: string) => void, canvas: () => import('../engine.js').Canvas}} page
+ *   `select` shows the link for the reader to copy, `favourites` takes a file of them
+ */
+export function keepPanel(store, engine, page) {
+    button('copy-link').addEventListener('click', async () => {
+        if (await copyText(await page.address())) toast('Link copied');
+        else page.select();
+    });
+
+    for (const save of document.querySelectorAll('[data-save]')) {
+        save.addEventListener('click', async () => {
+            if (!(save instanceof HTMLButtonElement)) return;
+            save.disabled = true;
+            try {
+                await saveAs(String(save.dataset.save));
+            } catch (error) {
+                toast(`Not saved: ${error instanceof Error ? error.message : error}.`);
+            } finally {
+                save.disabled = false;
+            }
+        });
+    }
+
+    /** @param {string} format */
+    async function saveAs(format) {
+        const name = fileName(store.state);
+        if (format === 'png') {
+            const { width, height } = page.canvas();
+            const wanted = Number(byId('png-size', HTMLSelectElement).value);
+            const factor = wanted === 0 ? 1 : wanted / Math.max(width, height);
+            const blob = await engine.png(Math.round(width * factor), Math.round(height * factor), definitionOf(store.state));
+            if (!blob) throw new Error('the browser could not make the picture');
+            return download(blob, `${name}.png`);
+        }
+        const { text, diagnostics } = await engine.export(/** @type {'svg'} */ (format));
+        if (text === null) {
+            const first = diagnostics[0];
+            return toast(first ? `Not saved: ${[first.message, first.hint].filter(Boolean).join(' ')}` : 'Not saved: there is nothing to save.');
+        }
+        const [ending = format, form] = format.split('-');
+        download(new Blob([text], { type: MIME[ending] ?? 'text/plain' }), `${name}${form ? `_${form}` : ''}.${ending}`);
+        // A compact picture may ask much of who shows it.
+        if (diagnostics[0]) toast([diagnostics[0].message, diagnostics[0].hint].filter(Boolean).join(' '));
+    }
+
+    /** @param {File} file */
+    async function openFile(file) {
+        const problems = html('file-problems');
+        problems.replaceChildren();
+        if (file.size > LARGEST_FILE) return toast('This file is too large to be an L-system.');
+        try {
+            const bytes = await file.arrayBuffer();
+            if (/\.json$/i.test(file.name)) {
+                const text = new TextDecoder().decode(bytes);
+                if (isFavouritesFile(text)) return page.favourites(text);
+            }
+            const { definition, diagnostics } = await engine.read(bytes);
+            listProblems(problems, diagnostics);
+            if (!definition) return toast(`${file.name} could not be read: ${diagnostics[0]?.message ?? 'it holds no system'}`);
+            const name = definition.name || file.name.replace(/\.(json|svg|png)$/i, '');
+            store.open({ ...definition, name });
+            toast(`Opened ${file.name}${diagnostics.length > 0 ? ', with remarks: see Save' : ''}`);
+        } catch (error) {
+            toast(`${file.name} could not be read: ${error instanceof Error ? error.message : error}`);
+        }
+    }
+
+    const chooser = input('file');
+    button('open-file').addEventListener('click', () => chooser.click());
+    chooser.addEventListener('change', () => {
+        const [file] = chooser.files ?? [];
+        chooser.value = '';
+        if (file) openFile(file);
+    });
+
+    /** @param {DragEvent} event */
+    const hasFiles = (event) => event.dataTransfer?.types.includes('Files') ?? false;
+    let over = 0;
+    const showDrop = () => document.body.classList.toggle('dropping', over > 0);
+    document.addEventListener('dragenter', (event) => {
+        if (!hasFiles(event)) return;
+        over += 1;
+        showDrop();
+    });
+    document.addEventListener('dragleave', (event) => {
+        if (!hasFiles(event)) return;
+        over = Math.max(0, over - 1);
+        showDrop();
+    });
+    document.addEventListener('dragover', (event) => {
+        if (hasFiles(event)) event.preventDefault();
+    });
+    document.addEventListener('drop', (event) => {
+        over = 0;
+        showDrop();
+        if (!hasFiles(event)) return;
+        event.preventDefault();
+        const file = event.dataTransfer?.files[0];
+        if (file) openFile(file);
+    });
+}

@@ -1,0 +1,47 @@
+/** Axiom and productions. */
+
+import { byId, html, setText } from '../dom.js';
+import { editor } from '../controls/editor.js';
+
+/** @param {import('../store.js').Store} store */
+export function rulesPanel(store) {
+    const settle = () => store.settle();
+    const axiom = editor(byId('axiom', HTMLTextAreaElement), html('axiom-problems'), 'axiom', {
+        change: (text) => store.change({ axiom: text }, 'axiom'),
+        settle,
+    });
+    const rules = editor(byId('rules', HTMLTextAreaElement), html('rules-problems'), 'rules', {
+        change: (text) => store.change({ rules: text }, 'rules'),
+        settle,
+    });
+
+    return {
+        /** @param {import('../state.js').State} state */
+        show(state) {
+            axiom.show(state.axiom);
+            rules.show(state.rules);
+            setText(html('system-source'), state.source);
+            setText(html('system-notes'), state.notes);
+            html('about').hidden = state.source === '' && state.notes === '';
+        },
+        /** @param {import('../engine.js').Notation} notation @param {import('../notation.js').Texts} texts */
+        read(notation, texts) {
+            axiom.tint(notation.axiom, texts.axiom);
+            rules.tint(notation.rules, texts.rules);
+        },
+        /**
+         * Puts another value in the place of a constant's; caret and selection stay.
+         * @param {import('../engine.js').Constant} constant
+         * @param {string} value
+         * @param {string} label of the change
+         */
+        rewrite({ start, end }, value, label) {
+            store.change({ rules: rules.replace(start, end, value) }, label);
+        },
+        /** @param {import('../engine.js').Report} report */
+        report({ diagnostics }) {
+            axiom.mark(diagnostics.filter(({ field }) => field === 'axiom'));
+            rules.mark(diagnostics.filter(({ field }) => field === 'rules'));
+        },
+    };
+}

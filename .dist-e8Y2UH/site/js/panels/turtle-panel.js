@@ -1,0 +1,110 @@
+/** What symbols do, and where the turtle starts. */
+
+import { byId, html, input, make, setText } from '../dom.js';
+import { editor } from '../controls/editor.js';
+import { numberField, optionalField } from '../controls/number-field.js';
+import { DIALECTS } from '../state.js';
+
+/** @type {Record<import('../state.js').Dialect, string>} */
+const DIALECT_NOTES = {
+    abop: 'F and G draw, f and g move; + and − turn, | turns round, [ and ] branch; ! thins and # thickens the stroke, \' and ; step through the colours. In space & and ^ pitch down and up, \\ and / roll left and right, and $ rolls upright. Other symbols do nothing.',
+    'every-letter': 'Every symbol draws one step, except + and −, which turn, and [ and ], which branch.',
+    practical: 'F and G draw; + turns left and − turns right, each by its own angle; in space > and < pitch down and up, & and ^ roll left and right; [ and ] branch. Other symbols do nothing.',
+    lowercase: 'Every lower-case letter draws; + turns left and takes the second colour, − turns right and takes the third; [ and ] branch.',
+    axes: 'F draws; > and < turn left and right, v and ^ pitch up and down, + and − roll left and right: turns about the z, x and y axes of a turtle that goes along its y; [ and ] branch. Other symbols do nothing.',
+};
+
+/** @param {import('../store.js').Store} store */
+export function turtlePanel(store) {
+    const settle = () => store.settle();
+    const dialect = byId('dialect', HTMLSelectElement);
+    dialect.addEventListener('change', () => {
+        const chosen = DIALECTS.find((name) => name === dialect.value);
+        if (chosen) store.change({ dialect: chosen }, '');
+    });
+    const overrides = editor(byId('overrides', HTMLTextAreaElement), html('overrides-problems'), 'overrides', {
+        change: (text) => store.change({ overrides: text }, 'overrides'),
+        settle,
+    });
+    const showHeading = numberField(input('heading'), { low: -3600, high: 3600, step: 5, settle, change: (heading) => store.change({ heading }, 'heading') });
+    const showStep = numberField(input('step'), { low: 1e-9, high: 1e9, step: 1, settle, change: (step) => store.change({ step }, 'step') });
+    const showX = numberField(input('start-x'), { low: -1e9, high: 1e9, step: 1, settle, change: (x) => store.change({ start: [x, store.state.start[1]] }, 'start') });
+    const showY = numberField(input('start-y'), { low: -1e9, high: 1e9, step: 1, settle, change: (y) => store.change({ start: [store.state.start[0], y] }, 'start') });
+
+    const bends = html('bends');
+    const angles = { low: -3600, high: 3600, step: 1, settle };
+    const showDown = optionalField(input('pitch-down'), { ...angles, change: (pitchDown) => store.change({ pitchDown }, 'pitchDown') });
+    const showUp = optionalField(input('pitch-up'), { ...angles, change: (pitchUp) => store.change({ pitchUp }, 'pitchUp') });
+    const showLeft = optionalField(input('roll-left'), { ...angles, change: (rollLeft) => store.change({ rollLeft }, 'rollLeft') });
+    const showRight = optionalField(input('roll-right'), { ...angles, change: (rollRight) => store.change({ rollRight }, 'rollRight') });
+    const showElasticity = numberField(input('elasticity'), { low: -1000, high: 1000, step: 0.01, settle, change: (elasticity) => store.change({ elasticity }, 'elasticity') });
+    const showPull = ['x', 'y', 'z'].map((axis, at) =>
+        numberField(input(`tropism-${axis}`), {
+            low: -1000,
+            high: 1000,
+            step: 0.1,
+            settle,
+            change: (value) => {
+                const [x, y, z] = store.state.tropism;
+                store.change({ tropism: [at === 0 ? value : x, at === 1 ? value : y, at === 2 ? value : z] }, 'tropism');
+            },
+        }),
+    );
+    /** Whether the drawing leaves the plane. */
+    let solid = false;
+
+    /** Angles in space are shown where they matter, or were given. @param {import('../state.js').State} state */
+    function showSpace({ angle, pitchDown, pitchUp, rollLeft, rollRight }) {
+        html('space').hidden = !solid && [pitchDown, pitchUp, rollLeft, rollRight].every((value) => value === null);
+        showDown(pitchDown, angle);
+        showUp(pitchUp, pitchDown ?? angle);
+        showLeft(rollLeft, angle);
+        showRight(rollRight, rollLeft ?? angle);
+    }
+
+    let shown = '';
+    return {
+        /** @param {import('../state.js').State} state */
+        show(state) {
+            dialect.value = state.dialect;
+            setText(html('dialect-note'), DIALECT_NOTES[state.dialect]);
+            overrides.show(state.overrides);
+            showHeading(state.heading);
+            showStep(state.step);
+            showX(state.start[0]);
+            showY(state.start[1]);
+            showSpace(state);
+            showElasticity(state.elasticity);
+            state.tropism.forEach((value, at) => showPull[at]?.(value));
+            // What bends is shown; what does not is opened by who wants it to.
+            if (state.elasticity !== 0 && !bends.hasAttribute('open')) bends.setAttribute('open', '');
+        },
+        /** @param {import('../engine.js').Notation} notation @param {import('../notation.js').Texts} texts */
+        read(notation, texts) {
+            overrides.tint(notation.overrides, texts.overrides);
+        },
+        /** @param {import('../engine.js').Report} report */
+        report(report) {
+            const { ok, legend, diagnostics } = report;
+            overrides.mark(diagnostics.filter(({ field }) => field === 'overrides'));
+            if (!ok) return;
+            solid = report.solid;
+            showSpace(store.state);
+            const key = JSON.stringify(legend);
+            if (key === shown) return;
+            shown = key;
+            html('legend').replaceChildren(...legend.map(legendRow));
+        },
+    };
+}
+
+/** @param {import('../engine.js').Report['legend'][number]} entry */
+function legendRow({ symbol, actions, rewritten }) {
+    const words = (Array.isArray(actions) ? actions.join(', ') : actions) || 'draws nothing';
+    return make(
+        'tr',
+        {},
+        make('th', { scope: 'row' }, make('kbd', {}, symbol === ' ' ? '␣' : symbol)),
+        make('td', {}, words, ...(rewritten ? [make('span', { class: 'rewritten', title: 'A production rewrites it at each iteration' }, 'rewritten')] : [])),
+    );
+}

@@ -1,0 +1,27 @@
+/** QR codes as pictures. Pure functions. */
+
+/** Light modules around a code, without which readers do not find it. */
+const QUIET = 4;
+
+/**
+ * The outline of the dark modules, and the side of the square it stands in.
+ * @param {Uint8Array} modules row by row, 1 for dark
+ */
+export function qrPicture(modules) {
+    const size = Math.sqrt(modules.length);
+    let path = '';
+    for (let y = 0; y < size; y++) {
+        for (let x = 0, run = 0; x < size; x += run || 1) {
+            run = 0;
+            while (x + run < size && modules[y * size + x + run]) run += 1;
+            if (run > 0) path += `M${x + QUIET} ${y + QUIET}h${run}v1h-${run}z`;
+        }
+    }
+    return { path, side: size + 2 * QUIET };
+}
+
+/** A code as a file: black on white wherever it is put. @param {Uint8Array} modules */
+export function qrFile(modules) {
+    const { path, side } = qrPicture(modules);
+    return `<svg xmlns="http://www.w3.org/2000/svg" width="${side * 8}" height="${side * 8}" viewBox="0 0 ${side} ${side}" shape-rendering="crispEdges"><path fill="#fff" d="M0 0h${side}v${side}H0z"/><path d="${path}"/></svg>\n`;
+}

@@ -1,0 +1,132 @@
+/**
+ * Places in strings and drawings of any length, as big integers counted from 0, and rows of a page that scrolls through
+ * them. Pure functions.
+ */
+
+import { raised, shortText } from '../numerals.js';
+
+/** The core counts in 128 bits: what lies behind this cannot be reached. */
+export const REACH = 2n ** 128n - 1n;
+
+/** Parts of a whole are taken in steps of this. */
+const STEPS = 2 ** 53;
+
+/**
+ * A part of a whole, rounded down; exact at 0 and 1.
+ * @param {bigint} whole
+ * @param {number} part from 0 to 1
+ */
+export function portion(whole, part) {
+    return (whole * BigInt(Math.round(Math.min(1, Math.max(0, part)) * STEPS))) / BigInt(STEPS);
+}
+
+/**
+ * Which part of a whole something is, from 0 to 1.
+ * @param {bigint} place
+ * @param {bigint} whole
+ */
+export function ratio(place, whole) {
+    return whole <= 0n ? 0 : Number((place * BigInt(STEPS)) / whole) / STEPS;
+}
+
+/** @param {bigint} value @param {bigint} low @param {bigint} high */
+export function within(value, low, high) {
+    return value > high ? (high < low ? low : high) : value < low ? low : value;
+}
+
+/**
+ * How many rows a string fills.
+ * @param {bigint} length
+ * @param {number} columns
+ */
+export function rowsOf(length, columns) {
+    return (length + BigInt(columns) - 1n) / BigInt(columns);
+}
+
+/**
+ * Where a page stands: the row at its top, and how far that has moved out, in CSS pixels, from 0 to a row's height.
+ * @typedef {{row: bigint, offset: number}} Top
+ */
+
+/**
+ * The top after scrolling, kept within the string: the last row may come no higher than the page's lower edge.
+ * @param {Top} top
+ * @param {number} pixels down
+ * @param {{rows: bigint, rowHeight: number, height: number}} page
+ * @returns {Top}
+ */
+export function scrolled(top, pixels, { rows, rowHeight, height }) {
+    const moved = top.offset + pixels;
+    const whole = Math.floor(moved / rowHeight);
+    const next = { row: top.row + BigInt(whole), offset: moved - whole * rowHeight };
+    const last = lastTop({ rows, rowHeight, height });
+    if (next.row < 0n) return { row: 0n, offset: 0 };
+    if (next.row > last.row || (next.row === last.row && next.offset > last.offset)) return last;
+    return next;
+}
+
+/**
+ * The top of the last page.
+ * @param {{rows: bigint, rowHeight: number, height: number}} page
+ * @returns {Top}
+ */
+export function lastTop({ rows, rowHeight, height }) {
+    const fitting = Math.ceil(height / rowHeight);
+    const row = rows - BigInt(fitting);
+    return row < 0n ? { row: 0n, offset: 0 } : { row, offset: fitting * rowHeight - height };
+}
+
+/**
+ * A position as a person writes it, counted from 1: `1,234`, `10^12`, `1e12`, `2.5e6`, `2·10^30`, `50 %`, `end`.
+ * @param {string} text
+ * @param {bigint} length of the whole
+ * @returns {bigint | null} counted from 0 and within the whole; null where the text says no position
+ */
+export function readPlace(text, length) {
+    const last = length > 0n ? length - 1n : 0n;
+    const words = text.trim().toLowerCase();
+    if (words === 'end' || words === 'last') return last;
+    if (words === 'start' || words === 'first') return 0n;
+    const percent = /^(\d+(?:\.\d+)?|\.\d+)\s*%$/.exec(words.replace(/(\d),(\d{1,2})(?=\s*%)/, '$1.$2'));
+    if (percent) return within(portion(length, Number(percent[1]) / 100), 0n, last);
+    const plain = words.replace(/[\s_,’']/g, '').replace(/[·*]/g, '×').replace(/×10(\^|(?=[⁰¹²³⁴-⁹]))/, 'e').replace(/^10(\^|(?=[⁰¹²³⁴-⁹]))/, '1e');
+    const digits = plain.replace(/[⁰¹²³⁴-⁹]/g, (digit) => String('⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(digit)));
+    const number = /^(\d+)(?:\.(\d*))?(?:e\+?(\d{1,4}))?$/.exec(digits);
+    if (!number) return null;
+    const [, whole = '', fraction = '', exponent = '0'] = number;
+    const shift = Number(exponent) - fraction.length;
+    const mantissa = BigInt(whole + fraction);
+    const value = shift >= 0 ? mantissa * 10n ** BigInt(shift) : mantissa / 10n ** BigInt(-shift);
+    return within(value - 1n, 0n, last);
+}
+
+/**
+ * A place for the margin of a page, counted from 1: the last digits where there are many.
+ * @param {bigint} place counted from 0
+ */
+export function marginText(place) {
+    const digits = String(place + 1n);
+    const grouped = (/** @type {string} */ text) => text.replace(/\B(?=(\d{3})+$)/g, ',');
+    return digits.length <= 7 ? grouped(digits) : `…${grouped(digits.slice(-6))}`;
+}
+
+/**
+ * What one moves by in a second to be through in so many seconds, at least one.
+ * @param {bigint} whole
+ * @param {number} seconds
+ */
+export const pace = (whole, seconds) => Math.max(1, Number(whole) / seconds);
+
+/**
+ * A pace in words: `1,200 a second`, `3.1 × 10²⁶ a second`.
+ * @param {number} perSecond
+ */
+export function paceText(perSecond) {
+    if (perSecond < 10) return `${perSecond.toFixed(perSecond < 2 ? 1 : 0).replace(/\.0$/, '')} a second`;
+    if (perSecond < 1e9) return `${Math.round(perSecond).toLocaleString('en')} a second`;
+    const exponent = Math.floor(Math.log10(perSecond));
+    return `${(perSecond / 10 ** exponent).toFixed(1)}\u2009×\u200910${raised(exponent)} a second`;
+}
+
+/** A count, short. @param {bigint} count */
+export const countText = (count) => shortText(String(count));

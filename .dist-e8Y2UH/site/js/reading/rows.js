@@ -1,0 +1,178 @@
+/** Rows of symbols of equal width: what is in sight of a long string. Symbols are found by arithmetic, not by elements. */
+
+import { make } from '../dom.js';
+import { tintOf } from '../tint.js';
+import { marginText } from './places.js';
+import { visible } from './words.js';
+
+/** Rows are whole tens of symbols where there is room for them. */
+const TEN = 10;
+/** A finger that moved less than this meant a symbol, in CSS pixels. */
+const SLIP = 6;
+/** A flick loses this part of its speed in a millisecond. */
+const FRICTION = 0.004;
+
+/** @param {HTMLElement} area */
+export function rowsView(area) {
+    const sheet = make('div', { class: 'rows' });
+    const ruler = make('span', { class: 'ruler', 'aria-hidden': 'true' }, '0'.repeat(50));
+    area.append(sheet, ruler);
+    /** The rows that are shown, by number. @type {Map<bigint, {key: string, element: HTMLElement}>} */
+    let shown = new Map();
+    let columns = TEN;
+    let rowHeight = 22;
+    let height = 0;
+    let charWidth = 8;
+    let margin = 60;
+    let offset = 0;
+    let firstRow = 0n;
+
+    function measure() {
+        const box = ruler.getBoundingClientRect();
+        charWidth = box.width / 50 || 8;
+        rowHeight = box.height || 22;
+        height = area.clientHeight;
+        margin = charWidth * 9;
+        const fitting = Math.floor((area.clientWidth - margin - charWidth) / charWidth);
+        columns = Math.max(1, fitting >= 2 * TEN ? fitting - (fitting % TEN) : fitting);
+        sheet.style.setProperty('--margin', `${margin}px`);
+        sheet.style.setProperty('--row', `${rowHeight}px`);
+    }
+
+    /** The symbol at a place in the page. @param {number} clientX @param {number} clientY @returns {bigint | null} */
+    function symbolAt(clientX, clientY) {
+        const box = area.getBoundingClientRect();
+        const column = Math.floor((clientX - box.left - margin) / charWidth);
+        const row = Math.floor((clientY - box.top + offset) / rowHeight);
+        if (column < 0 || column >= columns || row < 0) return null;
+        return (firstRow + BigInt(row)) * BigInt(columns) + BigInt(column);
+    }
+
+    return {
+        get columns() {
+            return columns;
+        },
+        get rowHeight() {
+            return rowHeight;
+        },
+        get height() {
+            return height;
+        },
+        measure,
+
+        /**
+         * @param {{top: import('./places.js').Top, page: {start: bigint, symbols: string[]}, length: bigint, chosen: bigint | null, lit: bigint | null}} what
+         */
+        show({ top, page, length, chosen, lit }) {
+            const wide = BigInt(columns);
+            const count = Math.ceil(height / rowHeight) + 1;
+            /** @type {typeof shown} */
+            const next = new Map();
+            for (let at = 0; at < count; at++) {
+                const row = top.row + BigInt(at);
+                const start = row * wide;
+                if (start >= length) break;
+                const from = Number(start - page.start);
+                const symbols = from < 0 ? [] : page.symbols.slice(from, from + columns);
+                const marks = [...marked(chosen, start, 'chosen'), ...marked(lit, start, 'lit')];
+                const key = `${columns} ${symbols.join('')} ${marks.map(({ at: place, name }) => `${name}${place}`).join()}`;
+                const old = shown.get(row);
+                next.set(row, old?.key === key ? old : { key, element: rowOf(start, symbols, marks) });
+            }
+            for (const [row, { element }] of shown) if (next.get(row)?.element !== element) element.remove();
+            let after = /** @type {Element | null} */ (sheet.firstElementChild);
+            for (const { element } of next.values()) {
+                if (element === after) after = after.nextElementSibling;
+                else sheet.insertBefore(element, after);
+            }
+            shown = next;
+            firstRow = top.row;
+            offset = top.offset;
+            sheet.style.transform = `translateY(${-offset}px)`;
+        },
+
+        /** @param {{scroll: (pixels: number) => unknown, click: (index: bigint) => unknown}} act */
+        gestures({ scroll, click }) {
+            area.addEventListener(
+                'wheel',
+                (event) => {
+                    if (event.ctrlKey) return;
+                    event.preventDefault();
+                    scroll(event.deltaY * (event.deltaMode === 1 ? rowHeight : event.deltaMode === 2 ? height : 1));
+                },
+                { passive: false },
+            );
+            /** @type {{id: number, y: number, travelled: number, speed: number, time: number} | null} */
+            let finger = null;
+            let flick = 0;
+            area.addEventListener('pointerdown', (event) => {
+                cancelAnimationFrame(flick);
+                if (event.button !== 0) return;
+                finger = { id: event.pointerId, y: event.clientY, travelled: 0, speed: 0, time: event.timeStamp };
+                if (event.pointerType !== 'mouse') area.setPointerCapture(event.pointerId);
+            });
+            area.addEventListener('pointermove', (event) => {
+                if (finger?.id !== event.pointerId) return;
+                const by = finger.y - event.clientY;
+                const time = Math.max(1, event.timeStamp - finger.time);
+                Object.assign(finger, { y: event.clientY, travelled: finger.travelled + Math.abs(by), speed: by / time, time: event.timeStamp });
+                if (event.pointerType !== 'mouse' && finger.travelled > SLIP) scroll(by);
+            });
+            area.addEventListener('pointerup', (event) => {
+                if (finger?.id !== event.pointerId) return;
+                const { travelled, speed, time } = finger;
+                finger = null;
+                if (travelled <= SLIP) {
+                    const index = symbolAt(event.clientX, event.clientY);
+                    if (index !== null) click(index);
+                } else if (event.pointerType !== 'mouse' && event.timeStamp - time < 60) {
+                    glide(speed);
+                }
+            });
+            area.addEventListener('pointercancel', () => (finger = null));
+
+            /** @param {number} speed CSS pixels a millisecond */
+            function glide(speed) {
+                let last = performance.now();
+                const tick = (/** @type {number} */ now) => {
+                    const time = Math.max(0, now - last);
+                    last = now;
+                    speed *= Math.exp(-FRICTION * time);
+                    if (Math.abs(speed) < 0.02) return;
+                    scroll(speed * time);
+                    flick = requestAnimationFrame(tick);
+                };
+                flick = requestAnimationFrame(tick);
+            }
+        },
+    };
+
+    /** @param {bigint | null} index @param {bigint} start @param {string} name */
+    function marked(index, start, name) {
+        return index !== null && index >= start && index < start + BigInt(columns) ? [{ at: Number(index - start), name }] : [];
+    }
+
+    /** @param {bigint} start @param {string[]} symbols @param {{at: number, name: string}[]} marks */
+    function rowOf(start, symbols, marks) {
+        const cells = make('span', { class: 'cells' });
+        /** What is alike goes into one element: symbols by their tint and marks. */
+        let run = '';
+        let names = '';
+        const flush = () => {
+            if (run) cells.append(names ? make('span', { class: names }, run) : run);
+            run = '';
+        };
+        symbols.forEach((symbol, at) => {
+            const tint = tintOf(symbol);
+            const own = marks.filter((mark) => mark.at === at).map(({ name }) => name);
+            // Others may be wider than a column in the font at hand.
+            const foreign = symbol < '\u0020' || symbol > '\u007e';
+            const next = [tint ? `t-${tint}` : '', foreign ? 'foreign' : '', ...own].filter(Boolean).join(' ');
+            if (next !== names || foreign) flush();
+            names = next;
+            run += visible(symbol);
+        });
+        flush();
+        return make('div', { class: 'row-line' }, make('span', { class: 'margin', 'aria-hidden': 'true' }, marginText(start)), cells);
+    }
+}

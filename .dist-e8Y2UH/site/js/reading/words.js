@@ -1,0 +1,61 @@
+/** Where a symbol comes from, and how the turtle stands, in words. Pure functions. */
+
+import { grouped, plain, raised } from '../numerals.js';
+
+/**
+ * One link of the chain from the axiom to a symbol; `index` in decimal digits, `position` in the successor (or in the
+ * axiom), `production` a number of a production or null where the symbol stayed or stands in the axiom; all from 0.
+ * @typedef {{generation: number, symbol: string, index: string, production: number | null, position: number}} Link
+ */
+/** @typedef {{from: [number, number], to: [number, number], fittedFrom: [number, number], fittedTo: [number, number], heading: number, level: number, colour: number}} Stroke */
+
+const ORDINALS = ['first', 'second', 'third', 'fourth', 'fifth', 'sixth', 'seventh', 'eighth', 'ninth', 'tenth', 'eleventh', 'twelfth'];
+
+/** @param {number} position counted from 0 */
+export function ordinal(position) {
+    const word = ORDINALS[position];
+    if (word) return word;
+    const number = position + 1;
+    const ending = Math.floor(number / 10) % 10 === 1 ? 'th' : ({ 1: 'st', 2: 'nd', 3: 'rd' }[number % 10] ?? 'th');
+    return `${grouped(String(number))}${ending}`;
+}
+
+/** A symbol as it is shown. @param {string} symbol */
+export const visible = (symbol) => (symbol === ' ' ? '␣' : symbol);
+
+/** How a symbol came to be where it is: `step 5, by rule 1, third symbol`. @param {Link} link */
+export function birth({ generation, production, position }) {
+    if (generation === 0) return `${ordinal(position)} symbol of the axiom`;
+    if (production === null) return `still there at step ${generation}`;
+    return `step ${generation}, by rule ${production + 1}, ${ordinal(position)} symbol`;
+}
+
+/**
+ * The chain from a symbol back to the axiom, with steps at which it only stayed left out.
+ * @param {Link[]} chain from the axiom on
+ * @returns {Link[]} from the symbol back
+ */
+export function descent(chain) {
+    return chain.filter(({ generation, production }) => generation === 0 || production !== null).reverse();
+}
+
+/** `X at step 5, by rule 1, third symbol`. @param {Link[]} chain */
+export function origin(chain) {
+    const [born] = descent(chain);
+    if (!born) return '';
+    return born.generation === 0 ? `${visible(born.symbol)}, ${birth(born)}` : `${visible(born.symbol)} at ${birth(born)}`;
+}
+
+/** A pose in words. @param {{at: [number, number], heading: number, level: number}} pose */
+export function poseText({ at, heading, level }) {
+    return `At ${at.map(coordinate).join(', ')}, heading ${plain(Number(heading.toFixed(2)))}°, level ${level}`;
+}
+
+/** @param {number} value in model units */
+export function coordinate(value) {
+    if (value !== 0 && (Math.abs(value) >= 1e7 || Math.abs(value) < 1e-3)) {
+        const [mantissa, exponent] = value.toExponential(3).split('e');
+        return `${mantissa}·10${raised(Number(exponent))}`.replace('-', '−');
+    }
+    return plain(Number(value.toFixed(3))).replace('-', '−');
+}

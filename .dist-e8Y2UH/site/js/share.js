@@ -1,0 +1,156 @@
+/** The share dialog: the link, its QR code, and the drawing as markup for another page. */
+
+import { copyField, copyKeys } from './copy.js';
+import { download, fileName } from './download.js';
+import { button, byId, html, input, setText } from './dom.js';
+import { bestLink, shortestLink } from './packed.js';
+import { qrFile, qrPicture } from './qr.js';
+import { elementCode, frameCode } from './share-code.js';
+
+/** Longer links do not arrive whole everywhere, in characters. */
+const LONG = 2000;
+/** How long a button tells that it has copied, in milliseconds. */
+const TOLD = 2500;
+
+/**
+ * @param {import('./store.js').Store} store
+ * @param {{qr: (text: string) => Promise<Uint8Array | null>}} engine
+ */
+export function createShare(store, engine) {
+    const dialog = byId('share-dialog', HTMLDialogElement);
+    const link = input('share-link');
+    const code = byId('embed-code', HTMLTextAreaElement);
+    const withView = input('share-view');
+    const status = html('share-status');
+    const send = button('share-send');
+    const picture = byId('qr', SVGSVGElement);
+    const choices = [...dialog.querySelectorAll('.embed-choices input')].filter((element) => element instanceof HTMLInputElement);
+    const onDisk = location.protocol === 'file:';
+    /** What the code shows now. @type {Uint8Array | null} */
+    let modules = null;
+    /** Links are made in the background; only the newest counts. */
+    let turn = 0;
+
+    /** What is to be shared. */
+    const shared = () => (withView.checked ? store.state : { ...store.state, view: null });
+    /** @param {string} hash */
+    const address = (hash) => new URL(hash, location.href).href;
+
+    async function refresh() {
+        const mine = ++turn;
+        const state = shared();
+        html('share-view-row').hidden = store.state.view === null;
+        const [best, shortest] = await Promise.all([bestLink(state), shortestLink(state)]);
+        if (mine !== turn) return;
+        link.value = address(best);
+        setText(html('share-link-note'), linkNote(link.value));
+        showCode(state, best);
+        await showQr(address(shortest), mine);
+    }
+
+    /** @param {string} href */
+    function linkNote(href) {
+        if (onDisk) return 'This page was opened from a disk, so the link works on this computer only.';
+        if (href.length > LONG) return `The link has ${href.length.toLocaleString('en')} characters, and some programs cut links of this length. A file or picture from Save holds the same.`;
+        return 'The link holds the whole drawing. Nothing is stored anywhere else.';
+    }
+
+    /** @param {import('./state.js').State} state @param {string} best */
+    function showCode(state, best) {
+        const controls = choices.filter(({ name, checked }) => name === 'controls' && checked).map(({ value }) => value);
+        const whole = byId('embed-element', HTMLInputElement).checked;
+        // A single file has no element beside it, and its frame stands beside it under any name.
+        code.value = whole ? elementCode(state, controls, address('l-system.js')) : frameCode(state, best, controls, address('embed.html'));
+        setText(html('embed-note'), embedNote(whole));
+    }
+
+    /** @param {boolean} whole */
+    function embedNote(whole) {
+        if (onDisk) return 'This page was opened from a disk: put it on a web server for markup that works in other pages.';
+        return whole ? 'For pages that may run scripts: its attributes can be changed live, and it tells of changes.' : 'For any page, and for Moodle: paste it where its source is edited.';
+    }
+
+    /** @param {string} href @param {number} mine */
+    async function showQr(href, mine) {
+        let words = '';
+        /** @type {Uint8Array | null} */
+        let made = null;
+        try {
+            made = onDisk ? null : await engine.qr(href);
+            words = made ? 'A phone’s camera opens the drawing.' : onDisk ? 'A page on a disk has no address that a phone could open.' : 'This link is too long for a QR code that can be read.';
+        } catch (error) {
+            words = `The QR code could not be made (${error instanceof Error ? error.message : error}).`;
+        }
+        if (mine !== turn) return;
+        modules = made;
+        html('qr-frame').hidden = made === null;
+        button('save-qr').hidden = made === null;
+        setText(html('qr-note'), words);
+        if (!made) return;
+        const { path, side } = qrPicture(made);
+        picture.setAttribute('viewBox', `0 0 ${side} ${side}`);
+        picture.querySelector('path')?.setAttribute('d', path);
+    }
+
+    /** @param {HTMLButtonElement} copier @param {HTMLInputElement | HTMLTextAreaElement} field @param {string} what */
+    function copies(copier, field, what) {
+        const label = /** @type {Element} */ (copier.querySelector('span'));
+        const before = String(label.textContent);
+        let timer = 0;
+        copier.addEventListener('click', async () => {
+            const copied = await copyField(field);
+            setText(status, copied ? `${what} copied` : `The browser keeps its clipboard from this page. The text is selected: ${copyKeys()} copies it.`);
+            status.classList.toggle('told', !copied);
+            if (!copied) return;
+            copier.focus();
+            setText(label, 'Copied');
+            clearTimeout(timer);
+            timer = window.setTimeout(() => setText(label, before), TOLD);
+        });
+        field.addEventListener('focus', () => field.select());
+    }
+
+    copies(button('copy-share'), link, 'Link');
+    copies(button('copy-code'), code, 'Code');
+    for (const choice of [withView, ...choices]) choice.addEventListener('change', refresh);
+    store.subscribe(() => dialog.open && refresh());
+    button('save-qr').addEventListener('click', () => {
+        if (modules) download(new Blob([qrFile(modules)], { type: 'image/svg+xml' }), `${fileName(store.state)}_qr.svg`);
+    });
+    send.hidden = typeof navigator.share !== 'function';
+    send.addEventListener('click', async () => {
+        try {
+            await navigator.share({ title: store.state.title || store.state.name || 'L-system', url: link.value });
+        } catch (error) {
+            if (error instanceof Error && error.name === 'AbortError') return;
+            setText(status, 'This browser could not send the link: copy it instead.');
+            status.classList.add('told');
+        }
+    });
+
+    function open() {
+        withView.checked = true;
+        setText(status, '');
+        status.classList.remove('told');
+        dialog.showModal();
+        button('copy-share').focus();
+        return refresh();
+    }
+    for (const id of ['share', 'share-more']) button(id).addEventListener('click', open);
+    button('close-share').addEventListener('click', () => dialog.close());
+    // A click beside the sheet closes it.
+    dialog.addEventListener('click', (event) => {
+        if (event.target === dialog) dialog.close();
+    });
+
+    return {
+        /** Opens with the link selected, for the reader to copy. */
+        async select() {
+            await open();
+            link.focus();
+            link.select();
+            setText(status, `The browser keeps its clipboard from this page. The link is selected: ${copyKeys()} copies it.`);
+            status.classList.add('told');
+        },
+    };
+}

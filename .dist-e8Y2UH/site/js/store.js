@@ -1,0 +1,111 @@
+/** The one place where the state is kept and changed. */
+
+import { EMPTY, record, redo, settle, undo } from './history.js';
+import { FIELDS, clean, same } from './state.js';
+
+/** @typedef {import('./state.js').State} State */
+/** @typedef {ReturnType<typeof createStore>} Store */
+/** @typedef {(state: Readonly<State>, before: Readonly<State>) => void} Listener */
+
+/** @param {State} initial @param {State} [from] what Reset returns to, where it is something else */
+export function createStore(initial, from = initial) {
+    /** @type {Readonly<State>} */
+    let state = clean(initial);
+    /** What Reset returns to: the system as it was picked or opened. @type {Readonly<State>} */
+    let origin = clean(from);
+    let history = EMPTY;
+    /** @type {Listener[]} */
+    const listeners = [];
+
+    /** @param {Readonly<State>} next */
+    function become(next) {
+        const before = state;
+        state = next;
+        for (const listener of listeners) listener(state, before);
+    }
+
+    return {
+        get state() {
+            return state;
+        },
+        get origin() {
+            return origin;
+        },
+        get canUndo() {
+            return history.past.length > 0;
+        },
+        get canRedo() {
+            return history.future.length > 0;
+        },
+
+        /** @param {Listener} listener called after every change */
+        subscribe(listener) {
+            listeners.push(listener);
+        },
+
+        /**
+         * Changes some fields; undo takes it back. Quick changes with the same label are one, and those of a drag, whose
+         * label starts with `drag `, until it is settled.
+         * @param {Partial<State>} patch
+         * @param {string} label
+         */
+        change(patch, label) {
+            const next = clean({ ...state, ...patch }, state);
+            const changed = FIELDS.filter((field) => !same(state[field], next[field]));
+            if (changed.length === 0) return;
+            history = record(history, state, Object.fromEntries(changed.map((field) => [field, next[field]])), label, Date.now());
+            become(next);
+        },
+
+        /**
+         * Moves the view, which is no step to undo.
+         * @param {import('./state.js').View | null} view
+         */
+        look(view) {
+            const next = clean({ ...state, view }, state);
+            if (!same(next.view, state.view)) become(next);
+        },
+
+        /**
+         * Opens another system: one step to undo, and what Reset returns to.
+         * @param {object} values
+         * @param {object} [from] what Reset returns to, where it is something else
+         */
+        open(values, from = values) {
+            const next = clean(values);
+            origin = clean(from);
+            history = record(settle(history), state, next, '', Date.now());
+            become(next);
+        },
+
+        /**
+         * Changes fields here and in what Reset returns to, without a step to undo: the page's own doing.
+         * @param {Partial<State>} patch
+         */
+        dress(patch) {
+            origin = clean({ ...origin, ...patch }, origin);
+            become(clean({ ...state, ...patch }, state));
+        },
+
+        /** Ends a gesture: the next change is a step of its own. */
+        settle() {
+            history = settle(history);
+        },
+
+        undo() {
+            const step = undo(history);
+            if (!step) return false;
+            history = step.history;
+            become({ ...state, ...step.patch });
+            return true;
+        },
+
+        redo() {
+            const step = redo(history);
+            if (!step) return false;
+            history = step.history;
+            become({ ...state, ...step.patch });
+            return true;
+        },
+    };
+}

@@ -1,0 +1,107 @@
+/** Arithmetic of looking: pan, zoom, and where an old picture stands in a new view. Pure functions. */
+
+import { MAX_ZOOM, MIN_ZOOM } from './state.js';
+
+/** @typedef {import('./state.js').View} View */
+
+/** Below this magnification a single number says a place to well under a pixel. */
+const COARSE = 1e6;
+
+/** @type {Readonly<View>} */
+export const FITTED = Object.freeze({ x: 0, y: 0, zoom: 1 });
+
+/**
+ * The view after the picture was dragged.
+ * @param {View} view
+ * @param {number} dx CSS pixels to the right
+ * @param {number} dy CSS pixels down
+ * @param {number} scale CSS pixels per fitted extent at zoom 1
+ * @returns {View}
+ */
+export function pan(view, dx, dy, scale) {
+    const pixels = scale * view.zoom;
+    return moved(view, -dx / pixels, dy / pixels, view.zoom);
+}
+
+/**
+ * The view after zooming about a point that stays where it is.
+ * @param {View} view
+ * @param {number} factor
+ * @param {number} px CSS pixels right of the canvas's centre
+ * @param {number} py CSS pixels below the canvas's centre
+ * @param {number} scale CSS pixels per fitted extent at zoom 1
+ * @returns {View}
+ */
+export function zoomAt(view, factor, px, py, scale) {
+    const zoom = Math.min(MAX_ZOOM, Math.max(MIN_ZOOM, view.zoom * factor));
+    const shift = (1 / view.zoom - 1 / zoom) / scale;
+    return moved(view, px * shift, -py * shift, zoom);
+}
+
+/**
+ * The view with its centre moved. A centre is the sum of two numbers, `x` and `fx`, `y` and `fy`: where a drawing is
+ * 10^19 steps wide, one has no digits left for a single step.
+ * @param {View} view
+ * @param {number} dx
+ * @param {number} dy
+ * @param {number} zoom
+ * @returns {View}
+ */
+function moved({ x, y, fx = 0, fy = 0 }, dx, dy, zoom) {
+    const [nextX, fineX] = sum(x, fx, dx);
+    const [nextY, fineY] = sum(y, fy, dy);
+    const next = { x: nextX, y: nextY, zoom };
+    return zoom < COARSE ? next : { ...next, fx: fineX, fy: fineY };
+}
+
+/**
+ * `high + low + value` as a number and what that leaves (Knuth's two-sum).
+ * @param {number} high
+ * @param {number} low
+ * @param {number} value
+ * @returns {[number, number]}
+ */
+function sum(high, low, value) {
+    const whole = high + value;
+    const rest = whole - high;
+    const fine = low + (high - (whole - rest) + (value - rest));
+    return [whole + fine, fine - (whole + fine - whole)];
+}
+
+/**
+ * The view on the way from one to another, at `t` from 0 to 1: a zoom about the point that both share, or a pan.
+ * @param {View} from
+ * @param {View} to
+ * @param {number} t
+ * @returns {View}
+ */
+export function between(from, to, t) {
+    const zoom = from.zoom * (to.zoom / from.zoom) ** t;
+    const whole = 1 / from.zoom - 1 / to.zoom;
+    const left = Math.abs(whole) < 1e-9 / from.zoom ? 1 - t : (1 / zoom - 1 / to.zoom) / whole;
+    const [dx, dy] = way(to, from);
+    return moved(to, dx * left, dy * left, zoom);
+}
+
+/**
+ * Where a picture that was drawn for one view stands in another: CSS pixels right and down, and a factor, about the
+ * canvas's centre.
+ * @param {View} drawn
+ * @param {View} view
+ * @param {number} scale CSS pixels per fitted extent at zoom 1
+ */
+export function placement(drawn, view, scale) {
+    const pixels = scale * view.zoom;
+    const [dx, dy] = way(view, drawn);
+    return { x: dx * pixels, y: -dy * pixels, factor: view.zoom / drawn.zoom };
+}
+
+/**
+ * From one centre to another.
+ * @param {View} from
+ * @param {View} to
+ * @returns {[number, number]}
+ */
+function way(from, to) {
+    return [to.x - from.x + ((to.fx ?? 0) - (from.fx ?? 0)), to.y - from.y + ((to.fy ?? 0) - (from.fy ?? 0))];
+}

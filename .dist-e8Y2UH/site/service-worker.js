@@ -1,0 +1,72 @@
+/**
+ * Keeps the page for use without a network. The build writes two lines in front of this: BUILD, which names this
+ * version, and FILES, the SHA-256 of each of its files by path ('' is the page itself).
+ *
+ * A version is kept whole or not at all: what does not hash to what the build made, in the middle of somebody's upload
+ * say, fails, and the browser tries again another time. A page never sees files of two versions, and of nobody else's.
+ */
+(() => {
+    const worker = /** @type {any} */ (self);
+    const scope = worker.registration.scope;
+    const family = `l-systems ${scope} `;
+    const name = family + BUILD;
+
+    worker.addEventListener('install', (/** @type {any} */ event) => event.waitUntil(keepAll()));
+    worker.addEventListener('activate', (/** @type {any} */ event) => event.waitUntil(forgetOthers()));
+    worker.addEventListener('message', (/** @type {any} */ event) => {
+        if (event.data === 'take over') worker.skipWaiting();
+    });
+    worker.addEventListener('fetch', (/** @type {any} */ event) => {
+        const address = addressOf(event.request);
+        if (address) event.respondWith(answer(address, event.request));
+    });
+
+    /** The address under which what is asked for is kept, or null where it is none of ours. @param {Request} request */
+    function addressOf({ method, url }) {
+        const address = new URL(url);
+        address.hash = '';
+        address.search = '';
+        if (method !== 'GET' || !address.href.startsWith(scope)) return null;
+        const path = decodeURIComponent(address.href.slice(scope.length)).replace(/^index\.html$/, '');
+        return Object.hasOwn(FILES, path) ? scope + path : null;
+    }
+
+    /** @param {string} address @param {Request} request */
+    async function answer(address, request) {
+        const kept = await caches.open(name).then((cache) => cache.match(address));
+        return kept ?? fetch(request);
+    }
+
+    async function keepAll() {
+        const cache = await caches.open(name);
+        const others = (await caches.keys()).filter((other) => other.startsWith(family) && other !== name);
+        try {
+            await Promise.all(Object.entries(FILES).map(async ([path, hash]) => cache.put(scope + path, await copy(scope + path, hash, others))));
+        } catch (error) {
+            await caches.delete(name);
+            throw error;
+        }
+    }
+
+    /** A file from the version before, where it is the same, or from the network. @param {string} address @param {string} hash @param {string[]} others */
+    async function copy(address, hash, others) {
+        for (const other of others) {
+            const old = await caches.open(other).then((cache) => cache.match(address));
+            if (old && (await hashOf(old)) === hash) return old;
+        }
+        const fresh = await fetch(address, { cache: 'no-cache' });
+        if (!fresh.ok || (await hashOf(fresh)) !== hash) throw new Error(`${address} is not of this version`);
+        // Some hosts lead elsewhere and back, and a page may not come from such an answer.
+        return new Response(fresh.body, { headers: fresh.headers });
+    }
+
+    /** @param {Response} response */
+    async function hashOf(response) {
+        const digest = await crypto.subtle.digest('SHA-256', await response.clone().arrayBuffer());
+        return [...new Uint8Array(digest)].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+    }
+
+    async function forgetOthers() {
+        for (const other of await caches.keys()) if (other.startsWith(family) && other !== name) await caches.delete(other);
+    }
+})();
