@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { after, test } from 'node:test';
-import { DESKTOP, PHONE, close, nextPicture, stillPicture, until, withPage } from './browser.mjs';
+import { ADDRESS, DESKTOP, PHONE, close, nextPicture, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -20,7 +20,7 @@ const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.
 async function barriers(page) {
     await page.evaluate(axe);
     return page.evaluate(async () => {
-        const { violations } = await /** @type {any} */ (globalThis).axe.run(document, { resultTypes: ['violations'] });
+        const { violations } = await /** @type {any} */ (globalThis).axe.run(document, { resultTypes: ['violations'], iframes: false });
         return violations
             .filter((/** @type {any} */ { impact }) => impact === 'serious' || impact === 'critical')
             .flatMap((/** @type {any} */ { id, nodes }) => nodes.map((/** @type {any} */ node) => `${id}: ${node.target.join(' ')} ${node.any[0]?.message ?? ''}`));
@@ -106,6 +106,26 @@ for (const [name, options, states] of /** @type {[string, import('playwright-cor
         }
     });
 }
+
+test('axe-core finds no barrier: embedded, and in a page of a course', async () => {
+    const address = `${ADDRESS}embed.html`;
+    for (const options of /** @type {import('playwright-core').BrowserContextOptions[]} */ ([DESKTOP, { ...DESKTOP, colorScheme: 'dark' }, PHONE])) {
+        await withPage({ address, also: ADDRESS, hash: `${TREE}&controls=n,angle,rules,string,play`, options }, async (page) => {
+            assert.deepEqual(await barriers(page), [], 'as it opens');
+            await page.fill('#rules', `${RULES}\nG = = 1`);
+            await page.waitForSelector('#rules-problems .error');
+            assert.deepEqual(await barriers(page), [], 'mistakes');
+            await page.fill('#rules', RULES);
+            await page.click('#open-playback');
+            await page.click('#open-reader');
+            await page.waitForSelector('#reader:visible');
+            assert.deepEqual(await barriers(page), [], 'string and playback');
+        });
+    }
+    await withPage({ address: `${ADDRESS}course.html`, also: ADDRESS, drawing: null }, async (page) => {
+        assert.deepEqual(await barriers(page), [], 'a course page');
+    });
+});
 
 test('the sheet of keys opens with ? and its button, and closes with Escape', () =>
     withPage({ hash: TREE }, async (page) => {
