@@ -59,7 +59,7 @@ import { same } from './state.js';
  */
 /** `value` is null where it is wrong; it stands from `start` to `end` in the rules, and another number may take its place if it is one `number`. @typedef {{name: string, value: number | null, start: number, end: number, number: boolean}} Constant */
 /** @typedef {{definition: Definition | null, diagnostics: Diagnostic[]}} FileRead */
-/** @typedef {{text: string | null, diagnostics: Diagnostic[]}} Exported */
+/** @typedef {{text: string | null, bytes?: Uint8Array<ArrayBuffer>, diagnostics: Diagnostic[]}} Exported */
 /** @typedef {ReturnType<typeof createEngine>} Engine */
 
 /**
@@ -306,7 +306,7 @@ export function createEngine(kits, events) {
         /** @param {ArrayBuffer} bytes of a JSON file, or of a picture saved here @returns {Promise<FileRead>} */
         read: (bytes) => askFull({ type: 'read', bytes }),
 
-        /** @param {'svg' | 'svg-compact' | 'csv' | 'txt' | 'json'} format @returns {Promise<Exported>} */
+        /** @param {'svg' | 'svg-compact' | 'csv' | 'txt' | 'json' | 'obj' | 'glb'} format @returns {Promise<Exported>} */
         export: (format) => askFull({ type: 'export', format }),
 
         /** @param {number} width @param {number} height @param {Definition} carried in the file, to open it again @returns {Promise<Blob | null>} */

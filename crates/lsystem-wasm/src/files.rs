@@ -4,9 +4,10 @@ use crate::playground::{Playground, WORK};
 use crate::report::{Problem, problems};
 use crate::surface::Surface;
 use crate::{LIMITS, from_js, to_js};
+use js_sys::{Reflect, Uint8Array};
 use lsystem::{
-    Definition, Detail, FileContent, Progress, Renderer, SvgForm, SvgOptions, Viewport, expand, write_csv, write_json,
-    write_svg,
+    Definition, Detail, FileContent, Mesh, Outlook, Progress, Renderer, SvgForm, SvgOptions, Viewport, draw_solid,
+    expand, write_csv, write_glb, write_json, write_obj, write_svg,
 };
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -14,6 +15,8 @@ use web_sys::OffscreenCanvas;
 
 /// Segments that are written as text at most: more than any program opens.
 const TEXT_SEGMENTS: u64 = 2_000_000;
+/// Segments of a mesh at most: as much as a browser saves without trouble.
+const MESH_SEGMENTS: u64 = 200_000;
 
 /// What a file says.
 #[derive(Serialize)]
@@ -63,34 +66,57 @@ pub fn tag_png(bytes: Vec<u8>, definition: JsValue) -> Result<Vec<u8>, JsValue> 
 
 #[wasm_bindgen]
 impl Playground {
-    /// The system as text: `svg`, `svg-compact`, `csv`, `txt` (the string) or `json`; `{text, diagnostics}`, the text
-    /// null where a limit was passed or nothing has been drawn.
+    /// The system as a file: `svg`, `svg-compact`, `csv`, `txt` (the string), `json`, `obj` or `glb` (meshes of tubes);
+    /// `{text, diagnostics}`, the text null where a limit was passed or nothing has been drawn. What is no text stands
+    /// in `bytes` instead.
     ///
     /// # Errors
     /// Throws where there is no such format.
     pub fn export(&self, format: &str) -> Result<JsValue, JsValue> {
-        let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else {
+        let Some(system) = self.system.as_ref().filter(|system| system.is_solid() || self.drawing.is_some()) else {
             // The report says why nothing has been drawn.
             return to_js(&ExportReport { text: None, diagnostics: self.report.diagnostics.clone() });
         };
+        let (definition, n) = (&self.definition, self.definition.iterations);
+        let solid = || draw_solid(system, n, &LIMITS);
+        let mesh = || Mesh::new(&solid()?, &system.style, MESH_SEGMENTS);
+        let name = if definition.title.is_empty() { &definition.name } else { &definition.title };
         let svg = |form| {
-            let svg = write_svg(drawing, &system.style, &self.svg_options(form))?;
+            let options = self.svg_options(form);
+            let svg = match &self.drawing {
+                Some(drawing) if !system.is_solid() => write_svg(drawing, &system.style, &options)?,
+                _ => write_svg(&solid()?.seen_from(&Outlook::default(), TEXT_SEGMENTS)?, &system.style, &options)?,
+            };
             let warning = svg.warning();
             Ok((svg.text, warning))
         };
         let exported = match format {
-            "json" => Ok((write_json(&self.definition), None)),
-            "txt" => expand(system, self.definition.iterations, &LIMITS).map(|text| (text + "\n", None)),
+            "json" => Ok((write_json(definition), None)),
+            "txt" => expand(system, n, &LIMITS).map(|text| (text + "\n", None)),
             "svg" => svg(SvgForm::Flat),
             "svg-compact" => svg(SvgForm::Compact),
-            "csv" => write_csv(drawing, TEXT_SEGMENTS).map(|text| (text, None)),
+            "csv" => match &self.drawing {
+                Some(drawing) if !system.is_solid() => write_csv(drawing, TEXT_SEGMENTS),
+                _ => solid().and_then(|drawing| write_csv(&drawing, TEXT_SEGMENTS)),
+            }
+            .map(|text| (text, None)),
+            "obj" => mesh().map(|mesh| (write_obj(&mesh, name), None)),
+            "glb" => match mesh() {
+                Ok(mesh) => {
+                    let report = to_js(&ExportReport { text: None, diagnostics: vec![] })?;
+                    let bytes = Uint8Array::from(write_glb(&mesh, name).as_slice());
+                    Reflect::set(&report, &"bytes".into(), &bytes)?;
+                    return Ok(report);
+                }
+                Err(limit) => Err(limit),
+            },
             _ => return Err(format!("there is no format `{format}`").into()),
         };
         let (text, diagnostic) = match exported {
             Ok((text, warning)) => (Some(text), warning),
             Err(limit) => (None, Some(limit)),
         };
-        to_js(&ExportReport { text, diagnostics: problems(diagnostic.as_slice(), &self.definition, "") })
+        to_js(&ExportReport { text, diagnostics: problems(diagnostic.as_slice(), definition, "") })
     }
 
     /// Paints the current view at another size onto another canvas, to the end.

@@ -8,8 +8,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_dedicated_worker);
 
 use lsystem::{
-    Definition, Key, Limits, Progress, Renderer, SegmentArrays, SvgForm, SvgOptions, System, View, Viewport, draw,
-    expand, read_json, write_csv, write_svg,
+    Definition, Key, Limits, Mesh, Outlook, Progress, Renderer, SegmentArrays, SvgForm, SvgOptions, System, View,
+    Viewport, draw, draw_solid, expand, read_json, write_csv, write_glb, write_obj, write_svg,
 };
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -31,6 +31,51 @@ const CORPUS: [(&str, &str, u32); 12] = [
 ];
 
 const EXPECTED: &str = include_str!("same_bits.txt");
+
+/// Files that leave the plane: memoised, level by `$`, with a tropism.
+const SOLID: [(&str, &str, u32); 6] = [
+    ("abop/1.19", include_str!("../../../data_in/abop/1.19.json"), 3),
+    ("abop/1.25", include_str!("../../../data_in/abop/1.25.json"), 6),
+    ("abop/2.6a", include_str!("../../../data_in/abop/2.6a.json"), 9),
+    ("abop/2.8c", include_str!("../../../data_in/abop/2.8c.json"), 6),
+    ("practical-1/tree3d1", include_str!("../../../data_in/practical-1/tree3d1.json"), 3),
+    (
+        "trees-and-turtles/of-trees-and-turtles",
+        include_str!("../../../data_in/trees-and-turtles/of-trees-and-turtles.json"),
+        9,
+    ),
+];
+
+const EXPECTED_SOLID: &str = include_str!("same_bits_solid.txt");
+
+#[test]
+fn the_corpus_in_space() {
+    let mut found = String::new();
+    for (name, file, n) in SOLID {
+        let system = compiled(&read_json(file).0.unwrap_or_default());
+        let drawing = draw_solid(&system, n, &Limits::default()).unwrap();
+        let mut segments = Digest::new();
+        for segment in drawing.segments() {
+            segments.numbers(segment.from.iter().chain(&segment.to).chain(&[segment.width]).map(|v| v.to_bits()));
+            segments.numbers([segment.colour as u64, u64::from(segment.level)]);
+        }
+        segments.numbers(drawing.bounds().unwrap_or_default().iter().flatten().map(|v| v.to_bits()));
+        let mut files = Digest::new();
+        let mesh = Mesh::new(&drawing, &system.style, u64::MAX).unwrap();
+        files.bytes(&write_glb(&mesh, name));
+        files.bytes(write_obj(&mesh, name).as_bytes());
+        let seen = drawing.seen_from(&Outlook::default(), u64::MAX).unwrap();
+        files.bytes(write_svg(&seen, &system.style, &SvgOptions::default()).unwrap().text.as_bytes());
+        files.bytes(write_csv(&drawing, u64::MAX).unwrap().as_bytes());
+        writeln!(found, "{name} n={n} segments {:016x} files {:016x}", segments.0, files.0).unwrap();
+    }
+    #[cfg(not(target_arch = "wasm32"))]
+    if std::env::var_os("UPDATE_EXPECT").is_some() {
+        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/same_bits_solid.txt"), &found).unwrap();
+        return;
+    }
+    assert_eq!(found, EXPECTED_SOLID);
+}
 
 #[test]
 fn the_corpus() {

@@ -14,7 +14,7 @@ import { definitionOf } from '../state.js';
 const LARGEST_FILE = 64 << 20;
 
 /** @type {Record<string, string>} */
-const MIME = { svg: 'image/svg+xml', csv: 'text/csv', txt: 'text/plain', json: 'application/json' };
+const MIME = { svg: 'image/svg+xml', csv: 'text/csv', txt: 'text/plain', json: 'application/json', obj: 'model/obj', glb: 'model/gltf-binary' };
 
 /**
  * @param {import('../store.js').Store} store
@@ -53,13 +53,14 @@ export function keepPanel(store, engine, page) {
             if (!blob) throw new Error('the browser could not make the picture');
             return download(blob, `${name}.png`);
         }
-        const { text, diagnostics } = await engine.export(/** @type {'svg'} */ (format));
-        if (text === null) {
+        const { text, bytes, diagnostics } = await engine.export(/** @type {'svg'} */ (format));
+        const content = text ?? bytes;
+        if (content === undefined) {
             const first = diagnostics[0];
             return toast(first ? `Not saved: ${[first.message, first.hint].filter(Boolean).join(' ')}` : 'Not saved: there is nothing to save.');
         }
         const [ending = format, form] = format.split('-');
-        download(new Blob([text], { type: MIME[ending] ?? 'text/plain' }), `${name}${form ? `_${form}` : ''}.${ending}`);
+        download(new Blob([content], { type: MIME[ending] ?? 'text/plain' }), `${name}${form ? `_${form}` : ''}.${ending}`);
         // A compact picture may ask much of who shows it.
         if (diagnostics[0]) toast([diagnostics[0].message, diagnostics[0].hint].filter(Boolean).join(' '));
     }

@@ -360,6 +360,8 @@ test('everything saves under a name that says what it is', () =>
             ['csv', /^x0,y0,x1,y1,level,colour\n/],
             ['txt', /^F\+F--F\+F\+F\+F--F\+F--.*\n$/],
             ['json', /^\{/],
+            ['obj', /^# x, y, z/],
+            ['glb', /^glTF/],
         ])) {
             const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${format}]`)]);
             assert.equal(download.suggestedFilename(), `Koch_n4.${format}`);
