@@ -5,7 +5,7 @@ use crate::{Block, ColourBy, ColourChange, Drawing, Item, Style, StyleChange};
 
 /// A colour, as far as it is known inside a block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Shade {
+pub(crate) struct Shade {
     /// A palette entry, or how many entries it is after the one at the block's entry.
     pub number: u32,
     /// Whether it is a palette entry.
@@ -14,15 +14,20 @@ pub(super) struct Shade {
 
 /// How colours are chosen for a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Choice {
+pub(crate) struct Choice {
     by: ColourBy,
     /// Of the palette; at least 1.
     pub colours: u32,
 }
 
 impl Choice {
+    /// Of so many palette entries.
+    pub(crate) fn new(by: ColourBy, colours: u32) -> Self {
+        Self { by, colours: colours.max(1) }
+    }
+
     /// The shade after a change, from the entry's.
-    pub(super) fn shade(self, change: &StyleChange) -> Shade {
+    pub(crate) fn shade(self, change: &StyleChange) -> Shade {
         let wrapped = |index: i32| i64::from(index).rem_euclid(i64::from(self.colours.max(1))) as u32;
         let moving = |number: u32| Shade { number, fixed: false };
         match (self.by, change.colour) {
@@ -34,7 +39,7 @@ impl Choice {
     }
 
     /// `first`, then `second`.
-    pub(super) fn then(self, first: Shade, second: Shade) -> Shade {
+    pub(crate) fn then(self, first: Shade, second: Shade) -> Shade {
         if second.fixed {
             return second;
         }

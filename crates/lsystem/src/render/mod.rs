@@ -22,6 +22,7 @@ mod sample;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use inks::{Choice, Shade};
 pub use view::{Detail, Rect, View, Viewport, fit, fitted_scale, to_model};
 
 use crate::{Drawing, Progress, Style};

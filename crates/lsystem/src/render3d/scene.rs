@@ -1,0 +1,374 @@
+//! A drawing made ready for being looked at in space: every block becomes nodes of at most 16 contents, with a ball
+//! around each, and with what is seen of it where it is too small to be looked into.
+
+use super::light::Bundle;
+use crate::render::{Choice, Shade};
+use crate::rotation::{Vector, combine, dot, norm};
+use crate::{BlockId, ColourBy, Drawing, Item, Placed, Solid, Style, StyleChange, WidthChange};
+
+/// Contents of a node at most.
+pub(super) const WIDTH: usize = 16;
+
+/// The nodes of a drawing.
+#[derive(Default)]
+pub(super) struct Scene {
+    pub(super) nodes: Vec<Node>,
+    pub(super) links: Vec<Link>,
+    pub(super) lines: Vec<Line>,
+    pub(super) styles: Vec<StyleChange>,
+    /// By node; empty where blocks are not shared, and looking into all of them is not too much.
+    pub(super) tips: Vec<Tips>,
+    /// By node, then by the colour at its entry: the mean colour of what it draws.
+    means: Vec<[f32; 3]>,
+    /// Colours at a node's entry that `means` tells apart.
+    entries: u32,
+    /// The picture's inks.
+    palette: Vec<[f32; 3]>,
+    pub(super) choice: Choice,
+    pub(super) root: Option<u32>,
+    memoised: bool,
+}
+
+/// A block, or a run of a block's contents. Coordinates are the block's.
+pub(super) struct Node {
+    /// Balls around the contents, links first: x, y, z and radius of each, strokes' widths apart.
+    pub(super) balls: [[f32; WIDTH]; 4],
+    pub(super) first_link: u32,
+    pub(super) first_line: u32,
+    pub(super) links: u8,
+    pub(super) lines: u8,
+    pub(super) own: Own,
+}
+
+/// What is known of a node without looking into it.
+#[derive(Clone, Copy)]
+pub(super) struct Own {
+    /// Of the ball around it.
+    centre: Vector,
+    radius: f64,
+    /// The length of all it draws.
+    length: f32,
+    bundle: Bundle,
+    /// No stroke inside is wider than this change makes the width at entry.
+    pub(super) widest: WidthChange,
+    pub(super) limb: Limb,
+}
+
+/// A straight part of a node, all of it drawn in one style: the longest, which stands for the node where nothing else
+/// shows or where there is no time for more.
+#[derive(Clone, Copy)]
+pub(super) struct Limb {
+    pub(super) from: Vector,
+    pub(super) to: Vector,
+    pub(super) style: StyleChange,
+    /// How far from it anything of the node reaches, strokes' widths apart.
+    pub(super) off: f64,
+}
+
+/// Strokes that reach far in six directions of a node: what there is no time to look into shows at least these.
+pub(super) type Tips = [Limb; 6];
+
+/// A node inside another: `p -> at + axes p`.
+pub(super) struct Link {
+    pub(super) node: u32,
+    pub(super) style: u32,
+    pub(super) at: Vector,
+    /// Times the scale.
+    pub(super) axes: [Vector; 3],
+    /// As the node's, from the entry of the node that holds it.
+    pub(super) widest: WidthChange,
+    /// Of all it draws, in units of the node that holds it.
+    pub(super) length: f32,
+    /// In the frame of the node that holds it.
+    pub(super) bundle: Bundle,
+    /// Whether it is a run of the same block.
+    pub(super) same: bool,
+}
+
+/// One segment.
+#[derive(Clone, Copy)]
+pub(super) struct Line {
+    pub(super) from: [f32; 3],
+    pub(super) to: [f32; 3],
+    pub(super) style: u32,
+}
+
+/// How much longer a limb must be than those before it to stand for them: more than by rounding.
+const LONGER: f64 = 1.0 + 1e-9;
+/// How far one may be from going straight on with another, for its length.
+const STRAIGHT: f64 = 1e-4;
+/// Mean colours that are remembered at most.
+const MEANS: usize = 1 << 21;
+
+impl Scene {
+    pub(super) fn new(drawing: &Drawing<Solid>) -> Self {
+        let mut styles = drawing.styles.clone();
+        let same = styles.len() as u32;
+        styles.push(StyleChange::NONE);
+        let mut scene = Self { styles, memoised: drawing.memoised, ..Self::default() };
+        // By block: its node.
+        let mut blocks: Vec<u32> = Vec::with_capacity(drawing.blocks.len());
+        for (id, block) in drawing.blocks.iter().enumerate() {
+            let mut row: Vec<u32> = Vec::new();
+            for items in drawing.items_of(BlockId(id as u32)).chunks(WIDTH) {
+                let mut run = Run::default();
+                for item in items {
+                    match item {
+                        Item::Stroke(stroke) => run.lines.push(Line {
+                            from: stroke.from.map(|c| c as f32),
+                            to: stroke.to.map(|c| c as f32),
+                            style: stroke.style.0,
+                        }),
+                        Item::Block(placed) => run.links.push(scene.link(placed, blocks[placed.block.0 as usize])),
+                    }
+                }
+                row.push(scene.node(run));
+            }
+            while row.len() > 1 {
+                let rows = row.chunks(WIDTH).map(|nodes| {
+                    let links = nodes.iter().map(|&node| scene.same(node, same)).collect();
+                    scene.node(Run { links, lines: vec![] })
+                });
+                row = rows.collect();
+            }
+            let node = row.first().copied().unwrap_or_default();
+            if let Some(node) = scene.nodes.get_mut(node as usize) {
+                // The drawing knows a tighter ball than one around balls.
+                if block.hull.radius < node.own.radius {
+                    (node.own.centre, node.own.radius) = (block.hull.centre(), block.hull.radius);
+                }
+            }
+            blocks.push(node);
+        }
+        scene.root = drawing.root.and_then(|root| blocks.get(root.0 as usize).copied());
+        scene
+    }
+
+    fn link(&self, placed: &Placed<Solid>, node: u32) -> Link {
+        let own = &self.nodes[node as usize].own;
+        let columns = placed.heading.columns();
+        Link {
+            node,
+            style: placed.style.0,
+            at: placed.at,
+            axes: columns.map(|column| column.map(|c| c * placed.scale)),
+            widest: self.styles[placed.style.0 as usize].width.then(own.widest),
+            // Sums of these stay finite.
+            length: (own.length * placed.scale as f32).min(1e30),
+            bundle: own.bundle.turned(&columns),
+            same: false,
+        }
+    }
+
+    /// A link to a run of the same block.
+    fn same(&self, node: u32, style: u32) -> Link {
+        let Own { widest, length, bundle, .. } = self.nodes[node as usize].own;
+        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        Link { node, style, at: [0.0; 3], axes, widest, length, bundle, same: true }
+    }
+
+    /// Adds a node; returns its number.
+    fn node(&mut self, run: Run) -> u32 {
+        let mut balls = [[0.0; WIDTH]; 4];
+        let mut widest = WidthChange { factor: 0.0, offset: 0.0 };
+        let (mut length, mut bundle) = (0.0_f32, Bundle::default());
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        let mut limbs: Vec<Limb> = Vec::with_capacity(WIDTH);
+        let mut put = |lane: usize, centre: Vector, radius: f64| {
+            for i in 0..3 {
+                balls[i][lane] = centre[i] as f32;
+                low[i] = low[i].min(centre[i] - radius);
+                high[i] = high[i].max(centre[i] + radius);
+            }
+            // Centres are rounded.
+            balls[3][lane] = (radius * (1.0 + 1e-6) + 1e-7) as f32;
+        };
+        for (lane, link) in run.links.iter().enumerate() {
+            let own = &self.nodes[link.node as usize].own;
+            let [x, y, z] = combine(&link.axes, own.centre);
+            let scale = if link.same { 1.0 } else { norm(link.axes[0]) };
+            put(lane, [link.at[0] + x, link.at[1] + y, link.at[2] + z], own.radius * scale);
+            limbs.push(self.limb_of(link, &own.limb));
+            widest = widest.widest(link.widest);
+            length += link.length;
+            bundle.add(&link.bundle, link.length);
+        }
+        for (lane, line) in run.lines.iter().enumerate() {
+            let [from, to] = [line.from, line.to].map(|end| end.map(f64::from));
+            let half = [0, 1, 2].map(|i| 0.5 * (to[i] - from[i]));
+            put(run.links.len() + lane, [0, 1, 2].map(|i| from[i] + half[i]), norm(half));
+            widest = widest.widest(self.styles[line.style as usize].width);
+            limbs.push(Limb { from, to, style: self.styles[line.style as usize], off: 0.0 });
+            let own = 2.0 * norm(half) as f32;
+            length += own;
+            bundle.add(&Bundle::of(half), own);
+        }
+        if length > 0.0 && length.is_finite() {
+            bundle.spread.iter_mut().for_each(|c| *c /= length);
+        } else {
+            bundle = Bundle::of([0.0; 3]);
+        }
+        let centre = [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]));
+        let count = run.links.len() + run.lines.len();
+        let farthest = (0..count).map(|lane| {
+            let [x, y, z, radius] = [0, 1, 2, 3].map(|i| f64::from(balls[i][lane]));
+            norm([x - centre[0], y - centre[1], z - centre[2]]) + radius
+        });
+        let radius = farthest.fold(0.0, f64::max);
+        let limb = longest(&limbs);
+        if self.memoised {
+            let tips = self.tips_of(&run, &limbs);
+            self.tips.push(tips);
+        }
+        let own = Own { centre, radius, length, bundle, widest, limb };
+        self.nodes.push(Node {
+            balls,
+            first_link: self.links.len() as u32,
+            first_line: self.lines.len() as u32,
+            links: run.links.len() as u8,
+            lines: run.lines.len() as u8,
+            own,
+        });
+        self.links.extend(run.links);
+        self.lines.extend(run.lines);
+        self.nodes.len() as u32 - 1
+    }
+
+    /// A limb of a node inside another.
+    fn limb_of(&self, link: &Link, limb: &Limb) -> Limb {
+        let [from, to] = [limb.from, limb.to].map(|end| {
+            let [x, y, z] = combine(&link.axes, end);
+            [link.at[0] + x, link.at[1] + y, link.at[2] + z]
+        });
+        let scale = if link.same { 1.0 } else { norm(link.axes[0]) };
+        Limb { from, to, style: self.styles[link.style as usize].then(&limb.style), off: limb.off * scale }
+    }
+
+    /// The strokes of a node's contents that reach farthest, as far as those of its nodes tell.
+    fn tips_of(&self, run: &Run, limbs: &[Limb]) -> Tips {
+        let first =
+            limbs.first().copied().unwrap_or(Limb { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE, off: 0.0 });
+        let mut tips = [first; 6];
+        let mut reaches = [f64::NEG_INFINITY; 6];
+        let inner = run.links.iter().flat_map(|link| self.tips[link.node as usize].map(|tip| self.limb_of(link, &tip)));
+        for limb in inner.chain(limbs[run.links.len()..].iter().copied()) {
+            for (side, (tip, best)) in tips.iter_mut().zip(&mut reaches).enumerate() {
+                let sign = if side < 3 { 1.0 } else { -1.0 };
+                let reach = (sign * limb.from[side % 3]).max(sign * limb.to[side % 3]);
+                if reach > *best {
+                    (*tip, *best) = (limb, reach);
+                }
+            }
+        }
+        tips
+    }
+
+    /// Makes the mean colours for a style, unless they are there.
+    pub(super) fn dye(&mut self, style: &Style) {
+        let colours = match style.colour_by {
+            ColourBy::Single => 1,
+            ColourBy::Symbol | ColourBy::Level => u32::try_from(style.palette.len()).unwrap_or(u32::MAX / 2).max(1),
+        };
+        let choice = Choice::new(style.colour_by, colours);
+        let palette: Vec<[f32; 3]> = (style.palette.iter()).map(|colour| colour.rgb.map(f32::from)).collect();
+        if choice == self.choice && palette == self.palette && !self.means.is_empty() {
+            return;
+        }
+        (self.choice, self.palette) = (choice, palette);
+        // What does not memoise has its colours as they are, whatever is at the entry.
+        let few = !self.memoised || self.nodes.len().saturating_mul(colours as usize) > MEANS;
+        self.entries = if few { 1 } else { colours };
+        self.means.clear();
+        self.means.reserve_exact(self.nodes.len() * self.entries as usize);
+        for node in &self.nodes {
+            for entry in 0..self.entries {
+                let (mut sum, mut weight) = ([0.0_f32; 3], 0.0_f32);
+                let mut add = |colour: [f32; 3], length: f32| {
+                    // What has no length counts where there is nothing else.
+                    let length = length.max(1e-30);
+                    weight += length;
+                    sum.iter_mut().zip(colour).for_each(|(sum, c)| *sum += length * c);
+                };
+                for link in &self.links[node.first_link as usize..][..usize::from(node.links)] {
+                    let shade = self.choice.then(Shade { number: entry, fixed: true }, self.shade(link.style));
+                    add(self.mean(link.node, shade), link.length);
+                }
+                for line in &self.lines[node.first_line as usize..][..usize::from(node.lines)] {
+                    let way = [0, 1, 2].map(|i| f64::from(line.to[i] - line.from[i]));
+                    let shade = self.choice.then(Shade { number: entry, fixed: true }, self.shade(line.style));
+                    add(self.ink(shade), norm(way) as f32);
+                }
+                let mean = if weight.is_finite() {
+                    sum.map(|c| c / weight)
+                } else {
+                    self.ink(Shade { number: entry, fixed: true })
+                };
+                self.means.push(mean);
+            }
+        }
+    }
+
+    /// What a style does to the colour.
+    #[inline]
+    pub(super) fn shade(&self, style: u32) -> Shade {
+        self.choice.shade(&self.styles[style as usize])
+    }
+
+    /// The mean colour of a node that is entered with a shade.
+    #[inline]
+    pub(super) fn mean(&self, node: u32, shade: Shade) -> [f32; 3] {
+        let entry = shade.number;
+        let entry = if entry < self.entries { entry } else { 0 };
+        self.means.get((node * self.entries + entry) as usize).copied().unwrap_or_default()
+    }
+
+    /// The colour of a stroke with a shade.
+    #[inline]
+    pub(super) fn ink(&self, shade: Shade) -> [f32; 3] {
+        let entry = shade.number;
+        self.palette.get(entry as usize).copied().unwrap_or_default()
+    }
+}
+
+/// The longest straight part of some contents, given the limb of each, and how far from it they reach.
+fn longest(limbs: &[Limb]) -> Limb {
+    let mut all = limbs.iter();
+    let Some(mut limb) = all.next().copied() else {
+        return Limb { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE, off: 0.0 };
+    };
+    for next in all {
+        let way = minus(next.to, next.from);
+        let long = norm(way);
+        let whole = Limb { to: next.to, ..limb };
+        let goes_on = norm(minus(next.from, limb.to)) <= STRAIGHT * long
+            && next.style == limb.style
+            && distance(&whole, limb.to) <= STRAIGHT * long
+            && norm(minus(next.to, limb.from)) > norm(minus(limb.to, limb.from));
+        if goes_on {
+            limb = whole;
+        } else if long > norm(minus(limb.to, limb.from)) * LONGER {
+            limb = *next;
+        }
+    }
+    let off = limbs.iter().map(|own| distance(&limb, own.from).max(distance(&limb, own.to)) + own.off);
+    Limb { off: off.fold(0.0, f64::max), ..limb }
+}
+
+/// How far a point is from a limb.
+fn distance(limb: &Limb, point: Vector) -> f64 {
+    let (way, to) = (minus(limb.to, limb.from), minus(point, limb.from));
+    let square = dot(way, way);
+    let t = if square > 0.0 { (dot(way, to) / square).clamp(0.0, 1.0) } else { 0.0 };
+    norm([0, 1, 2].map(|i| to[i] - t * way[i]))
+}
+
+fn minus(a: Vector, b: Vector) -> Vector {
+    [0, 1, 2].map(|i| a[i] - b[i])
+}
+
+/// What becomes a node.
+#[derive(Default)]
+struct Run {
+    links: Vec<Link>,
+    lines: Vec<Line>,
+}

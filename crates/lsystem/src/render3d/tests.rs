@@ -1,0 +1,285 @@
+use super::camera::Lens;
+use super::light::LIGHT;
+use super::*;
+use crate::rotation::{Vector, dot};
+use crate::{ColourBy, Definition, Dialect, Limits, System, draw_solid};
+
+const SIZE: Viewport = Viewport { width: 160, height: 120, ratio: 1.0 };
+
+fn system(dialect: Dialect, axiom: &str, rules: &str, angle: f64) -> System {
+    let definition =
+        Definition { dialect, axiom: axiom.to_owned(), rules: rules.to_owned(), angle, ..Definition::default() };
+    System::new(&definition).0.unwrap()
+}
+
+/// Practical 1, where branches pitch and roll.
+fn tree() -> System {
+    system(Dialect::Practical, "T", "T -> TF\nF -> F[+F][-FF][<F][>FF][&F]", 40.0)
+}
+
+/// ABOP 1.25 without its leaves.
+fn bush() -> System {
+    system(Dialect::Abop, "A", "A -> [&F!A]/////'[&F!A]///////'[&F!A]\nF -> S/////F\nS -> F", 22.5)
+}
+
+fn drawing(system: &System, n: u32) -> Arc<Drawing<Solid>> {
+    Arc::new(draw_solid(system, n, &Limits::default()).unwrap())
+}
+
+fn picture(
+    drawing: &Arc<Drawing<Solid>>,
+    style: &Style,
+    viewport: Viewport,
+    camera: &Camera,
+    quality: Quality,
+    work: usize,
+) -> Vec<u8> {
+    let mut renderer = SolidRenderer::new();
+    renderer.load(drawing.clone());
+    renderer.begin(style, viewport, camera, quality);
+    while renderer.step(work) == Progress::More {}
+    renderer.pixels().to_vec()
+}
+
+/// What is met by a line of sight: how deep, the normal, and how far along the stroke.
+fn meet(ends: [Vector; 2], radii: [f64; 2], [x, y]: [f64; 2]) -> Option<(f64, Vector, f64)> {
+    let [a, b] = ends;
+    let way = [0, 1, 2].map(|i| b[i] - a[i]);
+    let flat = (way[0] * way[0] + way[1] * way[1]).sqrt();
+    let ball = |end: usize| {
+        let [dx, dy] = [x - ends[end][0], y - ends[end][1]].map(|d| d / radii[end]);
+        let rest = 1.0 - dx * dx - dy * dy;
+        (rest >= 0.0).then(|| (ends[end][2] - radii[end] * rest.sqrt(), [dx, dy, -rest.sqrt()], end as f64))
+    };
+    let length = dot(way, way).sqrt();
+    if flat <= 1e-3 * length || flat < 1e-6 {
+        return ball(usize::from(b[2] < a[2]));
+    }
+    // The point of the axis that is nearest in the picture, and the side's bulge there.
+    let along = ((x - a[0]) * way[0] + (y - a[1]) * way[1]) / flat;
+    let sideways = ((y - a[1]) * way[0] - (x - a[0]) * way[1]) / flat;
+    let radius = radii[0] + (radii[1] - radii[0]) * (along / flat).clamp(0.0, 1.0);
+    let u = sideways / radius;
+    if u.abs() > 1.0 {
+        return None;
+    }
+    let h = (1.0 - u * u).sqrt();
+    let met = along - radius * h * way[2] / length;
+    if met < 0.0 || met > flat {
+        return ball(usize::from(met > 0.0));
+    }
+    // The normal is at right angles to the axis: sideways, and up to the viewer.
+    let [ex, ey] = [way[0] / flat, way[1] / flat];
+    let up = [ex * way[2] / length, ey * way[2] / length, -flat / length];
+    let normal = [h * up[0] - u * ey, h * up[1] + u * ex, h * up[2]];
+    Some((a[2] + along / flat * way[2] - radius * h * length / flat, normal, met / flat))
+}
+
+/// Every segment against every sample, in double precision.
+fn naive(drawing: &Drawing<Solid>, style: &Style, viewport: Viewport, camera: &Camera) -> Vec<u8> {
+    let lens = Lens::new(drawing, viewport, camera, 4.0);
+    let (width, height) = (viewport.width as usize * 4, viewport.height as usize * 4);
+    let paper = style.background.rgb.map(f64::from);
+    let mut samples = vec![(f64::INFINITY, paper); width * height];
+    let unit = drawing.unit();
+    for segment in drawing.segments() {
+        let seen = [segment.from, segment.to].map(|p| {
+            let p = [0, 1, 2].map(|i| (p[i] - drawing.start[i]) / unit);
+            [0, 1, 2].map(|i| lens.origin[i] + (0..3).map(|axis| lens.axes[axis][i] * p[axis]).sum::<f64>())
+        });
+        let ends = seen.map(|p| lens.project(p));
+        let hairline = style.min_width.max(1.0) * viewport.ratio * 2.0;
+        let width_of = |p: Vector| segment.width / drawing.step.abs() * lens.step / 2.0 / (1.0 + p[2] * lens.nearness);
+        let radii = seen.map(|p| width_of(p).max(hairline));
+        let ink = style.colour_of(segment.colour, segment.level).rgb.map(f64::from);
+        let reach = |axis: usize, side: usize| {
+            let radius = radii[0].max(radii[1]) + 1.0;
+            let low = (ends[0][axis].min(ends[1][axis]) - radius).clamp(0.0, side as f64);
+            low as usize..(ends[0][axis].max(ends[1][axis]) + radius).clamp(0.0, side as f64) as usize
+        };
+        for y in reach(1, height) {
+            for x in reach(0, width) {
+                let Some((depth, normal, t)) = meet(ends, radii, [x as f64 + 0.5, y as f64 + 0.5]) else { continue };
+                let sample = &mut samples[y * width + x];
+                if depth < sample.0 {
+                    let spot = seen.map(|p| [0, 1, 2].map(|i| (p[i] - lens.centre[i]) / lens.radius));
+                    *sample = (depth, lit(style, camera, ink, spot, t, normal));
+                }
+            }
+        }
+    }
+    let mut pixels = Vec::new();
+    for y in 0..viewport.height as usize {
+        for x in 0..viewport.width as usize {
+            let all = (0..16).map(|i| samples[(y * 4 + i / 4) * width + x * 4 + i % 4].1);
+            let sum = all.fold([0.0; 3], |sum, colour| [0, 1, 2].map(|i| sum[i] + colour[i]));
+            pixels.extend(sum.map(|c| (c / 16.0).round() as u8));
+            pixels.push(u8::MAX);
+        }
+    }
+    pixels
+}
+
+/// The definition of the light, with the numbers written out.
+fn lit(style: &Style, camera: &Camera, ink: [f64; 3], spot: [Vector; 2], t: f64, normal: Vector) -> [f64; 3] {
+    let mix = |of: &dyn Fn(Vector) -> f64| of(spot[0]) + t * (of(spot[1]) - of(spot[0]));
+    let facing = mix(&|p| 0.3 * dot(p, LIGHT).clamp(-1.0, 1.0));
+    let open = mix(&|p| 1.0 - 0.25 * (1.0 - dot(p, p).min(1.0)));
+    let haze = mix(&|p| {
+        let depth = (0.5 + 0.5 * p[2]).clamp(0.0, 1.0);
+        camera.fade * depth * (0.55 + 0.4 * depth)
+    });
+    let wrap = 0.5 + 0.5 * (0.7 * dot(normal, LIGHT) + facing);
+    let [r, g, b] = style.background.rgb.map(f64::from);
+    let edge = if 0.3 * r + 0.59 * g + 0.11 * b < 110.0 { 0.42 } else { -0.3 };
+    let strength = (0.54 + 0.9 * wrap * wrap) * open * (1.0 + edge * (1.0 + normal[2]) * (1.0 + normal[2]));
+    let paper = style.background.rgb.map(f64::from);
+    [0, 1, 2].map(|i| {
+        let own = ink[i] * strength + 255.0 * 0.16 * wrap.powi(8) * open;
+        (own + (paper[i] - own) * haze).min(255.0)
+    })
+}
+
+/// How much two pictures differ: the mean over all channels, and the part of the pixels that differ by more than `by`.
+fn difference(a: &[u8], b: &[u8], by: u8) -> (f64, f64) {
+    let sum: u64 = a.iter().zip(b).map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
+    let far = a.chunks(4).zip(b.chunks(4)).filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > by));
+    (sum as f64 / a.len() as f64, far.count() as f64 / (a.len() / 4) as f64)
+}
+
+fn cameras() -> [Camera; 4] {
+    let usual = Camera::default();
+    [
+        usual,
+        Camera { perspective: false, azimuth: -70.0, elevation: 40.0, ..usual },
+        Camera { zoom: 3.0, target: [0.1, 0.15, -0.1], azimuth: 200.0, fade: 0.8, ..usual },
+        Camera { elevation: -90.0, azimuth: 10.0, ..usual },
+    ]
+}
+
+fn styles() -> [Style; 2] {
+    let dark = crate::Colour { rgb: [12, 16, 24] };
+    [
+        Style { width: 0.25, colour_by: ColourBy::Level, ..Style::default() },
+        Style { background: dark, min_width: 2.0, ..Style::default() },
+    ]
+}
+
+/// Nothing is so small that it is left out: all that may differ is rounding, and which of two strokes is in front where
+/// both are equally deep. Rounding moves an edge by much less than a sample, a sixteenth of a pixel's colour.
+#[test]
+fn pictures_are_true_where_all_is_looked_into() {
+    for (system, n) in [(tree(), 2), (bush(), 4)] {
+        for mut style in styles() {
+            style.width = style.width.min(if n == 2 { 0.25 } else { 1.0 });
+            let mut system = system.clone();
+            system.turtle.width = style.width;
+            let drawing = drawing(&system, n);
+            for camera in cameras() {
+                let truth = naive(&drawing, &style, SIZE, &camera);
+                let seen = picture(&drawing, &style, SIZE, &camera, Quality::FINEST, 1 << 20);
+                let (mean, far) = difference(&truth, &seen, 16);
+                assert!(mean < 0.15 && far < 0.002, "{camera:?}: mean {mean}, far {far}");
+            }
+        }
+    }
+}
+
+/// Where blocks are dots of half a pixel: their edges may be wrong by a quarter of a pixel, and their colours are those
+/// of the mean. In a crown where every pixel has an edge a pixel may so differ by a part of its contrast, but on the
+/// whole the picture is as bright and as dense as the true one.
+#[test]
+fn pictures_of_small_blocks_are_true_on_the_whole() {
+    let style = &styles()[0];
+    let size = Viewport { width: 96, height: 72, ratio: 1.0 };
+    for (system, n) in [(bush(), 7), (tree(), 4)] {
+        let mut system = system.clone();
+        system.turtle.width = 0.1;
+        let drawing = drawing(&system, n);
+        for camera in cameras() {
+            let truth = naive(&drawing, style, size, &camera);
+            let seen = picture(&drawing, style, size, &camera, Quality::FINEST, 1 << 20);
+            let (mean, far) = difference(&truth, &seen, 48);
+            let sum = |pixels: &[u8]| pixels.iter().map(|&c| f64::from(c)).sum::<f64>() / pixels.len() as f64;
+            let bias = (sum(&truth) - sum(&seen)).abs();
+            assert!(mean < 2.5 && far < 0.02 && bias < 0.6, "{n} {camera:?}: mean {mean}, far {far}, bias {bias}");
+        }
+    }
+}
+
+/// However the work is cut into steps, and whatever was painted before.
+#[test]
+fn pictures_do_not_depend_on_steps() {
+    let (style, camera) = (&styles()[0], Camera::default());
+    let big = drawing(&bush(), 9);
+    let whole = picture(&big, style, SIZE, &camera, Quality::FINEST, usize::MAX);
+    assert_eq!(whole, picture(&big, style, SIZE, &camera, Quality::FINEST, 37));
+    let mut renderer = SolidRenderer::new();
+    renderer.load(drawing(&tree(), 3));
+    for quality in [Quality(0), Quality::FINEST, Quality(4)] {
+        renderer.begin(style, SIZE, &Camera { zoom: 2.0, ..camera }, quality);
+        renderer.step(5000);
+    }
+    renderer.load(big);
+    renderer.begin(style, SIZE, &camera, Quality::FINEST);
+    while renderer.step(1000) == Progress::More {}
+    assert_eq!(whole, renderer.pixels());
+}
+
+/// Every tile's work is bounded, at any number of segments, also where they all lie in the same place.
+#[test]
+fn deep_drawings_end_in_time() {
+    for (system, n) in [(tree(), 30), (bush(), 30), (tree(), 300), (bush(), 1000)] {
+        let drawing = drawing(&system, n);
+        for quality in [Quality(0), Quality(3)] {
+            let mut renderer = SolidRenderer::new();
+            renderer.load(drawing.clone());
+            renderer.begin(&Style::default(), SIZE, &Camera::default(), quality);
+            let mut steps = 0;
+            while renderer.step(100_000) == Progress::More {
+                steps += 1;
+                assert!(steps < 400, "n = {n}, {quality:?}: {:?}", renderer.stats());
+            }
+            let painted = renderer.pixels().chunks(4).filter(|pixel| pixel[..3] != Style::default().background.rgb);
+            assert!(painted.count() > 100, "n = {n}, {quality:?}");
+        }
+    }
+}
+
+#[test]
+fn strange_cameras_and_drawings_do_no_harm() {
+    let strange = [f64::NAN, f64::INFINITY, -1e300, 1e300, 0.0, 1e-300];
+    let drawings = [drawing(&tree(), 2), drawing(&system(Dialect::Abop, "f", "", 0.0), 1), drawing(&bush(), 0)];
+    for drawing in &drawings {
+        for value in strange {
+            for camera in [
+                Camera { azimuth: value, ..Camera::default() },
+                Camera { elevation: value, ..Camera::default() },
+                Camera { zoom: value, ..Camera::default() },
+                Camera { target: [value, 0.0, value], ..Camera::default() },
+                Camera { target: [0.0, 0.0, 0.7], zoom: 9.0, fade: value, ..Camera::default() },
+            ] {
+                picture(drawing, &Style::default(), SIZE, &camera, Quality(2), 1 << 20);
+            }
+        }
+        let none = Viewport { width: 0, height: 0, ratio: f64::NAN };
+        assert!(picture(drawing, &Style::default(), none, &Camera::default(), Quality::FINEST, 1 << 20).is_empty());
+    }
+}
+
+/// The fitted drawing lies in the picture from every side, and fills it from most.
+#[test]
+fn the_whole_drawing_is_shown() {
+    let style = Style::default();
+    let drawing = drawing(&bush(), 5);
+    for azimuth in [0.0, 45.0, 130.0] {
+        for elevation in [-90.0, -30.0, 0.0, 60.0, 90.0] {
+            let camera = Camera { azimuth, elevation, ..Camera::default() };
+            let pixels = picture(&drawing, &style, SIZE, &camera, Quality(3), 1 << 20);
+            let painted = |x: u32, y: u32| pixels[((y * SIZE.width + x) * 4) as usize..][..3] != style.background.rgb;
+            let edge = (0..SIZE.width).any(|x| painted(x, 0) || painted(x, SIZE.height - 1))
+                || (0..SIZE.height).any(|y| painted(0, y) || painted(SIZE.width - 1, y));
+            assert!(!edge, "{camera:?}");
+        }
+    }
+}

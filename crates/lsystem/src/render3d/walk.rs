@@ -1,0 +1,485 @@
+//! The descent through a scene, tile by tile and from front to back, on an explicit stack so that it can stop anywhere.
+
+use super::Quality;
+use super::camera::{Camera, Lens, NEAR};
+use super::light::{DIRECTIONS, Light};
+use super::scene::{Limb, Node, Scene, WIDTH};
+use super::stroke::{Dot, Stick, span};
+use super::tile::Tile;
+use crate::render::Shade;
+use crate::rotation::{Vector, combine, dot};
+use crate::{Drawing, Progress, RenderStats, Solid, Style, Viewport};
+
+/// Whole blocks are looked for behind others from this size on, in samples.
+const HIDEABLE: f32 = 3.0;
+/// Contents are sorted by depth where a node is at least so large, in samples.
+const SORTED: f32 = 4.0;
+/// Blocks that there is no time to look into are dots all the same up to this many times the radius of others.
+const BLUR: f32 = 2.0;
+/// From this radius on blocks have the same share of the budget, in samples.
+const LARGE: f32 = 256.0;
+/// A tile is painted so often at most, with ever larger budgets while little of them is needed.
+const AGAIN: u8 = 3;
+/// What a node, a line, and a dot cost, in units of work, apart from the samples.
+const NODE_WORK: i64 = 8;
+const LINE_WORK: i64 = 2;
+/// Samples in a unit of work.
+const SAMPLES_WORK: i64 = 8;
+/// What emptying and finishing a tile costs.
+const TILE_WORK: i64 = 3000;
+
+/// A node that is being looked into.
+struct Frame {
+    node: u32,
+    /// How many of `order` are still to be visited, the nearest last.
+    left: u8,
+    order: [u8; WIDTH],
+    /// By content: where its ball is in the picture, how large, and how deep its nearest point.
+    seen: [[f32; WIDTH]; 4],
+    place: Place,
+    shade: Shade,
+    /// In step lengths.
+    width: f64,
+    /// Contents that may still be looked into, those of contents included.
+    budget: f32,
+    /// The weights of all contents in `order`.
+    weight: f32,
+    /// Towards the light and the viewer, in the node's own frame.
+    towards: [[f32; 3]; 2],
+}
+
+/// Where a node is, as the lens sees it before perspective.
+#[derive(Clone, Copy)]
+struct Place {
+    origin: Vector,
+    axes: [Vector; 3],
+    /// The length of the axes.
+    scale: f64,
+}
+
+impl Place {
+    fn lie(&self, point: Vector) -> Vector {
+        let [x, y, z] = combine(&self.axes, point);
+        [self.origin[0] + x, self.origin[1] + y, self.origin[2] + z]
+    }
+}
+
+/// How a node is entered.
+#[derive(Clone, Copy)]
+struct Inside {
+    place: Place,
+    shade: Shade,
+    width: f64,
+    budget: f32,
+}
+
+/// A picture in the making.
+#[derive(Default)]
+pub(super) struct Walk {
+    tile: Tile,
+    look: Option<Look>,
+    stack: Vec<Frame>,
+    /// The tiles from this one on are still to be painted.
+    next: usize,
+    painting: bool,
+    width: usize,
+    height: usize,
+    pub(super) pixels: Vec<u8>,
+    /// The colour of what nothing is painted on.
+    paper: [u8; 4],
+    /// By row of pixels: from where to where something may have been painted.
+    painted: Vec<[usize; 2]>,
+    /// The rows before this one hold nothing of the picture before.
+    wiped: usize,
+    /// What the tile's root has left of its budget, and whether something had to go without.
+    rest: f32,
+    poor: bool,
+    /// The budget of the tile that is being painted, and how often it was painted before.
+    budget: f32,
+    again: u8,
+    pub(super) stats: RenderStats,
+}
+
+/// What does not change while a picture is made.
+#[derive(Clone, Copy)]
+struct Look {
+    lens: Lens,
+    light: Light,
+    background: [u8; 3],
+    samples: usize,
+    /// Of a tile, in samples.
+    side: usize,
+    /// Blocks smaller than this are dots, in samples.
+    detail: f32,
+    /// Contents of nodes that are looked into at most, in a tile.
+    budget: f32,
+    /// Half the smallest stroke width, in samples.
+    hairline: f64,
+    /// The stroke width at the start, in step lengths.
+    width: f64,
+}
+
+impl Walk {
+    pub(super) fn begin(
+        &mut self,
+        drawing: &Drawing<Solid>,
+        style: &Style,
+        viewport: Viewport,
+        camera: &Camera,
+        quality: Quality,
+    ) {
+        let samples = quality.samples();
+        let lens = Lens::new(drawing, viewport, camera, samples as f64);
+        let min_width = (style.min_width * viewport.ratio).max(1.0);
+        let min_width = if min_width.is_finite() { min_width } else { 1.0 };
+        self.look = Some(Look {
+            lens,
+            light: Light::new(style, &lens, camera.fade),
+            background: style.background.rgb,
+            samples,
+            side: quality.side(),
+            detail: quality.detail() as f32,
+            budget: quality.budget() as f32,
+            hairline: min_width * samples as f64 / 2.0,
+            width: drawing.width,
+        });
+        (self.width, self.height) = (viewport.width as usize, viewport.height as usize);
+        let size = self.width * self.height * 4;
+        let [r, g, b] = style.background.rgb;
+        let paper = [r, g, b, u8::MAX];
+        if self.pixels.len() != size || self.paper != paper || self.painted.len() != self.height {
+            self.paper = paper;
+            self.pixels.clear();
+            self.pixels.reserve_exact(size);
+            self.pixels.extend(paper.iter().cycle().take(size));
+            self.painted.clear();
+            self.painted.resize(self.height, [0, 0]);
+            self.wiped = self.height;
+        } else {
+            self.wiped = 0;
+        }
+        self.stack.clear();
+        self.next = 0;
+        self.again = 0;
+        self.painting = false;
+        self.stats = RenderStats::default();
+    }
+
+    pub(super) fn step(&mut self, scene: &Scene, left: &mut i64) -> Progress {
+        let Some(look) = self.look else { return Progress::Done };
+        // Pixels along the side of a tile.
+        let side = look.side / look.samples;
+        let across = self.width.div_ceil(side);
+        let count = across * self.height.div_ceil(side);
+        while self.wiped < self.height {
+            let [from, to] = core::mem::take(&mut self.painted[self.wiped]);
+            let row = self.wiped * self.width;
+            let (pixels, _) = self.pixels[(row + from) * 4..(row + to) * 4].as_chunks_mut::<4>();
+            pixels.fill(self.paper);
+            self.wiped += 1;
+            *left -= 1 + (to - from) as i64 / 64;
+        }
+        while *left > 0 {
+            if self.next >= count {
+                return Progress::Done;
+            }
+            let at = [self.next % across, self.next / across];
+            let corner = at.map(|c| (c * look.side) as f64);
+            if !self.painting {
+                self.painting = true;
+                self.poor = false;
+                self.rest = 0.0;
+                if self.again == 0 {
+                    self.budget = look.budget;
+                }
+                self.tile.reset(look.side, look.background);
+                *left -= TILE_WORK / 4;
+                if let Some(root) = scene.root {
+                    let Lens { origin, axes, .. } = look.lens;
+                    let place = Place { origin, axes, scale: dot(axes[0], axes[0]).sqrt() };
+                    let inside = Inside {
+                        place,
+                        shade: Shade { number: 0, fixed: true },
+                        width: look.width,
+                        budget: self.budget,
+                    };
+                    self.open(scene, &look, corner, root, inside);
+                }
+            }
+            if self.paint(scene, &look, corner, left) == Progress::More {
+                return Progress::More;
+            }
+            self.painting = false;
+            let spent = (self.budget - self.rest).max(1.0);
+            if self.poor && spent < 0.5 * look.budget && self.again < AGAIN {
+                // What came first went without, and others did not need their share.
+                self.again += 1;
+                self.budget *= (0.8 * look.budget / spent).min(8.0);
+                continue;
+            }
+            self.again = 0;
+            self.finish(at, side, look.samples);
+            *left -= TILE_WORK;
+            self.next += 1;
+        }
+        Progress::More
+    }
+
+    /// Copies a finished tile into the picture.
+    fn finish(&mut self, at: [usize; 2], side: usize, samples: usize) {
+        let [x, y] = at.map(|c| c * side);
+        let right = (x + side).min(self.width);
+        for row in y..(y + side).min(self.height) {
+            let [from, to] = self.tile.painted(row - y, samples);
+            let to = to.min(right - x);
+            if from < to {
+                let first = row * self.width + x;
+                self.tile.pixels(row - y, from, samples, &mut self.pixels[(first + from) * 4..(first + to) * 4]);
+                let painted = &mut self.painted[row];
+                *painted = match *painted {
+                    [a, b] if a == b => [x + from, x + to],
+                    [a, b] => [a.min(x + from), b.max(x + to)],
+                };
+            }
+        }
+    }
+
+    /// Goes on with a tile.
+    fn paint(&mut self, scene: &Scene, look: &Look, corner: [f64; 2], left: &mut i64) -> Progress {
+        while *left > 0 {
+            let Some(frame) = self.stack.last_mut() else { return Progress::Done };
+            if frame.left == 0 {
+                let rest = frame.budget;
+                self.stack.pop();
+                match self.stack.last_mut() {
+                    Some(frame) => frame.budget += rest,
+                    None => self.rest = rest,
+                }
+                continue;
+            }
+            frame.left -= 1;
+            let lane = usize::from(frame.order[usize::from(frame.left)]);
+            let node = &scene.nodes[frame.node as usize];
+            if lane < usize::from(node.links) {
+                *left -= self.link(scene, look, corner, node, lane);
+            } else {
+                let line = node.first_line as usize + lane - usize::from(node.links);
+                *left -= self.line(scene, look, corner, line);
+            }
+        }
+        Progress::More
+    }
+
+    /// Paints a line of the node on top of the stack.
+    fn line(&mut self, scene: &Scene, look: &Look, corner: [f64; 2], line: usize) -> i64 {
+        let Some(frame) = self.stack.last_mut() else { return 0 };
+        frame.budget -= 1.0;
+        let line = &scene.lines[line];
+        let width = scene.styles[line.style as usize].width.of(frame.width);
+        let shade = scene.choice.then(frame.shade, scene.shade(line.style));
+        let ends = [line.from, line.to].map(|end| frame.place.lie(end.map(f64::from)));
+        self.stick(look, corner, ends, width, scene.ink(shade))
+    }
+
+    /// Paints a stroke.
+    fn stick(&mut self, look: &Look, corner: [f64; 2], ends: [Vector; 2], width: f64, ink: [f32; 3]) -> i64 {
+        self.stats.strokes += 1;
+        let Some(ends) = before_eye(&look.lens, ends) else { return 1 };
+        let radius = |end: Vector| (width * look.lens.step * look.lens.factor(end[2]) / 2.0).max(look.hairline);
+        let stick = Stick {
+            ends: ends.map(|end| look.lens.project(end)),
+            radii: ends.map(radius),
+            ink,
+            spots: ends.map(|end| look.light.spot(end)),
+        };
+        LINE_WORK + stick.paint(&mut self.tile, corner, &look.light) as i64 / SAMPLES_WORK
+    }
+
+    /// Paints a node inside the one on top of the stack, or puts it there itself.
+    fn link(&mut self, scene: &Scene, look: &Look, corner: [f64; 2], node: &Node, lane: usize) -> i64 {
+        let Some(frame) = self.stack.last_mut() else { return 0 };
+        let link = &scene.links[node.first_link as usize + lane];
+        let [x, y, ball, near] = [0, 1, 2, 3].map(|i| frame.seen[i][lane]);
+        let lens = &look.lens;
+        let factor = frame.place.scale_at(lens, near);
+        let radius = ((link.widest.of(frame.width) * lens.step * factor / 2.0).max(look.hairline)) as f32;
+        let reach = f64::from(ball + radius);
+        let [px, py] = [f64::from(x), f64::from(y)];
+        let weight = weight(ball);
+        let share = frame.budget * (weight / frame.weight).min(1.0);
+        frame.weight -= weight;
+        let side = look.side as f64;
+        let (Some(across), Some(down)) = (span(px - reach, px + reach, side), span(py - reach, py + reach, side))
+        else {
+            return 1;
+        };
+        let shade = scene.choice.then(frame.shade, scene.shade(link.style));
+        let inner = &scene.nodes[link.node as usize];
+        let fine = 2.0 * ball > look.detail;
+        let poor = fine && share < f32::from(inner.links + inner.lines);
+        self.poor |= poor;
+        if !fine || poor && ball <= 0.5 * BLUR * look.detail {
+            self.stats.stamps += 1;
+            frame.budget -= 1.0;
+            let [bx, by, bz] = [0, 1, 2].map(|i| f64::from(node.balls[i][lane]));
+            let spot = look.light.spot(frame.place.lie([bx, by, bz]));
+            let ink = scene.mean(link.node, shade);
+            let [light, view] = frame.towards;
+            let colour = look.light.bundle(ink, &spot, &link.bundle, view, light);
+            // As large as all strokes side by side, but not larger than they reach.
+            let length = link.length * (frame.place.scale * factor) as f32;
+            let full = 0.8 * ball + radius;
+            let size = (length * radius * core::f32::consts::FRAC_2_PI + radius * radius).min(full * full);
+            let dot = Dot {
+                at: [px + corner[0], py + corner[1], f64::from(near + 0.5 * ball - 0.5 * radius)],
+                radius: f64::from(size.sqrt().max(0.71)),
+                colour,
+            };
+            return LINE_WORK + dot.paint(&mut self.tile, corner) as i64 / SAMPLES_WORK;
+        }
+        let size = ball + radius;
+        if size > HIDEABLE && self.tile.hides(across, down, near - radius) {
+            return LINE_WORK;
+        }
+        let place = if link.same {
+            frame.place
+        } else {
+            let axes = link.axes.map(|axis| combine(&frame.place.axes, axis));
+            Place { origin: frame.place.lie(link.at), axes, scale: dot(axes[0], axes[0]).sqrt() }
+        };
+        let width = scene.styles[link.style as usize].width.of(frame.width);
+        let limb = &inner.own.limb;
+        let thin = 2.0 * (limb.off * place.scale * factor) as f32 <= look.detail;
+        if thin || poor {
+            frame.budget -= 1.0;
+            let stick = |limb: &Limb| {
+                let ends = [limb.from, limb.to].map(|end| place.lie(end));
+                (ends, limb.style.width.of(width), scene.choice.then(shade, scene.choice.shade(&limb.style)))
+            };
+            let (ends, own, tint) = stick(limb);
+            // Where nothing stands out, the whole node is that line, in the colour that it has on the whole.
+            let ink = if thin { scene.mean(link.node, shade) } else { scene.ink(tint) };
+            let mut cost = self.stick(look, corner, ends, own, ink);
+            if !thin && let Some(tips) = scene.tips.get(link.node as usize) {
+                if let Some(frame) = self.stack.last_mut() {
+                    frame.budget -= tips.len() as f32;
+                }
+                for tip in tips {
+                    let (ends, own, tint) = stick(tip);
+                    cost += self.stick(look, corner, ends, own, scene.ink(tint));
+                }
+            }
+            return cost;
+        }
+        frame.budget -= share;
+        self.open(scene, look, corner, link.node, Inside { place, shade, width, budget: share });
+        NODE_WORK
+    }
+
+    /// Puts a node on the stack: all its contents that may be seen in the tile, the nearest on top.
+    fn open(&mut self, scene: &Scene, look: &Look, corner: [f64; 2], id: u32, inside: Inside) {
+        let Inside { place, shade, width, budget } = inside;
+        let node = &scene.nodes[id as usize];
+        let lens = &look.lens;
+        self.stats.blocks += 1;
+        let mut seen = [[0.0_f32; WIDTH]; 4];
+        let [ax, ay, az] = place.axes.map(|axis| axis.map(|c| c as f32));
+        let origin = place.origin.map(|c| c as f32);
+        let scale = place.scale as f32;
+        let nearness = lens.nearness as f32;
+        let middle = [0, 1].map(|i| (lens.middle[i] - corner[i]) as f32);
+        // Rounding, where a node is much larger than the picture.
+        let slack = 1e-6 * (origin[0].abs() + origin[1].abs() + origin[2].abs() + scale);
+        let [bx, by, bz, br] = &node.balls;
+        let least = NEAR as f32;
+        for i in 0..WIDTH {
+            let x = origin[0] + ax[0] * bx[i] + ay[0] * by[i] + az[0] * bz[i];
+            let y = origin[1] + ax[1] * bx[i] + ay[1] * by[i] + az[1] * bz[i];
+            let z = origin[2] + ax[2] * bx[i] + ay[2] * by[i] + az[2] * bz[i];
+            let r = br[i] * scale + slack;
+            let factor = 1.0 / (1.0 + z * nearness).max(least);
+            let nearest = 1.0 / (1.0 + (z - r) * nearness).max(least);
+            // Seen from near by, a ball reaches farther to the side than its middle does.
+            let grows = nearest - factor;
+            seen[0][i] = middle[0] + x * factor;
+            seen[1][i] = middle[1] + y * factor;
+            seen[2][i] = r * nearest + grows * x.abs().max(y.abs());
+            seen[3][i] = (z - r) * nearest;
+        }
+        let nearest = (1.0 / NEAR).min(1.0 / (1.0 + (place.origin[2] - 2.0 * place.scale) * lens.nearness).max(NEAR));
+        let widest = ((node.own.widest.of(width) * lens.step * nearest / 2.0).max(look.hairline)) as f32;
+        let mut frame = Frame {
+            node: id,
+            left: 0,
+            order: [0; WIDTH],
+            seen,
+            place,
+            shade,
+            width,
+            budget,
+            weight: 0.0,
+            towards: DIRECTIONS.map(|to| place.axes.map(|axis| (dot(axis, to) / place.scale) as f32)),
+        };
+        let count = usize::from(node.links) + usize::from(node.lines);
+        let mut kept = 0;
+        for lane in 0..count {
+            let [x, y, r] = [0, 1, 2].map(|i| frame.seen[i][lane]);
+            let reach = r + widest;
+            let side = look.side as f32;
+            if x + reach >= 0.0 && x - reach <= side && y + reach >= 0.0 && y - reach <= side {
+                frame.order[kept] = lane as u8;
+                kept += 1;
+                if lane < usize::from(node.links) {
+                    frame.weight += weight(r);
+                }
+            }
+        }
+        frame.left = kept as u8;
+        if scale > SORTED {
+            let depth = &frame.seen[3];
+            let order = &mut frame.order[..kept];
+            for i in 1..kept {
+                let mut j = i;
+                while j > 0 && depth[usize::from(order[j - 1])] < depth[usize::from(order[j])] {
+                    order.swap(j - 1, j);
+                    j -= 1;
+                }
+            }
+        }
+        if kept > 0 {
+            self.stack.push(frame);
+        } else if let Some(outer) = self.stack.last_mut() {
+            outer.budget += budget;
+        } else {
+            self.rest = budget;
+        }
+    }
+}
+
+impl Place {
+    /// How much larger than at the target things look at a depth of the picture.
+    fn scale_at(&self, lens: &Lens, depth: f32) -> f64 {
+        // Depth is z / (1 + z n), so 1 / (1 + z n) is 1 - depth n.
+        (1.0 - f64::from(depth) * lens.nearness).clamp(0.0, 1.0 / NEAR)
+    }
+}
+
+/// How a node's budget is shared out to the nodes in it: by the room that they take, as far as it can be in the tile.
+fn weight(ball: f32) -> f32 {
+    let size = ball.min(LARGE);
+    size * size + 1.0
+}
+
+/// What of a line lies before the eye.
+fn before_eye(lens: &Lens, ends: [Vector; 2]) -> Option<[Vector; 2]> {
+    let ahead = ends.map(|end| 1.0 + end[2] * lens.nearness - NEAR);
+    match ahead.map(|a| a > 0.0) {
+        [true, true] => Some(ends),
+        [false, false] => None,
+        [first, _] => {
+            let t = ahead[0] / (ahead[0] - ahead[1]);
+            let cut = [0, 1, 2].map(|i| ends[0][i] + t * (ends[1][i] - ends[0][i]));
+            Some(if first { [ends[0], cut] } else { [cut, ends[1]] })
+        }
+    }
+}
