@@ -124,10 +124,14 @@ impl Playground {
     /// # Errors
     /// Throws where the canvas refuses the picture.
     pub fn snapshot(&self, canvas: OffscreenCanvas, width: u32, height: u32) -> Result<(), JsValue> {
+        let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
+        if let (Some(system), Some(_)) = (&self.system, &self.solid.drawing) {
+            let viewport = Viewport { width, height, ratio };
+            return self.solid.snapshot(&system.style, viewport, &Surface::new(canvas)?);
+        }
         let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else {
             return Err("nothing has been drawn yet".into());
         };
-        let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
         let mut renderer = Renderer::new();
         renderer.load(drawing.clone());
         let viewport = Viewport { width, height, ratio }.within_limits();

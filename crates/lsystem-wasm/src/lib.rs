@@ -16,6 +16,8 @@ mod playground;
 mod qr;
 mod reading;
 mod report;
+#[cfg(feature = "full")]
+mod solid;
 mod surface;
 
 #[cfg(feature = "full")]

@@ -22,7 +22,7 @@ pub(crate) struct Scene {
 
 /// Makes pictures and shows them.
 pub(crate) struct Painter {
-    surface: Surface,
+    pub(crate) surface: Surface,
     drawing: Option<Arc<Drawing>>,
     fine: Renderer,
     coarse: Renderer,

@@ -7,8 +7,8 @@ use crate::report::{Report, legend_of, problems};
 use crate::surface::Surface;
 use crate::{LIMITS, from_js, to_js};
 use lsystem::{
-    Definition, Diagnostic, Drawer, Drawing, Kind, Progress, System, View, Viewport, count_segments, count_symbols,
-    describe, fitted_scale, kind, why_empty,
+    Definition, Diagnostic, Drawer, Drawing, Kind, Progress, Space, System, View, Viewport, count_segments,
+    count_symbols, describe, fitted_scale, kind, why_empty,
 };
 use serde::Serialize;
 use std::sync::Arc;
@@ -30,6 +30,9 @@ pub struct Playground {
     pub(crate) written: Option<Written>,
     /// The drawing that is being built.
     drawer: Option<Drawer>,
+    /// The same for what leaves the plane; where it has a drawing, `drawing` is none.
+    #[cfg(feature = "full")]
+    pub(crate) solid: crate::solid::SolidView,
     pub(crate) report: Report,
     /// Whether the page has not seen the report yet.
     news: bool,
@@ -58,10 +61,11 @@ struct Step<'a> {
 }
 
 #[derive(Serialize)]
-struct Drawn {
-    complete: bool,
+pub(crate) struct Drawn {
+    /// Whether nothing finer follows.
+    pub(crate) complete: bool,
     /// Device pixels per fitted extent at zoom 1.
-    scale: f64,
+    pub(crate) scale: f64,
 }
 
 #[wasm_bindgen]
@@ -80,6 +84,8 @@ impl Playground {
             drawing: None,
             written: None,
             drawer: None,
+            #[cfg(feature = "full")]
+            solid: crate::solid::SolidView::default(),
             report: Report::default(),
             news: false,
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
@@ -121,7 +127,7 @@ impl Playground {
             empty: why_empty(&system, n),
             ..Report::default()
         };
-        if same_drawing && (self.drawer.is_some() || self.drawing.is_some()) {
+        if same_drawing && (!self.built() || self.is_drawn()) {
             let former = core::mem::replace(&mut self.report, known);
             self.report.memoised = former.memoised;
             self.report.blocks = former.blocks;
@@ -130,9 +136,9 @@ impl Playground {
             self.report.largest = former.largest;
             self.report.description = former.description;
         } else {
-            self.drawer = Some(Drawer::new(&system, n, LIMITS));
             self.upto = None;
             self.report = known;
+            self.start(&system, n);
         }
         self.picture = Picture::Stale;
         self.written = None;
@@ -165,6 +171,10 @@ impl Playground {
     /// Whether no drawing is being built.
     #[wasm_bindgen(getter)]
     pub fn built(&self) -> bool {
+        #[cfg(feature = "full")]
+        if self.solid.drawer.is_some() {
+            return false;
+        }
         self.drawer.is_none()
     }
 
@@ -176,7 +186,7 @@ impl Playground {
         let end = self.clock.now() + budget;
         let mut drawn = None;
         while drawn.is_none() && !self.is_idle() {
-            if self.drawer.is_some() {
+            if !self.built() {
                 self.build();
             } else {
                 drawn = self.paint()?;
@@ -195,42 +205,103 @@ impl Playground {
         self.definition.iterations
     }
 
+    /// Starts building a drawing.
+    fn start(&mut self, system: &System, n: u32) {
+        self.drawer = None;
+        #[cfg(feature = "full")]
+        self.solid.stop();
+        if !system.is_solid() {
+            self.drawer = Some(Drawer::new(system, n, LIMITS));
+            return;
+        }
+        #[cfg(feature = "full")]
+        self.solid.start(system, n);
+        self.report.beyond = cfg!(not(feature = "full"));
+    }
+
+    fn is_drawn(&self) -> bool {
+        #[cfg(feature = "full")]
+        if self.solid.drawing.is_some() {
+            return true;
+        }
+        self.drawing.is_some()
+    }
+
     fn is_idle(&self) -> bool {
-        self.drawer.is_none() && (self.picture == Picture::Begun && self.painter.is_done() || !self.is_visible())
+        self.built() && (self.picture == Picture::Begun && self.is_painted() || !self.is_visible())
+    }
+
+    /// Whether nothing finer than what is on the canvas follows.
+    fn is_painted(&self) -> bool {
+        #[cfg(feature = "full")]
+        if self.solid.drawing.is_some() {
+            return self.solid.is_done();
+        }
+        self.painter.is_done()
     }
 
     /// Whether there is something to paint and somewhere to paint it.
     fn is_visible(&self) -> bool {
-        self.drawing.is_some() && self.viewport.width > 0 && self.viewport.height > 0
+        self.is_drawn() && self.viewport.width > 0 && self.viewport.height > 0
     }
 
     /// Goes on with the drawing that is being built.
     fn build(&mut self) {
+        #[cfg(feature = "full")]
+        if self.solid.drawer.is_some() {
+            return self.build_solid();
+        }
         let (Some(system), Some(mut drawer)) = (&self.system, self.drawer.take()) else { return };
         if drawer.step(WORK as u64) == Progress::More {
             self.drawer = Some(drawer);
             return;
         }
-        self.news = true;
-        let n = self.definition.iterations;
         match drawer.finish() {
             Ok(drawing) => {
-                // Where counts depend on chance the drawing has been materialised, and its count is exact.
-                let segments = count_segments(system, n).unwrap_or_else(|| drawing.segment_count().into());
-                if let Some(symbols) = drawing.symbol_count() {
-                    self.report.symbols = Some(symbols.to_string());
-                }
-                self.report.memoised = Some(drawing.is_memoised());
-                self.report.blocks = Some(drawing.block_count());
-                self.report.description = describe(system, n, &segments, drawing.bounds());
-                self.report.segments = Some(segments.to_string());
+                describe_drawing(&mut self.report, system, self.definition.iterations, &drawing, drawing.bounds());
                 let drawing = Arc::new(drawing);
                 self.painter.load(drawing.clone());
                 self.drawing = Some(drawing);
+                #[cfg(feature = "full")]
+                self.solid.forget();
             }
             Err(limit) => self.refuse(limit),
         }
+        self.news = true;
         self.picture = Picture::Stale;
+    }
+
+    /// Goes on with the drawing in space that is being built.
+    #[cfg(feature = "full")]
+    fn build_solid(&mut self) {
+        let (Some(system), Some(outcome)) = (&self.system, self.solid.build()) else { return };
+        match outcome {
+            Ok(drawing) => {
+                let bounds = drawing.bounds().map(|[low, high]| [low[0], low[1], high[0], high[1]]);
+                describe_drawing(&mut self.report, system, self.definition.iterations, &drawing, bounds);
+                self.drawing = None;
+            }
+            Err(limit) => self.refuse(limit),
+        }
+        self.news = true;
+        self.picture = Picture::Stale;
+    }
+
+    /// What is shown has to be painted anew.
+    #[cfg(feature = "full")]
+    pub(crate) fn outdate(&mut self) {
+        self.picture = Picture::Stale;
+    }
+
+    /// Goes on with the picture of a drawing in space; what is on the canvas after that, if anything new is.
+    #[cfg(feature = "full")]
+    fn paint_solid(&mut self) -> Result<Option<Drawn>, JsValue> {
+        let Some(system) = &self.system else { return Ok(None) };
+        if self.picture == Picture::Stale {
+            self.solid.begin(&system.style, self.viewport);
+            self.picture = Picture::Begun;
+        }
+        self.solid.paint(&system.style, self.viewport, &self.clock, &self.painter.surface)
     }
 
     fn refuse(&mut self, limit: Diagnostic) {
@@ -242,6 +313,10 @@ impl Playground {
 
     /// Goes on with the picture; what is on the canvas after that, if anything new is.
     fn paint(&mut self) -> Result<Option<Drawn>, JsValue> {
+        #[cfg(feature = "full")]
+        if self.solid.drawing.is_some() {
+            return self.paint_solid();
+        }
         let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else { return Ok(None) };
         if self.picture == Picture::Stale {
             let (style, viewport, view, upto) = (system.style.clone(), self.viewport, self.view, self.upto);
@@ -251,6 +326,25 @@ impl Playground {
         let shown = self.painter.step(&self.clock)?;
         Ok(shown.map(|complete| Drawn { complete, scale: fitted_scale(drawing, self.viewport) }))
     }
+}
+
+/// Completes a report with what its drawing tells.
+fn describe_drawing<S: Space>(
+    report: &mut Report,
+    system: &System,
+    n: u32,
+    drawing: &Drawing<S>,
+    bounds: Option<[f64; 4]>,
+) {
+    // Where counts depend on chance the drawing has been materialised, and its count is exact.
+    let segments = count_segments(system, n).unwrap_or_else(|| drawing.segment_count().into());
+    if let Some(symbols) = drawing.symbol_count() {
+        report.symbols = Some(symbols.to_string());
+    }
+    report.memoised = Some(drawing.is_memoised());
+    report.blocks = Some(drawing.block_count());
+    report.description = describe(system, n, &segments, bounds);
+    report.segments = Some(segments.to_string());
 }
 
 impl core::fmt::Debug for Playground {

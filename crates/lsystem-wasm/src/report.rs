@@ -29,6 +29,8 @@ pub struct Report {
     pub diagnostics: Vec<Problem>,
     /// What sort of system it is, in words.
     pub kind: String,
+    /// Whether only the full wasm can draw it.
+    pub beyond: bool,
     /// Whether chance plays a part.
     pub stochastic: bool,
     /// Whether the drawing leaves the plane.
