@@ -101,11 +101,13 @@
             self.postMessage({ type: 'report', id, report });
         }
         if (newView) {
-            const { id, width, height, ratio, view } = newView;
+            const { id, width, height, ratio, view, camera } = newView;
             upto = newView.upto;
             newView = null;
             viewId = id;
             playground.view(width, height, ratio, view.x, view.y, view.zoom, view.fx ?? 0, view.fy ?? 0);
+            // Only the full wasm has one.
+            if (camera) playground.camera?.(camera.azimuth, camera.elevation, camera.zoom, camera.x, camera.y, camera.z, camera.perspective, camera.fade);
             playground.play(upto ?? undefined);
             seen = true;
         }
@@ -180,9 +182,9 @@
             const sheet = new OffscreenCanvas(1, 1);
             easel = { playground: new wasm.Playground(sheet), canvas: sheet };
         }
-        const { ok } = easel.playground.define(definition);
+        const { ok, beyond } = easel.playground.define(definition);
         easel.playground.view(width, height, 1, 0, 0, 1, 0, 0);
-        return { id, bitmap: null, steps: ok ? THUMB_STEPS : 0 };
+        return { id, bitmap: null, beyond, steps: ok && !beyond ? THUMB_STEPS : 0 };
     }
 
     /** One step of a small picture; a system that takes too many is shown as far as it came. */
@@ -194,7 +196,7 @@
             thumb.bitmap = easel.canvas.transferToImageBitmap();
         }
         if (!idle && !drawn?.complete && thumb.steps > 0) return;
-        self.postMessage({ type: 'thumb', id: thumb.id, bitmap: thumb.bitmap }, { transfer: thumb.bitmap ? [thumb.bitmap] : [] });
+        self.postMessage({ type: 'thumb', id: thumb.id, bitmap: thumb.bitmap, beyond: thumb.beyond }, { transfer: thumb.bitmap ? [thumb.bitmap] : [] });
         thumb = null;
     }
 

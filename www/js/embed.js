@@ -179,6 +179,7 @@ function show(state, before) {
 /** @param {Report} report */
 function reported(report) {
     parts?.stage.growing(report.ok && report.memoised === null);
+    parts?.stage.report(report);
     rules.report(report);
     dials.report(report);
     parts?.reader.report(report);

@@ -9,6 +9,7 @@ import { same } from './state.js';
 
 /** @typedef {import('./state.js').Definition} Definition */
 /** @typedef {import('./state.js').View} View */
+/** @typedef {import('./state.js').Camera} Camera */
 /** @typedef {'axiom' | 'rules' | 'overrides' | 'file' | 'numbers'} Field */
 
 /**
@@ -27,6 +28,7 @@ import { same } from './state.js';
  * @property {boolean} ok when false, the last good drawing stays
  * @property {Diagnostic[]} diagnostics
  * @property {string} kind `deterministic`, or those of `stochastic`, `context-sensitive`, `parametric` that hold, separated by commas
+ * @property {boolean} beyond whether only the full kit can draw it
  * @property {boolean} stochastic
  * @property {boolean} solid whether the drawing leaves the plane
  * @property {boolean | null} memoised whether the drawing shares its blocks; null while unknown
@@ -42,7 +44,7 @@ import { same } from './state.js';
 /** @typedef {{width: number, height: number, ratio: number}} Canvas width and height in device pixels */
 /** @typedef {import('./reading/words.js').Link} Link */
 /** @typedef {import('./reading/words.js').Stroke} Stroke */
-/** How the picture is to be shown; only the first `upto` segments unless it is null. @typedef {{canvas: Canvas, view: View, upto: bigint | null}} Look */
+/** How the picture is to be shown; only the first `upto` segments unless it is null. @typedef {{canvas: Canvas, view: View, camera: Camera | null, upto: bigint | null}} Look */
 /**
  * A picture; `scale` is in device pixels per fitted extent at zoom 1. `pose` is the turtle's where only the first
  * segments are shown: `at` in model units, `fitted` in fitted extents from the fitted centre, heading in degrees.
@@ -158,7 +160,7 @@ export function createEngine(kits, events) {
             lookWaits = false;
             lookSent = ++lastId;
             views.set(lookSent, look);
-            worker.postMessage({ type: 'view', id: lookSent, ...look.canvas, view: look.view, upto: look.upto });
+            worker.postMessage({ type: 'view', id: lookSent, ...look.canvas, view: look.view, camera: look.camera, upto: look.upto });
         }
         patience = window.setTimeout(goOn, PATIENCE);
         events.busy(true);
@@ -182,6 +184,10 @@ export function createEngine(kits, events) {
         const question = asked.get(message.id);
         switch (message.type) {
             case 'report':
+                if (message.report.beyond) {
+                    grow().catch(({ message: why }) => fail(why, true));
+                    break;
+                }
                 // What is wrong is not drawn.
                 if (message.id === defineSent && !message.report.ok) settle();
                 events.report(message.report, message.id);
@@ -191,7 +197,8 @@ export function createEngine(kits, events) {
                 const seen = views.get(message.viewId);
                 for (const id of views.keys()) if (id < message.viewId) views.delete(id);
                 if (seen) events.drawn({ ...message, ...seen });
-                if (message.id >= defineSent && message.viewId >= lookSent) settle();
+                // A coarse picture lets the next state follow; only the finest is the end of it.
+                if (message.id >= defineSent && message.viewId >= lookSent) message.complete ? settle() : goOn();
                 break;
             }
             case 'fatal':
@@ -270,10 +277,10 @@ export function createEngine(kits, events) {
             send();
         },
 
-        /** @param {Canvas} canvas @param {View} view */
-        look(canvas, view) {
-            if (look && same(look.canvas, canvas) && same(look.view, view)) return;
-            look = { canvas, view, upto };
+        /** @param {Canvas} canvas @param {View} view of a drawing in the plane @param {Camera | null} [camera] of one in space */
+        look(canvas, view, camera = null) {
+            if (look && same(look.canvas, canvas) && same(look.view, view) && same(look.camera, camera)) return;
+            look = { canvas, view, camera, upto };
             lookWaits = true;
             send();
         },
@@ -319,6 +326,10 @@ export function createEngine(kits, events) {
         seed: async () => (await ask({ type: 'seed' })).seed,
 
         /** @param {Definition} small @param {number} width @param {number} height @returns {Promise<ImageBitmap | null>} */
-        thumb: async (small, width, height) => (await ask({ type: 'thumb', definition: small, width, height })).bitmap,
+        thumb: async (small, width, height) => {
+            const request = { type: 'thumb', definition: small, width, height };
+            const { bitmap, beyond } = await ask(request);
+            return beyond ? (await askFull(request)).bitmap : bitmap;
+        },
     };
 }

@@ -46,6 +46,19 @@ const view = {
     },
 };
 
+/** Azimuth, elevation, zoom, target, fading, and `flat` without perspective. @type {Form} */
+const camera = {
+    write: ({ azimuth, elevation, zoom, x, y, z, perspective, fade }) => [azimuth, elevation, zoom, x, y, z, fade, ...(perspective ? [] : ['flat'])].join(),
+    read: (value) => {
+        const parts = value.split(',', 9);
+        const perspective = parts[7] !== 'flat';
+        const numbers = parts.slice(0, 7).map(number.read);
+        if (parts.length !== (perspective ? 7 : 8) || numbers.includes(undefined)) return undefined;
+        const [azimuth, elevation, zoom, x, y, z, fade] = numbers;
+        return { azimuth, elevation, zoom, x, y, z, perspective, fade };
+    },
+};
+
 /** Key in the link, field of the state, form of its value; in the order of writing. @type {[string, keyof State, Form][]} */
 export const KEYS = [
     ['title', 'title', text],
@@ -75,6 +88,7 @@ export const KEYS = [
     ['source', 'source', text],
     ['notes', 'notes', text],
     ['view', 'view', view],
+    ['camera', 'camera', camera],
 ];
 
 /** What a link can hold. */

@@ -21,6 +21,7 @@ import { lookPanel } from './panels/look-panel.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { tabs } from './panels/tabs.js';
 import { turtlePanel } from './panels/turtle-panel.js';
+import { createOrbit } from './orbit.js';
 import { createPlayback } from './playback.js';
 import { createReader } from './reading/reader.js';
 import { createSession } from './session.js';
@@ -48,6 +49,7 @@ const engine = createEngine(kits(), { report: reported, drawn, busy, failed });
 engine.define(definitionOf(store.state));
 const marks = createMarks();
 const stage = createStage(store, engine, marks);
+const orbit = createOrbit(store, stage);
 const playback = createPlayback(engine, { turtle: marks.turtle });
 const reader = createReader(engine, { mark: marks.part, opened: () => hover.forget() });
 const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.segment, light: reader.light, choose: reader.choose, reading: () => reader.open, zoom: () => store.state.view?.zoom ?? 1, upto: () => playback.upto });
@@ -118,6 +120,7 @@ function show(state, before) {
     turtle.show(state);
     look.show(state);
     stage.show(state, before);
+    orbit.show(state, before);
     reader.show(state, before);
     if (before && !sameDrawing(state, before)) {
         hover.forget();
@@ -127,7 +130,7 @@ function show(state, before) {
     button('undo').disabled = !store.canUndo;
     button('redo').disabled = !store.canRedo;
     const touched = !sameSystem(state, store.origin);
-    button('reset').disabled = !touched && state.view === store.origin.view;
+    button('reset').disabled = !touched && state.view === store.origin.view && state.camera === store.origin.camera;
     html('stage').classList.toggle('on-dark', isDark(state.background));
     html('stage').style.setProperty('--sheet', state.background);
 }
@@ -152,6 +155,9 @@ function reported(next) {
     turtle.report(next);
     reader.report(next);
     playback.report(next);
+    stage.report(next);
+    orbit.report(next);
+    if (next.ok) tellSpace(next.solid);
     const [mistake, ...more] = next.diagnostics.filter(({ severity }) => severity === 'error');
     if (mistake) {
         const words = more.length === 0 ? mistake.message : `${mistake.message}, and ${more.length} more`;
@@ -165,6 +171,13 @@ function reported(next) {
     setText(html('caption-text'), captionOf(store.state, next));
     html('drawing').setAttribute('aria-label', `Drawing: ${store.state.title || store.state.name || 'untitled system'}`);
     announce(next.empty ?? next.description);
+}
+
+/** Says what drawings in space do not have. @param {boolean} solid */
+function tellSpace(solid) {
+    const play = button('open-playback');
+    play.disabled = solid;
+    play.title = solid ? 'Drawings in space are not played' : 'Watch the turtle draw (space)';
 }
 
 /** @param {import('./engine.js').Drawn} picture */

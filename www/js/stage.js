@@ -3,11 +3,13 @@
  * the worker has painted anew.
  */
 
+import { FRONT, isWhole, midway, orbit, slide, whole, zoomed } from './camera.js';
 import { calm, button, byId, html, setText } from './dom.js';
 import { zoomText } from './numerals.js';
 import { FITTED, between, pan, placement, zoomAt } from './view.js';
 
 /** @typedef {import('./state.js').View} View */
+/** @typedef {import('./state.js').Camera} Camera */
 /** @typedef {import('./engine.js').Drawn} Drawn */
 /** @typedef {import('./engine.js').Canvas} Canvas */
 
@@ -16,6 +18,8 @@ const MOST_RATIO = 3;
 const ZOOM_STEP = 1.5;
 /** One press of an arrow, as a part of the drawing's shorter side. */
 const PAN_STEP = 0.1;
+/** One press of an arrow in space, in CSS pixels of dragging. */
+const ORBIT_STEP = 25;
 const GLIDE_MS = 260;
 /** What takes longer is shown to be under way. */
 const SLOW_MS = 300;
@@ -23,7 +27,7 @@ const SLOW_MS = 300;
 /**
  * @param {import('./store.js').Store} store
  * @param {import('./engine.js').Engine} engine
- * @param {{look: (sight: import('./marks.js').Sight) => void}} marks what moves with the picture
+ * @param {{look: (sight: import('./marks.js').Sight | null) => void}} marks what moves with the picture
  * @param {{takes?: (event: PointerEvent | WheelEvent) => boolean, keys?: () => readonly ('angle' | 'iterations')[]}} [page]
  *   `takes` tells which gestures are the drawing's, rather than of the page it stands in; `keys` what arrows change
  */
@@ -38,8 +42,11 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
     let drawn = null;
     let glide = 0;
     let slow = 0;
+    /** Whether the drawing is one in space. */
+    let solid = false;
 
     const view = () => store.state.view ?? FITTED;
+    const camera = () => store.state.camera ?? FRONT;
     const scale = () => drawn?.scale ?? 1;
     /** @returns {Canvas} */
     const resolution = () => ({ width: Math.max(1, Math.round(size.width * ratio)), height: Math.max(1, Math.round(size.height * ratio)), ratio });
@@ -53,7 +60,7 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
         ratio = Math.min(MOST_RATIO, devicePixelRatio || 1);
         if (size.width === 0 || size.height === 0) return;
         place();
-        engine.look(resolution(), view());
+        engine.look(resolution(), view(), camera());
     }
 
     function watchRatio() {
@@ -70,6 +77,12 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
     /** Puts the picture where the present view has it. */
     function place() {
         if (!drawn) return;
+        if (solid) {
+            // No other picture stands for one from another side.
+            marks.look(null);
+            canvas.style.transform = 'none';
+            return;
+        }
         marks.look({ view: view(), scale: drawn.scale, size });
         const at = placement(drawn.view, view(), drawn.scale);
         const x = size.width / 2 + at.x - (drawn.size.width / 2) * at.factor;
@@ -99,9 +112,29 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
         glide = requestAnimationFrame(tick);
     }
 
-    const fit = () => glideTo(null);
+    /** @param {Camera} next */
+    function aim(next) {
+        cancelAnimationFrame(glide);
+        store.aim(next);
+    }
+
+    /** Moves the camera smoothly. @param {Camera} target */
+    function glideRound(target) {
+        cancelAnimationFrame(glide);
+        const from = camera();
+        if (calm() || !drawn) return store.aim(target);
+        const start = performance.now();
+        const tick = (/** @type {number} */ now) => {
+            const t = Math.min(1, Math.max(0, (now - start) / GLIDE_MS));
+            store.aim(t < 1 ? midway(from, target, 1 - (1 - t) ** 3) : target);
+            if (t < 1) glide = requestAnimationFrame(tick);
+        };
+        glide = requestAnimationFrame(tick);
+    }
+
+    const fit = () => (solid ? glideRound(whole(camera())) : glideTo(null));
     /** @param {number} factor */
-    const zoom = (factor) => glideTo(zoomAt(view(), factor, 0, 0, scale()));
+    const zoom = (factor) => (solid ? glideRound(zoomed(camera(), factor, 0, 0, scale())) : glideTo(zoomAt(view(), factor, 0, 0, scale())));
 
     button('fit').addEventListener('click', fit);
     button('zoom-in').addEventListener('click', () => zoom(ZOOM_STEP));
@@ -109,10 +142,15 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
 
     gestures(canvas, {
         takes,
-        drag: (dx, dy) => look(pan(view(), dx, dy, scale())),
+        drag: (dx, dy, aside) => {
+            if (!solid) look(pan(view(), dx, dy, scale()));
+            else aim(aside ? slide(camera(), dx, dy, scale()) : orbit(camera(), dx, dy));
+        },
         zoom: (factor, x, y) => {
             const box = frame.getBoundingClientRect();
-            look(zoomAt(view(), factor, x - box.left - size.width / 2, y - box.top - size.height / 2, scale()));
+            const [px, py] = [x - box.left - size.width / 2, y - box.top - size.height / 2];
+            if (solid) aim(zoomed(camera(), factor, px, py, scale()));
+            else look(zoomAt(view(), factor, px, py, scale()));
         },
         fit,
     });
@@ -129,6 +167,7 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
     function keyAction({ key, shiftKey, altKey }) {
         const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[key];
         const by = PAN_STEP * Math.min(size.width, size.height);
+        if (arrow && shiftKey && solid) return () => aim(orbit(camera(), -(arrow[0] ?? 0) * ORBIT_STEP, (arrow[1] ?? 0) * ORBIT_STEP));
         if (arrow && shiftKey) return () => look(pan(view(), -(arrow[0] ?? 0) * by, (arrow[1] ?? 0) * by, scale()));
         const turn = altKey ? 0.1 : 1;
         if (arrow && !keys().includes(arrow[0] ? 'angle' : 'iterations')) return undefined;
@@ -166,12 +205,23 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
 
         /** @param {import('./state.js').State} state @param {import('./state.js').State | null} before */
         show(state, before) {
-            setText(html('zoom'), zoomText(view().zoom));
-            button('fit').setAttribute('aria-pressed', String(state.view === null));
-            if (before && before.view === state.view) return;
+            setText(html('zoom'), zoomText((solid ? camera() : view()).zoom));
+            button('fit').setAttribute('aria-pressed', String(solid ? isWhole(camera()) : state.view === null));
+            if (before && before.view === state.view && before.camera === state.camera) return;
             place();
-            engine.look(resolution(), view());
+            engine.look(resolution(), view(), camera());
         },
+
+        /** Learns whether the drawing is one in space. @param {import('./engine.js').Report} report */
+        report(report) {
+            if (!report.ok || solid === report.solid) return;
+            solid = report.solid;
+            frame.classList.toggle('solid', solid);
+            this.show(store.state, null);
+        },
+
+        /** Goes round a drawing in space. @param {Camera} target */
+        glide: glideRound,
 
         growing,
 
@@ -193,7 +243,7 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
 /**
  * Pointer, wheel and pinch, as drags and zooms in client coordinates.
  * @param {HTMLElement} element
- * @param {{takes: (event: PointerEvent | WheelEvent) => boolean, drag: (dx: number, dy: number) => void, zoom: (factor: number, x: number, y: number) => void, fit: () => void}} act
+ * @param {{takes: (event: PointerEvent | WheelEvent) => boolean, drag: (dx: number, dy: number, aside: boolean) => void, zoom: (factor: number, x: number, y: number) => void, fit: () => void}} act
  */
 function gestures(element, { takes, drag, zoom, fit }) {
     /** @type {Map<number, {x: number, y: number}>} */
@@ -211,10 +261,10 @@ function gestures(element, { takes, drag, zoom, fit }) {
         const now = { x: event.clientX, y: event.clientY };
         pointers.set(event.pointerId, now);
         const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
-        if (!other) return drag(now.x - was.x, now.y - was.y);
+        if (!other) return drag(now.x - was.x, now.y - was.y, event.shiftKey);
         const apart = (/** @type {{x: number, y: number}} */ a) => Math.hypot(a.x - other.x, a.y - other.y);
         const middle = (/** @type {{x: number, y: number}} */ a) => ({ x: (a.x + other.x) / 2, y: (a.y + other.y) / 2 });
-        drag(middle(now).x - middle(was).x, middle(now).y - middle(was).y);
+        drag(middle(now).x - middle(was).x, middle(now).y - middle(was).y, true);
         if (apart(was) > 1 && apart(now) > 1) zoom(apart(now) / apart(was), middle(now).x, middle(now).y);
     });
     /** @param {PointerEvent} event */

@@ -43,13 +43,22 @@
  * @property {number} minWidth
  */
 
-/** @typedef {Definition & {view: View | null}} State `view` is null while the picture is fitted. */
+/**
+ * From where a drawing in space is looked at. `azimuth` and `elevation` in degrees: 0 looks from the front, 90 from the
+ * right and from above; `x`, `y`, `z` move what is in the middle, in fitted extents (the diameter of a ball around the
+ * drawing), in the model's directions; `zoom` 1 is fitted; `fade`, 0 to 1, lets what is far fade into the background.
+ * @typedef {{azimuth: number, elevation: number, zoom: number, x: number, y: number, z: number, perspective: boolean, fade: number}} Camera
+ */
+
+/** @typedef {Definition & {view: View | null, camera: Camera | null}} State `view` and `camera` are null while nobody has moved them. */
 
 export const MAX_ITERATIONS = 1000;
 export const MAX_PALETTE = 32;
 export const MIN_ZOOM = 1e-2;
 /** Where a step of a drawing 10^24 steps wide fills the picture. */
 export const MAX_ZOOM = 1e25;
+/** In space single precision is enough up to here. */
+export const MAX_CAMERA_ZOOM = 1e4;
 
 /** @type {readonly Dialect[]} */
 export const DIALECTS = ['abop', 'every-letter', 'practical', 'lowercase', 'axes'];
@@ -85,6 +94,7 @@ export const DEFAULTS = Object.freeze({
     width: 0,
     minWidth: 1,
     view: null,
+    camera: null,
 });
 
 /**
@@ -121,6 +131,18 @@ const CLEAN = {
     background: colour,
     width: number(0, 1000),
     minWidth: number(0, 100),
+    camera: orNull((value) => {
+        if (typeof value !== 'object' || value === null) return undefined;
+        const { azimuth, elevation, zoom, x, y, z, perspective, fade } = /** @type {Record<string, unknown>} */ (value);
+        const turn = number(-360, 360)(azimuth);
+        const lift = number(-90, 90)(elevation);
+        const scale = number(MIN_ZOOM, MAX_CAMERA_ZOOM)(zoom);
+        const haze = number(0, 1)(fade);
+        const [tx, ty, tz] = [x, y, z].map(number(-100, 100));
+        const numbers = [turn, lift, scale, haze, tx, ty, tz];
+        if (numbers.includes(undefined) || typeof perspective !== 'boolean') return undefined;
+        return /** @type {Camera} */ ({ azimuth: turn, elevation: lift, zoom: scale, x: tx, y: ty, z: tz, perspective, fade: haze });
+    }),
     view: orNull((value) => {
         if (typeof value !== 'object' || value === null) return undefined;
         const { x, y, zoom, fx, fy } = /** @type {Record<string, unknown>} */ (value);
@@ -164,12 +186,12 @@ export function cleanField(field, value) {
 }
 
 /**
- * What the worker, files and the gallery know of a state: all but the view.
+ * What the worker, files and the gallery know of a state: all but the view and the camera.
  * @param {Readonly<State>} state
  * @returns {Definition}
  */
 export function definitionOf(state) {
-    const { view: _, ...definition } = state;
+    const { view: _, camera: __, ...definition } = state;
     return definition;
 }
 
@@ -188,11 +210,11 @@ export function same(a, b) {
  * @param {Readonly<State>} b
  */
 export function sameSystem(a, b) {
-    return FIELDS.every((field) => field === 'view' || same(a[field], b[field]));
+    return FIELDS.every((field) => field === 'view' || field === 'camera' || same(a[field], b[field]));
 }
 
 /** What only captions, inks and views depend on. @type {readonly (keyof State)[]} */
-const LOOKS = ['name', 'title', 'source', 'notes', 'palette', 'colourBy', 'background', 'width', 'minWidth', 'view'];
+const LOOKS = ['name', 'title', 'source', 'notes', 'palette', 'colourBy', 'background', 'width', 'minWidth', 'view', 'camera'];
 
 /**
  * Whether two states draw the same segments.

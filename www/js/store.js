@@ -67,6 +67,15 @@ export function createStore(initial, from = initial) {
         },
 
         /**
+         * Looks at a drawing in space from elsewhere, which is no step to undo.
+         * @param {import('./state.js').Camera | null} camera
+         */
+        aim(camera) {
+            const next = clean({ ...state, camera }, state);
+            if (!same(next.camera, state.camera)) become(next);
+        },
+
+        /**
          * Opens another system: one step to undo, and what Reset returns to.
          * @param {object} values
          * @param {object} [from] what Reset returns to, where it is something else

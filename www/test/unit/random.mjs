@@ -48,6 +48,7 @@ export function randomState(roll) {
         background: colour(),
         width: Math.abs(number()),
         minWidth: Math.abs(number()),
+        camera: roll() < 0.5 ? null : { azimuth: number(), elevation: number(), zoom: 10 ** (roll() * 6 - 2), x: number(), y: number(), z: number(), perspective: roll() < 0.5, fade: roll() },
         view: roll() < 0.5 ? null : { x: number(), y: number(), zoom: 10 ** (roll() * 26 - 2), ...(roll() < 0.5 ? {} : { fx: roll() * 1e-17, fy: -roll() * 1e-17 }) },
     });
 }

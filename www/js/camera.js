@@ -1,0 +1,113 @@
+/** Arithmetic of looking at a drawing in space: orbit, pan, zoom. Pure functions. */
+
+import { MAX_CAMERA_ZOOM, MIN_ZOOM } from './state.js';
+
+/** @typedef {import('./state.js').Camera} Camera */
+/** @typedef {[number, number, number]} Vector */
+
+/** What is shown until the reader moves it; as the core's own. @type {Readonly<Camera>} */
+export const FRONT = Object.freeze({ azimuth: 25, elevation: 12, zoom: 1, x: 0, y: 0, z: 0, perspective: true, fade: 0 });
+
+/** Degrees for a CSS pixel of dragging. */
+const SPEED = 0.4;
+
+/** @param {number} degrees @returns {number} from -180 up to 180 */
+const wrapped = (degrees) => ((((degrees + 180) % 360) + 360) % 360) - 180;
+
+/**
+ * The camera gone round the target, as if the drawing were turned by hand.
+ * @param {Camera} camera
+ * @param {number} dx CSS pixels to the right
+ * @param {number} dy CSS pixels down
+ * @returns {Camera}
+ */
+export function orbit(camera, dx, dy) {
+    return turned(camera, camera.azimuth - dx * SPEED, camera.elevation + dy * SPEED);
+}
+
+/**
+ * The camera looking from another side.
+ * @param {Camera} camera
+ * @param {number} azimuth
+ * @param {number} elevation
+ * @returns {Camera}
+ */
+export function turned(camera, azimuth, elevation) {
+    return { ...camera, azimuth: wrapped(azimuth), elevation: Math.max(-90, Math.min(90, elevation)) };
+}
+
+/**
+ * Right, up and towards the eye, in the directions of the model.
+ * @param {Camera} camera
+ * @returns {[Vector, Vector, Vector]}
+ */
+export function axes({ azimuth, elevation }) {
+    const [a, e] = [(azimuth * Math.PI) / 180, (elevation * Math.PI) / 180];
+    const [sa, ca, se, ce] = [Math.sin(a), Math.cos(a), Math.sin(e), Math.cos(e)];
+    return [[ca, 0, -sa], [-se * sa, ce, -se * ca], [ce * sa, se, ce * ca]];
+}
+
+/**
+ * The camera after the drawing was dragged in the picture's plane.
+ * @param {Camera} camera
+ * @param {number} dx CSS pixels to the right
+ * @param {number} dy CSS pixels down
+ * @param {number} scale CSS pixels per fitted extent at zoom 1
+ * @returns {Camera}
+ */
+export function slide(camera, dx, dy, scale) {
+    const pixels = scale * camera.zoom;
+    return shifted(camera, -dx / pixels, dy / pixels);
+}
+
+/**
+ * The camera after zooming about a point that stays where it is.
+ * @param {Camera} camera
+ * @param {number} factor
+ * @param {number} px CSS pixels right of the canvas's centre
+ * @param {number} py CSS pixels below the canvas's centre
+ * @param {number} scale CSS pixels per fitted extent at zoom 1
+ * @returns {Camera}
+ */
+export function zoomed(camera, factor, px, py, scale) {
+    const zoom = Math.min(MAX_CAMERA_ZOOM, Math.max(MIN_ZOOM, camera.zoom * factor));
+    const by = (1 / camera.zoom - 1 / zoom) / scale;
+    return { ...shifted(camera, px * by, -py * by), zoom };
+}
+
+/**
+ * The camera with its target moved to the right and up in the picture, in fitted extents.
+ * @param {Camera} camera
+ * @param {number} right
+ * @param {number} up
+ * @returns {Camera}
+ */
+function shifted(camera, right, up) {
+    const [r, u] = axes(camera);
+    return { ...camera, x: camera.x + right * r[0] + up * u[0], y: camera.y + right * r[1] + up * u[1], z: camera.z + right * r[2] + up * u[2] };
+}
+
+/**
+ * The camera on the way from one to another, at `t` from 0 to 1, the shorter way round.
+ * @param {Camera} from
+ * @param {Camera} to
+ * @param {number} t
+ * @returns {Camera}
+ */
+export function midway(from, to, t) {
+    const mix = (/** @type {number} */ a, /** @type {number} */ b) => a + (b - a) * t;
+    return {
+        ...turned(to, from.azimuth + wrapped(to.azimuth - from.azimuth) * t, mix(from.elevation, to.elevation)),
+        zoom: from.zoom * (to.zoom / from.zoom) ** t,
+        x: mix(from.x, to.x),
+        y: mix(from.y, to.y),
+        z: mix(from.z, to.z),
+        fade: mix(from.fade, to.fade),
+    };
+}
+
+/** The whole drawing from where the camera is. @param {Camera} camera @returns {Camera} */
+export const whole = (camera) => ({ ...camera, zoom: 1, x: 0, y: 0, z: 0 });
+
+/** Whether the camera shows the whole drawing. @param {Camera} camera */
+export const isWhole = ({ zoom, x, y, z }) => zoom === 1 && x === 0 && y === 0 && z === 0;

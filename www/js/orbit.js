@@ -1,0 +1,98 @@
+/** What the stage has for drawings in space: the axes, perspective, fading with distance, and the turntable. */
+
+import { FRONT, axes, turned } from './camera.js';
+import { button, byId, calm, html, input } from './dom.js';
+
+/** @typedef {import('./state.js').State} State */
+/** @typedef {import('./state.js').Camera} Camera */
+
+/** Degrees in a second: once round in 15. */
+const PACE = 24;
+/** One step of the turntable where the reader wants less motion. */
+const STEP = 30;
+/** The side from which each axis points at the viewer. @type {Record<string, [number, number]>} */
+const SIDES = { x: [90, 0], y: [0, 90], z: [0, 0] };
+/** Length of the gizmo's axes. */
+const ARM = 21;
+
+/**
+ * @param {import('./store.js').Store} store
+ * @param {{glide: (camera: Camera) => void}} stage
+ */
+export function createOrbit(store, stage) {
+    const tools = html('space-tools');
+    const gizmo = byId('gizmo', SVGSVGElement);
+    const turntable = button('turntable');
+    const perspective = button('perspective');
+    const fade = input('fade');
+    let turning = 0;
+    let last = 0;
+
+    const camera = () => store.state.camera ?? FRONT;
+
+    function stop() {
+        cancelAnimationFrame(turning);
+        turning = 0;
+        turntable.setAttribute('aria-pressed', 'false');
+    }
+
+    /** @param {number} now */
+    function turn(now) {
+        const passed = Math.min(100, now - last) / 1000;
+        last = now;
+        store.aim(turned(camera(), camera().azimuth - PACE * passed, camera().elevation));
+        turning = requestAnimationFrame(turn);
+    }
+
+    turntable.addEventListener('click', () => {
+        if (turning) return stop();
+        if (calm()) return store.aim(turned(camera(), camera().azimuth - STEP, camera().elevation));
+        turntable.setAttribute('aria-pressed', 'true');
+        last = performance.now();
+        turning = requestAnimationFrame(turn);
+    });
+    perspective.addEventListener('click', () => store.aim({ ...camera(), perspective: !camera().perspective }));
+    fade.addEventListener('input', () => store.aim({ ...camera(), fade: fade.valueAsNumber / 100 }));
+    for (const knob of gizmo.querySelectorAll('g')) {
+        const side = SIDES[knob.dataset.axis ?? ''];
+        knob.addEventListener('click', () => {
+            if (!side) return;
+            stop();
+            stage.glide(turned(camera(), side[0], side[1]));
+        });
+    }
+
+    /** Turns the gizmo as the drawing is turned, the nearest axis on top. */
+    function draw() {
+        const [right, up, back] = axes(camera());
+        const knobs = [...gizmo.querySelectorAll('g')].map((knob) => {
+            const axis = 'xyz'.indexOf(knob.dataset.axis ?? 'x');
+            return { knob, x: (right[axis] ?? 0) * ARM, y: -(up[axis] ?? 0) * ARM, near: back[axis] ?? 0 };
+        });
+        knobs.sort((a, b) => a.near - b.near);
+        for (const [place, { knob, x, y, near }] of knobs.entries()) {
+            for (const [name, value] of Object.entries({ x2: x, y2: y })) knob.querySelector('line')?.setAttribute(name, value.toFixed(2));
+            for (const [name, value] of Object.entries({ cx: x, cy: y })) knob.querySelector('circle')?.setAttribute(name, value.toFixed(2));
+            for (const [name, value] of Object.entries({ x, y })) knob.querySelector('text')?.setAttribute(name, value.toFixed(2));
+            knob.setAttribute('opacity', (0.7 + 0.3 * near).toFixed(2));
+            if (gizmo.children[place] !== knob) gizmo.insertBefore(knob, gizmo.children[place] ?? null);
+        }
+    }
+
+    return {
+        /** @param {import('./engine.js').Report} report */
+        report({ ok, solid }) {
+            if (!ok) return;
+            tools.hidden = !solid;
+            if (!solid) stop();
+            else draw();
+        },
+        /** @param {Readonly<State>} state @param {Readonly<State> | null} before */
+        show(state, before) {
+            perspective.setAttribute('aria-pressed', String(camera().perspective));
+            const percent = String(Math.round(camera().fade * 100));
+            if (fade.value !== percent) fade.value = percent;
+            if (!tools.hidden && before?.camera !== state.camera) draw();
+        },
+    };
+}

@@ -1,0 +1,83 @@
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+import { DESKTOP, PHONE, close, nextPicture, stillPicture, until, withPage } from './browser.mjs';
+
+after(close);
+
+const TREE = '#v=1&axiom=T&rules=T%20-%3E%20TF%0AF%20-%3E%20F%5B+F%5D%5B-FF%5D%5B%3CF%5D%5B%3EFF%5D%5B%26F%5D&n=4&angle=40&turtle=practical';
+const LEAF = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF&n=4&angle=25';
+
+/** @param {import('playwright-core').Page} page */
+const hash = (page) => page.evaluate(() => location.hash);
+
+/** @param {import('playwright-core').Page} page @param {[number, number]} from @param {[number, number]} to */
+async function drag(page, from, to) {
+    await page.mouse.move(...from);
+    await page.mouse.down();
+    await page.mouse.move(...to, { steps: 4 });
+    await page.mouse.up();
+}
+
+test('a drawing in space is drawn, and the tools for it are there only then', () =>
+    withPage({ hash: TREE }, async (page) => {
+        const tree = await stillPicture(page);
+        assert.ok(tree.ink > 0.003);
+        assert.ok(await page.isVisible('#space-tools'));
+        assert.ok(await page.isDisabled('#open-playback'));
+        await page.evaluate((next) => (location.hash = next), LEAF);
+        await nextPicture(page, tree);
+        await until(async () => !(await page.isVisible('#space-tools')), 'the tools are gone');
+    }));
+
+test('a drag goes round it, Shift and a drag move it, Fit shows it whole, and the link keeps it', () =>
+    withPage({ hash: TREE }, async (page) => {
+        const first = await stillPicture(page);
+        await drag(page, [500, 400], [620, 430]);
+        const round = await nextPicture(page, first);
+        await until(async () => /camera=/.test(await hash(page)), 'the link has the camera');
+        await page.keyboard.down('Shift');
+        await drag(page, [500, 400], [600, 350]);
+        await page.keyboard.up('Shift');
+        const moved = await nextPicture(page, round);
+        await page.focus('#drawing');
+        await page.keyboard.press('+');
+        const near = await nextPicture(page, moved);
+        await page.click('#fit');
+        assert.equal((await nextPicture(page, near)).digest, round.digest);
+        await page.focus('#drawing');
+        await page.keyboard.press('Shift+ArrowLeft');
+        await nextPicture(page, round);
+    }));
+
+test('perspective, fading and the turntable change the picture', () =>
+    withPage({ hash: TREE }, async (page) => {
+        const first = await stillPicture(page);
+        await page.click('#perspective');
+        assert.equal(await page.getAttribute('#perspective', 'aria-pressed'), 'false');
+        const flat = await nextPicture(page, first);
+        await page.fill('#fade', '80');
+        const faded = await nextPicture(page, flat);
+        // Motion is reduced here: a step at a time.
+        await page.click('#turntable');
+        await nextPicture(page, faded);
+        assert.equal(await page.getAttribute('#turntable', 'aria-pressed'), 'false');
+    }));
+
+test('the turntable turns until it is told to stop', () =>
+    withPage({ hash: TREE, options: { ...DESKTOP, reducedMotion: 'no-preference' } }, async (page) => {
+        await stillPicture(page);
+        await page.click('#turntable');
+        assert.equal(await page.getAttribute('#turntable', 'aria-pressed'), 'true');
+        await page.waitForTimeout(500);
+        await page.click('#turntable');
+        const there = await stillPicture(page);
+        assert.equal((await stillPicture(page)).digest, there.digest);
+        await until(async () => /camera=/.test(await hash(page)), 'the link has the camera');
+    }));
+
+test('it works on a phone', () =>
+    withPage({ hash: TREE, options: PHONE }, async (page) => {
+        const first = await stillPicture(page);
+        await page.locator('#turntable').tap();
+        await nextPicture(page, first);
+    }));

@@ -1,0 +1,68 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { FRONT, axes, isWhole, midway, orbit, slide, turned, whole, zoomed } from '../../js/camera.js';
+import { clean } from '../../js/state.js';
+import { dice } from './random.mjs';
+
+/** @typedef {import('../../js/state.js').Camera} Camera */
+
+/** Where a point, in fitted extents, is seen without perspective: CSS pixels right of and above the middle. @param {Camera} camera @param {number[]} point */
+function seen(camera, point, scale = 700) {
+    const away = [camera.x, camera.y, camera.z].map((c, i) => Number(point[i]) - c);
+    return axes(camera).slice(0, 2).map((axis) => scale * camera.zoom * axis.reduce((sum, c, i) => sum + c * Number(away[i]), 0));
+}
+
+/** @param {() => number} roll @returns {Camera} */
+const random = (roll) => ({ azimuth: roll() * 360 - 180, elevation: roll() * 180 - 90, zoom: 10 ** (roll() * 4 - 1), x: roll() - 0.5, y: roll() - 0.5, z: roll() - 0.5, perspective: roll() < 0.5, fade: roll() });
+
+/** @param {number[]} a @param {number[]} b @param {number} within */
+const near = (a, b, within) => a.forEach((value, i) => assert.ok(Math.abs(value - Number(b[i])) <= within, `${a} is not ${b}`));
+
+test('axes are at right angles, and up is never below the level', () => {
+    const roll = dice(1);
+    near(axes({ ...FRONT, azimuth: 0, elevation: 0 }).flat(), [1, 0, 0, 0, 1, 0, 0, 0, 1], 1e-12);
+    near(axes({ ...FRONT, azimuth: 90, elevation: 0 })[2], [1, 0, 0], 1e-12);
+    for (let round = 0; round < 200; round++) {
+        const [r, u, b] = axes(random(roll));
+        const dot = (/** @type {number[]} */ p, /** @type {number[]} */ q) => p.reduce((sum, c, i) => sum + c * Number(q[i]), 0);
+        near([dot(r, r), dot(u, u), dot(b, b), dot(r, u), dot(u, b), dot(b, r)], [1, 1, 1, 0, 0, 0], 1e-12);
+        assert.ok(u[1] > -1e-12);
+    }
+});
+
+test('what is slid goes with the pointer, and a zoom keeps the point under it', () => {
+    const roll = dice(2);
+    for (let round = 0; round < 200; round++) {
+        const camera = random(roll);
+        const point = [roll() - 0.5, roll() - 0.5, roll() - 0.5];
+        const [x, y] = seen(camera, point);
+        near(seen(slide(camera, 30, -20, 700), point), [Number(x) + 30, Number(y) + 20], 1e-6 * camera.zoom);
+        near(seen(zoomed(camera, 1.7, Number(x), -Number(y), 700), point), [Number(x), Number(y)], 1e-6 * camera.zoom);
+    }
+});
+
+test('a drag to the right shows what was on the left; the poles are as far as it goes', () => {
+    assert.ok(orbit(FRONT, 10, 0).azimuth < FRONT.azimuth);
+    assert.ok(orbit(FRONT, 0, 10).elevation > FRONT.elevation);
+    assert.equal(orbit(FRONT, 0, 1e6).elevation, 90);
+    assert.equal(turned(FRONT, 190, 0).azimuth, -170);
+});
+
+test('on the way round the shorter way is taken, and both ends are reached', () => {
+    const roll = dice(3);
+    const [from, to] = [turned(FRONT, 170, 0), turned(FRONT, -170, 0)];
+    assert.equal(Math.abs(midway(from, to, 0.5).azimuth), 180);
+    for (let round = 0; round < 100; round++) {
+        const [a, b] = [random(roll), random(roll)];
+        const numbers = (/** @type {Camera} */ c) => [c.elevation, c.zoom, c.x, c.y, c.z, c.fade, ...axes(c).flat()];
+        near(numbers(midway(a, b, 0)), numbers(a), 1e-9 * a.zoom + 1e-9);
+        near(numbers(midway(a, b, 1)), numbers(b), 1e-9 * b.zoom + 1e-9);
+    }
+    assert.ok(isWhole(whole(random(roll))) && !isWhole(zoomed(FRONT, 2, 0, 0, 700)));
+});
+
+test('a camera of unknown origin is valid or none', () => {
+    assert.deepEqual(clean({ camera: FRONT }).camera, FRONT);
+    assert.deepEqual(clean({ camera: { ...FRONT, elevation: 500, zoom: 1e99, fade: 7 } }).camera, { ...FRONT, elevation: 90, zoom: 1e4, fade: 1 });
+    for (const nonsense of [1, 'x', {}, { ...FRONT, azimuth: NaN }, { ...FRONT, perspective: 1 }]) assert.equal(clean({ camera: nonsense }).camera, null);
+});
