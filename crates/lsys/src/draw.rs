@@ -65,6 +65,10 @@ fn form(input: &Input, format: Format) -> Result<Vec<u8>, Failure> {
     let title = [&input.definition.title, &input.definition.name].into_iter().find(|title| !title.is_empty());
     let name = title.map_or("", String::as_str);
     match format {
+        Format::Png(size) if system.is_solid() => {
+            picture::solid_png(solid()?, style, size, &write_json(&input.definition))
+                .map_err(|error| Failure::Words(format!("PNG: {error}")))
+        }
         Format::Png(size) => picture::png(drawing()?, style, size, &write_json(&input.definition))
             .map_err(|error| Failure::Words(format!("PNG: {error}"))),
         Format::Obj => Ok(write_obj(&mesh(&solid()?)?, name).into_bytes()),

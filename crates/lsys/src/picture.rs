@@ -2,7 +2,9 @@
 
 use crate::args::Size;
 use crate::progress::Progress as Bar;
-use lsystem::{Drawing, Progress, Renderer, Style, View, Viewport, fit, tag_png};
+use lsystem::{
+    Camera, Drawing, Progress, Quality, Renderer, Solid, SolidRenderer, Style, View, Viewport, fit, tag_png,
+};
 use std::sync::Arc;
 
 /// The longer side where no size is asked for, and the one at which a stroke's least width is in pixels.
@@ -32,6 +34,33 @@ pub(crate) fn png(
     while renderer.step(WORK) == Progress::More {
         bar.at(0);
     }
+    encode(renderer.pixels(), Size { width, height }, system)
+}
+
+/// As [`png`], of a drawing in space, seen from where the page looks at it first.
+///
+/// # Errors
+/// Those of the encoder, which writes to memory.
+pub(crate) fn solid_png(
+    drawing: Drawing<Solid>,
+    style: &Style,
+    size: Option<Size>,
+    system: &str,
+) -> Result<Vec<u8>, png::EncodingError> {
+    let Size { width, height } = size.unwrap_or(Size { width: USUAL, height: USUAL });
+    let ratio = (f64::from(width.max(height)) / f64::from(USUAL)).max(1.0);
+    let mut renderer = SolidRenderer::new();
+    renderer.load(Arc::new(drawing));
+    renderer.begin(style, Viewport { width, height, ratio }, &Camera::default(), Quality::FINEST);
+    let mut bar = Bar::new("picture", 0);
+    while renderer.step(WORK) == Progress::More {
+        bar.at(0);
+    }
+    encode(renderer.pixels(), Size { width, height }, system)
+}
+
+/// Opaque RGBA pixels as a file that carries its `system`.
+fn encode(pixels: &[u8], Size { width, height }: Size, system: &str) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(png::ColorType::Rgb);
@@ -39,7 +68,7 @@ pub(crate) fn png(
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     let mut writer = encoder.write_header()?;
     // The renderer's pixels are opaque.
-    let rgb: Vec<u8> = renderer.pixels().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
+    let rgb: Vec<u8> = pixels.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
     writer.write_image_data(&rgb)?;
     writer.finish()?;
     Ok(tag_png(&bytes, system).unwrap_or(bytes))
