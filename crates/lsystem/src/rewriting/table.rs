@@ -9,12 +9,12 @@ use super::rules::{ContextPattern, LetterId, Rules};
 pub(super) struct Table {
     /// How many bits tell neighbours apart.
     bits: u32,
-    /// The successor's place.
-    chosen: Vec<u16>,
-    successors: Vec<Successor>,
+    /// The successor's place, and how many letters it has.
+    chosen: Vec<(u16, u16)>,
+    successors: Vec<[LetterId; LONGEST]>,
     /// By letter: what it does to neighbours in the pass to the left, and to the right.
-    leftward: Vec<Turn>,
-    rightward: Vec<Turn>,
+    leftward: Turns,
+    rightward: Turns,
 }
 
 /// A table of more letters would not stay in the nearest cache.
@@ -26,31 +26,30 @@ const LONGEST: usize = 8;
 /// Modules whose successors are put together before they are appended: they stay in the nearest cache.
 const BATCH: usize = 512;
 
-#[derive(Clone, Copy, Debug)]
-struct Successor {
-    letters: [LetterId; LONGEST],
-    length: u8,
+/// What letters do to the nearest neighbour that those behind them see: `nearest & keep | put`, which needs no decision,
+/// unless a bracket says otherwise.
+#[derive(Clone, Debug)]
+struct Turns {
+    keep: [u8; MAX_LETTERS],
+    /// By letter: what the nearest is from now on; [`BEGIN`] or [`END`] for a bracket.
+    put: [u8; MAX_LETTERS],
+    /// What is kept of the nearest inside of a branch, which sees it where it is the way to the root.
+    inside: u8,
 }
 
-/// What a letter does to the nearest neighbour that those behind it see.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Turn {
-    /// It is kept or replaced: `nearest & keep | put`, which needs no decision.
-    Pass { keep: u8, put: u8 },
-    /// A branch begins: the nearest waits for its end, and is seen inside where it is the way to the root.
-    Begin { keep: u8 },
-    /// A branch ends: the nearest is again what it was before.
-    End,
-}
+/// A branch begins: the nearest waits for its end.
+const BEGIN: u8 = 0x80;
+/// A branch ends: the nearest is again what it was before.
+const END: u8 = 0x81;
 
 /// The neighbours of a word's modules as letters, each one more than the letter, or 0 for none.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sides {
     /// By module, in a pass to the left: what is to the right of it.
     right: Vec<u8>,
+    nearest: u8,
     /// What waits for the ends of open branches.
     open: Vec<u8>,
-    nearest: u8,
     /// Room for successors.
     made: Vec<LetterId>,
 }
@@ -64,21 +63,38 @@ impl Sides {
 
     /// Starts a pass.
     pub(super) fn turn(&mut self) {
-        self.open.clear();
         self.nearest = 0;
+        self.open.clear();
     }
 }
 
-/// Goes by a letter.
-#[inline]
-fn pass(nearest: &mut u8, open: &mut Vec<u8>, turn: Turn) {
-    match turn {
-        Turn::Pass { keep, put } => *nearest = *nearest & keep | put,
-        Turn::Begin { keep } => {
-            open.push(*nearest);
-            *nearest &= keep;
+impl Turns {
+    /// Of the pass where `begin` begins a branch.
+    fn new(roles: &[Role], begin: Role, inside: u8) -> Self {
+        let mut turns = Self { keep: [0; MAX_LETTERS], put: [0; MAX_LETTERS], inside };
+        for (letter, &role) in roles.iter().enumerate() {
+            (turns.keep[letter], turns.put[letter]) = match role {
+                Role::Seen => (0, letter as u8 + 1),
+                Role::Ignored => (u8::MAX, 0),
+                _ if role == begin => (0, BEGIN),
+                Role::Open | Role::Close => (0, END),
+            };
         }
-        Turn::End => *nearest = open.pop().unwrap_or(0),
+        turns
+    }
+
+    /// What is nearest behind a letter.
+    #[inline(always)]
+    fn pass(&self, nearest: u8, letter: LetterId, open: &mut Vec<u8>) -> u8 {
+        let letter = usize::from(letter) % MAX_LETTERS;
+        match self.put[letter] {
+            BEGIN => {
+                open.push(nearest);
+                nearest & self.inside
+            }
+            END => open.pop().unwrap_or(0),
+            put => nearest & self.keep[letter] | put,
+        }
     }
 }
 
@@ -93,22 +109,13 @@ impl Table {
         // One more than the letters: 0 stands for no neighbour.
         let bits = usize::BITS - letters.leading_zeros();
         // Letters stay where nothing else is said.
-        let stay = |letter: usize| Successor { letters: [letter as LetterId; LONGEST], length: 1 };
-        let turns = |begin: Role, keep: u8| -> Vec<Turn> {
-            let turn = |(letter, &role): (usize, &Role)| match role {
-                Role::Seen => Turn::Pass { keep: 0, put: letter as u8 + 1 },
-                Role::Ignored => Turn::Pass { keep: u8::MAX, put: 0 },
-                Role::Open | Role::Close if role == begin => Turn::Begin { keep },
-                Role::Open | Role::Close => Turn::End,
-            };
-            roles.iter().enumerate().map(turn).collect()
-        };
+        let stay = |letter: usize| [letter as LetterId; LONGEST];
         let mut table = Self {
             bits,
-            chosen: (0..letters << (2 * bits)).map(|slot| (slot >> (2 * bits)) as u16).collect(),
+            chosen: (0..letters << (2 * bits)).map(|slot| ((slot >> (2 * bits)) as u16, 1)).collect(),
             successors: (0..letters).map(stay).collect(),
-            leftward: turns(Role::Close, 0),
-            rightward: turns(Role::Open, u8::MAX),
+            leftward: Turns::new(roles, Role::Close, 0),
+            rightward: Turns::new(roles, Role::Open, u8::MAX),
         };
         for (letter, by_letter) in rules.by_letter.iter().enumerate() {
             // The first that applies decides.
@@ -116,7 +123,7 @@ impl Table {
                 let number = u16::try_from(table.successors.len()).ok()?;
                 let mut letters = [0; LONGEST];
                 letters[..rule.successor.letters.len()].copy_from_slice(&rule.successor.letters);
-                table.successors.push(Successor { letters, length: rule.successor.letters.len() as u8 });
+                table.successors.push(letters);
                 let left = rule.left.first().map(|&letter| usize::from(letter) + 1);
                 let right = rule.right.first().and_then(|pattern| match pattern {
                     ContextPattern::Letter(letter) => Some(usize::from(*letter) + 1),
@@ -124,7 +131,7 @@ impl Table {
                 });
                 for l in left.map_or(0..1 << bits, |l| l..l + 1) {
                     for r in right.map_or(0..1 << bits, |r| r..r + 1) {
-                        table.chosen[(letter << bits | l) << bits | r] = number;
+                        table.chosen[(letter << bits | l) << bits | r] = (number, rule.successor.letters.len() as u16);
                     }
                 }
             }
@@ -136,11 +143,10 @@ impl Table {
     /// to the right.
     pub(super) fn leftward(&self, letters: &[LetterId], start: usize, sides: &mut Sides) {
         let Sides { right, open, nearest, .. } = sides;
-        let right = &mut right[start..start + letters.len()];
         let mut near = *nearest;
-        for (&letter, right) in letters.iter().zip(right).rev() {
+        for (&letter, right) in letters.iter().zip(&mut right[start..start + letters.len()]).rev() {
             *right = near;
-            pass(&mut near, open, self.leftward[usize::from(letter)]);
+            near = self.leftward.pass(near, letter, open);
         }
         *nearest = near;
     }
@@ -157,23 +163,24 @@ impl Table {
     ) {
         if !contexts {
             for &letter in letters {
-                let successor = &self.successors[usize::from(self.chosen[usize::from(letter) << (2 * self.bits)])];
-                next.extend_from_slice(&successor.letters[..usize::from(successor.length)]);
+                let (successor, length) = self.chosen[usize::from(letter) << (2 * self.bits)];
+                next.extend_from_slice(&self.successors[usize::from(successor)][..usize::from(length)]);
             }
             return;
         }
         let Sides { right, open, nearest, made } = sides;
         made.resize((BATCH + 1) * LONGEST, 0);
-        let bits = self.bits;
+        let made = made.as_mut_slice();
+        let (bits, chosen, successors) = (self.bits, self.chosen.as_slice(), self.successors.as_slice());
         let mut near = *nearest;
-        for (batch, right) in letters.chunks(BATCH).zip(right[start..].chunks(BATCH)) {
+        for (letters, right) in letters.chunks(BATCH).zip(right[start..].chunks(BATCH)) {
             let mut at = 0;
-            for (&letter, &right) in batch.iter().zip(right) {
+            for (&letter, &right) in letters.iter().zip(right) {
                 let slot = (usize::from(letter) << bits | usize::from(near)) << bits | usize::from(right);
-                let successor = &self.successors[usize::from(self.chosen[slot])];
-                made[at..at + LONGEST].copy_from_slice(&successor.letters);
-                at += usize::from(successor.length);
-                pass(&mut near, open, self.rightward[usize::from(letter)]);
+                let (successor, length) = chosen[slot];
+                made[at..at + LONGEST].copy_from_slice(&successors[usize::from(successor)]);
+                at += usize::from(length);
+                near = self.rightward.pass(near, letter, open);
             }
             next.extend_from_slice(&made[..at]);
         }
