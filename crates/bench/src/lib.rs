@@ -1,5 +1,6 @@
 //! Measurements: the same work by this library, by others, and by a plain copy of as many bytes.
 
+mod growth;
 mod row;
 mod work;
 
@@ -8,5 +9,6 @@ mod pictures;
 #[cfg(target_arch = "wasm32")]
 mod web;
 
+pub use growth::{GROWTHS, Growth};
 pub use row::{Row, tables};
 pub use work::{Buffers, WORKS, Work};

@@ -20,7 +20,7 @@ fn main() {}
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
     use crate::peers;
-    use bench::{Buffers, Row, WORKS, Work};
+    use bench::{Buffers, GROWTHS, Growth, Row, WORKS, Work};
     use std::hint::black_box;
     use std::time::{Duration, Instant};
 
@@ -37,6 +37,9 @@ mod native {
         for work in &WORKS {
             drawing(work, &mut buffers, &mut rows);
         }
+        for growth in &GROWTHS {
+            derivation(growth, &mut rows);
+        }
         rows
     }
 
@@ -51,7 +54,8 @@ mod native {
     }
 
     fn expansion(work: &Work, buffers: &mut Buffers, rows: &mut Vec<Row>) {
-        let mut add = |who: &str, run: &mut dyn FnMut() -> u64| rows.push(best(EXPANSION, work, who, run));
+        let name = name(work.name, work.n);
+        let mut add = |who: &str, run: &mut dyn FnMut() -> u64| rows.push(best(EXPANSION, &name, who, run));
         let system = work.system();
         add("ours", &mut || buffers.expand(&system, work.n));
         add("copy", &mut || buffers.copy_text());
@@ -67,7 +71,8 @@ mod native {
 
     /// The peer's derivation is done before, and not measured.
     fn drawing(work: &Work, buffers: &mut Buffers, rows: &mut Vec<Row>) {
-        let mut add = |who: &str, run: &mut dyn FnMut() -> u64| rows.push(best(DRAWING, work, who, run));
+        let name = name(work.name, work.n);
+        let mut add = |who: &str, run: &mut dyn FnMut() -> u64| rows.push(best(DRAWING, &name, who, run));
         let system = work.system();
         add("ours", &mut || buffers.draw(&system, work.n));
         add("ours, in chunks", &mut || buffers.draw_in_chunks(&system, work.n));
@@ -77,9 +82,25 @@ mod native {
         add("dcc-lsystem 0.6", &mut || peers::dcc_lines(work, &peer));
     }
 
+    /// Of the peers only one computes with parameters, and none looks around itself.
+    fn derivation(growth: &Growth, rows: &mut Vec<Row>) {
+        let name = name(growth.name, growth.n);
+        let mut add = |who: &str, run: &mut dyn FnMut() -> u64| rows.push(best(growth.what, &name, who, run));
+        let rules = growth.compile();
+        add("ours", &mut || growth.derive(&rules));
+        if growth.name == "2.6a" {
+            let tree = peers::tree();
+            add("lindenmayer-system 0.3", &mut || peers::derive_tree(&tree, growth.n, growth.modules));
+        }
+    }
+
+    fn name(work: &str, n: u32) -> String {
+        format!("{work}, n = {n}")
+    }
+
     /// The best of at least three batches and half a second: what disturbs a run only ever makes it slower. A batch
     /// takes 20 ms or more, as in the browser.
-    fn best(what: &str, work: &Work, who: &str, run: &mut dyn FnMut() -> u64) -> Row {
+    fn best(what: &str, work: &str, who: &str, run: &mut dyn FnMut() -> u64) -> Row {
         let begin = Instant::now();
         let (mut batches, mut seconds, mut amount) = (0, f64::INFINITY, 0);
         while batches < 3 || begin.elapsed() < Duration::from_millis(500) {
@@ -93,7 +114,6 @@ mod native {
             seconds = seconds.min(taken / f64::from(runs));
             batches += 1;
         }
-        let work = format!("{}, n = {}", work.name, work.n);
-        Row { what: what.into(), work, who: who.into(), amount, seconds }
+        Row { what: what.into(), work: work.into(), who: who.into(), amount, seconds }
     }
 }

@@ -3,6 +3,9 @@
 use bench::Work;
 use dcc_lsystem::renderer::{DataRendererOptions, Renderer, TurtleRenderer};
 use dcc_lsystem::turtle::{TurtleAction, TurtleLSystemBuilder, TurtleLSystemState};
+use expression::cond::Cond;
+use expression_num::NumExpr;
+use lindenmayer_system::parametric::{PRule, PSym, PSystem, ParametricSymbol, ParametricSystem};
 
 /// `lindenmayer`: strings only.
 pub(crate) fn lindenmayer(work: &Work) -> lindenmayer::LSystem {
@@ -32,4 +35,39 @@ pub(crate) fn dcc(work: &Work) -> (dcc_lsystem::LSystem, TurtleRenderer<TurtleLS
 /// How many lines a derived system draws. A renderer serves once.
 pub(crate) fn dcc_lines(work: &Work, system: &dcc_lsystem::LSystem) -> u64 {
     dcc(work).1.render(system, &DataRendererOptions::default()).len() as u64
+}
+
+type Made = PSym<char, NumExpr<f64>>;
+type Grown = PSym<char, f64>;
+/// A system of `lindenmayer-system`.
+pub(crate) type Tree = PSystem<PRule<char, Made, Grown, Cond<NumExpr<f64>>>>;
+
+/// `lindenmayer-system`: ABOP, figure 2.6a.
+pub(crate) fn tree() -> Tree {
+    let made = |symbol: char, arguments: Vec<NumExpr<f64>>| Made::new_from_vec(symbol, arguments).expect("a symbol");
+    let number = |value: f64| vec![NumExpr::Const(value)];
+    let times = |slot: usize, by: f64| NumExpr::Mul(Box::new(NumExpr::Var(slot)), Box::new(NumExpr::Const(by)));
+    let apex = |symbol: char, factor: f64| made(symbol, vec![times(0, factor), times(1, 0.707)]);
+    let start = || vec![made('!', vec![NumExpr::Var(1)]), made('F', vec![NumExpr::Var(0)]), made('[', vec![])];
+    let mut system = Tree::new();
+    let mut add = |symbol: char, branch: Vec<Made>, rest: Vec<Made>| {
+        let successor = start().into_iter().chain(branch).chain([made(']', vec![])]).chain(rest);
+        system.add_rule(PRule::new(symbol, Cond::True, successor.collect(), 2));
+    };
+    add('A', vec![made('&', number(45.0)), apex('B', 0.6)], vec![made('/', number(137.5)), apex('A', 0.9)]);
+    add('B', vec![made('-', number(45.0)), made('$', vec![]), apex('C', 0.6)], vec![apex('C', 0.9)]);
+    add('C', vec![made('+', number(45.0)), made('$', vec![]), apex('B', 0.6)], vec![apex('B', 0.9)]);
+    system
+}
+
+/// Derives it `n` times; how many modules were read on the way.
+pub(crate) fn derive_tree(tree: &Tree, n: u32, modules: u64) -> u64 {
+    let mut word = vec![Grown::new_from_vec('A', vec![1.0, 10.0]).expect("a symbol")];
+    let mut read = 0;
+    for _ in 0..n {
+        read += word.len() as u64;
+        word = tree.develop_next(&word).0;
+    }
+    assert_eq!(word.len() as u64, modules);
+    read
 }

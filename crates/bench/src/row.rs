@@ -42,7 +42,7 @@ fn table(text: &mut String, title: &str, rows: &[&Row]) {
         let (first, rest) = cells.split_first().expect("a table has columns");
         let _ = write!(text, "{first:32}");
         rest.iter().for_each(|cell| {
-            let _ = write!(text, "{cell:>20}");
+            let _ = write!(text, "{cell:>24}");
         });
         text.push('\n');
     };

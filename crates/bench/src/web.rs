@@ -1,7 +1,7 @@
 //! The same measurements for a browser's script to time.
 
-use crate::{Buffers, WORKS, Work};
-use lsystem::System;
+use crate::{Buffers, GROWTHS, Growth, WORKS, Work};
+use lsystem::{Rules, System};
 use wasm_bindgen::prelude::*;
 
 /// One work with its system and buffers.
@@ -62,5 +62,36 @@ impl Bench {
     #[must_use]
     pub fn text(&self) -> String {
         self.buffers.text.clone()
+    }
+}
+
+/// One derivation with its rules.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Derivation {
+    growth: Growth,
+    rules: Rules,
+}
+
+#[wasm_bindgen]
+impl Derivation {
+    /// The derivation at `index`, or nothing after the last.
+    #[must_use]
+    pub fn at(index: usize) -> Option<Self> {
+        let growth = *GROWTHS.get(index)?;
+        Some(Self { growth, rules: growth.compile() })
+    }
+
+    /// As JSON: what it measures, name, axiom, n, modules of that generation.
+    #[must_use]
+    pub fn work(&self) -> String {
+        let Growth { name, what, axiom, n, modules, .. } = self.growth;
+        serde_json::json!({"what": what, "name": name, "axiom": axiom, "n": n, "modules": modules}).to_string()
+    }
+
+    /// Derives; how many modules were read on the way.
+    #[must_use]
+    pub fn derive(&self) -> f64 {
+        self.growth.derive(&self.rules) as f64
     }
 }

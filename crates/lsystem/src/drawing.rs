@@ -16,6 +16,7 @@ mod hull;
 mod materialise;
 mod modules;
 mod outline;
+mod parametric;
 mod pick;
 mod projection;
 mod segments;

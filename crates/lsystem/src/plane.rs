@@ -25,6 +25,7 @@ impl Space for Plane {
 
     const AHEAD: Heading = Heading::EAST;
     const AXES: (f64, f64) = (1.0, 0.0);
+    const LEVEL: bool = true;
     const ITEM: u64 = 16;
 
     fn directions() -> Directions {

@@ -23,6 +23,7 @@ impl Space for Solid {
     const AHEAD: Rotation = Rotation::NONE;
     const AXES: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     // Bodies take ten times as long as hulls of polygons.
+    const LEVEL: bool = false;
     const ITEM: u64 = 160;
 
     fn directions() {}

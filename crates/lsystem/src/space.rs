@@ -24,6 +24,8 @@ pub trait Space: Copy + Debug + PartialEq + 'static {
     const AHEAD: Self::Turn;
     /// The axes of [`Space::AHEAD`].
     const AXES: Self::Axes;
+    /// Whether the turtle's left is always level, so that to roll upright is nothing.
+    const LEVEL: bool;
     /// What making one item of a block costs, in letters derived.
     const ITEM: u64;
 

@@ -167,6 +167,19 @@ impl Turtle {
 }
 
 impl<S: Space> Score<S> {
+    /// Whether a letter goes anywhere.
+    pub(crate) fn goes(&self, letter: crate::SymbolId) -> bool {
+        self.ops[usize::from(letter)].iter().any(|op| matches!(op, Op::Draw(_) | Op::Move(_)))
+    }
+
+    /// What a letter does; with the `number` of a module's first argument in the place of its first action's.
+    pub(crate) fn ops_of(&self, turtle: &Turtle, letter: usize, number: Option<f64>) -> impl Iterator<Item = Op<S>> {
+        self.ops[letter].iter().enumerate().map(move |(index, &op)| match number {
+            Some(number) if index == 0 => self.op(turtle, turtle.actions[letter][0].with(number)),
+            _ => op,
+        })
+    }
+
     /// A further action of the turtle that this is the score of; its length may be above 1.
     pub(crate) fn op(&self, turtle: &Turtle, action: Action) -> Op<S> {
         turtle.op(action).scaled(-self.exponent)

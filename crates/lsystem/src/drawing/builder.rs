@@ -45,7 +45,7 @@ impl<S: Space> Builder<S> {
     pub(crate) fn block(&mut self, items: &[Item<S>], exponent: i32) -> Option<BlockId> {
         match *items {
             [] => return None,
-            [Item::Block(only)] if only.is_plain(self) => return Some(only.block),
+            [Item::Block(only)] if only.is_plain(self, exponent) => return Some(only.block),
             _ => {}
         }
         let (mut segments, mut widest) = (0_u128, WidthChange { factor: 0.0, offset: 0.0 });
@@ -83,10 +83,11 @@ impl<S: Space> Builder<S> {
 }
 
 impl<S: Space> Placed<S> {
-    /// Whether it is placed where the containing block begins, with nothing changed.
-    fn is_plain(&self, builder: &Builder<S>) -> bool {
+    /// Whether it is placed where the containing block, in units of `2^exponent` steps, begins, with nothing changed.
+    fn is_plain(&self, builder: &Builder<S>, exponent: i32) -> bool {
+        let same = libm::scalbn(1.0, builder.blocks[self.block.0 as usize].exponent.saturating_sub(exponent));
         let style = &builder.styles.list[self.style.0 as usize];
-        self.at == S::Point::default() && self.heading == S::AHEAD && *style == StyleChange::NONE
+        self.scale == same && self.at == S::Point::default() && self.heading == S::AHEAD && *style == StyleChange::NONE
     }
 }
 

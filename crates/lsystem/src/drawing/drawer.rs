@@ -5,12 +5,14 @@ use super::builder::Builder;
 use super::graph::{self, Level, Plan};
 use super::materialise::{Materialiser, Outcome};
 use super::modules::{self, Modular};
+use super::parametric::{self, Parametric};
 use super::{BlockId, Drawing};
 use crate::derivation::limit;
 use crate::space::Axis;
 use crate::turtle::Score;
 use crate::{
-    Diagnostic, LimitName, Limits, MAX_ITERATIONS, Plane, Program, Progress, Rewrite, Space, SymbolId, System, Turtle,
+    Diagnostic, Kind, LimitName, Limits, MAX_ITERATIONS, Plane, Program, Progress, Rewrite, Rules, Space, SymbolId,
+    System, Turtle,
 };
 use std::sync::OnceLock;
 
@@ -35,6 +37,8 @@ pub struct Drawer<S: Space = Plane> {
     n: u32,
     limits: Limits,
     builder: Builder<S>,
+    /// The largest n that memoises within the limits, where that has been too much.
+    memoised: Option<u32>,
     /// The symbols of the generation, where it has been gone through.
     symbols: Option<u64>,
     state: State<S>,
@@ -53,6 +57,8 @@ enum State<S: Space> {
     Forecast(Forecast),
     /// Deriving and drawing letter by letter.
     Materialise(Box<Materialiser<S>>),
+    /// Planning states of modules with parameters, and making their pieces.
+    Parametric(Box<Parametric<S>>),
     /// Deriving whole generations, and drawing the last.
     Modules(Box<Modular<S>>),
     /// A limit was passed: finding the largest n that is within.
@@ -79,14 +85,14 @@ impl<S: Space> Drawer<S> {
         // What is drawn below `draw:` is in no generation.
         let reachable = if system.rules.is_some() { vec![true; turtle.actions.len()] } else { program.reachable() };
         let score = turtle.score(&reachable);
-        let memoises = system.rules.is_none() && graph::memoises(&program, &score);
+        let memoises = match &system.rules {
+            None => graph::memoises(&program, &score),
+            Some(rules) => parametric::memoises(rules, &score),
+        };
         let state = if n > MAX_ITERATIONS {
             State::Failed(limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)))
         } else if let Some(rules) = &system.rules {
-            match Modular::new(rules, seed, &limits) {
-                Ok(modular) => State::Modules(Box::new(modular)),
-                Err(diagnostic) => State::Failed(diagnostic),
-            }
+            if memoises { planned(rules, &turtle, seed, &limits, n) } else { whole(rules, seed, &limits) }
         } else if memoises {
             State::Plan(Plan::new(&program))
         } else if program.is_deterministic() {
@@ -94,7 +100,19 @@ impl<S: Space> Drawer<S> {
         } else {
             State::Materialise(Box::new(Materialiser::new(start::<S>(&turtle), &score, seed, n)))
         };
-        Self { program, turtle, score, memoises, seed, n, limits, builder: Builder::new(), symbols: None, state }
+        Self {
+            program,
+            turtle,
+            score,
+            memoises,
+            seed,
+            n,
+            limits,
+            builder: Builder::new(),
+            memoised: None,
+            symbols: None,
+            state,
+        }
     }
 
     // Twice in the wasm, once in `draw` and once by itself, it would be a tenth of what the page loads.
@@ -121,6 +139,7 @@ impl<S: Space> Drawer<S> {
             State::Plan(_) | State::Forecast(_) => 0.0,
             State::Build { pieces, .. } => pieces.len() as f64 / (f64::from(self.n) + 2.0),
             State::Materialise(materialiser) => materialiser.fraction(&self.program),
+            State::Parametric(parametric) => parametric.fraction(),
             State::Modules(modular) => modular.fraction(self.n),
             State::Search(_) | State::Done { .. } | State::Failed(_) => 1.0,
         }
@@ -157,7 +176,7 @@ impl<S: Space> Drawer<S> {
     // Once is enough in the wasm.
     #[inline(never)]
     fn advance(&mut self, left: &mut u64) -> Option<State<S>> {
-        let Self { program, turtle, score, seed, n, limits, builder, symbols, .. } = self;
+        let Self { program, turtle, score, memoises, seed, n, limits, builder, memoised, symbols, .. } = self;
         match &mut self.state {
             State::Plan(plan) => {
                 let depths = plan.depths();
@@ -217,13 +236,30 @@ impl<S: Space> Drawer<S> {
                     Some(State::Search(Search::new(name, *n, *seed)))
                 }
             },
+            State::Parametric(memo) => match memo.step((turtle, score), builder, limits, left) {
+                parametric::Outcome::Paused => None,
+                parametric::Outcome::Ended(root, count) => {
+                    *symbols = u64::try_from(count).ok();
+                    Some(State::Done { root, pieces: vec![] })
+                }
+                parametric::Outcome::TooMany(largest) => {
+                    (*memoises, *memoised) = (false, largest);
+                    Some(whole(memo.rules(), *seed, limits))
+                }
+                parametric::Outcome::Failed(diagnostic) => Some(State::Failed(diagnostic)),
+            },
             State::Modules(modular) => match modular.step((turtle, score), builder, limits, *n, left) {
                 modules::Outcome::Paused => None,
                 modules::Outcome::Ended(root) => {
                     *symbols = Some(modular.symbols());
                     Some(State::Done { root, pieces: vec![] })
                 }
-                modules::Outcome::Failed(diagnostic) => Some(State::Failed(diagnostic)),
+                modules::Outcome::Failed(mut diagnostic) => {
+                    if let Kind::Limit { largest, .. } = &mut diagnostic.kind {
+                        *largest = (*largest).max(*memoised);
+                    }
+                    Some(State::Failed(diagnostic))
+                }
             },
             State::Search(search) => {
                 let exceeded = search.step(program, score, limits, *seed, left)?;
@@ -231,6 +267,22 @@ impl<S: Space> Drawer<S> {
             }
             State::Done { .. } | State::Failed(_) => None,
         }
+    }
+}
+
+/// Modules with parameters, whose pieces are shared.
+fn planned<S: Space>(rules: &Rules, turtle: &Turtle, seed: u32, limits: &Limits, n: u32) -> State<S> {
+    match Parametric::new(rules, turtle, seed, limits, n) {
+        Ok(parametric) => State::Parametric(Box::new(parametric)),
+        Err(diagnostic) => State::Failed(diagnostic),
+    }
+}
+
+/// Whole generations.
+fn whole<S: Space>(rules: &Rules, seed: u32, limits: &Limits) -> State<S> {
+    match Modular::new(rules, seed, limits) {
+        Ok(modular) => State::Modules(Box::new(modular)),
+        Err(diagnostic) => State::Failed(diagnostic),
     }
 }
 

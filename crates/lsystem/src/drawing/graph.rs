@@ -3,7 +3,7 @@
 use super::builder::Builder;
 use super::{BlockId, Item, Piece, Placed, Stroke, StyleChange};
 use crate::sorted::set;
-use crate::space::{Space, reach};
+use crate::space::{Space, reach, times};
 use crate::turtle::{Op, Pen, Score, exponent_of};
 use crate::{Plane, Program, Rewrite, SymbolId};
 
@@ -24,7 +24,7 @@ pub struct Effect<S: Space = Plane> {
 /// and no rewritten letter or successor that ends on another branch than it began on or returns from branches it did
 /// not open.
 pub(crate) fn memoises<S: Space>(program: &Program, score: &Score<S>) -> bool {
-    let looks_out = |op: &Op<S>| matches!(op, Op::Upright | Op::Bend(_));
+    let looks_out = |op: &Op<S>| matches!(op, Op::Bend(_)) || matches!(op, Op::Upright) && !S::LEVEL;
     !score.ops.iter().flatten().any(looks_out)
         && (program.rewrites.iter().zip(program.reachable()).enumerate()).all(|(symbol, (rewrite, reached))| {
             let balanced = |word: &[SymbolId]| {
@@ -40,7 +40,7 @@ pub(crate) fn memoises<S: Space>(program: &Program, score: &Score<S>) -> bool {
         })
 }
 
-fn is_balanced<'a, S: Space>(ops: impl IntoIterator<Item = &'a Op<S>>) -> bool {
+pub(super) fn is_balanced<'a, S: Space>(ops: impl IntoIterator<Item = &'a Op<S>>) -> bool {
     let mut level = 0_i64;
     let never_below = ops.into_iter().all(|op| {
         match op {
@@ -118,7 +118,11 @@ pub(crate) fn piece<S: Space>(
         let below = below?;
         below.binary_search_by_key(&symbol, |(s, _)| *s).ok().map(|place| &below[place].1)
     };
-    let exponent = word.iter().filter_map(|&s| exponent(builder, score, s, lower(s))).max().unwrap_or(0);
+    let exponent = word.iter().filter_map(|&s| match lower(s) {
+        None => score.goes(s).then_some(score.exponent),
+        Some(piece) => exponent(builder, piece),
+    });
+    let exponent = exponent.max().unwrap_or(0);
     let mut pen = Pen { at: S::Point::default(), heading, style: StyleChange::NONE };
     let (mut saved, mut items) = (Vec::new(), Vec::new());
     for &symbol in word {
@@ -132,9 +136,9 @@ pub(crate) fn piece<S: Space>(
             }
             Some(piece) => {
                 if let Some(block) = piece.block {
-                    items.push(Item::Block(place(builder, block, &pen, exponent)));
+                    items.push(Item::Block(place(builder, block, &pen, exponent, 1.0)));
                 }
-                follow(builder, &mut pen, &piece.effect, exponent);
+                follow(builder, &mut pen, &piece.effect, exponent, 1.0);
             }
         }
     }
@@ -143,47 +147,47 @@ pub(crate) fn piece<S: Space>(
     Piece { block, effect: effect(&pen, exponent) }
 }
 
-/// The exponent of the longest way in what a letter does; `None` if it goes nowhere.
-fn exponent<S: Space>(
-    builder: &Builder<S>,
-    score: &Score<S>,
-    symbol: SymbolId,
-    lower: Option<&Piece<S>>,
-) -> Option<i32> {
-    match lower {
-        None => {
-            let goes = |op: &Op<S>| matches!(op, Op::Draw(_) | Op::Move(_));
-            score.ops[usize::from(symbol)].iter().any(goes).then_some(score.exponent)
-        }
-        Some(Piece { block, effect }) => {
-            let block = block.map(|block| builder.blocks[block.0 as usize].exponent);
-            block.max((effect.at != S::Point::default()).then_some(effect.exponent))
-        }
-    }
+/// The exponent of the longest way in a piece; `None` if it goes nowhere.
+pub(super) fn exponent<S: Space>(builder: &Builder<S>, Piece { block, effect }: &Piece<S>) -> Option<i32> {
+    let block = block.map(|block| builder.blocks[block.0 as usize].exponent);
+    block.max((effect.at != S::Point::default()).then_some(effect.exponent))
 }
 
-/// Places `block` where the pen is, in units of `2^exponent` steps.
-fn place<S: Space>(builder: &mut Builder<S>, block: BlockId, pen: &Pen<S>, exponent: i32) -> Placed<S> {
+/// Places `block`, `factor` times as large, where the pen is, in units of `2^exponent` steps.
+pub(super) fn place<S: Space>(
+    builder: &mut Builder<S>,
+    block: BlockId,
+    pen: &Pen<S>,
+    exponent: i32,
+    factor: f64,
+) -> Placed<S> {
     let own = builder.blocks[block.0 as usize].exponent;
     Placed {
         block,
         style: builder.styles.id(&pen.style),
         at: pen.at,
         heading: pen.heading,
-        scale: libm::scalbn(1.0, own - exponent),
+        scale: libm::scalbn(factor, own - exponent),
     }
 }
 
-/// Moves the pen as a piece does.
-fn follow<S: Space>(builder: &mut Builder<S>, pen: &mut Pen<S>, effect: &Effect<S>, exponent: i32) {
+/// Moves the pen as a piece does that is `factor` times as large.
+pub(super) fn follow<S: Space>(
+    builder: &mut Builder<S>,
+    pen: &mut Pen<S>,
+    effect: &Effect<S>,
+    exponent: i32,
+    factor: f64,
+) {
     let axes = S::axes(&mut builder.directions, pen.heading);
-    let by = shifted(effect.at, effect.exponent.saturating_sub(exponent));
+    let by = shifted(times(effect.at, factor), effect.exponent.saturating_sub(exponent));
     pen.at = S::lie(&axes, pen.at, by);
     pen.heading = S::then(pen.heading, effect.heading);
     pen.style = pen.style.then(&effect.style);
 }
 
-fn effect<S: Space>(pen: &Pen<S>, exponent: i32) -> Effect<S> {
+/// What has happened to the pen, in units of `2^exponent` steps.
+pub(super) fn effect<S: Space>(pen: &Pen<S>, exponent: i32) -> Effect<S> {
     let shift = exponent_of(reach(&pen.at));
     let at = shifted(pen.at, -shift);
     Effect { at, exponent: exponent.saturating_add(shift), heading: pen.heading, style: pen.style }

@@ -9,12 +9,14 @@ mod context;
 mod image;
 mod modules;
 mod rules;
+mod scales;
 mod step;
 mod table;
 
 pub use image::Image;
 pub use modules::Modules;
 pub use rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
+pub(crate) use scales::{Keys, Scales, applying};
 pub use step::{Fault, Rewriter};
 
 #[cfg(test)]

@@ -1,0 +1,65 @@
+//! Derivation one generation after the other: productions with contexts, and with parameters.
+
+use lsystem::{Definition, Limits, Rewriter, Rules, System};
+
+/// A system whose productions look around themselves or compute.
+#[derive(Clone, Copy, Debug)]
+pub struct Growth {
+    /// What the tables call it.
+    pub name: &'static str,
+    /// What it measures, with its unit.
+    pub what: &'static str,
+    /// Its axiom.
+    pub axiom: &'static str,
+    /// Its productions and constants.
+    pub rules: &'static str,
+    /// Derivation steps.
+    pub n: u32,
+    /// Modules of that generation.
+    pub modules: u64,
+}
+
+const CONTEXTS: &str = "contexts, symbol steps/s";
+const PARAMETERS: &str = "parameters, module steps/s";
+
+/// ABOP, figure 1.31a (Hogeweg and Hesper).
+const SIGNALS: &str = "ignore: +-F\n\
+    0 < 0 > 0 -> 0\n0 < 0 > 1 -> 1[+F1F1]\n0 < 1 > 0 -> 1\n0 < 1 > 1 -> 1\n\
+    1 < 0 > 0 -> 0\n1 < 0 > 1 -> 1F1\n1 < 1 > 0 -> 0\n1 < 1 > 1 -> 0\n+ -> -\n- -> +";
+
+/// ABOP, figure 2.6a (Honda).
+const TREE: &str = "r1 = 0.9\nr2 = 0.6\nwr = 0.707\n\
+    A(l,w) -> !(w)F(l)[&(45)B(l*r2,w*wr)]/(137.5)A(l*r1,w*wr)\n\
+    B(l,w) -> !(w)F(l)[-(45)$C(l*r2,w*wr)]C(l*r1,w*wr)\n\
+    C(l,w) -> !(w)F(l)[+(45)$B(l*r2,w*wr)]B(l*r1,w*wr)";
+
+/// Figure 1.31a twice: deep, and as deep as a peer comes whose right contexts leave their branches, so that its words
+/// are another system's and longer.
+pub const GROWTHS: [Growth; 3] = [
+    Growth { name: "1.31a", what: CONTEXTS, axiom: "F1F1F1", rules: SIGNALS, n: 60, modules: 9_239_061 },
+    Growth { name: "1.31a", what: CONTEXTS, axiom: "F1F1F1", rules: SIGNALS, n: 30, modules: 6_910 },
+    Growth { name: "2.6a", what: PARAMETERS, axiom: "A(1,10)", rules: TREE, n: 17, modules: 917_498 },
+];
+
+impl Growth {
+    /// Its rules, compiled.
+    #[must_use]
+    pub fn compile(&self) -> Rules {
+        let definition = Definition { axiom: self.axiom.into(), rules: self.rules.into(), ..Definition::default() };
+        let system = System::new(&definition).0.expect("the measured systems are right");
+        system.rules.expect("they look around themselves or compute")
+    }
+
+    /// Derives; how many modules were read on the way, in all generations but the last.
+    #[must_use]
+    pub fn derive(&self, rules: &Rules) -> u64 {
+        let mut rewriter = Rewriter::new(rules.clone(), 0, Limits::default()).expect("finite numbers");
+        let mut read = 0;
+        while rewriter.generation() < self.n {
+            read += rewriter.word().letters.len() as u64;
+            rewriter.step(usize::MAX).expect("within the limits");
+        }
+        assert_eq!(rewriter.word().letters.len() as u64, self.modules);
+        read
+    }
+}
