@@ -69,7 +69,7 @@ pub struct Drawing<S: Space = Plane> {
     pub(crate) pieces: Vec<Vec<(SymbolId, Piece<S>)>>,
     /// Whether blocks are shared.
     pub(crate) memoised: bool,
-    /// The symbols of its generation, where that was gone through.
+    /// The symbols of its generation, where they were counted.
     pub(crate) symbols: Option<u64>,
     /// The root's extent in its own units, when somebody has asked.
     pub(crate) extent: OnceLock<Option<S::Extent>>,
@@ -123,7 +123,8 @@ impl<S: Space> Drawing<S> {
         self.blocks.len()
     }
 
-    /// How many symbols its generation has, where every one of them was read: where the drawing does not memoise.
+    /// How many symbols its generation has, where they were counted on the way: where the drawing does not memoise, and
+    /// where modules with parameters do.
     #[must_use]
     pub fn symbol_count(&self) -> Option<u64> {
         self.symbols

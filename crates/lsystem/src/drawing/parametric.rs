@@ -31,8 +31,8 @@ pub(crate) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
         is_balanced(kept.flat_map(ops))
     };
     let shown = |word: &Template| is_balanced(word.letters.iter().flat_map(|&letter| ops(usize::from(letter))));
-    !(rules.is_random() || rules.is_cutting())
-        && !score.ops.iter().flatten().any(looks_out)
+    let decided_elsewhere = rules.is_random() || rules.is_cutting() || score.ops.iter().flatten().any(looks_out);
+    !decided_elsewhere
         && rules.by_letter.iter().flatten().all(|rule| !rule.is_context_sensitive() && inside(&rule.successor))
         && rules.images.iter().flatten().all(|image| shown(&image.successor))
         && (0..letters).all(|letter| !apart(letter) || is_balanced(ops(letter)))

@@ -44,7 +44,7 @@ pub(super) fn size(extent: f64, strokes: u32, simple: bool) -> Option<usize> {
 pub(super) struct Key {
     pub block: BlockId,
     pub heading: Heading,
-    /// The bits of the number of subsamples in a block unit.
+    /// The number of subsamples in a block unit, as [`scale`] tells.
     pub scale: u64,
     /// Where its origin is between two subsamples, in steps.
     pub offset: [u8; 2],
@@ -52,6 +52,11 @@ pub(super) struct Key {
     pub fine: bool,
     /// The bits of the width at entry, where a stroke inside may be wider than a hairline.
     pub width: Option<u64>,
+}
+
+/// What tells scales apart: 2^-36 of their size, so that factors give the same tile in whatever order they are multiplied.
+pub(super) fn scale(scale: f64) -> u64 {
+    (scale.to_bits() + (1 << 15)) >> 16
 }
 
 /// A place on the subsample lattice, and the rest of the way to it in steps.

@@ -364,7 +364,7 @@ impl Walk {
         let extent = 2.0 * place.scale * shape.half[0].max(shape.half[1]);
         if self.repeats {
             let block = u64::from(node.block.0) << 32 ^ place.heading.units();
-            let sizes = [place.scale.to_bits(), node.pen.width.to_bits()];
+            let sizes = [tile::scale(place.scale), node.pen.width.to_bits()];
             if !self.seen.paint([self.tag(node.canvas), block, sizes[0], sizes[1]], [place.origin]) {
                 return 1;
             }
@@ -394,7 +394,7 @@ impl Walk {
             let key = Key {
                 block: node.block,
                 heading: place.heading,
-                scale: place.scale.to_bits(),
+                scale: tile::scale(place.scale),
                 offset: snapped.offset,
                 fine,
                 width: (radius > self.look.hairline).then_some(node.pen.width.to_bits()),

@@ -127,7 +127,7 @@ impl<'a> Drawn<'a> {
                 matches!(action, Action::Push | Action::Pop | Action::TurnRound | Action::RollUpright | Action::Cut);
             !free && !matches!(action, Action::Draw(_) | Action::Move(_))
         };
-        !rest.iter().any(fixed) && !(length && first.is_some_and(counts))
+        !(rest.iter().any(fixed) || length && first.is_some_and(counts))
     }
 
     /// Every argument that a production or an image computes: for the maker, in what it makes at which parameter, how.
