@@ -35,8 +35,8 @@ fn module(lengths: &[&'static str], numbers: &[&'static str]) -> BoxedStrategy<S
 }
 
 /// A word balanced in branches.
-fn word(module: &BoxedStrategy<String>) -> impl Strategy<Value = String> {
-    let run = || prop::collection::vec(module.clone(), 0..3).prop_map(|modules| modules.concat());
+fn word(module: BoxedStrategy<String>) -> impl Strategy<Value = String> {
+    let run = move || prop::collection::vec(module.clone(), 0..3).prop_map(|modules| modules.concat());
     let branch = (run(), run(), run()).prop_map(|(before, inside, after)| format!("{before}[{inside}]{after}"));
     prop_oneof![run(), branch.clone(), (branch, run()).prop_map(|(a, b)| format!("[{a}]{b}"))]
 }
@@ -51,7 +51,7 @@ fn systems(scaling: bool, conditions: bool) -> impl Strategy<Value = System> {
     let numbers = vec!["y", "y*q", "2", "y/2", "r"];
     let tests = if conditions { vec!["", " : y > 0.3", " : y*2 < 3", " : not (y = 1)"] } else { vec![""] };
     let rule = move |head: &'static str| {
-        let (tests, made) = (tests.clone(), word(&module(&lengths, &numbers)));
+        let (tests, made) = (tests.clone(), word(module(&lengths, &numbers)));
         (prop::sample::select(tests), made).prop_map(move |(test, made)| format!("{head}{test} -> {made}\n"))
     };
     let rules = (rule("A(x,y)"), rule("B(x,y)"), rule("A(x,y)"));
