@@ -130,7 +130,7 @@ function begin() {
     const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.segment, light: reader.light, choose: reader.choose, reading: () => reader.open, zoom: () => (reads() ? (store.state.view?.zoom ?? 1) : Infinity), upto: () => playback.upto });
     stage.show(store.state, null);
     reader.show(store.state, null);
-    return { engine, stage, playback, reader, hover };
+    return { engine, stage, playback, reader, hover, drawn: () => ready };
 }
 
 /** Shows these controls and no others. @param {Control[]} asked */
@@ -187,9 +187,12 @@ function reported(report) {
     const mistakes = report.diagnostics.filter(({ severity }) => severity === 'error');
     const [first, ...more] = mistakes;
     if (first) {
-        const where = controls.includes('rules') || first.field === 'numbers' ? '' : ` (in the ${first.field})`;
+        const listed = controls.includes('rules') && ['axiom', 'rules'].includes(first.field);
+        const where = first.field === 'numbers' ? '' : ` (in the ${first.field})`;
         const words = [`${first.message}${where}${more.length > 0 ? `, and ${more.length} more` : ''}.`, first.hint].filter(Boolean).join(' ');
-        say(words);
+        // Where the rules are shown, what is wrong with them stands below them.
+        say(listed ? '' : words);
+        if (parts?.drawn()) setText(html('caption-text'), 'This is the last good drawing.');
         announce(words);
         host.error(first.message, mistakes);
         return;

@@ -1,7 +1,7 @@
 //! `cargo xtask build`: the page, the worker and the wasm in one folder that any static host can serve.
 
 use crate::workspace::{Workspace, run};
-use crate::{bindgen, files, gallery, include, offline, one_file, tools};
+use crate::{bindgen, bundle, files, gallery, include, joined, offline, one_file, tools};
 use anyhow::{Context, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -53,6 +53,7 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
         let text = one_file::one_file(&site, page, &carried)?;
         files::write(&site.join(file), text)?;
     }
+    joined::join(&site, index)?;
     offline::list_files(&site)?;
     replace(&site, &workspace.dist(), &new.path().join("old"))
 }
@@ -95,7 +96,7 @@ fn is_shipped(path: &Path) -> bool {
 fn worker(www: &Path, generated: &Path, script: &Path) -> Result<()> {
     let glue = files::read_text(&generated.join(format!("{NAME}.js")))?;
     let ours = files::read_text(&www.join("worker.js"))?;
-    files::write(script, format!("{glue}\n{ours}"))
+    files::write(script, bundle::without_comments(&format!("{glue}\n{ours}")))
 }
 
 /// Puts `new` where `place` is, moving what is there to `old`.
@@ -141,7 +142,7 @@ mod tests {
         files::write(&www.join("worker.js"), "use(glue)")?;
         files::write(&generated.join("lsystem_wasm.js"), "let glue = 1;")?;
         worker(&www, &generated, &script)?;
-        assert_eq!(files::read_text(&script)?, "let glue = 1;\nuse(glue)");
+        assert_eq!(files::read_text(&script)?, "let glue = 1;\nuse(glue)\n");
         Ok(())
     }
 }

@@ -38,7 +38,7 @@ impl Bundle {
         ensure!(!self.open.iter().any(|open| open == path), "{shown} imports itself, by way of others");
         self.open.push(path.to_owned());
         let text = files::read_text(path)?;
-        let module = self.module(path, &text).with_context(|| format!("joining {shown}"))?;
+        let module = self.module(path, &without_comments(&text)).with_context(|| format!("joining {shown}"))?;
         self.open.pop();
         let name = format!("module{}", self.names.len());
         let file = path.file_name().unwrap_or_default().to_string_lossy();
@@ -115,6 +115,36 @@ fn exported(declaration: &str) -> Result<&str> {
     }
 }
 
+/// The text without lines that are comments and nothing else, which are many in ours. A template that spans lines may not
+/// hold such a line.
+pub(crate) fn without_comments(text: &str) -> String {
+    let mut result = String::new();
+    let mut inside = false;
+    for line in text.lines() {
+        let code = line.trim();
+        let begins = !inside && code.starts_with("/*");
+        let behind = code.split_once("*/").map(|(_, behind)| behind);
+        match behind {
+            _ if !inside && code.starts_with("//") => continue,
+            None if begins || inside => {
+                inside = true;
+                continue;
+            }
+            Some("") if begins || inside => {
+                inside = false;
+                continue;
+            }
+            Some(behind) if inside => {
+                inside = false;
+                result.push_str(behind);
+            }
+            _ => result.push_str(line),
+        }
+        result.push('\n');
+    }
+    result
+}
+
 /// Whether a line imports while running, other than in a comment's types.
 fn imports_later(line: &str) -> bool {
     let code = line.split("/*").next().unwrap_or_default().trim_start();
@@ -161,7 +191,7 @@ mod tests {
             ("d.js", "/** @type {import('./in/a.js').A} */\nexport const d = 1;\n"),
         ]);
         let expected = "(async () => {\n'use strict';\n\
-            // d.js\nconst module0 = await (async () => {\n/** @type {import('./in/a.js').A} */\nconst d = 1;\nreturn { d };\n})();\n\
+            // d.js\nconst module0 = await (async () => {\nconst d = 1;\nreturn { d };\n})();\n\
             // a.js\nconst module1 = await (async () => {\nconst all = module0;\nconst a = all.d;\nfunction b() {}\nreturn { a, b };\n})();\n\
             // main.js\nconst module2 = await (async () => {\nconst { a, b: c } = module1;\nconst {    d,} = module0;\nuse(a, c, d);\nreturn {  };\n})();\n\
             })();\n";
@@ -185,6 +215,13 @@ mod tests {
             let error = format!("{:#}", joined(&[("main.js", text), ("a.js", "")]).unwrap_err());
             assert!(error.contains(wrong), "{text}: {error}");
         }
+    }
+
+    #[test]
+    fn leaves_comments_out() {
+        let text = "/** What\n * it is. */\nlet a = 1; // why\n// more\n\n/** @type {A} */ (a).b;\n    /* c */\n";
+        assert_eq!(without_comments(text), "let a = 1; // why\n\n/** @type {A} */ (a).b;\n");
+        assert_eq!(without_comments("/*\n */ a();\n/* b */\nc();"), " a();\nc();\n");
     }
 
     #[test]

@@ -7,6 +7,7 @@ mod bundle;
 mod files;
 mod gallery;
 mod include;
+mod joined;
 mod lint;
 mod offline;
 mod one_file;

@@ -8,15 +8,20 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 const WORKER: &str = "service-worker.js";
-/// Of no use without a network, or large and the same again.
+/// Of no use without a network, or the same again.
 const LEFT_OUT: [&str; 2] = [WORKER, "playground.html"];
+/// The parts of what is joined.
+const PARTS: [&str; 2] = ["js/", "css/"];
+/// The one script that the page asks for by itself.
+const EARLY: &str = "js/theme-early.js";
 
 /// Completes the service worker in the folder of the site, whose other files are in place.
 pub(crate) fn list_files(site: &Path) -> Result<()> {
     let mut hashes = Map::new();
     for file in files::list(site, |_| true)? {
         let path = file.strip_prefix(site)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
-        if LEFT_OUT.contains(&&*path) {
+        let is_part = PARTS.iter().any(|folder| path.starts_with(folder)) && path != EARLY;
+        if LEFT_OUT.contains(&&*path) || is_part {
             continue;
         }
         let hash = hex(&Sha256::digest(files::read(&file)?));
@@ -46,17 +51,19 @@ mod tests {
     fn lists_all_files_by_their_hashes() {
         let folder = tempfile::tempdir().unwrap();
         let site = folder.path();
-        for (name, text) in [("index.html", ""), ("js/a.js", "abc"), ("playground.html", "x"), (WORKER, "work()")] {
+        for (name, text) in
+            [("index.html", ""), ("page.js", "abc"), ("js/a.js", "x"), ("playground.html", "x"), (WORKER, "work()")]
+        {
             files::write(&site.join(name), text).unwrap();
         }
         list_files(site).unwrap();
         let worker = files::read_text(&site.join(WORKER)).unwrap();
         // The first two are published examples of SHA-256.
         let list = "const FILES = {\"\":\"e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855\",\
-                    \"js/a.js\":\"ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad\"};\nwork()";
+                    \"page.js\":\"ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad\"};\nwork()";
         assert!(worker.starts_with("const BUILD = \"") && worker.ends_with(list), "{worker}");
         files::write(&site.join(WORKER), "work()").unwrap();
-        files::write(&site.join("js/a.js"), "abd").unwrap();
+        files::write(&site.join("page.js"), "abd").unwrap();
         list_files(site).unwrap();
         assert_ne!(files::read_text(&site.join(WORKER)).unwrap()[..40], worker[..40]);
     }

@@ -136,15 +136,15 @@ fn whole(script: &str) -> Result<()> {
 }
 
 /// A line that is one tag, as the heads of our pages are written.
-struct Tag<'a>(&'a str);
+pub(crate) struct Tag<'a>(pub(crate) &'a str);
 
 impl<'a> Tag<'a> {
-    fn name(&self) -> &'a str {
+    pub(crate) fn name(&self) -> &'a str {
         let inside = self.0.strip_prefix('<').unwrap_or_default();
         inside.split([' ', '>']).next().unwrap_or_default()
     }
 
-    fn attribute(&self, name: &str) -> Option<&'a str> {
+    pub(crate) fn attribute(&self, name: &str) -> Option<&'a str> {
         let (_, rest) = self.0.split_once(&format!(" {name}=\""))?;
         rest.split_once('"').map(|(value, _)| value)
     }
@@ -224,7 +224,7 @@ mod tests {
         let folder = site();
         for (name, text) in [
             ("early.js", "'</script>'"),
-            ("b.js", "// <!--\n"),
+            ("b.js", "'<!--'\n"),
             ("a.css", "a { background: url(b.png) }"),
             ("worker.js", "'<SCRIPT'"),
         ] {

@@ -52,11 +52,12 @@ fn end_to_end(workspace: &Workspace, www: &Path) -> Result<()> {
     with_page(workspace, |node| node.args(["--test", "--test-concurrency=1"]).args(tests).current_dir(www))
 }
 
-/// How free the page's thread stays while it is used.
+/// How free the page's thread stays while it is used, and what opening costs.
 pub(crate) fn bench(workspace: &Workspace) -> Result<()> {
     let www = workspace.www();
     packages(&www)?;
-    with_page(workspace, |node| node.arg("test/bench/drags.mjs").current_dir(www))
+    with_page(workspace, |node| node.arg("test/bench/drags.mjs").current_dir(&www))?;
+    with_page(workspace, |node| node.arg("test/bench/load.mjs").current_dir(&www))
 }
 
 /// Runs Node.js as `prepare` says, while the page is served.
