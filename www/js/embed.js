@@ -169,7 +169,7 @@ function show(state, before) {
     document.title = title ? `${title} – L-system` : 'L-system';
     setText(html('caption-title'), title);
     const edited = !sameSystem(state, store.origin);
-    button('reset').disabled = !edited && state.view === store.origin.view;
+    button('reset').disabled = !edited && state.view === store.origin.view && state.camera === store.origin.camera;
     html('stage').classList.toggle('on-dark', isDark(state.background));
     html('stage').style.setProperty('--sheet', state.background);
     showSheet(state);
@@ -197,6 +197,8 @@ function reported(report) {
         host.error(first.message, mistakes);
         return;
     }
+    // Drawings in space are not played.
+    button('open-playback').disabled = report.solid;
     say('');
     facts = { description: report.description, symbols: report.symbols, segments: report.segments };
     setText(html('empty'), report.empty ?? '');

@@ -30,7 +30,7 @@ struct Whole {
 
 const WHOLE: [Whole; 2] = [
     Whole { page: "index.html", file: "playground.html", kit: &FULL, more: &["gallery.json"] },
-    Whole { page: "embed.html", file: "embed.html", kit: &FIRST, more: &[] },
+    Whole { page: "embed.html", file: "embed.html", kit: &FULL, more: &[] },
 ];
 
 /// Builds everything and puts it in place of `dist/` at once: whoever reads `dist/` finds the old site or the new one.

@@ -121,6 +121,23 @@ test('string and playback work in a frame', () =>
         await until(async () => /16 segments/.test((await frame.textContent('#caption-text')) ?? ''), 'the edited rules are drawn');
     }));
 
+test('a drawing in space is drawn, and turns under the pointer', () =>
+    withHost(frameOf('v=1&axiom=A&rules=A%20-%3E%20F%5B%26A%5D%2FF%5B%5EA%5D%2FA&n=4&angle=35&controls=n,play'), async (page) => {
+        const frame = await drawn(page);
+        const before = await picture(frame);
+        assert.ok(before.ink > 0.001);
+        assert.equal(await frame.locator('#stage.solid').count(), 1);
+        assert.equal(await frame.isEnabled('#open-playback'), false);
+        await page.mouse.move(250, 200);
+        await page.mouse.down();
+        await page.mouse.move(330, 200, { steps: 4 });
+        await page.mouse.up();
+        await changes(frame, before);
+        await until(async () => (await frame.getAttribute('#open', 'href'))?.includes('camera='), 'the address tells from where');
+        await frame.click('#reset');
+        await until(async () => !(await frame.getAttribute('#open', 'href'))?.includes('camera='), 'and it turns back');
+    }));
+
 test('the wheel scrolls the page until the drawing has the focus', () =>
     withHost(`${frameOf(WEED)}<p style="height: 3000px">text</p>`, async (page) => {
         const frame = await drawn(page);
