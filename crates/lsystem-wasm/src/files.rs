@@ -6,10 +6,11 @@ use crate::surface::Surface;
 use crate::{LIMITS, from_js, to_js};
 use js_sys::{Reflect, Uint8Array};
 use lsystem::{
-    Definition, Detail, FileContent, Mesh, Outlook, Progress, Renderer, SvgForm, SvgOptions, Viewport, draw_solid,
-    expand, write_csv, write_glb, write_json, write_obj, write_svg,
+    Camera, Definition, Detail, FileContent, Mesh, Outlook, Progress, Renderer, SvgForm, SvgOptions, Viewport,
+    draw_solid, expand, write_csv, write_glb, write_json, write_obj, write_svg,
 };
 use serde::Serialize;
+use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
 
@@ -78,14 +79,19 @@ impl Playground {
             return to_js(&ExportReport { text: None, diagnostics: self.report.diagnostics.clone() });
         };
         let (definition, n) = (&self.definition, self.definition.iterations);
-        let solid = || draw_solid(system, n, &LIMITS);
-        let mesh = || Mesh::new(&solid()?, &system.style, MESH_SEGMENTS);
+        let solid = || match &self.solid.drawing {
+            Some(drawing) if system.is_solid() && self.solid.drawer.is_none() => Ok(drawing.clone()),
+            _ => draw_solid(system, n, &LIMITS).map(Arc::new),
+        };
+        let mesh = || Mesh::new(&*solid()?, &system.style, MESH_SEGMENTS);
+        let Camera { azimuth, elevation, .. } = self.solid.camera;
+        let seen = || solid()?.seen_from(&Outlook { azimuth, elevation }, TEXT_SEGMENTS);
         let name = if definition.title.is_empty() { &definition.name } else { &definition.title };
         let svg = |form| {
             let options = self.svg_options(form);
             let svg = match &self.drawing {
                 Some(drawing) if !system.is_solid() => write_svg(drawing, &system.style, &options)?,
-                _ => write_svg(&solid()?.seen_from(&Outlook::default(), TEXT_SEGMENTS)?, &system.style, &options)?,
+                _ => write_svg(&seen()?, &system.style, &options)?,
             };
             let warning = svg.warning();
             Ok((svg.text, warning))
@@ -97,7 +103,7 @@ impl Playground {
             "svg-compact" => svg(SvgForm::Compact),
             "csv" => match &self.drawing {
                 Some(drawing) if !system.is_solid() => write_csv(drawing, TEXT_SEGMENTS),
-                _ => solid().and_then(|drawing| write_csv(&drawing, TEXT_SEGMENTS)),
+                _ => solid().and_then(|drawing| write_csv(&*drawing, TEXT_SEGMENTS)),
             }
             .map(|text| (text, None)),
             "obj" => mesh().map(|mesh| (write_obj(&mesh, name), None)),

@@ -377,6 +377,20 @@ test('everything saves under a name that says what it is', () =>
         assert.equal(Math.max(bytes.readUInt32BE(16), bytes.readUInt32BE(20)), 2048);
     }));
 
+test('what is in space saves with its depth', () =>
+    withPage({ hash: '#v=1&title=Corner&axiom=F%26F&n=0&angle=90' }, async (page) => {
+        await stillPicture(page);
+        await page.click('#tab-keep');
+        for (const [format, holds] of /** @type {[string, RegExp][]} */ ([
+            ['csv', /^x0,y0,z0,x1,y1,z1,level,colour\n0,0,0,0,1,0,0,0\n/],
+            ['svg', /<path/],
+            ['obj', /\no Corner\n/],
+        ])) {
+            const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${format}]`)]);
+            assert.match(await readFile(String(await download.path()), 'utf8'), holds, format);
+        }
+    }));
+
 test('what was saved as JSON opens again, and other files are refused in words', () =>
     withPage({ hash: KOCH }, async (page) => {
         const before = await stillPicture(page);
