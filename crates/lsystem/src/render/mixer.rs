@@ -2,6 +2,7 @@
 
 use core::hash::Hasher;
 
+/// The hash so far.
 #[derive(Default)]
 pub(super) struct Mixer(u64);
 

@@ -388,8 +388,7 @@ impl Walk {
             && radius <= BROAD
             && self.repeats
         {
-            let sparse = tile::is_sparse(extent, shape.strokes);
-            let fine = sparse && !self.tiles.crowded;
+            let fine = !self.tiles.crowded && tile::is_sparse(extent, shape.strokes);
             let snapped = tile::snap(place.origin, size, fine);
             let key = Key {
                 block: node.block,
@@ -399,27 +398,23 @@ impl Walk {
                 fine,
                 width: (radius > self.look.hairline).then_some(node.pen.width.to_bits()),
             };
-            // What does not recur is not worth a tile. Whether there is one from an earlier picture must not matter:
-            // pictures do not depend on what was pictured before.
-            if node.canvas > 0 || !sparse || !self.seen.want(&key) {
-                let inks = self.inks.of(node.block.0 as usize);
-                let target = Target { canvas: node.canvas, cell: snapped.cell, shade: node.pen.shade };
-                if let Some(tile) = self.tiles.get(&key) {
-                    return self.stamp(&tile, inks, target);
-                }
-                let from_origin = [0, 1].map(|axis| centre[axis] - place.origin[axis] + snapped.rest[axis]);
-                let corner = [0, 1].map(|axis| (from_origin[axis] - reach[axis]).floor() as i64);
-                let far = [0, 1].map(|axis| (from_origin[axis] + reach[axis]).ceil() as i64 - corner[axis]);
-                let far = far.map(|side| side.max(1) as usize);
-                let planes = self.inks.planes(inks);
-                if Tiles::fits(far, planes) {
-                    self.canvases[1 + size].reset(far[0], far[1], planes);
-                    self.serials[1 + size] += 1;
-                    node.place.origin = [0, 1].map(|axis| snapped.rest[axis] - corner[axis] as f64);
-                    node.canvas = 1 + size;
-                    node.pen.shade = Shade::default();
-                    self.making.push(Making { key, height: self.stack.len(), size, inks, corner, target });
-                }
+            let inks = self.inks.of(node.block.0 as usize);
+            let target = Target { canvas: node.canvas, cell: snapped.cell, shade: node.pen.shade };
+            if let Some(tile) = self.tiles.get(&key) {
+                return self.stamp(&tile, inks, target);
+            }
+            let from_origin = [0, 1].map(|axis| centre[axis] - place.origin[axis] + snapped.rest[axis]);
+            let corner = [0, 1].map(|axis| (from_origin[axis] - reach[axis]).floor() as i64);
+            let far = [0, 1].map(|axis| (from_origin[axis] + reach[axis]).ceil() as i64 - corner[axis]);
+            let far = far.map(|side| side.max(1) as usize);
+            let planes = self.inks.planes(inks);
+            if Tiles::fits(far, planes) {
+                self.canvases[1 + size].reset(far[0], far[1], planes);
+                self.serials[1 + size] += 1;
+                node.place.origin = [0, 1].map(|axis| snapped.rest[axis] - corner[axis] as f64);
+                node.canvas = 1 + size;
+                node.pen.shade = Shade::default();
+                self.making.push(Making { key, height: self.stack.len(), size, inks, corner, target });
             }
         }
         self.stats.blocks += 1;
