@@ -131,13 +131,15 @@
         #build = () => {
             if (!this.isConnected || this.#frame) return;
             const root = this.shadowRoot ?? this.attachShadow({ mode: 'open' });
-            const style = document.createElement('style');
-            style.textContent = STYLE;
+            // Not an element, which the policy of a page might refuse.
+            const style = new CSSStyleSheet();
+            style.replaceSync(STYLE);
+            root.adoptedStyleSheets = [style];
             this.#frame = document.createElement('iframe');
             this.#frame.loading = this.getAttribute('loading') === 'eager' ? 'eager' : 'lazy';
             this.#frame.allow = 'clipboard-write';
             this.#frame.part = 'frame';
-            root.replaceChildren(style, this.#frame);
+            root.replaceChildren(this.#frame);
             this.#load();
         };
 

@@ -1,6 +1,7 @@
 /** The drawing in other people's pages: a frame, a sandbox, an element, a file. The host is another site. */
 
 import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
 import { copyFile, mkdtemp, rm } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
@@ -14,6 +15,10 @@ import { ADDRESS, DESKTOP, PHONE, close, picture, until, withPage } from './brow
 
 const WEED = 'v=1&title=Weed&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%5B-F%5DF&n=4&angle=25';
 const ELEMENT = `<script src="${ADDRESS}l-system.js"></script>`;
+
+/** The host's own style, and how a policy names it. */
+const STYLE = 'iframe, l-system { display: block; width: 600px; max-width: 100%; height: 400px; border: 0; aspect-ratio: auto }';
+const STYLE_HASH = createHash('sha256').update(STYLE).digest('base64');
 
 /** What the host serves, by path. @type {Map<string, string>} */
 const pages = new Map();
@@ -47,7 +52,7 @@ after(async () => {
  */
 function withHost(body, use, { options = DESKTOP, expected, head = '' } = {}) {
     const path = `/${pages.size}`;
-    pages.set(path, `<!doctype html><html lang="en"><title>Host</title><link rel="icon" href="data:,">${head}<style>iframe, l-system { display: block; width: 600px; max-width: 100%; height: 400px; border: 0; aspect-ratio: auto }</style><body>${body}</body></html>`);
+    pages.set(path, `<!doctype html><html lang="en"><title>Host</title><link rel="icon" href="data:,">${head}<style>${STYLE}</style><body>${body}</body></html>`);
     return withPage({ address: host, hash: path.slice(1), also: ADDRESS, drawing: null, options, expected }, use);
 }
 
@@ -322,6 +327,16 @@ test('an element tells mistakes, opens links, plays, moves and starts again', ()
             await until(async () => /8 segments/.test((await moved.textContent('#caption-text')) ?? ''), 'what it says is drawn anew');
         },
         { head: ELEMENT },
+    ));
+
+test('an element in a page with a policy', () =>
+    withHost(
+        '<l-system axiom="F" n="3"><pre>F -&gt; F+F</pre></l-system>',
+        async (page) => {
+            await drawn(page);
+            assert.equal(await page.evaluate(() => document.querySelector('l-system')?.shadowRoot?.querySelector('iframe')?.getBoundingClientRect().width), 600);
+        },
+        { head: `<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'sha256-${STYLE_HASH}'; script-src ${ADDRESS}; frame-src ${ADDRESS}">${ELEMENT}` },
     ));
 
 test('without JavaScript the element shows what it holds', () =>
