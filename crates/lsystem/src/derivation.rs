@@ -8,16 +8,20 @@ use crate::counts::{counts_until, sum_of, sums_by_depth};
 use crate::diagnostic::{Diagnostic, Kind, LimitName};
 use crate::program::{Program, Rewrite, SymbolId};
 use crate::walk::{Next, Walk};
-use crate::{Fault, Field, Key, Letter, Limits, MAX_ITERATIONS, Rewriter, Rules, System};
+use crate::{Fault, Field, Grammar, Key, Letter, LetterId, Limits, MAX_ITERATIONS, Rewriter, Rule, Rules, System};
 
 /// Texts up to this many bytes are copied whole; longer ones are composed of them. The source of a copy then stays
 /// in the processor's nearest cache, and only the writing costs.
 const COPIED: u128 = 16 << 10;
 
 /// What one derivation step makes of `symbol`. `roll`, uniform in `0.0..1.0`, selects among the successors of a
-/// stochastic production; others ignore it. A symbol that no production rewrites stays.
+/// stochastic production; others ignore it. A symbol that no production rewrites stays. It stands alone and without
+/// parameters: productions with contexts do not apply to it, and [`expand_once`] reads words of modules.
 #[must_use]
 pub fn expand_symbol(system: &System, symbol: char, roll: f64) -> String {
+    if let Some(rules) = &system.rules {
+        return alone(rules, symbol, roll);
+    }
     let program = &system.program;
     let rewrite = program.alphabet.binary_search(&symbol).ok().map(|id| &program.rewrites[id]);
     match rewrite.and_then(|rewrite| rewrite.successor(|| roll)) {
@@ -27,12 +31,66 @@ pub fn expand_symbol(system: &System, symbol: char, roll: f64) -> String {
 }
 
 /// What derivation step `step` (1-based) makes of `word`, which is read as an axiom: its symbols have the keys of an
-/// axiom's symbols.
+/// axiom's symbols. Where productions look around themselves or compute, it is a word of modules in the notation, with
+/// arguments in parentheses; one that cannot be read, or from which no finite numbers come, stays.
 #[must_use]
 pub fn expand_once(system: &System, word: &str, step: u32) -> String {
+    if let Some(rules) = &system.rules {
+        return once(system, rules, word, step).unwrap_or_else(|| word.to_owned());
+    }
     (word.chars().enumerate())
         .map(|(index, symbol)| expand_symbol(system, symbol, Key::root(index as u64).choice(system.seed, step)))
         .collect()
+}
+
+/// What a symbol without parameters or surroundings becomes.
+fn alone(rules: &Rules, symbol: char, roll: f64) -> String {
+    let random = |_| roll;
+    let own = rules.letter(symbol, 0).map_or(&[][..], |letter| &rules.by_letter[usize::from(letter)]);
+    let holds = |rule: &&Rule| {
+        let value = rule.condition.as_ref().map_or(1.0, |condition| condition.value(&[], &random));
+        !rule.is_context_sensitive() && value != 0.0 && !value.is_nan()
+    };
+    let applying: Vec<&Rule> = own.iter().filter(holds).collect();
+    let weight = |rule: &Rule| {
+        let weight = rule.weight.as_ref().map_or(0.0, |weight| weight.value(&[], &random));
+        if weight > 0.0 && weight.is_finite() { weight } else { 0.0 }
+    };
+    let mut left = roll * applying.iter().map(|rule| weight(rule)).sum::<f64>();
+    let chosen = match applying.first() {
+        Some(first) if first.weight.is_some() => {
+            applying.iter().copied().filter(|rule| weight(rule) > 0.0).find(|rule| {
+                left -= weight(rule);
+                left < 0.0
+            })
+        }
+        first => first.copied(),
+    };
+    let mut text = String::new();
+    match chosen {
+        None => crate::print::module(symbol, &[], &mut text),
+        Some(Rule { successor, .. }) => {
+            let arguments: Vec<f64> = successor.arguments.iter().map(|code| code.value(&[], &random)).collect();
+            write_word(rules, &successor.letters, &arguments, u64::MAX, &mut text);
+        }
+    }
+    text
+}
+
+/// One derivation step of a word of modules; `None` where it cannot be read, or a number is not finite.
+fn once(system: &System, rules: &Rules, word: &str, step: u32) -> Option<String> {
+    let (read, diagnostics) = crate::parse(word, "");
+    if diagnostics.iter().any(Diagnostic::is_error) {
+        return None;
+    }
+    let grammar = Grammar { axiom: read.axiom, ..system.grammar.clone() };
+    let cutting = |symbol: char| rules.letters.iter().zip(&rules.cuts).any(|(l, cuts)| l.symbol == symbol && *cuts);
+    let rules = Rules::new(&grammar, vec![], cutting).ok()?;
+    let mut rewriter = Rewriter::new(rules, system.seed, Limits::default()).ok()?.at(step.saturating_sub(1));
+    while !rewriter.step(usize::MAX).ok()? {}
+    let (word, mut text) = (rewriter.word(), String::new());
+    write_word(rewriter.rules(), &word.letters, &word.arguments, u64::MAX, &mut text);
+    Some(text)
 }
 
 /// The string of generation `n`.
@@ -86,18 +144,37 @@ fn write_modules(rules: &Rules, seed: u32, n: u32, limits: &Limits, text: &mut S
         rewriter.step(usize::MAX).map_err(|error| fault(rules, error, reached, limits, Some(reached)))?;
     }
     let word = rewriter.word();
-    let mut arguments = word.arguments.as_slice();
-    for &letter in &word.letters {
+    if write_word(rules, &word.letters, &word.arguments, limits.symbols, text) {
+        return Ok(());
+    }
+    text.clear();
+    Err(limit(LimitName::Symbols, limits.symbols, longest_within(rules, seed, n, limits)))
+}
+
+/// Appends modules with their arguments in parentheses; false once the text is longer than `most` bytes.
+fn write_word(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: u64, text: &mut String) -> bool {
+    let mut arguments = arguments;
+    letters.iter().all(|&letter| {
         let Letter { symbol, arity } = rules.letters[usize::from(letter)];
         let (own, rest) = arguments.split_at(usize::from(arity));
         arguments = rest;
         crate::print::module(symbol, own, text);
-        if text.len() as u64 > limits.symbols {
-            text.clear();
-            return Err(limit(LimitName::Symbols, limits.symbols, None));
+        text.len() as u64 <= most
+    })
+}
+
+/// The last generation before `n` whose text, and those of all before it, is within the limits.
+fn longest_within(rules: &Rules, seed: u32, n: u32, limits: &Limits) -> Option<u32> {
+    let mut rewriter = Rewriter::new(rules.clone(), seed, *limits).ok()?;
+    let mut text = String::new();
+    loop {
+        let (word, generation) = (rewriter.word(), rewriter.generation());
+        text.clear();
+        if generation >= n || !write_word(rules, &word.letters, &word.arguments, limits.symbols, &mut text) {
+            return generation.checked_sub(1);
         }
+        rewriter.step(usize::MAX).ok()?;
     }
-    Ok(())
 }
 
 /// What went wrong while deriving from generation `reached` on; `largest` is the largest n within a limit.

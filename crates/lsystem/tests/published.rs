@@ -2,7 +2,7 @@
 
 mod naive;
 
-use lsystem::{Definition, Limits, Rewriter, System, count_symbols, expand};
+use lsystem::{Definition, Kind, Limits, Rewriter, System, count_symbols, expand, expand_once, expand_symbol};
 
 fn system(axiom: &str, rules: &str) -> System {
     let definition = Definition { axiom: axiom.into(), rules: rules.into(), angle: 22.5, ..Definition::default() };
@@ -96,4 +96,39 @@ fn plain_systems_are_cut_too() {
     let drawn = lsystem::draw(&system, 4, &Limits::default()).unwrap();
     assert_eq!((drawn.segment_count(), drawn.symbol_count()), (8, Some(24)));
     assert_eq!(lsystem::count_segments(&system, 4), None);
+}
+
+#[test]
+fn single_steps_lead_to_the_same_words() {
+    let shedding = system(
+        "A(1)",
+        "r = 0.5\nA(x) : x > 0.1 -> F(x)[+A(x*r)]A(x/3)\nF(x) < A(y) -> A(y)B%F\nB -> b : 1\nB -> c : 2",
+    );
+    for system in [hogeweg_hesper(["0", "1[+F1F1]", "1", "1", "0", "1F1", "0", "0"]), honda(), shedding] {
+        let mut word = expand(&system, 0, &Limits::default()).unwrap();
+        for n in 1..8 {
+            // Keys are those of an axiom, so chance may choose otherwise; letters that it does not touch agree.
+            let next = expand_once(&system, &word, n);
+            let whole = expand(&system, n, &Limits::default()).unwrap();
+            let alike = |text: &str| text.replace('c', "b");
+            assert_eq!(alike(&next), alike(&whole), "{n}");
+            word = whole;
+        }
+    }
+    let system = system("AB(2)", "A -> FB(1) : 1\nA -> G : 3\nB(x) -> B(x + 1)\nC < A -> *");
+    assert_eq!(expand_symbol(&system, 'A', 0.2), "FB(1)");
+    assert_eq!(expand_symbol(&system, 'A', 0.3), "G");
+    assert_eq!(expand_symbol(&system, 'X', 0.3), "X");
+    assert_eq!(expand_once(&system, "B(2.5)CAX", 1), "B(3.5)CX");
+    assert_eq!(expand_once(&system, "B(", 1), "B(");
+}
+
+#[test]
+fn a_text_too_long_says_how_far_it_goes() {
+    let limits = Limits { symbols: 10_000, ..Limits::default() };
+    let tree = honda();
+    let Kind::Limit { largest: Some(n), .. } = expand(&tree, 12, &limits).unwrap_err().kind else {
+        panic!("the largest generation is known")
+    };
+    assert!(expand(&tree, n, &limits).is_ok() && expand(&tree, n + 1, &limits).is_err(), "{n}");
 }

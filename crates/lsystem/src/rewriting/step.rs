@@ -111,6 +111,11 @@ impl Rewriter {
         })
     }
 
+    /// The same with the axiom taken for this generation, which is what choices go by.
+    pub(crate) fn at(self, generation: u32) -> Self {
+        Self { generation, ..self }
+    }
+
     /// The generation that [`Rewriter::word`] is.
     #[must_use]
     pub fn generation(&self) -> u32 {
