@@ -5,8 +5,8 @@ use core::hash::Hasher;
 
 /// How many things are remembered.
 const SLOTS: usize = 1 << 16;
-/// Places this part of a subsample apart count as the same.
-const STEPS: f64 = 64.0;
+/// Places less than this part of a subsample apart count as the same: exact repeats differ by rounding alone.
+const STEPS: f64 = 65_536.0;
 
 /// A lossy memory of what has been painted where. What it knows is covered, in whatever colours.
 pub(super) struct Seen {
