@@ -89,8 +89,8 @@ const LADDER: [Rung; 6] = [
     Rung { samples: 1, detail: 3.0, side: 1024, budget: 25_000 },
     Rung { samples: 1, detail: 2.0, side: 1024, budget: 80_000 },
     Rung { samples: 1, detail: 1.2, side: 1024, budget: 250_000 },
-    Rung { samples: 2, detail: 1.6, side: 512, budget: 150_000 },
-    Rung { samples: 4, detail: 2.0, side: 256, budget: 100_000 },
+    Rung { samples: 2, detail: 1.6, side: 512, budget: 80_000 },
+    Rung { samples: 4, detail: 2.0, side: 256, budget: 60_000 },
 ];
 
 /// Makes pictures of a drawing in space, one after the other, in the same memory.

@@ -19,6 +19,8 @@ pub(super) struct Stick {
 
 /// Sticks reach at most so far from a tile before they are cut, in samples, so that single precision is enough.
 const REACH: f64 = 2048.0;
+/// Where a stick is at most so many samples wide, all of them are looked at in every row.
+const NARROW: usize = 6;
 /// A stick that is seen more end on than this is painted as its nearer end.
 const END_ON: f64 = 1e-3;
 
@@ -106,23 +108,29 @@ impl Stick {
         let mut looked = 0;
         for row in down[0]..=down[1] {
             let y = row as f32 + 0.5 - y0;
+            let mut columns = across;
             // Where the row crosses the band around the axis, and the slab between the ends.
-            let (mut low, mut high) = (across[0] as f32 - x0, across[1] as f32 + 1.0 - x0);
-            for (along, offset, limit) in [(-ey, y * ex, [-widest, widest]), (ex, y * ey, [-widest, flat + widest])] {
-                if along.abs() > 1e-4 {
-                    let [a, b] = limit.map(|limit| (limit - offset) / along);
-                    low = low.max(a.min(b));
-                    high = high.min(a.max(b));
-                } else if offset < limit[0] || offset > limit[1] {
-                    high = f32::NEG_INFINITY;
+            if across[1] - across[0] > NARROW {
+                let (mut low, mut high) = (across[0] as f32 - x0, across[1] as f32 + 1.0 - x0);
+                let band = [-widest, widest];
+                for (along, offset, limit) in [(-ey, y * ex, band), (ex, y * ey, [-widest, flat + widest])] {
+                    if along.abs() > 1e-4 {
+                        let [a, b] = limit.map(|limit| (limit - offset) / along);
+                        low = low.max(a.min(b));
+                        high = high.min(a.max(b));
+                    } else if offset < limit[0] || offset > limit[1] {
+                        high = f32::NEG_INFINITY;
+                    }
                 }
+                let right = (high + x0 - 0.5).floor().min(across[1] as f32);
+                columns[0] = (low + x0 - 0.5).ceil().max(across[0] as f32) as usize;
+                if right < columns[0] as f32 {
+                    continue;
+                }
+                columns[1] = right as usize;
             }
-            let left = ((low + x0 - 0.5).ceil().max(across[0] as f32)) as usize;
-            let right = (high + x0 - 0.5).floor().min(across[1] as f32);
-            if right < left as f32 {
-                continue;
-            }
-            let (depths, colours) = tile.row(row, [left, right as usize]);
+            let left = columns[0];
+            let (depths, colours) = tile.row(row, columns);
             looked += depths.len();
             for (i, (depth, colour)) in depths.iter_mut().zip(colours).enumerate() {
                 let x = (left + i) as f32 + 0.5 - x0;

@@ -19,7 +19,7 @@ const BLUR: f32 = 2.0;
 /// From this radius on blocks have the same share of the budget, in samples.
 const LARGE: f32 = 256.0;
 /// A tile is painted so often at most, with ever larger budgets while little of them is needed.
-const AGAIN: u8 = 3;
+const AGAIN: u8 = 2;
 /// What a node, a line, and a dot cost, in units of work, apart from the samples.
 const NODE_WORK: i64 = 8;
 const LINE_WORK: i64 = 2;
@@ -91,9 +91,10 @@ pub(super) struct Walk {
     painted: Vec<[usize; 2]>,
     /// The rows before this one hold nothing of the picture before.
     wiped: usize,
-    /// What the tile's root has left of its budget, and whether something had to go without.
-    rest: f32,
+    /// Whether something in this tile had to go without.
     poor: bool,
+    /// What has been looked into in this tile, this time.
+    used: f32,
     /// The budget of the tile that is being painted, and how often it was painted before.
     budget: f32,
     again: u8,
@@ -188,7 +189,7 @@ impl Walk {
             if !self.painting {
                 self.painting = true;
                 self.poor = false;
-                self.rest = 0.0;
+                self.used = 0.0;
                 if self.again == 0 {
                     self.budget = look.budget;
                 }
@@ -210,7 +211,7 @@ impl Walk {
                 return Progress::More;
             }
             self.painting = false;
-            let spent = (self.budget - self.rest).max(1.0);
+            let spent = self.used.max(1.0);
             if self.poor && spent < 0.5 * look.budget && self.again < AGAIN {
                 // What came first went without, and others did not need their share.
                 self.again += 1;
@@ -251,9 +252,8 @@ impl Walk {
             if frame.left == 0 {
                 let rest = frame.budget;
                 self.stack.pop();
-                match self.stack.last_mut() {
-                    Some(frame) => frame.budget += rest,
-                    None => self.rest = rest,
+                if let Some(frame) = self.stack.last_mut() {
+                    frame.budget += rest;
                 }
                 continue;
             }
@@ -274,6 +274,7 @@ impl Walk {
     fn line(&mut self, scene: &Scene, look: &Look, corner: [f64; 2], line: usize) -> i64 {
         let Some(frame) = self.stack.last_mut() else { return 0 };
         frame.budget -= 1.0;
+        self.used += 1.0;
         let line = &scene.lines[line];
         let width = scene.styles[line.style as usize].width.of(frame.width);
         let shade = scene.choice.then(frame.shade, scene.shade(line.style));
@@ -316,11 +317,13 @@ impl Walk {
         let shade = scene.choice.then(frame.shade, scene.shade(link.style));
         let inner = &scene.nodes[link.node as usize];
         let fine = 2.0 * ball > look.detail;
-        let poor = fine && share < f32::from(inner.links + inner.lines);
+        let over = self.used > 2.0 * look.budget;
+        let poor = fine && (over || share < f32::from(inner.links + inner.lines));
         self.poor |= poor;
         if !fine || poor && ball <= 0.5 * BLUR * look.detail {
             self.stats.stamps += 1;
             frame.budget -= 1.0;
+            self.used += 1.0;
             let [bx, by, bz] = [0, 1, 2].map(|i| f64::from(node.balls[i][lane]));
             let spot = look.light.spot(frame.place.lie([bx, by, bz]));
             let ink = scene.mean(link.node, shade);
@@ -352,6 +355,7 @@ impl Walk {
         let thin = 2.0 * (limb.off * place.scale * factor) as f32 <= look.detail;
         if thin || poor {
             frame.budget -= 1.0;
+            self.used += 1.0;
             let stick = |limb: &Limb| {
                 let ends = [limb.from, limb.to].map(|end| place.lie(end));
                 (ends, limb.style.width.of(width), scene.choice.then(shade, scene.choice.shade(&limb.style)))
@@ -364,6 +368,7 @@ impl Walk {
                 if let Some(frame) = self.stack.last_mut() {
                     frame.budget -= tips.len() as f32;
                 }
+                self.used += tips.len() as f32;
                 for tip in tips {
                     let (ends, own, tint) = stick(tip);
                     cost += self.stick(look, corner, ends, own, scene.ink(tint));
@@ -372,7 +377,8 @@ impl Walk {
             return cost;
         }
         frame.budget -= share;
-        self.open(scene, look, corner, link.node, Inside { place, shade, width, budget: share });
+        self.used += 1.0;
+        self.open(scene, look, corner, link.node, Inside { place, shade, width, budget: share - 1.0 });
         NODE_WORK
     }
 
@@ -450,8 +456,6 @@ impl Walk {
             self.stack.push(frame);
         } else if let Some(outer) = self.stack.last_mut() {
             outer.budget += budget;
-        } else {
-            self.rest = budget;
         }
     }
 }
