@@ -56,8 +56,10 @@ fn end_to_end(workspace: &Workspace, www: &Path) -> Result<()> {
 pub(crate) fn bench(workspace: &Workspace) -> Result<()> {
     let www = workspace.www();
     packages(&www)?;
-    with_page(workspace, |node| node.arg("test/bench/drags.mjs").current_dir(&www))?;
-    with_page(workspace, |node| node.arg("test/bench/load.mjs").current_dir(&www))
+    for script in ["drags.mjs", "load.mjs", "space.mjs"] {
+        with_page(workspace, |node| node.arg(format!("test/bench/{script}")).current_dir(&www))?;
+    }
+    Ok(())
 }
 
 /// Runs Node.js as `prepare` says, while the page is served.
