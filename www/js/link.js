@@ -36,6 +36,8 @@ const colour = { write: (value) => value.slice(1), read: (value) => `#${value.to
 /** @type {Form} */
 const colours = { write: (value) => value.map(colour.write).join(), read: (value) => value.split(',', MAX_PALETTE + 1).map(colour.read) };
 /** @type {Form} */
+const flag = { write: (value) => (value ? '1' : '0'), read: (value) => ({ 0: false, 1: true })[value] };
+/** @type {Form} */
 const view = {
     write: ({ x, y, zoom, fx = 0, fy = 0 }) => (fx === 0 && fy === 0 ? [x, y, zoom] : [x, y, zoom, fx, fy]).join(),
     read: (value) => {
@@ -76,13 +78,20 @@ export const KEYS = [
     ['start', 'start', list(2)],
     ['tropism', 'tropism', list(3)],
     ['elasticity', 'elasticity', number],
+    ['shorter', 'lengthFactor', number],
+    ['vary', 'angleVariation', number],
+    ['varylength', 'lengthVariation', number],
+    ['growth', 'growth', number],
     ['turtle', 'dialect', text],
     ['do', 'overrides', text],
     ['seed', 'seed', number],
     ['palette', 'palette', colours],
     ['colour', 'colourBy', text],
+    ['hold', 'paletteHolds', flag],
+    ['turns', 'turnColours', list(2)],
     ['bg', 'background', colour],
     ['width', 'width', number],
+    ['thinner', 'widthFactor', number],
     ['thin', 'minWidth', number],
     ['name', 'name', text],
     ['source', 'source', text],

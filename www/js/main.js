@@ -6,6 +6,7 @@ import { button, html, setText } from './dom.js';
 import { createEngine } from './engine.js';
 import { kits } from './files.js';
 import { createGallery } from './gallery.js';
+import { createGrowing } from './growing.js';
 import { createHover } from './hover.js';
 import { hasInk, houseInk, isDark } from './inks.js';
 import { createMarks } from './marks.js';
@@ -24,6 +25,7 @@ import { turtlePanel } from './panels/turtle-panel.js';
 import { createOrbit } from './orbit.js';
 import { createPlayback } from './playback.js';
 import { createReader } from './reading/reader.js';
+import { createSeeds } from './seeds.js';
 import { createSession } from './session.js';
 import { openSession } from './sessions.js';
 import { createShare } from './share.js';
@@ -51,6 +53,7 @@ const marks = createMarks();
 const stage = createStage(store, engine, marks);
 const orbit = createOrbit(store, stage);
 const playback = createPlayback(engine, { turtle: marks.turtle });
+const growing = createGrowing(store, engine, () => playback.forget());
 const reader = createReader(engine, { mark: marks.part, opened: () => hover.forget() });
 const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.segment, light: reader.light, choose: reader.choose, reading: () => reader.open, zoom: () => store.state.view?.zoom ?? 1, upto: () => playback.upto });
 const rules = rulesPanel(store);
@@ -69,6 +72,7 @@ createGallery(engine, {
     dress: (definition) => ({ ...definition, ...dressOf(definition) }),
     look: theme,
 });
+createSeeds(store, engine);
 tabs();
 createShortcuts();
 themeButton((next) => {
@@ -103,7 +107,10 @@ addEventListener('beforeinput', (event) => {
 });
 
 store.subscribe((state, before) => {
-    if (!sameSystem(state, before)) engine.define(definitionOf(state));
+    if (!sameSystem(state, before)) {
+        growing.forget();
+        engine.define(definitionOf(state));
+    }
     show(state, before);
 });
 session.follow(store);
@@ -149,6 +156,8 @@ function showNames(state) {
 
 /** @param {Report} next */
 function reported(next) {
+    // What is on its way to the state is not told about.
+    if (growing.running) return;
     stage.growing(next.ok && next.memoised === null);
     rules.report(next);
     growth.report(next, store.state);
@@ -183,6 +192,7 @@ function tellSpace(solid) {
 /** @param {import('./engine.js').Drawn} picture */
 function drawn(picture) {
     stage.drawn(picture);
+    growing.drawn();
     playback.drawn(picture);
     hover.drawn();
 }

@@ -3,7 +3,7 @@
  */
 
 /** @typedef {'abop' | 'every-letter' | 'practical' | 'lowercase' | 'axes'} Dialect */
-/** @typedef {'symbol' | 'single' | 'level'} ColourBy */
+/** @typedef {'symbol' | 'single' | 'level' | 'turn' | 'generation' | 'path'} ColourBy */
 
 /**
  * Where the reader looks. `x` and `y` move the picture's centre, in fitted extents (the longer side of what Fit
@@ -33,13 +33,20 @@
  * @property {[number, number]} start
  * @property {[number, number, number]} tropism what branches bend towards: x, y, z towards the viewer
  * @property {number} elasticity how easily they bend; 0 for not at all
+ * @property {number} lengthFactor what every branch multiplies lengths by
+ * @property {number} angleVariation by how much angles differ at random, at most; percent
+ * @property {number} lengthVariation the same of lengths
+ * @property {number} growth how far what the last derivation step made has grown, 0 to 1
  * @property {Dialect} dialect
  * @property {string} overrides
  * @property {number} seed 0 to 2^32 - 1
  * @property {string[]} palette never empty
  * @property {ColourBy} colourBy
+ * @property {boolean} paletteHolds by level and generation: the last colour goes on where the palette ends
+ * @property {[number, number]} turnColours by turn: palette indices after a left and after a right turn
  * @property {string} background
  * @property {number} width
+ * @property {number} widthFactor what every branch multiplies the width by
  * @property {number} minWidth
  */
 
@@ -63,7 +70,7 @@ export const MAX_CAMERA_ZOOM = 1e4;
 /** @type {readonly Dialect[]} */
 export const DIALECTS = ['abop', 'every-letter', 'practical', 'lowercase', 'axes'];
 /** @type {readonly ColourBy[]} */
-export const COLOUR_BY = ['symbol', 'level', 'single'];
+export const COLOUR_BY = ['symbol', 'level', 'generation', 'path', 'turn', 'single'];
 
 /** @type {Readonly<State>} */
 export const DEFAULTS = Object.freeze({
@@ -85,13 +92,20 @@ export const DEFAULTS = Object.freeze({
     start: /** @type {[number, number]} */ ([0, 0]),
     tropism: /** @type {[number, number, number]} */ ([0, -1, 0]),
     elasticity: 0,
+    lengthFactor: 1,
+    angleVariation: 0,
+    lengthVariation: 0,
+    growth: 1,
     dialect: 'abop',
     overrides: '',
     seed: 0,
     palette: ['#1f5c3a', '#5f8f2f', '#b58b1e', '#b4532a', '#8c2f4b'],
     colourBy: 'symbol',
+    paletteHolds: false,
+    turnColours: /** @type {[number, number]} */ ([1, 2]),
     background: '#fbfaf5',
     width: 0,
+    widthFactor: 1,
     minWidth: 1,
     view: null,
     camera: null,
@@ -120,6 +134,10 @@ const CLEAN = {
     start: (value) => (Array.isArray(value) && value.length === 2 ? pair(value.map(number(-1e9, 1e9))) : undefined),
     tropism: (value) => (Array.isArray(value) && value.length === 3 ? triple(value.map(number(-1000, 1000))) : undefined),
     elasticity: number(-1000, 1000),
+    lengthFactor: number(0, 10),
+    angleVariation: number(0, 100),
+    lengthVariation: number(0, 100),
+    growth: number(0, 1),
     dialect: oneOf(DIALECTS),
     overrides: text(20_000),
     seed: number(0, 2 ** 32 - 1, true),
@@ -128,8 +146,11 @@ const CLEAN = {
         return colours.length > 0 && colours.every((one) => one !== undefined) ? /** @type {string[]} */ (colours) : undefined;
     },
     colourBy: oneOf(COLOUR_BY),
+    paletteHolds: (value) => (typeof value === 'boolean' ? value : undefined),
+    turnColours: (value) => (Array.isArray(value) && value.length === 2 ? pair(value.map(number(0, MAX_PALETTE - 1, true))) : undefined),
     background: colour,
     width: number(0, 1000),
+    widthFactor: number(0, 10),
     minWidth: number(0, 100),
     camera: orNull((value) => {
         if (typeof value !== 'object' || value === null) return undefined;
@@ -214,7 +235,7 @@ export function sameSystem(a, b) {
 }
 
 /** What only captions, inks and views depend on. @type {readonly (keyof State)[]} */
-const LOOKS = ['name', 'title', 'source', 'notes', 'palette', 'colourBy', 'background', 'width', 'minWidth', 'view', 'camera'];
+const LOOKS = ['name', 'title', 'source', 'notes', 'palette', 'colourBy', 'paletteHolds', 'turnColours', 'background', 'width', 'widthFactor', 'minWidth', 'view', 'camera'];
 
 /**
  * Whether two states draw the same segments.

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 pub(crate) const HELP: &str = "\
 Derives, draws and inspects L-systems.
 
-usage: lsys expand FILE [-n N] [--seed S]
+usage: lsys expand FILE [-n N] [--seed S] [--set NAME=VALUE]...
        lsys draw FILE [OUT_BASE] [-n N] [--seed S] [--format svg|png|csv|txt|obj|glb] [--size WxH] [--compact]
        lsys draw FILE... --out-dir DIR [the same options]
        lsys info FILE... [-n N] [--seed S] [--json]
@@ -25,6 +25,8 @@ usage: lsys expand FILE [-n N] [--seed S]
                        carries its system; - for standard input
   -n, --iterations N   derivation steps, 0 to 1000, in place of the file's
   --seed S             which random choices to make, 0 to 4294967295, in place of the file's
+  --set NAME=VALUE     any other value of the file, by its name there: angle_deg=22.5, colour_by=path,
+                       length_factor=0.8, angle_variation=10, palette='[\"gold\",\"teal\"]'; may be repeated
   --format FORMAT      svg, png, csv (columns x0,y0,x1,y1,level,colour; in space
                        x0,y0,z0,x1,y1,z1,level,colour), txt (the string), or a mesh of coloured tubes
                        as obj or glb (binary glTF)
@@ -54,12 +56,14 @@ pub(crate) enum Command {
 }
 
 /// What the command line changes in a file's system.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Changes {
     /// Derivation steps.
     pub(crate) iterations: Option<u32>,
     /// The seed.
     pub(crate) seed: Option<u32>,
+    /// Other fields and their values, as they are written.
+    pub(crate) settings: Vec<(String, String)>,
 }
 
 /// One file to draw.
@@ -147,6 +151,13 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
                 options.changes.iterations = Some(whole(&text, "-n", MAX_ITERATIONS)?);
             }
             Long("seed") => options.changes.seed = Some(whole(&parser.value().map_err(explain)?, "--seed", u32::MAX)?),
+            Long("set") => {
+                let text = parser.value().map_err(explain)?.to_string_lossy().into_owned();
+                let Some((name, value)) = text.split_once('=') else {
+                    return Err(format!("--set takes a name and a value such as angle_deg=30, not `{text}`"));
+                };
+                options.changes.settings.push((name.to_owned(), value.to_owned()));
+            }
             Long("format") => options.format = Some(format(&parser.value().map_err(explain)?)?),
             Long("size") => options.size = Some(size(&parser.value().map_err(explain)?)?),
             Long("compact") => options.compact = true,
@@ -314,7 +325,10 @@ mod tests {
     use expect_test::{Expect, expect};
 
     fn check(line: &str, expected: &Expect) {
-        let with = |Changes { iterations, seed }| format!("n {iterations:?} seed {seed:?}");
+        let with = |Changes { iterations, seed, settings }| match settings.as_slice() {
+            [] => format!("n {iterations:?} seed {seed:?}"),
+            settings => format!("n {iterations:?} seed {seed:?} set {settings:?}"),
+        };
         let text = match parse(line.split_whitespace().map(OsString::from)) {
             Ok(Command::Expand { file, changes }) => format!("expand {file:?} {}", with(changes)),
             Ok(Command::Info { files, json, changes }) => format!("info {files:?} json {json} {}", with(changes)),
@@ -358,6 +372,11 @@ mod tests {
             "draw a --size 40x30 --format png",
             &expect![[r#"draw "a" to Print(Png(Some(Size { width: 40, height: 30 }))) n None seed None"#]],
         );
+        check(
+            "draw a --set x=1 --set y=a=b",
+            &expect![[r#"draw "a" to Write("a", [Txt, Svg(Flat)]) n None seed None set [("x", "1"), ("y", "a=b")]"#]],
+        );
+        check("info a --set x", &expect!["error: --set takes a name and a value such as angle_deg=30, not `x`"]);
         check("draw a --compact", &expect![[r#"draw "a" to Write("a", [Txt, Svg(Compact)]) n None seed None"#]]);
         check("draw a --compact --format svg", &expect![[r#"draw "a" to Print(Svg(Compact)) n None seed None"#]]);
         check("--help nonsense", &expect!["Help"]);

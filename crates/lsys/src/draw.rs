@@ -9,7 +9,7 @@ use lsystem::{Drawing, Mesh, Outlook, Solid, SvgOptions, write_csv, write_glb, w
 use std::io::IsTerminal;
 
 /// Does all `jobs`. One that fails is reported, and the others are still done.
-pub(crate) fn draw(jobs: &[Job], changes: Changes) -> Result<(), Failure> {
+pub(crate) fn draw(jobs: &[Job], changes: &Changes) -> Result<(), Failure> {
     let mut progress = Progress::new("files", jobs.len() as u64);
     let mut failed = false;
     for (i, job) in jobs.iter().enumerate() {
@@ -22,7 +22,7 @@ pub(crate) fn draw(jobs: &[Job], changes: Changes) -> Result<(), Failure> {
     if failed { Err(Failure::Said) } else { Ok(()) }
 }
 
-fn one(job: &Job, changes: Changes) -> Result<(), Failure> {
+fn one(job: &Job, changes: &Changes) -> Result<(), Failure> {
     let input = input::read(&job.file, changes)?;
     match &job.target {
         Target::Print(Format::Png(_) | Format::Glb) if std::io::stdout().is_terminal() => {

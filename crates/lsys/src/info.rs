@@ -42,7 +42,7 @@ struct Growth {
 }
 
 /// Prints facts about `files`. Files that cannot be read are reported, and the others still told about.
-pub(crate) fn info(files: &[PathBuf], json: bool, changes: Changes) -> Result<(), Failure> {
+pub(crate) fn info(files: &[PathBuf], json: bool, changes: &Changes) -> Result<(), Failure> {
     let mut all = Vec::new();
     let mut failed = false;
     for file in files {

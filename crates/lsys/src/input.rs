@@ -1,7 +1,7 @@
 //! Reading a file into a system, and saying what is wrong with it.
 
 use crate::args::Changes;
-use crate::{Failure, say};
+use crate::{Failure, say, settings};
 use lsystem::{Definition, Diagnostic, Field, FileContent, Limits, System, read_file, render_diagnostic};
 use std::fs::File;
 use std::io::{self, Read};
@@ -25,7 +25,7 @@ pub(crate) struct Input {
 ///
 /// # Errors
 /// [`Failure::Said`] where the file makes no system; what is wrong stands on standard error then.
-pub(crate) fn read(file: &Path, changes: Changes) -> Result<Input, Failure> {
+pub(crate) fn read(file: &Path, changes: &Changes) -> Result<Input, Failure> {
     let name = if file.as_os_str() == "-" { "standard input".into() } else { file.display().to_string() };
     let bytes = bytes_of(file).map_err(|error| Failure::io(&name, &error))?;
     let FileContent { mut definition, mut diagnostics, json } = read_file(&bytes);
@@ -33,6 +33,12 @@ pub(crate) fn read(file: &Path, changes: Changes) -> Result<Input, Failure> {
     if let Some(definition) = &mut definition {
         definition.iterations = changes.iterations.unwrap_or(definition.iterations);
         definition.seed = changes.seed.unwrap_or(definition.seed);
+        if !changes.settings.is_empty() {
+            *definition = settings::apply(definition, &changes.settings).map_err(|error| {
+                say(&format!("{error}\n"));
+                Failure::Said
+            })?;
+        }
         let (made, more) = System::new(definition);
         system = made;
         diagnostics.extend(more);

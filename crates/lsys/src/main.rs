@@ -8,6 +8,7 @@ mod input;
 mod output;
 mod picture;
 mod progress;
+mod settings;
 
 use args::Command;
 use lsystem::Word;
@@ -67,9 +68,9 @@ fn run(command: Command) -> Result<(), Failure> {
     match command {
         Command::Help => print(|out| out.write_all(args::HELP.as_bytes())),
         Command::Version => print(|out| writeln!(out, "lsys {}", env!("CARGO_PKG_VERSION"))),
-        Command::Expand { file, changes } => expand(&file, changes),
-        Command::Draw { jobs, changes } => draw::draw(&jobs, changes),
-        Command::Info { files, json, changes } => info::info(&files, json, changes),
+        Command::Expand { file, changes } => expand(&file, &changes),
+        Command::Draw { jobs, changes } => draw::draw(&jobs, &changes),
+        Command::Info { files, json, changes } => info::info(&files, json, &changes),
     }
 }
 
@@ -78,7 +79,7 @@ const PIECE: usize = 1 << 16;
 /// Strings up to this many symbols are derived whole, which is faster.
 const WHOLE: u128 = 1 << 24;
 
-fn expand(file: &Path, changes: args::Changes) -> Result<(), Failure> {
+fn expand(file: &Path, changes: &args::Changes) -> Result<(), Failure> {
     let input = input::read(file, changes)?;
     match Word::new(&input.system, input.iterations).filter(|word| word.symbols() > WHOLE) {
         Some(word) => print(|out| write_pieces(out, &word)),

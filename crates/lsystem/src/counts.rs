@@ -4,7 +4,7 @@
 //! the successor: d times |alphabet| additions, however long the string.
 
 use crate::program::{Program, Rewrite, SymbolId};
-use crate::{Action, Rules, System, Tally};
+use crate::{Rules, System, Tally};
 
 /// How many symbols generation `n` has, modules with parameters counted as one; `None` where that depends on random
 /// choices, contexts, conditions or cut branches.
@@ -49,7 +49,7 @@ fn drawn_as(system: &System, rules: &Rules, letter: SymbolId) -> Option<u64> {
 /// The segments that one letter draws by itself.
 pub(crate) fn segments_of(system: &System, symbol: SymbolId) -> u64 {
     let actions = &system.turtle.actions[usize::from(symbol)];
-    actions.iter().filter(|action| matches!(action, Action::Draw(_))).count() as u64
+    actions.iter().filter(|action| action.draws()).count() as u64
 }
 
 /// The sum of `weight` over the letters of generation `n`; `None` where it depends on random choices.

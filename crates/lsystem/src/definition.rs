@@ -48,6 +48,14 @@ pub struct Definition {
     pub dialect: Dialect,
     /// Exceptions from the dialect, a line each: `G: move`, `B: turn left 90, draw 10`.
     pub overrides: String,
+    /// What every branch multiplies all lengths by.
+    pub length_factor: f64,
+    /// By how much angles differ at random from what they should be, at most: percent of them, 0 to 100.
+    pub angle_variation: f64,
+    /// By how much lengths differ at random from what they should be, at most: percent of them, 0 to 100.
+    pub length_variation: f64,
+    /// How far what the last derivation step made has grown, from 0 to 1 ([`Turtle::growth`](crate::Turtle::growth)).
+    pub growth: f64,
     /// Selects among the outcomes of stochastic productions.
     pub seed: u32,
     /// Colours and widths: further fields beside the others. Who deserialises reads them as a [`Style`] of their own,
@@ -79,6 +87,10 @@ impl Default for Definition {
             elasticity: 0.0,
             dialect: Dialect::default(),
             overrides: String::new(),
+            length_factor: 1.0,
+            angle_variation: 0.0,
+            length_variation: 0.0,
+            growth: 1.0,
             seed: 0,
             style: Style::default(),
         }

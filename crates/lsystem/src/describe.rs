@@ -47,7 +47,7 @@ pub fn kind(system: &System) -> String {
     let productions = &system.grammar.productions;
     let parametric = system.rules.as_ref().is_some_and(crate::Rules::is_parametric);
     let kinds = [
-        ("stochastic", system.is_stochastic()),
+        ("stochastic", system.has_choices()),
         ("context-sensitive", productions.iter().any(Production::is_context_sensitive)),
         ("parametric", parametric),
     ];
@@ -64,8 +64,11 @@ fn action_words(system: &System, action: Action) -> String {
         format!("{verb} by {}°", degrees.unwrap_or_else(|| own.degrees()))
     };
     match action {
-        Action::Draw(length) => along("draws", length),
-        Action::Move(length) => along("moves", length),
+        Action::Draw(length) | Action::DrawUnmarked(length) => along("draws", length),
+        Action::Move(length) | Action::MoveUnmarked(length) => along("moves", length),
+        Action::OpenPolygon => "begins a filled polygon".to_owned(),
+        Action::Vertex => "is a vertex of the polygon".to_owned(),
+        Action::ClosePolygon => "fills the polygon".to_owned(),
         Action::TurnLeft(degrees) => bend("turns left", degrees, system.turtle.left),
         Action::TurnRight(degrees) => bend("turns right", degrees, system.turtle.right),
         Action::PitchDown(degrees) => bend("pitches down", degrees, system.turtle.pitch_down),

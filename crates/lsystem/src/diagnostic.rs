@@ -332,13 +332,6 @@ pub enum Kind {
         /// The derivation step, 1-based; 0 for the axiom.
         step: u32,
     },
-    /// A symbol whose meaning in the dialect is not drawn.
-    NotDrawn {
-        /// The symbol.
-        symbol: char,
-        /// What it stands for.
-        meaning: Undrawn,
-    },
     /// A number of the definition is not finite or out of its range.
     Number {
         /// Which.
@@ -427,13 +420,6 @@ pub enum Role {
     Axiom,
 }
 
-/// What a symbol stands for that is not drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Undrawn {
-    /// Polygons.
-    Polygon,
-}
-
 /// The numbers of a definition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Quantity {
@@ -455,6 +441,18 @@ pub enum Quantity {
     Tropism,
     /// [`Definition::elasticity`](crate::Definition::elasticity).
     Elasticity,
+    /// [`Style::width_factor`](crate::Style::width_factor).
+    WidthFactor,
+    /// [`Definition::length_factor`](crate::Definition::length_factor).
+    LengthFactor,
+    /// [`Definition::angle_variation`](crate::Definition::angle_variation).
+    AngleVariation,
+    /// [`Definition::length_variation`](crate::Definition::length_variation).
+    LengthVariation,
+    /// [`Definition::growth`](crate::Definition::growth).
+    Growth,
+    /// [`Style::turn_colours`](crate::Style::turn_colours).
+    TurnColour,
     /// [`Style::width`](crate::Style::width).
     Width,
     /// [`Style::min_width`](crate::Style::min_width).
@@ -470,6 +468,10 @@ impl Quantity {
             Self::Step => Expected::Between(1e-9, 1e9),
             Self::Start => Expected::Between(-1e9, 1e9),
             Self::Tropism | Self::Elasticity => Expected::Between(-1e3, 1e3),
+            Self::WidthFactor | Self::LengthFactor => Expected::Between(0.0, 10.0),
+            Self::AngleVariation | Self::LengthVariation => Expected::Between(0.0, 100.0),
+            Self::Growth => Expected::Between(0.0, 1.0),
+            Self::TurnColour => Expected::Whole(0, i32::MAX as i64),
             Self::Width => Expected::Between(0.0, 1e9),
             Self::MinWidth => Expected::Between(0.0, 1e4),
         }
@@ -600,7 +602,6 @@ impl Diagnostic {
             | Kind::ContextUnseen { .. }
             | Kind::ContextForCondition
             | Kind::ConditionConstant { .. }
-            | Kind::NotDrawn { .. }
             | Kind::UnknownKey { .. }
             | Kind::DuplicateKey { .. }
             | Kind::SpaceSymbol

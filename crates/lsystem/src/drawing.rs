@@ -13,6 +13,7 @@ mod drawer;
 mod extent;
 mod graph;
 mod hull;
+mod marks;
 mod materialise;
 mod modules;
 mod outline;
@@ -21,6 +22,7 @@ mod pick;
 mod projection;
 mod segments;
 mod shape;
+mod sheet;
 mod solid;
 mod style;
 mod tree;
@@ -31,6 +33,7 @@ pub use bulk::{SegmentArrays, SegmentChunk};
 pub use drawer::{Drawer, draw};
 pub use graph::Effect;
 pub(crate) use hull::hull;
+pub use marks::Mark;
 pub use pick::Pick;
 pub use projection::Outlook;
 pub(crate) use segments::Frame;
@@ -39,7 +42,7 @@ pub(crate) use shape::{Line, Shape, shapes};
 pub use solid::draw_solid;
 
 use crate::turtle::finite;
-use crate::{Plane, Space, SymbolId};
+use crate::{ColourBy, Plane, Space, SymbolId};
 use core::ops::Range;
 use std::sync::OnceLock;
 
@@ -53,6 +56,8 @@ pub struct Drawing<S: Space = Plane> {
     pub(crate) items: Vec<Item<S>>,
     /// The corners of all hulls that have some; each block names its range.
     pub(crate) corners: Vec<S::Point>,
+    /// The vertices of all polygons; each names its range.
+    pub(crate) vertices: Vec<S::Point>,
     /// The styles in use; strokes and placements name theirs.
     pub(crate) styles: Vec<StyleChange>,
     /// The whole drawing, or `None` when nothing is drawn. Its frame has the axes of the model: the start heading is
@@ -166,6 +171,32 @@ impl<S: Space> Drawing<S> {
         &self.items[items.start as usize..items.end as usize]
     }
 
+    /// The greatest number that colours by branch level or by generation depend on.
+    pub(crate) fn farthest_ink(&self, by: ColourBy) -> u32 {
+        let indices = || self.styles.iter().map(|style| style.colour.of(0).max(0).cast_unsigned());
+        if by != ColourBy::Level {
+            return indices().max().unwrap_or(0);
+        }
+        let mut deepest: Vec<u32> = Vec::with_capacity(self.blocks.len());
+        for block in &self.blocks {
+            let items = &self.items[block.items.start as usize..block.items.end as usize];
+            let level = |style: StyleId| self.styles[style.0 as usize].level;
+            let levels = items.iter().map(|item| match item {
+                Item::Stroke(stroke) => level(stroke.style),
+                Item::Polygon(polygon) => level(polygon.style),
+                Item::Block(placed) => level(placed.style).saturating_add(deepest[placed.block.0 as usize]),
+            });
+            let level = levels.max().unwrap_or(0);
+            deepest.push(level);
+        }
+        self.root.map_or(0, |root| deepest[root.0 as usize])
+    }
+
+    /// A polygon's vertices.
+    pub(crate) fn vertices_of(&self, polygon: &Polygon) -> &[S::Point] {
+        &self.vertices[polygon.range()]
+    }
+
     /// Model units for one unit of the root block; the greatest finite number where that is beyond `f64`.
     pub(crate) fn unit(&self) -> f64 {
         let exponent = self.root.map_or(0, |root| self.blocks[root.0 as usize].exponent);
@@ -205,6 +236,8 @@ pub struct Block<S: Space = Plane> {
 pub enum Item<S: Space = Plane> {
     /// One segment.
     Stroke(Stroke<S>),
+    /// A filled polygon.
+    Polygon(Polygon),
     /// A smaller block.
     Block(Placed<S>),
 }
@@ -218,6 +251,24 @@ pub struct Stroke<S: Space = Plane> {
     pub to: S::Point,
     /// The style it is drawn in, relative to the block's entry.
     pub style: StyleId,
+}
+
+/// A filled polygon: inside is what its outline winds around a number of times other than zero.
+#[derive(Clone, Copy, Debug)]
+pub struct Polygon {
+    /// Its first vertex among the drawing's.
+    pub first: u32,
+    /// How many vertices it has: at least 3, each joined to the next and the last to the first. Block units.
+    pub count: u32,
+    /// The style it is filled in, relative to the block's entry.
+    pub style: StyleId,
+}
+
+impl Polygon {
+    /// Its vertices among the drawing's.
+    pub(crate) fn range(&self) -> Range<usize> {
+        self.first as usize..(self.first + self.count) as usize
+    }
 }
 
 /// A block placed in another block's frame: `p -> at + scale * rotate(heading, p)`.

@@ -54,6 +54,13 @@ impl Heading {
         Self(product.rem_euclid(i128::from(TURN)) as u64)
     }
 
+    /// The shorter way round to this heading, `factor` times as far: for factors from 0 on.
+    #[must_use]
+    pub(crate) fn part(self, factor: f64) -> Self {
+        let degrees = if self.0 > TURN / 2 { -(-self).degrees() } else { self.degrees() };
+        Self::from_degrees(degrees * factor)
+    }
+
     /// How many different headings the multiples of `turns` reach: the size of the group they generate.
     #[must_use]
     pub fn order(turns: &[Self]) -> u64 {

@@ -34,6 +34,23 @@ impl Key {
         let slot = u64::from(step) | (u64::from(place) + 1) << 32;
         unit(mix(mix(self.0, u64::from(seed) | 1 << 32), slot))
     }
+
+    /// A number from -1 to 1 that stays with the module as long as it lives, for one `purpose` and, of its ways and
+    /// turns, the one at `slot` (0-based).
+    #[must_use]
+    pub fn variation(self, seed: u32, purpose: Purpose, slot: u32) -> f64 {
+        let slot = 1 << 63 | (purpose as u64) << 32 | u64::from(slot);
+        2.0 * unit(mix(mix(self.0, u64::from(seed) | 1 << 32), slot)) - 1.0
+    }
+}
+
+/// What varies from module to module.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// The angle of a turn.
+    Angle,
+    /// The length of a way forward.
+    Length,
 }
 
 /// The top 53 bits as a fraction.

@@ -37,6 +37,7 @@ mod system;
 mod tally;
 #[cfg(test)]
 mod testing;
+mod triangulate;
 mod turtle;
 mod walk;
 
@@ -46,11 +47,11 @@ pub use counts::{count, count_segments, count_symbols};
 pub use definition::Definition;
 pub use derivation::{expand, expand_into, expand_once, expand_symbol};
 pub use describe::{LegendEntry, describe, kind, legend, short_count, why_empty};
-pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Quantity, Role, Severity, Undrawn};
+pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Quantity, Role, Severity};
 pub use dialect::Dialect;
 pub use drawing::{
-    Block, BlockId, Body, ColourChange, Drawer, Drawing, Effect, Item, Outlook, Pick, Piece, Placed, Segment,
-    SegmentArrays, SegmentChunk, Segments, Stroke, StyleChange, StyleId, WidthChange, draw, draw_solid,
+    Block, BlockId, Body, ColourChange, Drawer, Drawing, Effect, Item, Mark, Outlook, Pick, Piece, Placed, Polygon,
+    Segment, SegmentArrays, SegmentChunk, Segments, Stroke, StyleChange, StyleId, WidthChange, draw, draw_solid,
 };
 pub use expr::{Code, Expr, Function, Meaning, Op, Operator, SIGN, STACK, Unusable};
 pub use format::{
@@ -59,7 +60,7 @@ pub use format::{
 };
 pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
 pub use heading::Heading;
-pub use key::Key;
+pub use key::{Key, Purpose};
 pub use limits::{
     Limits, MAX_CONTEXT, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS, MAX_PICTURE_PIXELS,
     MAX_PICTURE_SIDE, MAX_TEXT,
@@ -78,10 +79,10 @@ pub use rewriting::{ContextPattern, Fault, Image, Letter, LetterId, Modules, Rew
 pub use rotation::Rotation;
 pub use solid::Solid;
 pub use space::{Axis, Space};
-pub use style::{Colour, ColourBy, Style};
+pub use style::{Colour, ColourBy, GRADIENT, Style, Tint};
 pub use system::System;
 pub use tally::Tally;
-pub use turtle::{Tropism, Turtle};
+pub use turtle::{Colouring, Tropism, Turtle};
 
 /// The README's Rust code is tested with the rest.
 #[cfg(doctest)]

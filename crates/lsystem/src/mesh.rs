@@ -1,11 +1,12 @@
-//! Drawings as triangles: every stroke a tube.
+//! Drawings as triangles: every stroke a tube, polygons cut up.
 //!
 //! Strokes that follow each other end to end share a ring of corners on the plane that halves the angle between them,
 //! so that a bent path is one closed tube. Where widths differ a tube tapers to the width of the stroke that follows.
 
 use crate::derivation::limit;
 use crate::rotation::{Vector, cross, dot, norm};
-use crate::{Diagnostic, Drawing, LimitName, Segment, Solid, Style};
+use crate::triangulate::triangulate;
+use crate::{Diagnostic, Drawing, LimitName, Mark, Segment, Solid, Style};
 
 /// Triangles with colours, in model units.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -46,9 +47,12 @@ impl Mesh {
             _ => 4,
         };
         let least = 0.5 * style.min_width.max(0.1) * extent / PICTURE;
-        let mut tubes = Tubes { mesh: Self::default(), sides, least, style, last: None };
-        for segment in drawing.segments() {
-            tubes.add(&segment);
+        let mut tubes = Tubes { mesh: Self::default(), sides, least, last: None };
+        for mark in drawing.marks() {
+            match mark {
+                Mark::Segment(segment, tint) => tubes.add(&segment, style.colour_of(tint).rgb),
+                Mark::Polygon(vertices, tint) => tubes.fill(&vertices, style.colour_of(tint).rgb),
+            }
         }
         tubes.close();
         Ok(tubes.mesh)
@@ -56,12 +60,11 @@ impl Mesh {
 }
 
 /// Tubes in the making.
-struct Tubes<'a> {
+struct Tubes {
     mesh: Mesh,
     sides: u32,
     /// No tube's radius is less.
     least: f64,
-    style: &'a Style,
     /// The stroke whose far end is still open.
     last: Option<Open>,
 }
@@ -79,8 +82,19 @@ struct Open {
     ring: u32,
 }
 
-impl Tubes<'_> {
-    fn add(&mut self, segment: &Segment<Solid>) {
+impl Tubes {
+    /// A polygon, which is seen from both sides.
+    fn fill(&mut self, vertices: &[Vector], colour: [u8; 3]) {
+        let Some((normal, triangles)) = triangulate(vertices) else { return };
+        for (normal, order) in [(normal, [0, 1, 2]), (normal.map(|c| -c), [0, 2, 1])] {
+            let first = self.mesh.positions.len() as u32;
+            vertices.iter().for_each(|&vertex| self.corner(vertex, normal, colour));
+            let face = |triangle: &[usize; 3]| order.map(|corner| first + triangle[corner] as u32);
+            self.mesh.triangles.extend(triangles.iter().map(face));
+        }
+    }
+
+    fn add(&mut self, segment: &Segment<Solid>, colour: [u8; 3]) {
         let way = minus(segment.to, segment.from);
         let length = norm(way);
         if !(length > 0.0 && length.is_finite()) {
@@ -88,7 +102,6 @@ impl Tubes<'_> {
         }
         let along = way.map(|c| c / length);
         let radius = (0.5 * segment.width).max(self.least);
-        let colour = self.style.colour_of(segment.colour, segment.level).rgb;
         let gap = |last: &Open| norm(minus(segment.from, last.to));
         let joined = self.last.filter(|last| gap(last) <= 1e-9 * length && dot(last.along, along) > SHARPEST);
         let (across, ring) = match joined {
@@ -258,6 +271,13 @@ mod tests {
         assert_eq!(mesh("F'F", "", 0.0, 0).positions.len(), 4 * 8 + 2);
         assert_eq!(mesh("F|F", "", 0.0, 0).positions.len(), 2 * 18);
         check_closed(&mesh("F'F+'F^F[&F][/+F]!F", "", 25.7, 0));
+    }
+
+    #[test]
+    fn leaves_have_two_sides() {
+        let leaf = mesh("{-f+f+f-|-f+f+f}", "", 22.5, 0);
+        check_closed(&leaf);
+        assert!(leaf.triangles.len() >= 8 && volume(&leaf).abs() < 1e-9);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The words of all diagnostics, in English, in one place.
 
 use crate::print::number;
-use crate::{Expected, Function, JsonError, Kind, LimitName, Quantity, Role, Undrawn};
+use crate::{Expected, Function, JsonError, Kind, LimitName, Quantity, Role};
 
 /// What is wrong, and what to try.
 pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
@@ -341,12 +341,6 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
             },
             "Is something divided by zero, or does it grow without end? A condition can stop it.".into(),
         ),
-        Kind::NotDrawn { symbol, meaning } => hinted(
-            format!("{} {} and does nothing yet", named(*symbol), match meaning {
-                Undrawn::Polygon => "draws a filled polygon",
-            }),
-            format!("An override can give it another meaning, as in `{symbol}: nothing`."),
-        ),
         Kind::Number { quantity, expected } => {
             let quantity = match quantity {
                 Quantity::Angle => "angle",
@@ -358,6 +352,12 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
                 Quantity::Start => "starting point's coordinate",
                 Quantity::Tropism => "tropism's coordinate",
                 Quantity::Elasticity => "elasticity",
+                Quantity::WidthFactor => "width factor",
+                Quantity::LengthFactor => "length factor",
+                Quantity::AngleVariation => "variation of angles",
+                Quantity::LengthVariation => "variation of lengths",
+                Quantity::Growth => "growth",
+                Quantity::TurnColour => "colour of a turn",
                 Quantity::Width => "stroke width",
                 Quantity::MinWidth => "least stroke width",
             };

@@ -13,6 +13,8 @@
 //! |---|---|
 //! | `draw`, `draw 10` | forward with a line, by the step or by this length |
 //! | `move`, `move 10` | forward without a line |
+//! | `draw unmarked`, `move unmarked` | the same without vertices of an open polygon |
+//! | `open polygon`, `vertex`, `close polygon` | a filled polygon: its vertices are where `draw` and `move` begin and end, and where `vertex` stands |
 //! | `turn left`, `turn left 90` | counter-clockwise, by the left angle or by these degrees |
 //! | `turn right`, `turn right 90` | clockwise |
 //! | `turn round` | by 180 degrees |
@@ -133,6 +135,11 @@ fn print_action(action: Action) -> String {
     match action {
         Action::Draw(length) => optional("draw", length),
         Action::Move(length) => optional("move", length),
+        Action::DrawUnmarked(length) => optional("draw unmarked", length),
+        Action::MoveUnmarked(length) => optional("move unmarked", length),
+        Action::OpenPolygon => "open polygon".to_owned(),
+        Action::Vertex => "vertex".to_owned(),
+        Action::ClosePolygon => "close polygon".to_owned(),
         Action::TurnLeft(angle) => optional("turn left", angle),
         Action::TurnRight(angle) => optional("turn right", angle),
         Action::TurnRound => "turn round".to_owned(),
@@ -239,9 +246,14 @@ enum Form {
 const MOST: f64 = 1e9;
 
 /// The words of the actions, but for `nothing`.
-const FORMS: [(&str, Form); 26] = [
+const FORMS: [(&str, Form); 31] = [
     ("draw", Form::Optional(Action::Draw)),
     ("move", Form::Optional(Action::Move)),
+    ("draw unmarked", Form::Optional(Action::DrawUnmarked)),
+    ("move unmarked", Form::Optional(Action::MoveUnmarked)),
+    ("open polygon", Form::Plain(Action::OpenPolygon)),
+    ("vertex", Form::Plain(Action::Vertex)),
+    ("close polygon", Form::Plain(Action::ClosePolygon)),
     ("turn left", Form::Optional(Action::TurnLeft)),
     ("turn right", Form::Optional(Action::TurnRight)),
     ("turn round", Form::Plain(Action::TurnRound)),

@@ -70,7 +70,7 @@ impl Space for Plane {
     }
 
     fn enclose(builder: &mut Builder, items: &[Item]) -> Enclosed<Self> {
-        let Builder { blocks, corners, directions, points, .. } = builder;
+        let Builder { blocks, corners, vertices, directions, points, .. } = builder;
         points.clear();
         let mut slack = 0.0_f64;
         for item in items {
@@ -82,6 +82,7 @@ impl Space for Plane {
                     }
                     points.push(stroke.to);
                 }
+                Item::Polygon(polygon) => points.extend(&vertices[polygon.range()]),
                 Item::Block(placed) => {
                     let block = &blocks[placed.block.0 as usize];
                     let axes = Self::scaled(directions.cos_sin(placed.heading), placed.scale);

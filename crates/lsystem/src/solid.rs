@@ -66,6 +66,6 @@ impl Space for Solid {
     }
 
     fn enclose(builder: &mut Builder<Self>, items: &[Item<Self>]) -> Enclosed<Self> {
-        Body::enclose(&builder.blocks, &builder.items, items)
+        Body::enclose((&builder.blocks, &builder.items, &builder.vertices), items)
     }
 }

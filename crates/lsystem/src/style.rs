@@ -24,14 +24,20 @@ pub enum ColourBy {
     Single,
     /// The branch level: the palette's entry at the level.
     Level,
+    /// The turns: the palette's entries that [`Style::turn_colours`] names, from the first turn on; branches restore it.
+    Turn,
+    /// The derivation step in which the module that draws was made ([`Colouring::Generations`](crate::Colouring)).
+    Generation,
+    /// The place among all segments: the whole palette as a gradient, from the first segment to the last.
+    Path,
 }
 
 impl ColourBy {
     /// All of them, in the order to offer them.
-    pub const ALL: [Self; 3] = [Self::Symbol, Self::Single, Self::Level];
+    pub const ALL: [Self; 6] = [Self::Symbol, Self::Single, Self::Level, Self::Turn, Self::Generation, Self::Path];
 
     /// Their names in files, in the same order.
-    pub(crate) const NAMES: [&str; 3] = ["symbol", "single", "level"];
+    pub(crate) const NAMES: [&str; 6] = ["symbol", "single", "level", "turn", "generation", "path"];
 
     /// Its name in files.
     #[must_use]
@@ -46,12 +52,18 @@ impl ColourBy {
 pub struct Style {
     /// The stroke colour (index 0) and those that follow it. Never empty; indices wrap around at look-up.
     pub palette: Vec<Colour>,
+    /// Whether by level and by generation what is beyond the palette has its last colour, instead of wrapping around.
+    pub palette_holds: bool,
+    /// By turn: the palette's index after a turn to the left, and after one to the right.
+    pub turn_colours: [i32; 2],
     /// What the colour follows.
     pub colour_by: ColourBy,
     /// Behind the drawing.
     pub background: Colour,
     /// The turtle's stroke width at the start, in multiples of the step length.
     pub width: f64,
+    /// What every branch multiplies the width by.
+    pub width_factor: f64,
     /// No stroke is drawn thinner than this, in CSS pixels of the picture.
     pub min_width: f64,
 }
@@ -67,9 +79,12 @@ impl Default for Style {
                 colour(0xb4, 0x53, 0x2a),
                 colour(0x8c, 0x2f, 0x4b),
             ],
+            palette_holds: false,
+            turn_colours: [1, 2],
             colour_by: ColourBy::Symbol,
             background: colour(0xfb, 0xfa, 0xf5),
             width: 0.0,
+            width_factor: 1.0,
             min_width: 1.0,
         }
     }
@@ -88,16 +103,56 @@ impl Style {
         }
     }
 
-    /// The colour of a stroke: of the turtle's colour index, or of its branch level.
+    /// The colour of a stroke.
     #[must_use]
-    pub fn colour_of(&self, index: i32, level: u32) -> Colour {
-        let entry = match self.colour_by {
+    pub fn colour_of(&self, tint: Tint) -> Colour {
+        let wrapped = |index: i64| index.rem_euclid(self.palette.len().max(1) as i64) as u32;
+        let held = |index: i64| if self.holds() { index.clamp(0, i64::from(u32::MAX)) as u32 } else { wrapped(index) };
+        self.ink(match self.colour_by {
             ColourBy::Single => 0,
-            ColourBy::Symbol => i64::from(index),
-            ColourBy::Level => i64::from(level),
-        };
-        let wrapped = entry.rem_euclid(self.palette.len().max(1) as i64);
-        self.palette.get(wrapped as usize).copied().unwrap_or(Colour { rgb: [0; 3] })
+            ColourBy::Symbol | ColourBy::Turn => wrapped(i64::from(tint.index)),
+            ColourBy::Level => held(i64::from(tint.level)),
+            ColourBy::Generation => held(i64::from(tint.index)),
+            ColourBy::Path => gradient_step(tint.place),
+        })
+    }
+
+    /// Whether indices beyond the palette mean its last colour.
+    pub(crate) fn holds(&self) -> bool {
+        self.palette_holds && matches!(self.colour_by, ColourBy::Level | ColourBy::Generation)
+    }
+
+    /// How many different inks there are; `farthest` is the greatest index in use.
+    pub(crate) fn inks(&self, farthest: impl FnOnce() -> u32) -> u32 {
+        let palette = u32::try_from(self.palette.len()).unwrap_or(u32::MAX / 2).max(1);
+        match self.colour_by {
+            ColourBy::Single => 1,
+            ColourBy::Path => GRADIENT,
+            _ if self.holds() => farthest().saturating_add(1).max(palette).min(crate::limits::MAX_PALETTE as u32),
+            _ => palette,
+        }
+    }
+
+    /// The colour of the ink `number`: a palette's entry or a step of the gradient.
+    pub(crate) fn ink(&self, number: u32) -> Colour {
+        if self.colour_by == ColourBy::Path {
+            return self.gradient((f64::from(number) + 0.5) / f64::from(GRADIENT));
+        }
+        let entry = (number as usize).min(self.palette.len().saturating_sub(1));
+        self.palette.get(entry).copied().unwrap_or(Colour { rgb: [0; 3] })
+    }
+
+    /// The colour at `place`, from 0 to 1, along the palette: one of [`GRADIENT`] steps.
+    #[must_use]
+    pub fn gradient(&self, place: f64) -> Colour {
+        let last = self.palette.len().saturating_sub(1);
+        let along = f64::from(gradient_step(place)) / f64::from(GRADIENT - 1) * last as f64;
+        let from = (along as usize).min(last.saturating_sub(1));
+        let part = along - from as f64;
+        let of = |at: usize| self.palette.get(at).map_or([0; 3], |colour| colour.rgb);
+        let (a, b) = (of(from), of((from + 1).min(last)));
+        let mix = |i: usize| libm::round(f64::from(a[i]) * (1.0 - part) + f64::from(b[i]) * part) as u8;
+        Colour { rgb: [0, 1, 2].map(mix) }
     }
 
     /// The style that a file in this dialect has where it names none: in [`Dialect::Lowercase`] the pen starts blue,
@@ -110,6 +165,25 @@ impl Style {
         }
         style
     }
+}
+
+/// What the colour of a stroke may follow.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Tint {
+    /// The turtle's colour index.
+    pub index: i32,
+    /// The branch level.
+    pub level: u32,
+    /// How many of all segments come before, as a part of them.
+    pub place: f64,
+}
+
+/// Steps of the gradient along the path: few enough to be told apart by a renderer, too many to be seen one by one.
+pub const GRADIENT: u32 = 64;
+
+/// Which step of the gradient is at `place`, from 0 to 1.
+pub(crate) fn gradient_step(place: f64) -> u32 {
+    ((place * f64::from(GRADIENT)) as u32).min(GRADIENT - 1)
 }
 
 impl From<Colour> for String {

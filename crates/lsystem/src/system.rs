@@ -4,8 +4,9 @@ use crate::notation::{self, Reading};
 use crate::notes::Notes;
 use crate::sorted::{set, sort};
 use crate::{
-    Action, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, LimitName, MAX_ITERATIONS, MAX_LETTERS,
-    MAX_PALETTE, Production, Program, Quantity, Rules, Style, Tropism, Turtle, Undrawn, parse_overrides,
+    Action, ColourBy, Colouring, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, LimitName,
+    MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, Production, Program, Quantity, Rules, Style, Tropism, Turtle,
+    parse_overrides,
 };
 use core::ops::Range;
 
@@ -47,7 +48,7 @@ impl System {
         let mut order: Vec<(char, usize)> = overrides.iter().enumerate().map(|(at, o)| (o.symbol, at)).collect();
         sort(&mut order);
         let overrides = order.iter().map(|&(symbol, at)| (symbol, overrides[at].actions.as_slice())).collect();
-        let actions = Actions { dialect: definition.dialect, overrides };
+        let mut actions = Actions { dialect: definition.dialect, overrides, polygons: false };
         let cuts = |symbol: char| actions.of(symbol).contains(&Action::Cut);
         let grammar = &reading.grammar;
         let rules = (!grammar.is_plain() || grammar.made().any(|module| cuts(module.symbol))).then(|| {
@@ -57,11 +58,18 @@ impl System {
         // What could not be computed has been noted where it was read.
         let rules = rules.and_then(Result::ok);
         let program = rules.as_ref().map_or_else(|| Program::new(grammar), Program::outline);
+        actions.polygons = program.alphabet.iter().any(|&symbol| {
+            let image = reading.grammar.images.iter().find(|image| image.predecessor.symbol == symbol);
+            let drawn = image.map_or(&[][..], |image| &image.successor);
+            let opens = |symbol: char| actions.of(symbol).contains(&Action::OpenPolygon);
+            opens(symbol) || drawn.iter().any(|module| opens(module.symbol))
+        });
         diagnostics.extend(doubts(&reading, &program, rules.as_ref(), &actions));
         let angle =
             |own: [Option<f64>; 2]| Heading::from_degrees(own.into_iter().flatten().next().unwrap_or(definition.angle));
         let Definition { right_angle, pitch_down, pitch_up, roll_left, roll_right, .. } = *definition;
         let tropism = Tropism { vector: definition.tropism, elasticity: definition.elasticity };
+        let style = &definition.style;
         let turtle = Turtle {
             actions: program.alphabet.iter().map(|&symbol| actions.drawn(symbol, grammar, rules.is_some())).collect(),
             left: Heading::from_degrees(definition.angle),
@@ -74,7 +82,17 @@ impl System {
             heading: Heading::from_degrees(definition.heading),
             start: definition.start,
             step: definition.step,
-            width: definition.style.width,
+            width: style.width,
+            width_factor: style.width_factor,
+            length_factor: definition.length_factor,
+            colouring: match style.colour_by {
+                ColourBy::Turn => Colouring::Turns(style.turn_colours),
+                ColourBy::Generation => Colouring::Generations,
+                _ => Colouring::Symbols,
+            },
+            angle_variation: definition.angle_variation / 100.0,
+            length_variation: definition.length_variation / 100.0,
+            growth: definition.growth,
         };
         let grammar = reading.grammar;
         let system = Self { grammar, program, rules, turtle, style: definition.style.clone(), seed: definition.seed };
@@ -95,6 +113,12 @@ impl System {
     /// Whether chance plays a part, so that the seed matters.
     #[must_use]
     pub fn is_stochastic(&self) -> bool {
+        self.turtle.angle_variation != 0.0 || self.turtle.length_variation != 0.0 || self.has_choices()
+    }
+
+    /// Whether chance plays a part in its derivation.
+    #[must_use]
+    pub fn has_choices(&self) -> bool {
         match &self.rules {
             Some(rules) => rules.is_random(),
             None => !self.program.is_deterministic(),
@@ -116,6 +140,8 @@ struct Actions<'a> {
     dialect: Dialect,
     /// By symbol, sorted.
     overrides: Vec<(char, &'a [Action])>,
+    /// Whether there are polygons.
+    polygons: bool,
 }
 
 impl Actions<'_> {
@@ -131,20 +157,19 @@ impl Actions<'_> {
     /// What `symbol` does when it is drawn: all that its image does, unless images are `apart`.
     fn drawn(&self, symbol: char, grammar: &Grammar, apart: bool) -> Vec<Action> {
         match grammar.images.iter().find(|image| image.predecessor.symbol == symbol) {
-            Some(image) if !apart => image.successor.iter().flat_map(|m| self.of(m.symbol)).copied().collect(),
-            _ => self.of(symbol).to_vec(),
+            Some(image) if !apart => image.successor.iter().flat_map(|m| self.marked(m.symbol)).collect(),
+            _ => self.marked(symbol).collect(),
         }
     }
 
-    /// What the dialect means by `symbol` without drawing it.
-    fn not_drawn(&self, symbol: char) -> Option<Undrawn> {
-        if self.overridden(symbol).is_some() {
-            return None;
-        }
-        match (self.dialect, symbol) {
-            (Dialect::Abop, '{' | '.' | '}') => Some(Undrawn::Polygon),
-            _ => None,
-        }
+    /// What `symbol` does; in this dialect `G` and `g` leave no vertices of polygons, which can be told apart only where
+    /// there are some.
+    fn marked(&self, symbol: char) -> impl Iterator<Item = Action> {
+        let unmarked = self.polygons
+            && self.dialect == Dialect::Abop
+            && matches!(symbol, 'G' | 'g')
+            && self.overridden(symbol).is_none();
+        self.of(symbol).iter().map(move |&action| if unmarked { action.unmarked() } else { action })
     }
 }
 
@@ -169,6 +194,11 @@ fn check_numbers(definition: &Definition) -> Vec<Diagnostic> {
         (Quantity::Elasticity, definition.elasticity),
         (Quantity::Width, style.width),
         (Quantity::MinWidth, style.min_width),
+        (Quantity::WidthFactor, style.width_factor),
+        (Quantity::LengthFactor, definition.length_factor),
+        (Quantity::AngleVariation, definition.angle_variation),
+        (Quantity::LengthVariation, definition.length_variation),
+        (Quantity::Growth, definition.growth),
     ];
     for (quantity, value) in numbers {
         let expected = quantity.expected();
@@ -207,23 +237,12 @@ fn doubts(reading: &Reading, program: &Program, rules: Option<&Rules>, actions: 
         let rest = rest.map(|(p, places)| (false, &p.successor[..], &places.successor[..]));
         core::iter::once((true, &grammar.axiom[..], &reading.axiom[..])).chain(rest)
     };
-    // What is drawn as something else is not drawn itself.
-    let drawn = set(grammar.images.iter().map(|image| image.predecessor.symbol));
-    let mut told: Vec<char> = Vec::new();
     let mut unmatched: Vec<(bool, char, Range<usize>)> = Vec::new();
     let mut left_open = false;
     for (is_axiom, word, spans) in words() {
         let mut depth = 0_usize;
         for (module, span) in word.iter().zip(spans) {
             let symbol = module.symbol;
-            if let Some(meaning) = actions.not_drawn(symbol)
-                && drawn.binary_search(&symbol).is_err()
-                && !told.contains(&symbol)
-            {
-                told.push(symbol);
-                let notes = if is_axiom { &mut axiom_notes } else { &mut notes };
-                notes.add(Kind::NotDrawn { symbol, meaning }, span.clone());
-            }
             for action in actions.of(symbol) {
                 match action {
                     Action::Push => depth += 1,

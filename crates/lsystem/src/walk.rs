@@ -1,6 +1,7 @@
 //! A derivation gone through depth first: the letters of the last generation in order, none before it held.
 //! Whoever knows what becomes of some letters takes these as soon as they occur.
 
+use crate::turtle::Fate;
 use crate::{Key, Program, Rewrite, SymbolId};
 
 /// Where a derivation stands. It holds no references, so it can rest between two calls.
@@ -21,6 +22,8 @@ struct Word {
     next: usize,
     /// Of the letter that this word replaced.
     key: Key,
+    /// The derivation step that made the letter that this word replaced, or the first of its kind in its place.
+    since: u32,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +44,7 @@ pub(crate) enum Next {
 
 impl Walk {
     pub(crate) fn new(n: u32, seed: u32) -> Self {
-        Self { n, seed, open: vec![Word { source: Source::Axiom, next: 0, key: Key::root(0) }], work: 0 }
+        Self { n, seed, open: vec![Word { source: Source::Axiom, next: 0, key: Key::root(0), since: 0 }], work: 0 }
     }
 
     /// Goes on to the next letter that is `known` or of the last generation, until `self.work` is `until`.
@@ -66,10 +69,8 @@ impl Walk {
             if generation == self.n || known(symbol) {
                 return Next::Letter(symbol, self.n - generation);
             }
-            let key = match word.source {
-                Source::Axiom => Key::root(index),
-                Source::Successor(..) => word.key.child(generation, index),
-            };
+            let key = word.key(generation, index);
+            let since = word.since(generation, symbol);
             let step = generation + 1;
             let choice = match &program.rewrites[usize::from(symbol)] {
                 Rewrite::Keep => return Next::Letter(symbol, 0),
@@ -79,8 +80,28 @@ impl Walk {
                     choices.iter().position(|c| roll < c.until).unwrap_or(choices.len() - 1)
                 }
             };
-            self.open.push(Word { source: Source::Successor(symbol, choice), next: 0, key });
+            self.open.push(Word { source: Source::Successor(symbol, choice), next: 0, key, since });
         }
+    }
+
+    /// What is special about the letter that was given last; `heir` says which of the letters that replace one goes on in
+    /// its place.
+    pub(crate) fn fate(
+        &self,
+        program: &Program,
+        symbol: SymbolId,
+        heir: impl Fn(SymbolId, &[SymbolId]) -> Option<usize>,
+    ) -> Fate {
+        let generation = self.open.len().saturating_sub(1) as u32;
+        let Some(word) = self.open.last() else { return Fate { key: Key::root(0), since: 0, grows: false } };
+        let index = word.next.saturating_sub(1);
+        let grows = match word.source {
+            Source::Successor(former, _) if generation == self.n => {
+                heir(former, letters(program, word.source)) != Some(index)
+            }
+            _ => false,
+        };
+        Fate { key: word.key(generation, index as u64), since: word.since(generation, symbol), grows }
     }
 
     /// How much of the derivation is done, 0 to 1, as if all letters of a word took the same time.
@@ -93,6 +114,24 @@ impl Walk {
             done += share * (word.next - inside) as f64;
         }
         done
+    }
+}
+
+impl Word {
+    /// Of its letter at `index`, in this generation.
+    fn key(&self, generation: u32, index: u64) -> Key {
+        match self.source {
+            Source::Axiom => Key::root(index),
+            Source::Successor(..) => self.key.child(generation, index),
+        }
+    }
+
+    /// Since which generation there has been a `symbol` in the place of one of its letters, in this generation.
+    fn since(&self, generation: u32, symbol: SymbolId) -> u32 {
+        match self.source {
+            Source::Successor(former, _) if former == symbol => self.since,
+            _ => generation,
+        }
     }
 }
 

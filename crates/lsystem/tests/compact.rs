@@ -1,7 +1,7 @@
 //! Compact SVG pictures: what they show, how large they are, what they cost.
 
 use lsystem::{
-    ColourBy, Definition, Drawing, Kind, LimitName, Limits, Svg, SvgForm, SvgOptions, System, draw, read_json,
+    ColourBy, Definition, Drawing, Kind, LimitName, Limits, Svg, SvgForm, SvgOptions, System, Tint, draw, read_json,
     write_svg,
 };
 use std::collections::HashMap;
@@ -105,6 +105,10 @@ impl<'a> Reader<'a> {
                 continue;
             }
             assert!(line.starts_with("<path"), "{line}");
+            // Polygons are no strokes.
+            if attribute(line, "stroke") == Some("none") {
+                continue;
+            }
             let of = |name| attribute(line, name).or(attribute(around, name)).unwrap();
             let (colour, width) = (of("stroke").to_owned(), of("stroke-width").parse().unwrap());
             for part in attribute(line, "d").unwrap().split('M').skip(1) {
@@ -141,7 +145,11 @@ fn check_covers(definition: &Definition, size: f64) {
         while segments.peek().is_some() && (at == stroke.from || !near(at, stroke.to)) {
             let segment = segments.next().unwrap();
             assert!(near(place(segment.from), at), "{stroke:?} {segment:?} {}", definition.name);
-            let colour = String::from(definition.style.colour_of(segment.colour, segment.level));
+            let colour = String::from(definition.style.colour_of(Tint {
+                index: segment.colour,
+                level: segment.level,
+                place: 0.0,
+            }));
             assert_eq!(stroke.colour, colour);
             let width = (segment.width / pixel).max(definition.style.min_width);
             assert!((stroke.width - width).abs() <= 1e-5 * width, "{stroke:?} {width}");
@@ -162,7 +170,7 @@ fn the_same_strokes_as_the_drawing() {
         }
         check_covers(&definition, 20_000.0);
     }
-    for colour_by in [ColourBy::Symbol, ColourBy::Single, ColourBy::Level] {
+    for colour_by in [ColourBy::Symbol, ColourBy::Single, ColourBy::Level, ColourBy::Turn, ColourBy::Generation] {
         let mut styled = plant(4);
         styled.rules = "X -> F!'[[X]+X]+F#[+FX]-X\nF -> FF".into();
         styled.overrides = "!: width 0.3\n#: thicker".into();

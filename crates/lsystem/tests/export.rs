@@ -124,7 +124,7 @@ fn paths_read_back() {
             let entry = match colour_by {
                 ColourBy::Symbol => segment.colour as usize,
                 ColourBy::Single => 0,
-                ColourBy::Level => segment.level as usize,
+                _ => segment.level as usize,
             };
             assert_eq!(*colour, String::from(plant.style.palette[entry % plant.style.palette.len()]));
         }

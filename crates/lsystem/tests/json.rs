@@ -20,13 +20,17 @@ fn style() -> impl Strategy<Value = Style> {
         colour(),
         0.0..1e9,
         0.0..1e4,
+        (any::<bool>(), prop::array::uniform2(0..i32::MAX), 0.0..10.0),
     )
-        .prop_map(|(palette, colour_by, background, width, min_width)| Style {
+        .prop_map(|(palette, colour_by, background, width, min_width, more)| Style {
             palette,
             colour_by,
             background,
             width,
             min_width,
+            palette_holds: more.0,
+            turn_colours: more.1,
+            width_factor: more.2,
         });
     prop_oneof![2 => Just(Style::course()), 1 => Just(Style::default()), 1 => any_style]
 }
@@ -50,6 +54,10 @@ fn definition() -> impl Strategy<Value = Definition> {
             prop::array::uniform4(prop::option::of(number())),
             prop_oneof![Just([0.0, -1.0, 0.0]), prop::array::uniform3(-1e3..1e3)],
             prop_oneof![Just(0.0), -1e3..1e3],
+            prop_oneof![
+                1 => (0.0..10.0, 0.0..100.0, 0.0..100.0, 0.0..1.0),
+                1 => Just((1.0, 0.0, 0.0, 1.0)),
+            ],
         ),
         prop_oneof![Just(Dialect::EveryLetter), prop::sample::select(Dialect::ALL.to_vec())],
         style(),
@@ -75,6 +83,10 @@ fn definition() -> impl Strategy<Value = Definition> {
             roll_right: space.0[3],
             tropism: space.1,
             elasticity: space.2,
+            length_factor: space.3.0,
+            angle_variation: space.3.1,
+            length_variation: space.3.2,
+            growth: space.3.3,
             dialect,
             style,
         })

@@ -6,12 +6,14 @@ import { numberField } from '../controls/number-field.js';
 import { listProblems } from '../controls/editor.js';
 import { grouped, plain, short, shortText } from '../numerals.js';
 import { MAX_ITERATIONS, definitionOf } from '../state.js';
+import { FACTORS } from './look-panel.js';
 
 /** @typedef {import('../engine.js').Report} Report */
 
 /** Fine where pictures differ most, up to what any system may ask for. */
 const ITERATIONS = [...even(0, 24, 1), ...even(26, 40, 2), ...even(45, 100, 5), 120, 150, 200, 300, 500, 700, MAX_ITERATIONS];
 const ANGLES = even(0, 180, 0.5);
+const PERCENT = [...even(0, 30, 1), ...even(35, 100, 5)];
 const DEGREES = { low: -3600, high: 3600, step: 1 };
 
 /**
@@ -33,6 +35,17 @@ export function growthPanel(store, source) {
     const rightSlider = slider(input('right-slider'), { stops: ANGLES, text: (value) => `${plain(value)} degrees`, ...right });
     const showRight = numberField(input('right'), { ...DEGREES, ...right });
     const showSeed = numberField(input('seed'), { low: 0, high: 2 ** 32 - 1, step: 1, whole: true, ...changing((value) => ({ seed: value }), 'seed') });
+
+    const lengths = changing((value) => ({ lengthFactor: value }), 'lengthFactor');
+    const lengthSlider = slider(input('length-factor-slider'), { stops: FACTORS, text: (value) => `times ${plain(value)}`, ...lengths });
+    const showLength = numberField(input('length-factor'), { low: 0, high: 10, step: 0.05, ...lengths });
+    const variations = /** @type {const} */ (['angleVariation', 'lengthVariation']).map((field) => {
+        const id = field === 'angleVariation' ? 'vary-angle' : 'vary-length';
+        const varying = changing((value) => ({ [field]: value }), field);
+        const show = numberField(input(id), { low: 0, high: 100, step: 1, ...varying });
+        const slide = slider(input(`${id}-slider`), { stops: PERCENT, text: (value) => `plus or minus ${plain(value)} percent`, ...varying });
+        return { field, show, slide };
+    });
 
     const twoAngles = input('two-angles');
     twoAngles.addEventListener('change', () => {
@@ -75,6 +88,12 @@ export function growthPanel(store, source) {
                 showRight(state.rightAngle);
             }
             showSeed(state.seed);
+            lengthSlider.show(state.lengthFactor);
+            showLength(state.lengthFactor);
+            for (const { field, show, slide } of variations) {
+                show(state[field]);
+                slide.show(state[field]);
+            }
             showAnglePicture(state.angle);
         },
 
@@ -92,8 +111,9 @@ export function growthPanel(store, source) {
                 bound = { system, largest: report.largest, why: passed?.message ?? '' };
             }
             iterationsSlider.limit(bound && Math.max(bound.largest, state.iterations));
+            button('seed-sheet').disabled = !report.stochastic;
             html('seed-row').classList.toggle('idle', !report.stochastic);
-            setText(html('seed-note'), report.stochastic ? 'Chance decides between productions; the same seed grows the same plant.' : 'No production leaves anything to chance, so the seed changes nothing.');
+            setText(html('seed-note'), report.stochastic ? 'The same seed grows the same plant.' : 'Nothing is left to chance, so the seed changes nothing. Variation makes every seed another plant.');
             setText(html('status'), statusOf(report, bound));
         },
     };

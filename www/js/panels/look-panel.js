@@ -1,13 +1,24 @@
 /** Colours and strokes. */
 
-import { button, byId, html, input, make } from '../dom.js';
+import { button, byId, html, input, make, setText } from '../dom.js';
 import { even, slider } from '../controls/slider.js';
 import { numberField } from '../controls/number-field.js';
-import { INKS, hasInk } from '../inks.js';
+import { INKS, hasInk, wearing } from '../inks.js';
 import { plain } from '../numerals.js';
 import { COLOUR_BY, MAX_PALETTE } from '../state.js';
 
 const WIDTHS = [...even(0, 1, 0.05), ...even(1.1, 3, 0.1), ...even(3.25, 10, 0.25), ...even(10.5, 20, 0.5)];
+/** Of width and length, from branch to branch. */
+export const FACTORS = even(0, 2, 0.05);
+/** @type {Record<import('../state.js').ColourBy, string>} */
+const NOTES = {
+    symbol: '',
+    level: 'The first colour for the stem, the next for its branches, and so on.',
+    generation: 'By the iteration that made a symbol. A symbol that a rule puts in its own place stays as old as it was.',
+    path: 'All colours as a gradient, from the first segment to the last.',
+    turn: 'The first colour at the start, others after turns. A branch ends in the colour it began with.',
+    single: '',
+};
 const THIN = even(0, 8, 0.25);
 
 /** @param {import('../store.js').Store} store */
@@ -24,7 +35,7 @@ export function lookPanel(store) {
             swatch.append(stripe);
         }
         const chip = make('button', { type: 'button', class: 'ink', 'aria-pressed': 'false' }, swatch, make('span', {}, ink.name));
-        chip.addEventListener('click', () => store.change({ palette: [...ink.palette], background: ink.background }, ''));
+        chip.addEventListener('click', () => store.change(wearing(ink), ''));
         html('inks').append(chip);
         return { ink, chip };
     });
@@ -34,6 +45,21 @@ export function lookPanel(store) {
         const chosen = COLOUR_BY.find((name) => name === colourBy.value);
         if (chosen) store.change({ colourBy: chosen }, '');
     });
+    const holds = input('palette-holds');
+    holds.addEventListener('change', () => store.change({ paletteHolds: holds.checked }, ''));
+    const turnFields = ['left-colour', 'right-colour'].map((id, side) =>
+        numberField(input(id), {
+            low: 1,
+            high: MAX_PALETTE,
+            step: 1,
+            whole: true,
+            settle,
+            change: (value) => {
+                const [left, right] = store.state.turnColours;
+                store.change({ turnColours: side === 0 ? [value - 1, right] : [left, value - 1] }, id);
+            },
+        }),
+    );
     const background = input('background');
     background.addEventListener('input', () => store.change({ background: background.value }, 'background'));
     background.addEventListener('change', settle);
@@ -42,6 +68,9 @@ export function lookPanel(store) {
     const thin = { settle, change: (/** @type {number} */ value, held = false) => store.change({ minWidth: value }, held ? 'drag minWidth' : 'minWidth') };
     const widthSlider = slider(input('width-slider'), { stops: WIDTHS, text: (value) => `${plain(value)} steps`, ...width });
     const showWidth = numberField(input('width'), { low: 0, high: 1000, step: 0.1, ...width });
+    const widthFactor = { settle, change: (/** @type {number} */ value) => store.change({ widthFactor: value }, 'widthFactor') };
+    const factorSlider = slider(input('width-factor-slider'), { stops: FACTORS, text: (value) => `times ${plain(value)}`, ...widthFactor });
+    const showFactor = numberField(input('width-factor'), { low: 0, high: 10, step: 0.05, ...widthFactor });
     const thinSlider = slider(input('thin-slider'), { stops: THIN, text: (value) => `${plain(value)} pixels`, ...thin });
     const showThin = numberField(input('thin'), { low: 0, high: 100, step: 0.5, ...thin });
 
@@ -76,9 +105,16 @@ export function lookPanel(store) {
             button('add-colour').disabled = state.palette.length >= MAX_PALETTE;
             for (const { ink, chip } of inks) chip.setAttribute('aria-pressed', String(hasInk(state, ink)));
             colourBy.value = state.colourBy;
+            holds.checked = state.paletteHolds;
+            html('holds-row').hidden = state.colourBy !== 'level' && state.colourBy !== 'generation';
+            html('turns-row').hidden = state.colourBy !== 'turn';
+            turnFields.forEach((field, side) => field(/** @type {number} */ (state.turnColours[side]) + 1));
+            setText(html('colour-note'), NOTES[state.colourBy]);
             if (background.value !== state.background) background.value = state.background;
             widthSlider.show(state.width);
             showWidth(state.width);
+            factorSlider.show(state.widthFactor);
+            showFactor(state.widthFactor);
             thinSlider.show(state.minWidth);
             showThin(state.minWidth);
         },

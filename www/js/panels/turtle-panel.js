@@ -7,7 +7,7 @@ import { DIALECTS } from '../state.js';
 
 /** @type {Record<import('../state.js').Dialect, string>} */
 const DIALECT_NOTES = {
-    abop: 'F and G draw, f and g move; + and − turn, | turns round, [ and ] branch; ! thins and # thickens the stroke, \' and ; step through the colours. In space & and ^ pitch down and up, \\ and / roll left and right, and $ rolls upright. Other symbols do nothing.',
+    abop: 'F and G draw, f and g move; + and − turn, | turns round, [ and ] branch; ! thins and # thickens the stroke, \' and ; step through the colours. { and } fill the polygon whose corners F, f and . mark. In space & and ^ pitch down and up, \\ and / roll left and right, and $ rolls upright. Other symbols do nothing.',
     'every-letter': 'Every symbol draws one step, except + and −, which turn, and [ and ], which branch.',
     practical: 'F and G draw; + turns left and − turns right, each by its own angle; in space > and < pitch down and up, & and ^ roll left and right; [ and ] branch. Other symbols do nothing.',
     lowercase: 'Every lower-case letter draws; + turns left and takes the second colour, − turns right and takes the third; [ and ] branch.',

@@ -3,7 +3,7 @@
 //! A body is made tight by looking into the blocks that it contains, best first, until it is as exact as wanted; so
 //! slack does not add up from block to block, as it would where bodies were made from bodies alone.
 
-use super::{Block, BlockId, Enclosed, Item, Placed};
+use super::{Block, BlockId, Drawing, Enclosed, Item, Placed};
 use crate::Solid;
 use crate::rotation::{Vector, dot, norm};
 use crate::turtle::exponent_of;
@@ -43,24 +43,27 @@ impl Body {
     }
 
     /// What contains `items`, in their units, and how far it may be too large.
-    pub(crate) fn enclose(blocks: &[Block<Solid>], all: &[Item<Solid>], items: &[Item<Solid>]) -> Enclosed<Solid> {
-        let contents = Contents { blocks, items: all };
+    pub(crate) fn enclose(
+        (blocks, all, vertices): (&[Block<Solid>], &[Item<Solid>], &[Vector]),
+        items: &[Item<Solid>],
+    ) -> Enclosed<Solid> {
+        let contents = Contents { blocks, items: all, vertices };
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        let mut hold = |point: &Vector| {
+            for i in 0..3 {
+                low[i] = low[i].min(point[i]);
+                high[i] = high[i].max(point[i]);
+            }
+        };
         for item in items {
             match item {
-                Item::Stroke(stroke) => {
-                    for end in [stroke.from, stroke.to] {
-                        for i in 0..3 {
-                            low[i] = low[i].min(end[i]);
-                            high[i] = high[i].max(end[i]);
-                        }
-                    }
-                }
+                Item::Stroke(stroke) => [stroke.from, stroke.to].iter().for_each(&mut hold),
+                Item::Polygon(polygon) => vertices[polygon.range()].iter().for_each(&mut hold),
                 Item::Block(_) => {}
             }
         }
         let mut slack = 0.0_f64;
-        // Where there are strokes alone, that was the box.
+        // Where there are no blocks, that was the box.
         if items.iter().any(|item| matches!(item, Item::Block(_))) {
             let (size, _) = contents.farthest(items, Away { from: [0.0; 3], scale: 1.0 }, f64::INFINITY, 0);
             for i in 0..3 {
@@ -87,11 +90,13 @@ impl Body {
     }
 }
 
-/// The smallest box around `items` of a block as exactly as some effort can tell: the least and greatest coordinates.
-pub(super) fn extent(blocks: &[Block<Solid>], all: &[Item<Solid>], items: &[Item<Solid>]) -> [Vector; 2] {
+/// The smallest box around what a block draws as exactly as some effort can tell: the least and greatest coordinates.
+pub(super) fn extent(drawing: &Drawing<Solid>, root: BlockId) -> [Vector; 2] {
     const EXACT: f64 = 1e-11;
     const PATIENCE: usize = 3_000;
-    let contents = Contents { blocks, items: all };
+    let Drawing { blocks, items, vertices, .. } = drawing;
+    let contents = Contents { blocks, items, vertices };
+    let items = drawing.items_of(root);
     [-1.0, 1.0].map(|sign| {
         [0, 1, 2].map(|i| {
             let mut direction = [0.0; 3];
@@ -182,6 +187,7 @@ impl Probe for Away {
 struct Contents<'a> {
     blocks: &'a [Block<Solid>],
     items: &'a [Item<Solid>],
+    vertices: &'a [Vector],
 }
 
 /// A block that may have the most; the one that may have more comes first.
@@ -233,6 +239,10 @@ impl Contents<'_> {
         for item in items {
             match item {
                 Item::Stroke(stroke) => *least = least.max(probe.of(stroke.from)).max(probe.of(stroke.to)),
+                Item::Polygon(polygon) => {
+                    let all = self.vertices[polygon.range()].iter().map(|&vertex| probe.of(vertex));
+                    *least = all.fold(*least, f64::max);
+                }
                 Item::Block(placed) if placed.scale < SPECK => *least = least.max(probe.of(placed.at)),
                 Item::Block(placed) => {
                     let Block { hull, slack, .. } = &self.blocks[placed.block.0 as usize];

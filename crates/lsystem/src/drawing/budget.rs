@@ -95,7 +95,7 @@ impl Search {
         if first >= self.exceeds {
             return Some(Exceeded { limit: self.limit, largest: self.fits });
         }
-        match self.census.step(program, score, limits, left, |_| {}) {
+        match self.census.step(program, score, limits, left, |_, _, _| {}) {
             Outcome::Paused => return None,
             Outcome::Ended(()) => self.fits = Some(self.trial),
             Outcome::Passed(limit) => (self.exceeds, self.limit) = (self.trial, limit),

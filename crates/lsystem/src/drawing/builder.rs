@@ -11,6 +11,8 @@ pub struct Builder<S: Space = Plane> {
     pub(crate) blocks: Vec<Block<S>>,
     pub(crate) items: Vec<Item<S>>,
     pub(crate) corners: Vec<S::Point>,
+    /// Of polygons; each polygon has its own.
+    pub(crate) vertices: Vec<S::Point>,
     pub(crate) styles: Styles,
     pub(crate) directions: S::Directions,
     /// Where a hull's points are collected.
@@ -34,6 +36,7 @@ impl<S: Space> Builder<S> {
             blocks: vec![],
             items: vec![],
             corners: vec![],
+            vertices: vec![],
             styles: Styles::new(),
             directions: S::directions(),
             points: vec![],
@@ -55,6 +58,7 @@ impl<S: Space> Builder<S> {
                     segments = segments.saturating_add(1);
                     widest = widest.widest(self.width(stroke.style));
                 }
+                Item::Polygon(_) => {}
                 Item::Block(placed) => {
                     let block = &self.blocks[placed.block.0 as usize];
                     segments = segments.saturating_add(block.segments);
@@ -66,6 +70,11 @@ impl<S: Space> Builder<S> {
         let unit = libm::scalbn(1.0, -shift);
         let first = self.items.len() as u32;
         self.items.extend(items.iter().map(|item| item.scaled(unit)));
+        for item in items {
+            if let Item::Polygon(polygon) = item {
+                self.vertices[polygon.range()].iter_mut().for_each(|vertex| *vertex = times(*vertex, unit));
+            }
+        }
         self.blocks.push(Block {
             items: first..self.items.len() as u32,
             exponent: exponent.saturating_add(shift),
@@ -98,6 +107,8 @@ impl<S: Space> Item<S> {
             Self::Stroke(stroke) => {
                 Self::Stroke(Stroke { from: times(stroke.from, unit), to: times(stroke.to, unit), ..stroke })
             }
+            // Its vertices are elsewhere.
+            Self::Polygon(polygon) => Self::Polygon(polygon),
             Self::Block(placed) => {
                 Self::Block(Placed { at: times(placed.at, unit), scale: placed.scale * unit, ..placed })
             }

@@ -173,6 +173,7 @@ impl<'a> Emitter<'a> {
                                 room.levels[0] = level(style.level);
                             });
                         }
+                        Item::Polygon(_) => {}
                         Item::Block(placed) => {
                             let inner = frame.place(placed, drawing, &mut self.directions);
                             if self.is_copied(placed.block) {

@@ -2,7 +2,7 @@
 
 use super::budget::{Exceeded, Forecast, Search};
 use super::builder::Builder;
-use super::graph::{self, Level, Plan};
+use super::graph::{self, Level, Origin, Plan};
 use super::materialise::{Materialiser, Outcome};
 use super::modules::{self, Modular};
 use super::parametric::{self, Parametric};
@@ -92,7 +92,7 @@ impl<S: Space> Drawer<S> {
         let state = if n > MAX_ITERATIONS {
             State::Failed(limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)))
         } else if let Some(rules) = &system.rules {
-            if memoises { planned(rules, &turtle, seed, &limits, n) } else { whole(rules, seed, &limits) }
+            if memoises { planned(rules, &turtle, seed, &limits, n) } else { whole(rules, seed, &limits, &score) }
         } else if memoises {
             State::Plan(Plan::new(&program))
         } else if program.is_deterministic() {
@@ -160,6 +160,7 @@ impl<S: Space> Drawer<S> {
             blocks: self.builder.blocks,
             items: self.builder.items,
             corners: self.builder.corners,
+            vertices: self.builder.vertices,
             styles: self.builder.styles.list,
             root,
             start: S::point([self.turtle.start[0], self.turtle.start[1], 0.0]),
@@ -200,7 +201,8 @@ impl<S: Space> Drawer<S> {
                             Rewrite::Keep | Rewrite::Choose(_) => &[],
                         };
                         let below = depth.checked_sub(1).map(|below| &pieces[below]);
-                        let piece = graph::piece(builder, score, below, word, S::AHEAD);
+                        let origin = Origin { former: Some(symbol), step: n.saturating_sub(depth as u32) };
+                        let piece = graph::piece(builder, score, below, word, origin, S::AHEAD);
                         *left = left.saturating_sub(S::ITEM * (1 + word.len() as u64));
                         if pieces.is_empty() {
                             pieces.push(vec![]);
@@ -215,7 +217,8 @@ impl<S: Space> Drawer<S> {
                     }
                     None => {
                         let axiom = &program.axiom;
-                        let root = graph::piece(builder, score, pieces.last(), axiom, start::<S>(turtle)).block;
+                        let origin = Origin { former: None, step: 0 };
+                        let root = graph::piece(builder, score, pieces.last(), axiom, origin, start::<S>(turtle)).block;
                         *left = left.saturating_sub(S::ITEM * (1 + axiom.len() as u64));
                         Some(State::Done { root, pieces: core::mem::take(pieces) })
                     }
@@ -244,7 +247,7 @@ impl<S: Space> Drawer<S> {
                 }
                 parametric::Outcome::TooMany(largest) => {
                     (*memoises, *memoised) = (false, largest);
-                    Some(whole(memo.rules(), *seed, limits))
+                    Some(whole(memo.rules(), *seed, limits, score))
                 }
                 parametric::Outcome::Failed(diagnostic) => Some(State::Failed(diagnostic)),
             },
@@ -279,8 +282,8 @@ fn planned<S: Space>(rules: &Rules, turtle: &Turtle, seed: u32, limits: &Limits,
 }
 
 /// Whole generations.
-fn whole<S: Space>(rules: &Rules, seed: u32, limits: &Limits) -> State<S> {
-    match Modular::new(rules, seed, limits) {
+fn whole<S: Space>(rules: &Rules, seed: u32, limits: &Limits, score: &Score<S>) -> State<S> {
+    match Modular::new(rules, seed, limits, score) {
         Ok(modular) => State::Modules(Box::new(modular)),
         Err(diagnostic) => State::Failed(diagnostic),
     }

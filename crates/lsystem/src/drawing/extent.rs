@@ -57,6 +57,9 @@ impl Search<'_> {
         for item in drawing.items_of(block) {
             match item {
                 Item::Stroke(stroke) => best = best.max(along(stroke.from)).max(along(stroke.to)),
+                Item::Polygon(polygon) => {
+                    best = drawing.vertices_of(polygon).iter().map(|&vertex| along(vertex)).fold(best, f64::max);
+                }
                 Item::Block(placed) => {
                     let at = along(placed.at);
                     let most = at + placed.scale * self.reach_of_hull(placed.block, direction - placed.heading);
@@ -71,7 +74,7 @@ impl Search<'_> {
             if most <= best {
                 break;
             }
-            // Scales are powers of two, or zero where a block is too small to see.
+            // Zero where a block is too small to see.
             let finer = if placed.scale > 0.0 { tolerance / placed.scale } else { f64::INFINITY };
             best = best.max(at + placed.scale * self.reach(placed.block, direction - placed.heading, finer));
         }

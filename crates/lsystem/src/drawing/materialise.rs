@@ -6,7 +6,7 @@ use super::{BlockId, StyleChange};
 use crate::space::Space;
 use crate::turtle::{Op, Pen, Score};
 use crate::walk::{Next, Walk};
-use crate::{LimitName, Limits, Program};
+use crate::{LimitName, Limits, Program, SymbolId};
 
 /// What an open branch costs in units of work: its turtle's state takes the memory of as many letters.
 pub(super) const BRANCH: u64 = 32;
@@ -20,6 +20,8 @@ pub(crate) struct Census {
     /// Branches open now, and at most so far.
     open: u64,
     deepest: u64,
+    /// Polygons open now.
+    outlines: u64,
 }
 
 /// What came of working on.
@@ -34,7 +36,7 @@ pub(crate) enum Outcome<T> {
 
 impl Census {
     pub(crate) fn new(n: u32, seed: u32) -> Self {
-        Self { walk: Walk::new(n, seed), symbols: 0, segments: 0, open: 0, deepest: 0 }
+        Self { walk: Walk::new(n, seed), symbols: 0, segments: 0, open: 0, deepest: 0, outlines: 0 }
     }
 
     pub(crate) fn fraction(&self, program: &Program) -> f64 {
@@ -48,7 +50,7 @@ impl Census {
         score: &Score<S>,
         limits: &Limits,
         left: &mut u64,
-        mut act: impl FnMut(&[Op<S>]),
+        mut act: impl FnMut(&Walk, SymbolId, &[Op<S>]),
     ) -> Outcome<()> {
         let began = self.walk.work;
         let until = began.saturating_add(*left).min(limits.work);
@@ -61,7 +63,7 @@ impl Census {
                     if self.segments > limits.segments {
                         break Outcome::Passed(LimitName::Segments);
                     }
-                    act(ops);
+                    act(&self.walk, symbol, ops);
                 }
                 Next::End => break Outcome::Ended(()),
                 Next::Pause if self.walk.work >= limits.work => break Outcome::Passed(LimitName::Work),
@@ -76,7 +78,7 @@ impl Census {
         for op in ops {
             match op {
                 Op::Draw(_) => self.segments += 1,
-                Op::Push => {
+                Op::Push(_) => {
                     self.open += 1;
                     if self.open > self.deepest {
                         self.deepest = self.open;
@@ -84,6 +86,13 @@ impl Census {
                     }
                 }
                 Op::Pop => self.open = self.open.saturating_sub(1),
+                // A vertex takes as much memory.
+                Op::Vertex => self.segments += u64::from(self.outlines > 0),
+                Op::OpenPolygon => {
+                    self.outlines += 1;
+                    self.segments += 1;
+                }
+                Op::ClosePolygon => self.outlines = self.outlines.saturating_sub(1),
                 Op::Move(_) | Op::Turn(_) | Op::Upright | Op::Bend(_) | Op::Style(_) => {}
             }
         }
@@ -98,16 +107,21 @@ pub(crate) struct Materialiser<S: Space> {
     saved: Vec<Pen<S>>,
     tree: Tree<S>,
     directions: S::Directions,
+    seed: u32,
+    /// What a module does that is not like the others of its letter.
+    own: Vec<Op<S>>,
 }
 
 impl<S: Space> Materialiser<S> {
     pub(crate) fn new(heading: S::Turn, score: &Score<S>, seed: u32, n: u32) -> Self {
         Self {
             census: Census::new(n, seed),
-            pen: Pen { at: S::Point::default(), heading, style: StyleChange::start(score.width) },
+            pen: Pen::new(heading, StyleChange::start(score.width)),
             saved: vec![],
             tree: Tree::new(score.exponent),
             directions: S::directions(),
+            seed,
+            own: vec![],
         }
     }
 
@@ -129,9 +143,15 @@ impl<S: Space> Materialiser<S> {
         limits: &Limits,
         left: &mut u64,
     ) -> Outcome<Option<BlockId>> {
-        let Self { census, pen, saved, tree, directions } = self;
-        let outcome = census.step(program, score, limits, left, |ops| {
-            pen.act(ops, saved, 1.0, directions, |from, to, style| tree.push(builder, from, to, style));
+        let Self { census, pen, saved, tree, directions, seed, own } = self;
+        let outcome = census.step(program, score, limits, left, |walk, symbol, ops| {
+            let mut ops = ops;
+            if score.is_personal() {
+                let fate = walk.fate(program, symbol, |former, successor| score.heir(former, successor));
+                score.own(ops, &fate, *seed, own);
+                ops = own;
+            }
+            tree.draw(builder, |desk| pen.act(ops, saved, 1.0, directions, desk));
         });
         match outcome {
             Outcome::Paused => Outcome::Paused,

@@ -6,8 +6,9 @@ use super::materialise::BRANCH;
 use super::tree::Tree;
 use super::{BlockId, StyleChange};
 use crate::derivation::{fault, limit};
+use crate::rewriting::{Age, LetterId};
 use crate::space::Space;
-use crate::turtle::{Op, Pen, Score, exponent_of};
+use crate::turtle::{Fate, Op, Pen, Score, exponent_of};
 use crate::{Diagnostic, Fault, Image, LimitName, Limits, Rewriter, Rules, Turtle};
 
 /// Modules read between two looks at the caller's budget.
@@ -54,9 +55,19 @@ pub(crate) enum Outcome {
 
 impl<S: Space> Modular<S> {
     /// Ready to draw from the axiom on.
-    pub(crate) fn new(rules: &Rules, seed: u32, limits: &Limits) -> Result<Self, Diagnostic> {
-        let rewriter =
+    pub(crate) fn new(rules: &Rules, seed: u32, limits: &Limits, score: &Score<S>) -> Result<Self, Diagnostic> {
+        let mut rewriter =
             Rewriter::new(rules.clone(), seed, *limits).map_err(|fault_| fault(rules, fault_, 0, limits, None))?;
+        if score.is_personal() {
+            let aged = score.dated || score.growth < 1.0;
+            // What is drawn as something else draws if that does.
+            let draws = |letter: usize| {
+                let images = rules.images[letter].iter().flat_map(|image| &image.successor.letters);
+                let own = score.draws(letter as LetterId);
+                if rules.images[letter].is_empty() { own } else { images.copied().any(|image| score.draws(image)) }
+            };
+            rewriter.remember(aged.then(|| (0..rules.letters.len()).map(draws).collect()));
+        }
         Ok(Self { rewriter, seed, reader: Reader::default(), stage: Stage::Derive })
     }
 
@@ -104,7 +115,7 @@ impl<S: Space> Modular<S> {
                 Outcome::Paused
             }
             Stage::Measure(measure) => {
-                let done = reader.read(rewriter, (turtle, score), left, &mut |ops| measure.add(ops));
+                let done = reader.read(rewriter, (turtle, score, *seed), left, &mut |ops| measure.add(ops));
                 let generation = rewriter.generation();
                 match (measure.passed(limits), done) {
                     (Some(passed), _) => return self.recount(passed, n, limits),
@@ -116,11 +127,7 @@ impl<S: Space> Modular<S> {
                         let shift = exponent_of(measure.longest);
                         *reader = Reader::default();
                         *stage = Stage::Draw {
-                            pen: Pen {
-                                at: S::Point::default(),
-                                heading: start::<S>(turtle),
-                                style: StyleChange::start(score.width),
-                            },
+                            pen: Pen::new(start::<S>(turtle), StyleChange::start(score.width)),
                             saved: Vec::new(),
                             tree: Tree::new(score.exponent.saturating_add(shift)),
                             directions: S::directions(),
@@ -132,9 +139,9 @@ impl<S: Space> Modular<S> {
             }
             Stage::Draw { pen, saved, tree, directions, scale } => {
                 let mut act = |ops: &[Op<S>]| {
-                    pen.act(ops, saved, *scale, directions, |from, to, style| tree.push(builder, from, to, style));
+                    tree.draw(builder, |desk| pen.act(ops, saved, *scale, directions, desk));
                 };
-                match reader.read(rewriter, (turtle, score), left, &mut act) {
+                match reader.read(rewriter, (turtle, score, *seed), left, &mut act) {
                     Ok(false) => Outcome::Paused,
                     Ok(true) => Outcome::Ended(tree.finish(builder)),
                     Err(error) => Outcome::Failed(fault(rewriter.rules(), error, rewriter.generation(), limits, None)),
@@ -145,7 +152,7 @@ impl<S: Space> Modular<S> {
                 if rewriter.generation() >= *before {
                     return Outcome::Failed(over);
                 }
-                let done = reader.read(rewriter, (turtle, score), left, &mut |ops| measure.add(ops));
+                let done = reader.read(rewriter, (turtle, score, *seed), left, &mut |ops| measure.add(ops));
                 let within = measure.passed(limits).is_none();
                 if within && done == Ok(false) {
                     return Outcome::Paused;
@@ -197,6 +204,8 @@ struct Measure {
     /// Branches open now, and at most so far.
     open: u64,
     deepest: u64,
+    /// Polygons open now.
+    outlines: u64,
     /// The longest way forward, in units of the score.
     longest: f64,
 }
@@ -210,11 +219,18 @@ impl Measure {
                     self.longest = self.longest.max(length.abs());
                 }
                 Op::Move(length) => self.longest = self.longest.max(length.abs()),
-                Op::Push => {
+                Op::Push(_) => {
                     self.open += 1;
                     self.deepest = self.deepest.max(self.open);
                 }
                 Op::Pop => self.open = self.open.saturating_sub(1),
+                // A vertex takes as much memory.
+                Op::Vertex => self.segments += u64::from(self.outlines > 0),
+                Op::OpenPolygon => {
+                    self.outlines += 1;
+                    self.segments += 1;
+                }
+                Op::ClosePolygon => self.outlines = self.outlines.saturating_sub(1),
                 Op::Turn(_) | Op::Upright | Op::Bend(_) | Op::Style(_) => {}
             }
         }
@@ -238,12 +254,15 @@ struct Reader<S: Space> {
     /// Where its arguments start.
     argument: usize,
     image: Image,
+    /// What a letter does with its number.
     ops: Vec<Op<S>>,
+    /// What a module does that is not like the others of its letter.
+    own: Vec<Op<S>>,
 }
 
 impl<S: Space> Default for Reader<S> {
     fn default() -> Self {
-        Self { at: 0, argument: 0, image: Image::default(), ops: vec![] }
+        Self { at: 0, argument: 0, image: Image::default(), ops: vec![], own: vec![] }
     }
 }
 
@@ -252,24 +271,26 @@ impl<S: Space> Reader<S> {
     fn read(
         &mut self,
         rewriter: &Rewriter,
-        (turtle, score): (&Turtle, &Score<S>),
+        (turtle, score, seed): (&Turtle, &Score<S>, u32),
         left: &mut u64,
         act: &mut dyn FnMut(&[Op<S>]),
     ) -> Result<bool, Fault> {
-        let Self { at, argument, image, ops } = self;
+        let Self { at, argument, image, ops, own } = self;
         let (word, rules) = (rewriter.word(), rewriter.rules());
         let end = (*at + PIECE).min(word.letters.len());
         *left = left.saturating_sub(2 * (end - *at) as u64 + 1);
-        let mut one = |letter: u16, arguments: &[f64]| {
-            let plain = &score.ops[usize::from(letter)];
-            match (arguments, plain.as_slice()) {
-                (_, []) => {}
-                ([], plain) => act(plain),
-                ([number, ..], [_, rest @ ..]) => {
-                    ops.clear();
-                    ops.push(score.op(turtle, turtle.actions[usize::from(letter)][0].with(*number)));
-                    ops.extend_from_slice(rest);
-                    act(ops);
+        let mut one = |letter: u16, arguments: &[f64], fate: Option<&Fate>| {
+            let mut plain = score.ops[usize::from(letter)].as_slice();
+            if let ([number, ..], [_, ..]) = (arguments, plain) {
+                score.numbered(turtle, &turtle.actions[usize::from(letter)], *number, ops);
+                plain = ops;
+            }
+            match fate {
+                _ if plain.is_empty() => {}
+                None => act(plain),
+                Some(fate) => {
+                    score.own(plain, fate, seed, own);
+                    act(own);
                 }
             }
         };
@@ -277,15 +298,24 @@ impl<S: Space> Reader<S> {
             let letter = word.letters[*at];
             let arity = |letter: u16| usize::from(rules.letters[usize::from(letter)].arity);
             let after = *argument + arity(letter);
+            let mut fate = score.is_personal().then(|| {
+                let age = word.age_of(*at).unwrap_or(Age { since: 0, made: 0 });
+                let grows = age.made > 0 && u32::from(age.made) == rewriter.generation();
+                Fate { key: word.key_of(*at), since: u32::from(age.since), grows }
+            });
             if rules.images[usize::from(letter)].is_empty() {
-                one(letter, &word.arguments[*argument..after]);
+                one(letter, &word.arguments[*argument..after], fate.as_ref());
             } else {
                 let modules = rewriter.image(*at, *argument, image)?;
                 let mut arguments = modules.arguments.as_slice();
-                for &letter in &modules.letters {
+                let key = word.key_of(*at);
+                for (index, &letter) in modules.letters.iter().enumerate() {
                     let (own, rest) = arguments.split_at(arity(letter));
                     arguments = rest;
-                    one(letter, own);
+                    if let Some(fate) = &mut fate {
+                        fate.key = key.child(u32::MAX, index as u64);
+                    }
+                    one(letter, own, fate.as_ref());
                 }
             }
             *argument = after;

@@ -58,6 +58,7 @@ impl Search<'_> {
                     }
                     next = next.saturating_add(1);
                 }
+                Item::Polygon(_) => {}
                 Item::Block(placed) => {
                     let inner = &self.drawing.blocks[placed.block.0 as usize];
                     let after = next.saturating_add(inner.segments);

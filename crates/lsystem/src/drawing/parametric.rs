@@ -7,7 +7,8 @@
 use super::builder::Builder;
 use super::drawer::start;
 use super::graph::{effect, exponent, follow, is_balanced, place};
-use super::{BlockId, Item, Piece, Stroke, StyleChange};
+use super::sheet::{Desk, Sheet};
+use super::{BlockId, Item, Piece, StyleChange};
 use crate::derivation::fault;
 use crate::rewriting::{Keys, Scales, applying};
 use crate::sorted::sort;
@@ -31,7 +32,11 @@ pub(crate) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
         is_balanced(kept.flat_map(ops))
     };
     let shown = |word: &Template| is_balanced(word.letters.iter().flat_map(|&letter| ops(usize::from(letter))));
-    let decided_elsewhere = rules.is_random() || rules.is_cutting() || score.ops.iter().flatten().any(looks_out);
+    // What a module of its own does depends on more than its numbers; polygons are made letter by letter.
+    let fills = |op: &Op<S>| matches!(op, Op::OpenPolygon | Op::ClosePolygon);
+    let special = score.is_personal() || score.shrinking != 1.0 || score.ops.iter().flatten().any(fills);
+    let decided_elsewhere =
+        special || rules.is_random() || rules.is_cutting() || score.ops.iter().flatten().any(looks_out);
     !decided_elsewhere
         && rules.by_letter.iter().flatten().all(|rule| !rule.is_context_sensitive() && inside(&rule.successor))
         && rules.images.iter().flatten().all(|image| shown(&image.successor))
@@ -297,26 +302,25 @@ impl<S: Space> Parametric<S> {
         };
         let unit = deeds.iter().filter_map(unit).max().unwrap_or(0);
         let scale = libm::scalbn(1.0, score.exponent.saturating_sub(unit));
-        let mut pen = Pen { at: S::Point::default(), heading, style: StyleChange::NONE };
-        let (mut saved, mut items) = (Vec::new(), Vec::new());
+        let mut pen = Pen::new(heading, StyleChange::NONE);
+        let (mut saved, mut sheet) = (Vec::new(), Sheet::new());
         for deed in &deeds {
             match deed {
                 Deed::Op(op) => {
-                    let Builder { styles, directions, .. } = builder;
-                    pen.act(&[*op], &mut saved, scale, directions, |from, to, style| {
-                        items.push(Item::Stroke(Stroke { from, to, style: styles.id(style) }));
-                    });
+                    let Builder { styles, directions, vertices, .. } = builder;
+                    let mut desk = Desk { sheet: &mut sheet, styles, vertices };
+                    pen.act(&[*op], &mut saved, scale, directions, &mut desk);
                 }
                 Deed::Piece(piece, scale) => {
                     if let Some(block) = piece.block {
-                        items.push(Item::Block(place(builder, block, &pen, unit, *scale)));
+                        sheet.items.push(Item::Block(place(builder, block, &pen, unit, *scale)));
                     }
                     follow(builder, &mut pen, &piece.effect, unit, *scale);
                 }
             }
         }
         self.deeds = deeds;
-        let block = builder.block(&items, unit);
+        let block = builder.block(&sheet.items, unit);
         Ok((Piece { block, effect: effect(&pen, unit) }, symbols))
     }
 

@@ -75,6 +75,7 @@ impl Search<'_> {
                         self.best = Some(Pick { segment: after, distance });
                     }
                 }
+                Item::Polygon(_) => {}
                 Item::Block(placed) => {
                     let inner = &self.drawing.blocks[placed.block.0 as usize];
                     after = after.saturating_sub(inner.segments);

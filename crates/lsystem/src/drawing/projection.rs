@@ -1,12 +1,13 @@
 //! Drawings in space as drawings in the plane, for everything that is made for paper.
 
 use super::builder::Builder;
-use super::segments::{Frame, Strokes};
+use super::segments::{Frame, Part, Strokes};
 use super::tree::Tree;
 use super::{Drawing, StyleChange};
 use crate::derivation::limit;
 use crate::plane::Plane;
 use crate::rotation::dot;
+use crate::turtle::Paper;
 use crate::{Diagnostic, LimitName, Solid};
 use std::sync::OnceLock;
 
@@ -37,8 +38,8 @@ impl Outlook {
 }
 
 impl Drawing<Solid> {
-    /// The drawing as it is seen: every segment where it lies on the paper, those whose middles are farther away
-    /// before those that are nearer, so that these cover them. Depths apart, coordinates are exact to 1e-9 of the extent.
+    /// The drawing as it is seen: every segment and polygon where it lies on the paper, those whose middles are
+    /// farther away before those that are nearer, so that these cover them. Depths apart, coordinates are exact to 1e-9 of the extent.
     ///
     /// # Errors
     /// [`Kind::Limit`](crate::Kind::Limit) where there are more than `most` segments.
@@ -54,22 +55,38 @@ impl Drawing<Solid> {
         }
         // A negative step turns the picture round.
         let sign = if self.step < 0.0 { -1.0 } else { 1.0 };
-        let depth = |from, to| sign * (dot(back, from) + dot(back, to));
-        let mut seen: Vec<_> =
-            strokes.map(|(from, to, style)| (depth(from, to), paper(from), paper(to), style)).collect();
+        let mut seen: Vec<(f64, Vec<[f64; 2]>, bool, StyleChange)> = Vec::new();
+        while let Some((part, frame)) = strokes.next_part() {
+            let (points, filled, id) = match part {
+                Part::Stroke(stroke) => (&[stroke.from, stroke.to][..], false, stroke.style),
+                Part::Polygon(polygon) => (self.vertices_of(polygon), true, polygon.style),
+            };
+            let points = points.iter().map(|&point| frame.lie(point));
+            let depth = points.clone().map(|point| dot(back, point)).sum::<f64>() / points.len() as f64;
+            let style = frame.style.then(&self.styles[id.0 as usize]);
+            seen.push((sign * depth, points.map(paper).collect(), filled, style));
+        }
         seen.sort_by(|a, b| a.0.total_cmp(&b.0));
 
         let mut builder: Builder<Plane> = Builder::new();
         // Coordinates in space are within 1, those on paper within √3 then.
         let mut tree = Tree::new(self.root.map_or(0, |root| self.blocks[root.0 as usize].exponent));
-        for (_, from, to, style) in &seen {
-            tree.push(&mut builder, *from, *to, style);
+        for (_, points, filled, style) in &seen {
+            tree.draw(&mut builder, |desk| match points.as_slice() {
+                [from, to] if !filled => desk.stroke(*from, *to, style),
+                points => {
+                    desk.open(style);
+                    points.iter().for_each(|&point| desk.vertex(point));
+                    desk.close();
+                }
+            });
         }
         let root = tree.finish(&mut builder);
         Ok(Drawing {
             blocks: builder.blocks,
             items: builder.items,
             corners: builder.corners,
+            vertices: builder.vertices,
             styles: builder.styles.list,
             root,
             start: paper(self.start),

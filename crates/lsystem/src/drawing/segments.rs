@@ -1,6 +1,6 @@
 //! The segments of a drawing, one by one.
 
-use super::{BlockId, Drawing, Item, Placed, Segment, Stroke, StyleChange};
+use super::{BlockId, Drawing, Item, Placed, Polygon, Segment, Stroke, StyleChange};
 use crate::space::Space;
 use crate::{Heading, Plane};
 
@@ -102,6 +102,13 @@ impl<S: Space> Frame<S> {
     }
 }
 
+/// What is drawn itself.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Part<'a, S: Space> {
+    Stroke(&'a Stroke<S>),
+    Polygon(&'a Polygon),
+}
+
 /// The strokes of a block in some frame, in drawing order: from, to, style.
 #[derive(Clone, Debug)]
 pub(super) struct Strokes<'a, S: Space = Plane> {
@@ -125,6 +132,15 @@ impl<'a, S: Space> Strokes<'a, S> {
     /// The next stroke and the frame it lies in.
     fn next_placed(&mut self) -> Option<(&'a Stroke<S>, Frame<S>)> {
         loop {
+            if let (Part::Stroke(stroke), frame) = self.next_part()? {
+                return Some((stroke, frame));
+            }
+        }
+    }
+
+    /// The next stroke or polygon and the frame it lies in.
+    pub(super) fn next_part(&mut self) -> Option<(Part<'a, S>, Frame<S>)> {
+        loop {
             let (next, end, frame) = self.open.last_mut()?;
             if next == end {
                 self.open.pop();
@@ -133,7 +149,8 @@ impl<'a, S: Space> Strokes<'a, S> {
             let item = &self.drawing.items[*next as usize];
             *next += 1;
             match item {
-                Item::Stroke(stroke) => return Some((stroke, *frame)),
+                Item::Stroke(stroke) => return Some((Part::Stroke(stroke), *frame)),
+                Item::Polygon(polygon) => return Some((Part::Polygon(polygon), *frame)),
                 Item::Block(placed) => {
                     let inner = frame.place(placed, self.drawing, &mut self.directions);
                     self.enter(placed.block, &inner);
@@ -154,6 +171,7 @@ impl<'a, S: Space> Strokes<'a, S> {
             *next += 1;
             match item {
                 Item::Stroke(_) => count -= 1,
+                Item::Polygon(_) => {}
                 Item::Block(placed) => {
                     let segments = self.drawing.blocks[placed.block.0 as usize].segments;
                     if segments <= count {

@@ -21,6 +21,8 @@ pub(crate) struct Shape {
     /// The one stroke that covers what all its strokes do, where they are in one style and follow each other straight
     /// ahead.
     pub(crate) straight: Option<Line>,
+    /// Whether there are polygons in it.
+    pub(crate) filled: bool,
     /// From end to end where it is longest, in the style of its last stroke, which covers the others.
     pub(crate) longest: Line,
 }
@@ -32,7 +34,7 @@ pub(crate) fn shapes(drawing: &Drawing) -> Vec<Shape> {
     let home = Frame::new(1.0, StyleChange::NONE);
     for block in &drawing.blocks {
         let mut straight: Option<Line> = None;
-        let mut bent = false;
+        let (mut bent, mut filled) = (false, false);
         let mut last = StyleChange::NONE;
         for item in &drawing.items[block.items.start as usize..block.items.end as usize] {
             let line = match item {
@@ -41,9 +43,15 @@ pub(crate) fn shapes(drawing: &Drawing) -> Vec<Shape> {
                     last = line.style;
                     Some(line)
                 }
+                Item::Polygon(polygon) => {
+                    filled = true;
+                    last = drawing.styles[polygon.style.0 as usize];
+                    continue;
+                }
                 Item::Block(placed) => {
                     let frame = home.place(placed, drawing, &mut directions);
                     let inner = &shapes[placed.block.0 as usize];
+                    filled |= inner.filled;
                     last = frame.style.then(&inner.longest.style);
                     inner.straight.map(|line| line.within(&frame))
                 }
@@ -55,9 +63,9 @@ pub(crate) fn shapes(drawing: &Drawing) -> Vec<Shape> {
             };
             bent |= straight.is_none();
         }
-        let straight = straight.filter(|_| !bent);
+        let straight = straight.filter(|_| !bent && !filled);
         let corners = &drawing.corners[block.hull.start as usize..block.hull.end as usize];
-        shapes.push(Shape { straight, longest: Line { style: last, ..longest(corners) } });
+        shapes.push(Shape { straight, filled, longest: Line { style: last, ..longest(corners) } });
     }
     shapes
 }

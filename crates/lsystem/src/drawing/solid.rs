@@ -35,6 +35,6 @@ impl Drawing<Solid> {
 
     /// The root's extent in its own units: the least and the greatest coordinates.
     pub(crate) fn extent(&self) -> Option<[[f64; 3]; 2]> {
-        *self.extent.get_or_init(|| Some(body::extent(&self.blocks, &self.items, self.items_of(self.root?))))
+        *self.extent.get_or_init(|| Some(body::extent(self, self.root?)))
     }
 }

@@ -1,10 +1,11 @@
 //! A drawing whose pieces are all different: a tree of blocks of consecutive strokes.
 
 use super::builder::Builder;
-use super::{BlockId, Item, Placed, Stroke, StyleChange};
+use super::sheet::{Desk, Sheet};
+use super::{BlockId, Item, Placed, StyleChange};
 use crate::space::{Space, minus};
 
-/// Strokes of a block at the bottom: enough to make work by block cheap, few enough to stay in the nearest cache.
+/// Strokes and polygons of a block at the bottom: enough to make work by block cheap, few enough to stay in the nearest cache.
 const STROKES: usize = 1024;
 /// Blocks of a block above.
 const BLOCKS: usize = 16;
@@ -14,20 +15,21 @@ const BLOCKS: usize = 16;
 pub(crate) struct Tree<S: Space> {
     /// Of the unit of all coordinates that are not yet in a block.
     exponent: i32,
-    strokes: Vec<Item<S>>,
+    sheet: Sheet<S>,
     /// By height: blocks that have no parent yet, and their origins.
     rows: Vec<Vec<(BlockId, S::Point)>>,
 }
 
 impl<S: Space> Tree<S> {
     pub(crate) fn new(exponent: i32) -> Self {
-        Self { exponent, strokes: vec![], rows: vec![] }
+        Self { exponent, sheet: Sheet::new(), rows: vec![] }
     }
 
-    pub(crate) fn push(&mut self, builder: &mut Builder<S>, from: S::Point, to: S::Point, style: &StyleChange) {
-        let style = builder.styles.id(style);
-        self.strokes.push(Item::Stroke(Stroke { from, to, style }));
-        if self.strokes.len() == STROKES {
+    /// Has `act` draw, and makes blocks of what has become enough for one.
+    pub(crate) fn draw(&mut self, builder: &mut Builder<S>, act: impl FnOnce(&mut Desk<'_, S>)) {
+        let Builder { styles, vertices, .. } = builder;
+        act(&mut Desk { sheet: &mut self.sheet, styles, vertices });
+        if self.sheet.items.len() >= STROKES && self.sheet.is_closed() {
             self.close_strokes(builder);
         }
     }
@@ -45,15 +47,11 @@ impl<S: Space> Tree<S> {
     }
 
     fn close_strokes(&mut self, builder: &mut Builder<S>) {
-        let Some(Item::Stroke(Stroke { from: origin, .. })) = self.strokes.first().copied() else { return };
-        for item in &mut self.strokes {
-            if let Item::Stroke(stroke) = item {
-                stroke.from = minus(stroke.from, &origin);
-                stroke.to = minus(stroke.to, &origin);
-            }
-        }
-        let block = builder.block(&self.strokes, self.exponent);
-        self.strokes.clear();
+        self.sheet.finish();
+        let Some(origin) = self.sheet.origin(builder) else { return };
+        self.sheet.shift(builder, &origin);
+        let block = builder.block(&self.sheet.items, self.exponent);
+        self.sheet.items.clear();
         if let Some(block) = block {
             self.push_block(builder, 0, block, origin);
         }

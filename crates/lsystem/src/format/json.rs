@@ -34,15 +34,21 @@
 //! | `start` | `[x, y]`, `[0, 0]` | where the turtle starts, in model units, y up |
 //! | `tropism` | `[x, y, z]`, `[0, -1, 0]` | what branches bend towards, z towards the viewer |
 //! | `elasticity` | number, 0 | how easily they bend |
+//! | `length_factor` | number, 1 | what every branch multiplies lengths by |
+//! | `angle_variation`, `length_variation` | number, 0 | by how much angles and lengths differ at random, at most; percent |
+//! | `growth` | number, 1 | how far what the last derivation step made has grown |
 //!
 //! and `style`, whose defaults are those of [`Style::for_dialect`],
 //!
 //! | key | type | meaning |
 //! |---|---|---|
 //! | `palette` | list of colours such as `"#1f5c3a"` | the stroke colours |
-//! | `colour_by` | `"symbol"`, `"single"`, `"level"` | what the colour follows |
+//! | `colour_by` | `"symbol"`, `"single"`, `"level"`, `"turn"`, `"generation"`, `"path"` | what the colour follows |
+//! | `palette_holds` | bool | whether by level and by generation what is beyond the palette has its last colour |
+//! | `turn_colours` | `[left, right]` | the palette's indices that turns choose, by turn |
 //! | `background` | colour | behind the drawing |
 //! | `width` | number | the stroke width, in multiples of the step length |
+//! | `width_factor` | number | what every branch multiplies it by |
 //! | `min_width` | number | the least stroke width, in CSS pixels |
 //!
 //! Unknown keys are reported and skipped.
@@ -75,7 +81,7 @@ const KEYS: [&str; 12] = [
     "style",
 ];
 /// The keys of `turtle`.
-const TURTLE_KEYS: [&str; 12] = [
+const TURTLE_KEYS: [&str; 16] = [
     "dialect",
     "overrides",
     "right_angle_deg",
@@ -88,9 +94,14 @@ const TURTLE_KEYS: [&str; 12] = [
     "start",
     "tropism",
     "elasticity",
+    "length_factor",
+    "angle_variation",
+    "length_variation",
+    "growth",
 ];
 /// The keys of `style`.
-const STYLE_KEYS: [&str; 5] = ["palette", "colour_by", "background", "width", "min_width"];
+const STYLE_KEYS: [&str; 8] =
+    ["palette", "colour_by", "palette_holds", "turn_colours", "background", "width", "width_factor", "min_width"];
 /// The keys of an outcome.
 const OUTCOME_KEYS: [&str; 2] = ["p", "e"];
 
@@ -309,7 +320,15 @@ impl File {
         self.number(turtle, "step", Quantity::Step.expected(), &mut definition.step);
         self.point(turtle, "start", Quantity::Start, Expected::Point, &mut definition.start);
         self.point(turtle, "tropism", Quantity::Tropism, Expected::Vector, &mut definition.tropism);
-        self.number(turtle, "elasticity", Quantity::Elasticity.expected(), &mut definition.elasticity);
+        for (key, quantity, into) in [
+            ("elasticity", Quantity::Elasticity, &mut definition.elasticity),
+            ("length_factor", Quantity::LengthFactor, &mut definition.length_factor),
+            ("angle_variation", Quantity::AngleVariation, &mut definition.angle_variation),
+            ("length_variation", Quantity::LengthVariation, &mut definition.length_variation),
+            ("growth", Quantity::Growth, &mut definition.growth),
+        ] {
+            self.number(turtle, key, quantity.expected(), into);
+        }
         match last(turtle, "overrides") {
             None => {}
             Some(Value::Object(overrides)) => definition.overrides = self.overrides(overrides),
@@ -355,7 +374,16 @@ impl File {
         if let Some(value) = last(object, "background") {
             style.background = self.colour("background", value).unwrap_or(style.background);
         }
+        match last(object, "palette_holds") {
+            None => {}
+            Some(Value::BooleanLit(value)) => style.palette_holds = value.value,
+            Some(other) => self.wrong_type("palette_holds", Expected::Boolean, other),
+        }
+        let mut turns = style.turn_colours.map(f64::from);
+        self.point(object, "turn_colours", Quantity::TurnColour, Expected::Point, &mut turns);
+        style.turn_colours = turns.map(|index| index as i32);
         self.number(object, "width", Quantity::Width.expected(), &mut style.width);
+        self.number(object, "width_factor", Quantity::WidthFactor.expected(), &mut style.width_factor);
         self.number(object, "min_width", Quantity::MinWidth.expected(), &mut style.min_width);
     }
 

@@ -80,8 +80,16 @@ fn turtle(definition: &Definition) -> String {
     if definition.tropism != usual.tropism {
         members.push(("tropism", format!("[{}]", definition.tropism.map(json_number).join(", "))));
     }
-    if definition.elasticity != usual.elasticity {
-        members.push(("elasticity", json_number(definition.elasticity)));
+    for (key, value, usual) in [
+        ("elasticity", definition.elasticity, usual.elasticity),
+        ("length_factor", definition.length_factor, usual.length_factor),
+        ("angle_variation", definition.angle_variation, usual.angle_variation),
+        ("length_variation", definition.length_variation, usual.length_variation),
+        ("growth", definition.growth, usual.growth),
+    ] {
+        if value != usual {
+            members.push((key, json_number(value)));
+        }
     }
     if !definition.overrides.is_empty() {
         let overrides = crate::overrides::entries(&definition.overrides);
@@ -103,11 +111,21 @@ fn style(definition: &Definition) -> Vec<(&'static str, String)> {
     if style.colour_by != usual.colour_by {
         members.push(("colour_by", string(style.colour_by.name())));
     }
+    if style.palette_holds != usual.palette_holds {
+        members.push(("palette_holds", style.palette_holds.to_string()));
+    }
+    if style.turn_colours != usual.turn_colours {
+        let [left, right] = style.turn_colours;
+        members.push(("turn_colours", format!("[{left}, {right}]")));
+    }
     if style.background != usual.background {
         members.push(("background", string(&String::from(style.background))));
     }
     if style.width != usual.width {
         members.push(("width", json_number(style.width)));
+    }
+    if style.width_factor != usual.width_factor {
+        members.push(("width_factor", json_number(style.width_factor)));
     }
     if style.min_width != usual.min_width {
         members.push(("min_width", json_number(style.min_width)));

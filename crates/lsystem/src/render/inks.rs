@@ -31,10 +31,11 @@ impl Choice {
         let wrapped = |index: i32| i64::from(index).rem_euclid(i64::from(self.colours.max(1))) as u32;
         let moving = |number: u32| Shade { number, fixed: false };
         match (self.by, change.colour) {
-            (ColourBy::Single, _) => moving(0),
+            // Along the path the walk knows.
+            (ColourBy::Single | ColourBy::Path, _) => moving(0),
             (ColourBy::Level, _) => moving(change.level % self.colours.max(1)),
-            (ColourBy::Symbol, ColourChange::Set(index)) => Shade { number: wrapped(index), fixed: true },
-            (ColourBy::Symbol, ColourChange::Add(count)) => moving(wrapped(count)),
+            (_, ColourChange::Set(index)) => Shade { number: wrapped(index), fixed: true },
+            (_, ColourChange::Add(count)) => moving(wrapped(count)),
         }
     }
 
@@ -97,10 +98,7 @@ impl InkTable {
 
     /// Makes the table for a drawing, unless it is the one already there. Returns whether anything changed.
     pub(super) fn prepare(&mut self, drawing: &Drawing, style: &Style) -> bool {
-        let colours = match style.colour_by {
-            ColourBy::Single => 1,
-            ColourBy::Symbol | ColourBy::Level => style.palette.len().clamp(1, MAX_PALETTE) as u32,
-        };
+        let colours = style.inks(|| drawing.farthest_ink(style.colour_by)).min(MAX_PALETTE as u32);
         let choice = Choice { by: style.colour_by, colours };
         if self.ready && self.choice == choice {
             return false;
@@ -114,6 +112,7 @@ impl InkTable {
         self.fixes = drawing.styles.iter().any(|style| choice.shade(style).fixed);
         let start = Shade { number: 0, fixed: true };
         self.used = match drawing.root.map(|root| self.of(root.0 as usize).after(choice, start)) {
+            Some(Inks::One(_)) if choice.by == ColourBy::Path => (0..colours).collect(),
             Some(Inks::One(shade)) => vec![shade.number],
             Some(Inks::Many) => (0..colours).collect(),
             _ => vec![],
@@ -159,6 +158,7 @@ fn of_block(choice: Choice, drawing: &Drawing, block: &Block, blocks: &[Inks]) -
     for item in &drawing.items[block.items.start as usize..block.items.end as usize] {
         let (style, inner) = match item {
             Item::Stroke(stroke) => (stroke.style, None),
+            Item::Polygon(polygon) => (polygon.style, None),
             Item::Block(placed) => (placed.style, Some(placed.block)),
         };
         // Long runs of strokes in one style are common.

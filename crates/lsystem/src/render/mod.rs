@@ -7,6 +7,8 @@
 mod canvas;
 mod inks;
 mod mixer;
+mod path;
+mod polygon;
 mod resolve;
 mod seen;
 mod shape;

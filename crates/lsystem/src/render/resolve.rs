@@ -43,8 +43,7 @@ impl Output {
             self.inked.resize(width.div_ceil(side) * height.div_ceil(side), false);
         }
         self.palette.clear();
-        let colour = |&ink: &u32| style.palette.get(ink as usize).map(|colour| colour.rgb.map(u32::from));
-        self.palette.extend(inks.iter().filter_map(colour));
+        self.palette.extend(inks.iter().map(|&ink| style.ink(ink).rgb.map(u32::from)));
         if self.palette.is_empty() {
             self.palette.push([0; 3]);
         }

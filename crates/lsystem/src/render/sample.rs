@@ -2,7 +2,7 @@
 
 use super::view::Camera;
 use super::{View, Viewport};
-use crate::{BlockId, ColourBy, Definition, Dialect, Drawing, Item, Limits, Style, StyleChange, System, draw};
+use crate::{BlockId, Colour, Definition, Dialect, Drawing, Item, Limits, Style, StyleChange, System, Tint, draw};
 
 /// Subsamples along one side of a pixel, by definition.
 const SAMPLES: f64 = 4.0;
@@ -52,12 +52,8 @@ impl Pen {
         }
     }
 
-    fn ink(self, style: &Style) -> usize {
-        match style.colour_by {
-            ColourBy::Single => 0,
-            ColourBy::Symbol => (self.colour as isize).rem_euclid(style.palette.len() as isize) as usize,
-            ColourBy::Level => self.level as usize % style.palette.len(),
-        }
+    fn colour(self, style: &Style, place: f64) -> Colour {
+        style.colour_of(Tint { index: self.colour, level: self.level, place })
     }
 }
 
@@ -84,12 +80,17 @@ pub(super) fn brute_force_until(
     fn at((origin, turn): Place, p: [f64; 2]) -> [f64; 2] {
         [origin[0] + turn[0] * p[0] - turn[1] * p[1], origin[1] + turn[1] * p[0] + turn[0] * p[1]]
     }
-    fn visit(drawing: &Drawing, block: BlockId, place: Place, pen: Pen, out: &mut dyn FnMut([f64; 2], [f64; 2], Pen)) {
+    fn visit(drawing: &Drawing, block: BlockId, place: Place, pen: Pen, out: &mut dyn FnMut(&[[f64; 2]], bool, Pen)) {
         let range = drawing.blocks[block.0 as usize].items.clone();
         for item in &drawing.items[range.start as usize..range.end as usize] {
             match item {
                 Item::Stroke(s) => {
-                    out(at(place, s.from), at(place, s.to), pen.after(&drawing.styles[s.style.0 as usize]));
+                    let ends = [at(place, s.from), at(place, s.to)];
+                    out(&ends, false, pen.after(&drawing.styles[s.style.0 as usize]));
+                }
+                Item::Polygon(p) => {
+                    let vertices: Vec<_> = drawing.vertices_of(p).iter().map(|&vertex| at(place, vertex)).collect();
+                    out(&vertices, true, pen.after(&drawing.styles[p.style.0 as usize]));
                 }
                 Item::Block(p) => {
                     let (c, s) = p.heading.cos_sin();
@@ -109,9 +110,29 @@ pub(super) fn brute_force_until(
     let pen = Pen { colour: 0, width: drawing.width, level: 0 };
     let [x, y] = camera.place(Default::default());
     let start = ([x, -y], [camera.scale, 0.0]);
-    visit(drawing, drawing.root.unwrap(), start, pen, &mut |a, b, pen| {
+    visit(drawing, drawing.root.unwrap(), start, pen, &mut |points, filled, pen| {
+        let all = drawing.segment_count() as f64;
+        let number = (upto - left) as f64;
+        if filled {
+            let colour = pen.colour(style, number / all);
+            let points: Vec<[f64; 2]> = points.iter().map(|p| [p[0], -p[1]]).collect();
+            let range = |axis: usize, end: i64| {
+                let all = || points.iter().map(|p| p[axis]);
+                let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
+                low.clamp(0.0, end as f64) as i64..(high + 1.0).clamp(0.0, end as f64) as i64
+            };
+            let (rows, columns) = (range(1, height), range(0, width));
+            for (row, column) in rows.flat_map(|row| columns.clone().map(move |column| (row, column))) {
+                if left > 0 && winding(&points, [column as f64 + 0.5, row as f64 + 0.5]) != 0 {
+                    inks[(row * width + column) as usize] = Some(colour);
+                }
+            }
+            return;
+        }
         let Some(rest) = left.checked_sub(1) else { return };
         left = rest;
+        let colour = pen.colour(style, (number + 0.5) / all);
+        let (a, b) = (points[0], points[1]);
         let r = (pen.width * camera.step / 2.0).max(hairline);
         let (a, b) = ([a[0], -a[1]], [b[0], -b[1]]);
         let range = |axis: usize, end: i64| {
@@ -126,7 +147,7 @@ pub(super) fn brute_force_until(
                 let t = if norm > 0.0 { ((px * dx + py * dy) / norm).clamp(0.0, 1.0) } else { 0.0 };
                 let (qx, qy) = (px - t * dx, py - t * dy);
                 if qx * qx + qy * qy <= r * r {
-                    inks[(row * width + column) as usize] = Some(pen.ink(style));
+                    inks[(row * width + column) as usize] = Some(colour);
                 }
             }
         }
@@ -137,7 +158,7 @@ pub(super) fn brute_force_until(
             let mut sum = [0.0; 3];
             for (sy, sx) in (0..4).flat_map(|sy| (0..4).map(move |sx| (sy, sx))) {
                 let ink = inks[((y * 4 + sy) * width + x * 4 + sx) as usize];
-                let colour = ink.map_or(style.background, |ink| style.palette[ink]);
+                let colour = ink.unwrap_or(style.background);
                 for (sum, value) in sum.iter_mut().zip(colour.rgb) {
                     *sum += f64::from(value) / 16.0;
                 }
@@ -147,4 +168,18 @@ pub(super) fn brute_force_until(
         }
     }
     pixels
+}
+
+/// How often an outline goes round a point.
+fn winding(vertices: &[[f64; 2]], [x, y]: [f64; 2]) -> i32 {
+    let next = vertices.iter().cycle().skip(1);
+    let crossings = vertices.iter().zip(next).map(|(a, b)| {
+        let left = (b[0] - a[0]) * (y - a[1]) - (x - a[0]) * (b[1] - a[1]);
+        match (a[1] <= y, b[1] <= y) {
+            (true, false) if left > 0.0 => 1,
+            (false, true) if left < 0.0 => -1,
+            _ => 0,
+        }
+    });
+    crossings.sum()
 }

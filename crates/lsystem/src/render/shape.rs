@@ -65,6 +65,11 @@ fn contents(drawing: &Drawing, block: &Block, shapes: &[Shape]) -> (Option<Line>
                 strokes = strokes.saturating_add(1);
                 Some(Line { from: stroke.from, to: stroke.to, style: drawing.styles[stroke.style.0 as usize] })
             }
+            Item::Polygon(_) => {
+                strokes = strokes.saturating_add(1);
+                straight = false;
+                None
+            }
             Item::Block(placed) => {
                 let child = &shapes[placed.block.0 as usize];
                 if child.strokes == 0 {
@@ -90,6 +95,7 @@ fn contents(drawing: &Drawing, block: &Block, shapes: &[Shape]) -> (Option<Line>
             straight = joined.is_some();
         }
     }
+    let joined = joined.filter(|_| straight);
     (joined, if joined.is_some() { 1 } else { strokes })
 }
 
@@ -97,6 +103,7 @@ fn last_style(drawing: &Drawing, block: &Block, shapes: &[Shape]) -> StyleChange
     let items = &drawing.items[block.items.start as usize..block.items.end as usize];
     let last = items.iter().rev().find_map(|item| match item {
         Item::Stroke(stroke) => Some(drawing.styles[stroke.style.0 as usize]),
+        Item::Polygon(polygon) => Some(drawing.styles[polygon.style.0 as usize]),
         Item::Block(placed) => {
             let child = &shapes[placed.block.0 as usize];
             (child.strokes > 0).then(|| drawing.styles[placed.style.0 as usize].then(&child.last))

@@ -39,6 +39,9 @@ fn samples() -> Vec<(&'static str, Sample, u32)> {
         ("gosper", Sample::abop("F", &[('F', "F-G--G+F++FF+G-"), ('G', "+F-GG--G-F++F+G")], 60.0), 5),
         ("coloured", Sample::lowercase("X", &[('X', "g-[[X]+X]+g[+gX]-X"), ('g', "gg")], 22.5), 6),
         ("wide", Sample::abop("X", &[('X', "F!-[[X]+X]+F[+FX]-X"), ('F', "FF")], 22.5).wide(0.6), 5),
+        ("leaves", Sample::abop("X", &[('X', "F[+X]F[-X]{'+f-f+f|+f-f}X"), ('F', "FF")], 25.7).wide(0.2), 5),
+        ("star", Sample::abop("{F+F+F+F+F}", &[], 144.0).wide(0.02), 1),
+        ("narrowing", narrowing(Sample::abop("X", &[('X', "F[+X][-X]'FX")], 25.7).wide(0.4)), 6),
         ("step colours", Sample::abop("X", &[('X', "F[+'X]F[-''X]+X"), ('F', "FF")], 25.7).wide(0.3), 6),
     ]
 }
@@ -50,9 +53,14 @@ fn the_picture_is_that_of_every_segment_stroked_in_order() {
     let mut failures = vec![];
     for (name, sample, n) in samples() {
         let drawing = Arc::new(sample.draw(n));
-        for (colour_by, zoom) in
-            [(ColourBy::Symbol, 1.0), (ColourBy::Level, 1.0), (ColourBy::Symbol, 10.0), (ColourBy::Single, 100.0)]
-        {
+        for (colour_by, zoom) in [
+            (ColourBy::Symbol, 1.0),
+            (ColourBy::Level, 1.0),
+            (ColourBy::Symbol, 10.0),
+            (ColourBy::Single, 100.0),
+            (ColourBy::Path, 1.0),
+            (ColourBy::Path, 10.0),
+        ] {
             let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
             let style = Style { colour_by, ..sample.0.style.clone() };
             let truth = brute_force(&drawing, &style, viewport, view);
@@ -92,6 +100,12 @@ fn a_turtle_on_its_way_has_drawn_the_first_segments() {
     }
 }
 
+/// With branches that are shorter and thinner than what bears them.
+fn narrowing(mut sample: Sample) -> Sample {
+    (sample.0.length_factor, sample.0.style.width_factor) = (0.7, 0.5);
+    sample
+}
+
 /// A view at `zoom` onto a place of the drawing where something is drawn.
 fn close_up(drawing: &Drawing, zoom: f64) -> View {
     let (mut at, mut turn) = ([0.0, 0.0], [1.0, 0.0]);
@@ -105,6 +119,7 @@ fn close_up(drawing: &Drawing, zoom: f64) -> View {
         let items = &drawing.items[range.start as usize..range.end as usize];
         let size = |item: &Item| match item {
             Item::Stroke(_) => 1,
+            Item::Polygon(_) => 0,
             Item::Block(p) => drawing.blocks[p.block.0 as usize].segments,
         };
         // One of the largest parts, a different one at each level.
@@ -115,6 +130,7 @@ fn close_up(drawing: &Drawing, zoom: f64) -> View {
                 at = place(at, turn, s.to);
                 break;
             }
+            Item::Polygon(_) => {}
             Item::Block(p) => {
                 let (c, s) = p.heading.cos_sin();
                 at = place(at, turn, p.at);
@@ -329,6 +345,7 @@ fn deep_segment(drawing: &Drawing) -> ([Wide; 2], f64) {
                 scale *= placed.scale;
                 block = placed.block;
             }
+            Some(Item::Polygon(_)) => break,
             Some(Item::Stroke(stroke)) => {
                 let middle = [0, 1].map(|axis| (stroke.from[axis] + stroke.to[axis]) / 2.0);
                 let [x, y] = [0, 1].map(|axis| stroke.to[axis] - stroke.from[axis]);

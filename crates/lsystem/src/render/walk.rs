@@ -3,6 +3,8 @@
 use super::RenderStats;
 use super::canvas::Canvas;
 use super::inks::{Choice, Dye, InkTable, Inks, Shade};
+use super::path::{Path, Span};
+use super::polygon;
 use super::seen::Seen;
 use super::shape::Shape;
 use super::stroke::Capsule;
@@ -63,6 +65,8 @@ struct Node {
     /// Where it is in the root block's frame, as long as it is large.
     far: Option<Far>,
     pen: Pen,
+    /// Which part of the path it is, but for the items that are done.
+    span: Span,
 }
 
 /// Where a block is in the root block's frame. On the canvas the origin of a block that is much larger than the picture
@@ -140,6 +144,7 @@ pub(super) struct Walk {
     /// Whether blocks may recur.
     repeats: bool,
     making: Vec<Making>,
+    path: Path,
     pub stats: RenderStats,
 }
 
@@ -159,6 +164,7 @@ impl Default for Walk {
             seen: Seen::default(),
             repeats: false,
             making: vec![],
+            path: Path::default(),
             stats: RenderStats::default(),
         }
     }
@@ -171,6 +177,7 @@ impl Walk {
         self.making.clear();
         self.tiles.clear();
         self.inks.clear();
+        self.path.clear();
     }
 
     /// Starts a picture of `width` by `height` pixels, of the segments before `upto` where that is given.
@@ -198,6 +205,7 @@ impl Walk {
             self.look = look;
             self.tiles.clear();
         }
+        self.path.prepare(drawing, style);
         let [width, height] = [viewport.width, viewport.height].map(|side| side as usize * detail.samples());
         self.canvases[0].reset(width, height, self.inks.picture_planes());
         let Some((root, block)) = drawing.root.and_then(|id| Some((id, drawing.blocks.get(id.0 as usize)?))) else {
@@ -213,7 +221,15 @@ impl Walk {
         };
         let pen = Pen { shade: Shade { number: 0, fixed: true }, width: drawing.width };
         self.camera = Some(camera);
-        self.stack.push(Node { block: root, cursor: block.items.end, canvas: 0, place, far: Some(far), pen });
+        self.stack.push(Node {
+            block: root,
+            cursor: block.items.end,
+            canvas: 0,
+            place,
+            far: Some(far),
+            pen,
+            span: Span::WHOLE,
+        });
         if let Some(upto) = upto {
             self.leave_out(drawing, upto);
         }
@@ -246,12 +262,29 @@ impl Walk {
             *left -= 1;
             match &drawing.items[node.cursor as usize] {
                 Item::Stroke(stroke) => {
-                    let pen = node.pen.after(self.inks.choice, &drawing.styles[stroke.style.0 as usize]);
+                    let mut pen = node.pen.after(self.inks.choice, &drawing.styles[stroke.style.0 as usize]);
+                    if self.path.counts() && node.canvas == 0 {
+                        let span = self.path.stroke(node.block, node.span);
+                        pen.shade = Shade { number: span.ink(), fixed: true };
+                        if let Some(node) = self.stack.last_mut() {
+                            node.span.end -= span.size;
+                        }
+                    }
                     let ends = [stroke.from, stroke.to].map(|p| node.place.point(p));
                     *left -= self.stroke(node.canvas, ends, pen);
                 }
+                Item::Polygon(polygon) => {
+                    let mut pen = node.pen.after(self.inks.choice, &drawing.styles[polygon.style.0 as usize]);
+                    if self.path.counts() && node.canvas == 0 {
+                        pen.shade = Shade { number: self.path.stroke(node.block, node.span).ink(), fixed: true };
+                    }
+                    *left -= self.polygon(node, drawing.vertices_of(polygon), pen);
+                }
                 Item::Block(placed) => {
                     let child = self.child(drawing, node, placed);
+                    if let Some(node) = self.stack.last_mut() {
+                        node.span.end -= child.span.size;
+                    }
                     let shape = &shapes[placed.block.0 as usize];
                     *left -= self.block(drawing, shape, child);
                 }
@@ -276,9 +309,13 @@ impl Walk {
             _ => node.place.point(placed.at),
         };
         let place = Place { origin, scale, heading, cos: scale * c, sin: scale * s };
-        let pen = node.pen.after(self.inks.choice, &drawing.styles[placed.style.0 as usize]);
+        let mut pen = node.pen.after(self.inks.choice, &drawing.styles[placed.style.0 as usize]);
+        let span = self.path.block(node.block, node.span, placed.block);
+        if self.path.counts() && node.canvas == 0 {
+            pen.shade = Shade { number: span.ink(), fixed: true };
+        }
         let cursor = drawing.blocks[placed.block.0 as usize].items.end;
-        Node { block: placed.block, cursor, canvas: node.canvas, place, far, pen }
+        Node { block: placed.block, cursor, canvas: node.canvas, place, far, pen, span }
     }
 
     /// Leaves out everything from the segment `from` (0-based) on, of a picture that has just begun: along the way
@@ -289,9 +326,11 @@ impl Walk {
             let items = &drawing.blocks[node.block.0 as usize].items;
             let mut cut = None;
             let mut cursor = items.start;
-            while cursor < items.end && cut.is_none() {
+            // A polygon after the last segment that is wanted is not drawn yet.
+            while cursor < items.end && cut.is_none() && left > 0 {
                 let segments = match &drawing.items[cursor as usize] {
                     Item::Stroke(_) => 1,
+                    Item::Polygon(_) => 0,
                     Item::Block(placed) => drawing.blocks[placed.block.0 as usize].segments,
                 };
                 if segments > left {
@@ -303,10 +342,15 @@ impl Walk {
             }
             if let Some(top) = self.stack.last_mut() {
                 top.cursor = cursor;
+                top.span.end -=
+                    self.path.rest(top.block, top.span, &drawing.items[cursor as usize..items.end as usize]);
             }
+            let node = self.stack.last().copied().unwrap_or(node);
             match cut {
                 Some(Item::Block(placed)) if left > 0 => {
-                    let child = self.child(drawing, node, placed);
+                    let size = self.path.block(node.block, node.span, placed.block).size;
+                    let around = Node { span: Span { end: node.span.end + size, ..node.span }, ..node };
+                    let child = self.child(drawing, around, placed);
                     self.stack.push(child);
                 }
                 _ => return,
@@ -328,6 +372,14 @@ impl Walk {
     /// What tells a canvas from others, former tiles included.
     fn tag(&self, canvas: usize) -> u64 {
         self.serials[canvas] << 8 | canvas as u64
+    }
+
+    fn polygon(&mut self, node: Node, vertices: &[[f64; 2]], pen: Pen) -> i64 {
+        self.stats.strokes += 1;
+        self.painted += u64::from(node.canvas == 0);
+        let colour = self.inks.code(pen.shade);
+        let vertices: Vec<_> = vertices.iter().map(|&vertex| node.place.point(vertex)).collect();
+        polygon::paint(&mut self.canvases[node.canvas], &vertices, colour) as i64 / 4
     }
 
     /// Stamps a tile whose block has these shades.
@@ -361,6 +413,8 @@ impl Walk {
         if self.canvases[node.canvas].is_full(across, down) {
             return 1;
         }
+        // A part of the path that has one colour is like any other block.
+        let plain = !self.path.counts() || node.canvas != 0 || node.span.is_short();
         let extent = 2.0 * place.scale * shape.half[0].max(shape.half[1]);
         if self.repeats {
             let block = u64::from(node.block.0) << 32 ^ place.heading.units();
@@ -371,6 +425,7 @@ impl Walk {
         }
         if let Some(line) = &shape.line
             && extent < LONG
+            && plain
         {
             let ends = [line.from, line.to].map(|p| place.point(p));
             return self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &line.style));
@@ -387,6 +442,7 @@ impl Walk {
             && size + 1 > node.canvas
             && radius <= BROAD
             && self.repeats
+            && plain
         {
             let fine = !self.tiles.crowded && tile::is_sparse(extent, shape.strokes);
             let snapped = tile::snap(place.origin, size, fine);

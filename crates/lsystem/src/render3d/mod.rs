@@ -11,6 +11,7 @@
 //! longest of its strokes. So pictures end in time, and all that they show is there.
 
 mod camera;
+mod hatch;
 mod light;
 mod scene;
 mod stroke;

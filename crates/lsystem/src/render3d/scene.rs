@@ -1,9 +1,11 @@
 //! A drawing made ready for being looked at in space: every block becomes nodes of at most 16 contents, with a ball
 //! around each, and with what is seen of it where it is too small to be looked into.
 
+use super::hatch::hatch;
 use super::light::Bundle;
 use crate::render::{Choice, Shade};
 use crate::rotation::{Vector, combine, dot, norm};
+use crate::turtle::finite;
 use crate::{BlockId, ColourBy, Drawing, Item, Placed, Solid, Style, StyleChange, WidthChange};
 
 /// Contents of a node at most.
@@ -27,6 +29,8 @@ pub(super) struct Scene {
     pub(super) choice: Choice,
     pub(super) root: Option<u32>,
     memoised: bool,
+    /// The greatest branch level and generation.
+    farthest: [u32; 2],
 }
 
 /// A block, or a run of a block's contents. Coordinates are the block's.
@@ -93,6 +97,13 @@ pub(super) struct Line {
     pub(super) style: u32,
 }
 
+impl Line {
+    fn new(ends: [Vector; 2], style: u32) -> Self {
+        let [from, to] = ends.map(|end| end.map(|c| c as f32));
+        Self { from, to, style }
+    }
+}
+
 /// How much longer a limb must be than those before it to stand for them: more than by rounding.
 const LONGER: f64 = 1.0 + 1e-9;
 /// How far one may be from going straight on with another, for its length.
@@ -105,23 +116,38 @@ impl Scene {
         let mut styles = drawing.styles.clone();
         let same = styles.len() as u32;
         styles.push(StyleChange::NONE);
-        let mut scene = Self { styles, memoised: drawing.memoised, ..Self::default() };
+        let farthest = [ColourBy::Level, ColourBy::Generation].map(|by| drawing.farthest_ink(by));
+        let mut scene = Self { styles, farthest, memoised: drawing.memoised, ..Self::default() };
         // By block: its node.
         let mut blocks: Vec<u32> = Vec::with_capacity(drawing.blocks.len());
         for (id, block) in drawing.blocks.iter().enumerate() {
             let mut row: Vec<u32> = Vec::new();
-            for items in drawing.items_of(BlockId(id as u32)).chunks(WIDTH) {
-                let mut run = Run::default();
-                for item in items {
-                    match item {
-                        Item::Stroke(stroke) => run.lines.push(Line {
-                            from: stroke.from.map(|c| c as f32),
-                            to: stroke.to.map(|c| c as f32),
-                            style: stroke.style.0,
-                        }),
-                        Item::Block(placed) => run.links.push(scene.link(placed, blocks[placed.block.0 as usize])),
+            let mut run = Run::default();
+            for item in drawing.items_of(BlockId(id as u32)) {
+                let mut lines = Vec::new();
+                match item {
+                    Item::Stroke(stroke) => lines.push(Line::new([stroke.from, stroke.to], stroke.style.0)),
+                    Item::Polygon(polygon) => {
+                        let (strokes, wide) = hatch(drawing.vertices_of(polygon));
+                        // Widths are in steps.
+                        let offset = finite(libm::scalbn(wide, block.exponent));
+                        let width = WidthChange { factor: 0.0, offset };
+                        let style = scene.styles.len() as u32;
+                        let own = scene.styles[polygon.style.0 as usize];
+                        scene.styles.push(StyleChange { width, ..own });
+                        lines.extend(strokes.into_iter().map(|ends| Line::new(ends, style)));
+                    }
+                    Item::Block(placed) => {
+                        run.links.push(scene.link(placed, blocks[placed.block.0 as usize]));
+                        scene.full(&mut run, &mut row);
                     }
                 }
+                for line in lines {
+                    run.lines.push(line);
+                    scene.full(&mut run, &mut row);
+                }
+            }
+            if !(run.links.is_empty() && run.lines.is_empty()) {
                 row.push(scene.node(run));
             }
             while row.len() > 1 {
@@ -142,6 +168,13 @@ impl Scene {
         }
         scene.root = drawing.root.and_then(|root| blocks.get(root.0 as usize).copied());
         scene
+    }
+
+    /// Makes a node of a run that has as many contents as a node may.
+    fn full(&mut self, run: &mut Run, row: &mut Vec<u32>) {
+        if run.links.len() + run.lines.len() == WIDTH {
+            row.push(self.node(core::mem::take(run)));
+        }
     }
 
     fn link(&self, placed: &Placed<Solid>, node: u32) -> Link {
@@ -265,12 +298,10 @@ impl Scene {
 
     /// Makes the mean colours for a style, unless they are there.
     pub(super) fn dye(&mut self, style: &Style) {
-        let colours = match style.colour_by {
-            ColourBy::Single => 1,
-            ColourBy::Symbol | ColourBy::Level => u32::try_from(style.palette.len()).unwrap_or(u32::MAX / 2).max(1),
-        };
+        let [deepest, latest] = self.farthest;
+        let colours = style.inks(|| if style.colour_by == ColourBy::Level { deepest } else { latest });
         let choice = Choice::new(style.colour_by, colours);
-        let palette: Vec<[f32; 3]> = (style.palette.iter()).map(|colour| colour.rgb.map(f32::from)).collect();
+        let palette: Vec<[f32; 3]> = (0..colours).map(|ink| style.ink(ink).rgb.map(f32::from)).collect();
         if choice == self.choice && palette == self.palette && !self.means.is_empty() {
             return;
         }

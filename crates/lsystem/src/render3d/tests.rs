@@ -91,7 +91,8 @@ fn naive(drawing: &Drawing<Solid>, style: &Style, viewport: Viewport, camera: &C
         let hairline = style.min_width.max(1.0) * viewport.ratio * 2.0;
         let width_of = |p: Vector| segment.width / drawing.step.abs() * lens.step / 2.0 / (1.0 + p[2] * lens.nearness);
         let radii = seen.map(|p| width_of(p).max(hairline));
-        let ink = style.colour_of(segment.colour, segment.level).rgb.map(f64::from);
+        let ink =
+            style.colour_of(crate::Tint { index: segment.colour, level: segment.level, place: 0.0 }).rgb.map(f64::from);
         let reach = |axis: usize, side: usize| {
             let radius = radii[0].max(radii[1]) + 1.0;
             let low = (ends[0][axis].min(ends[1][axis]) - radius).clamp(0.0, side as f64);

@@ -14,6 +14,7 @@ mod step;
 mod table;
 
 pub use image::Image;
+pub(crate) use modules::Age;
 pub use modules::Modules;
 pub use rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
 pub(crate) use scales::{Keys, Scales, applying};

@@ -13,6 +13,17 @@ pub struct Modules {
     pub arguments: Vec<f64>,
     /// By module: its place in the derivation; kept only where chance plays a part.
     keys: Vec<Key>,
+    /// By module: its age; kept only where somebody asks.
+    ages: Vec<Age>,
+}
+
+/// How old a module is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Age {
+    /// The derivation step in which it was made, or the first of its letter in its place.
+    pub(crate) since: u16,
+    /// The step in which it was made, unless it goes on in the place of another; 0 for those of the axiom.
+    pub(crate) made: u16,
 }
 
 /// A number that is not finite.
@@ -39,10 +50,40 @@ impl Modules {
         self.letters.clear();
         self.arguments.clear();
         self.keys.clear();
+        self.ages.clear();
+    }
+
+    /// Keeps keys, or ages, from now on; the word is the axiom.
+    pub(super) fn remember(&mut self, keys: bool, ages: bool) {
+        let places = 0..self.letters.len() as u64;
+        if keys {
+            self.keys = places.clone().map(Key::root).collect();
+        }
+        if ages {
+            self.ages = places.map(|_| Age { since: 0, made: 0 }).collect();
+        }
+    }
+
+    /// How old the module at `place` is, where that is kept.
+    pub(crate) fn age_of(&self, place: usize) -> Option<Age> {
+        self.ages.get(place).copied()
+    }
+
+    /// Notes the ages of the modules from `from` on, which `step` has just made in the place of one of this letter and
+    /// age; `draws` by letter.
+    pub(super) fn grow(&mut self, from: usize, (letter, age): (LetterId, Age), step: u32, draws: &[bool]) {
+        let made = &self.letters[from..];
+        let same = made.iter().position(|&child| child == letter);
+        let drawn = || made.iter().position(|&child| draws[usize::from(child)]).filter(|_| draws[usize::from(letter)]);
+        let heir = same.or_else(drawn);
+        self.ages.extend(made.iter().enumerate().map(|(index, &child)| Age {
+            since: if child == letter { age.since } else { step as u16 },
+            made: if heir == Some(index) { age.made } else { step as u16 },
+        }));
     }
 
     /// The key of the module at `place`; without meaning where chance plays no part.
-    pub(super) fn key_of(&self, place: usize) -> Key {
+    pub(crate) fn key_of(&self, place: usize) -> Key {
         self.keys.get(place).copied().unwrap_or(Key::root(0))
     }
 
@@ -51,7 +92,10 @@ impl Modules {
         self.letters.extend_from_slice(&word.letters[modules.clone()]);
         self.arguments.extend_from_slice(&word.arguments[arguments]);
         if !word.keys.is_empty() {
-            self.keys.extend_from_slice(&word.keys[modules]);
+            self.keys.extend_from_slice(&word.keys[modules.clone()]);
+        }
+        if !word.ages.is_empty() {
+            self.ages.extend_from_slice(&word.ages[modules]);
         }
     }
 
@@ -96,7 +140,10 @@ impl Modules {
         self.letters.copy_within(modules.clone(), to);
         self.arguments.copy_within(arguments, to_argument);
         if !self.keys.is_empty() {
-            self.keys.copy_within(modules, to);
+            self.keys.copy_within(modules.clone(), to);
+        }
+        if !self.ages.is_empty() {
+            self.ages.copy_within(modules, to);
         }
     }
 
@@ -105,5 +152,6 @@ impl Modules {
         self.letters.truncate(modules);
         self.arguments.truncate(arguments);
         self.keys.truncate(modules);
+        self.ages.truncate(modules);
     }
 }

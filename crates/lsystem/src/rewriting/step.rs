@@ -42,6 +42,8 @@ pub(super) struct Plan {
     pub(super) seed: u32,
     limits: Limits,
     pub(super) random: bool,
+    /// By letter: whether it draws; empty where ages are not kept.
+    draws: Vec<bool>,
     contexts: bool,
     cutting: bool,
     /// Decides by three letters alone, where that is possible.
@@ -94,6 +96,7 @@ impl Rewriter {
             seed,
             limits,
             random,
+            draws: vec![],
             arities,
             roles,
             rules,
@@ -114,6 +117,15 @@ impl Rewriter {
     /// The same with the axiom taken for this generation, which is what choices go by.
     pub(crate) fn at(self, generation: u32) -> Self {
         Self { generation, ..self }
+    }
+
+    /// Keeps the keys of all modules, and their ages where it is given which letters draw. Nothing must have been derived
+    /// yet.
+    pub(crate) fn remember(&mut self, draws: Option<Vec<bool>>) {
+        self.word.remember(true, draws.is_some());
+        self.plan.random = true;
+        self.plan.table = None;
+        self.plan.draws = draws.unwrap_or_default();
     }
 
     /// The generation that [`Rewriter::word`] is.
@@ -301,8 +313,12 @@ impl Rewriter {
             match at.choose(&plan.rules.by_letter[letter], scratch, work) {
                 None => next.keep(word, place..place + 1, own),
                 Some(rule) => {
+                    let from = next.letters.len();
                     next.make(&rule.successor, at.slots(rule, scratch), &chance, plan.random)
                         .map_err(|NotFinite| Fault::NotFinite(Some(rule.production)))?;
+                    if let Some(age) = word.age_of(place).filter(|_| !plan.draws.is_empty()) {
+                        next.grow(from, (word.letters[place], age), step, &plan.draws);
+                    }
                 }
             }
             place += 1;

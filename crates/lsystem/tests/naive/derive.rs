@@ -8,10 +8,19 @@ pub struct Module {
     pub symbol: char,
     pub arguments: Vec<f64>,
     pub key: Key,
+    /// The step that made it, or the first of its letter in its place.
+    pub since: u32,
+    /// The step that made it, unless it goes on in the place of another.
+    pub made: u32,
 }
 
 /// The modules of generation `n`; `None` where a number is not finite. Takes time and memory as the word grows.
 pub fn modules(grammar: &Grammar, seed: u32, n: u32) -> Option<Vec<Module>> {
+    aged_modules(grammar, seed, n, &|_| false)
+}
+
+/// The same with their ages; `draws` says what draws.
+pub fn aged_modules(grammar: &Grammar, seed: u32, n: u32, draws: &dyn Fn(&Module) -> bool) -> Option<Vec<Module>> {
     let axiom = grammar.axiom.iter().enumerate();
     let mut drawn = 0;
     let mut word = axiom
@@ -20,7 +29,7 @@ pub fn modules(grammar: &Grammar, seed: u32, n: u32) -> Option<Vec<Module>> {
             let mut scope = Scope { grammar, names: vec![], key, seed, step: 0, drawn };
             let arguments = module.arguments.iter().map(|expr| scope.value(expr)).collect();
             drawn = scope.drawn;
-            Module { symbol: module.symbol, arguments, key }
+            Module { symbol: module.symbol, arguments, key, since: 0, made: 0 }
         })
         .collect::<Vec<_>>();
     for step in 1..=n {
@@ -33,7 +42,16 @@ pub fn modules(grammar: &Grammar, seed: u32, n: u32) -> Option<Vec<Module>> {
         for (place, module) in word.iter().enumerate() {
             match tree.successor(&grammar.productions, seed, step, place) {
                 None => next.push(module.clone()),
-                Some(successor) => next.extend(successor),
+                Some(mut successor) => {
+                    let like = |m: &Module| m.symbol == module.symbol && m.arguments.len() == module.arguments.len();
+                    let heir = successor.iter().position(like);
+                    let heir = heir.or_else(|| successor.iter().position(draws).filter(|_| draws(module)));
+                    for (index, child) in successor.iter_mut().enumerate() {
+                        child.since = if like(child) { module.since } else { step };
+                        child.made = if heir == Some(index) { module.made } else { step };
+                    }
+                    next.extend(successor);
+                }
             }
         }
         word = next;
@@ -251,6 +269,8 @@ impl<'a> Tree<'a> {
             symbol: module.symbol,
             arguments: module.arguments.iter().map(|expr| scope.value(expr)).collect(),
             key: key.child(step, index as u64),
+            since: self.word[place].since,
+            made: self.word[place].made,
         });
         Some(made.collect())
     }

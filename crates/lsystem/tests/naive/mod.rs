@@ -4,14 +4,15 @@
 //! program, and headings are floating-point degrees that are summed up.
 #![allow(dead_code, unreachable_pub, unused_imports, reason = "each test binary uses its own part")]
 
-use lsystem::{Action, Dialect, Grammar, Segment, System};
+use lsystem::{Action, Colouring, Dialect, Grammar, Purpose, Segment, System};
 
 mod derive;
 mod space;
 pub mod systems;
 
+use derive::{Module, aged_modules};
 pub use derive::{images, modules};
-pub use space::solid_segments;
+pub use space::{solid_polygons, solid_segments};
 
 /// The word of generation `n` without its arguments.
 pub fn expand(grammar: &Grammar, seed: u32, n: u32) -> String {
@@ -26,23 +27,64 @@ struct State {
     colour: i32,
     width: f64,
     level: u32,
+    /// What lengths are multiplied by.
+    scale: f64,
+}
+
+/// The modules of generation `n` as they are drawn.
+fn drawn(system: &System, n: u32) -> Vec<Module> {
+    let aged = aged_modules(&system.grammar, system.seed, n, &|module| {
+        let image = system.grammar.images.iter().filter(|image| image.predecessor.symbol == module.symbol);
+        let mut symbols: Vec<char> = image.flat_map(|image| &image.successor).map(|m| m.symbol).collect();
+        if symbols.is_empty() {
+            symbols.push(module.symbol);
+        }
+        symbols.into_iter().any(|symbol| actions(system, symbol).iter().any(|action| action.draws()))
+    });
+    images(&system.grammar, system.seed, &aged.expect("finite numbers")).expect("finite numbers")
+}
+
+/// How much longer a module's way is, and how much farther it turns, than its letter says, by the place of the action
+/// among those of the letter.
+fn whims(system: &System, n: u32, module: &Module, slot: usize) -> [f64; 2] {
+    let turtle = &system.turtle;
+    let grown = if module.made == n && n > 0 { turtle.growth } else { 1.0 };
+    let of = |purpose, most: f64| grown * (1.0 + most * module.key.variation(system.seed, purpose, slot as u32));
+    [of(Purpose::Length, turtle.length_variation), of(Purpose::Angle, turtle.angle_variation)]
+}
+
+/// The shorter way round.
+fn shorter(degrees: f64) -> f64 {
+    let within = degrees.rem_euclid(360.0);
+    if within > 180.0 { within - 360.0 } else { within }
 }
 
 /// The segments of generation `n`, in drawing order.
 pub fn segments(system: &System, n: u32) -> Vec<Segment> {
     let turtle = &system.turtle;
     let (left, right) = (turtle.left.degrees(), turtle.right.degrees());
-    let start = State { at: turtle.start, degrees: turtle.heading.degrees(), colour: 0, width: turtle.width, level: 0 };
+    let start = State {
+        at: turtle.start,
+        degrees: turtle.heading.degrees(),
+        colour: 0,
+        width: turtle.width,
+        level: 0,
+        scale: 1.0,
+    };
     let (mut state, mut saved, mut segments) = (start, Vec::new(), Vec::new());
-    let mut word = modules(&system.grammar, system.seed, n).expect("finite numbers");
-    word = images(&system.grammar, system.seed, &word).expect("finite numbers");
-    for module in word {
+    for module in drawn(system, n) {
+        if turtle.colouring == Colouring::Generations {
+            state.colour = module.since as i32;
+        }
         for (index, action) in actions(system, module.symbol).iter().enumerate() {
             let number = module.arguments.first().filter(|_| index == 0);
+            let [longer, farther] = whims(system, n, &module, slot(actions(system, module.symbol), index));
+            let longer = longer * state.scale;
+            let turned = |degrees: f64| if farther == 1.0 { degrees } else { shorter(degrees) * farther };
             match number.map_or(*action, |number| replaced(*action, *number)) {
-                Action::Draw(length) => {
+                Action::Draw(length) | Action::DrawUnmarked(length) => {
                     let from = state.at;
-                    advance(&mut state, length.unwrap_or(turtle.step));
+                    advance(&mut state, longer * length.unwrap_or(turtle.step));
                     segments.push(Segment {
                         from,
                         to: state.at,
@@ -56,19 +98,36 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
                         turn(&mut state, (tropism.elasticity * across).to_degrees());
                     }
                 }
-                Action::Move(length) => advance(&mut state, length.unwrap_or(turtle.step)),
-                Action::TurnLeft(by) => turn(&mut state, by.unwrap_or(left)),
-                Action::TurnRight(by) => turn(&mut state, -by.unwrap_or(right)),
-                Action::TurnRound => turn(&mut state, 180.0),
-                Action::Cut => {}
+                Action::Move(length) | Action::MoveUnmarked(length) => {
+                    advance(&mut state, longer * length.unwrap_or(turtle.step));
+                }
+                Action::TurnLeft(by) => {
+                    turn(&mut state, turned(by.unwrap_or(left)));
+                    if let Colouring::Turns([left, _]) = turtle.colouring {
+                        state.colour = left;
+                    }
+                }
+                Action::TurnRight(by) => {
+                    turn(&mut state, -turned(by.unwrap_or(right)));
+                    if let Colouring::Turns([_, right]) = turtle.colouring {
+                        state.colour = right;
+                    }
+                }
+                Action::TurnRound => {
+                    turn(&mut state, 180.0 * if module.made == n && n > 0 { turtle.growth } else { 1.0 })
+                }
+                Action::Cut | Action::OpenPolygon | Action::Vertex | Action::ClosePolygon => {}
                 // These lead out of the plane.
                 Action::PitchDown(_) | Action::PitchUp(_) | Action::RollLeft(_) | Action::RollRight(_) => {}
                 Action::RollUpright => {}
                 Action::Push => {
                     saved.push(state);
                     state.level += 1;
+                    state.width *= turtle.width_factor;
+                    state.scale *= turtle.length_factor;
                 }
                 Action::Pop => state = saved.pop().unwrap_or(state),
+                Action::SetColour(_) | Action::AddColour(_) if turtle.colouring != Colouring::Symbols => {}
                 Action::SetColour(colour) => state.colour = colour,
                 Action::AddColour(by) => state.colour = state.colour.wrapping_add(by),
                 Action::SetWidth(width) => state.width = width,
@@ -77,6 +136,17 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
         }
     }
     segments
+}
+
+/// How many ways and turns come before the action at `index`.
+fn slot(actions: &[Action], index: usize) -> usize {
+    use Action::{PitchDown, PitchUp, RollLeft, RollRight, TurnLeft, TurnRight, TurnRound};
+    let counts = |action: &Action| match action {
+        Action::Draw(_) | Action::DrawUnmarked(_) | Action::Move(_) | Action::MoveUnmarked(_) => true,
+        TurnLeft(_) | TurnRight(_) | TurnRound | PitchDown(_) | PitchUp(_) | RollLeft(_) | RollRight(_) => true,
+        _ => false,
+    };
+    actions[..index].iter().filter(|action| counts(action)).count()
 }
 
 /// What a symbol does by itself.
@@ -102,7 +172,10 @@ fn replaced(action: Action, number: f64) -> Action {
         Action::PitchUp(_) => Action::PitchUp(Some(number)),
         Action::RollLeft(_) => Action::RollLeft(Some(number)),
         Action::RollRight(_) => Action::RollRight(Some(number)),
+        Action::DrawUnmarked(_) => Action::DrawUnmarked(Some(number)),
+        Action::MoveUnmarked(_) => Action::MoveUnmarked(Some(number)),
         Action::TurnRound | Action::RollUpright | Action::Push | Action::Pop | Action::Cut => action,
+        Action::OpenPolygon | Action::Vertex | Action::ClosePolygon => action,
     }
 }
 

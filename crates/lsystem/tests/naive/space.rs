@@ -1,7 +1,7 @@
 //! The turtle in space, the plain way: three vectors that are rotated by Rodrigues' formula.
 
-use super::{actions, images, modules, replaced};
-use lsystem::{Action, Segment, Solid, System};
+use super::{actions, drawn, replaced, shorter, slot, whims};
+use lsystem::{Action, Colouring, Segment, Solid, System};
 
 type Vector = [f64; 3];
 
@@ -15,7 +15,12 @@ struct State {
     colour: i32,
     width: f64,
     level: u32,
+    /// What lengths are multiplied by.
+    scale: f64,
 }
+
+/// A polygon's vertices, its colour index and its level, before how many segments it is drawn.
+pub type Filled = (Vec<Vector>, i32, u32, usize);
 
 impl State {
     /// By the right-hand rule.
@@ -54,6 +59,15 @@ impl State {
 
 /// The segments of generation `n` in space, in drawing order.
 pub fn solid_segments(system: &System, n: u32) -> Vec<Segment<Solid>> {
+    run(system, n).0
+}
+
+/// The polygons of generation `n` in space, in the order in which they are opened.
+pub fn solid_polygons(system: &System, n: u32) -> Vec<Filled> {
+    run(system, n).1
+}
+
+fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
     let turtle = &system.turtle;
     let mut state = State {
         at: [turtle.start[0], turtle.start[1], 0.0],
@@ -63,19 +77,30 @@ pub fn solid_segments(system: &System, n: u32) -> Vec<Segment<Solid>> {
         colour: 0,
         width: turtle.width,
         level: 0,
+        scale: 1.0,
     };
+    // Of all polygons; the places of those that are open, and of those that are closed.
+    let (mut polygons, mut open, mut closed): (Vec<Filled>, Vec<usize>, Vec<usize>) = Default::default();
     state.rotate([0.0, 0.0, 1.0], turtle.heading.degrees().to_radians());
     let (mut saved, mut segments) = (Vec::new(), Vec::new());
-    let word = modules(&system.grammar, system.seed, n).expect("finite numbers");
-    let word = images(&system.grammar, system.seed, &word).expect("finite numbers");
-    for module in word {
+    for module in drawn(system, n) {
+        if turtle.colouring == Colouring::Generations {
+            state.colour = module.since as i32;
+        }
+        let grown = if module.made == n && n > 0 { turtle.growth } else { 1.0 };
         for (index, action) in actions(system, module.symbol).iter().enumerate() {
             let number = module.arguments.first().filter(|_| index == 0);
-            let by = |degrees: Option<f64>, own: lsystem::Heading| degrees.unwrap_or(own.degrees()).to_radians();
+            let [longer, farther] = whims(system, n, &module, slot(actions(system, module.symbol), index));
+            let longer = longer * state.scale;
+            let by = |degrees: Option<f64>, own: lsystem::Heading| {
+                (shorter(degrees.unwrap_or(own.degrees())) * farther).to_radians()
+            };
+            let before = state.at;
+            let marks = matches!(action, Action::Draw(_) | Action::Move(_));
             match number.map_or(*action, |number| replaced(*action, *number)) {
-                Action::Draw(length) => {
+                Action::Draw(length) | Action::DrawUnmarked(length) => {
                     let from = state.at;
-                    state.advance(length.unwrap_or(turtle.step));
+                    state.advance(longer * length.unwrap_or(turtle.step));
                     segments.push(Segment {
                         from,
                         to: state.at,
@@ -87,10 +112,32 @@ pub fn solid_segments(system: &System, n: u32) -> Vec<Segment<Solid>> {
                         state.bend(tropism.vector, tropism.elasticity);
                     }
                 }
-                Action::Move(length) => state.advance(length.unwrap_or(turtle.step)),
-                Action::TurnLeft(degrees) => state.rotate(state.up, by(degrees, turtle.left)),
-                Action::TurnRight(degrees) => state.rotate(state.up, -by(degrees, turtle.right)),
-                Action::TurnRound => state.rotate(state.up, core::f64::consts::PI),
+                Action::Move(length) | Action::MoveUnmarked(length) => {
+                    state.advance(longer * length.unwrap_or(turtle.step));
+                }
+                Action::OpenPolygon => {
+                    open.push(polygons.len());
+                    polygons.push((vec![], state.colour, state.level, segments.len()));
+                }
+                Action::Vertex => {
+                    if let Some(&place) = open.last() {
+                        polygons[place].0.push(state.at);
+                    }
+                }
+                Action::ClosePolygon => closed.extend(open.pop()),
+                Action::TurnLeft(degrees) => {
+                    state.rotate(state.up, by(degrees, turtle.left));
+                    if let Colouring::Turns([left, _]) = turtle.colouring {
+                        state.colour = left;
+                    }
+                }
+                Action::TurnRight(degrees) => {
+                    state.rotate(state.up, -by(degrees, turtle.right));
+                    if let Colouring::Turns([_, right]) = turtle.colouring {
+                        state.colour = right;
+                    }
+                }
+                Action::TurnRound => state.rotate(state.up, core::f64::consts::PI * grown),
                 Action::PitchDown(degrees) => state.rotate(state.left, by(degrees, turtle.pitch_down)),
                 Action::PitchUp(degrees) => state.rotate(state.left, -by(degrees, turtle.pitch_up)),
                 Action::RollLeft(degrees) => state.rotate(state.heading, by(degrees, turtle.roll_left)),
@@ -100,16 +147,30 @@ pub fn solid_segments(system: &System, n: u32) -> Vec<Segment<Solid>> {
                 Action::Push => {
                     saved.push(state);
                     state.level += 1;
+                    state.width *= turtle.width_factor;
+                    state.scale *= turtle.length_factor;
                 }
                 Action::Pop => state = saved.pop().unwrap_or(state),
+                Action::SetColour(_) | Action::AddColour(_) if turtle.colouring != Colouring::Symbols => {}
                 Action::SetColour(colour) => state.colour = colour,
                 Action::AddColour(by) => state.colour = state.colour.wrapping_add(by),
                 Action::SetWidth(width) => state.width = width,
                 Action::ScaleWidth(factor) => state.width *= factor,
             }
+            if let Some(&place) = open.last().filter(|_| marks) {
+                polygons[place].0.extend([before, state.at]);
+            }
         }
     }
-    segments
+    for (vertices, ..) in &mut polygons {
+        vertices.dedup();
+    }
+    let mut place = 0;
+    polygons.retain(|(vertices, ..)| {
+        place += 1;
+        closed.contains(&(place - 1)) && vertices.len() > 2
+    });
+    (segments, polygons)
 }
 
 fn dot(a: Vector, b: Vector) -> f64 {

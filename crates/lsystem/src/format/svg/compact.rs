@@ -102,6 +102,9 @@ impl Writer<'_> {
                 Some(&Part::Stroke(from, to, ink)) => {
                     self.paths.stroke(down(placement.lie(from)), down(placement.lie(to)), ink);
                 }
+                Some(Part::Polygon(vertices, rgb)) => {
+                    self.paths.fill(vertices.iter().map(|&vertex| down(placement.lie(vertex))), *rgb);
+                }
                 Some(&Part::Use(target, at, heading)) => {
                     let inner = Placement::new(placement.lie(at), placement.heading + heading);
                     match self.names.get(&target) {

@@ -3,7 +3,7 @@
 use super::paths::{Ink, Paths};
 use super::{Decimals, Sheet, Svg, SvgOptions};
 use crate::derivation::limit;
-use crate::{Diagnostic, Drawing, LimitName, Style};
+use crate::{Diagnostic, Drawing, LimitName, Mark, Style};
 
 pub(super) fn write(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Svg, Diagnostic> {
     if drawing.segment_count() > u128::from(options.most) {
@@ -18,9 +18,15 @@ pub(super) fn write(drawing: &Drawing, style: &Style, options: &SvgOptions) -> R
     let mut text = Sheet { x: x0 - margin, y: -y1 - margin, width, height, pixel }.open(style, options, "");
 
     let mut paths = Paths::new(&mut text, Decimals::for_size(longer), None);
-    for segment in drawing.segments() {
-        let [from, to] = [segment.from, segment.to].map(|[x, y]| [within(x), within(-y)]);
-        paths.stroke(from, to, Ink::new(style, segment.colour, segment.level, segment.width, pixel));
+    let down = |[x, y]: [f64; 2]| [within(x), within(-y)];
+    for mark in drawing.marks() {
+        match mark {
+            Mark::Segment(segment, tint) => {
+                let ink = Ink::new(style, tint, segment.width, pixel);
+                paths.stroke(down(segment.from), down(segment.to), ink);
+            }
+            Mark::Polygon(vertices, tint) => paths.fill(vertices.into_iter().map(down), style.colour_of(tint).rgb),
+        }
     }
     paths.close();
     text.push_str("</g>\n</svg>\n");

@@ -6,7 +6,7 @@ mod paths;
 mod plan;
 
 use super::number::Decimals;
-use crate::{Diagnostic, Drawing, Field, Kind, Style};
+use crate::{ColourBy, Diagnostic, Drawing, Field, Kind, Style};
 use core::fmt::Write;
 use paths::attribute;
 
@@ -35,7 +35,8 @@ pub enum SvgForm {
     #[default]
     Flat,
     /// Every block once, and then placed: a file of some kilobytes at any n. Blocks under a pixel across at the
-    /// picture's size are one stroke. A drawing that does not memoise has nothing to share and is written flat.
+    /// picture's size are one stroke. A drawing that does not memoise, or whose colours follow the path, has nothing to
+    /// share and is written flat.
     Compact,
 }
 
@@ -82,7 +83,9 @@ impl Default for SvgOptions {
 /// [`Kind::Limit`] where there is more to write than [`SvgOptions::most`].
 pub fn write_svg(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Svg, Diagnostic> {
     match (options.form, drawing.root) {
-        (SvgForm::Compact, Some(root)) if drawing.is_memoised() => compact::write(drawing, root, style, options),
+        (SvgForm::Compact, Some(root)) if drawing.is_memoised() && style.colour_by != ColourBy::Path => {
+            compact::write(drawing, root, style, options)
+        }
         _ => flat::write(drawing, style, options),
     }
 }

@@ -1,7 +1,7 @@
 //! Strokes as `<path>` elements.
 
 use super::Decimals;
-use crate::{Style, StyleChange};
+use crate::{Style, StyleChange, Tint};
 use core::fmt::Write;
 
 /// Segments of one path: longer ones take browsers disproportionately long.
@@ -16,16 +16,17 @@ pub(super) struct Ink {
 }
 
 impl Ink {
-    /// A stroke of some colour index and branch level that is `width` wide, where a CSS pixel is `pixel`.
-    pub(super) fn new(style: &Style, colour: i32, level: u32, width: f64, pixel: f64) -> Self {
+    /// A stroke that is `width` wide, where a CSS pixel is `pixel`.
+    pub(super) fn new(style: &Style, tint: Tint, width: f64, pixel: f64) -> Self {
         let width = width.max(style.min_width * pixel);
         // Nothing has no width on paper: a stroke without one is a hairline, as on the screen.
-        Self { rgb: style.colour_of(colour, level).rgb, width: if width > 0.0 { width } else { pixel } }
+        Self { rgb: style.colour_of(tint).rgb, width: if width > 0.0 { width } else { pixel } }
     }
 
     /// In a style that has begun with [`StyleChange::start`]; `step` is the step length.
     pub(super) fn of(style: &Style, change: &StyleChange, step: f64, pixel: f64) -> Self {
-        Self::new(style, change.colour.of(0), change.level, change.width.of(0.0) * step, pixel)
+        let tint = Tint { index: change.colour.of(0), level: change.level, place: 0.0 };
+        Self::new(style, tint, change.width.of(0.0) * step, pixel)
     }
 
     /// As attributes.
@@ -90,6 +91,22 @@ impl<'a> Paths<'a> {
         self.point(to);
         let segments = self.pen.map_or(0, |pen| pen.segments) + 1;
         self.pen = Some(Pen { ink, at: end, segments });
+    }
+
+    /// A filled polygon without a stroke.
+    pub(super) fn fill(&mut self, vertices: impl Iterator<Item = [f64; 2]>, [r, g, b]: [u8; 3]) {
+        self.close();
+        // Writing to a `String` cannot fail.
+        let _ = write!(self.text, "<path fill=\"#{r:02x}{g:02x}{b:02x}\" stroke=\"none\" d=\"");
+        for (index, vertex) in vertices.enumerate() {
+            self.text.push_str(match index {
+                0 => "M",
+                1 => "L",
+                _ => " ",
+            });
+            self.point(vertex);
+        }
+        self.text.push_str("z\"/>\n");
     }
 
     fn point(&mut self, [x, y]: [f64; 2]) {

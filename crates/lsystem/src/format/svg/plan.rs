@@ -34,7 +34,7 @@ impl<'a> Scene<'a> {
                 Some(_) => 1,
                 None => (drawing.items_of(BlockId(at as u32)).iter())
                     .map(|item| match item {
-                        Item::Stroke(_) => 1,
+                        Item::Stroke(_) | Item::Polygon(_) => 1,
                         Item::Block(placed) => strokes[placed.block.0 as usize],
                     })
                     .fold(0, u32::saturating_add),
@@ -50,10 +50,13 @@ impl<'a> Scene<'a> {
     /// The style in which a block is entered, as far as that shows.
     fn entry(&self, block: BlockId, style: &StyleChange) -> Entry {
         let colours = self.style.palette.len().clamp(1, i32::MAX as usize) as i32;
+        let seen = |index: i32| {
+            if self.style.holds() { index.clamp(0, colours - 1) } else { index.rem_euclid(colours) }
+        };
         let (colour, level) = match self.style.colour_by {
-            ColourBy::Single => (0, 0),
-            ColourBy::Symbol => (style.colour.of(0).rem_euclid(colours), 0),
-            ColourBy::Level => (0, style.level % colours as u32),
+            ColourBy::Single | ColourBy::Path => (0, 0),
+            ColourBy::Symbol | ColourBy::Turn | ColourBy::Generation => (seen(style.colour.of(0)), 0),
+            ColourBy::Level => (0, seen(i32::try_from(style.level).unwrap_or(i32::MAX)).cast_unsigned()),
         };
         let width = style.width.of(0.0);
         // Where all strokes are as thin as strokes can be, the width does not show.
@@ -118,6 +121,8 @@ pub(super) struct Symbol {
 /// What a symbol holds, in pixels, y up.
 pub(super) enum Part {
     Stroke([f64; 2], [f64; 2], Ink),
+    /// Its vertices and its colour.
+    Polygon(Vec<[f64; 2]>, [u8; 3]),
     /// Which symbol, and where.
     Use(usize, [f64; 2], Heading),
 }
@@ -178,6 +183,11 @@ impl<'a> Plan<'a> {
             };
             let part = match item {
                 Item::Stroke(stroke) => scene.stroke(&Line::new(stroke, drawing), &frame),
+                Item::Polygon(polygon) => {
+                    let vertices = drawing.vertices_of(polygon).iter().map(|&vertex| frame.lie(vertex)).collect();
+                    let style = frame.style.then(&drawing.styles[polygon.style.0 as usize]);
+                    Part::Polygon(vertices, scene.ink(&style).rgb)
+                }
                 Item::Block(placed) => {
                     let inner = frame.place(placed, drawing, &mut self.directions);
                     match scene.shapes[placed.block.0 as usize].one_stroke(inner.scale) {
@@ -219,7 +229,7 @@ impl<'a> Plan<'a> {
         for &symbol in self.order.iter().rev() {
             instances[symbol] = (self.symbols[symbol].parts.iter())
                 .map(|part| match *part {
-                    Part::Stroke(..) => 0,
+                    Part::Stroke(..) | Part::Polygon(..) => 0,
                     Part::Use(target, ..) => instances[target].saturating_add(u128::from(self.is_shared(target))),
                 })
                 .fold(0, u128::saturating_add);

@@ -1,0 +1,95 @@
+//! Strokes and polygons on their way into a block.
+
+use super::builder::Builder;
+use super::style::Styles;
+use super::{Item, Polygon, Stroke, StyleChange};
+use crate::space::{Space, minus};
+use crate::turtle::Paper;
+
+/// What will be the items of one block.
+#[derive(Clone, Debug)]
+pub(crate) struct Sheet<S: Space> {
+    pub(crate) items: Vec<Item<S>>,
+    /// Polygons that are not closed, innermost last: the places of their items, and their vertices so far.
+    open: Vec<(usize, Vec<S::Point>)>,
+}
+
+impl<S: Space> Sheet<S> {
+    pub(crate) fn new() -> Self {
+        Self { items: vec![], open: vec![] }
+    }
+
+    /// Whether no polygon is open.
+    pub(crate) fn is_closed(&self) -> bool {
+        self.open.is_empty()
+    }
+
+    /// Leaves out polygons that were never closed, or have no inside.
+    pub(crate) fn finish(&mut self) {
+        self.open.clear();
+        self.items.retain(|item| !matches!(item, Item::Polygon(Polygon { count: 0, .. })));
+    }
+
+    /// The place where it begins.
+    pub(crate) fn origin(&self, builder: &Builder<S>) -> Option<S::Point> {
+        Some(match self.items.first()? {
+            Item::Stroke(stroke) => stroke.from,
+            Item::Polygon(polygon) => builder.vertices[polygon.first as usize],
+            Item::Block(placed) => placed.at,
+        })
+    }
+
+    /// Counts all coordinates from `origin`.
+    pub(crate) fn shift(&mut self, builder: &mut Builder<S>, origin: &S::Point) {
+        for item in &mut self.items {
+            match item {
+                Item::Stroke(stroke) => {
+                    stroke.from = minus(stroke.from, origin);
+                    stroke.to = minus(stroke.to, origin);
+                }
+                Item::Polygon(polygon) => {
+                    let vertices = &mut builder.vertices[polygon.range()];
+                    vertices.iter_mut().for_each(|vertex| *vertex = minus(*vertex, origin));
+                }
+                Item::Block(placed) => placed.at = minus(placed.at, origin),
+            }
+        }
+    }
+}
+
+/// A sheet, and where styles and vertices are kept.
+pub(crate) struct Desk<'a, S: Space> {
+    pub(crate) sheet: &'a mut Sheet<S>,
+    pub(crate) styles: &'a mut Styles,
+    pub(crate) vertices: &'a mut Vec<S::Point>,
+}
+
+impl<S: Space> Paper<S> for Desk<'_, S> {
+    fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange) {
+        self.sheet.items.push(Item::Stroke(Stroke { from, to, style: self.styles.id(style) }));
+    }
+
+    fn open(&mut self, style: &StyleChange) {
+        // It lies beneath what is drawn inside, and so comes before that.
+        self.sheet.open.push((self.sheet.items.len(), vec![]));
+        self.sheet.items.push(Item::Polygon(Polygon { first: 0, count: 0, style: self.styles.id(style) }));
+    }
+
+    fn vertex(&mut self, at: S::Point) {
+        if let Some((_, vertices)) = self.sheet.open.last_mut()
+            && vertices.last() != Some(&at)
+        {
+            vertices.push(at);
+        }
+    }
+
+    fn close(&mut self) {
+        if let Some((place, vertices)) = self.sheet.open.pop()
+            && vertices.len() > 2
+            && let Some(Item::Polygon(polygon)) = self.sheet.items.get_mut(place)
+        {
+            (polygon.first, polygon.count) = (self.vertices.len() as u32, vertices.len() as u32);
+            self.vertices.extend(vertices);
+        }
+    }
+}

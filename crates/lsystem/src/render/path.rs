@@ -1,0 +1,98 @@
+//! Colours along the path: which part of all segments a block is.
+//!
+//! A block recurs at many places of the path, so its tiles know nothing of them: on the picture every block that is
+//! shorter than a step of the gradient is in the colour of its middle, and longer ones are looked into.
+
+use crate::style::gradient_step;
+use crate::{BlockId, ColourBy, Drawing, GRADIENT, Item, Style};
+
+/// A part of the path, as parts of the whole.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span {
+    pub end: f64,
+    pub size: f64,
+}
+
+impl Span {
+    pub(super) const WHOLE: Self = Self { end: 1.0, size: 1.0 };
+
+    /// The number of its colour.
+    pub(super) fn ink(self) -> u32 {
+        gradient_step(self.end - 0.5 * self.size)
+    }
+
+    pub(super) fn is_short(self) -> bool {
+        self.size * f64::from(GRADIENT) <= 1.0
+    }
+}
+
+/// How many segments blocks have, beyond what integers hold.
+#[derive(Debug, Default)]
+pub(super) struct Path {
+    /// By block: a number and the exponent of a power of two that it is to be multiplied by; empty where colours follow
+    /// something else.
+    counts: Vec<(f64, i32)>,
+}
+
+impl Path {
+    /// Forgets the drawing there was.
+    pub(super) fn clear(&mut self) {
+        self.counts.clear();
+    }
+
+    /// Counts, where colours follow the path.
+    pub(super) fn prepare(&mut self, drawing: &Drawing, style: &Style) {
+        if style.colour_by != ColourBy::Path {
+            self.counts.clear();
+        } else if self.counts.is_empty() {
+            for block in &drawing.blocks {
+                let mut sum = (0.0, 0);
+                for item in &drawing.items[block.items.start as usize..block.items.end as usize] {
+                    match item {
+                        Item::Stroke(_) => sum = plus(sum, (1.0, 0)),
+                        Item::Polygon(_) => {}
+                        Item::Block(placed) => sum = plus(sum, self.counts[placed.block.0 as usize]),
+                    }
+                }
+                self.counts.push(sum);
+            }
+        }
+    }
+
+    /// Whether colours follow the path.
+    pub(super) fn counts(&self) -> bool {
+        !self.counts.is_empty()
+    }
+
+    /// The last segment of what is left of a block.
+    pub(super) fn stroke(&self, block: BlockId, left: Span) -> Span {
+        Span { size: self.part(block, left, (1.0, 0)), ..left }
+    }
+
+    /// The last block of what is left of a block.
+    pub(super) fn block(&self, block: BlockId, left: Span, last: BlockId) -> Span {
+        let count = self.counts.get(last.0 as usize).copied().unwrap_or_default();
+        Span { size: self.part(block, left, count), ..left }
+    }
+
+    /// How large the `items` of a block are.
+    pub(super) fn rest(&self, block: BlockId, span: Span, items: &[Item]) -> f64 {
+        let size = |item: &Item| match item {
+            Item::Stroke(_) => self.stroke(block, span).size,
+            Item::Polygon(_) => 0.0,
+            Item::Block(placed) => self.block(block, span, placed.block).size,
+        };
+        items.iter().map(size).sum()
+    }
+
+    fn part(&self, block: BlockId, span: Span, (count, exponent): (f64, i32)) -> f64 {
+        let (all, of) = self.counts.get(block.0 as usize).copied().unwrap_or_default();
+        if all > 0.0 { span.size * libm::scalbn(count / all, exponent - of) } else { 0.0 }
+    }
+}
+
+fn plus(a: (f64, i32), b: (f64, i32)) -> (f64, i32) {
+    let (a, b) = if a.1 >= b.1 { (a, b) } else { (b, a) };
+    let (sum, exponent) = libm::frexp(a.0 + libm::scalbn(b.0, b.1 - a.1));
+    (sum, exponent + a.1)
+}

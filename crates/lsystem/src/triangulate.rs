@@ -1,0 +1,71 @@
+//! Polygons in space as triangles, by cutting off ears.
+
+use crate::rotation::{Vector, cross, dot, norm};
+
+/// Outlines of more vertices are cut as if they were convex: cutting ears takes the square of their number.
+const MOST: usize = 1_000;
+
+/// The direction in which a polygon faces, seen from where it goes counter-clockwise (Newell's method), and triangles
+/// of its vertices that go the same way round; `None` where it has no area. Exact for outlines in a plane that do not
+/// cross themselves.
+pub(crate) fn triangulate(vertices: &[Vector]) -> Option<(Vector, Vec<[usize; 3]>)> {
+    let next = vertices.iter().cycle().skip(1);
+    let sum = vertices.iter().zip(next).fold([0.0; 3], |sum, (&a, &b)| {
+        // Counted from the first vertex: far from the origin there is nothing left of the differences.
+        let [a, b] = [a, b].map(|v| minus(v, vertices[0]));
+        let product = cross(a, b);
+        [0, 1, 2].map(|i| sum[i] + product[i])
+    });
+    let size = norm(sum);
+    if !(size > 0.0 && size.is_finite()) {
+        return None;
+    }
+    let normal = sum.map(|c| c / size);
+    let turn = |a: usize, b: usize, c: usize| {
+        dot(normal, cross(minus(vertices[b], vertices[a]), minus(vertices[c], vertices[b])))
+    };
+    let mut left: Vec<usize> = (0..vertices.len()).collect();
+    let mut triangles = Vec::with_capacity(vertices.len());
+    while left.len() > 3 && vertices.len() <= MOST {
+        let count = left.len();
+        let corner = |at: usize| [left[(at + count - 1) % count], left[at], left[(at + 1) % count]];
+        let is_ear = |&at: &usize| {
+            let [a, b, c] = corner(at);
+            let inside = |&p: &usize| {
+                ![a, b, c].contains(&p) && turn(a, b, p) > 0.0 && turn(b, c, p) > 0.0 && turn(c, a, p) > 0.0
+            };
+            turn(a, b, c) > 0.0 && !left.iter().any(inside)
+        };
+        // Where there is no ear the outline crosses itself or is flat there.
+        let at = (0..count).find(is_ear).unwrap_or(0);
+        triangles.push(corner(at));
+        left.remove(at);
+    }
+    triangles.extend((2..left.len()).map(|at| [left[0], left[at - 1], left[at]]));
+    Some((normal, triangles))
+}
+
+fn minus(a: Vector, b: Vector) -> Vector {
+    [0, 1, 2].map(|i| a[i] - b[i])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_area_is_kept() {
+        let square = [[0.0, 0.0, 5.0], [2.0, 0.0, 5.0], [2.0, 2.0, 5.0], [0.0, 2.0, 5.0]];
+        let arrow = [[0.0, 0.0, 0.0], [3.0, 3.0, 3.0], [0.0, 1.0, 0.5], [-3.0, 3.0, 0.0]];
+        for outline in [&square, &arrow] {
+            let (normal, triangles) = triangulate(outline).unwrap();
+            assert_eq!(triangles.len(), 2);
+            let area = |[a, b, c]: [usize; 3]| {
+                dot(normal, cross(minus(outline[b], outline[a]), minus(outline[c], outline[a]))) / 2.0
+            };
+            assert!(triangles.iter().all(|&triangle| area(triangle) > 0.0), "{triangles:?}");
+        }
+        assert_eq!(triangulate(&square).unwrap().0, [0.0, 0.0, 1.0]);
+        assert!(triangulate(&[[0.0; 3], [1.0; 3], [2.0; 3]]).is_none());
+    }
+}

@@ -1,0 +1,253 @@
+//! Colours, factors, variation, growth and polygons against the naive reference.
+
+mod naive;
+
+use lsystem::{
+    ColourBy, Definition, Limits, Mark, Segment, Style, System, Tint, draw, draw_solid, read_json, write_json,
+};
+use proptest::prelude::*;
+
+fn cases() -> ProptestConfig {
+    let cases = std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500);
+    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
+}
+
+fn system(definition: &Definition) -> System {
+    let (system, diagnostics) = System::new(definition);
+    system.unwrap_or_else(|| panic!("{definition:?}: {diagnostics:?}"))
+}
+
+fn abop(axiom: &str, rules: &str, angle: f64) -> Definition {
+    Definition { axiom: axiom.into(), rules: rules.into(), angle, ..Definition::default() }
+}
+
+fn near<const N: usize>(a: [f64; N], b: [f64; N], tolerance: f64) -> bool {
+    a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= tolerance)
+}
+
+/// In both spaces the drawing is what the naive turtle says.
+fn check(definition: &Definition, n: u32) -> Result<(), TestCaseError> {
+    let system = system(definition);
+    let limits = Limits::default();
+    let flat = draw(&system, n, &limits).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
+    let solid = draw_solid(&system, n, &limits).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
+    let expected = naive::segments(&system, n);
+    let reach = expected.iter().flat_map(|s| s.from.into_iter().chain(s.to)).fold(1.0_f64, |r, c| r.max(c.abs()));
+    prop_assert_eq!(flat.segment_count(), expected.len() as u128);
+    for (index, (a, b)) in flat.segments().zip(&expected).enumerate() {
+        let tolerance = 1e-9 * reach;
+        prop_assert!(near(a.from, b.from, tolerance) && near(a.to, b.to, tolerance), "{index}: {a:?} {b:?}");
+        prop_assert_eq!((a.colour, a.level), (b.colour, b.level), "{}", index);
+        prop_assert!((a.width - b.width).abs() <= 1e-9 * (1.0 + b.width), "{index}: {a:?} {b:?}");
+    }
+    let expected = naive::solid_segments(&system, n);
+    let polygons = naive::solid_polygons(&system, n);
+    let ends = expected.iter().flat_map(|s| s.from.into_iter().chain(s.to));
+    let reach =
+        ends.chain(polygons.iter().flat_map(|p| p.0.iter().flatten().copied())).fold(1.0_f64, |r, c| r.max(c.abs()));
+    let tolerance = 1e-9 * reach;
+    let (mut segments, mut filled) = (0, 0);
+    for mark in solid.marks() {
+        match mark {
+            Mark::Segment(a, tint) => {
+                let b: &Segment<_> = &expected[segments];
+                prop_assert!(near(a.from, b.from, tolerance) && near(a.to, b.to, tolerance), "{a:?} {b:?}");
+                prop_assert_eq!((a.colour, a.level, tint.index, tint.level), (b.colour, b.level, b.colour, b.level));
+                segments += 1;
+            }
+            Mark::Polygon(vertices, tint) => {
+                let (outline, colour, level, before) = &polygons[filled];
+                // Ends that meet by rounding only may be one vertex or two.
+                let mut theirs = outline.iter();
+                let mut last = None;
+                for vertex in &vertices {
+                    last = theirs.by_ref().find(|&&p| near(*vertex, p, tolerance)).or(last);
+                    prop_assert!(last.is_some_and(|&p| near(*vertex, p, tolerance)), "{vertices:?} {outline:?}");
+                }
+                prop_assert_eq!((tint.index, tint.level, segments), (*colour, *level, *before));
+                filled += 1;
+            }
+        }
+    }
+    prop_assert_eq!((segments, filled), (expected.len(), polygons.len()));
+    if let Some(bounds) = solid.bounds() {
+        let all = expected.iter().flat_map(|s| [s.from, s.to]).chain(polygons.iter().flat_map(|p| p.0.clone()));
+        for point in all {
+            for axis in 0..3 {
+                prop_assert!(point[axis] >= bounds[0][axis] - tolerance && point[axis] <= bounds[1][axis] + tolerance);
+            }
+        }
+    }
+    Ok(())
+}
+
+fn word() -> impl Strategy<Value = String> {
+    let parts = vec![
+        "F",
+        "F",
+        "A",
+        "B",
+        "+",
+        "-",
+        "&",
+        "/",
+        "|",
+        "f",
+        "G",
+        "!",
+        "'",
+        "[+F]",
+        "[-A]",
+        "[^B]",
+        "{+f-f|-f}",
+        "{F[+A].B}",
+        "{.G.+G.}",
+        "{",
+        "}",
+        "]",
+        "[{f+f",
+        "f}]",
+        "{f{'f+f}+f+f}",
+    ];
+    prop::collection::vec(prop::sample::select(parts), 1..6).prop_map(|parts| parts.concat())
+}
+
+fn random() -> impl Strategy<Value = (Definition, u32)> {
+    let percent = || prop_oneof![2 => Just(0.0), 1 => 0.0..100.0];
+    let factor = || prop_oneof![1 => Just(1.0), 2 => 0.3..1.6];
+    let numbers = (percent(), percent(), factor(), factor(), prop_oneof![1 => Just(1.0), 1 => 0.0..1.0]);
+    (
+        prop::array::uniform4(word()),
+        numbers,
+        prop::sample::select(ColourBy::ALL.to_vec()),
+        prop::sample::select(vec![22.5, 90.0, 137.5, -60.0]),
+        (0..5_u32, any::<u32>(), 0..4),
+    )
+        .prop_map(|([axiom, a, b, f], numbers, colour_by, angle, (n, seed, kind))| {
+            let rules = match kind {
+                0 => format!("A -> {a} : 1\nA -> {b} : 2\nF -> {f}F"),
+                // What looks around is derived in another way.
+                1 => format!("A -> {a}\nF < B -> {b}\nF -> {f}F\nP(x) -> F(x)"),
+                _ => format!("A -> {a}\nB -> {b}\nF -> {f}F"),
+            };
+            let style =
+                Style { colour_by, width: 0.5, width_factor: numbers.2, turn_colours: [3, 5], ..Style::default() };
+            let definition = Definition {
+                angle_variation: numbers.0,
+                length_variation: numbers.1,
+                length_factor: numbers.3,
+                growth: numbers.4,
+                seed,
+                style,
+                ..abop(&axiom, &rules, angle)
+            };
+            (definition, n)
+        })
+}
+
+proptest! {
+    #![proptest_config(cases())]
+
+    #[test]
+    fn drawings_are_as_the_naive_turtle_says((definition, n) in random()) {
+        let count = lsystem::count_segments(&system(&definition), n);
+        prop_assume!(count.map_or(n < 4, |count| count.to_string().len() < 5));
+        check(&definition, n)?;
+    }
+}
+
+fn drawn(definition: &Definition, n: u32) -> lsystem::Drawing {
+    draw(&system(definition), n, &Limits::default()).unwrap()
+}
+
+#[test]
+fn what_composes_memoises() {
+    let plant = abop("X", "X -> F[+X]F[-X]{+f-f|-f}+X\nF -> FF", 20.0);
+    for colour_by in ColourBy::ALL {
+        for growth in [1.0, 0.3] {
+            let style = Style { colour_by, width_factor: 0.7, ..Style::default() };
+            let styled = Definition { length_factor: 0.8, growth, style, ..plant.clone() };
+            let drawing = drawn(&styled, 40);
+            assert!(drawing.is_memoised() && drawing.block_count() < 200, "{colour_by:?}");
+        }
+    }
+    for varied in [Definition { angle_variation: 1.0, ..plant.clone() }, Definition { length_variation: 1.0, ..plant }]
+    {
+        assert!(!drawn(&varied, 4).is_memoised());
+    }
+    // A polygon that productions fill bit by bit.
+    assert!(!drawn(&abop("X", "X -> {F[+X]F}\nF -> FF", 20.0), 4).is_memoised());
+    assert!(!drawn(&abop("{X}", "X -> fX+", 20.0), 4).is_memoised());
+    assert!(drawn(&abop("{f+f+f}X", "X -> F[+X]", 20.0), 4).is_memoised());
+}
+
+#[test]
+fn growing_begins_at_the_generation_before() {
+    for rules in ["F -> F+F--F+F", "X -> X+YF+\nY -> -FX-Y", "R -> L-R-L\nL -> R+L+R", "X -> F[+X]F[-X]+X\nF -> FF"] {
+        let axiom = &rules[..1];
+        let definition =
+            Definition { angle: 60.0, growth: 0.0, overrides: "L: draw\nR: draw".into(), ..abop(axiom, rules, 60.0) };
+        let lengths = |definition: &Definition, n: u32| -> Vec<Segment> {
+            let all = drawn(definition, n).segments().collect::<Vec<_>>();
+            let long = |s: &&Segment| (s.to[0] - s.from[0]).abs() + (s.to[1] - s.from[1]).abs() > 1e-9;
+            all.iter().filter(long).copied().collect()
+        };
+        let (born, before) = (lengths(&definition, 5), lengths(&Definition { growth: 1.0, ..definition.clone() }, 4));
+        assert_eq!(born.len(), before.len(), "{rules}");
+        for (a, b) in born.iter().zip(&before) {
+            assert!(near(a.from, b.from, 1e-9) && near(a.to, b.to, 1e-9), "{rules}: {a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn a_seed_varies_all_of_a_plant_and_growing_keeps_it() {
+    let plant = Definition { angle_variation: 30.0, length_variation: 20.0, ..abop("X", "X -> F[+X][-X]FX", 25.7) };
+    let first = |seed: u32, n: u32| -> Vec<Segment> {
+        drawn(&Definition { seed, ..plant.clone() }, n).segments().take(3).collect()
+    };
+    assert_ne!(first(1, 5), first(2, 5));
+    assert_eq!(first(1, 5)[0], first(1, 6)[0]);
+    let expected = 1.0 + 0.2;
+    for segment in drawn(&plant, 6).segments() {
+        let length = libm::hypot(segment.to[0] - segment.from[0], segment.to[1] - segment.from[1]);
+        assert!((0.8 - 1e-9..=expected + 1e-9).contains(&length), "{length}");
+    }
+}
+
+#[test]
+fn palettes_wrap_or_hold() {
+    let colour = |text: &str| text.parse::<lsystem::Colour>().unwrap();
+    let style = Style { palette: vec![colour("red"), colour("lime")], colour_by: ColourBy::Level, ..Style::default() };
+    let tint = |level| Tint { level, ..Tint::default() };
+    assert_eq!(style.colour_of(tint(4)), colour("red"));
+    let held = Style { palette_holds: true, ..style };
+    assert_eq!((held.colour_of(tint(0)), held.colour_of(tint(4))), (colour("red"), colour("lime")));
+    let along = Style { colour_by: ColourBy::Path, palette: vec![colour("black"), colour("white")], ..held };
+    let greys = [0.0, 0.25, 0.5, 0.999].map(|place| along.colour_of(Tint { place, ..Tint::default() }).rgb[0]);
+    assert!(greys.windows(2).all(|pair| pair[0] < pair[1]) && greys[0] == 0 && greys[3] == 255, "{greys:?}");
+}
+
+#[test]
+fn files_keep_it_all() {
+    let style = Style {
+        colour_by: ColourBy::Generation,
+        palette_holds: true,
+        turn_colours: [4, 0],
+        width_factor: 0.7,
+        ..Style::default()
+    };
+    let definition = Definition {
+        length_factor: 0.8,
+        angle_variation: 10.0,
+        length_variation: 5.0,
+        growth: 0.5,
+        style,
+        ..abop("F", "F -> F[+F]F", 30.0)
+    };
+    let text = write_json(&definition);
+    assert_eq!(read_json(&text), (Some(definition), vec![]), "{text}");
+    for key in ["length_factor", "angle_variation", "length_variation", "growth", "width_factor", "palette_holds"] {
+        assert!(text.contains(key), "{key}");
+    }
+}

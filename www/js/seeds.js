@@ -1,0 +1,94 @@
+/** A sheet of nine seeds to choose from. */
+
+import { button, byId, html, make } from './dom.js';
+import { definitionOf } from './state.js';
+
+/** Pictures on the sheet. */
+const COUNT = 9;
+/** Their side, in CSS pixels. */
+const SIDE = 160;
+
+/**
+ * @param {import('./store.js').Store} store
+ * @param {import('./engine.js').Engine} engine
+ */
+export function createSeeds(store, engine) {
+    const dialog = byId('seeds', HTMLDialogElement);
+    const cards = Array.from({ length: COUNT }, () => {
+        const picture = make('canvas', { class: 'thumb', width: '1', height: '1', 'aria-hidden': 'true' });
+        const label = make('span', { class: 'card-kind' });
+        const card = make('button', { type: 'button', class: 'card' }, picture, label);
+        card.addEventListener('click', () => {
+            const seed = Number(card.value);
+            dialog.close();
+            if (seed !== store.state.seed) store.change({ seed }, '');
+        });
+        html('seed-cards').append(card);
+        return { picture, label, card };
+    });
+    /** Counts the sheets, so that pictures of an older one are not shown. */
+    let sheet = 0;
+
+    /** @param {number[]} seeds */
+    async function show(seeds) {
+        const own = ++sheet;
+        const definition = definitionOf(store.state);
+        const side = Math.round(SIDE * Math.min(2, devicePixelRatio || 1));
+        cards.forEach(({ picture, label, card }, index) => {
+            const seed = /** @type {number} */ (seeds[index]);
+            const present = seed === definition.seed;
+            card.value = String(seed);
+            card.setAttribute('aria-label', present ? `Seed ${seed}, the present one` : `Seed ${seed}`);
+            card.classList.toggle('present', present);
+            label.textContent = present ? `${seed}, now` : String(seed);
+            picture.style.background = definition.background;
+            picture.classList.remove('inked');
+        });
+        for (const [index, { picture }] of cards.entries()) {
+            const seed = /** @type {number} */ (seeds[index]);
+            try {
+                const bitmap = await engine.thumb({ ...definition, seed, minWidth: Math.min(definition.minWidth, 1) }, side, side);
+                if (own !== sheet || !dialog.open) return bitmap?.close();
+                if (!bitmap) continue;
+                picture.width = bitmap.width;
+                picture.height = bitmap.height;
+                picture.getContext('bitmaprenderer')?.transferFromImageBitmap(bitmap);
+                picture.classList.add('inked');
+            } catch {
+                // The worker was replaced meanwhile; its failure is shown elsewhere.
+                return;
+            }
+        }
+    }
+
+    /** The present seed among eight others. */
+    async function fill() {
+        try {
+            const fresh = await engine.seed();
+            // One after the other of a random start: all different, and none of them the present one.
+            const others = Array.from({ length: COUNT }, (_, index) => (fresh + index) >>> 0).filter((seed) => seed !== store.state.seed);
+            await show([...others.slice(0, 4), store.state.seed, ...others.slice(4, 8)]);
+        } catch {
+            // As above.
+        }
+    }
+
+    button('seed-sheet').addEventListener('click', () => {
+        dialog.showModal();
+        cards[4]?.card.focus();
+        fill();
+    });
+    button('more-seeds').addEventListener('click', fill);
+    button('close-seeds').addEventListener('click', () => dialog.close());
+    // A click beside the sheet closes it.
+    dialog.addEventListener('click', (event) => {
+        if (event.target === dialog) dialog.close();
+    });
+    html('seed-cards').addEventListener('keydown', (event) => {
+        const at = cards.findIndex(({ card }) => card === document.activeElement);
+        const by = { ArrowLeft: -1, ArrowRight: 1, ArrowUp: -3, ArrowDown: 3 }[event.key];
+        if (at < 0 || by === undefined) return;
+        event.preventDefault();
+        cards[at + by]?.card.focus();
+    });
+}

@@ -1,0 +1,64 @@
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+import { close, nextPicture, picture, stillPicture, until, withPage } from './browser.mjs';
+
+after(close);
+
+const PLANT = `#v=1&title=Plant&axiom=X&rules=${encodeURIComponent('X -> F[+X][-X]FX\nF -> FF')}&n=5&angle=25`;
+
+/** @param {import('playwright-core').Page} page @param {string} name */
+const tab = (page, name) => page.click(`#tab-${name}`, { timeout: 2000 }).catch(() => {});
+
+test('colours follow what is chosen', () =>
+    withPage({ hash: PLANT }, async (page) => {
+        const digests = new Set([(await stillPicture(page)).digest]);
+        await tab(page, 'look');
+        let before = await stillPicture(page);
+        for (const mode of ['level', 'path', 'turn']) {
+            await page.selectOption('#colour-by', mode);
+            before = await nextPicture(page, before);
+            digests.add(before.digest);
+            await until(() => page.evaluate((name) => location.hash.includes(`colour=${name}`), mode), 'the address follows');
+        }
+        assert.equal(digests.size, 4);
+        assert.ok(await page.isVisible('#turns-row'));
+        assert.ok(!(await page.isVisible('#holds-row')));
+        await page.selectOption('#colour-by', 'generation');
+        assert.ok(await page.isVisible('#holds-row'));
+    }));
+
+test('nine seeds to choose from', () =>
+    withPage({ hash: `${PLANT}&vary=20&seed=7` }, async (page) => {
+        const before = await stillPicture(page);
+        await tab(page, 'grow');
+        await until(() => page.isEnabled('#seed-sheet'), 'chance plays a part');
+        await page.click('#seed-sheet');
+        const cards = page.locator('#seed-cards .card');
+        assert.equal(await cards.count(), 9);
+        await until(async () => (await page.locator('#seed-cards .thumb.inked').count()) === 9, 'all nine are drawn');
+        assert.equal(new Set(await cards.evaluateAll((all) => all.map((card) => /** @type {HTMLButtonElement} */ (card).value))).size, 9);
+        // The present one has the focus; arrows go from there.
+        assert.match((await page.evaluate(() => document.activeElement?.getAttribute('aria-label'))) ?? '', /Seed 7, the present one/);
+        await page.keyboard.press('ArrowRight');
+        const chosen = await page.evaluate(() => /** @type {HTMLButtonElement} */ (document.activeElement).value);
+        await page.keyboard.press('Enter');
+        await until(async () => (await page.inputValue('#seed')) === chosen, 'the seed is taken');
+        assert.notEqual((await nextPicture(page, before)).digest, before.digest);
+        await page.click('#undo');
+        await until(async () => (await page.inputValue('#seed')) === '7', 'it can be undone');
+    }));
+
+test('a drawing grows and comes back to what it was', () =>
+    withPage({ hash: PLANT }, async (page) => {
+        const before = await stillPicture(page);
+        await page.click('#open-playback');
+        await page.click('#play');
+        await page.click('#grow');
+        await until(async () => (await picture(page)).digest !== before.digest, 'it begins to grow');
+        assert.equal(await page.getAttribute('#grow', 'aria-pressed'), 'true');
+        await page.click('#grow');
+        await page.click('#close-playback');
+        await until(async () => (await stillPicture(page)).digest === before.digest, 'the whole plant is back');
+        // The state was never another one.
+        assert.ok(!(await page.evaluate(() => location.hash)).includes('growth'));
+    }));
