@@ -20,8 +20,8 @@ fn abop(axiom: &str, rules: &str, angle: f64) -> Definition {
     Definition { axiom: axiom.into(), rules: rules.into(), angle, ..Definition::default() }
 }
 
-fn bounds(segments: &[Segment<Solid>]) -> Option<[[f64; 3]; 2]> {
-    let mut ends = segments.iter().flat_map(|s| [s.from, s.to]);
+fn bounds(segments: &[Segment<Solid>], filled: &[[f64; 3]]) -> Option<[[f64; 3]; 2]> {
+    let mut ends = segments.iter().flat_map(|s| [s.from, s.to]).chain(filled.iter().copied());
     let first = ends.next()?;
     Some(ends.fold([first, first], |[low, high], end| {
         [[0, 1, 2].map(|i| low[i].min(end[i])), [0, 1, 2].map(|i| high[i].max(end[i]))]
@@ -34,7 +34,8 @@ fn check(system: &System, n: u32) -> Result<Drawing<Solid>, TestCaseError> {
     let expected = naive::solid_segments(system, n);
     prop_assert_eq!(drawing.segment_count(), expected.len() as u128);
     prop_assert_eq!(drawing.symbol_count().is_some(), !drawing.is_memoised());
-    let bounds = bounds(&expected);
+    let filled: Vec<[f64; 3]> = naive::solid_polygons(system, n).into_iter().flat_map(|polygon| polygon.0).collect();
+    let bounds = bounds(&expected, &filled);
     prop_assert_eq!(drawing.bounds().is_some(), bounds.is_some());
     let Some([low, high]) = bounds else { return Ok(drawing) };
     let extent = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
