@@ -354,7 +354,7 @@ fn broken_files_are_explained() {
           |
         6 |   "turtle": {"dialect": "logo", "overrides": {"G": "jump"}}
           |                         ^^^^^^
-          = help: It can be `abop`, `every-letter`, `practical`, `lowercase`.
+          = help: It can be `abop`, `every-letter`, `practical`, `lowercase`, `axes`.
     "#]],
     );
     bad(
