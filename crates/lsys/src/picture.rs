@@ -37,7 +37,7 @@ pub(crate) fn png(
     encode(renderer.pixels(), Size { width, height }, system)
 }
 
-/// As [`png`], of a drawing in space, seen from where the page looks at it first.
+/// As [`png()`], of a drawing in space, seen from where the page looks at it first.
 ///
 /// # Errors
 /// Those of the encoder, which writes to memory.

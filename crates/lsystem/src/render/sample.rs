@@ -80,7 +80,8 @@ pub(super) fn brute_force_until(
     fn at((origin, turn): Place, p: [f64; 2]) -> [f64; 2] {
         [origin[0] + turn[0] * p[0] - turn[1] * p[1], origin[1] + turn[1] * p[0] + turn[0] * p[1]]
     }
-    fn visit(drawing: &Drawing, block: BlockId, place: Place, pen: Pen, out: &mut dyn FnMut(&[[f64; 2]], bool, Pen)) {
+    type Out<'a> = dyn FnMut(&[[f64; 2]], bool, Pen) + 'a;
+    fn visit(drawing: &Drawing, block: BlockId, place: Place, pen: Pen, out: &mut Out<'_>) {
         let range = drawing.blocks[block.0 as usize].items.clone();
         for item in &drawing.items[range.start as usize..range.end as usize] {
             match item {

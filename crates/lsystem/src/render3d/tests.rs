@@ -136,7 +136,7 @@ fn lit(style: &Style, camera: &Camera, ink: [f64; 3], spot: [Vector; 2], t: f64,
     let strength = (0.54 + 0.9 * wrap * wrap) * open * (1.0 + edge * (1.0 + normal[2]) * (1.0 + normal[2]));
     let paper = style.background.rgb.map(f64::from);
     [0, 1, 2].map(|i| {
-        let own = ink[i] * strength + 255.0 * 0.16 * wrap.powi(8) * open;
+        let own = ink[i] * strength + 255.0 * 0.16 * libm::pow(wrap, 8.0) * open;
         (own + (paper[i] - own) * haze).min(255.0)
     })
 }

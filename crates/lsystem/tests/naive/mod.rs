@@ -114,7 +114,7 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
                     }
                 }
                 Action::TurnRound => {
-                    turn(&mut state, 180.0 * if module.made == n && n > 0 { turtle.growth } else { 1.0 })
+                    turn(&mut state, 180.0 * if module.made == n && n > 0 { turtle.growth } else { 1.0 });
                 }
                 Action::Cut | Action::OpenPolygon | Action::Vertex | Action::ClosePolygon => {}
                 // These lead out of the plane.
@@ -141,12 +141,16 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
 /// How many ways and turns come before the action at `index`.
 fn slot(actions: &[Action], index: usize) -> usize {
     use Action::{PitchDown, PitchUp, RollLeft, RollRight, TurnLeft, TurnRight, TurnRound};
-    let counts = |action: &Action| match action {
-        Action::Draw(_) | Action::DrawUnmarked(_) | Action::Move(_) | Action::MoveUnmarked(_) => true,
-        TurnLeft(_) | TurnRight(_) | TurnRound | PitchDown(_) | PitchUp(_) | RollLeft(_) | RollRight(_) => true,
-        _ => false,
+    let goes = |action: &Action| {
+        matches!(action, Action::Draw(_) | Action::DrawUnmarked(_) | Action::Move(_) | Action::MoveUnmarked(_))
     };
-    actions[..index].iter().filter(|action| counts(action)).count()
+    let turns = |action: &Action| {
+        matches!(
+            action,
+            TurnLeft(_) | TurnRight(_) | TurnRound | PitchDown(_) | PitchUp(_) | RollLeft(_) | RollRight(_)
+        )
+    };
+    actions[..index].iter().filter(|action| goes(action) || turns(action)).count()
 }
 
 /// What a symbol does by itself.
