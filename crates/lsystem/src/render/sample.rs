@@ -70,7 +70,7 @@ pub(super) fn brute_force_until(
     view: View,
     upto: usize,
 ) -> Vec<u8> {
-    let mut left = upto;
+    let (mut left, mut ended) = (upto, false);
     let camera = Camera::new(drawing, viewport, view, SAMPLES);
     let (width, height) = (viewport.width as i64 * 4, viewport.height as i64 * 4);
     let mut inks = vec![None; (width * height) as usize];
@@ -124,13 +124,16 @@ pub(super) fn brute_force_until(
             };
             let (rows, columns) = (range(1, height), range(0, width));
             for (row, column) in rows.flat_map(|row| columns.clone().map(move |column| (row, column))) {
-                if left > 0 && winding(&points, [column as f64 + 0.5, row as f64 + 0.5]) != 0 {
+                if !ended && winding(&points, [column as f64 + 0.5, row as f64 + 0.5]) != 0 {
                     inks[(row * width + column) as usize] = Some(colour);
                 }
             }
             return;
         }
-        let Some(rest) = left.checked_sub(1) else { return };
+        let Some(rest) = left.checked_sub(1) else {
+            ended = true;
+            return;
+        };
         left = rest;
         let colour = pen.colour(style, (number + 0.5) / all);
         let (a, b) = (points[0], points[1]);

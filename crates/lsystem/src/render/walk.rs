@@ -326,8 +326,8 @@ impl Walk {
             let items = &drawing.blocks[node.block.0 as usize].items;
             let mut cut = None;
             let mut cursor = items.start;
-            // A polygon after the last segment that is wanted is not drawn yet.
-            while cursor < items.end && cut.is_none() && left > 0 {
+            // Polygons before the first segment that is left out are there.
+            while cursor < items.end && cut.is_none() {
                 let segments = match &drawing.items[cursor as usize] {
                     Item::Stroke(_) => 1,
                     Item::Polygon(_) => 0,
@@ -347,7 +347,7 @@ impl Walk {
             }
             let node = self.stack.last().copied().unwrap_or(node);
             match cut {
-                Some(Item::Block(placed)) if left > 0 => {
+                Some(Item::Block(placed)) => {
                     let size = self.path.block(node.block, node.span, placed.block).size;
                     let around = Node { span: Span { end: node.span.end + size, ..node.span }, ..node };
                     let child = self.child(drawing, around, placed);
