@@ -6,7 +6,7 @@ import { definitionOf } from './state.js';
 /** Pictures on the sheet. */
 const COUNT = 9;
 /** Their side, in CSS pixels. */
-const SIDE = 160;
+const SIDE = 200;
 
 /**
  * @param {import('./store.js').Store} store
