@@ -17,7 +17,7 @@ export function createSeeds(store, engine) {
     const cards = Array.from({ length: COUNT }, () => {
         const picture = make('canvas', { class: 'thumb', width: '1', height: '1', 'aria-hidden': 'true' });
         const label = make('span', { class: 'card-kind' });
-        const card = make('button', { type: 'button', class: 'card' }, picture, label);
+        const card = make('button', { type: 'button', class: 'card', 'aria-label': 'Another seed' }, picture, label);
         card.addEventListener('click', () => {
             const seed = Number(card.value);
             dialog.close();

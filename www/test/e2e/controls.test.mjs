@@ -143,15 +143,15 @@ test('fifty thousand characters can be typed in', () =>
 test('the gallery says what sort each system is, and filters by it', () =>
     withPage({}, async (page) => {
         await page.click('#open-gallery');
-        await page.waitForSelector('.card');
-        const all = await page.locator('.card').count();
-        const shown = () => page.locator('.card:visible').count();
+        await page.waitForSelector('#gallery .card');
+        const all = await page.locator('#gallery .card').count();
+        const shown = () => page.locator('#gallery .card:visible').count();
         assert.equal(await page.textContent('#found'), `${all} systems`);
         await page.click('.chip:has-text("stochastic")');
         const stochastic = await shown();
         assert.ok(stochastic > 3 && stochastic < all / 2);
         assert.equal(await page.textContent('#found'), `${stochastic} of ${all} systems`);
-        for (const kind of await page.locator('.card:visible .card-kind').allTextContents()) assert.match(kind, /stochastic|symbol by symbol|piece/);
+        for (const kind of await page.locator('#gallery .card:visible .card-kind').allTextContents()) assert.match(kind, /stochastic|symbol by symbol|piece/);
         assert.equal(await page.getAttribute('.chip:has-text("stochastic")', 'aria-pressed'), 'true');
         await page.click('.chip:has-text("stochastic")');
         // A system is drawn in the plane or in space: one of them at a time.
@@ -172,7 +172,7 @@ test('the gallery says what sort each system is, and filters by it', () =>
         await page.waitForSelector('#nothing-found:visible');
         await page.fill('#search', '');
         await page.click('.chip:has-text("context-sensitive")');
-        const card = page.locator('.card:visible').first();
+        const card = page.locator('#gallery .card:visible').first();
         await card.hover();
         assert.equal(await page.textContent('#about-title'), await card.locator('.card-title').textContent());
         assert.match(String(await card.locator('.card-kind').last().textContent()), /piece|symbol by symbol/);

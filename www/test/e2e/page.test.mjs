@@ -42,8 +42,8 @@ test('a system is picked from the gallery', () =>
     withPage({}, async (page) => {
         const before = await stillPicture(page);
         await page.click('#open-gallery');
-        await page.waitForSelector('.card');
-        assert.ok((await page.locator('.card').count()) > 30);
+        await page.waitForSelector('#gallery .card');
+        assert.ok((await page.locator('#gallery .card').count()) > 30);
         await page.waitForSelector('.thumb.inked');
         await page.fill('#search', 'dragon');
         const card = page.locator('.card:visible').first();
