@@ -193,7 +193,7 @@ test('angles in space are asked for where the turtle leaves the plane, and tropi
         await page.fill('#pitch-down', '');
         assert.equal(await page.getAttribute('#pitch-up', 'placeholder'), '30');
         await page.fill('#roll-left', '');
-        assert.match((await page.textContent('#status')) ?? '', /in space/);
+        await until(async () => /in space/.test((await page.textContent('#status')) ?? ''), 'the announcement says so');
         assert.ok(!(await page.isVisible('#elasticity')));
         await page.click('#bends summary');
         await page.fill('#elasticity', '0.2');
