@@ -5,6 +5,7 @@
 //! first, so that what is covered already need not be looked at again.
 
 mod canvas;
+mod descent;
 mod inks;
 mod mixer;
 mod path;

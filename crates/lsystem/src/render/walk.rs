@@ -2,17 +2,15 @@
 
 use super::RenderStats;
 use super::canvas::Canvas;
-use super::inks::{Choice, Dye, InkTable, Inks, Shade};
-use super::path::{Path, Span};
+use super::descent::{Descent, Node, Pen};
+use super::inks::{Dye, InkTable, Inks, Shade};
 use super::polygon;
 use super::seen::Seen;
 use super::shape::Shape;
 use super::stroke::Capsule;
 use super::tile::{self, Key, Tile, Tiles};
-use super::turns::Turns;
 use super::view::{Camera, Detail, View, Viewport};
-use super::wide::Wide;
-use crate::{BlockId, Drawing, Heading, Item, Placed, Progress, Style, StyleChange};
+use crate::{Drawing, Item, Progress, Style};
 
 /// The largest extent, in subsamples, at which a block is painted as a line.
 const TINY: f64 = 2.0;
@@ -35,68 +33,6 @@ pub(super) struct Look {
 impl Look {
     fn radius(&self, width: f64) -> f64 {
         (width * self.step / 2.0).max(self.hairline)
-    }
-}
-
-/// What the turtle carries apart from its position.
-#[derive(Clone, Copy, Debug)]
-struct Pen {
-    /// Relative to what is painted on the canvas: the whole drawing, or a tile's block.
-    shade: Shade,
-    /// In step lengths.
-    width: f64,
-}
-
-impl Pen {
-    fn after(self, choice: Choice, change: &StyleChange) -> Self {
-        Self { shade: choice.then(self.shade, choice.shade(change)), width: change.width.of(self.width) }
-    }
-}
-
-/// A block being painted, from its last item to its first.
-#[derive(Clone, Copy, Debug)]
-struct Node {
-    block: BlockId,
-    /// The items from here on are done.
-    cursor: u32,
-    /// Which canvas it is painted on: 0 is the picture, others are tiles being made, by size.
-    canvas: usize,
-    place: Place,
-    /// Where it is in the root block's frame, as long as it is large.
-    far: Option<Far>,
-    pen: Pen,
-    /// Which part of the path it is, but for the items that are done.
-    span: Span,
-}
-
-/// Where a block is in the root block's frame. On the canvas the origin of a block that is much larger than the picture
-/// is a number so large that nothing is left of its fraction; here it is kept apart from the magnification.
-#[derive(Clone, Copy, Debug)]
-struct Far {
-    at: [Wide; 2],
-    /// Units of the root block in one of its own.
-    scale: f64,
-}
-
-/// Blocks with more subsamples to a unit than this are placed by way of the root block's frame.
-const FAR: f64 = (1_u64 << 24) as f64;
-
-/// Where a block is on the canvas.
-#[derive(Clone, Copy, Debug)]
-struct Place {
-    /// Its origin, in subsamples, y down.
-    origin: [f64; 2],
-    /// Subsamples in one of its units.
-    scale: f64,
-    heading: Heading,
-    /// The heading's cosine and sine, times the scale.
-    cos: f64,
-    sin: f64,
-}
-
-impl Place {
-    fn point(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [self.origin[0] + self.cos * x - self.sin * y, self.origin[1] - self.sin * x - self.cos * y]
     }
 }
 
@@ -131,20 +67,18 @@ pub(super) struct Walk {
     /// The strokes on the picture so far.
     painted: u64,
     look: Look,
-    camera: Option<Camera>,
     inks: InkTable,
     /// The picture, then a canvas for each size of tile.
     canvases: [Canvas; 1 + tile::SIZES],
     /// By canvas: how often it has been started anew.
     serials: [u64; 1 + tile::SIZES],
     tiles: Tiles,
-    turns: Turns,
+    descent: Descent,
     stack: Vec<Node>,
     seen: Seen,
     /// Whether blocks may recur.
     repeats: bool,
     making: Vec<Making>,
-    path: Path,
     pub stats: RenderStats,
 }
 
@@ -154,17 +88,15 @@ impl Default for Walk {
             simple: tile::SIMPLE_STROKES,
             painted: 0,
             look: Look::default(),
-            camera: None,
             inks: InkTable::default(),
             canvases: Default::default(),
             serials: Default::default(),
             tiles: Tiles::default(),
-            turns: Turns::default(),
+            descent: Descent::default(),
             stack: vec![],
             seen: Seen::default(),
             repeats: false,
             making: vec![],
-            path: Path::default(),
             stats: RenderStats::default(),
         }
     }
@@ -177,7 +109,7 @@ impl Walk {
         self.making.clear();
         self.tiles.clear();
         self.inks.clear();
-        self.path.clear();
+        self.descent.path.clear();
     }
 
     /// Starts a picture of `width` by `height` pixels, of the segments before `upto` where that is given.
@@ -205,33 +137,13 @@ impl Walk {
             self.look = look;
             self.tiles.clear();
         }
-        self.path.prepare(drawing, style);
+        self.descent.path.prepare(drawing, style);
         let [width, height] = [viewport.width, viewport.height].map(|side| side as usize * detail.samples());
         self.canvases[0].reset(width, height, self.inks.picture_planes());
-        let Some((root, block)) = drawing.root.and_then(|id| Some((id, drawing.blocks.get(id.0 as usize)?))) else {
-            return;
-        };
-        let far = Far { at: [Wide::default(); 2], scale: 1.0 };
-        let place = Place {
-            origin: camera.place(far.at),
-            scale: camera.scale,
-            heading: Heading::EAST,
-            cos: camera.scale,
-            sin: 0.0,
-        };
-        let pen = Pen { shade: Shade { number: 0, fixed: true }, width: drawing.width };
-        self.camera = Some(camera);
-        self.stack.push(Node {
-            block: root,
-            cursor: block.items.end,
-            canvas: 0,
-            place,
-            far: Some(far),
-            pen,
-            span: Span::WHOLE,
-        });
+        let Some(root) = self.descent.root(drawing, camera) else { return };
+        self.stack.push(root);
         if let Some(upto) = upto {
-            self.leave_out(drawing, upto);
+            self.descent.leave_out(drawing, self.inks.choice, &mut self.stack, upto);
         }
     }
 
@@ -263,8 +175,8 @@ impl Walk {
             match &drawing.items[node.cursor as usize] {
                 Item::Stroke(stroke) => {
                     let mut pen = node.pen.after(self.inks.choice, &drawing.styles[stroke.style.0 as usize]);
-                    if self.path.counts() && node.canvas == 0 {
-                        let span = self.path.stroke(node.block, node.span);
+                    if self.descent.path.counts() && node.canvas == 0 {
+                        let span = self.descent.path.stroke(node.block, node.span);
                         pen.shade = Shade { number: span.ink(), fixed: true };
                         if let Some(node) = self.stack.last_mut() {
                             node.span.end -= span.size;
@@ -275,13 +187,14 @@ impl Walk {
                 }
                 Item::Polygon(polygon) => {
                     let mut pen = node.pen.after(self.inks.choice, &drawing.styles[polygon.style.0 as usize]);
-                    if self.path.counts() && node.canvas == 0 {
-                        pen.shade = Shade { number: self.path.stroke(node.block, node.span).ink(), fixed: true };
+                    if self.descent.path.counts() && node.canvas == 0 {
+                        pen.shade =
+                            Shade { number: self.descent.path.stroke(node.block, node.span).ink(), fixed: true };
                     }
                     *left -= self.polygon(node, drawing.vertices_of(polygon), pen);
                 }
                 Item::Block(placed) => {
-                    let child = self.child(drawing, node, placed);
+                    let child = self.descent.child(drawing, self.inks.choice, node, placed);
                     if let Some(node) = self.stack.last_mut() {
                         node.span.end -= child.span.size;
                     }
@@ -291,71 +204,6 @@ impl Walk {
             }
         }
         Progress::More
-    }
-
-    /// A block inside another, none of it done.
-    fn child(&mut self, drawing: &Drawing, node: Node, placed: &Placed) -> Node {
-        let heading = node.place.heading + placed.heading;
-        let scale = node.place.scale * placed.scale;
-        let [c, s] = self.turns.cos_sin(heading);
-        let far = node.far.filter(|_| node.place.scale > FAR).map(|far| {
-            let [c, s] = self.turns.cos_sin(node.place.heading).map(|v| v * far.scale);
-            let [x, y] = placed.at;
-            let at = [far.at[0].plus(c * x - s * y), far.at[1].plus(s * x + c * y)];
-            Far { at, scale: far.scale * placed.scale }
-        });
-        let origin = match (&far, &self.camera) {
-            (Some(far), Some(camera)) => camera.place(far.at),
-            _ => node.place.point(placed.at),
-        };
-        let place = Place { origin, scale, heading, cos: scale * c, sin: scale * s };
-        let mut pen = node.pen.after(self.inks.choice, &drawing.styles[placed.style.0 as usize]);
-        let span = self.path.block(node.block, node.span, placed.block);
-        if self.path.counts() && node.canvas == 0 {
-            pen.shade = Shade { number: span.ink(), fixed: true };
-        }
-        let cursor = drawing.blocks[placed.block.0 as usize].items.end;
-        Node { block: placed.block, cursor, canvas: node.canvas, place, far, pen, span }
-    }
-
-    /// Leaves out everything from the segment `from` (0-based) on, of a picture that has just begun: along the way
-    /// down to that segment, what comes after it counts as done.
-    fn leave_out(&mut self, drawing: &Drawing, from: u128) {
-        let mut left = from;
-        while let Some(node) = self.stack.last().copied() {
-            let items = &drawing.blocks[node.block.0 as usize].items;
-            let mut cut = None;
-            let mut cursor = items.start;
-            // Polygons before the first segment that is left out are there.
-            while cursor < items.end && cut.is_none() {
-                let segments = match &drawing.items[cursor as usize] {
-                    Item::Stroke(_) => 1,
-                    Item::Polygon(_) => 0,
-                    Item::Block(placed) => drawing.blocks[placed.block.0 as usize].segments,
-                };
-                if segments > left {
-                    cut = Some(&drawing.items[cursor as usize]);
-                } else {
-                    left -= segments;
-                    cursor += 1;
-                }
-            }
-            if let Some(top) = self.stack.last_mut() {
-                top.cursor = cursor;
-                top.span.end -=
-                    self.path.rest(top.block, top.span, &drawing.items[cursor as usize..items.end as usize]);
-            }
-            let node = self.stack.last().copied().unwrap_or(node);
-            match cut {
-                Some(Item::Block(placed)) => {
-                    let size = self.path.block(node.block, node.span, placed.block).size;
-                    let around = Node { span: Span { end: node.span.end + size, ..node.span }, ..node };
-                    let child = self.child(drawing, around, placed);
-                    self.stack.push(child);
-                }
-                _ => return,
-            }
-        }
     }
 
     fn stroke(&mut self, canvas: usize, [from, to]: [[f64; 2]; 2], pen: Pen) -> i64 {
@@ -414,7 +262,7 @@ impl Walk {
             return 1;
         }
         // A part of the path that has one colour is like any other block.
-        let plain = !self.path.counts() || node.canvas != 0 || node.span.is_short();
+        let plain = !self.descent.path.counts() || node.canvas != 0 || node.span.is_short();
         let extent = 2.0 * place.scale * shape.half[0].max(shape.half[1]);
         if self.repeats {
             let block = u64::from(node.block.0) << 32 ^ place.heading.units();

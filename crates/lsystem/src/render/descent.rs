@@ -1,0 +1,162 @@
+//! The way down through a drawing's graph: where its blocks are on a canvas, and what the turtle carries there.
+
+use super::inks::{Choice, Shade};
+use super::path::{Path, Span};
+use super::turns::Turns;
+use super::view::Camera;
+use super::wide::Wide;
+use crate::{BlockId, Drawing, Heading, Item, Placed, StyleChange};
+
+/// What the turtle carries apart from its position.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pen {
+    /// Relative to what is painted on the canvas: the whole drawing, or a tile's block.
+    pub shade: Shade,
+    /// In step lengths.
+    pub width: f64,
+}
+
+impl Pen {
+    pub(super) fn after(self, choice: Choice, change: &StyleChange) -> Self {
+        Self { shade: choice.then(self.shade, choice.shade(change)), width: change.width.of(self.width) }
+    }
+}
+
+/// A block being painted, from its last item to its first.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node {
+    pub block: BlockId,
+    /// The items from here on are done.
+    pub cursor: u32,
+    /// Which canvas it is painted on: 0 is the picture, others are tiles being made, by size.
+    pub canvas: usize,
+    pub place: Place,
+    /// Where it is in the root block's frame, as long as it is large.
+    pub far: Option<Far>,
+    pub pen: Pen,
+    /// Which part of the path it is, but for the items that are done.
+    pub span: Span,
+}
+
+/// Where a block is in the root block's frame. On the canvas the origin of a block that is much larger than the picture
+/// is a number so large that nothing is left of its fraction; here it is kept apart from the magnification.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Far {
+    at: [Wide; 2],
+    /// Units of the root block in one of its own.
+    pub scale: f64,
+}
+
+/// Blocks with more subsamples to a unit than this are placed by way of the root block's frame.
+const FAR: f64 = (1_u64 << 24) as f64;
+
+/// Where a block is on the canvas.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// Its origin, in subsamples, y down.
+    pub origin: [f64; 2],
+    /// Subsamples in one of its units.
+    pub scale: f64,
+    pub heading: Heading,
+    /// The heading's cosine and sine, times the scale.
+    pub cos: f64,
+    pub sin: f64,
+}
+
+impl Place {
+    pub(super) fn point(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.origin[0] + self.cos * x - self.sin * y, self.origin[1] - self.sin * x - self.cos * y]
+    }
+}
+
+/// What leads from a block to those inside.
+#[derive(Default)]
+pub(super) struct Descent {
+    camera: Option<Camera>,
+    turns: Turns,
+    pub path: Path,
+}
+
+impl Descent {
+    /// Starts a picture: the whole drawing, none of it done; `None` where nothing is drawn.
+    pub(super) fn root(&mut self, drawing: &Drawing, camera: Camera) -> Option<Node> {
+        let block = drawing.root?;
+        let cursor = drawing.blocks.get(block.0 as usize)?.items.end;
+        let far = Far { at: [Wide::default(); 2], scale: 1.0 };
+        let place = Place {
+            origin: camera.place(far.at),
+            scale: camera.scale,
+            heading: Heading::EAST,
+            cos: camera.scale,
+            sin: 0.0,
+        };
+        let pen = Pen { shade: Shade { number: 0, fixed: true }, width: drawing.width };
+        self.camera = Some(camera);
+        Some(Node { block, cursor, canvas: 0, place, far: Some(far), pen, span: Span::WHOLE })
+    }
+
+    /// A block inside another, none of it done.
+    pub(super) fn child(&mut self, drawing: &Drawing, choice: Choice, node: Node, placed: &Placed) -> Node {
+        let heading = node.place.heading + placed.heading;
+        let scale = node.place.scale * placed.scale;
+        let [c, s] = self.turns.cos_sin(heading);
+        let far = node.far.filter(|_| node.place.scale > FAR).map(|far| {
+            let [c, s] = self.turns.cos_sin(node.place.heading).map(|v| v * far.scale);
+            let [x, y] = placed.at;
+            let at = [far.at[0].plus(c * x - s * y), far.at[1].plus(s * x + c * y)];
+            Far { at, scale: far.scale * placed.scale }
+        });
+        let origin = match (&far, &self.camera) {
+            (Some(far), Some(camera)) => camera.place(far.at),
+            _ => node.place.point(placed.at),
+        };
+        let place = Place { origin, scale, heading, cos: scale * c, sin: scale * s };
+        let mut pen = node.pen.after(choice, &drawing.styles[placed.style.0 as usize]);
+        let span = self.path.block(node.block, node.span, placed.block);
+        if self.path.counts() && node.canvas == 0 {
+            pen.shade = Shade { number: span.ink(), fixed: true };
+        }
+        let cursor = drawing.blocks[placed.block.0 as usize].items.end;
+        Node { block: placed.block, cursor, canvas: node.canvas, place, far, pen, span }
+    }
+
+    /// Leaves out everything from the segment `from` (0-based) on, of a picture that has just begun: along the way
+    /// down to that segment, what comes after it counts as done.
+    pub(super) fn leave_out(&mut self, drawing: &Drawing, choice: Choice, stack: &mut Vec<Node>, from: u128) {
+        let mut left = from;
+        while let Some(node) = stack.last().copied() {
+            let items = &drawing.blocks[node.block.0 as usize].items;
+            let mut cut = None;
+            let mut cursor = items.start;
+            // Polygons before the first segment that is left out are there.
+            while cursor < items.end && cut.is_none() {
+                let segments = match &drawing.items[cursor as usize] {
+                    Item::Stroke(_) => 1,
+                    Item::Polygon(_) => 0,
+                    Item::Block(placed) => drawing.blocks[placed.block.0 as usize].segments,
+                };
+                if segments > left {
+                    cut = Some(&drawing.items[cursor as usize]);
+                } else {
+                    left -= segments;
+                    cursor += 1;
+                }
+            }
+            if let Some(top) = stack.last_mut() {
+                top.cursor = cursor;
+                top.span.end -=
+                    self.path.rest(top.block, top.span, &drawing.items[cursor as usize..items.end as usize]);
+            }
+            let node = stack.last().copied().unwrap_or(node);
+            match cut {
+                Some(Item::Block(placed)) => {
+                    let size = self.path.block(node.block, node.span, placed.block).size;
+                    let around = Node { span: Span { end: node.span.end + size, ..node.span }, ..node };
+                    let child = self.child(drawing, choice, around, placed);
+                    stack.push(child);
+                }
+                _ => return,
+            }
+        }
+    }
+}
