@@ -1,13 +1,14 @@
 //! Files: systems read from them and written to them.
 
-use crate::playground::{Playground, WORK};
+use crate::playground::Playground;
 use crate::report::{Problem, problems};
 use crate::surface::Surface;
+use crate::viewer::Scene;
 use crate::{LIMITS, from_js, to_js};
 use js_sys::{Reflect, Uint8Array};
 use lsystem::{
-    Camera, Definition, Detail, FileContent, Mesh, Outlook, Progress, Renderer, SvgForm, SvgOptions, Viewport,
-    draw_solid, expand, write_csv, write_glb, write_json, write_obj, write_svg,
+    Camera, Definition, FileContent, Mesh, Outlook, SvgForm, SvgOptions, Viewport, draw_solid, expand, write_csv,
+    write_glb, write_json, write_obj, write_svg,
 };
 use serde::Serialize;
 use std::sync::Arc;
@@ -74,22 +75,24 @@ impl Playground {
     /// # Errors
     /// Throws where there is no such format.
     pub fn export(&self, format: &str) -> Result<JsValue, JsValue> {
-        let Some(system) = self.system.as_ref().filter(|system| system.is_solid() || self.drawing.is_some()) else {
+        let Some(system) =
+            self.system.as_ref().filter(|system| system.is_solid() || self.views.plane.drawing.is_some())
+        else {
             // The report says why nothing has been drawn.
             return to_js(&ExportReport { text: None, diagnostics: self.report.diagnostics.clone() });
         };
         let (definition, n) = (&self.definition, self.definition.iterations);
-        let solid = || match &self.solid.drawing {
-            Some(drawing) if system.is_solid() && self.solid.drawer.is_none() => Ok(drawing.clone()),
+        let solid = || match &self.views.solid.drawing {
+            Some(drawing) if system.is_solid() && self.built() => Ok(drawing.clone()),
             _ => draw_solid(system, n, &LIMITS).map(Arc::new),
         };
         let mesh = || Mesh::new(&*solid()?, &system.style, MESH_SEGMENTS);
-        let Camera { azimuth, elevation, .. } = self.solid.camera;
+        let Camera { azimuth, elevation, .. } = self.views.solid.camera;
         let seen = || solid()?.seen_from(&Outlook { azimuth, elevation }, TEXT_SEGMENTS);
         let name = if definition.title.is_empty() { &definition.name } else { &definition.title };
         let svg = |form| {
             let options = self.svg_options(form);
-            let svg = match &self.drawing {
+            let svg = match &self.views.plane.drawing {
                 Some(drawing) if !system.is_solid() => write_svg(drawing, &system.style, &options)?,
                 _ => write_svg(&seen()?, &system.style, &options)?,
             };
@@ -101,7 +104,7 @@ impl Playground {
             "txt" => expand(system, n, &LIMITS).map(|text| (text + "\n", None)),
             "svg" => svg(SvgForm::Flat),
             "svg-compact" => svg(SvgForm::Compact),
-            "csv" => match &self.drawing {
+            "csv" => match &self.views.plane.drawing {
                 Some(drawing) if !system.is_solid() => write_csv(drawing, TEXT_SEGMENTS),
                 _ => solid().and_then(|drawing| write_csv(&*drawing, TEXT_SEGMENTS)),
             }
@@ -130,20 +133,12 @@ impl Playground {
     /// # Errors
     /// Throws where the canvas refuses the picture.
     pub fn snapshot(&self, canvas: OffscreenCanvas, width: u32, height: u32) -> Result<(), JsValue> {
-        let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
-        if let (Some(system), Some(_)) = (&self.system, &self.solid.drawing) {
-            let viewport = Viewport { width, height, ratio };
-            return self.solid.snapshot(&system.style, viewport, &Surface::new(canvas)?);
-        }
-        let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else {
+        let (Some(realm), Some(scene)) = (self.shown, self.scene()) else {
             return Err("nothing has been drawn yet".into());
         };
-        let mut renderer = Renderer::new();
-        renderer.load(drawing.clone());
-        let viewport = Viewport { width, height, ratio }.within_limits();
-        renderer.begin_with(&system.style, viewport, self.view, Detail::Fine, self.upto);
-        while renderer.step(WORK) == Progress::More {}
-        Surface::new(canvas)?.show(renderer.pixels(), viewport)
+        let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
+        let viewport = Viewport { width, height, ratio };
+        self.views.get(realm).snapshot(Scene { viewport, ..scene }, &Surface::new(canvas)?)
     }
 }
 

@@ -10,7 +10,7 @@ mod clock;
 #[cfg(feature = "full")]
 mod files;
 mod notation;
-mod painter;
+mod plane;
 mod playground;
 #[cfg(feature = "full")]
 mod qr;
@@ -19,6 +19,7 @@ mod report;
 #[cfg(feature = "full")]
 mod solid;
 mod surface;
+mod viewer;
 
 #[cfg(feature = "full")]
 pub use files::{read, read_file, tag_png};

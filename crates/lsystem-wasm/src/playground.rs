@@ -1,38 +1,29 @@
 //! The page's handle: keeps a system between edits and works in steps that end on time.
 
 use crate::clock::Clock;
-use crate::painter::{Painter, Scene};
 use crate::reading::Written;
 use crate::report::{Report, legend_of, problems};
 use crate::surface::Surface;
-use crate::{LIMITS, from_js, to_js};
-use lsystem::{
-    Definition, Diagnostic, Drawer, Drawing, Kind, Progress, Space, System, View, Viewport, count_segments,
-    count_symbols, describe, fitted_scale, kind, why_empty,
-};
+use crate::viewer::{Drawn, Realm, Scene, Views};
+use crate::{from_js, to_js};
+use lsystem::{Definition, Diagnostic, Kind, System, View, Viewport, count_segments, count_symbols, kind, why_empty};
 use serde::Serialize;
-use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
-
-/// Work units between two looks at the clock: well under a millisecond each.
-pub(crate) const WORK: usize = 16_384;
 
 /// An L-system between edits: its drawing, and the picture on the canvas.
 #[wasm_bindgen]
 pub struct Playground {
-    painter: Painter,
+    surface: Surface,
     clock: Clock,
-    /// What the shown drawing is of.
     pub(crate) definition: Definition,
     pub(crate) system: Option<System>,
-    pub(crate) drawing: Option<Arc<Drawing>>,
     pub(crate) written: Option<Written>,
-    /// The drawing that is being built.
-    drawer: Option<Drawer>,
-    /// The same for what leaves the plane; where it has a drawing, `drawing` is none.
-    #[cfg(feature = "full")]
-    pub(crate) solid: crate::solid::SolidView,
+    pub(crate) views: Views,
+    /// Where a drawing is being built.
+    building: Option<Realm>,
+    /// Where what is shown has been drawn.
+    pub(crate) shown: Option<Realm>,
     pub(crate) report: Report,
     /// Whether the page has not seen the report yet.
     news: bool,
@@ -40,16 +31,8 @@ pub struct Playground {
     pub(crate) view: View,
     /// How many segments the picture shows; all of them without it.
     pub(crate) upto: Option<u128>,
-    picture: Picture,
-}
-
-/// How far the picture is.
-#[derive(Clone, Copy, PartialEq)]
-enum Picture {
-    /// What is on the canvas is out of date.
-    Stale,
-    /// The painter has been told.
-    Begun,
+    /// Whether the viewer has to be told what to show.
+    stale: bool,
 }
 
 /// The answer of [`Playground::step`].
@@ -58,14 +41,6 @@ struct Step<'a> {
     report: Option<&'a Report>,
     drawn: Option<Drawn>,
     idle: bool,
-}
-
-#[derive(Serialize)]
-pub(crate) struct Drawn {
-    /// Whether nothing finer follows.
-    pub(crate) complete: bool,
-    /// Device pixels per fitted extent at zoom 1.
-    pub(crate) scale: f64,
 }
 
 #[wasm_bindgen]
@@ -77,21 +52,20 @@ impl Playground {
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
         Ok(Self {
-            painter: Painter::new(Surface::new(canvas)?),
+            surface: Surface::new(canvas)?,
             clock: Clock::new(),
             definition: Definition::default(),
             system: None,
-            drawing: None,
             written: None,
-            drawer: None,
-            #[cfg(feature = "full")]
-            solid: crate::solid::SolidView::default(),
+            views: Views::default(),
+            building: None,
+            shown: None,
             report: Report::default(),
             news: false,
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
             view: View::default(),
             upto: None,
-            picture: Picture::Begun,
+            stale: false,
         })
     }
 
@@ -127,7 +101,7 @@ impl Playground {
             empty: why_empty(&system, n),
             ..Report::default()
         };
-        if same_drawing && (!self.built() || self.is_drawn()) {
+        if same_drawing && (!self.built() || self.shown.is_some()) {
             let former = core::mem::replace(&mut self.report, known);
             self.report.memoised = former.memoised;
             self.report.blocks = former.blocks;
@@ -140,7 +114,7 @@ impl Playground {
             self.report = known;
             self.start(&system, n);
         }
-        self.picture = Picture::Stale;
+        self.stale = true;
         self.written = None;
         self.definition = definition;
         self.system = Some(system);
@@ -155,7 +129,7 @@ impl Playground {
         let viewport = Viewport { width, height, ratio }.within_limits();
         if (view, viewport) != (self.view, self.viewport) {
             (self.view, self.viewport) = (view, viewport);
-            self.picture = Picture::Stale;
+            self.stale = true;
         }
     }
 
@@ -164,18 +138,14 @@ impl Playground {
     pub fn play(&mut self, upto: Option<u128>) {
         if upto != self.upto {
             self.upto = upto;
-            self.picture = Picture::Stale;
+            self.stale = true;
         }
     }
 
     /// Whether no drawing is being built.
     #[wasm_bindgen(getter)]
     pub fn built(&self) -> bool {
-        #[cfg(feature = "full")]
-        if self.solid.drawer.is_some() {
-            return false;
-        }
-        self.drawer.is_none()
+        self.building.is_none()
     }
 
     /// Works for about `budget` milliseconds: `{report, drawn: {complete, scale}, idle}`, parts null without news.
@@ -186,8 +156,8 @@ impl Playground {
         let end = self.clock.now() + budget;
         let mut drawn = None;
         while drawn.is_none() && !self.is_idle() {
-            if !self.built() {
-                self.build();
+            if let Some(realm) = self.building {
+                self.build(realm);
             } else {
                 drawn = self.paint()?;
             }
@@ -207,101 +177,53 @@ impl Playground {
 
     /// Starts building a drawing.
     fn start(&mut self, system: &System, n: u32) {
-        self.drawer = None;
-        #[cfg(feature = "full")]
-        self.solid.stop();
-        if !system.is_solid() {
-            self.drawer = Some(Drawer::new(system, n, LIMITS));
-            return;
+        if let Some(realm) = self.building.take() {
+            self.views.at(realm).stop();
         }
-        #[cfg(feature = "full")]
-        self.solid.start(system, n);
-        self.report.beyond = cfg!(not(feature = "full"));
-    }
-
-    fn is_drawn(&self) -> bool {
-        #[cfg(feature = "full")]
-        if self.solid.drawing.is_some() {
-            return true;
+        self.building = Realm::of(system);
+        self.report.beyond = self.building.is_none();
+        if let Some(realm) = self.building {
+            self.views.at(realm).start(system, n);
         }
-        self.drawing.is_some()
     }
 
     fn is_idle(&self) -> bool {
-        self.built() && (self.picture == Picture::Begun && self.is_painted() || !self.is_visible())
+        self.built() && !self.is_painting()
     }
 
-    /// Whether nothing finer than what is on the canvas follows.
-    fn is_painted(&self) -> bool {
-        #[cfg(feature = "full")]
-        if self.solid.drawing.is_some() {
-            return self.solid.is_done();
-        }
-        self.painter.is_done()
-    }
-
-    /// Whether there is something to paint and somewhere to paint it.
-    fn is_visible(&self) -> bool {
-        self.is_drawn() && self.viewport.width > 0 && self.viewport.height > 0
-    }
-
-    /// Goes on with the drawing that is being built.
-    fn build(&mut self) {
-        #[cfg(feature = "full")]
-        if self.solid.drawer.is_some() {
-            return self.build_solid();
-        }
-        let (Some(system), Some(mut drawer)) = (&self.system, self.drawer.take()) else { return };
-        if drawer.step(WORK as u64) == Progress::More {
-            self.drawer = Some(drawer);
-            return;
-        }
-        match drawer.finish() {
-            Ok(drawing) => {
-                describe_drawing(&mut self.report, system, self.definition.iterations, &drawing, drawing.bounds());
-                let drawing = Arc::new(drawing);
-                self.painter.load(drawing.clone());
-                self.drawing = Some(drawing);
-                #[cfg(feature = "full")]
-                self.solid.forget();
-            }
-            Err(limit) => self.refuse(limit),
-        }
-        self.news = true;
-        self.picture = Picture::Stale;
-    }
-
-    /// Goes on with the drawing in space that is being built.
-    #[cfg(feature = "full")]
-    fn build_solid(&mut self) {
-        let (Some(system), Some(outcome)) = (&self.system, self.solid.build()) else { return };
-        match outcome {
-            Ok(drawing) => {
-                let bounds = drawing.bounds().map(|[low, high]| [low[0], low[1], high[0], high[1]]);
-                describe_drawing(&mut self.report, system, self.definition.iterations, &drawing, bounds);
-                self.drawing = None;
-            }
-            Err(limit) => self.refuse(limit),
-        }
-        self.news = true;
-        self.picture = Picture::Stale;
+    /// Whether a picture is being made, or has to be.
+    fn is_painting(&self) -> bool {
+        let Some(realm) = self.shown.filter(|_| self.viewport.width > 0 && self.viewport.height > 0) else {
+            return false;
+        };
+        self.stale || !self.views.get(realm).is_done()
     }
 
     /// What is shown has to be painted anew.
     #[cfg(feature = "full")]
     pub(crate) fn outdate(&mut self) {
-        self.picture = Picture::Stale;
+        self.stale = true;
     }
 
-    /// Goes on with the picture of a drawing in space; what is on the canvas after that, if anything new is.
-    #[cfg(feature = "full")]
-    fn paint_solid(&mut self) -> Result<Option<Drawn>, JsValue> {
-        let Some(system) = &self.system else { return Ok(None) };
-        if self.picture == Picture::Stale {
-            self.solid.begin(&system.style, self.viewport);
-            self.picture = Picture::Begun;
+    /// Goes on with the drawing that is being built.
+    fn build(&mut self, realm: Realm) {
+        let Some(outcome) = self.views.at(realm).build() else { return };
+        self.building = None;
+        match outcome {
+            Ok(()) => self.accept(realm),
+            Err(limit) => self.refuse(limit),
         }
-        self.solid.paint(&system.style, self.viewport, &self.clock, &self.painter.surface)
+        self.news = true;
+        self.stale = true;
+    }
+
+    fn accept(&mut self, realm: Realm) {
+        if let Some(former) = self.shown.replace(realm).filter(|&former| former != realm) {
+            self.views.at(former).forget();
+        }
+        if let Some(system) = &self.system {
+            self.views.at(realm).describe(&mut self.report, system, self.definition.iterations);
+        }
     }
 
     fn refuse(&mut self, limit: Diagnostic) {
@@ -313,38 +235,19 @@ impl Playground {
 
     /// Goes on with the picture; what is on the canvas after that, if anything new is.
     fn paint(&mut self) -> Result<Option<Drawn>, JsValue> {
-        #[cfg(feature = "full")]
-        if self.solid.drawing.is_some() {
-            return self.paint_solid();
+        let Some(realm) = self.shown else { return Ok(None) };
+        if let Some(scene) = self.scene().filter(|_| self.stale) {
+            self.views.at(realm).begin(scene);
+            self.stale = false;
         }
-        let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else { return Ok(None) };
-        if self.picture == Picture::Stale {
-            let (style, viewport, view, upto) = (system.style.clone(), self.viewport, self.view, self.upto);
-            self.painter.begin(Scene { style, viewport, view, upto });
-            self.picture = Picture::Begun;
-        }
-        let shown = self.painter.step(&self.clock)?;
-        Ok(shown.map(|complete| Drawn { complete, scale: fitted_scale(drawing, self.viewport) }))
+        self.views.at(realm).paint(&self.clock, &self.surface)
     }
-}
 
-/// Completes a report with what its drawing tells.
-fn describe_drawing<S: Space>(
-    report: &mut Report,
-    system: &System,
-    n: u32,
-    drawing: &Drawing<S>,
-    bounds: Option<[f64; 4]>,
-) {
-    // Where counts depend on chance the drawing has been materialised, and its count is exact.
-    let segments = count_segments(system, n).unwrap_or_else(|| drawing.segment_count().into());
-    if let Some(symbols) = drawing.symbol_count() {
-        report.symbols = Some(symbols.to_string());
+    /// What the picture is to show.
+    pub(crate) fn scene(&self) -> Option<Scene> {
+        let style = self.system.as_ref()?.style.clone();
+        Some(Scene { style, viewport: self.viewport, view: self.view, upto: self.upto })
     }
-    report.memoised = Some(drawing.is_memoised());
-    report.blocks = Some(drawing.block_count());
-    report.description = describe(system, n, &segments, bounds);
-    report.segments = Some(segments.to_string());
 }
 
 impl core::fmt::Debug for Playground {

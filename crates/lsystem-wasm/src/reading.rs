@@ -111,7 +111,7 @@ impl Playground {
         let word = self.system.as_ref().and_then(|system| Word::new(system, later));
         let part = word.and_then(|word| word.part(generation, index));
         to_js(&part.map(|lsystem::Part { symbols, segments }| {
-            let drawing = self.drawing.as_ref().filter(|_| later == self.shown_iterations());
+            let drawing = self.views.plane.drawing.as_ref().filter(|_| later == self.shown_iterations());
             let corners = drawing.map(|drawing| (drawing, drawing.outline(segments.clone())));
             let outline =
                 corners.map(|(drawing, corners)| corners.into_iter().map(|corner| fitted(drawing, corner)).collect());
@@ -125,7 +125,7 @@ impl Playground {
     /// # Errors
     /// Throws only where the result cannot be translated.
     pub fn segment(&self, number: u128) -> Result<JsValue, JsValue> {
-        let stroke = self.drawing.as_ref().and_then(|drawing| {
+        let stroke = self.views.plane.drawing.as_ref().and_then(|drawing| {
             let segment = drawing.segments_from(number).next()?;
             let heading = drawing.heading_at(number)?;
             Some(Stroke {
@@ -148,7 +148,7 @@ impl Playground {
     /// # Errors
     /// Throws only where the result cannot be translated.
     pub fn pick(&self, x: f64, y: f64, tolerance: f64) -> Result<JsValue, JsValue> {
-        let (Some(system), Some(drawing)) = (&self.system, &self.drawing) else { return Ok(JsValue::NULL) };
+        let (Some(system), Some(drawing)) = (&self.system, &self.views.plane.drawing) else { return Ok(JsValue::NULL) };
         let at = |x: f64, y: f64| drawing.from_model(lsystem::to_model(drawing, self.viewport, self.view, x, y));
         let (centre, edge) = (at(x, y), at(x + tolerance, y));
         let found = drawing.pick(centre, (edge[0] - centre[0]).abs(), VISITS);

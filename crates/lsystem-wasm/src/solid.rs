@@ -2,11 +2,11 @@
 
 use crate::LIMITS;
 use crate::clock::Clock;
-use crate::playground::{Drawn, Playground, WORK};
+use crate::playground::Playground;
+use crate::report::Report;
 use crate::surface::Surface;
-use lsystem::{
-    Camera, Diagnostic, Drawer, Drawing, Progress, Quality, Solid, SolidRenderer, Style, System, Viewport, solid_scale,
-};
+use crate::viewer::{Drawn, Scene, Viewer, WORK, describe_drawing};
+use lsystem::{Camera, Diagnostic, Drawer, Drawing, Progress, Quality, Solid, SolidRenderer, System, solid_scale};
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
@@ -21,9 +21,10 @@ const MIDDLE: Quality = Quality(3);
 pub(crate) struct SolidView {
     pub(crate) drawing: Option<Arc<Drawing<Solid>>>,
     /// The drawing that is being built.
-    pub(crate) drawer: Option<Box<Drawer<Solid>>>,
+    drawer: Option<Box<Drawer<Solid>>>,
     renderer: SolidRenderer,
     pub(crate) camera: Camera,
+    scene: Option<Scene>,
     /// Of the picture that is being made.
     quality: Quality,
     /// Of pictures that come in time while things move.
@@ -41,6 +42,7 @@ impl Default for SolidView {
             drawer: None,
             renderer: SolidRenderer::new(),
             camera: Camera::default(),
+            scene: None,
             quality: MIDDLE,
             pace: Quality(1),
             spent: 0.0,
@@ -49,62 +51,46 @@ impl Default for SolidView {
     }
 }
 
-impl SolidView {
-    /// Starts building a drawing.
-    pub(crate) fn start(&mut self, system: &System, n: u32) {
+impl Viewer for SolidView {
+    fn start(&mut self, system: &System, n: u32) {
         self.drawer = Some(Box::new(Drawer::solid(system, n, LIMITS)));
     }
 
-    /// Gives up the drawing that is being built.
-    pub(crate) fn stop(&mut self) {
+    fn stop(&mut self) {
         self.drawer = None;
     }
 
-    /// Shows nothing any more.
-    pub(crate) fn forget(&mut self) {
-        self.drawing = None;
-        self.renderer = SolidRenderer::new();
-    }
-
-    /// Goes on building; the drawing or what is wrong with it, when that is over.
-    pub(crate) fn build(&mut self) -> Option<Result<Arc<Drawing<Solid>>, Diagnostic>> {
+    fn build(&mut self) -> Option<Result<(), Diagnostic>> {
         if self.drawer.as_mut()?.step(WORK as u64) == Progress::More {
             return None;
         }
         Some(self.drawer.take()?.finish().map(|drawing| {
             let drawing = Arc::new(drawing);
             self.renderer.load(drawing.clone());
-            self.drawing = Some(drawing.clone());
-            drawing
+            self.drawing = Some(drawing);
         }))
     }
 
-    /// Whether the finest picture is shown.
-    pub(crate) fn is_done(&self) -> bool {
-        self.done
+    fn forget(&mut self) {
+        self.drawing = None;
+        self.renderer = SolidRenderer::new();
     }
 
-    /// Starts a picture.
-    pub(crate) fn begin(&mut self, style: &Style, viewport: Viewport) {
-        self.refine(style, viewport, self.pace);
+    fn describe(&self, report: &mut Report, system: &System, n: u32) {
+        if let Some(drawing) = &self.drawing {
+            let bounds = drawing.bounds().map(|[low, high]| [low[0], low[1], high[0], high[1]]);
+            describe_drawing(report, system, n, drawing, bounds);
+        }
     }
 
-    fn refine(&mut self, style: &Style, viewport: Viewport, quality: Quality) {
-        self.done = false;
-        self.quality = quality;
-        self.spent = 0.0;
-        self.renderer.begin(style, viewport, &self.camera, quality);
+    fn begin(&mut self, scene: Scene) {
+        self.scene = Some(scene);
+        self.refine(self.pace);
     }
 
-    /// Goes on with the picture; what is on the canvas after that, if anything new is. A finer one is begun then.
-    pub(crate) fn paint(
-        &mut self,
-        style: &Style,
-        viewport: Viewport,
-        clock: &Clock,
-        surface: &Surface,
-    ) -> Result<Option<Drawn>, JsValue> {
-        let Some(drawing) = self.drawing.as_ref().filter(|_| !self.done) else { return Ok(None) };
+    /// A finer picture is begun when one is shown.
+    fn paint(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
+        let (Some(drawing), Some(scene), false) = (&self.drawing, &self.scene, self.done) else { return Ok(None) };
         let began = clock.now();
         let progress = self.renderer.step(WORK);
         self.spent += clock.now() - began;
@@ -118,24 +104,37 @@ impl SolidView {
                 self.pace = self.pace.finer();
             }
         }
-        surface.show(self.renderer.pixels(), viewport)?;
+        surface.show(self.renderer.pixels(), scene.viewport)?;
+        let scale = solid_scale(drawing, scene.viewport, &self.camera);
         let complete = self.quality == Quality::FINEST;
         self.done = complete;
-        let scale = solid_scale(drawing, viewport, &self.camera);
         if !complete {
-            self.refine(style, viewport, if self.quality < MIDDLE { MIDDLE } else { Quality::FINEST });
+            self.refine(if self.quality < MIDDLE { MIDDLE } else { Quality::FINEST });
         }
         Ok(Some(Drawn { complete, scale }))
     }
 
-    /// Paints the whole picture at another size.
-    pub(crate) fn snapshot(&self, style: &Style, viewport: Viewport, surface: &Surface) -> Result<(), JsValue> {
+    fn is_done(&self) -> bool {
+        self.done
+    }
+
+    fn snapshot(&self, scene: Scene, surface: &Surface) -> Result<(), JsValue> {
         let Some(drawing) = &self.drawing else { return Ok(()) };
         let mut renderer = SolidRenderer::new();
         renderer.load(drawing.clone());
-        renderer.begin(style, viewport, &self.camera, Quality::FINEST);
+        renderer.begin(&scene.style, scene.viewport, &self.camera, Quality::FINEST);
         while renderer.step(WORK) == Progress::More {}
-        surface.show(renderer.pixels(), viewport)
+        surface.show(renderer.pixels(), scene.viewport)
+    }
+}
+
+impl SolidView {
+    fn refine(&mut self, quality: Quality) {
+        let Some(scene) = &self.scene else { return };
+        self.done = false;
+        self.quality = quality;
+        self.spent = 0.0;
+        self.renderer.begin(&scene.style, scene.viewport, &self.camera, quality);
     }
 }
 
@@ -156,11 +155,9 @@ impl Playground {
         fade: f64,
     ) {
         let camera = Camera { azimuth, elevation, zoom, target: [x, y, z], perspective, fade };
-        if camera != self.solid.camera {
-            self.solid.camera = camera;
-            if self.solid.drawing.is_some() {
-                self.outdate();
-            }
+        if camera != self.views.solid.camera {
+            self.views.solid.camera = camera;
+            self.outdate();
         }
     }
 }

@@ -1,29 +1,22 @@
-//! Pictures on time: a coarse one first where the fine one takes longer than a frame.
+//! Drawings in the plane: built in steps, shown on time, coarse first where the fine picture takes longer than a frame.
 
+use crate::LIMITS;
 use crate::clock::Clock;
-use crate::playground::WORK;
+use crate::report::Report;
 use crate::surface::Surface;
-use lsystem::{Detail, Drawing, Progress, Renderer, Style, View, Viewport};
+use crate::viewer::{Drawn, Scene, Viewer, WORK, describe_drawing};
+use lsystem::{Detail, Diagnostic, Drawer, Drawing, Progress, Renderer, System, fitted_scale};
 use std::sync::Arc;
 use wasm_bindgen::JsValue;
 
 /// Milliseconds that a fine picture may take before a coarse one is shown in its stead.
 const PATIENCE: f64 = 8.0;
 
-/// What a picture is to show.
-#[derive(Clone, PartialEq)]
-pub(crate) struct Scene {
-    pub(crate) style: Style,
-    pub(crate) viewport: Viewport,
-    pub(crate) view: View,
-    /// How many segments; all of them without it.
-    pub(crate) upto: Option<u128>,
-}
-
-/// Makes pictures and shows them.
-pub(crate) struct Painter {
-    pub(crate) surface: Surface,
-    drawing: Option<Arc<Drawing>>,
+/// A drawing in the plane and its picture.
+pub(crate) struct PlaneView {
+    pub(crate) drawing: Option<Arc<Drawing>>,
+    /// The drawing that is being built.
+    drawer: Option<Drawer>,
     fine: Renderer,
     coarse: Renderer,
     /// Whether the coarse renderer has the drawing.
@@ -47,11 +40,11 @@ enum Stage {
     Done,
 }
 
-impl Painter {
-    pub(crate) fn new(surface: Surface) -> Self {
+impl Default for PlaneView {
+    fn default() -> Self {
         Self {
-            surface,
             drawing: None,
+            drawer: None,
             fine: Renderer::new(),
             coarse: Renderer::new(),
             sketches: false,
@@ -61,16 +54,40 @@ impl Painter {
             slow: false,
         }
     }
+}
 
-    /// Takes the drawing that the next pictures are of.
-    pub(crate) fn load(&mut self, drawing: Arc<Drawing>) {
-        self.fine.load(drawing.clone());
-        self.drawing = Some(drawing);
-        self.sketches = false;
+impl Viewer for PlaneView {
+    fn start(&mut self, system: &System, n: u32) {
+        self.drawer = Some(Drawer::new(system, n, LIMITS));
     }
 
-    /// Starts a picture; one that is under way is given up.
-    pub(crate) fn begin(&mut self, scene: Scene) {
+    fn stop(&mut self) {
+        self.drawer = None;
+    }
+
+    fn build(&mut self) -> Option<Result<(), Diagnostic>> {
+        if self.drawer.as_mut()?.step(WORK as u64) == Progress::More {
+            return None;
+        }
+        Some(self.drawer.take()?.finish().map(|drawing| {
+            let drawing = Arc::new(drawing);
+            self.fine.load(drawing.clone());
+            self.drawing = Some(drawing);
+            self.sketches = false;
+        }))
+    }
+
+    fn forget(&mut self) {
+        self.drawing = None;
+    }
+
+    fn describe(&self, report: &mut Report, system: &System, n: u32) {
+        if let Some(drawing) = &self.drawing {
+            describe_drawing(report, system, n, drawing, drawing.bounds());
+        }
+    }
+
+    fn begin(&mut self, scene: Scene) {
         self.scene = Some(scene);
         if self.slow {
             self.begin_coarse(false);
@@ -79,26 +96,21 @@ impl Painter {
         }
     }
 
-    /// Whether there is nothing more to do.
-    pub(crate) fn is_done(&self) -> bool {
-        self.stage == Stage::Done
-    }
-
-    /// Goes on with the picture; whether a new one is on the canvas, and if so whether it is the fine one.
-    pub(crate) fn step(&mut self, clock: &Clock) -> Result<Option<bool>, JsValue> {
-        let Some(viewport) = self.scene.as_ref().map(|scene| scene.viewport) else { return Ok(None) };
+    fn paint(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
+        let (Some(drawing), Some(scene)) = (&self.drawing, &self.scene) else { return Ok(None) };
+        let (viewport, scale) = (scene.viewport, fitted_scale(drawing, scene.viewport));
         match self.stage {
             Stage::Done => Ok(None),
             Stage::Coarse { begun } => {
                 if self.coarse.step(WORK) == Progress::More {
                     return Ok(None);
                 }
-                self.surface.show(self.coarse.pixels(), viewport)?;
+                surface.show(self.coarse.pixels(), viewport)?;
                 if !begun {
                     self.begin_fine();
                 }
                 self.stage = Stage::Fine { sketched: true };
-                Ok(Some(false))
+                Ok(Some(Drawn { complete: false, scale }))
             }
             Stage::Fine { sketched } => {
                 let start = clock.now();
@@ -107,8 +119,8 @@ impl Painter {
                 if progress == Progress::Done {
                     self.slow = self.spent > PATIENCE;
                     self.stage = Stage::Done;
-                    self.surface.show(self.fine.pixels(), viewport)?;
-                    return Ok(Some(true));
+                    surface.show(self.fine.pixels(), viewport)?;
+                    return Ok(Some(Drawn { complete: true, scale }));
                 }
                 if self.spent > PATIENCE {
                     self.slow = true;
@@ -121,6 +133,23 @@ impl Painter {
         }
     }
 
+    fn is_done(&self) -> bool {
+        self.stage == Stage::Done
+    }
+
+    #[cfg(feature = "full")]
+    fn snapshot(&self, scene: Scene, surface: &Surface) -> Result<(), JsValue> {
+        let Some(drawing) = &self.drawing else { return Ok(()) };
+        let viewport = scene.viewport.within_limits();
+        let mut renderer = Renderer::new();
+        renderer.load(drawing.clone());
+        renderer.begin_with(&scene.style, viewport, scene.view, Detail::Fine, scene.upto);
+        while renderer.step(WORK) == Progress::More {}
+        surface.show(renderer.pixels(), viewport)
+    }
+}
+
+impl PlaneView {
     fn begin_fine(&mut self) {
         if let Some(Scene { style, viewport, view, upto }) = &self.scene {
             self.fine.begin_with(style, *viewport, *view, Detail::Fine, *upto);

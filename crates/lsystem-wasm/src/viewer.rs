@@ -1,0 +1,131 @@
+//! What shows a drawing: there is one viewer for the plane and one for space.
+
+use crate::clock::Clock;
+use crate::plane::PlaneView;
+use crate::report::Report;
+#[cfg(feature = "full")]
+use crate::solid::SolidView;
+use crate::surface::Surface;
+use lsystem::{Diagnostic, Drawing, Space, Style, System, View, Viewport, count_segments, describe};
+use serde::Serialize;
+use wasm_bindgen::JsValue;
+
+/// Work units between two looks at the clock: well under a millisecond each.
+pub(crate) const WORK: usize = 16_384;
+
+/// What a picture is to show.
+#[derive(Clone, PartialEq)]
+pub(crate) struct Scene {
+    pub(crate) style: Style,
+    pub(crate) viewport: Viewport,
+    /// Of a drawing in the plane; one in space is seen from its viewer's camera.
+    pub(crate) view: View,
+    /// How many segments; all of them without it.
+    pub(crate) upto: Option<u128>,
+}
+
+/// What is on the canvas.
+#[derive(Serialize)]
+pub(crate) struct Drawn {
+    /// Whether nothing finer follows.
+    pub(crate) complete: bool,
+    /// Device pixels per fitted extent at zoom 1.
+    pub(crate) scale: f64,
+}
+
+/// Builds a drawing and makes its pictures, both in steps.
+pub(crate) trait Viewer {
+    /// Starts building the drawing of a generation; the former one is shown until it is there.
+    fn start(&mut self, system: &System, n: u32);
+
+    /// Gives up the drawing that is being built.
+    fn stop(&mut self);
+
+    /// Goes on building; nothing while there is more to do.
+    fn build(&mut self) -> Option<Result<(), Diagnostic>>;
+
+    /// Shows nothing any more.
+    fn forget(&mut self);
+
+    /// Completes a report with what the drawing tells.
+    fn describe(&self, report: &mut Report, system: &System, n: u32);
+
+    /// Starts a picture; one that is under way is given up.
+    fn begin(&mut self, scene: Scene);
+
+    /// Goes on with the picture; what is on the canvas after that, if anything new is.
+    fn paint(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue>;
+
+    /// Whether nothing finer than what is on the canvas follows.
+    fn is_done(&self) -> bool;
+
+    /// Makes the whole picture for another canvas.
+    #[cfg(feature = "full")]
+    fn snapshot(&self, scene: Scene, surface: &Surface) -> Result<(), JsValue>;
+}
+
+/// Where a drawing is.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Realm {
+    Plane,
+    #[cfg(feature = "full")]
+    Space,
+}
+
+impl Realm {
+    /// Where a system draws; none where this wasm has no viewer for it.
+    pub(crate) fn of(system: &System) -> Option<Self> {
+        if !system.is_solid() {
+            return Some(Self::Plane);
+        }
+        #[cfg(feature = "full")]
+        return Some(Self::Space);
+        #[cfg(not(feature = "full"))]
+        None
+    }
+}
+
+/// The viewers there are.
+#[derive(Default)]
+pub(crate) struct Views {
+    pub(crate) plane: PlaneView,
+    #[cfg(feature = "full")]
+    pub(crate) solid: SolidView,
+}
+
+impl Views {
+    pub(crate) fn get(&self, realm: Realm) -> &dyn Viewer {
+        match realm {
+            Realm::Plane => &self.plane,
+            #[cfg(feature = "full")]
+            Realm::Space => &self.solid,
+        }
+    }
+
+    pub(crate) fn at(&mut self, realm: Realm) -> &mut dyn Viewer {
+        match realm {
+            Realm::Plane => &mut self.plane,
+            #[cfg(feature = "full")]
+            Realm::Space => &mut self.solid,
+        }
+    }
+}
+
+/// Completes a report with what a drawing tells; `bounds` are those of its picture.
+pub(crate) fn describe_drawing<S: Space>(
+    report: &mut Report,
+    system: &System,
+    n: u32,
+    drawing: &Drawing<S>,
+    bounds: Option<[f64; 4]>,
+) {
+    // Where counts depend on chance the drawing has been materialised, and its count is exact.
+    let segments = count_segments(system, n).unwrap_or_else(|| drawing.segment_count().into());
+    if let Some(symbols) = drawing.symbol_count() {
+        report.symbols = Some(symbols.to_string());
+    }
+    report.memoised = Some(drawing.is_memoised());
+    report.blocks = Some(drawing.block_count());
+    report.description = describe(system, n, &segments, bounds);
+    report.segments = Some(segments.to_string());
+}
