@@ -4,7 +4,7 @@
 //! program, and headings are floating-point degrees that are summed up.
 #![allow(dead_code, unreachable_pub, unused_imports, reason = "each test binary uses its own part")]
 
-use lsystem::{Action, Colouring, Dialect, Grammar, Purpose, Segment, System};
+use lsystem::{Action, Colouring, Dialect, Grammar, Purpose, Segment, Space, System, Turtle};
 
 mod derive;
 mod space;
@@ -24,11 +24,52 @@ pub fn expand(grammar: &Grammar, seed: u32, n: u32) -> String {
 struct State {
     at: [f64; 2],
     degrees: f64,
+    pen: Pen,
+}
+
+/// What a turtle draws with, in the plane and in space.
+#[derive(Clone, Copy)]
+struct Pen {
     colour: i32,
     width: f64,
     level: u32,
     /// What lengths are multiplied by.
     scale: f64,
+}
+
+impl Pen {
+    fn new(turtle: &Turtle) -> Self {
+        Self { colour: 0, width: turtle.width, level: 0, scale: 1.0 }
+    }
+
+    fn begin(&mut self, turtle: &Turtle, module: &Module) {
+        if turtle.colouring == Colouring::Generations {
+            self.colour = module.since as i32;
+        }
+    }
+
+    fn segment<S: Space>(&self, turtle: &Turtle, from: S::Point, to: S::Point) -> Segment<S> {
+        let &Self { colour, level, width, .. } = self;
+        Segment { from, to, colour, level, width: width * turtle.step.abs() }
+    }
+
+    /// What an action does to the pen, after it has done its part to the turtle.
+    fn act(&mut self, turtle: &Turtle, action: Action) {
+        match (action, turtle.colouring) {
+            (Action::Push, _) => {
+                self.level += 1;
+                self.width *= turtle.width_factor;
+                self.scale *= turtle.length_factor;
+            }
+            (Action::TurnLeft(_), Colouring::Turns([left, _])) => self.colour = left,
+            (Action::TurnRight(_), Colouring::Turns([_, right])) => self.colour = right,
+            (Action::SetColour(colour), Colouring::Symbols) => self.colour = colour,
+            (Action::AddColour(by), Colouring::Symbols) => self.colour = self.colour.wrapping_add(by),
+            (Action::SetWidth(width), _) => self.width = width,
+            (Action::ScaleWidth(factor), _) => self.width *= factor,
+            _ => {}
+        }
+    }
 }
 
 /// The modules of generation `n` as they are drawn.
@@ -63,35 +104,21 @@ fn shorter(degrees: f64) -> f64 {
 pub fn segments(system: &System, n: u32) -> Vec<Segment> {
     let turtle = &system.turtle;
     let (left, right) = (turtle.left.degrees(), turtle.right.degrees());
-    let start = State {
-        at: turtle.start,
-        degrees: turtle.heading.degrees(),
-        colour: 0,
-        width: turtle.width,
-        level: 0,
-        scale: 1.0,
-    };
+    let start = State { at: turtle.start, degrees: turtle.heading.degrees(), pen: Pen::new(turtle) };
     let (mut state, mut saved, mut segments) = (start, Vec::new(), Vec::new());
     for module in drawn(system, n) {
-        if turtle.colouring == Colouring::Generations {
-            state.colour = module.since as i32;
-        }
+        state.pen.begin(turtle, &module);
         for (index, action) in actions(system, module.symbol).iter().enumerate() {
             let number = module.arguments.first().filter(|_| index == 0);
             let [longer, farther] = whims(system, n, &module, slot(actions(system, module.symbol), index));
-            let longer = longer * state.scale;
+            let longer = longer * state.pen.scale;
             let turned = |degrees: f64| if farther == 1.0 { degrees } else { shorter(degrees) * farther };
-            match number.map_or(*action, |number| replaced(*action, *number)) {
+            let action = number.map_or(*action, |number| replaced(*action, *number));
+            match action {
                 Action::Draw(length) | Action::DrawUnmarked(length) => {
                     let from = state.at;
                     advance(&mut state, longer * length.unwrap_or(turtle.step));
-                    segments.push(Segment {
-                        from,
-                        to: state.at,
-                        colour: state.colour,
-                        level: state.level,
-                        width: state.width * turtle.step.abs(),
-                    });
+                    segments.push(state.pen.segment(turtle, from, state.at));
                     if let Some(tropism) = turtle.tropism {
                         let (radians, [x, y, _]) = (state.degrees.to_radians(), tropism.vector);
                         let across = libm::cos(radians) * y - libm::sin(radians) * x;
@@ -101,38 +128,17 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
                 Action::Move(length) | Action::MoveUnmarked(length) => {
                     advance(&mut state, longer * length.unwrap_or(turtle.step));
                 }
-                Action::TurnLeft(by) => {
-                    turn(&mut state, turned(by.unwrap_or(left)));
-                    if let Colouring::Turns([left, _]) = turtle.colouring {
-                        state.colour = left;
-                    }
-                }
-                Action::TurnRight(by) => {
-                    turn(&mut state, -turned(by.unwrap_or(right)));
-                    if let Colouring::Turns([_, right]) = turtle.colouring {
-                        state.colour = right;
-                    }
-                }
+                Action::TurnLeft(by) => turn(&mut state, turned(by.unwrap_or(left))),
+                Action::TurnRight(by) => turn(&mut state, -turned(by.unwrap_or(right))),
                 Action::TurnRound => {
                     turn(&mut state, 180.0 * if module.made == n && n > 0 { turtle.growth } else { 1.0 });
                 }
-                Action::Cut | Action::OpenPolygon | Action::Vertex | Action::ClosePolygon => {}
-                // These lead out of the plane.
-                Action::PitchDown(_) | Action::PitchUp(_) | Action::RollLeft(_) | Action::RollRight(_) => {}
-                Action::RollUpright => {}
-                Action::Push => {
-                    saved.push(state);
-                    state.level += 1;
-                    state.width *= turtle.width_factor;
-                    state.scale *= turtle.length_factor;
-                }
+                Action::Push => saved.push(state),
                 Action::Pop => state = saved.pop().unwrap_or(state),
-                Action::SetColour(_) | Action::AddColour(_) if turtle.colouring != Colouring::Symbols => {}
-                Action::SetColour(colour) => state.colour = colour,
-                Action::AddColour(by) => state.colour = state.colour.wrapping_add(by),
-                Action::SetWidth(width) => state.width = width,
-                Action::ScaleWidth(factor) => state.width *= factor,
+                // Polygons have no strokes; the rest leads out of the plane, or is for the pen alone.
+                _ => {}
             }
+            state.pen.act(turtle, action);
         }
     }
     segments

@@ -1,7 +1,7 @@
 //! The turtle in space, the plain way: three vectors that are rotated by Rodrigues' formula.
 
-use super::{actions, drawn, replaced, shorter, slot, whims};
-use lsystem::{Action, Colouring, Segment, Solid, System};
+use super::{Pen, actions, drawn, replaced, shorter, slot, whims};
+use lsystem::{Action, Segment, Solid, System};
 
 type Vector = [f64; 3];
 
@@ -12,11 +12,7 @@ struct State {
     heading: Vector,
     left: Vector,
     up: Vector,
-    colour: i32,
-    width: f64,
-    level: u32,
-    /// What lengths are multiplied by.
-    scale: f64,
+    pen: Pen,
 }
 
 /// A polygon's vertices, its colour index and its level, before how many segments it is drawn.
@@ -74,40 +70,30 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
         heading: [1.0, 0.0, 0.0],
         left: [0.0, 1.0, 0.0],
         up: [0.0, 0.0, 1.0],
-        colour: 0,
-        width: turtle.width,
-        level: 0,
-        scale: 1.0,
+        pen: Pen::new(turtle),
     };
     // Of all polygons; the places of those that are open, and of those that are closed.
     let (mut polygons, mut open, mut closed): (Vec<Filled>, Vec<usize>, Vec<usize>) = Default::default();
     state.rotate([0.0, 0.0, 1.0], turtle.heading.degrees().to_radians());
     let (mut saved, mut segments) = (Vec::new(), Vec::new());
     for module in drawn(system, n) {
-        if turtle.colouring == Colouring::Generations {
-            state.colour = module.since as i32;
-        }
+        state.pen.begin(turtle, &module);
         let grown = if module.made == n && n > 0 { turtle.growth } else { 1.0 };
         for (index, action) in actions(system, module.symbol).iter().enumerate() {
             let number = module.arguments.first().filter(|_| index == 0);
             let [longer, farther] = whims(system, n, &module, slot(actions(system, module.symbol), index));
-            let longer = longer * state.scale;
+            let longer = longer * state.pen.scale;
             let by = |degrees: Option<f64>, own: lsystem::Heading| {
                 (shorter(degrees.unwrap_or(own.degrees())) * farther).to_radians()
             };
             let before = state.at;
             let marks = matches!(action, Action::Draw(_) | Action::Move(_));
-            match number.map_or(*action, |number| replaced(*action, *number)) {
+            let action = number.map_or(*action, |number| replaced(*action, *number));
+            match action {
                 Action::Draw(length) | Action::DrawUnmarked(length) => {
                     let from = state.at;
                     state.advance(longer * length.unwrap_or(turtle.step));
-                    segments.push(Segment {
-                        from,
-                        to: state.at,
-                        colour: state.colour,
-                        level: state.level,
-                        width: state.width * turtle.step.abs(),
-                    });
+                    segments.push(state.pen.segment(turtle, from, state.at));
                     if let Some(tropism) = turtle.tropism {
                         state.bend(tropism.vector, tropism.elasticity);
                     }
@@ -117,7 +103,7 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
                 }
                 Action::OpenPolygon => {
                     open.push(polygons.len());
-                    polygons.push((vec![], state.colour, state.level, segments.len()));
+                    polygons.push((vec![], state.pen.colour, state.pen.level, segments.len()));
                 }
                 Action::Vertex => {
                     if let Some(&place) = open.last() {
@@ -125,38 +111,20 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
                     }
                 }
                 Action::ClosePolygon => closed.extend(open.pop()),
-                Action::TurnLeft(degrees) => {
-                    state.rotate(state.up, by(degrees, turtle.left));
-                    if let Colouring::Turns([left, _]) = turtle.colouring {
-                        state.colour = left;
-                    }
-                }
-                Action::TurnRight(degrees) => {
-                    state.rotate(state.up, -by(degrees, turtle.right));
-                    if let Colouring::Turns([_, right]) = turtle.colouring {
-                        state.colour = right;
-                    }
-                }
+                Action::TurnLeft(degrees) => state.rotate(state.up, by(degrees, turtle.left)),
+                Action::TurnRight(degrees) => state.rotate(state.up, -by(degrees, turtle.right)),
                 Action::TurnRound => state.rotate(state.up, core::f64::consts::PI * grown),
                 Action::PitchDown(degrees) => state.rotate(state.left, by(degrees, turtle.pitch_down)),
                 Action::PitchUp(degrees) => state.rotate(state.left, -by(degrees, turtle.pitch_up)),
                 Action::RollLeft(degrees) => state.rotate(state.heading, by(degrees, turtle.roll_left)),
                 Action::RollRight(degrees) => state.rotate(state.heading, -by(degrees, turtle.roll_right)),
                 Action::RollUpright => state.upright(),
-                Action::Cut => {}
-                Action::Push => {
-                    saved.push(state);
-                    state.level += 1;
-                    state.width *= turtle.width_factor;
-                    state.scale *= turtle.length_factor;
-                }
+                Action::Push => saved.push(state),
                 Action::Pop => state = saved.pop().unwrap_or(state),
-                Action::SetColour(_) | Action::AddColour(_) if turtle.colouring != Colouring::Symbols => {}
-                Action::SetColour(colour) => state.colour = colour,
-                Action::AddColour(by) => state.colour = state.colour.wrapping_add(by),
-                Action::SetWidth(width) => state.width = width,
-                Action::ScaleWidth(factor) => state.width *= factor,
+                // For the pen alone.
+                _ => {}
             }
+            state.pen.act(turtle, action);
             if let Some(&place) = open.last().filter(|_| marks) {
                 polygons[place].0.extend([before, state.at]);
             }
