@@ -1,6 +1,7 @@
 //! What an L-system's axiom and productions say: the result of reading the notation, the input of everything else.
 
-use crate::expr::{Code, Expr, Meaning};
+use crate::code::{Code, Meaning};
+use crate::expr::Expr;
 
 /// An L-system's grammar: axiom, productions and named constants, in the order of the text.
 #[derive(Clone, Debug, Default, PartialEq)]

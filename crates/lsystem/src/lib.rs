@@ -2,6 +2,7 @@
 
 mod access;
 mod action;
+mod code;
 mod counts;
 mod definition;
 mod derivation;
@@ -43,6 +44,7 @@ mod walk;
 
 pub use access::{Ancestor, Part, Word};
 pub use action::Action;
+pub use code::{Code, Meaning, Op, STACK, Unusable};
 pub use counts::{count, count_segments, count_symbols};
 pub use definition::Definition;
 pub use derivation::{expand, expand_into, expand_once, expand_symbol};
@@ -53,7 +55,7 @@ pub use drawing::{
     Block, BlockId, Body, ColourChange, Drawer, Drawing, Effect, Item, Mark, Outlook, Pick, Piece, Placed, Polygon,
     Segment, SegmentArrays, SegmentChunk, Segments, Stroke, StyleChange, StyleId, WidthChange, draw, draw_solid,
 };
-pub use expr::{Code, Expr, Function, Meaning, Op, Operator, SIGN, STACK, Unusable};
+pub use expr::{Expr, Function, Operator, SIGN};
 pub use format::{
     FileContent, Svg, SvgForm, SvgOptions, read_file, read_json, tag_png, write_csv, write_glb, write_json, write_obj,
     write_svg,

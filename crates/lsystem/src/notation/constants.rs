@@ -3,7 +3,7 @@
 use super::classes::ConstantPlace;
 use super::expression::Names;
 use crate::Kind;
-use crate::expr::Meaning;
+use crate::code::Meaning;
 use crate::notes::{Notes, excerpt, similar};
 use core::ops::Range;
 use std::collections::BTreeMap;

@@ -1,7 +1,8 @@
 //! Arithmetic in weights, constants, conditions and arguments.
 
 use super::token::{Token, span_of, text_of};
-use crate::expr::{Code, Expr, Function, Meaning, Operator, Unusable};
+use crate::code::{Code, Meaning, Unusable};
+use crate::expr::{Expr, Function, Operator};
 use crate::notes::{Notes, similar};
 use crate::{Class, Kind, Role};
 use core::ops::Range;

@@ -1,7 +1,8 @@
 //! Making a grammar ready: letters become small integers, names become slots.
 
 use super::rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
-use crate::expr::{Code, Expr, Meaning, Unusable};
+use crate::code::{Code, Meaning, Unusable};
+use crate::expr::Expr;
 use crate::sorted::set;
 use crate::{Grammar, Module, Pattern, Production};
 use core::ops::Range;

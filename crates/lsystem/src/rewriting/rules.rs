@@ -1,6 +1,6 @@
 //! Compiled productions.
 
-use crate::expr::Code;
+use crate::code::Code;
 use core::ops::Range;
 
 /// A letter's place in [`Rules::letters`].

@@ -5,7 +5,8 @@
 //! depends on them, modules that differ by a common factor of these parameters need not be told apart.
 
 use super::rules::{LetterId, Rule, Rules, Template};
-use crate::expr::{Code, Function, Op, Operator};
+use crate::code::{Code, Op};
+use crate::expr::{Function, Operator};
 use crate::{Action, MAX_PARAMETERS, Turtle};
 
 /// The first of a letter's productions that applies to a module with these arguments, without contexts or chance.

@@ -1,5 +1,6 @@
 use super::*;
-use crate::expr::{Code, Operator};
+use crate::code::Code;
+use crate::expr::Operator;
 use crate::{Key, LimitName, Limits};
 
 /// Rules from `left, strict, right, successor` in single characters; `ignored` letters are not seen.

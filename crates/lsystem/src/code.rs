@@ -1,0 +1,237 @@
+//! Expressions compiled to what computes fast: common forms as themselves, the rest as postfix operations.
+
+use crate::expr::{Expr, Function, Operator};
+
+/// An expression made ready to be computed many times.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Code {
+    /// Always this.
+    Constant(f64),
+    /// A parameter.
+    Slot(u16),
+    /// A parameter times a constant: what most growth rules are made of.
+    Scaled(u16, f64),
+    /// A parameter plus a constant.
+    Shifted(u16, f64),
+    /// Anything else, in postfix order.
+    Postfix(Vec<Op>),
+}
+
+/// One operation on a stack of values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Op {
+    /// Push a number.
+    Number(f64),
+    /// Push a parameter.
+    Slot(u16),
+    /// Change the sign.
+    Negative,
+    /// 1 for 0, 0 for anything else.
+    Not,
+    /// Combine the two on top.
+    Binary(Operator),
+    /// A function of one argument.
+    Call1(Function),
+    /// A function of two arguments.
+    Call2(Function),
+    /// A random number between the two on top; which of the production's random numbers it is.
+    Random(u16),
+}
+
+/// Values that a stack holds; deeper expressions do not compile.
+pub const STACK: usize = 32;
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Meaning {
+    /// A named constant.
+    Constant(f64),
+    /// The parameter at this place.
+    Slot(u16),
+}
+
+/// An expression that cannot be computed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unusable {
+    /// A name that stands for nothing.
+    Unknown(String),
+    /// It needs more than [`STACK`] values at once.
+    TooDeep,
+}
+
+impl Code {
+    /// Makes `expr` ready: `meaning` says what names stand for; `randoms` counts the random numbers of the
+    /// production so far.
+    ///
+    /// # Errors
+    /// Where a name is unknown or the expression too deep.
+    pub fn new(expr: &Expr, meaning: &impl Fn(&str) -> Option<Meaning>, randoms: &mut u16) -> Result<Self, Unusable> {
+        let mut ops = Vec::new();
+        compile(expr, meaning, randoms, &mut ops, 0)?;
+        Ok(match ops.as_slice() {
+            [Op::Number(value)] => Self::Constant(*value),
+            [Op::Slot(slot)] => Self::Slot(*slot),
+            [Op::Slot(slot), Op::Number(value), Op::Binary(Operator::Multiply)]
+            | [Op::Number(value), Op::Slot(slot), Op::Binary(Operator::Multiply)] => Self::Scaled(*slot, *value),
+            [Op::Slot(slot), Op::Number(value), Op::Binary(Operator::Add)]
+            | [Op::Number(value), Op::Slot(slot), Op::Binary(Operator::Add)] => Self::Shifted(*slot, *value),
+            [Op::Slot(slot), Op::Number(value), Op::Binary(Operator::Subtract)] => Self::Shifted(*slot, -*value),
+            _ => Self::Postfix(ops),
+        })
+    }
+
+    /// Its value for `slots`, the parameters; `random` gives a number in `0.0..1.0` for each place of one.
+    #[inline]
+    pub fn value(&self, slots: &[f64], random: &impl Fn(u16) -> f64) -> f64 {
+        match self {
+            Self::Constant(value) => *value,
+            Self::Slot(slot) => slots[usize::from(*slot)],
+            Self::Scaled(slot, factor) => slots[usize::from(*slot)] * factor,
+            Self::Shifted(slot, offset) => slots[usize::from(*slot)] + offset,
+            Self::Postfix(ops) => run(ops, slots, random),
+        }
+    }
+
+    /// Whether chance plays a part.
+    #[must_use]
+    pub fn is_random(&self) -> bool {
+        matches!(self, Self::Postfix(ops) if ops.iter().any(|op| matches!(op, Op::Random(_))))
+    }
+}
+
+fn run(ops: &[Op], slots: &[f64], random: &impl Fn(u16) -> f64) -> f64 {
+    let mut stack = [0.0; STACK];
+    let mut top = 0;
+    for op in ops {
+        // `compile` keeps the stack within bounds and never lets it run empty.
+        let (value, used) = match *op {
+            Op::Number(value) => (value, 0),
+            Op::Slot(slot) => (slots[usize::from(slot)], 0),
+            Op::Negative => (-stack[top - 1], 1),
+            Op::Not => (f64::from(u8::from(stack[top - 1] == 0.0)), 1),
+            Op::Binary(operator) => (operator.apply(stack[top - 2], stack[top - 1]), 2),
+            Op::Call1(function) => (function.apply(stack[top - 1], 0.0), 1),
+            Op::Call2(function) => (function.apply(stack[top - 2], stack[top - 1]), 2),
+            Op::Random(place) => {
+                let (from, to) = (stack[top - 2], stack[top - 1]);
+                (from + (to - from) * random(place), 2)
+            }
+        };
+        top -= used;
+        stack[top] = value;
+        top += 1;
+    }
+    stack[0]
+}
+
+/// Appends the postfix form of `expr`, constants folded; `held` values are on the stack already.
+fn compile(
+    expr: &Expr,
+    meaning: &impl Fn(&str) -> Option<Meaning>,
+    randoms: &mut u16,
+    ops: &mut Vec<Op>,
+    held: usize,
+) -> Result<(), Unusable> {
+    if held >= STACK {
+        return Err(Unusable::TooDeep);
+    }
+    let start = ops.len();
+    match expr {
+        Expr::Number(value) => ops.push(Op::Number(*value)),
+        Expr::Name(name) => match meaning(name) {
+            Some(Meaning::Constant(value)) => ops.push(Op::Number(value)),
+            Some(Meaning::Slot(slot)) => ops.push(Op::Slot(slot)),
+            None => return Err(Unusable::Unknown(name.clone())),
+        },
+        Expr::Negative(a) => {
+            compile(a, meaning, randoms, ops, held)?;
+            ops.push(Op::Negative);
+        }
+        Expr::Not(a) => {
+            compile(a, meaning, randoms, ops, held)?;
+            ops.push(Op::Not);
+        }
+        Expr::Binary(operator, a, b) => {
+            compile(a, meaning, randoms, ops, held)?;
+            compile(b, meaning, randoms, ops, held + 1)?;
+            ops.push(Op::Binary(*operator));
+        }
+        Expr::Call(function, arguments) => {
+            for (index, argument) in arguments.iter().enumerate() {
+                compile(argument, meaning, randoms, ops, held + index)?;
+            }
+            ops.push(match (function, function.arity()) {
+                (Function::Random, _) => {
+                    *randoms = randoms.wrapping_add(1);
+                    Op::Random(randoms.wrapping_sub(1))
+                }
+                (_, 2) => Op::Call2(*function),
+                _ => Op::Call1(*function),
+            });
+        }
+    }
+    let constant = |op: &Op| matches!(op, Op::Number(_));
+    if let [arguments @ .., last] = &ops[start..]
+        && !arguments.is_empty()
+        && arguments.iter().all(constant)
+        && !matches!(last, Op::Number(_) | Op::Random(_))
+    {
+        let value = run(&ops[start..], &[], &|_| 0.0);
+        ops.truncate(start);
+        ops.push(Op::Number(value));
+    }
+    Ok(())
+}
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn number(value: f64) -> Box<Expr> {
+        Box::new(Expr::Number(value))
+    }
+
+    fn code(expr: &Expr) -> Result<Code, Unusable> {
+        let names = |name: &str| match name {
+            "l" => Some(Meaning::Slot(0)),
+            "w" => Some(Meaning::Slot(1)),
+            "r" => Some(Meaning::Constant(0.9)),
+            _ => None,
+        };
+        Code::new(expr, &names, &mut 0)
+    }
+
+    #[test]
+    fn common_forms_need_no_stack() {
+        let l = || Box::new(Expr::Name("l".into()));
+        let r = || Box::new(Expr::Name("r".into()));
+        let product = Expr::Binary(Operator::Multiply, l(), r());
+        assert_eq!(code(&product), Ok(Code::Scaled(0, 0.9)));
+        let folded = Expr::Binary(Operator::Power, r(), number(2.0));
+        assert!(matches!(code(&folded), Ok(Code::Constant(v)) if (v - 0.81).abs() < 1e-15));
+        let sum = Expr::Binary(Operator::Add, Box::new(product), Box::new(Expr::Name("w".into())));
+        assert_eq!(code(&sum).unwrap().value(&[10.0, 0.5], &|_| 0.0), 9.5);
+        assert_eq!(code(&Expr::Name("x".into())), Err(Unusable::Unknown("x".into())));
+    }
+
+    #[test]
+    fn angles_are_in_degrees_and_edges_are_defined() {
+        let call = |function, a: f64| code(&Expr::Call(function, vec![Expr::Number(a)])).unwrap().value(&[], &|_| 0.0);
+        assert_eq!(call(Function::Sin, 30.0), 0.5);
+        assert_eq!(call(Function::Cos, 90.0), 0.0);
+        assert!((call(Function::Atan, 1.0) - 45.0).abs() < 1e-13);
+        assert!(call(Function::Sin, f64::INFINITY).is_nan());
+        assert!(call(Function::Ln, -1.0).is_nan());
+        let remainder = Expr::Binary(Operator::Remainder, number(-30.0), number(360.0));
+        assert_eq!(code(&remainder), Ok(Code::Constant(330.0)));
+        let divided = Expr::Binary(Operator::Divide, number(1.0), number(0.0));
+        assert_eq!(code(&divided), Ok(Code::Constant(f64::INFINITY)));
+    }
+
+    #[test]
+    fn depth_is_bounded() {
+        let deep = (0..STACK + 1).fold(Expr::Name("l".into()), |inner, _| {
+            Expr::Binary(Operator::Add, Box::new(Expr::Name("w".into())), Box::new(inner))
+        });
+        assert_eq!(code(&deep), Err(Unusable::TooDeep));
+    }
+}
