@@ -117,6 +117,11 @@ export async function nextPicture(page, before) {
     return stillPicture(page);
 }
 
+/** Waits until a former picture is there again, to the last pixel. @param {Page} page @param {{digest: string}} former */
+export async function sameAgain(page, former) {
+    await until(async () => (await picture(page)).digest === former.digest, 'the former picture is there again');
+}
+
 /** Waits until nothing newer is under way and the picture has stopped changing. @param {Page} page */
 export async function stillPicture(page) {
     let last = await picture(page);
