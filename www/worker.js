@@ -43,7 +43,7 @@
     const READERS = {
         string: ({ generation, start, count }) => {
             const text = playground.slice(generation, start, count) ?? null;
-            return { text, length: (text !== null && playground.stringLength(generation)) || null };
+            return { text, length: (text !== null && playground.stringLength(generation)) || null, apart: playground.apart };
         },
         symbol: ({ generation, index }) => {
             const part = playground.part(generation, index, iterations);
@@ -113,13 +113,17 @@
         }
         const idle = !seen || step();
         // Questions are about the newest definition, whose drawing may still be in the making.
-        const question = playground.built ? questions.shift() : undefined;
-        if (question) answer(question);
+        if (playground.built && questions.length > 0 && canRead(questions[0])) answer(questions.shift());
         if (idle && questions.length === 0) {
             if (!thumb && thumbs.length > 0) thumb = beginThumb(thumbs.shift());
             if (thumb) paintThumb();
         }
         if (!idle || newDefine || newView || (questions.length > 0 && playground.built) || thumb || thumbs.length > 0) wake();
+    }
+
+    /** Works towards what a question needs, for one step; whether it can be answered. @param {any} question */
+    function canRead({ type, generation }) {
+        return !READERS[type] || playground.remember(type === 'string' ? generation : iterations, STEP_MS);
     }
 
     /** @returns {boolean} whether there is nothing more to do */

@@ -4,7 +4,7 @@ import { html, make } from './dom.js';
 import { latest } from './latest.js';
 import { DEEPEST } from './marks.js';
 import { grouped, plain, shortText } from './numerals.js';
-import { birth, descent, origin, visible } from './reading/words.js';
+import { birth, birthOf, descent, visible } from './reading/words.js';
 
 /** How near a segment must be, in CSS pixels. */
 const NEAR = { mouse: 6, touch: 16 };
@@ -87,7 +87,7 @@ export function createHover(engine, { ratio, mark, light, choose, reading, zoom,
             const more = older.length - most;
             const facts = [`Segment ${number(segment)}`, `heading ${plain(Number(stroke.heading.toFixed(2)))}°`, ...(stroke.level > 0 ? [`branch level ${stroke.level}`] : [])].join(', ');
             card.replaceChildren(
-                ...(own ? [make('p', { class: 'card-head' }, make('kbd', {}, visible(own.symbol)), make('span', {}, origin(ancestry).replace(/^.(, | at )/u, '')))] : []),
+                ...(own ? [make('p', { class: 'card-head' }, make('kbd', {}, visible(own.symbol)), make('span', {}, birthOf(ancestry)))] : []),
                 ...(older.length > 0 ? [make('ol', { class: 'card-path' }, ...older.slice(0, most).map((link) => make('li', {}, make('kbd', {}, visible(link.symbol)), make('span', {}, birth(link)))), ...(more > 0 ? [make('li', { class: 'more' }, `and ${more} more, back to the axiom`)] : []))] : []),
                 make('p', { class: 'card-facts' }, facts, ...(symbol === null ? [] : [make('br'), `Symbol ${number(symbol)}`])),
             );

@@ -1,12 +1,13 @@
 //! The page's handle: keeps a system between edits and works in steps that end on time.
 
 use crate::clock::Clock;
-use crate::reading::Written;
 use crate::report::{Report, legend_of, problems};
 use crate::surface::Surface;
 use crate::viewer::{Drawn, Realm, Scene, Views};
 use crate::{from_js, to_js};
-use lsystem::{Definition, Diagnostic, Kind, System, View, Viewport, count_segments, count_symbols, kind, why_empty};
+use lsystem::{
+    Definition, Diagnostic, History, Kind, System, View, Viewport, count_segments, count_symbols, kind, why_empty,
+};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
@@ -15,10 +16,11 @@ use web_sys::OffscreenCanvas;
 #[wasm_bindgen]
 pub struct Playground {
     surface: Surface,
-    clock: Clock,
+    pub(crate) clock: Clock,
     pub(crate) definition: Definition,
     pub(crate) system: Option<System>,
-    pub(crate) written: Option<Written>,
+    /// Of its derivation, once somebody asks.
+    pub(crate) history: Option<History>,
     pub(crate) views: Views,
     /// Where a drawing is being built.
     building: Option<Realm>,
@@ -56,7 +58,7 @@ impl Playground {
             clock: Clock::new(),
             definition: Definition::default(),
             system: None,
-            written: None,
+            history: None,
             views: Views::default(),
             building: None,
             shown: None,
@@ -115,7 +117,7 @@ impl Playground {
             self.start(&system, n);
         }
         self.stale = true;
-        self.written = None;
+        self.history = None;
         self.definition = definition;
         self.system = Some(system);
         to_js(&self.report)

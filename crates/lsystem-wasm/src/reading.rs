@@ -1,25 +1,27 @@
 //! Reading a derivation in place: pages of its strings, where a symbol comes from, what a segment is.
 
 use crate::playground::Playground;
+use crate::viewer::WORK;
 use crate::{LIMITS, to_js};
 use core::ops::Range;
-use lsystem::{Drawing, Word, count_symbols, expand};
+use lsystem::{Ancestor, Drawing, History, Progress, Word, count_symbols, print_module};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// A string that had to be written down, because chance decides it.
-#[derive(Debug)]
-pub(crate) struct Written {
-    generation: u32,
-    /// Its characters, so that any of them is reached at once.
-    symbols: Vec<char>,
+/// What reads a generation in place.
+enum Reader<'a> {
+    /// By counts of what letters become.
+    Counted(Word<'a>),
+    /// By what is remembered of its derivation.
+    Remembered(&'a History),
 }
 
 /// One link of the chain from the axiom to a symbol; numbers that may be large are decimal strings.
 #[derive(Serialize)]
 struct Link {
     generation: u32,
-    symbol: char,
+    /// With its arguments in parentheses, where there are any.
+    symbol: String,
     index: String,
     production: Option<usize>,
     position: usize,
@@ -60,56 +62,94 @@ const VISITS: usize = 20_000;
 
 #[wasm_bindgen]
 impl Playground {
-    /// How many symbols [`Playground::slice`] can give of generation `generation`, as a decimal string; null where it is
-    /// too long to be known. Where it has to be written down, characters count, those of parameters too.
-    #[wasm_bindgen(js_name = stringLength)]
-    pub fn string_length(&mut self, generation: u32) -> Option<String> {
-        let system = self.system.as_ref()?;
-        match Word::new(system, generation) {
-            Some(_) => count_symbols(system, generation).map(|count| count.to_string()),
-            None => Some(self.written(generation)?.symbols.len().to_string()),
+    /// Works towards what [`Playground::slice`] and others need to read generation `generation`, for about `budget`
+    /// milliseconds; whether nothing is left to do. What cannot be had after that is too long.
+    pub fn remember(&mut self, generation: u32, budget: f64) -> bool {
+        let end = self.clock.now() + budget;
+        let Some(system) = &self.system else { return true };
+        if Word::new(system, generation).is_some() {
+            return true;
+        }
+        let n = self.shown_iterations();
+        if self.history.is_none() {
+            self.history = History::new(system, n, &LIMITS);
+        }
+        let Some(history) = &mut self.history else { return true };
+        loop {
+            let known = if generation < n { history.symbols(generation).is_some() } else { history.is_complete() };
+            if known || history.step(WORK) == Progress::Done {
+                return true;
+            }
+            if self.clock.now() >= end {
+                return false;
+            }
         }
     }
 
-    /// The symbols of a generation from position `start` on, at most `length`; null where the string is too long.
-    pub fn slice(&mut self, generation: u32, start: u128, length: usize) -> Option<String> {
-        if let Some(word) = Word::new(self.system.as_ref()?, generation) {
-            return Some(word.slice(start, length));
+    /// Whether [`Playground::slice`] ends every module with a line end, because some have arguments or names in
+    /// backquotes.
+    #[wasm_bindgen(getter)]
+    pub fn apart(&self) -> bool {
+        self.system.as_ref().is_some_and(|system| system.rules.is_some())
+    }
+
+    /// How many symbols a generation has, modules with arguments counted as one, as a decimal string; null where that is
+    /// not known.
+    #[wasm_bindgen(js_name = stringLength)]
+    pub fn string_length(&self, generation: u32) -> Option<String> {
+        match self.reader(generation)? {
+            Reader::Counted(_) => count_symbols(self.system.as_ref()?, generation).map(|count| count.to_string()),
+            Reader::Remembered(history) => history.symbols(generation).map(|count| count.to_string()),
         }
-        let symbols = &self.written(generation)?.symbols;
-        let start = usize::try_from(start).unwrap_or(usize::MAX).min(symbols.len());
-        Some(symbols[start..].iter().take(length).collect())
+    }
+
+    /// The symbols of a generation from position `start` on, at most `length`; null where it cannot be read.
+    pub fn slice(&self, generation: u32, start: u128, length: usize) -> Option<String> {
+        let reader = self.reader(generation)?;
+        let mut text = String::new();
+        let apart = self.apart();
+        let mut visit = |symbol: char, arguments: &[f64]| {
+            if !apart {
+                return text.push(symbol);
+            }
+            print_module(symbol, arguments, &mut text);
+            text.push('\n');
+        };
+        match reader {
+            Reader::Counted(word) => word.modules(start, length, &mut visit),
+            Reader::Remembered(history) => {
+                history.symbols(generation)?;
+                history.modules(generation, start, length, &mut visit);
+            }
+        }
+        Some(text)
     }
 
     /// The chain from the axiom to the symbol at `index`: `[{generation, symbol, index, production, position}]`;
-    /// empty where there is no such symbol, or where chance decides the derivation.
+    /// empty where there is no such symbol, or where it cannot be read.
     ///
     /// # Errors
     /// Throws only where the result cannot be translated.
     pub fn ancestry(&self, generation: u32, index: u128) -> Result<JsValue, JsValue> {
-        let word = self.system.as_ref().and_then(|system| Word::new(system, generation));
-        let chain = word.map(|word| word.ancestry(index)).unwrap_or_default();
-        let links: Vec<Link> = (chain.into_iter())
-            .map(|link| Link {
-                generation: link.generation,
-                symbol: link.symbol,
-                index: link.index.to_string(),
-                production: link.production,
-                position: link.position,
-            })
-            .collect();
-        to_js(&links)
+        let chain = match self.reader(generation) {
+            None => vec![],
+            Some(Reader::Counted(word)) => word.ancestry(index),
+            Some(Reader::Remembered(history)) => history.ancestry(generation, index),
+        };
+        to_js(&chain.into_iter().map(|ancestor| self.link(ancestor)).collect::<Vec<_>>())
     }
 
     /// What the symbol at `index` of `generation` has become in generation `later`: `{symbols, segments, outline}`;
-    /// null where there is no such symbol, or where chance decides the derivation. The outline is there where `later`
+    /// null where there is no such symbol, or where it cannot be read. Segments and outline are there where `later`
     /// is the generation that is drawn.
     ///
     /// # Errors
     /// Throws only where the result cannot be translated.
     pub fn part(&self, generation: u32, index: u128, later: u32) -> Result<JsValue, JsValue> {
-        let word = self.system.as_ref().and_then(|system| Word::new(system, later));
-        let part = word.and_then(|word| word.part(generation, index));
+        let part = self.reader(later).and_then(|reader| match reader {
+            Reader::Counted(word) => word.part(generation, index),
+            Reader::Remembered(history) => history.part(generation, index, later),
+        });
         to_js(&part.map(|lsystem::Part { symbols, segments }| {
             let drawing = self.views.plane.drawing.as_ref().filter(|_| later == self.shown_iterations());
             let corners = drawing.map(|drawing| (drawing, drawing.outline(segments.clone())));
@@ -143,48 +183,57 @@ impl Playground {
 
     /// The segment within `tolerance` device pixels of a place on the canvas: `{segment, symbol}` with the numbers
     /// of the segment and of the symbol that draws it, as decimal strings; null where there is none. The symbol is
-    /// null where chance decides the derivation.
+    /// null where the generation cannot be read.
     ///
     /// # Errors
     /// Throws only where the result cannot be translated.
     pub fn pick(&self, x: f64, y: f64, tolerance: f64) -> Result<JsValue, JsValue> {
-        let (Some(system), Some(drawing)) = (&self.system, &self.views.plane.drawing) else { return Ok(JsValue::NULL) };
+        let Some(drawing) = &self.views.plane.drawing else { return Ok(JsValue::NULL) };
         let at = |x: f64, y: f64| drawing.from_model(lsystem::to_model(drawing, self.viewport, self.view, x, y));
         let (centre, edge) = (at(x, y), at(x + tolerance, y));
         let found = drawing.pick(centre, (edge[0] - centre[0]).abs(), VISITS);
-        to_js(&found.map(|pick| {
-            Picked {
-                segment: pick.segment.to_string(),
-                symbol: Word::new(system, self.shown_iterations())
-                    .and_then(|word| word.symbol_of_segment(pick.segment))
-                    .map(|index| index.to_string()),
-            }
-        }))
+        to_js(
+            &found
+                .map(|pick| Picked { segment: pick.segment.to_string(), symbol: self.symbol_of_segment(pick.segment) }),
+        )
     }
 
-    /// How many segments the symbols before `index` draw, as a decimal string; null where chance decides.
+    /// How many segments the symbols before `index` draw, as a decimal string; null where that is not known.
     #[wasm_bindgen(js_name = segmentsBefore)]
     pub fn segments_before(&self, index: u128) -> Option<String> {
-        let word = Word::new(self.system.as_ref()?, self.shown_iterations())?;
-        Some(word.segments_before(index).to_string())
+        let segments = match self.reader(self.shown_iterations())? {
+            Reader::Counted(word) => word.segments_before(index),
+            Reader::Remembered(history) => history.segments_before(index)?,
+        };
+        Some(segments.to_string())
     }
 
-    /// The number of the symbol that draws a segment, as a decimal string; null where chance decides.
+    /// The number of the symbol that draws a segment, as a decimal string; null where that is not known.
     #[wasm_bindgen(js_name = symbolOfSegment)]
     pub fn symbol_of_segment(&self, segment: u128) -> Option<String> {
-        let word = Word::new(self.system.as_ref()?, self.shown_iterations())?;
-        Some(word.symbol_of_segment(segment)?.to_string())
+        let symbol = match self.reader(self.shown_iterations())? {
+            Reader::Counted(word) => word.symbol_of_segment(segment),
+            Reader::Remembered(history) => history.symbol_of_segment(segment),
+        };
+        Some(symbol?.to_string())
     }
 }
 
 impl Playground {
-    fn written(&mut self, generation: u32) -> Option<&Written> {
-        if self.written.as_ref().is_none_or(|written| written.generation != generation) {
-            self.written = None;
-            let text = expand(self.system.as_ref()?, generation, &LIMITS).ok()?;
-            self.written = Some(Written { generation, symbols: text.chars().collect() });
+    fn reader(&self, generation: u32) -> Option<Reader<'_>> {
+        let word = Word::new(self.system.as_ref()?, generation).map(Reader::Counted);
+        word.or_else(|| self.history.as_ref().map(Reader::Remembered))
+    }
+
+    fn link(&self, ancestor: Ancestor) -> Link {
+        let Ancestor { generation, symbol, arguments, index, production, position } = ancestor;
+        let mut module = String::new();
+        if self.apart() {
+            print_module(symbol, &arguments, &mut module);
+        } else {
+            module.push(symbol);
         }
-        self.written.as_ref()
+        Link { generation, symbol: module, index: index.to_string(), production, position }
     }
 }
 

@@ -162,13 +162,34 @@ fn chance_and_limits_are_reported_when_they_are_known() {
     assert_eq!(text(&early, "segments"), "64");
     playground.view(8, 8, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0);
     let report = settled(&mut playground);
+    assert_eq!(playground.string_length(6), None);
+    while !playground.remember(6, 20.0) {}
     let length: usize = playground.string_length(6).unwrap().parse().unwrap();
     assert_eq!(playground.slice(6, 0, 1 << 20).unwrap().len(), length);
     assert_eq!(text(&report, "symbols"), length.to_string());
+    let chain: Array = playground.ancestry(6, length as u128 - 1).unwrap().unchecked_into();
+    assert_eq!(chain.length(), 7);
+    assert_eq!(text(&get(&playground.part(0, 0, 6).unwrap(), "segments"), "1"), "64");
 
     playground.define(object(&random.replace("\"iterations\": 6", "\"iterations\": 60"))).unwrap();
     let report = settled(&mut playground);
     assert_eq!(get(&report, "largest").as_f64(), Some(19.0));
+}
+
+#[wasm_bindgen_test]
+fn modules_are_read_with_their_arguments() {
+    let mut playground = Playground::new(OffscreenCanvas::new(8, 8).unwrap()).unwrap();
+    let tree = r#"{"axiom": "A(1)", "rules": "A(l) : l > 0.3 -> F(l)[+A(l*0.5)]A(l*0.5)", "iterations": 3}"#;
+    playground.define(object(tree)).unwrap();
+    settled(&mut playground);
+    while !playground.remember(3, 20.0) {}
+    assert!(playground.apart());
+    assert_eq!(playground.slice(2, 0, 5).unwrap(), "F(1)\n[\n+\nF(0.5)\n[\n");
+    assert_eq!(playground.string_length(1).unwrap(), "6");
+    let chain: Array = playground.ancestry(2, 3).unwrap().unchecked_into();
+    assert_eq!(text(&chain.get(1), "symbol"), "A(0.5)");
+    assert_eq!(playground.symbol_of_segment(1).unwrap(), "3");
+    assert_eq!(playground.segments_before(3).unwrap(), "1");
 }
 
 #[wasm_bindgen_test]

@@ -3,12 +3,13 @@
 //! The counts of every letter's derivation say which letter holds a given position, so a position is found by going
 //! down from the axiom, once per generation, however long the string is.
 
-use crate::counts::{segments_of, sum_of, sums_by_depth};
+use crate::counts::{drawn_by_letter, sum_of, sums_by_depth};
 use crate::program::{Rewrite, SymbolId};
-use crate::{MAX_ITERATIONS, System};
+use crate::{Key, MAX_ITERATIONS, Rules, System};
 use core::ops::Range;
 
-/// Generation `n` of a system without random choices, read in place.
+/// Generation `n` of a system whose letters always have the same successors, read in place. Modules may have
+/// parameters, even random ones, but what becomes of them must not depend on these.
 #[derive(Clone, Debug)]
 pub struct Word<'a> {
     system: &'a System,
@@ -20,12 +21,14 @@ pub struct Word<'a> {
 }
 
 /// One link of the chain from the axiom to a symbol: where it stood in a generation, and what put it there.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Ancestor {
     /// The generation, 0 for the axiom.
     pub generation: u32,
     /// The symbol.
     pub symbol: char,
+    /// Its arguments.
+    pub arguments: Vec<f64>,
     /// Its position in the string of that generation, 0-based.
     pub index: u128,
     /// The production that made it, as an index into [`Grammar::productions`](crate::Grammar::productions); `None`
@@ -45,17 +48,29 @@ pub struct Part {
     pub segments: Range<u128>,
 }
 
+/// A module on the way down.
+#[derive(Clone, Debug)]
+struct Node {
+    symbol: SymbolId,
+    arguments: Vec<f64>,
+    /// Without meaning where no argument is random.
+    key: Key,
+}
+
 impl<'a> Word<'a> {
-    /// Generation `n` of `system`; `None` where random choices decide it, productions look around
-    /// themselves or compute, or `n` is above [`MAX_ITERATIONS`].
+    /// Generation `n` of `system`; `None` where chance, conditions or neighbours decide what becomes of a symbol or how
+    /// much it draws ([`History`](crate::History) reads such systems), where branches are cut, or where `n` is above
+    /// [`MAX_ITERATIONS`].
     #[must_use]
     pub fn new(system: &'a System, n: u32) -> Option<Self> {
-        if n > MAX_ITERATIONS || system.rules.is_some() || !system.program.is_deterministic() {
+        let program = &system.program;
+        let cutting = system.rules.as_ref().is_some_and(Rules::is_cutting);
+        if n > MAX_ITERATIONS || cutting || !program.is_deterministic() {
             return None;
         }
-        let program = &system.program;
+        let drawn = drawn_by_letter(system)?;
         let symbols = sums_by_depth(program, n, |_| 1);
-        let segments = sums_by_depth(program, n, |symbol| segments_of(system, symbol));
+        let segments = sums_by_depth(program, n, |symbol| drawn[usize::from(symbol)]);
         Some(Self { system, n, symbols, segments })
     }
 
@@ -71,31 +86,42 @@ impl<'a> Word<'a> {
         sum_of(&self.segments[self.n as usize], &self.system.program.axiom)
     }
 
-    /// The symbols from position `start` (0-based) on, at most `length` of them, fewer at the end.
+    /// The symbols from position `start` (0-based) on, at most `length` of them, fewer at the end; with their arguments
+    /// in parentheses, where there are any.
     #[must_use]
     pub fn slice(&self, start: u128, length: usize) -> String {
-        let program = &self.system.program;
         let mut text = String::new();
+        let plain = self.system.rules.is_none();
+        self.modules(start, length, &mut |symbol, arguments| {
+            if plain { text.push(symbol) } else { crate::print_module(symbol, arguments, &mut text) }
+        });
+        text
+    }
+
+    /// Hands over the modules from position `start` (0-based) on, at most `length` of them, fewer at the end.
+    pub fn modules(&self, start: u128, length: usize, visit: &mut dyn FnMut(char, &[f64])) {
         let mut left = length;
-        // What is still to be read, last first: letters with the steps they have to go.
-        let mut open: Vec<(SymbolId, u32)> = program.axiom.iter().rev().map(|&s| (s, self.n)).collect();
+        // What is still to be read, last first, with the steps to go.
+        let mut open: Vec<(Node, u32)> = self.axiom().into_iter().rev().map(|node| (node, self.n)).collect();
         let mut skip = start;
         while left > 0 {
-            let Some((symbol, depth)) = open.pop() else { break };
-            let count = self.symbols[depth as usize][usize::from(symbol)];
+            let Some((node, depth)) = open.pop() else { break };
+            let count = self.symbols[depth as usize][usize::from(node.symbol)];
             if skip >= count {
                 skip -= count;
                 continue;
             }
-            match self.successor(symbol, depth) {
-                Some(successor) => open.extend(successor.iter().rev().map(|&s| (s, depth - 1))),
+            match self.successor(node.symbol, depth) {
+                Some(word) => {
+                    let children = self.children(&node, word, self.n - depth + 1);
+                    open.extend(children.into_iter().rev().map(|child| (child, depth - 1)));
+                }
                 None => {
-                    text.push(program.alphabet[usize::from(symbol)]);
+                    visit(self.letter(node.symbol), &node.arguments);
                     left -= 1;
                 }
             }
         }
-        text
     }
 
     /// The chain from the axiom to the symbol at `index`, a link for each generation; empty beyond the end.
@@ -165,45 +191,92 @@ impl<'a> Word<'a> {
 
     /// Goes down to the letter that holds place `place` when letters are counted by `counts`.
     fn descend(&self, place: u128, counts: &[Vec<u128>]) -> Vec<Ancestor> {
-        let program = &self.system.program;
         let mut chain: Vec<Ancestor> = Vec::new();
         // By generation: how many of its symbols stand before the current letter.
         let mut before = vec![0_u128; self.n as usize + 1];
-        let mut word = program.axiom.as_slice();
+        let mut word = self.axiom();
         let mut made_by = None;
         let mut skip = place;
         for generation in 0..=self.n {
-            let depth = (self.n - generation) as usize;
-            let held = word.iter().position(|&symbol| {
-                let count = counts[depth][usize::from(symbol)];
+            let depth = self.n - generation;
+            let held = word.iter().position(|node| {
+                let count = counts[depth as usize][usize::from(node.symbol)];
                 if skip < count {
                     return true;
                 }
                 skip -= count;
                 for later in generation..=self.n {
-                    let derived = self.symbols[(later - generation) as usize][usize::from(symbol)];
+                    let derived = self.symbols[(later - generation) as usize][usize::from(node.symbol)];
                     let slot = &mut before[later as usize];
                     *slot = slot.saturating_add(derived);
                 }
                 false
             });
             let Some(position) = held else { return Vec::new() };
-            let symbol = word[position];
-            let index = before[generation as usize];
-            let letter = program.alphabet[usize::from(symbol)];
-            chain.push(Ancestor { generation, symbol: letter, index, production: made_by, position });
-            match &program.rewrites[usize::from(symbol)] {
-                Rewrite::Always(successor) => {
-                    word = successor;
-                    made_by = self.system.grammar.productions.iter().position(|p| p.predecessor.symbol == letter);
-                }
-                Rewrite::Keep | Rewrite::Choose(_) => {
-                    word = core::slice::from_ref(&word[position]);
-                    made_by = None;
-                }
-            }
+            let node = word.swap_remove(position);
+            chain.push(Ancestor {
+                generation,
+                symbol: self.letter(node.symbol),
+                arguments: node.arguments.clone(),
+                index: before[generation as usize],
+                production: made_by,
+                position,
+            });
+            (word, made_by) = match self.successor(node.symbol, depth) {
+                Some(successor) => (self.children(&node, successor, generation + 1), self.production(node.symbol)),
+                None => (vec![node], None),
+            };
         }
         chain
+    }
+
+    fn letter(&self, symbol: SymbolId) -> char {
+        self.system.program.alphabet[usize::from(symbol)]
+    }
+
+    /// The production that rewrites a letter.
+    fn production(&self, symbol: SymbolId) -> Option<usize> {
+        match &self.system.rules {
+            Some(rules) => rules.by_letter[usize::from(symbol)].first().map(|rule| rule.production),
+            None => {
+                let letter = self.letter(symbol);
+                self.system.grammar.productions.iter().position(|p| p.predecessor.symbol == letter)
+            }
+        }
+    }
+
+    fn axiom(&self) -> Vec<Node> {
+        let keys = |index: usize| Key::root(index as u64);
+        let axiom = &self.system.program.axiom;
+        let mut nodes: Vec<Node> = (axiom.iter().enumerate())
+            .map(|(index, &symbol)| Node { symbol, arguments: vec![], key: keys(index) })
+            .collect();
+        if let Some(rules) = &self.system.rules {
+            let mut codes = rules.axiom.arguments.iter();
+            for node in &mut nodes {
+                let (key, arity) = (node.key, rules.letters[usize::from(node.symbol)].arity);
+                let random = |place| key.number(self.system.seed, 0, place);
+                node.arguments = codes.by_ref().take(usize::from(arity)).map(|code| code.value(&[], &random)).collect();
+            }
+        }
+        nodes
+    }
+
+    /// The modules that derivation step `step` makes of `parent`, whose letters are `word`.
+    fn children(&self, parent: &Node, word: &[SymbolId], step: u32) -> Vec<Node> {
+        let mut nodes: Vec<Node> = (word.iter().enumerate())
+            .map(|(index, &symbol)| Node { symbol, arguments: vec![], key: parent.key.child(step, index as u64) })
+            .collect();
+        let rules = self.system.rules.as_ref();
+        if let Some((rules, rule)) = rules.and_then(|r| Some((r, r.by_letter[usize::from(parent.symbol)].first()?))) {
+            let mut codes = rule.successor.arguments.iter();
+            let random = |place| parent.key.number(self.system.seed, step, place);
+            for node in &mut nodes {
+                let own = codes.by_ref().take(usize::from(rules.letters[usize::from(node.symbol)].arity));
+                node.arguments = own.map(|code| code.value(&parent.arguments, &random)).collect();
+            }
+        }
+        nodes
     }
 
     /// What a letter with `depth` steps to go becomes in the next; `None` where it stays as it is to the end.

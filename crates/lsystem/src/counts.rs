@@ -20,19 +20,22 @@ pub fn count_symbols(system: &System, n: u32) -> Option<Tally> {
 /// cut branches.
 #[must_use]
 pub fn count_segments(system: &System, n: u32) -> Option<Tally> {
-    let rules = system.rules.as_ref();
-    if rules.is_some_and(Rules::is_cutting) {
+    if system.rules.as_ref().is_some_and(Rules::is_cutting) {
         return None;
     }
-    let drawn = |symbol| rules.map_or(Some(segments_of(system, symbol)), |rules| drawn_as(system, rules, symbol));
-    let reachable = system.program.reachable();
-    let segments: Vec<Option<u64>> = reachable
-        .iter()
-        .enumerate()
-        .map(|(id, reached)| if *reached { drawn(id as SymbolId) } else { Some(0) })
-        .collect();
-    let segments = segments.into_iter().collect::<Option<Vec<_>>>()?;
+    let segments = drawn_by_letter(system)?;
     count(&system.program, n, |symbol| segments[usize::from(symbol)])
+}
+
+/// By letter: how many segments it draws, 0 for one that never occurs; `None` where one that may occur does not always
+/// draw as many.
+pub(crate) fn drawn_by_letter(system: &System) -> Option<Vec<u64>> {
+    let drawn = |symbol| match &system.rules {
+        None => Some(segments_of(system, symbol)),
+        Some(rules) => drawn_as(system, rules, symbol),
+    };
+    let reachable = system.program.reachable();
+    (reachable.iter().enumerate()).map(|(id, reached)| if *reached { drawn(id as SymbolId) } else { Some(0) }).collect()
 }
 
 /// The segments of what a letter is drawn as; `None` where they are not always as many.

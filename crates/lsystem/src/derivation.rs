@@ -68,7 +68,7 @@ fn alone(rules: &Rules, symbol: char, roll: f64) -> String {
     };
     let mut text = String::new();
     match chosen {
-        None => crate::print::module(symbol, &[], &mut text),
+        None => crate::print_module(symbol, &[], &mut text),
         Some(Rule { successor, .. }) => {
             let arguments: Vec<f64> = successor.arguments.iter().map(|code| code.value(&[], &random)).collect();
             write_word(rules, &successor.letters, &arguments, u64::MAX, &mut text);
@@ -158,7 +158,7 @@ fn write_word(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: u64,
         let Letter { symbol, arity } = rules.letters[usize::from(letter)];
         let (own, rest) = arguments.split_at(usize::from(arity));
         arguments = rest;
-        crate::print::module(symbol, own, text);
+        crate::print_module(symbol, own, text);
         text.len() as u64 <= most
     })
 }

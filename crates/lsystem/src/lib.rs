@@ -64,7 +64,7 @@ pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
 pub use heading::Heading;
 pub use key::{Key, Purpose};
 pub use limits::{
-    Limits, MAX_CONTEXT, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS, MAX_PICTURE_PIXELS,
+    Limits, MAX_CONTEXT, MAX_HISTORY, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS, MAX_PICTURE_PIXELS,
     MAX_PICTURE_SIDE, MAX_TEXT,
 };
 pub use mesh::Mesh;
@@ -72,12 +72,14 @@ pub use notation::{Class, Classes, ConstantPlace, classify, parse, plain_word};
 pub use overrides::{Override, parse_overrides, print_actions, print_overrides};
 pub use place::{render_diagnostic, utf16_letters, utf16_span};
 pub use plane::Plane;
-pub use print::{print_axiom, print_rules};
+pub use print::{print_axiom, print_module, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
 pub use progress::Progress;
 pub use render::{Detail, Rect, RenderStats, Renderer, View, Viewport, fit, fitted_scale, to_model};
 pub use render3d::{Camera, Quality, SolidRenderer, camera_axes, solid_scale};
-pub use rewriting::{ContextPattern, Fault, Image, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template};
+pub use rewriting::{
+    ContextPattern, Fault, History, Image, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template,
+};
 pub use rotation::Rotation;
 pub use solid::Solid;
 pub use space::{Axis, Space};

@@ -51,6 +51,9 @@ pub const MAX_TEXT: usize = 1 << 20;
 /// The most colours in a palette.
 pub const MAX_PALETTE: usize = 256;
 
+/// The bytes that a remembered derivation may take, about.
+pub const MAX_HISTORY: u64 = 192 << 20;
+
 /// The most pixels along a side of a picture.
 pub const MAX_PICTURE_SIDE: u32 = 1 << 15;
 

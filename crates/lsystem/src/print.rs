@@ -120,8 +120,9 @@ fn word(modules: &[Module], out: &mut String) {
     }
 }
 
-/// One module of a derived word: its symbol, and its arguments as the shortest decimals that read back as the same.
-pub(crate) fn module(ch: char, arguments: &[f64], out: &mut String) {
+/// Appends one module of a derived word: its symbol, and its arguments as the shortest decimals that read back as the
+/// same.
+pub fn print_module(ch: char, arguments: &[f64], out: &mut String) {
     symbol(ch, false, out);
     for (at, argument) in arguments.iter().enumerate() {
         // Writing to a string never fails.

@@ -5,7 +5,7 @@ import { latest } from '../latest.js';
 import { grouped, shortText } from '../numerals.js';
 import { REACH, countText, lastTop, portion, ratio, readPlace, rowsOf, scrolled, within } from './places.js';
 import { rowsView } from './rows.js';
-import { birth, descent, origin, visible } from './words.js';
+import { birth, descent, modulesOf, origin, visible } from './words.js';
 
 /** @typedef {import('./words.js').Link} Link */
 /** @typedef {import('./places.js').Top} Top */
@@ -14,7 +14,7 @@ import { birth, descent, origin, visible } from './words.js';
 const SPARE = 40n;
 /** The fields of the state that decide the string. @type {(keyof import('../state.js').State)[]} */
 const WRITTEN_BY = ['axiom', 'rules', 'seed', 'dialect', 'overrides'];
-const UNTRACED = 'Where a symbol comes from is traced where neither chance nor neighbours nor parameters decide it.';
+const UNTRACED = 'This derivation is too long to be remembered, so where the symbol comes from is not known.';
 
 /**
  * @param {import('../engine.js').Engine} engine
@@ -50,6 +50,8 @@ export function createReader(engine, { mark, opened }) {
     /** Who the lit symbol descends from, to light its ancestor in an earlier generation. @type {Link[]} */
     let litChain = [];
     let stale = true;
+    /** Whether the next page is of another definition than the last. */
+    let renewed = true;
     let why = '';
 
     const generation = () => Math.min(step ?? iterations, iterations);
@@ -62,10 +64,18 @@ export function createReader(engine, { mark, opened }) {
             stale = false;
             digits = answer.length ?? '';
             length = answer.length === null ? null : within(BigInt(answer.length), 0n, REACH);
-            why = answer.text === null ? 'This generation is too long to be written down.' : '';
-            page = { generation: wanted, start, symbols: [...(answer.text ?? '')] };
+            why = answer.text === null ? 'This generation is too long to be derived.' : '';
+            const another = page.generation !== wanted || renewed;
+            renewed = false;
+            page = { generation: wanted, start, symbols: modulesOf(answer.text ?? '', answer.apart) };
+            const before = BigInt(rows.columns);
+            // Modules with their arguments may need more room than those before.
+            const changed = rows.fit(page.symbols, another);
+            if (changed) top = { row: (top.row * before) / BigInt(rows.columns), offset: 0 };
             if (length !== null) top = scrolled(top, 0, scale());
+            if (changed && chosen !== null) reveal(chosen);
             show();
+            if (changed && answer.text !== null) need();
         },
     );
     const fetchFacts = latest(
@@ -274,6 +284,7 @@ export function createReader(engine, { mark, opened }) {
             stale = true;
             opened();
             rows.measure();
+            rows.fit(page.symbols, true);
             show();
             need();
         } else {
@@ -344,6 +355,7 @@ export function createReader(engine, { mark, opened }) {
         if (!open) return;
         const before = rows.columns;
         rows.measure();
+        rows.fit(page.symbols, true);
         if (rows.columns !== before) top = { row: first / BigInt(rows.columns), offset: 0 };
         if (length !== null) top = scrolled(top, 0, scale());
         show();
@@ -369,9 +381,10 @@ export function createReader(engine, { mark, opened }) {
 
         /** A new definition was taken: what is at hand is of the former. @param {import('../engine.js').Report} report */
         report({ ok, stochastic, memoised }) {
-            // Writing a random string down takes a while: let the drawing come first.
+            // A random string is derived once more: let the drawing come first.
             if (!ok || (stochastic && memoised === null)) return;
             stale = true;
+            renewed = true;
             need();
         },
 

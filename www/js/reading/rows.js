@@ -1,9 +1,12 @@
-/** Rows of symbols of equal width: what is in sight of a long string. Symbols are found by arithmetic, not by elements. */
+/**
+ * Rows with as many symbols each: what is in sight of a long string. Symbols are found by arithmetic, not by elements;
+ * those with arguments are as wide as these.
+ */
 
 import { make } from '../dom.js';
 import { tintOf } from '../tint.js';
 import { marginText } from './places.js';
-import { visible } from './words.js';
+import { partsOf, visible } from './words.js';
 
 /** Rows are whole tens of symbols where there is room for them. */
 const TEN = 10;
@@ -17,9 +20,14 @@ export function rowsView(area) {
     const sheet = make('div', { class: 'rows' });
     const ruler = make('span', { class: 'ruler', 'aria-hidden': 'true' }, '0'.repeat(50));
     area.append(sheet, ruler);
-    /** The rows that are shown, by number. @type {Map<bigint, {key: string, element: HTMLElement}>} */
+    /** The rows that are shown, by number. @type {Map<bigint, {key: string, element: HTMLElement, symbols: string[]}>} */
     let shown = new Map();
+    /** Symbols of a row. */
     let columns = TEN;
+    /** Characters that a row has room for. */
+    let room = TEN;
+    /** How many of them a row should have where each is a symbol. */
+    let narrow = TEN;
     let rowHeight = 22;
     let height = 0;
     let charWidth = 8;
@@ -33,8 +41,8 @@ export function rowsView(area) {
         rowHeight = box.height || 22;
         height = area.clientHeight;
         margin = charWidth * 9;
-        const fitting = Math.floor((area.clientWidth - margin - charWidth) / charWidth);
-        columns = Math.max(1, fitting >= 2 * TEN ? fitting - (fitting % TEN) : fitting);
+        room = Math.max(1, Math.floor((area.clientWidth - margin - charWidth) / charWidth));
+        narrow = room >= 2 * TEN ? room - (room % TEN) : room;
         sheet.style.setProperty('--margin', `${margin}px`);
         sheet.style.setProperty('--row', `${rowHeight}px`);
     }
@@ -42,10 +50,31 @@ export function rowsView(area) {
     /** The symbol at a place in the page. @param {number} clientX @param {number} clientY @returns {bigint | null} */
     function symbolAt(clientX, clientY) {
         const box = area.getBoundingClientRect();
-        const column = Math.floor((clientX - box.left - margin) / charWidth);
-        const row = Math.floor((clientY - box.top + offset) / rowHeight);
-        if (column < 0 || column >= columns || row < 0) return null;
-        return (firstRow + BigInt(row)) * BigInt(columns) + BigInt(column);
+        const place = Math.floor((clientX - box.left - margin) / charWidth);
+        const row = firstRow + BigInt(Math.floor((clientY - box.top + offset) / rowHeight));
+        const symbols = shown.get(row)?.symbols ?? [];
+        if (place < 0) return null;
+        let end = 0;
+        const column = symbols.findIndex((symbol) => place < (end += widthOf(symbol)));
+        return column < 0 ? null : row * BigInt(columns) + BigInt(column);
+    }
+
+    /**
+     * How many symbols go into every row.
+     * @param {string[]} symbols
+     */
+    function fitting(symbols) {
+        // Where a run of as many as are wanted is too long, fewer are.
+        const ends = [0];
+        for (const symbol of symbols) ends.push(/** @type {number} */ (ends.at(-1)) + widthOf(symbol));
+        const fits = (/** @type {number} */ count) => ends.every((end, at) => at < count || end - /** @type {number} */ (ends[at - count]) <= room);
+        let [some, tooMany] = [1, narrow + 1];
+        while (tooMany - some > 1) {
+            const between = Math.floor((some + tooMany) / 2);
+            if (fits(between)) some = between;
+            else tooMany = between;
+        }
+        return some;
     }
 
     return {
@@ -59,6 +88,19 @@ export function rowsView(area) {
             return height;
         },
         measure,
+
+        /**
+         * Chooses the number of columns so that these symbols have room; fewer than before, unless all is new. Says
+         * whether it is another number.
+         * @param {string[]} symbols
+         * @param {boolean} anew
+         */
+        fit(symbols, anew) {
+            const before = columns;
+            const most = fitting(symbols);
+            columns = anew ? most : Math.min(columns, most);
+            return columns !== before;
+        },
 
         /**
          * @param {{top: import('./places.js').Top, page: {start: bigint, symbols: string[]}, length: bigint, chosen: bigint | null, lit: bigint | null}} what
@@ -77,7 +119,7 @@ export function rowsView(area) {
                 const marks = [...marked(chosen, start, 'chosen'), ...marked(lit, start, 'lit')];
                 const key = `${columns} ${symbols.join('')} ${marks.map(({ at: place, name }) => `${name}${place}`).join()}`;
                 const old = shown.get(row);
-                next.set(row, old?.key === key ? old : { key, element: rowOf(start, symbols, marks) });
+                next.set(row, old?.key === key ? old : { key, element: rowOf(start, symbols, marks), symbols });
             }
             for (const [row, { element }] of shown) if (next.get(row)?.element !== element) element.remove();
             let after = /** @type {Element | null} */ (sheet.firstElementChild);
@@ -162,17 +204,24 @@ export function rowsView(area) {
             if (run) cells.append(names ? make('span', { class: names }, run) : run);
             run = '';
         };
-        symbols.forEach((symbol, at) => {
+        symbols.forEach((module, at) => {
+            const [symbol, given] = partsOf(module);
             const tint = tintOf(symbol);
             const own = marks.filter((mark) => mark.at === at).map(({ name }) => name);
             // Others may be wider than a column in the font at hand.
-            const foreign = symbol < '\u0020' || symbol > '\u007e';
+            const foreign = [...symbol].length === 1 && (symbol < '\u0020' || symbol > '\u007e');
             const next = [tint ? `t-${tint}` : '', foreign ? 'foreign' : '', ...own].filter(Boolean).join(' ');
             if (next !== names || foreign) flush();
             names = next;
-            run += visible(symbol);
+            run += symbol;
+            if (!given) return;
+            flush();
+            cells.append(make('span', { class: ['given', ...own].join(' ') }, given));
         });
         flush();
         return make('div', { class: 'row-line' }, make('span', { class: 'margin', 'aria-hidden': 'true' }, marginText(start)), cells);
     }
 }
+
+/** In characters. @param {string} symbol */
+const widthOf = (symbol) => (symbol.length === 1 ? 1 : [...visible(symbol)].length);

@@ -3,7 +3,7 @@
 import { grouped, plain, raised } from '../numerals.js';
 
 /**
- * One link of the chain from the axiom to a symbol; `index` in decimal digits, `position` in the successor (or in the
+ * One link of the chain from the axiom to a symbol, which has its arguments in parentheses, if any; `index` in decimal digits, `position` in the successor (or in the
  * axiom), `production` a number of a production or null where the symbol stayed or stands in the axiom; all from 0.
  * @typedef {{generation: number, symbol: string, index: string, production: number | null, position: number}} Link
  */
@@ -20,8 +20,32 @@ export function ordinal(position) {
     return `${grouped(String(number))}${ending}`;
 }
 
-/** A symbol as it is shown. @param {string} symbol */
-export const visible = (symbol) => (symbol === ' ' ? '␣' : symbol);
+/**
+ * The symbols of a page, each with its arguments in parentheses, if any.
+ * @param {string} text
+ * @param {boolean} apart whether every one ends with a line end
+ */
+export const modulesOf = (text, apart) => (apart ? text.split('\n').slice(0, -1) : [...text]);
+
+/**
+ * A module as it is shown: its symbol, and its arguments with their parentheses, if any, their numbers to four digits.
+ * @param {string} module
+ * @returns {[string, string]}
+ */
+export function partsOf(module) {
+    const [, quoted, plain, given = ''] = /^(?:`([^`]+|`)`|(.))(\(.*\))?$/su.exec(module) ?? [];
+    const symbol = quoted ?? plain ?? module;
+    return [symbol === ' ' ? '␣' : symbol, given.replace(/\d+(?:\.\d+)?(?:e-?\d+)?/g, fewDigits)];
+}
+
+/** The same in one. @param {string} module */
+export const visible = (module) => partsOf(module).join('');
+
+/** @param {string} number without a sign */
+function fewDigits(number) {
+    const value = Number(number);
+    return String(Number(value.toPrecision(value < 1e4 ? 4 : 6)));
+}
 
 /** How a symbol came to be where it is: `step 5, by rule 1, third symbol`. @param {Link} link */
 export function birth({ generation, production, position }) {
@@ -37,6 +61,12 @@ export function birth({ generation, production, position }) {
  */
 export function descent(chain) {
     return chain.filter(({ generation, production }) => generation === 0 || production !== null).reverse();
+}
+
+/** The same of the last of a chain: when it came to be what it is. @param {Link[]} chain */
+export function birthOf(chain) {
+    const [born] = descent(chain);
+    return born ? birth(born) : '';
 }
 
 /** `X at step 5, by rule 1, third symbol`. @param {Link[]} chain */

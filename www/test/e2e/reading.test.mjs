@@ -11,6 +11,12 @@ const SMALL = PLANT.replace('n=40', 'n=3');
 const STRAIGHT = '#v=1&axiom=F&rules=F%20-%3E%20FF&n=3&angle=90';
 const CHANCE = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%20:%200.5%0AF%20-%3E%20F%5B-F%5DF%20:%200.5&n=4&angle=25';
 
+const SHRINKING = `#v=1&axiom=A(1)&rules=${encodeURIComponent('A(l) : l > 0.3 -> F(l)[+A(l*0.7)]A(l*0.5)')}&n=4&angle=25`;
+/** ABOP, figure 1.31a. */
+const SIGNALS = `#v=1&axiom=F1F1F1&rules=${encodeURIComponent(
+    ['ignore: +-F', '0 < 0 > 0 -> 0', '0 < 0 > 1 -> 1[+F1F1]', '0 < 1 > 0 -> 1', '0 < 1 > 1 -> 1', '1 < 0 > 0 -> 0', '1 < 0 > 1 -> 1F1', '1 < 1 > 0 -> 0', '1 < 1 > 1 -> 0', '+ -> -', '- -> +'].join('\n'),
+)}&n=30&angle=22.5`;
+
 /** @param {Page} page @param {string} selector */
 const text = async (page, selector) => (await page.textContent(selector)) ?? '';
 /** The symbols in sight. @param {Page} page */
@@ -195,14 +201,18 @@ test('hovering asks one question at a time, and nothing is asked without it', ()
         },
     ));
 
-test('where chance decides, the segment tells its own facts only', () =>
+test('where chance decides, symbols and segments are traced too', () =>
     withPage({ hash: CHANCE }, async (page) => {
         await stillPicture(page);
         const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
         await page.click('#open-reader');
-        await until(async () => /^F[F+\-[\]]+$/.test(await symbols(page)), 'the string that was written down');
-        await page.locator('.row-line .cells').first().click({ position: { x: 30, y: 8 } });
-        await until(async () => (await text(page, '#reader-path')).includes('is traced where'), 'why nothing is told');
+        await until(async () => /^F[F+\-[\]]+$/.test(await symbols(page)), 'the string');
+        await goTo(page, '1');
+        await until(async () => /^FF at step 4, by rule [12], first symbolSegment 1, marked/.test(await text(page, '#reader-path')), 'where it comes from');
+        assert.equal(await page.locator('.links li').count(), 5);
+        await page.click('.links li:last-child button');
+        await until(async () => (await symbols(page)) === 'F', 'the axiom');
+        await until(async () => /81 segments, marked/.test(await text(page, '#reader-path')), 'what it has become');
         await page.click('#close-reader');
         await stillPicture(page);
         // Down the middle, until the stem is met.
@@ -210,7 +220,40 @@ test('where chance decides, the segment tells its own facts only', () =>
             await page.mouse.move(box.x + box.width * x, box.y + box.height * 0.8);
             await page.waitForTimeout(30);
         }
-        assert.match(await text(page, '#card'), /^Segment \d+, heading/);
+        assert.match(await text(page, '#card'), /^Fstep \d, by rule [12], .*Segment \d+, heading.*Symbol \d+$/s);
+    }));
+
+test('modules with parameters are shown with their numbers, and traced', () =>
+    withPage({ hash: SHRINKING }, async (page) => {
+        await page.click('#open-reader');
+        await until(async () => (await symbols(page)).startsWith('F(1)[+F(0.7)[+F(0.49)[+F(0.343)[+A(0.2401)]'), 'the string');
+        await until(async () => (await text(page, '#reader-where')).endsWith('of 36'), 'modules are counted');
+        // No row is cut off.
+        const widths = await page.locator('.row-line').evaluateAll((rows) => rows.map((row) => [row.scrollWidth, row.clientWidth]));
+        assert.ok(widths.every(([content = 0, room = 0]) => content <= room), String(widths));
+        const place = /** @type {{x: number, y: number}} */ (await page.locator('.row-line .cells').first().boundingBox());
+        const width = await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.ruler')).getBoundingClientRect().width / 50);
+        // In the midst of `F(0.7)`, the fourth module.
+        await page.mouse.click(place.x + width * 9, place.y + 8);
+        await until(async () => /^F\(0\.7\)F\(0\.7\) at step 2, by rule 1, first symbolSegment 2, marked/.test(await text(page, '#reader-path')), 'its origin');
+        assert.match(await text(page, '#reader-path'), /A\(0\.7\)step 1, by rule 1, fourth symbolA\(1\)first symbol of the axiom/);
+        await page.keyboard.press('ArrowLeft');
+        await until(async () => /^\+\+ at step 1/.test(await text(page, '#reader-path')), 'its neighbour');
+        await page.click('#reader-back');
+        await page.click('#reader-back');
+        await until(async () => (await symbols(page)).startsWith('F(1)[+F(0.7)[+A(0.49)]'), 'two generations before');
+    }));
+
+test('what looks around itself is read at any generation', () =>
+    withPage({ hash: SIGNALS }, async (page) => {
+        await page.click('#open-reader');
+        await until(async () => (await text(page, '#reader-where')).endsWith('of 6,910'), 'the string');
+        await goTo(page, '5000');
+        await until(async () => /at step \d+, by rule \d+, .*first symbol of the axiom|symbol of the axiom/s.test(await text(page, '#reader-path')), 'where it comes from');
+        assert.equal(await page.locator('.cells .chosen').count(), 1);
+        await page.fill('#reader-step', '0');
+        await until(async () => (await symbols(page)) === 'F1F1F1', 'the axiom');
+        assert.equal(await page.locator('.cells .chosen').count(), 1);
     }));
 
 test('playback goes from nothing to the whole picture, and says where the turtle is', () =>

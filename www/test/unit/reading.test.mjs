@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { latest } from '../../js/latest.js';
 import { REACH, lastTop, marginText, paceText, portion, ratio, readPlace, rowsOf, scrolled, within } from '../../js/reading/places.js';
-import { birth, coordinate, descent, ordinal, origin } from '../../js/reading/words.js';
+import { birth, birthOf, coordinate, descent, modulesOf, ordinal, origin, partsOf, visible } from '../../js/reading/words.js';
 import { dice } from './random.mjs';
 
 const LONG = 10n ** 30n;
@@ -104,6 +104,18 @@ test('where a symbol comes from is told as people say it', () => {
     assert.equal(coordinate(-2.5), '−2.5');
     assert.equal(coordinate(1.6934e12), '1.693·10¹²');
     assert.equal(coordinate(-1e-5), '−1.000·10⁻⁵');
+});
+
+test('modules are shown with their arguments, numbers to four digits', () => {
+    assert.deepEqual(modulesOf('F[X', false), ['F', '[', 'X']);
+    assert.deepEqual(modulesOf('A(1,2)\n[\n`(`\n', true), ['A(1,2)', '[', '`(`']);
+    assert.deepEqual(modulesOf('', true), []);
+    assert.deepEqual(partsOf('B(0.32805000000000006,-7.069999999999999)'), ['B', '(0.3281,-7.07)']);
+    for (const [module, shown] of /** @type {[string, string][]} */ ([['F', 'F'], ['(', '('], [')', ')'], ['`', '`'], [' ', '␣'], ['`(`', '('], ['` `(2)', '␣(2)'], ['`U+0A`', 'U+0A'], ['+(137.5)', '+(137.5)'], ['!(1.25e-7,123456.789,12345678)', '!(1.25e-7,123457,12345700)'], ['😀(1)', '😀(1)']])) {
+        assert.equal(visible(module), shown, module);
+    }
+    assert.equal(birthOf([{ generation: 0, symbol: 'A(1)', index: '0', production: null, position: 0 }]), 'first symbol of the axiom');
+    assert.equal(birthOf([]), '');
 });
 
 test('one question is under way at a time, and only the newest waits', async () => {

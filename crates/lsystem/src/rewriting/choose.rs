@@ -12,7 +12,7 @@ pub(super) struct Scratch {
     found: Vec<u32>,
     /// The parameters of left context, predecessor and right context, where there is a context.
     slots: Vec<f64>,
-    /// The weighted rules that apply.
+    /// The weighted rules that apply, with the sum of the weights up to and with each.
     choices: Vec<(usize, f64)>,
 }
 
@@ -46,6 +46,7 @@ impl<'a> Place<'a> {
 
     fn choose_among(&self, rules: &'a [Rule], scratch: &mut Scratch, work: &mut u64) -> Option<&'a Rule> {
         scratch.choices.clear();
+        let mut total = 0.0;
         let mut class = None;
         for (index, rule) in rules.iter().enumerate() {
             // Once a weighted one applies, only weighted ones of its class do.
@@ -59,16 +60,13 @@ impl<'a> Place<'a> {
             class = Some(rule.is_context_sensitive());
             let weight = weight.value(self.slots(rule, scratch), &|at| self.chance.number(at));
             if weight > 0.0 && weight.is_finite() {
-                scratch.choices.push((index, weight));
+                total += weight;
+                scratch.choices.push((index, total));
             }
         }
-        let total: f64 = scratch.choices.iter().map(|(_, weight)| weight).sum();
-        let mut roll = self.chance.key.choice(self.chance.seed, self.chance.step) * total;
-        let chosen = scratch.choices.iter().find(|(_, weight)| {
-            let here = roll < *weight;
-            roll -= weight;
-            here
-        });
+        // Computed as where weights are known beforehand, so that the choice is the same.
+        let roll = self.chance.key.choice(self.chance.seed, self.chance.step);
+        let chosen = scratch.choices.iter().find(|(_, until)| roll < until / total);
         let &(index, _) = chosen.or(scratch.choices.last())?;
         // Others have been looked at since: its parameters are bound once more.
         self.applies(&rules[index], scratch, work).then_some(&rules[index])

@@ -14,6 +14,10 @@ impl Rules {
     /// # Errors
     /// Where an expression cannot be computed.
     pub fn new(grammar: &Grammar, spans: Vec<Range<usize>>, cuts: impl Fn(char) -> bool) -> Result<Self, Unusable> {
+        Self::compiled(grammar, spans, &cuts)
+    }
+
+    fn compiled(grammar: &Grammar, spans: Vec<Range<usize>>, cuts: &dyn Fn(char) -> bool) -> Result<Self, Unusable> {
         let productions = || grammar.productions.iter().chain(&grammar.images);
         let matched = productions().flat_map(Production::patterns).map(letter_of_pattern);
         let made = grammar.axiom.iter().chain(productions().flat_map(|p| &p.successor)).map(letter_of_module);

@@ -2,6 +2,7 @@
 
 use super::choose::{Place, Scratch};
 use super::modules::{Chance, Modules, NotFinite};
+use super::rules::Rule;
 use super::step::{Fault, Rewriter};
 
 /// The derivation step that images count as: the same for every generation, so that a module that stays looks the
@@ -22,19 +23,34 @@ impl Rewriter {
     /// # Errors
     /// A number that is not finite.
     pub fn image<'a>(&self, place: usize, argument: usize, image: &'a mut Image) -> Result<&'a Modules, Fault> {
-        let Self { plan, word, neighbours, .. } = self;
         let Image { modules, scratch } = image;
         modules.clear();
-        let letter = usize::from(word.letters[place]);
-        let own = argument..argument + usize::from(plan.arities[letter]);
-        let chance = Chance { key: word.key_of(place), seed: plan.seed, step: STEP };
-        let at = Place { plan, word, neighbours, place, own: &word.arguments[own.clone()], chance };
-        match at.choose(&plan.rules.images[letter], scratch, &mut 0) {
-            None => modules.keep(word, place..place + 1, own),
+        let at = self.pictured(place, argument);
+        match self.choose_image(&at, scratch) {
+            None => modules.keep(&self.word, place..place + 1, argument..argument + at.own.len()),
             Some(rule) => modules
-                .make(&rule.successor, at.slots(rule, scratch), &chance, false)
+                .make(&rule.successor, at.slots(rule, scratch), &at.chance, false)
                 .map_err(|NotFinite| Fault::NotFinite(Some(rule.production)))?,
         }
         Ok(modules)
+    }
+
+    /// The production of its image, where it has one.
+    pub(super) fn image_rule(&self, place: usize, argument: usize, image: &mut Image) -> Option<usize> {
+        self.choose_image(&self.pictured(place, argument), &mut image.scratch).map(|rule| rule.production)
+    }
+
+    fn pictured(&self, place: usize, argument: usize) -> Place<'_> {
+        let Self { plan, word, neighbours, .. } = self;
+        let own = argument..argument + usize::from(plan.arities[usize::from(word.letters[place])]);
+        let chance = Chance { key: word.key_of(place), seed: plan.seed, step: STEP };
+        Place { plan, word, neighbours, place, own: &word.arguments[own], chance }
+    }
+
+    // Twice it would be a part of what the page loads for nothing.
+    #[inline(never)]
+    fn choose_image<'a>(&'a self, at: &Place<'a>, scratch: &mut Scratch) -> Option<&'a Rule> {
+        let letter = usize::from(self.word.letters[at.place]);
+        at.choose(&self.plan.rules.images[letter], scratch, &mut 0)
     }
 }

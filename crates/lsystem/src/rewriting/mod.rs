@@ -3,9 +3,11 @@
 //! Context-free systems without parameters need none of this: `derivation.rs` derives them letter by letter. Here
 //! a whole generation stands in memory, because a production's context is the generation around it.
 
+mod choices;
 mod choose;
 mod compile;
 mod context;
+mod history;
 mod image;
 mod modules;
 mod rules;
@@ -13,6 +15,7 @@ mod scales;
 mod step;
 mod table;
 
+pub use history::History;
 pub use image::Image;
 pub(crate) use modules::Age;
 pub use modules::Modules;

@@ -87,6 +87,16 @@ impl Modules {
         self.keys.get(place).copied().unwrap_or(Key::root(0))
     }
 
+    /// Whether keys are kept.
+    pub(super) fn has_keys(&self) -> bool {
+        !self.keys.is_empty()
+    }
+
+    /// The same without keys and ages.
+    pub(super) fn bare(&self) -> Self {
+        Self { letters: self.letters.clone(), arguments: self.arguments.clone(), ..Self::default() }
+    }
+
     /// Appends modules of another word that stay as they are, and their arguments.
     pub(super) fn keep(&mut self, word: &Self, modules: Range<usize>, arguments: Range<usize>) {
         self.letters.extend_from_slice(&word.letters[modules.clone()]);

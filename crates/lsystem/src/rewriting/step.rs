@@ -1,11 +1,13 @@
 //! One derivation step after the other, in pieces of bounded work.
 
+use super::choices::{Choice, Choices};
 use super::choose::{Place, Scratch};
 use super::context::{Neighbours, Role, roles};
 use super::modules::{Chance, Modules, NotFinite};
 use super::rules::{Rule, Rules};
 use super::table::{Sides, Table};
 use crate::{LimitName, Limits};
+use core::ops::Range;
 
 /// Why a derivation cannot go on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,6 +30,17 @@ pub struct Rewriter {
     generation: u32,
     pass: Pass,
     work: u64,
+    /// What the present step does with every module, where that is noted.
+    record: Option<Record>,
+}
+
+#[derive(Clone, Debug)]
+struct Record {
+    choices: Choices,
+    /// How many modules there are, those to be cut off counted.
+    length: usize,
+    /// Those that are not cut off.
+    kept: Vec<Range<usize>>,
 }
 
 /// What does not change from step to step.
@@ -111,6 +124,7 @@ impl Rewriter {
             generation: 0,
             pass: Pass::Start,
             work: 0,
+            record: None,
         })
     }
 
@@ -126,6 +140,19 @@ impl Rewriter {
         self.plan.random = true;
         self.plan.table = None;
         self.plan.draws = draws.unwrap_or_default();
+    }
+
+    /// Notes what every step does, among so many productions. Nothing must have been derived yet.
+    pub(super) fn note(&mut self, productions: usize) {
+        self.record = Some(Record { choices: Choices::new(productions), length: 0, kept: vec![] });
+        self.plan.table = None;
+    }
+
+    /// What the step that ended last did with every module, where that is noted.
+    pub(super) fn noted(&mut self) -> Option<Choices> {
+        let choices = &mut self.record.as_mut()?.choices;
+        let empty = choices.emptied();
+        Some(core::mem::replace(choices, empty))
     }
 
     /// The generation that [`Rewriter::word`] is.
@@ -166,6 +193,11 @@ impl Rewriter {
             match self.pass {
                 Pass::Start => {
                     self.next.clear();
+                    if let Some(record) = &mut self.record {
+                        record.choices = record.choices.emptied();
+                        record.length = length;
+                        record.kept.clear();
+                    }
                     self.pass = if self.plan.cutting { Pass::Cut(Shears::default()) } else { self.look_around() };
                 }
                 Pass::Cut(mut shears) => {
@@ -194,6 +226,9 @@ impl Rewriter {
                     self.pass = Pass::Leftward(start, arguments);
                 }
                 Pass::Rightward(start, _) if start == length => {
+                    if let Some(record) = self.record.as_mut().filter(|_| self.plan.cutting) {
+                        record.choices.spread(&record.kept, record.length);
+                    }
                     core::mem::swap(&mut self.word, &mut self.next);
                     self.generation += 1;
                     self.pass = Pass::Start;
@@ -242,13 +277,16 @@ impl Rewriter {
     /// Goes on for `budget` modules leaving out of the word what its symbols cut off: each, and all that follows it up to
     /// the end of its branch (ABOP's `%`). Says whether the end is reached.
     fn cut(&mut self, shears: &mut Shears, budget: usize) -> bool {
-        let Self { plan, word, .. } = self;
+        let Self { plan, word, record, .. } = self;
         let Shears { at: (at, argument), kept: (kept, kept_arguments), cut } = shears;
         let end = (*at + budget).min(word.letters.len());
         let (from, from_argument) = (*at, *argument);
         // Modules are kept in runs.
         let (mut run, mut run_arguments) = (from, from_argument);
         let mut keep = |word: &mut Modules, run: usize, run_arguments: usize, at: usize, argument: usize| {
+            if let Some(record) = record.as_mut().filter(|_| run < at) {
+                record.kept.push(run..at);
+            }
             word.move_down(run..at, *kept, run_arguments..argument, *kept_arguments);
             *kept += at - run;
             *kept_arguments += argument - run_arguments;
@@ -282,7 +320,7 @@ impl Rewriter {
 
     /// Rewrites modules one by one; `arguments` is where theirs are.
     fn by_rules(&mut self, start: usize, end: usize, arguments: &mut usize) -> Result<(), Fault> {
-        let Self { plan, word, next, neighbours, scratch, generation, work, .. } = self;
+        let Self { plan, word, next, neighbours, scratch, generation, work, record, .. } = self;
         let step = *generation + 1;
         let mut place = start;
         while place < end {
@@ -297,6 +335,9 @@ impl Rewriter {
                 place += 1;
             }
             if place > run {
+                if let Some(record) = record {
+                    record.choices.keep(place - run);
+                }
                 next.keep(word, run..place, run_arguments..*arguments);
             }
             if place == end {
@@ -310,7 +351,11 @@ impl Rewriter {
             *arguments = own.end;
             let chance = Chance { key: word.key_of(place), seed: plan.seed, step };
             let at = Place { plan, word, neighbours, place, own: &word.arguments[own.clone()], chance };
-            match at.choose(&plan.rules.by_letter[letter], scratch, work) {
+            let chosen = at.choose(&plan.rules.by_letter[letter], scratch, work);
+            if let Some(record) = record {
+                record.choices.push(chosen.map_or(Choice::Stayed, |rule| Choice::Made(rule.production)));
+            }
+            match chosen {
                 None => next.keep(word, place..place + 1, own),
                 Some(rule) => {
                     let from = next.letters.len();

@@ -12,6 +12,21 @@ pub struct Module {
     pub since: u32,
     /// The step that made it, unless it goes on in the place of another.
     pub made: u32,
+    /// Its place in the word, and that of the module of the former word that it comes of.
+    pub index: usize,
+    pub parent: usize,
+    /// The production that made it, and its place in the successor; a module that stays has none, one of the axiom its
+    /// place there.
+    pub production: Option<usize>,
+    pub position: usize,
+}
+
+impl Module {
+    /// Of the axiom, or made by a production; its place is that of its parent, the production and its place there.
+    fn new(symbol: char, arguments: Vec<f64>, key: Key, place: (usize, Option<usize>, usize)) -> Self {
+        let (parent, production, position) = place;
+        Self { symbol, arguments, key, since: 0, made: 0, index: position, parent, production, position }
+    }
 }
 
 /// The modules of generation `n`; `None` where a number is not finite. Takes time and memory as the word grows.
@@ -29,7 +44,8 @@ pub fn aged_modules(grammar: &Grammar, seed: u32, n: u32, draws: &dyn Fn(&Module
             let mut scope = Scope { grammar, names: vec![], key, seed, step: 0, drawn };
             let arguments = module.arguments.iter().map(|expr| scope.value(expr)).collect();
             drawn = scope.drawn;
-            Module { symbol: module.symbol, arguments, key, since: 0, made: 0 }
+            let place = (index, None, index);
+            Module::new(module.symbol, arguments, key, place)
         })
         .collect::<Vec<_>>();
     for step in 1..=n {
@@ -41,7 +57,7 @@ pub fn aged_modules(grammar: &Grammar, seed: u32, n: u32, draws: &dyn Fn(&Module
         let mut next = Vec::new();
         for (place, module) in word.iter().enumerate() {
             match tree.successor(&grammar.productions, seed, step, place) {
-                None => next.push(module.clone()),
+                None => next.push(Module { parent: module.index, production: None, position: 0, ..module.clone() }),
                 Some(mut successor) => {
                     let like = |m: &Module| m.symbol == module.symbol && m.arguments.len() == module.arguments.len();
                     let heir = successor.iter().position(like);
@@ -54,6 +70,7 @@ pub fn aged_modules(grammar: &Grammar, seed: u32, n: u32, draws: &dyn Fn(&Module
                 }
             }
         }
+        next.iter_mut().enumerate().for_each(|(index, module)| module.index = index);
         word = next;
     }
     is_finite(&word).then_some(word)
@@ -61,10 +78,14 @@ pub fn aged_modules(grammar: &Grammar, seed: u32, n: u32, draws: &dyn Fn(&Module
 
 /// The modules that a word is drawn as; `None` where a number is not finite.
 pub fn images(grammar: &Grammar, seed: u32, word: &[Module]) -> Option<Vec<Module>> {
+    Some(image_of_each(grammar, seed, word).concat()).filter(|word| is_finite(word))
+}
+
+/// The modules that each module of a word is drawn as.
+pub fn image_of_each(grammar: &Grammar, seed: u32, word: &[Module]) -> Vec<Vec<Module>> {
     let tree = Tree::new(grammar, word);
     let image = |place: usize| tree.successor(&grammar.images, seed, u32::MAX, place);
-    let drawn = (0..word.len()).flat_map(|place| image(place).unwrap_or_else(|| vec![word[place].clone()]));
-    Some(drawn.collect::<Vec<_>>()).filter(|word| is_finite(word))
+    (0..word.len()).map(|place| image(place).unwrap_or_else(|| vec![word[place].clone()])).collect()
 }
 
 /// The word without each `%` and what follows it up to the end of its branch.
@@ -264,13 +285,12 @@ impl<'a> Tree<'a> {
         } else {
             applying.swap_remove(0)
         };
-        let modules = production.successor.iter().enumerate();
-        let made = modules.map(|(index, module)| Module {
-            symbol: module.symbol,
-            arguments: module.arguments.iter().map(|expr| scope.value(expr)).collect(),
-            key: key.child(step, index as u64),
-            since: self.word[place].since,
-            made: self.word[place].made,
+        let number = productions.iter().position(|other| core::ptr::eq(other, production));
+        let made = production.successor.iter().enumerate().map(|(index, module)| {
+            let arguments = module.arguments.iter().map(|expr| scope.value(expr)).collect();
+            let key = key.child(step, index as u64);
+            let made = Module::new(module.symbol, arguments, key, (self.word[place].index, number, index));
+            Module { since: self.word[place].since, made: self.word[place].made, ..made }
         });
         Some(made.collect())
     }

@@ -10,8 +10,8 @@ mod derive;
 mod space;
 pub mod systems;
 
-use derive::{Module, aged_modules};
-pub use derive::{images, modules};
+use derive::aged_modules;
+pub use derive::{Module, image_of_each, images, modules};
 pub use space::{solid_polygons, solid_segments};
 
 /// The word of generation `n` without its arguments.
@@ -70,6 +70,13 @@ impl Pen {
             _ => {}
         }
     }
+}
+
+/// How many segments each module of a word draws.
+pub fn segments_of_each(system: &System, word: &[Module]) -> Vec<usize> {
+    let draws = |module: &Module| actions(system, module.symbol).iter().filter(|action| action.draws()).count();
+    let images = image_of_each(&system.grammar, system.seed, word);
+    images.iter().map(|modules| modules.iter().map(draws).sum()).collect()
 }
 
 /// The modules of generation `n` as they are drawn.

@@ -1,0 +1,219 @@
+//! Pages, ancestors and segments of derivations against the plain reading of the definition.
+
+mod naive;
+
+use lsystem::{Ancestor, Definition, History, Limits, Part, Progress, System, Word, draw};
+use naive::Module;
+use naive::systems::{Features, system};
+use proptest::prelude::*;
+
+fn cases() -> ProptestConfig {
+    let cases = std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500);
+    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
+}
+
+/// What reads generations in place.
+trait Reader {
+    fn symbols(&self, generation: u32) -> Option<u128>;
+    fn modules(&self, generation: u32, start: u128, length: usize) -> Vec<(char, Vec<f64>)>;
+    fn ancestry(&self, generation: u32, index: u128) -> Vec<Ancestor>;
+    fn part(&self, generation: u32, index: u128) -> Option<Part>;
+    fn segments_before(&self, index: u128) -> Option<u128>;
+    fn symbol_of_segment(&self, segment: u128) -> Option<u128>;
+}
+
+/// By the letters' counts, up to a generation.
+struct Counted<'a>(&'a System, u32);
+
+impl Counted<'_> {
+    fn word(&self, n: u32) -> Word<'_> {
+        Word::new(self.0, n).unwrap()
+    }
+}
+
+impl Reader for Counted<'_> {
+    fn symbols(&self, generation: u32) -> Option<u128> {
+        Some(self.word(generation).symbols())
+    }
+    fn modules(&self, generation: u32, start: u128, length: usize) -> Vec<(char, Vec<f64>)> {
+        let mut found = vec![];
+        let mut visit = |symbol, arguments: &[f64]| found.push((symbol, arguments.to_vec()));
+        self.word(generation).modules(start, length, &mut visit);
+        found
+    }
+    fn ancestry(&self, generation: u32, index: u128) -> Vec<Ancestor> {
+        self.word(generation).ancestry(index)
+    }
+    fn part(&self, generation: u32, index: u128) -> Option<Part> {
+        self.word(self.1).part(generation, index)
+    }
+    fn segments_before(&self, index: u128) -> Option<u128> {
+        Some(self.word(self.1).segments_before(index))
+    }
+    fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
+        self.word(self.1).symbol_of_segment(segment)
+    }
+}
+
+/// By what is remembered, up to a generation.
+struct Remembered(History, u32);
+
+impl Reader for Remembered {
+    fn symbols(&self, generation: u32) -> Option<u128> {
+        self.0.symbols(generation)
+    }
+    fn modules(&self, generation: u32, start: u128, length: usize) -> Vec<(char, Vec<f64>)> {
+        let mut found = vec![];
+        let mut visit = |symbol, arguments: &[f64]| found.push((symbol, arguments.to_vec()));
+        self.0.modules(generation, start, length, &mut visit);
+        found
+    }
+    fn ancestry(&self, generation: u32, index: u128) -> Vec<Ancestor> {
+        self.0.ancestry(generation, index)
+    }
+    fn part(&self, generation: u32, index: u128) -> Option<Part> {
+        self.0.part(generation, index, self.1)
+    }
+    fn segments_before(&self, index: u128) -> Option<u128> {
+        self.0.segments_before(index)
+    }
+    fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
+        self.0.symbol_of_segment(segment)
+    }
+}
+
+/// The chain from the axiom to a module, by the plain words.
+fn ancestry(words: &[Vec<Module>], mut index: usize) -> Vec<Ancestor> {
+    let mut chain = vec![];
+    for (generation, word) in words.iter().enumerate().rev() {
+        let Module { symbol, arguments, production, position, parent, .. } = word[index].clone();
+        let generation = generation as u32;
+        chain.push(Ancestor { generation, symbol, arguments, index: index as u128, production, position });
+        index = parent;
+    }
+    chain.reverse();
+    chain
+}
+
+fn check(reader: &dyn Reader, words: &[Vec<Module>], drawn: &[usize], place: usize) -> Result<(), TestCaseError> {
+    let n = words.len() - 1;
+    for (generation, word) in words.iter().enumerate() {
+        let length = word.len();
+        prop_assert_eq!(reader.symbols(generation as u32), Some(length as u128));
+        let start = place % (length + 1);
+        let page: Vec<_> = word.iter().skip(start).take(17).map(|m| (m.symbol, m.arguments.clone())).collect();
+        prop_assert_eq!(reader.modules(generation as u32, start as u128, 17), page);
+        prop_assert_eq!(reader.ancestry(generation as u32, length as u128), vec![]);
+        prop_assert_eq!(reader.part(generation as u32, length as u128), None);
+        if start == length {
+            continue;
+        }
+        prop_assert_eq!(reader.ancestry(generation as u32, start as u128), ancestry(&words[..=generation], start));
+        // What comes of it: a run of modules in every later generation.
+        let part = reader.part(generation as u32, start as u128).unwrap();
+        let mut own = vec![start];
+        for later in &words[generation + 1..] {
+            own = later.iter().filter(|module| own.contains(&module.parent)).map(|module| module.index).collect();
+        }
+        prop_assert_eq!(part.symbols.end - part.symbols.start, own.len() as u128);
+        if let Some(&first) = own.first() {
+            prop_assert_eq!(part.symbols.start, first as u128);
+        }
+        let before = |at: u128| drawn[..at as usize].iter().sum::<usize>() as u128;
+        prop_assert_eq!(part.segments, before(part.symbols.start)..before(part.symbols.end));
+    }
+    let place = place % (words[n].len() + 1);
+    prop_assert_eq!(reader.segments_before(place as u128), Some(drawn[..place].iter().sum::<usize>() as u128));
+    let owners: Vec<usize> = drawn.iter().enumerate().flat_map(|(at, &count)| vec![at; count]).collect();
+    prop_assert_eq!(reader.symbol_of_segment(owners.len() as u128), None);
+    if let Some(segment) = place.checked_rem(owners.len()) {
+        prop_assert_eq!(reader.symbol_of_segment(segment as u128), Some(owners[segment] as u128));
+    }
+    Ok(())
+}
+
+fn remember(system: &System, n: u32, piece: usize) -> History {
+    let mut history = History::new(system, n, &Limits::default()).unwrap();
+    while history.step(piece) == Progress::More {}
+    history
+}
+
+fn any_system() -> impl Strategy<Value = System> {
+    any::<[bool; 5]>().prop_flat_map(|[contexts, parameters, weights, images, cuts]| {
+        system(Features { contexts, parameters, weights, images, cuts })
+    })
+}
+
+proptest! {
+    #![proptest_config(cases())]
+
+    #[test]
+    fn every_place_equals_that_of_the_plain_words(system in any_system(), n in 0_u32..7, piece in 1_usize..900, place: u16) {
+        let word = |n: u32| naive::modules(&system.grammar, system.seed, n);
+        let short = |word: &Vec<Module>| word.len() < 900;
+        let words: Vec<_> = (0..=n).map_while(|n| word(n).filter(short)).collect();
+        prop_assume!(!words.is_empty());
+        let n = words.len() as u32 - 1;
+        let drawn = naive::segments_of_each(&system, &words[n as usize]);
+        let history = remember(&system, n, piece);
+        prop_assert!(history.is_complete());
+        check(&Remembered(history, n), &words, &drawn, place.into())?;
+        if Word::new(&system, n).is_some() {
+            check(&Counted(&system, n), &words, &drawn, place.into())?;
+        }
+        // The segments are numbered as in the drawing.
+        if naive::images(&system.grammar, system.seed, &words[n as usize]).is_some() {
+            let total = drawn.iter().sum::<usize>() as u128;
+            prop_assert_eq!(draw(&system, n, &Limits::default()).unwrap().segment_count(), total);
+        }
+    }
+}
+
+fn read(axiom: &str, rules: &str) -> System {
+    let definition = Definition { axiom: axiom.into(), rules: rules.into(), angle: 25.0, ..Definition::default() };
+    System::new(&definition).0.unwrap()
+}
+
+#[test]
+fn modules_with_parameters_in_a_generation_without_end() {
+    // ABOP, figure 2.6a.
+    let honda = read(
+        "A(1,10)",
+        "r1 = 0.9\nr2 = 0.6\nwr = 0.707\n\
+         A(l,w) -> !(w)F(l)[&(45)B(l*r2,w*wr)]/(137.5)A(l*r1,w*wr)\n\
+         B(l,w) -> !(w)F(l)[-(45)$C(l*r2,w*wr)]C(l*r1,w*wr)\n\
+         C(l,w) -> !(w)F(l)[+(45)$B(l*r2,w*wr)]B(l*r1,w*wr)",
+    );
+    let word = Word::new(&honda, 100).unwrap();
+    assert!(word.symbols() > 1 << 100);
+    assert_eq!(word.slice(0, 5), "!(10)F(1)[&(45)!(7.069999999999999)");
+    let last = word.ancestry(word.symbols() - 1).pop().unwrap();
+    assert_eq!((last.symbol, last.production, last.position), ('A', Some(0), 7));
+    assert!((last.arguments[0] - libm::pow(0.9, 100.0)).abs() < 1e-15);
+    assert_eq!(Word::new(&honda, 10).unwrap().symbols(), 7_162);
+}
+
+#[test]
+fn signals_are_traced_through_all_generations() {
+    // ABOP, figure 1.31a (Hogeweg and Hesper).
+    let signals = read(
+        "F1F1F1",
+        "ignore: +-F\n0 < 0 > 0 -> 0\n0 < 0 > 1 -> 1[+F1F1]\n0 < 1 > 0 -> 1\n0 < 1 > 1 -> 1\n\
+         1 < 0 > 0 -> 0\n1 < 0 > 1 -> 1F1\n1 < 1 > 0 -> 0\n1 < 1 > 1 -> 0\n+ -> -\n- -> +",
+    );
+    let history = remember(&signals, 30, 1000);
+    assert_eq!(history.symbols(30), Some(6_910));
+    assert_eq!(history.slice(30, 0, 6_910), lsystem::expand(&signals, 30, &Limits::default()).unwrap());
+    let chain = history.ancestry(30, 5_000);
+    assert_eq!((chain.len(), chain[0].generation, chain[30].index), (31, 0, 5_000));
+    for link in &chain {
+        assert!(history.part(link.generation, link.index, 30).unwrap().symbols.contains(&5_000));
+    }
+    // Generations that would be too long end it; those before can be read.
+    let limits = Limits { modules: 1_000, ..Limits::default() };
+    let mut short = History::new(&signals, 30, &limits).unwrap();
+    while short.step(100) == Progress::More {}
+    assert!(!short.is_complete() && short.symbols(30).is_none());
+    assert_eq!(short.symbols(10), history.symbols(10));
+    assert_eq!(short.slice(10, 0, 99), history.slice(10, 0, 99));
+}
