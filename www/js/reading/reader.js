@@ -5,7 +5,7 @@ import { latest } from '../latest.js';
 import { grouped, shortText } from '../numerals.js';
 import { REACH, countText, lastTop, portion, ratio, readPlace, rowsOf, scrolled, within } from './places.js';
 import { rowsView } from './rows.js';
-import { birth, descent, modulesOf, origin, visible } from './words.js';
+import { birth, birthOf, descent, modulesOf, origin, visible } from './words.js';
 
 /** @typedef {import('./words.js').Link} Link */
 /** @typedef {import('./places.js').Top} Top */
@@ -200,7 +200,7 @@ export function createReader(engine, { mark, opened }) {
             return make('li', link.generation === own.generation && link.index === own.index ? { class: 'own' } : {}, here);
         });
         path.replaceChildren(
-            make('p', { class: 'path-head' }, make('kbd', {}, visible(own.symbol)), make('span', {}, origin(chain))),
+            make('p', { class: 'path-head' }, make('kbd', {}, visible(own.symbol)), make('span', {}, own.symbol.length === 1 ? origin(chain) : birthOf(chain))),
             make('p', { class: 'note' }, drawnText(part, stroke)),
             make('ol', { class: 'links', 'aria-label': 'Where it comes from, back to the axiom' }, ...links),
         );

@@ -208,6 +208,11 @@ export function rowsView(area) {
             const [symbol, given] = partsOf(module);
             const tint = tintOf(symbol);
             const own = marks.filter((mark) => mark.at === at).map(({ name }) => name);
+            if (given && own.length > 0) {
+                flush();
+                cells.append(make('span', { class: own.join(' ') }, symbol, given));
+                return;
+            }
             // Others may be wider than a column in the font at hand.
             const foreign = [...symbol].length === 1 && (symbol < '\u0020' || symbol > '\u007e');
             const next = [tint ? `t-${tint}` : '', foreign ? 'foreign' : '', ...own].filter(Boolean).join(' ');
@@ -216,7 +221,7 @@ export function rowsView(area) {
             run += symbol;
             if (!given) return;
             flush();
-            cells.append(make('span', { class: ['given', ...own].join(' ') }, given));
+            cells.append(make('span', { class: 'given' }, given));
         });
         flush();
         return make('div', { class: 'row-line' }, make('span', { class: 'margin', 'aria-hidden': 'true' }, marginText(start)), cells);

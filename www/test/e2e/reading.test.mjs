@@ -235,7 +235,7 @@ test('modules with parameters are shown with their numbers, and traced', () =>
         const width = await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.ruler')).getBoundingClientRect().width / 50);
         // In the midst of `F(0.7)`, the fourth module.
         await page.mouse.click(place.x + width * 9, place.y + 8);
-        await until(async () => /^F\(0\.7\)F\(0\.7\) at step 2, by rule 1, first symbolSegment 2, marked/.test(await text(page, '#reader-path')), 'its origin');
+        await until(async () => /^F\(0\.7\)step 2, by rule 1, first symbolSegment 2, marked/.test(await text(page, '#reader-path')), 'its origin');
         assert.match(await text(page, '#reader-path'), /A\(0\.7\)step 1, by rule 1, fourth symbolA\(1\)first symbol of the axiom/);
         await page.keyboard.press('ArrowLeft');
         await until(async () => /^\+\+ at step 1/.test(await text(page, '#reader-path')), 'its neighbour');
