@@ -141,7 +141,8 @@
     function pose() {
         if (upto === null) return null;
         const began = upto > 0n;
-        const stroke = playground.segment(began ? upto - 1n : 0n);
+        // Only the full wasm tells.
+        const stroke = playground.segment?.(began ? upto - 1n : 0n);
         if (!stroke) return null;
         const { from, to, fittedFrom, fittedTo, heading, level } = stroke;
         return { at: began ? to : from, fitted: began ? fittedTo : fittedFrom, heading, level };

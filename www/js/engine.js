@@ -1,7 +1,8 @@
 /**
  * The worker as seen from the page. Nothing is ever queued: one state is in flight, the newest one waits, those between
  * are forgotten. A state in flight is let finish while it is quick, so that a long drag shows pictures on the way; then
- * the newest supersedes it. A worker that fails is replaced by a fresh one with the same state.
+ * the newest supersedes it. A worker that fails is replaced by a fresh one with the same state, and so is the small kit
+ * of the first picture, by the full one.
  */
 
 import { bytesOf, scriptAddress } from './files.js';
@@ -28,7 +29,7 @@ import { same } from './state.js';
  * @property {boolean} ok when false, the last good drawing stays
  * @property {Diagnostic[]} diagnostics
  * @property {string} kind `deterministic`, or those of `stochastic`, `context-sensitive`, `parametric` that hold, separated by commas
- * @property {boolean} beyond whether only the full kit can draw it
+ * @property {boolean} beyond whether only the full kit can draw it, or say what is wrong with it
  * @property {boolean} stochastic
  * @property {boolean} solid whether the drawing leaves the plane
  * @property {boolean | null} memoised whether the drawing shares its blocks; null while unknown
@@ -75,6 +76,9 @@ import { same } from './state.js';
 /** A state in flight is superseded when it is not drawn after this time, in milliseconds. */
 const PATIENCE = 250;
 
+/** The full kit is fetched so long after the first picture, in milliseconds. */
+const IDLE = 500;
+
 /** A worker that fails this often in a row with the same state is not started again. */
 const MOST_FAILURES = 2;
 
@@ -113,17 +117,41 @@ export function createEngine(kits, events) {
     let defineSent = 0;
     let lookSent = 0;
     let patience = 0;
+    /** The timer that waits for a quiet moment to grow in. */
+    let idle = 0;
     /** Views sent and not yet drawn. @type {Map<number, Look>} */
     const views = new Map();
     /** Questions without an answer yet. @type {Map<number, {request: object, resolve: (answer: any) => void, reject: (reason: Error) => void}>} */
     const asked = new Map();
 
+    /** The state that is shown at its finest. @type {{definition: Definition | null, look: Look | null}} */
+    let shown = { definition: null, look: null };
+
     start();
 
     function start() {
         const fresh = new Worker(scriptAddress(kit.worker));
+        employ(fresh);
+        wasm ??= bytesOf(kit.wasm);
+        wasm.then(
+            (bytes) => {
+                if (worker !== fresh) return;
+                fresh.postMessage({ type: 'init', wasm: bytes });
+                begin();
+            },
+            (error) => {
+                wasm = null;
+                if (worker === fresh) fail(error.message, true);
+            },
+        );
+    }
+
+    /** Puts a worker in the place of another, for the same state. @param {Worker} fresh */
+    function employ(fresh) {
+        worker?.terminate();
         worker = fresh;
         ready = false;
+        views.clear();
         clearTimeout(patience);
         patience = 0;
         defineWaits = definition !== null;
@@ -133,20 +161,13 @@ export function createEngine(kits, events) {
             event.preventDefault();
             if (worker === fresh) fail(event.message || 'the worker did not start');
         };
-        wasm ??= bytesOf(kit.wasm);
-        wasm.then(
-            (bytes) => {
-                if (worker !== fresh) return;
-                fresh.postMessage({ type: 'init', wasm: bytes });
-                ready = true;
-                send();
-                for (const { request } of asked.values()) fresh.postMessage(request);
-            },
-            (error) => {
-                wasm = null;
-                if (worker === fresh) fail(error.message, true);
-            },
-        );
+    }
+
+    /** The worker has its wasm: it is told the state, and asked what there is to ask. */
+    function begin() {
+        ready = true;
+        send();
+        for (const { request } of asked.values()) worker?.postMessage(request);
     }
 
     function send() {
@@ -196,9 +217,13 @@ export function createEngine(kits, events) {
                 failures = 0;
                 const seen = views.get(message.viewId);
                 for (const id of views.keys()) if (id < message.viewId) views.delete(id);
-                if (seen) events.drawn({ ...message, ...seen });
-                // A coarse picture lets the next state follow; only the finest is the end of it.
-                if (message.id >= defineSent && message.viewId >= lookSent) message.complete ? settle() : goOn();
+                const newest = message.id >= defineSent && message.viewId >= lookSent;
+                // A worker that takes over begins with a coarse picture of what is shown at its finest already.
+                const known = newest && !message.complete && shown.definition === definition && shown.look === look;
+                if (seen && !known) events.drawn({ ...message, ...seen });
+                if (newest && message.complete && !(defineWaits || lookWaits)) rest();
+                // Only the finest is the end of it.
+                if (newest) message.complete ? settle() : goOn();
                 break;
             }
             case 'fatal':
@@ -215,7 +240,6 @@ export function createEngine(kits, events) {
         worker?.terminate();
         worker = null;
         failures += 1;
-        views.clear();
         for (const { reject } of asked.values()) reject(new Error(message));
         asked.clear();
         const again = !hopeless && failures < MOST_FAILURES;
@@ -236,23 +260,43 @@ export function createEngine(kits, events) {
         });
     }
 
+    /** The picture is there: time for what it did not need. */
+    function rest() {
+        shown = { definition, look };
+        // What fails here is tried again when it is needed.
+        if (kit !== full && !growing && !idle) idle = window.setTimeout(() => grow().catch(() => {}), IDLE);
+    }
+
     /** Goes over to the full kit, with the same state and the questions under way. The picture stays meanwhile. */
     function grow() {
         if (kit === full) return Promise.resolve();
-        growing ??= bytesOf(full.wasm).then(
-            (bytes) => {
-                kit = full;
-                wasm = Promise.resolve(bytes);
-                views.clear();
-                worker?.terminate();
-                start();
-            },
-            (error) => {
-                growing = null;
-                throw error;
-            },
-        );
+        growing ??= fullWorker().catch((error) => {
+            growing = null;
+            throw error;
+        });
         return growing;
+    }
+
+    /** The worker in use goes on until the full one is ready. */
+    async function fullWorker() {
+        const bytes = await bytesOf(full.wasm);
+        const fresh = new Worker(scriptAddress(full.worker));
+        await new Promise((resolve, reject) => {
+            const refuse = (/** @type {string} */ why) => {
+                fresh.terminate();
+                reject(new Error(why));
+            };
+            fresh.onmessage = ({ data }) => (data.type === 'ready' ? resolve(null) : refuse(data.message));
+            fresh.onerror = (event) => {
+                event.preventDefault();
+                refuse(event.message || 'the worker did not start');
+            };
+            fresh.postMessage({ type: 'init', wasm: bytes });
+        });
+        kit = full;
+        wasm = Promise.resolve(bytes);
+        employ(fresh);
+        begin();
     }
 
     /** Asks what only the full kit can answer. @param {object} question @returns {Promise<any>} */
@@ -293,19 +337,21 @@ export function createEngine(kits, events) {
             look = { ...look, upto };
             lookWaits = true;
             send();
+            // The turtle's pose is known to the full kit only.
+            if (upto !== null) grow().catch(() => {});
         },
 
         /** @param {number} generation @param {bigint} start @param {number} count @returns {Promise<StringPage>} */
-        string: (generation, start, count) => ask({ type: 'string', generation, start, count }),
+        string: (generation, start, count) => askFull({ type: 'string', generation, start, count }),
 
         /** A symbol of a generation, and what it has become in the one that is drawn. @param {number} generation @param {bigint} index @returns {Promise<SymbolFacts>} */
-        symbol: (generation, index) => ask({ type: 'symbol', generation, index }),
+        symbol: (generation, index) => askFull({ type: 'symbol', generation, index }),
 
         /** Where the symbols derived from another begin, in decimal digits. @param {number} generation @param {bigint} index @param {number} later @returns {Promise<string | null>} */
-        descendant: async (generation, index, later) => (await ask({ type: 'descendant', generation, index, later })).start,
+        descendant: async (generation, index, later) => (await askFull({ type: 'descendant', generation, index, later })).start,
 
         /** What is drawn near a place, in device pixels. @param {number} x @param {number} y @param {number} tolerance @returns {Promise<Picked>} */
-        pick: (x, y, tolerance) => ask({ type: 'pick', x, y, tolerance }),
+        pick: (x, y, tolerance) => askFull({ type: 'pick', x, y, tolerance }),
 
         /** @param {{axiom: string, rules: string, overrides: string}} texts @returns {Promise<Notation>} */
         notation: (texts) => ask({ type: 'notation', texts }),

@@ -5,12 +5,13 @@ use crate::report::{Report, legend_of, problems};
 use crate::surface::Surface;
 use crate::viewer::{Drawn, Realm, Scene, Views};
 use crate::{from_js, to_js};
-use lsystem::{
-    Definition, Diagnostic, History, Kind, System, View, Viewport, count_segments, count_symbols, kind, why_empty,
-};
+use lsystem::{Definition, Diagnostic, Kind, System, View, Viewport, count_segments, count_symbols, kind, why_empty};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
+
+/// Whether this wasm leaves drawings in space and the words of problems to the full one.
+const BEYOND: bool = cfg!(not(feature = "full"));
 
 /// An L-system between edits: its drawing, and the picture on the canvas.
 #[wasm_bindgen]
@@ -20,7 +21,8 @@ pub struct Playground {
     pub(crate) definition: Definition,
     pub(crate) system: Option<System>,
     /// Of its derivation, once somebody asks.
-    pub(crate) history: Option<History>,
+    #[cfg(feature = "full")]
+    pub(crate) history: Option<lsystem::History>,
     pub(crate) views: Views,
     /// Where a drawing is being built.
     building: Option<Realm>,
@@ -58,6 +60,7 @@ impl Playground {
             clock: Clock::new(),
             definition: Definition::default(),
             system: None,
+            #[cfg(feature = "full")]
             history: None,
             views: Views::default(),
             building: None,
@@ -81,7 +84,7 @@ impl Playground {
         let (system, diagnostics) = System::new(&definition);
         let diagnostics = problems(&diagnostics, &definition, "");
         let Some(system) = system else {
-            return to_js(&Report { diagnostics, ..Report::default() });
+            return to_js(&Report { diagnostics, beyond: BEYOND, ..Report::default() });
         };
         let n = definition.iterations;
         let same_drawing = self.definition.iterations == n
@@ -117,7 +120,10 @@ impl Playground {
             self.start(&system, n);
         }
         self.stale = true;
-        self.history = None;
+        #[cfg(feature = "full")]
+        {
+            self.history = None;
+        }
         self.definition = definition;
         self.system = Some(system);
         to_js(&self.report)
@@ -173,6 +179,7 @@ impl Playground {
 }
 
 impl Playground {
+    #[cfg(feature = "full")]
     pub(crate) fn shown_iterations(&self) -> u32 {
         self.definition.iterations
     }
@@ -233,6 +240,7 @@ impl Playground {
             self.report.largest = largest;
         }
         self.report.diagnostics.extend(problems(&[limit], &self.definition, ""));
+        self.report.beyond = BEYOND;
     }
 
     /// Goes on with the picture; what is on the canvas after that, if anything new is.

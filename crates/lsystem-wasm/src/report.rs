@@ -1,6 +1,8 @@
 //! Structured results for the page.
 
-use lsystem::{Definition, Diagnostic, Field, Severity, legend};
+use lsystem::{Definition, Diagnostic, legend};
+#[cfg(feature = "full")]
+use lsystem::{Field, Severity};
 use serde::Serialize;
 
 /// A diagnostic in words, with its place in UTF-16 units.
@@ -29,7 +31,7 @@ pub struct Report {
     pub diagnostics: Vec<Problem>,
     /// What sort of system it is, in words.
     pub kind: String,
-    /// Whether only the full wasm can draw it.
+    /// Whether only the full wasm can draw it, or say what is wrong with it.
     pub beyond: bool,
     /// Whether chance plays a part.
     pub stochastic: bool,
@@ -65,12 +67,20 @@ pub struct Legend {
 }
 
 /// What a plain function throws.
+#[cfg(feature = "full")]
 #[derive(Serialize)]
 pub(crate) struct Failure {
     pub(crate) diagnostics: Vec<Problem>,
 }
 
+/// The words are left to the full wasm.
+#[cfg(not(feature = "full"))]
+pub(crate) fn problems(_: &[Diagnostic], _: &Definition, _: &str) -> Vec<Problem> {
+    vec![]
+}
+
 /// Diagnostics in words; `file` is the text that [`Field::File`] spans point into.
+#[cfg(feature = "full")]
 pub(crate) fn problems(diagnostics: &[Diagnostic], definition: &Definition, file: &str) -> Vec<Problem> {
     let problem = |diagnostic: &Diagnostic| {
         let (field, text) = match diagnostic.field {

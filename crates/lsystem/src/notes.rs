@@ -99,7 +99,7 @@ pub(crate) fn excerpt(text: &str) -> String {
 
 /// The candidate most similar to `word`, if any is similar enough to be what was meant.
 pub(crate) fn similar<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let word: Vec<char> = word.chars().flat_map(char::to_lowercase).take(64).collect();
+    let word: Vec<char> = word.chars().map(|c| c.to_ascii_lowercase()).take(64).collect();
     let enough = (word.len() / 3).max(1);
     (candidates.into_iter().map(|c| (distance(&word, c), c)))
         .filter(|(d, c)| *d <= enough && *d < c.chars().count())
@@ -109,7 +109,7 @@ pub(crate) fn similar<'a>(word: &str, candidates: impl IntoIterator<Item = &'a s
 
 /// Edit distance, a swap of neighbours counting as one (Damerau, 1964; the restricted form).
 fn distance(a: &[char], b: &str) -> usize {
-    let b: Vec<char> = b.chars().flat_map(char::to_lowercase).take(64).collect();
+    let b: Vec<char> = b.chars().map(|c| c.to_ascii_lowercase()).take(64).collect();
     let mut rows = [vec![0; b.len() + 1], (0..=b.len()).collect::<Vec<_>>(), vec![0; b.len() + 1]];
     for i in 1..=a.len() {
         rows[2][0] = i;

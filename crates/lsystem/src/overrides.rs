@@ -178,7 +178,7 @@ fn head(tokens: &[Token], end: usize, notes: &mut Notes) -> Option<(char, Range<
     }
     let rest = tokens[1..].iter().position(|t| !matches!(t.ch, '=' | '-' | '>' | '→'));
     let suggestion = rest.and_then(|from| {
-        let phrase = phrase(&tokens[1 + from..]).to_lowercase();
+        let phrase = phrase(&tokens[1 + from..]).to_ascii_lowercase();
         let known = action(&phrase).is_ok() && !tokens[1 + from].joined;
         known.then(|| format!("{}: {phrase}", first.ch))
     });

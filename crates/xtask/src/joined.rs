@@ -16,7 +16,6 @@ pub(crate) fn join(site: &Path, page: &str) -> Result<()> {
         let tag = Tag(line);
         match (tag.name(), tag.attribute("rel"), tag.attribute("href").or(tag.attribute("src"))) {
             ("link", Some("stylesheet"), Some(name)) => styles.push_str(&files::read_text(&site.join(name))?),
-            ("link", Some("modulepreload"), _) => {}
             ("script", _, Some(name)) if tag.attribute("type") == Some("module") => entry = Some(name.to_owned()),
             _ => {
                 if line == "</head>" {
@@ -44,7 +43,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let site = folder.path();
         let page = "<head>\n<link rel=\"icon\" href=\"a.svg\">\n<link rel=\"stylesheet\" href=\"a.css\">\n<link rel=\"stylesheet\" href=\"b.css\">\n\
-                    <link rel=\"modulepreload\" href=\"b.js\">\n<script src=\"early.js\"></script>\n<script type=\"module\" src=\"a.js\"></script>\n</head>\n<p>\n";
+                    <script src=\"early.js\"></script>\n<script type=\"module\" src=\"a.js\"></script>\n</head>\n<p>\n";
         for (name, text) in [
             ("index.html", page),
             ("a.css", "a {}\n"),

@@ -163,7 +163,6 @@ mod tests {
 <script src="early.js"></script>
 <link rel="stylesheet" href="a.css">
 <link rel="stylesheet" href="b.css">
-<link rel="modulepreload" href="b.js">
 <script type="module" src="main.js"></script>
 </head>
 <body>
@@ -204,7 +203,7 @@ mod tests {
         ] {
             assert!(page.contains(part), "{part}\n{page}");
         }
-        for gone in ["manifest", "modulepreload", "src=", "'self'"] {
+        for gone in ["manifest", "src=", "'self'"] {
             assert!(!page.contains(gone), "{gone}\n{page}");
         }
     }

@@ -53,6 +53,8 @@ export function createReader(engine, { mark, opened }) {
     /** Whether the next page is of another definition than the last. */
     let renewed = true;
     let why = '';
+    /** Whether a place was asked for before the length was known. */
+    let wished = false;
 
     const generation = () => Math.min(step ?? iterations, iterations);
     const scale = () => ({ rows: rowsOf(length ?? 0n, rows.columns), rowHeight: rows.rowHeight, height: rows.height });
@@ -76,6 +78,7 @@ export function createReader(engine, { mark, opened }) {
             if (changed && chosen !== null) reveal(chosen);
             show();
             if (changed && answer.text !== null) need();
+            if (wished) go();
         },
     );
     const fetchFacts = latest(
@@ -288,6 +291,7 @@ export function createReader(engine, { mark, opened }) {
             show();
             need();
         } else {
+            wished = false;
             forget();
         }
     }
@@ -307,12 +311,16 @@ export function createReader(engine, { mark, opened }) {
         if (event.key === 'Escape') button('close-reader').click();
     });
 
-    goTo.addEventListener('keydown', (event) => {
-        if (event.key !== 'Enter' || length === null) return;
+    /** Goes to the place that was typed, as soon as the length is known. */
+    function go() {
+        wished = length === null;
+        if (length === null) return;
         const place = readPlace(goTo.value, length);
         goTo.toggleAttribute('data-wrong', place === null);
         if (place !== null) choose(place);
-    });
+    }
+
+    goTo.addEventListener('keydown', (event) => event.key === 'Enter' && go());
     goTo.addEventListener('input', () => goTo.toggleAttribute('data-wrong', goTo.value.trim() !== '' && readPlace(goTo.value, length ?? REACH) === null));
 
     rows.gestures({

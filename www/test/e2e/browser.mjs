@@ -122,11 +122,15 @@ export async function sameAgain(page, former) {
     await until(async () => (await picture(page)).digest === former.digest, 'the former picture is there again');
 }
 
+/** Waits until the page has shown what it has been told, however slow the machine. @param {Page} page */
+const frames = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+
 /** Waits until nothing newer is under way and the picture has stopped changing. @param {Page} page */
 export async function stillPicture(page) {
     let last = await picture(page);
     let since = Date.now();
     return until(async () => {
+        await frames(page);
         const now = await picture(page);
         if (now.digest !== last.digest) {
             last = now;

@@ -5,14 +5,6 @@ import { test } from 'node:test';
 const root = new URL('../../', import.meta.url);
 const page = readFileSync(new URL('index.html', root), 'utf8');
 
-test('every module is asked for at once, not when another first imports it', () => {
-    const all = readdirSync(new URL('js', root), { recursive: true, encoding: 'utf8' })
-        .filter((name) => name.endsWith('.js') && !['main.js', 'theme-early.js'].includes(name) && !name.startsWith('embed'))
-        .map((name) => `js/${name.replaceAll('\\', '/')}`);
-    const listed = [...page.matchAll(/<link rel="modulepreload" href="([^"]+)">/g)].map((match) => match[1]);
-    assert.deepEqual(listed.sort(), all.sort());
-});
-
 test('the page asks for nothing from elsewhere, and holds no script or style of its own', () => {
     assert.doesNotMatch(page, /(src|href)="(https?:)?\/\//);
     assert.doesNotMatch(page, / style=| on[a-z]+=|<style/);

@@ -243,7 +243,7 @@ fn heading(tokens: &[Token]) -> Option<(String, usize)> {
     let from = usize::from(tokens.first()?.is('#'));
     let colon = tokens.iter().take(16).position(|t| t.is(':'))?;
     let word = tokens.get(from..colon)?;
-    is_name(word).then(|| (word.iter().flat_map(|t| t.ch.to_lowercase()).collect(), colon + 1))
+    is_name(word).then(|| (word.iter().map(|t| t.ch.to_ascii_lowercase()).collect(), colon + 1))
 }
 
 /// Whether a character may be part of what was meant as an arrow.
