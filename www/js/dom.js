@@ -61,5 +61,17 @@ export function setValue(field, text) {
     field.setSelectionRange(text.length - tail, text.length - tail);
 }
 
+/**
+ * Closes a dialog by a button in it, and by a click beside it.
+ * @param {HTMLDialogElement} dialog
+ * @param {string} id of the button
+ */
+export function closes(dialog, id) {
+    button(id).addEventListener('click', () => dialog.close());
+    dialog.addEventListener('click', (event) => {
+        if (event.target === dialog) dialog.close();
+    });
+}
+
 /** Whether the reader asked for less motion. */
 export const calm = () => matchMedia('(prefers-reduced-motion: reduce)').matches;

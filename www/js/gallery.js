@@ -1,9 +1,10 @@
 /** Every system of the collection, with a small picture of each, to search and pick. */
 
-import { button, byId, html, input, make, setText } from './dom.js';
+import { button, byId, closes, html, input, make, setText } from './dom.js';
 import { jsonOf } from './files.js';
 import { clean, definitionOf } from './state.js';
 import { TAGS, choose, count, makingOf, tagsOf } from './tags.js';
+import { emptyThumb, paintThumb } from './thumb.js';
 
 /** @typedef {import('./state.js').Definition} Definition */
 /** @typedef {{path: string, folder: string, definition: Definition} & import('./tags.js').Sorts} Entry */
@@ -71,7 +72,7 @@ export function createGallery(engine, { pick, dress, look }) {
     /** @param {Entry} entry @returns {Card} */
     function newCard(entry) {
         const definition = definitionOf(clean(entry.definition));
-        const picture = make('canvas', { class: 'thumb', width: '1', height: '1', 'aria-hidden': 'true' });
+        const picture = emptyThumb();
         const title = definition.title || definition.name;
         const kind = `${[...entry.kinds, ...(entry.solid ? ['3D'] : [])].join(', ')}, n\u00a0=\u00a0${definition.iterations}`;
         const card = make(
@@ -100,16 +101,10 @@ export function createGallery(engine, { pick, dress, look }) {
         const wanted = look();
         if (card.painted === wanted) return;
         card.painted = wanted;
-        const side = Math.round(SIDE * Math.min(2, devicePixelRatio || 1));
         const definition = dress(card.entry.definition);
         card.picture.style.background = definition.background;
         try {
-            const bitmap = await engine.thumb({ ...definition, minWidth: Math.min(definition.minWidth, 1) }, side, side);
-            if (!bitmap) return;
-            card.picture.width = bitmap.width;
-            card.picture.height = bitmap.height;
-            card.picture.getContext('bitmaprenderer')?.transferFromImageBitmap(bitmap);
-            card.picture.classList.add('inked');
+            await paintThumb(card.picture, engine, definition, SIDE);
         } catch {
             // The worker was replaced meanwhile; the picture comes when the gallery is next opened.
             card.painted = '';
@@ -166,12 +161,8 @@ export function createGallery(engine, { pick, dress, look }) {
     }
 
     button('open-gallery').addEventListener('click', open);
-    button('close-gallery').addEventListener('click', () => dialog.close());
+    closes(dialog, 'close-gallery');
     search.addEventListener('input', filter);
-    // A click beside the sheet closes it.
-    dialog.addEventListener('click', (event) => {
-        if (event.target === dialog) dialog.close();
-    });
 }
 
 /** The systems by folder, those of SHELVES first. @param {Entry[]} entries */

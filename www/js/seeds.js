@@ -1,7 +1,8 @@
 /** A sheet of nine seeds to choose from. */
 
-import { button, byId, html, make } from './dom.js';
+import { button, byId, closes, html, make } from './dom.js';
 import { definitionOf } from './state.js';
+import { emptyThumb, paintThumb } from './thumb.js';
 
 /** Pictures on the sheet. */
 const COUNT = 9;
@@ -15,7 +16,7 @@ const SIDE = 200;
 export function createSeeds(store, engine) {
     const dialog = byId('seeds', HTMLDialogElement);
     const cards = Array.from({ length: COUNT }, () => {
-        const picture = make('canvas', { class: 'thumb', width: '1', height: '1', 'aria-hidden': 'true' });
+        const picture = emptyThumb();
         const label = make('span', { class: 'card-kind' });
         const card = make('button', { type: 'button', class: 'card', 'aria-label': 'Another seed' }, picture, label);
         card.addEventListener('click', () => {
@@ -32,8 +33,8 @@ export function createSeeds(store, engine) {
     /** @param {number[]} seeds */
     async function show(seeds) {
         const own = ++sheet;
+        const wanted = () => own === sheet && dialog.open;
         const definition = definitionOf(store.state);
-        const side = Math.round(SIDE * Math.min(2, devicePixelRatio || 1));
         cards.forEach(({ picture, label, card }, index) => {
             const seed = /** @type {number} */ (seeds[index]);
             const present = seed === definition.seed;
@@ -47,13 +48,8 @@ export function createSeeds(store, engine) {
         for (const [index, { picture }] of cards.entries()) {
             const seed = /** @type {number} */ (seeds[index]);
             try {
-                const bitmap = await engine.thumb({ ...definition, seed, minWidth: Math.min(definition.minWidth, 1) }, side, side);
-                if (own !== sheet || !dialog.open) return bitmap?.close();
-                if (!bitmap) continue;
-                picture.width = bitmap.width;
-                picture.height = bitmap.height;
-                picture.getContext('bitmaprenderer')?.transferFromImageBitmap(bitmap);
-                picture.classList.add('inked');
+                await paintThumb(picture, engine, { ...definition, seed }, SIDE, wanted);
+                if (!wanted()) return;
             } catch {
                 // The worker was replaced meanwhile; its failure is shown elsewhere.
                 return;
@@ -79,11 +75,7 @@ export function createSeeds(store, engine) {
         fill();
     });
     button('more-seeds').addEventListener('click', fill);
-    button('close-seeds').addEventListener('click', () => dialog.close());
-    // A click beside the sheet closes it.
-    dialog.addEventListener('click', (event) => {
-        if (event.target === dialog) dialog.close();
-    });
+    closes(dialog, 'close-seeds');
     html('seed-cards').addEventListener('keydown', (event) => {
         const at = cards.findIndex(({ card }) => card === document.activeElement);
         const by = { ArrowLeft: -1, ArrowRight: 1, ArrowUp: -3, ArrowDown: 3 }[event.key];

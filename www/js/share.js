@@ -2,7 +2,7 @@
 
 import { copyField, copyKeys } from './copy.js';
 import { download, fileName } from './download.js';
-import { button, byId, html, input, setText } from './dom.js';
+import { button, byId, closes, html, input, setText } from './dom.js';
 import { bestLink, shortestLink } from './packed.js';
 import { qrFile, qrPicture } from './qr.js';
 import { elementCode, frameCode } from './share-code.js';
@@ -137,11 +137,7 @@ export function createShare(store, engine) {
         return refresh();
     }
     for (const id of ['share', 'share-more']) button(id).addEventListener('click', open);
-    button('close-share').addEventListener('click', () => dialog.close());
-    // A click beside the sheet closes it.
-    dialog.addEventListener('click', (event) => {
-        if (event.target === dialog) dialog.close();
-    });
+    closes(dialog, 'close-share');
 
     return {
         /** Opens with the link selected, for the reader to copy. */

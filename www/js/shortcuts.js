@@ -1,17 +1,13 @@
 /** The sheet of keys and gestures: a button opens it, and `?` wherever nothing is being typed. */
 
-import { button, byId } from './dom.js';
+import { button, byId, closes } from './dom.js';
 
 export function createShortcuts() {
     const sheet = byId('shortcuts', HTMLDialogElement);
     const open = () => sheet.showModal();
 
     button('open-shortcuts').addEventListener('click', open);
-    button('close-shortcuts').addEventListener('click', () => sheet.close());
-    // A click beside the sheet closes it.
-    sheet.addEventListener('click', (event) => {
-        if (event.target === sheet) sheet.close();
-    });
+    closes(sheet, 'close-shortcuts');
     addEventListener('keydown', (event) => {
         if (event.key !== '?' || event.ctrlKey || event.metaKey || event.altKey) return;
         if (isTypedInto(event.target) || document.querySelector('dialog[open]')) return;

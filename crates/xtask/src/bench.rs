@@ -1,5 +1,5 @@
 //! `cargo xtask bench`: speed beside other implementations and beside plain copying, the times of pictures, and
-//! how free the page stays.
+//! how free the page stays, and what opening it costs.
 
 use crate::workspace::{Workspace, run};
 use crate::{bindgen, build, page, tools};
@@ -7,11 +7,13 @@ use anyhow::{Result, bail};
 use std::ffi::OsStr;
 use std::process::Command;
 
-/// Measures natively, in the browser, pictures, the page, or all of it.
+const PARTS: [&str; 5] = ["native", "web", "pictures", "page", "load"];
+
+/// Measures natively, in the browser, pictures, the page, what it costs to open it, or all of it.
 pub(crate) fn bench<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a str>) -> Result<()> {
     let parts: Vec<_> = words.collect();
-    if let Some(word) = parts.iter().find(|word| !["native", "web", "pictures", "page"].contains(word)) {
-        bail!("there is no part `{word}` of the measurements; there are native, web, pictures, page");
+    if let Some(word) = parts.iter().find(|word| !PARTS.contains(word)) {
+        bail!("there is no part `{word}` of the measurements; there are {}", PARTS.join(", "));
     }
     let has = |part| parts.is_empty() || parts.contains(&part);
     if has("native") {
@@ -25,9 +27,14 @@ pub(crate) fn bench<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a s
     if has("pictures") {
         browser(workspace, "pictures".as_ref())?;
     }
-    if has("page") {
+    if has("page") || has("load") {
         build::build(workspace)?;
-        page::bench(workspace)?;
+    }
+    if has("page") {
+        page::bench(workspace, &["drags.mjs", "space.mjs"])?;
+    }
+    if has("load") {
+        page::bench(workspace, &["load.mjs"])?;
     }
     Ok(())
 }

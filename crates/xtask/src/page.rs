@@ -52,11 +52,11 @@ fn end_to_end(workspace: &Workspace, www: &Path) -> Result<()> {
     with_page(workspace, |node| node.args(["--test", "--test-concurrency=1"]).args(tests).current_dir(www))
 }
 
-/// How free the page's thread stays while it is used, and what opening costs.
-pub(crate) fn bench(workspace: &Workspace) -> Result<()> {
+/// Runs measurements of the page that has just been built, by the names of their scripts.
+pub(crate) fn bench(workspace: &Workspace, scripts: &[&str]) -> Result<()> {
     let www = workspace.www();
     packages(&www)?;
-    for script in ["drags.mjs", "load.mjs", "space.mjs"] {
+    for script in scripts {
         with_page(workspace, |node| node.arg(format!("test/bench/{script}")).current_dir(&www))?;
     }
     Ok(())

@@ -1,12 +1,13 @@
 /** Systems kept by name, and where earlier visits ended: a form in Save, and a dialog of small pictures. */
 
 import { toast } from '../announce.js';
-import { button, byId, html, input, make, setText } from '../dom.js';
+import { button, byId, closes, html, input, make, setText } from '../dom.js';
 import { download } from '../download.js';
 import { LONGEST_NAME, MOST_FAVOURITES, favourite, readFavourites, readFile, rename, writeFile } from '../favourites.js';
 import { readLink } from '../link.js';
 import { openSession } from '../sessions.js';
 import { definitionOf } from '../state.js';
+import { emptyThumb, paintThumb } from '../thumb.js';
 
 /** @typedef {import('../favourites.js').Favourite} Favourite */
 /** @typedef {import('../sessions.js').Session} Session */
@@ -102,7 +103,7 @@ export function favouritesPanel(store, engine, { keeper, session }) {
 
     /** @param {State} state */
     function canvasOf(state) {
-        const picture = make('canvas', { class: 'thumb', width: '1', height: '1', 'aria-hidden': 'true' });
+        const picture = emptyThumb();
         unpainted.set(picture, state);
         seen.observe(picture);
         return picture;
@@ -114,13 +115,7 @@ export function favouritesPanel(store, engine, { keeper, session }) {
         if (!state) return;
         unpainted.delete(picture);
         try {
-            const side = Math.round(SIDE * Math.min(2, devicePixelRatio || 1));
-            const bitmap = await engine.thumb(definitionOf(state), side, side);
-            if (!bitmap) return;
-            picture.width = bitmap.width;
-            picture.height = bitmap.height;
-            picture.getContext('bitmaprenderer')?.transferFromImageBitmap(bitmap);
-            picture.classList.add('inked');
+            await paintThumb(picture, engine, definitionOf(state), SIDE);
         } catch {
             // The worker was replaced meanwhile; the picture comes when the dialog is next opened.
         }
@@ -247,11 +242,7 @@ export function favouritesPanel(store, engine, { keeper, session }) {
     });
 
     button('open-favourites').addEventListener('click', open);
-    button('close-favourites').addEventListener('click', () => dialog.close());
-    // A click beside the sheet closes it.
-    dialog.addEventListener('click', (event) => {
-        if (event.target === dialog) dialog.close();
-    });
+    closes(dialog, 'close-favourites');
     addEventListener('storage', showCount);
     store.subscribe(showName);
     showCount();
