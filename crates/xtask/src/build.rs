@@ -96,7 +96,7 @@ fn is_shipped(path: &Path) -> bool {
 fn worker(www: &Path, generated: &Path, script: &Path) -> Result<()> {
     let glue = files::read_text(&generated.join(format!("{NAME}.js")))?;
     let ours = files::read_text(&www.join("worker.js"))?;
-    files::write(script, bundle::without_comments(&format!("{glue}\n{ours}")))
+    files::write(script, bundle::squeezed(&format!("{glue}\n{ours}"))?)
 }
 
 /// Puts `new` where `place` is, moving what is there to `old`.

@@ -145,6 +145,18 @@ pub(crate) fn without_comments(text: &str) -> String {
     result
 }
 
+/// The text without comments, indentation and empty lines, as it is sent. A line that leaves a template open is an
+/// error: what follows would be part of it.
+pub(crate) fn squeezed(text: &str) -> Result<String> {
+    let mut result = String::new();
+    for line in without_comments(text).lines().map(str::trim).filter(|line| !line.is_empty()) {
+        ensure!(line.matches('`').count() % 2 == 0, "`{line}` leaves a template open");
+        result.push_str(line);
+        result.push('\n');
+    }
+    Ok(result)
+}
+
 /// Whether a line imports while running, other than in a comment's types.
 fn imports_later(line: &str) -> bool {
     let code = line.split("/*").next().unwrap_or_default().trim_start();
@@ -222,6 +234,8 @@ mod tests {
         let text = "/** What\n * it is. */\nlet a = 1; // why\n// more\n\n/** @type {A} */ (a).b;\n    /* c */\n";
         assert_eq!(without_comments(text), "let a = 1; // why\n\n/** @type {A} */ (a).b;\n");
         assert_eq!(without_comments("/*\n */ a();\n/* b */\nc();"), " a();\nc();\n");
+        assert_eq!(squeezed("a {\n    b: `c`;\n\n    /* d */\n}").unwrap(), "a {\nb: `c`;\n}\n");
+        assert!(squeezed("a(`\n  b`);").is_err());
     }
 
     #[test]

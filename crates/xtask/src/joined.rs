@@ -23,14 +23,14 @@ pub(crate) fn join(site: &Path, page: &str) -> Result<()> {
                         "<link rel=\"stylesheet\" href=\"page.css\">\n<script src=\"page.js\" defer></script>\n",
                     );
                 }
-                text.push_str(line);
+                text.push_str(line.trim_start());
                 text.push('\n');
             }
         }
     }
     let entry = entry.with_context(|| format!("{page} has no module"))?;
-    files::write(&site.join("page.js"), bundle::bundle(&site.join(entry))?)?;
-    files::write(&site.join("page.css"), styles)?;
+    files::write(&site.join("page.js"), bundle::squeezed(&bundle::bundle(&site.join(entry))?)?)?;
+    files::write(&site.join("page.css"), bundle::squeezed(&styles)?)?;
     files::write(&file, text)
 }
 

@@ -216,10 +216,13 @@ test('where chance decides, symbols and segments are traced too', () =>
         await page.click('#close-reader');
         await stillPicture(page);
         // Down the middle, until the stem is met.
-        for (let x = 0.3; x < 0.7 && !(await page.isVisible('#card')); x += 0.01) {
+        let x = 0.3;
+        await until(async () => {
+            if (await page.isVisible('#card')) return true;
+            x = x < 0.7 ? x + 0.01 : 0.3;
             await page.mouse.move(box.x + box.width * x, box.y + box.height * 0.8);
-            await page.waitForTimeout(30);
-        }
+            return false;
+        }, 'something is under the pointer');
         assert.match(await text(page, '#card'), /^Fstep \d, by rule [12], .*Segment \d+, heading.*Symbol \d+$/s);
     }));
 
