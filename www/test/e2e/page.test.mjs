@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, test } from 'node:test';
+import { brotliCompressSync } from 'node:zlib';
 import { PHONE, close, drag, nextPicture, picture, sameAgain, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
@@ -37,6 +38,22 @@ test('every control has a name', () =>
         );
         assert.deepEqual(nameless, []);
     }));
+
+test('a first picture takes less than 250 KB as hosts send it, and the full wasm follows', async () => {
+    /** @type {string[]} */
+    const asked = [];
+    const isLater = (/** @type {string} */ url) => /-full\./.test(url);
+    await withPage({ before: async (page) => void page.on('request', (request) => asked.push(request.url())) }, async (page) => {
+        const first = asked.filter((url) => !isLater(url));
+        assert.ok(first.some((url) => url.endsWith('lsystem.wasm')), first.join('\n'));
+        const bodies = await Promise.all(first.map(async (url) => Buffer.from(await (await fetch(url)).arrayBuffer())));
+        const sent = bodies.map((body) => brotliCompressSync(body).length).reduce((a, b) => a + b, 0);
+        assert.ok(sent < 250_000, `${sent} bytes by brotli`);
+        const before = await stillPicture(page);
+        await until(() => page.workers().length === 1 && isLater(String(page.workers()[0]?.url())), 'the full wasm takes over');
+        assert.equal((await stillPicture(page)).digest, before.digest);
+    });
+});
 
 test('a system is picked from the gallery', () =>
     withPage({}, async (page) => {
