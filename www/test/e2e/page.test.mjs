@@ -476,8 +476,10 @@ test('a worker that fails is replaced, and the page goes on', () =>
         },
         async (page) => {
             const before = await stillPicture(page);
-            await page.evaluate(() => /** @type {any} */ (globalThis).workers[0].onmessage({ data: { type: 'fatal', message: 'unreachable' } }));
-            await until(() => page.evaluate(() => /** @type {any} */ (globalThis).workers.length === 2), 'a fresh worker starts');
+            const started = () => page.evaluate(() => /** @type {any} */ (globalThis).workers.length);
+            await until(async () => (await started()) === 2 && page.workers().length === 1, 'the full wasm has taken over');
+            await page.evaluate(() => /** @type {any} */ (globalThis).workers[1].onmessage({ data: { type: 'fatal', message: 'unreachable' } }));
+            await until(async () => (await started()) === 3, 'a fresh worker starts');
             assert.equal((await stillPicture(page)).digest, before.digest);
             await page.fill('#iterations', '2');
             await nextPicture(page, before);
