@@ -1,7 +1,7 @@
 /** Puts an embedded drawing together: the drawing of the address, with the controls that the address asks for. */
 
 import { announce, toast } from './announce.js';
-import { button, html, input, make, setText } from './dom.js';
+import { button, html, input, setText } from './dom.js';
 import { createDials } from './embed/dials.js';
 import { talk } from './embed/messages.js';
 import { readOptions } from './embed/options.js';
@@ -19,6 +19,7 @@ import { captionOf } from './panels/growth-panel.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { createPlayback } from './playback.js';
 import { createReader } from './reading/reader.js';
+import { showSheet } from './sheet.js';
 import { createStage } from './stage.js';
 import { DEFAULTS, definitionOf, sameDrawing, sameSystem } from './state.js';
 import { createStore } from './store.js';
@@ -218,12 +219,6 @@ function showTheme() {
 function say(words) {
     setText(html('mistake'), words);
     html('mistake').hidden = words === '';
-}
-
-/** The system in words, for paper. @param {Readonly<State>} state */
-function showSheet(state) {
-    const rows = Object.entries({ Axiom: state.axiom, Productions: state.rules, Source: state.source }).filter(([, text]) => text !== '');
-    html('sheet').replaceChildren(...rows.flatMap(([name, text]) => [make('dt', {}, name), make('dd', {}, text)]));
 }
 
 /** Points at the playground with what is shown now. */

@@ -29,6 +29,7 @@ import { createSeeds } from './seeds.js';
 import { createSession } from './session.js';
 import { openSession } from './sessions.js';
 import { createShare } from './share.js';
+import { showSheet } from './sheet.js';
 import { createShortcuts } from './shortcuts.js';
 import { createStage } from './stage.js';
 import { definitionOf, sameDrawing, sameSystem } from './state.js';
@@ -134,6 +135,7 @@ function show(state, before) {
         playback.forget();
     }
     showNames(state);
+    showSheet(state);
     button('undo').disabled = !store.canUndo;
     button('redo').disabled = !store.canRedo;
     const touched = !sameSystem(state, store.origin);

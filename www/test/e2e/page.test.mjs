@@ -13,6 +13,8 @@ const CHANCE = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%20:%200.5%0AF%20-%3E%20
 const hash = (page) => page.evaluate(() => location.hash);
 /** @param {import('playwright-core').Page} page @param {string} selector */
 const text = async (page, selector) => (await page.textContent(selector)) ?? '';
+/** Whether the full wasm has taken over from the first. @param {import('playwright-core').Page} page */
+const hasGrown = (page) => page.workers().length === 1 && page.workers()[0]?.url().includes('worker-full');
 
 test('a first visit shows a plant at once, and says what it is', () =>
     withPage({}, async (page) => {
@@ -50,10 +52,21 @@ test('a first picture takes less than 250 KB as hosts send it, and the full wasm
         const sent = bodies.map((body) => brotliCompressSync(body).length).reduce((a, b) => a + b, 0);
         assert.ok(sent < 250_000, `${sent} bytes by brotli`);
         const before = await stillPicture(page);
-        await until(() => page.workers().length === 1 && isLater(String(page.workers()[0]?.url())), 'the full wasm takes over');
+        await until(() => hasGrown(page), 'the full wasm takes over');
         assert.equal((await stillPicture(page)).digest, before.digest);
     });
 });
+
+test('paper shows the drawing and its system, and no controls', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        assert.equal(await page.isVisible('#sheet'), false);
+        await page.emulateMedia({ media: 'print' });
+        for (const hidden of ['#panel', '.tools-view', '#undo']) assert.equal(await page.isVisible(hidden), false, hidden);
+        assert.match(await page.innerText('#sheet'), /F -> F\+F--F\+F/);
+        const [stage, canvas] = await Promise.all(['#stage', '#drawing'].map((name) => page.locator(name).boundingBox()));
+        assert.ok(canvas && stage && canvas.width > 1200 && canvas.width <= stage.width + 1 && canvas.height <= stage.height + 1);
+        assert.match(await page.innerText('.caption'), /Koch/);
+    }));
 
 test('a system is picked from the gallery', () =>
     withPage({}, async (page) => {
@@ -477,7 +490,7 @@ test('a worker that fails is replaced, and the page goes on', () =>
         async (page) => {
             const before = await stillPicture(page);
             const started = () => page.evaluate(() => /** @type {any} */ (globalThis).workers.length);
-            await until(async () => (await started()) === 2 && page.workers().length === 1, 'the full wasm has taken over');
+            await until(() => hasGrown(page), 'the full wasm has taken over');
             await page.evaluate(() => /** @type {any} */ (globalThis).workers[1].onmessage({ data: { type: 'fatal', message: 'unreachable' } }));
             await until(async () => (await started()) === 3, 'a fresh worker starts');
             assert.equal((await stillPicture(page)).digest, before.digest);
