@@ -175,6 +175,15 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         Kind::ArithmeticUnexpected { found, role } => hinted(
             format!("{} has no place in arithmetic", named(*found)),
             match found {
+                ')' => "Nothing is open there: leave it out, or add `(`.".into(),
+                '&' if *role == Role::Condition => "Where both must hold write `&&` or `and`.".into(),
+                '|' if *role == Role::Condition => "Where one of both is enough write `||` or `or`.".into(),
+                ',' if *role == Role::Condition => {
+                    "Where both must hold write `&&` or `and`; write decimals with a point, as in 0.33.".into()
+                }
+                letter if *role == Role::Condition && letter.is_alphabetic() => {
+                    "Conditions are joined by `and`, `or` and `not` in small letters, or by `&&`, `||` and `!`.".into()
+                }
                 ',' => "Write decimals with a point, as in 0.33.".into(),
                 '%' => "Write percentages as fractions, as in 0.33.".into(),
                 '[' | ']' | '{' | '}' => "Group with parentheses.".into(),
@@ -205,6 +214,13 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
             },
             match (similar, role) {
                 _ if *below => format!("Move the definition of `{name}` up."),
+                (_, Role::Condition) if name == "if" => {
+                    "A condition needs no `if`: write it right after the colon, as in `A(x) : x < 3 -> B`.".into()
+                }
+                (_, Role::Condition) if name == "true" => "Leave out a condition that always holds.".into(),
+                _ if matches!(name.as_str(), "pi" | "PI" | "Pi" | "π") => {
+                    format!("Define it, as in `{name} = 3.14159265`; angles are in degrees.")
+                }
                 (Some(similar), _) => format!("Did you mean `{similar}`?"),
                 (None, Role::Weight) => {
                     format!("Define it, as in `{name} = 0.5`, or write the symbol `:` in backquotes.")
@@ -219,6 +235,13 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         Kind::UnknownFunction { name, similar } => hinted(
             format!("There is no function `{name}`"),
             match similar {
+                _ if matches!(name.as_str(), "pow" | "power") => "For a power write `x^y`.".into(),
+                _ if matches!(name.as_str(), "mod" | "fmod") => "For a remainder write `x % y`.".into(),
+                _ if matches!(name.as_str(), "log" | "log10") => "The natural logarithm is `ln(x)`.".into(),
+                _ if matches!(name.as_str(), "rand" | "rnd" | "ran") => {
+                    "A random number between two others is `random(0, 1)`.".into()
+                }
+                _ if matches!(name.as_str(), "round" | "int" | "trunc") => "To round write `floor(x + 0.5)`.".into(),
                 Some(similar) => format!("Did you mean `{similar}`?"),
                 None => {
                     let names: Vec<&str> = Function::ALL.iter().map(|f| f.name()).collect();

@@ -257,5 +257,10 @@ fn suggestion(tokens: &[Token]) -> Option<String> {
     let marks = rest.iter().take_while(|t| is_mark(**t)).count();
     let word = &rest[marks..];
     let apart = rest.first().is_some_and(|t| !t.joined);
+    // `r := 0.9`
+    let number = word.first().is_some_and(|t| t.ch.is_ascii_digit() || t.is('.'));
+    if number && is_name(&tokens[..1]) && rest[..marks].iter().any(|t| t.is('=')) {
+        return Some(format!("{} = {}", first.ch, text_of(word)));
+    }
     (!word.is_empty() && (marks > 0 || apart)).then(|| format!("{} -> {}", first.ch, text_of(word)))
 }
