@@ -58,8 +58,8 @@ pub struct Report {
 /// A symbol in use and what it does.
 #[derive(Clone, Debug, Serialize)]
 pub struct Legend {
-    /// The symbol.
-    pub symbol: char,
+    /// The symbol, with the names of its parameters.
+    pub symbol: String,
     /// What it does, in words.
     pub actions: String,
     /// Whether a production replaces it.
@@ -108,6 +108,6 @@ pub(crate) fn problems(diagnostics: &[Diagnostic], definition: &Definition, file
 
 pub(crate) fn legend_of(system: &lsystem::System) -> Vec<Legend> {
     (legend(system).into_iter())
-        .map(|entry| Legend { symbol: entry.symbol, actions: entry.actions, rewritten: entry.rewritten })
+        .map(|entry| Legend { symbol: entry.module, actions: entry.actions, rewritten: entry.rewritten })
         .collect()
 }

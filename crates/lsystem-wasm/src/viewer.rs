@@ -126,6 +126,7 @@ pub(crate) fn describe_drawing<S: Space>(
     }
     report.memoised = Some(drawing.is_memoised());
     report.blocks = Some(drawing.block_count());
-    report.description = describe(system, n, &segments, bounds);
+    let shared = drawing.is_memoised().then(|| drawing.block_count());
+    report.description = describe(system, n, &segments, shared, bounds);
     report.segments = Some(segments.to_string());
 }

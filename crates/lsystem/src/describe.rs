@@ -2,42 +2,97 @@
 
 use crate::counts::count_segments;
 use crate::program::Rewrite;
-use crate::{Action, Heading, MAX_ITERATIONS, Production, System, Tally};
+use crate::{Action, Grammar, Heading, MAX_ITERATIONS, Pattern, Production, System, Tally};
 
 /// What one symbol of a system does, for people.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LegendEntry {
-    /// The symbol.
-    pub symbol: char,
+    /// The symbol, with the names of its parameters in parentheses where it has some: `F(l)`.
+    pub module: String,
     /// What it makes the turtle do, in words.
     pub actions: String,
     /// Whether a production replaces it.
     pub rewritten: bool,
 }
 
-/// The symbols that occur in any generation, sorted, with what they do.
+/// The symbols that occur in any generation or are drawn in their place, sorted, with what they do. A symbol with
+/// another number of parameters is another one.
 #[must_use]
 pub fn legend(system: &System) -> Vec<LegendEntry> {
     let program = &system.program;
-    let reachable = program.reachable();
+    let mut shown = program.reachable();
+    let images = |id: usize| system.rules.as_ref().map_or(&[][..], |rules| &rules.images[id]);
+    for id in 0..shown.len() {
+        if shown[id] {
+            images(id).iter().flat_map(|image| &image.successor.letters).for_each(|&l| shown[usize::from(l)] = true);
+        }
+    }
     (0..program.alphabet.len())
-        .filter(|&id| reachable[id])
+        .filter(|&id| shown[id])
         .map(|id| {
-            let actions: Vec<String> = system.turtle.actions[id].iter().map(|&a| action_words(system, a)).collect();
+            let symbol = program.alphabet[id];
+            let arity = system.rules.as_ref().map_or(0, |rules| usize::from(rules.letters[id].arity));
+            let own = &system.turtle.actions[id];
+            let names = parameters(system, symbol, arity, own.first());
+            let actions = if images(id).is_empty() {
+                let words = own.iter().enumerate().map(|(at, &action)| match names.first() {
+                    Some(name) if at == 0 => numbered_words(system, action, name),
+                    _ => action_words(system, action),
+                });
+                words.collect::<Vec<_>>().join(", then ")
+            } else {
+                let productions = system.grammar.images.iter().filter(|image| is_of(&image.predecessor, symbol, arity));
+                let words: Vec<String> = productions.map(crate::print::successor).collect();
+                format!("is drawn as {}", words.join(" or "))
+            };
+            let names = if names.is_empty() { String::new() } else { format!("({})", names.join(",")) };
             LegendEntry {
-                symbol: program.alphabet[id],
-                actions: if actions.is_empty() { "draws nothing".to_owned() } else { actions.join(", then ") },
+                module: format!("{symbol}{names}"),
+                actions: if actions.is_empty() { "draws nothing".to_owned() } else { actions },
                 rewritten: !matches!(program.rewrites[id], Rewrite::Keep),
             }
         })
-        .fold(Vec::new(), |mut entries: Vec<LegendEntry>, entry| {
-            // A symbol with several numbers of parameters is one entry.
-            match entries.last_mut() {
-                Some(last) if last.symbol == entry.symbol => last.rewritten |= entry.rewritten,
-                _ => entries.push(entry),
-            }
-            entries
-        })
+        .collect()
+}
+
+fn is_of(pattern: &Pattern, symbol: char, arity: usize) -> bool {
+    pattern.symbol == symbol && pattern.parameters.len() == arity
+}
+
+/// What the parameters of a symbol are called: as in the first production for it, or else for what they do.
+fn parameters(system: &System, symbol: char, arity: usize, action: Option<&Action>) -> Vec<String> {
+    let Grammar { productions, images, .. } = &system.grammar;
+    let own = productions.iter().chain(images).map(|p| &p.predecessor).find(|p| is_of(p, symbol, arity));
+    own.map_or_else(
+        || {
+            let first = match action.map(|action| action.with(1.0)) {
+                Some(Action::SetWidth(_)) => "w",
+                Some(Action::SetColour(_)) => "c",
+                Some(Action::Draw(_) | Action::Move(_) | Action::DrawUnmarked(_) | Action::MoveUnmarked(_)) => "l",
+                Some(_) => "a",
+                None => "x",
+            };
+            [first, "y", "z", "u", "v", "p", "q", "r"].into_iter().take(arity).map(str::to_owned).collect()
+        },
+        |pattern| pattern.parameters.clone(),
+    )
+}
+
+/// What an action does by the number called `name`.
+fn numbered_words(system: &System, action: Action, name: &str) -> String {
+    match action.with(1.0) {
+        Action::Draw(_) | Action::DrawUnmarked(_) => format!("draws {name}"),
+        Action::Move(_) | Action::MoveUnmarked(_) => format!("moves {name}"),
+        Action::TurnLeft(_) => format!("turns left by {name}°"),
+        Action::TurnRight(_) => format!("turns right by {name}°"),
+        Action::PitchDown(_) => format!("pitches down by {name}°"),
+        Action::PitchUp(_) => format!("pitches up by {name}°"),
+        Action::RollLeft(_) => format!("rolls left by {name}°"),
+        Action::RollRight(_) => format!("rolls right by {name}°"),
+        Action::SetColour(_) => format!("takes colour {name}"),
+        Action::SetWidth(_) => format!("draws {name} steps wide"),
+        _ => action_words(system, action),
+    }
 }
 
 /// What sort of system it is: `deterministic`, or those of `stochastic`, `context-sensitive`, `parametric` that hold,
@@ -136,10 +191,10 @@ pub fn short_count(count: &Tally) -> String {
     grouped
 }
 
-/// A picture's text alternative: how much is drawn and how large it is. `bounds` as
-/// [`Drawing::bounds`](crate::Drawing::bounds).
+/// A picture's text alternative: how much is drawn, how large it is and of how many shared blocks it is made. `blocks` is
+/// none where the drawing does not memoise; `bounds` as [`Drawing::bounds`](crate::Drawing::bounds).
 #[must_use]
-pub fn describe(system: &System, n: u32, segments: &Tally, bounds: Option<[f64; 4]>) -> String {
+pub fn describe(system: &System, n: u32, segments: &Tally, blocks: Option<usize>, bounds: Option<[f64; 4]>) -> String {
     let Some([min_x, min_y, max_x, max_y]) = bounds else {
         return why_empty(system, n).unwrap_or_else(|| "Nothing is drawn.".to_owned());
     };
@@ -160,12 +215,42 @@ pub fn describe(system: &System, n: u32, segments: &Tally, bounds: Option<[f64; 
     let branches = system.turtle.actions.iter().any(|actions| actions.contains(&Action::Push));
     let what = if branches { "A branching figure" } else { "A line figure" };
     let random = if !system.is_stochastic() { "" } else { ", one of many that chance can give" };
-    format!("{what} of {} {lines} after {n} derivation {steps}, {form}{random}.", short_count(segments))
+    let made = match blocks {
+        None => "Every symbol was derived by itself.".to_owned(),
+        Some(1) => "One piece makes it up.".to_owned(),
+        Some(blocks) => format!("{blocks} shared pieces make it up."),
+    };
+    format!("{what} of {} {lines} after {n} derivation {steps}, {form}{random}. {made}", short_count(segments))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn legend_of(axiom: &str, rules: &str) -> Vec<(String, String)> {
+        let definition =
+            crate::Definition { axiom: axiom.into(), rules: rules.into(), angle: 20.0, ..crate::Definition::default() };
+        let system = System::new(&definition).0.unwrap();
+        legend(&system).into_iter().map(|entry| (entry.module, entry.actions)).collect()
+    }
+
+    #[test]
+    fn the_legend_tells_of_parameters_and_images() {
+        let told = |legend: &[(String, String)], module: &str| {
+            legend.iter().find(|(name, _)| name == module).map(|(_, actions)| actions.clone()).unwrap_or_default()
+        };
+        let tree = legend_of("A(1,2)", "A(len,wid) -> !(wid)F(len)[+(30)A(len/2,wid)]F+");
+        assert_eq!(told(&tree, "A(len,wid)"), "draws nothing");
+        assert_eq!(told(&tree, "F(l)"), "draws l");
+        assert_eq!(told(&tree, "F"), "draws one step");
+        assert_eq!(told(&tree, "+(a)"), "turns left by a°");
+        assert_eq!(told(&tree, "+"), "turns left by 20°");
+        assert_eq!(told(&tree, "!(w)"), "draws w steps wide");
+        assert_eq!(told(&tree, "["), "starts a branch");
+        let drawn = legend_of("A(1)", "A(x) -> A(x*2)\ndraw:\nA(x) : x > 1 -> F(x)+\nA(x) -> f(x)");
+        assert_eq!(told(&drawn, "A(x)"), "is drawn as F(x)+ or f(x)");
+        assert_eq!(told(&drawn, "f(l)"), "moves l");
+    }
 
     #[test]
     fn counts_are_short() {

@@ -68,6 +68,13 @@ fn production(production: &Production) -> String {
     line
 }
 
+/// What a production makes.
+pub(crate) fn successor(production: &Production) -> String {
+    let mut text = String::new();
+    word(&production.successor, &mut text);
+    if text.is_empty() { "nothing".to_owned() } else { text }
+}
+
 fn expression(expr: &Expr, outer: u8, out: &mut String) {
     // Writing to a string never fails.
     let _ = expr.write(out, outer);

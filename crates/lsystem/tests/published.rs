@@ -132,3 +132,46 @@ fn a_text_too_long_says_how_far_it_goes() {
     };
     assert!(expand(&tree, n, &limits).is_ok() && expand(&tree, n + 1, &limits).is_err(), "{n}");
 }
+
+/// A system of `data_in/abop`, and its iterations.
+fn file(name: &str) -> (System, u32) {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../data_in/abop/{name}.json"));
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let definition = lsystem::read_json(&text).0.unwrap();
+    (System::new(&definition).0.unwrap(), definition.iterations)
+}
+
+/// ABOP, figures 1.7 and 1.9: so many segments replace one, and islands close.
+#[test]
+fn koch_curves_have_the_published_sizes() {
+    let sizes = [("1.7a", 4, 18), ("1.9a", 4, 8), ("1.9b", 4, 7), ("1.9c", 4, 7), ("1.9e", 4, 5), ("1.9f", 4, 5)];
+    for (name, sides, parts) in [&sizes[..], &[("1.7b", 1, 5)]].concat() {
+        let (system, n) = file(name);
+        let drawing = lsystem::draw(&system, n, &Limits::default()).unwrap();
+        assert_eq!(drawing.segment_count(), sides * u128::pow(parts, n), "{name}");
+        let ends: Vec<_> = drawing.segments().map(|segment| (segment.from, segment.to)).collect();
+        let (first, last) = (ends[0].0, ends[ends.len() - 1].1);
+        assert_eq!(first == last, sides == 4, "{name}");
+    }
+    // The generators of figure 1.7 replace six and three segments in a row.
+    for (name, length) in [("1.7a", 6.0), ("1.7b", 3.0)] {
+        let (system, _) = file(name);
+        let system = System { program: lsystem::Program { axiom: vec![2], ..system.program.clone() }, ..system };
+        assert_eq!(system.program.alphabet[2], 'F');
+        let drawing = lsystem::draw(&system, 1, &Limits::default()).unwrap();
+        let last = drawing.segments().last().unwrap();
+        assert_eq!(last.to, [0.0, length], "{name}");
+    }
+}
+
+/// ABOP, figure 1.30: G is a segment that the signal has reached.
+#[test]
+fn signals_travel_along_the_axis() {
+    for (name, reached) in [("1.30a", "G[+G]G[-G]G[+G]G"), ("1.30b", "G[+F]G[-F]G[+F]G")] {
+        let (system, _) = file(name);
+        let counts: Vec<usize> =
+            (0..=4).map(|n| expand(&system, n, &Limits::default()).unwrap().matches('G').count()).collect();
+        assert_eq!(expand(&system, 4, &Limits::default()).unwrap(), reached);
+        assert_eq!(counts, if name == "1.30a" { [1, 3, 5, 7, 7] } else { [1, 2, 3, 4, 4] }, "{name}");
+    }
+}
