@@ -51,7 +51,7 @@ pub(crate) fn solid_png(
     let ratio = (f64::from(width.max(height)) / f64::from(USUAL)).max(1.0);
     let mut renderer = SolidRenderer::new();
     renderer.load(Arc::new(drawing));
-    renderer.begin(style, Viewport { width, height, ratio }, &Camera::default(), Quality::FINEST);
+    renderer.begin(style, Viewport { width, height, ratio }, &Camera::default(), Quality::BEST);
     let mut bar = Bar::new("picture", 0);
     while renderer.step(WORK) == Progress::More {
         bar.at(0);

@@ -39,6 +39,9 @@ pub struct Playground {
     stale: bool,
 }
 
+/// While a picture is refined newer input is listened for after so many milliseconds.
+const REFINING: f64 = 3.0;
+
 /// The answer of [`Playground::step`].
 #[derive(Serialize)]
 struct Step<'a> {
@@ -161,7 +164,8 @@ impl Playground {
     /// # Errors
     /// Throws where the canvas refuses the picture.
     pub fn step(&mut self, budget: f64) -> Result<JsValue, JsValue> {
-        let end = self.clock.now() + budget;
+        let refining = !self.stale && self.shown.is_some_and(|realm| self.views.get(realm).is_refining());
+        let end = self.clock.now() + if refining { budget.min(REFINING) } else { budget };
         let mut drawn = None;
         while drawn.is_none() && !self.is_idle() {
             if let Some(realm) = self.building {

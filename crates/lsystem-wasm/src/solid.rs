@@ -10,12 +10,16 @@ use lsystem::{Camera, Diagnostic, Drawer, Drawing, Progress, Quality, Solid, Sol
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
-/// A first picture that takes longer, in milliseconds, is made coarser the next time; one that takes less than the
-/// other is made finer.
-const SLOW: f64 = 11.0;
-const QUICK: f64 = 4.5;
+/// What a picture is to take while things move, in milliseconds.
+const TARGET: f64 = 7.5;
+/// One that takes longer than this is finished with less effort.
+const HURRY: f64 = 9.0;
 /// Between the first picture and the finest there is one that comes soon.
-const MIDDLE: Quality = Quality(3);
+const MIDDLE: Quality = Quality(12);
+/// The first picture of a drawing of which nothing is known.
+const UNKNOWN: Quality = Quality(4);
+/// Work units between two looks at the clock while things move.
+const MOVING_WORK: usize = WORK / 4;
 
 /// A drawing in space and its picture.
 pub(crate) struct SolidView {
@@ -29,8 +33,9 @@ pub(crate) struct SolidView {
     quality: Quality,
     /// Of pictures that come in time while things move.
     pace: Quality,
-    /// What the picture has taken, in milliseconds.
+    /// What the picture has taken, in milliseconds, and when it is told to hurry.
     spent: f64,
+    hurried: f64,
     /// Whether the finest picture is shown.
     done: bool,
 }
@@ -44,7 +49,8 @@ impl Default for SolidView {
             camera: Camera::default(),
             scene: None,
             quality: MIDDLE,
-            pace: Quality(1),
+            pace: UNKNOWN,
+            hurried: 0.0,
             spent: 0.0,
             done: true,
         }
@@ -67,6 +73,7 @@ impl Viewer for SolidView {
         Some(self.drawer.take()?.finish().map(|drawing| {
             let drawing = Arc::new(drawing);
             self.renderer.load(drawing.clone());
+            self.pace = UNKNOWN;
             self.drawing = Some(drawing);
         }))
     }
@@ -92,17 +99,18 @@ impl Viewer for SolidView {
     fn paint(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
         let (Some(drawing), Some(scene), false) = (&self.drawing, &self.scene, self.done) else { return Ok(None) };
         let began = clock.now();
-        let progress = self.renderer.step(WORK);
+        let moving = self.quality == self.pace;
+        let progress = self.renderer.step(if moving { MOVING_WORK } else { WORK });
         self.spent += clock.now() - began;
         if progress == Progress::More {
+            if moving && self.spent > self.hurried {
+                self.renderer.hurry(0.3);
+                self.hurried += 0.5 * HURRY;
+            }
             return Ok(None);
         }
-        if self.quality == self.pace {
-            if self.spent > SLOW {
-                self.pace = self.pace.coarser();
-            } else if self.spent < QUICK {
-                self.pace = self.pace.finer();
-            }
+        if moving {
+            self.pace = self.pace.paced(steps(self.spent));
         }
         surface.show(self.renderer.pixels(), scene.viewport)?;
         let scale = solid_scale(drawing, scene.viewport, &self.camera);
@@ -118,11 +126,15 @@ impl Viewer for SolidView {
         self.done
     }
 
+    fn is_refining(&self) -> bool {
+        !self.done && self.quality != self.pace
+    }
+
     fn snapshot(&self, scene: Scene, surface: &Surface) -> Result<(), JsValue> {
         let Some(drawing) = &self.drawing else { return Ok(()) };
         let mut renderer = SolidRenderer::new();
         renderer.load(drawing.clone());
-        renderer.begin(&scene.style, scene.viewport, &self.camera, Quality::FINEST);
+        renderer.begin(&scene.style, scene.viewport, &self.camera, Quality::BEST);
         while renderer.step(WORK) == Progress::More {}
         surface.show(renderer.pixels(), scene.viewport)
     }
@@ -133,8 +145,21 @@ impl SolidView {
         let Some(scene) = &self.scene else { return };
         self.done = false;
         self.quality = quality;
-        self.spent = 0.0;
+        (self.spent, self.hurried) = (0.0, HURRY);
         self.renderer.begin(&scene.style, scene.viewport, &self.camera, quality);
+    }
+}
+
+/// By how many steps the next picture is to be finer than one that took so many milliseconds. Two are twice the effort.
+fn steps(spent: f64) -> i32 {
+    let ratio = TARGET / spent.max(0.01);
+    match ratio {
+        ..0.25 => -4,
+        ..0.5 => -2,
+        ..0.85 => -1,
+        ..1.5 => 0,
+        ..2.5 => 1,
+        _ => 3,
     }
 }
 

@@ -59,6 +59,11 @@ pub(crate) trait Viewer {
     /// Whether nothing finer than what is on the canvas follows.
     fn is_done(&self) -> bool;
 
+    /// Whether a picture has been shown and a finer one of the same is being made, so that there is no hurry.
+    fn is_refining(&self) -> bool {
+        false
+    }
+
     /// Makes the whole picture for another canvas.
     #[cfg(feature = "full")]
     fn snapshot(&self, scene: Scene, surface: &Surface) -> Result<(), JsValue>;

@@ -8,8 +8,9 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_dedicated_worker);
 
 use lsystem::{
-    Definition, Key, Limits, Mesh, Outlook, Progress, Renderer, SegmentArrays, SvgForm, SvgOptions, System, View,
-    Viewport, draw, draw_solid, expand, read_json, write_csv, write_glb, write_obj, write_svg,
+    Camera, Definition, Key, Limits, Mesh, Outlook, Progress, Quality, Renderer, SegmentArrays, SolidRenderer, SvgForm,
+    SvgOptions, System, View, Viewport, draw, draw_solid, expand, read_json, write_csv, write_glb, write_obj,
+    write_svg,
 };
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -67,7 +68,17 @@ fn the_corpus_in_space() {
         let seen = drawing.seen_from(&Outlook::default(), u64::MAX).unwrap();
         files.bytes(write_svg(&seen, &system.style, &SvgOptions::default()).unwrap().text.as_bytes());
         files.bytes(write_csv(&drawing, u64::MAX).unwrap().as_bytes());
-        writeln!(found, "{name} n={n} segments {:016x} files {:016x}", segments.0, files.0).unwrap();
+        let mut renderer = SolidRenderer::new();
+        renderer.load(Arc::new(drawing));
+        let mut pixels = Digest::new();
+        for (quality, zoom) in [(Quality(3), 1.0), (Quality::FINEST, 1.0), (Quality::FINEST, 4.0)] {
+            let camera = Camera { zoom, fade: 0.3, ..Camera::default() };
+            renderer.begin(&system.style, Viewport { width: 240, height: 180, ratio: 1.0 }, &camera, quality);
+            while renderer.step(100_000) == Progress::More {}
+            pixels.bytes(renderer.pixels());
+        }
+        let [segments, pixels, files] = [segments, pixels, files].map(|digest| digest.0);
+        writeln!(found, "{name} n={n} segments {segments:016x} pixels {pixels:016x} files {files:016x}").unwrap();
     }
     #[cfg(not(target_arch = "wasm32"))]
     if std::env::var_os("UPDATE_EXPECT").is_some() {

@@ -7,9 +7,9 @@ use anyhow::{Result, bail};
 use std::ffi::OsStr;
 use std::process::Command;
 
-const PARTS: [&str; 5] = ["native", "web", "pictures", "page", "load"];
+const PARTS: [&str; 6] = ["native", "web", "pictures", "page", "load", "space"];
 
-/// Measures natively, in the browser, pictures, the page, what it costs to open it, or all of it.
+/// Measures natively, in the browser, pictures, the page, what it costs to open it, drawings in space, or all of it.
 pub(crate) fn bench<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a str>) -> Result<()> {
     let parts: Vec<_> = words.collect();
     if let Some(word) = parts.iter().find(|word| !PARTS.contains(word)) {
@@ -27,14 +27,17 @@ pub(crate) fn bench<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a s
     if has("pictures") {
         browser(workspace, "pictures".as_ref())?;
     }
-    if has("page") || has("load") {
+    if ["page", "load", "space"].into_iter().any(has) {
         build::build(workspace)?;
     }
     if has("page") {
-        page::bench(workspace, &["drags.mjs", "space.mjs"])?;
+        page::bench(workspace, &["drags.mjs"])?;
     }
     if has("load") {
         page::bench(workspace, &["load.mjs"])?;
+    }
+    if has("space") {
+        page::bench(workspace, &["space.mjs"])?;
     }
     Ok(())
 }

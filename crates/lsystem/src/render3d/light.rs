@@ -8,6 +8,7 @@
 //! too small to see, is known from the average of their directions.
 
 use super::camera::Lens;
+use super::lanes::{LANES, Lanes};
 use crate::Style;
 use crate::rotation::{Vector, dot};
 
@@ -93,6 +94,34 @@ impl Light {
         let fourth = square * square;
         let edge = (1.0 - view) * (1.0 - view);
         self.colour(ink, spot, square, fourth * fourth, edge)
+    }
+
+    /// The same for several samples of a stroke, at `t` from one of its ends to the other.
+    #[inline(always)]
+    pub(super) fn surfaces(
+        &self,
+        ink: [f32; 3],
+        [from, to]: &[Spot; 2],
+        t: Lanes,
+        light: Lanes,
+        view: Lanes,
+    ) -> [u32; LANES] {
+        let mix = |a: f32, b: f32| t * (b - a) + a;
+        let (facing, open, haze) = (mix(from.facing, to.facing), mix(from.open, to.open), mix(from.haze, to.haze));
+        let wrap = (light * OWN + facing) * 0.5 + 0.5;
+        let square = wrap * wrap;
+        let fourth = square * square;
+        let away = Lanes::all(1.0) - view;
+        let strength = (square * DIFFUSE + AMBIENT) * open * (away * away * self.edge + 1.0);
+        let shine = fourth * fourth * (255.0 * GLOSS) * open;
+        let mut packed = [0xff00_0000; LANES];
+        for (i, (ink, background)) in ink.iter().zip(self.background).enumerate() {
+            let lit = strength * *ink + shine;
+            let hazy = lit + (Lanes::all(background) - lit) * haze;
+            let bytes = hazy.at_least(0.0).at_most(255.0).bytes();
+            packed.iter_mut().zip(bytes).for_each(|(packed, byte)| *packed |= byte << (8 * i));
+        }
+        packed
     }
 
     /// The colour of many sticks in a small place, as seen from `view` and lit from `light` in their own frame: unit

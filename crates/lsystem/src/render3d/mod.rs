@@ -6,12 +6,15 @@
 //! the mean colour and the mean shading of what it draws. So a picture costs what can be seen of it, however many
 //! segments there are.
 //!
-//! Where very many blocks lie in the same place, as in a bush that thickens without growing, even that is too much. Each
-//! tile has a budget, which a block shares out to the blocks in it; one whose share is too small to look into shows the
-//! longest of its strokes. So pictures end in time, and all that they show is there.
+//! Where very many blocks lie in the same place, as in a bush that thickens without growing, even that is too much. So
+//! a picture has a budget, which a block shares out to the blocks in it; one whose share is too small to look into
+//! shows as many of its strokes as it may, those that stand out and face the viewer. Pictures end in time, and all that
+//! they show is there. How large the budget is depends on the work that the picture took with a smaller one, or, while
+//! things move, on the time that the picture before took.
 
 mod camera;
 mod hatch;
+mod lanes;
 mod light;
 mod scene;
 mod stroke;
@@ -29,70 +32,87 @@ use std::sync::Arc;
 use walk::Walk;
 
 /// How much a picture may show for its time: 0 is the coarsest, for large drawings on the move, and
-/// [`Quality::FINEST`] the picture as it is meant.
+/// [`Quality::FINEST`] the picture as it is meant for the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Quality(pub u8);
 
 impl Quality {
+    /// For files: as [`Quality::FINEST`], with more time where there is more to see than that has time for.
+    pub const BEST: Self = Self(17);
     /// Blocks of half a pixel, 4x4 samples a pixel.
-    pub const FINEST: Self = Self((LADDER.len() - 1) as u8);
+    pub const FINEST: Self = Self(16);
+    /// The finest of those with one sample a pixel, which are for what moves. They differ in how much is looked into:
+    /// two steps are twice as much.
+    pub const MOVING: Self = Self(14);
 
-    /// One step finer, up to the finest.
+    /// Finer by `steps`, or coarser by a negative number, but still for what moves.
     #[must_use]
-    pub fn finer(self) -> Self {
-        Self(self.0 + 1).min(Self::FINEST)
-    }
-
-    /// One step coarser, down to the coarsest.
-    #[must_use]
-    pub fn coarser(self) -> Self {
-        Self(self.0.saturating_sub(1))
+    pub fn paced(self, steps: i32) -> Self {
+        let number = (i32::from(self.0) + steps).clamp(0, i32::from(Self::MOVING.0));
+        Self(number as u8)
     }
 
     /// Samples along the side of a pixel.
     fn samples(self) -> usize {
-        self.rung().samples
+        if self >= Self::FINEST {
+            4
+        } else if self > Self::MOVING {
+            2
+        } else {
+            1
+        }
     }
 
     /// Blocks smaller than this are dots, in samples.
     fn detail(self) -> f64 {
-        self.rung().detail
+        match self.0 {
+            0..6 => 3.0,
+            6..15 => 1.5,
+            15 => 1.6,
+            _ => 2.0,
+        }
     }
 
-    /// Samples along the side of a tile.
-    fn side(self) -> usize {
-        self.rung().side
+    /// Samples across and down a tile. What moves has a single one, so that what is nowhere need not be looked for
+    /// often; fine pictures have small ones, which stay in a near cache.
+    fn tile(self, viewport: Viewport) -> [usize; 2] {
+        /// A multiple of all numbers of samples, and of the tile's cells.
+        const SIDE: usize = 1024;
+        if self > Self::MOVING {
+            return [SIDE; 2];
+        }
+        [viewport.width, viewport.height].map(|pixels| (pixels as usize).next_multiple_of(8).clamp(8, 2 * SIDE))
     }
 
-    /// Contents of blocks that are looked into at most, in a tile.
-    fn budget(self) -> u32 {
-        self.rung().budget
+    /// Strokes and nodes that are looked into at most.
+    fn budget(self) -> f32 {
+        if self > Self::MOVING {
+            return FIRST;
+        }
+        let whole = (COARSEST << (self.0 / 2)) as f32;
+        if self.0.is_multiple_of(2) { whole } else { whole * core::f32::consts::SQRT_2 }
     }
 
-    fn rung(self) -> Rung {
-        LADDER[usize::from(self.0).min(LADDER.len() - 1)]
+    /// Work that a picture is worth: for fine ones, what there is to see depends on the room for it.
+    fn work(self, viewport: Viewport) -> i64 {
+        let worth = LEAST.max(i64::from(viewport.width) * i64::from(viewport.height) * WORTH);
+        match self {
+            Self(..=14) => 0,
+            Self(15 | 16) => worth,
+            _ => worth * BETTER,
+        }
     }
 }
 
-/// What a quality means.
-#[derive(Clone, Copy)]
-struct Rung {
-    samples: usize,
-    detail: f64,
-    side: usize,
-    budget: u32,
-}
-
-/// Coarse pictures are made in a few large tiles, so that what is on none of them need not be looked for often; fine ones
-/// in many small tiles that stay in a near cache.
-const LADDER: [Rung; 6] = [
-    Rung { samples: 1, detail: 5.0, side: 1024, budget: 8_000 },
-    Rung { samples: 1, detail: 3.0, side: 1024, budget: 25_000 },
-    Rung { samples: 1, detail: 2.0, side: 1024, budget: 80_000 },
-    Rung { samples: 1, detail: 1.2, side: 1024, budget: 250_000 },
-    Rung { samples: 2, detail: 1.6, side: 512, budget: 80_000 },
-    Rung { samples: 4, detail: 2.0, side: 256, budget: 60_000 },
-];
+/// Units of work for each pixel of a fine picture, and for one of whatever size.
+const WORTH: i64 = 3;
+const LEAST: i64 = 3_000_000;
+/// How many times more the best one is worth.
+const BETTER: i64 = 8;
+/// The first budget of fine pictures, in strokes and nodes.
+const FIRST: f32 = 40_000.0;
+/// Strokes and nodes in the coarsest picture.
+const COARSEST: u32 = 1500;
 
 /// Makes pictures of a drawing in space, one after the other, in the same memory.
 #[derive(Default)]
@@ -127,6 +147,11 @@ impl SolidRenderer {
     pub fn step(&mut self, work: usize) -> Progress {
         let mut left = i64::try_from(work).unwrap_or(i64::MAX).max(1);
         self.walk.step(&self.scene, &mut left)
+    }
+
+    /// What is left of the picture is made with only `part` of the effort that was meant for it.
+    pub fn hurry(&mut self, part: f32) {
+        self.walk.hurry(&self.scene, part);
     }
 
     /// The picture so far: RGBA, 8 bits each, opaque, from the upper left corner row by row.

@@ -18,8 +18,9 @@ pub(super) struct Scene {
     pub(super) links: Vec<Link>,
     pub(super) lines: Vec<Line>,
     pub(super) styles: Vec<StyleChange>,
-    /// By node; empty where blocks are not shared, and looking into all of them is not too much.
-    pub(super) tips: Vec<Tips>,
+    /// `kept` of each node, those that are shown first before others.
+    samples: Vec<Sample>,
+    kept: usize,
     /// By node, then by the colour at its entry: the mean colour of what it draws.
     means: Vec<[f32; 3]>,
     /// Colours at a node's entry that `means` tells apart.
@@ -51,11 +52,15 @@ pub(super) struct Own {
     centre: Vector,
     radius: f64,
     /// The length of all it draws.
-    length: f32,
+    pub(super) length: f32,
     bundle: Bundle,
     /// No stroke inside is wider than this change makes the width at entry.
     pub(super) widest: WidthChange,
     pub(super) limb: Limb,
+    /// Strokes and nodes inside, as often as they are there; at most [`MANY`].
+    pub(super) need: f32,
+    /// The mean length of its samples.
+    pub(super) sampled: f32,
 }
 
 /// A straight part of a node, all of it drawn in one style: the longest, which stands for the node where nothing else
@@ -69,8 +74,13 @@ pub(super) struct Limb {
     pub(super) off: f64,
 }
 
-/// Strokes that reach far in six directions of a node: what there is no time to look into shows at least these.
-pub(super) type Tips = [Limb; 6];
+/// A stroke of a node, drawn by lot: what there is no time to look into shows some of these.
+#[derive(Clone, Copy)]
+pub(super) struct Sample {
+    pub(super) from: [f32; 3],
+    pub(super) to: [f32; 3],
+    pub(super) style: StyleChange,
+}
 
 /// A node inside another: `p -> at + axes p`.
 pub(super) struct Link {
@@ -102,12 +112,24 @@ impl Line {
         let [from, to] = ends.map(|end| end.map(|c| c as f32));
         Self { from, to, style }
     }
+
+    fn way(&self) -> Vector {
+        [0, 1, 2].map(|i| f64::from(self.to[i] - self.from[i]))
+    }
 }
 
 /// How much longer a limb must be than those before it to stand for them: more than by rounding.
 const LONGER: f64 = 1.0 + 1e-9;
 /// How far one may be from going straight on with another, for its length.
 const STRAIGHT: f64 = 1e-4;
+/// Samples of a node.
+pub(super) const SAMPLES: usize = 16;
+/// The same where every node stands for itself, so that there are many.
+const FEW_SAMPLES: usize = 8;
+/// Contents that are looked at for a sample.
+const TRIES: usize = 2;
+/// More contents than anybody can look into.
+const MANY: f32 = 1e30;
 /// Mean colours that are remembered at most.
 const MEANS: usize = 1 << 21;
 
@@ -117,7 +139,8 @@ impl Scene {
         let same = styles.len() as u32;
         styles.push(StyleChange::NONE);
         let farthest = [ColourBy::Level, ColourBy::Generation].map(|by| drawing.farthest_ink(by));
-        let mut scene = Self { styles, farthest, memoised: drawing.memoised, ..Self::default() };
+        let kept = if drawing.memoised { SAMPLES } else { FEW_SAMPLES };
+        let mut scene = Self { styles, farthest, memoised: drawing.memoised, kept, ..Self::default() };
         // By block: its node.
         let mut blocks: Vec<u32> = Vec::with_capacity(drawing.blocks.len());
         for (id, block) in drawing.blocks.iter().enumerate() {
@@ -249,11 +272,10 @@ impl Scene {
         });
         let radius = farthest.fold(0.0, f64::max);
         let limb = longest(&limbs);
-        if self.memoised {
-            let tips = self.tips_of(&run, &limbs);
-            self.tips.push(tips);
-        }
-        let own = Own { centre, radius, length, bundle, widest, limb };
+        let needs = run.links.iter().map(|link| self.nodes[link.node as usize].own.need);
+        let need = (needs.sum::<f32>() + count as f32).min(MANY);
+        let sampled = self.sample(&run, length);
+        let own = Own { centre, radius, length, bundle, widest, limb, need, sampled };
         self.nodes.push(Node {
             balls,
             first_link: self.links.len() as u32,
@@ -277,23 +299,67 @@ impl Scene {
         Limb { from, to, style: self.styles[link.style as usize].then(&limb.style), off: limb.off * scale }
     }
 
-    /// The strokes of a node's contents that reach farthest, as far as those of its nodes tell.
-    fn tips_of(&self, run: &Run, limbs: &[Limb]) -> Tips {
-        let first =
-            limbs.first().copied().unwrap_or(Limb { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE, off: 0.0 });
-        let mut tips = [first; 6];
-        let mut reaches = [f64::NEG_INFINITY; 6];
-        let inner = run.links.iter().flat_map(|link| self.tips[link.node as usize].map(|tip| self.limb_of(link, &tip)));
-        for limb in inner.chain(limbs[run.links.len()..].iter().copied()) {
-            for (side, (tip, best)) in tips.iter_mut().zip(&mut reaches).enumerate() {
-                let sign = if side < 3 { 1.0 } else { -1.0 };
-                let reach = (sign * limb.from[side % 3]).max(sign * limb.to[side % 3]);
-                if reach > *best {
-                    (*tip, *best) = (limb, reach);
+    /// Chooses the samples of a new node from those of its contents. Each stands for a direction: of two contents drawn
+    /// by lot, the longer all their strokes the likelier, the one that has a sample farther in that direction gives it;
+    /// for what can be seen of many strokes in one place are the outer ones. Returns their mean length.
+    fn sample(&mut self, run: &Run, length: f32) -> f32 {
+        let kept = self.kept;
+        let nothing = Sample { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE };
+        let mut passed = 0.0;
+        let mut ends = [0.0_f32; WIDTH];
+        let lengths =
+            run.links.iter().map(|link| link.length).chain(run.lines.iter().map(|line| norm(line.way()) as f32));
+        for (end, own) in ends.iter_mut().zip(lengths) {
+            passed += own;
+            *end = passed;
+        }
+        let count = run.links.len() + run.lines.len();
+        let mut state = self.nodes.len() as u32;
+        let mut draw = |limit: f32| {
+            state = state.wrapping_mul(0x9e37_79b9).wrapping_add(0x7f4a_7c15);
+            let mark = (state >> 8) as f32 * limit / (1 << 24) as f32;
+            ends[..count].iter().position(|&end| mark < end).unwrap_or(count - 1)
+        };
+        let mut sum = 0.0;
+        for k in 0..kept {
+            let towards = direction(k, kept);
+            let mut best = (f64::NEG_INFINITY, nothing);
+            for _ in 0..TRIES {
+                let lane = draw(length);
+                let sample = match run.links.get(lane) {
+                    Some(link) => {
+                        let own = link.axes.map(|axis| dot(axis, towards));
+                        let facing = (0..kept)
+                            .max_by(|&a, &b| dot(direction(a, kept), own).total_cmp(&dot(direction(b, kept), own)));
+                        let sample = self.samples[link.node as usize * kept + facing.unwrap_or(0)];
+                        let [from, to] = [sample.from, sample.to].map(|end| {
+                            let [x, y, z] = combine(&link.axes, end.map(f64::from));
+                            [link.at[0] + x, link.at[1] + y, link.at[2] + z].map(|c| c as f32)
+                        });
+                        Sample { from, to, style: self.styles[link.style as usize].then(&sample.style) }
+                    }
+                    None => match run.lines.get(lane - run.links.len()) {
+                        Some(line) => Sample { from: line.from, to: line.to, style: self.styles[line.style as usize] },
+                        None => nothing,
+                    },
+                };
+                let middle = [0, 1, 2].map(|i| f64::from(0.5 * (sample.from[i] + sample.to[i])));
+                let reach = dot(middle, towards);
+                if reach > best.0 {
+                    best = (reach, sample);
                 }
             }
+            let sample = best.1;
+            sum += norm([0, 1, 2].map(|i| f64::from(sample.to[i] - sample.from[i]))) as f32;
+            self.samples.push(sample);
         }
-        tips
+        sum / kept as f32
+    }
+
+    /// The samples of a node, those that are shown first before others.
+    pub(super) fn samples(&self, node: u32) -> &[Sample] {
+        let first = node as usize * self.kept;
+        self.samples.get(first..first + self.kept).unwrap_or_default()
     }
 
     /// Makes the mean colours for a style, unless they are there.
@@ -325,9 +391,8 @@ impl Scene {
                     add(self.mean(link.node, shade), link.length);
                 }
                 for line in &self.lines[node.first_line as usize..][..usize::from(node.lines)] {
-                    let way = [0, 1, 2].map(|i| f64::from(line.to[i] - line.from[i]));
                     let shade = self.choice.then(Shade { number: entry, fixed: true }, self.shade(line.style));
-                    add(self.ink(shade), norm(way) as f32);
+                    add(self.ink(shade), norm(line.way()) as f32);
                 }
                 let mean = if weight.is_finite() {
                     sum.map(|c| c / weight)
@@ -385,6 +450,23 @@ fn longest(limbs: &[Limb]) -> Limb {
     Limb { off: off.fold(0.0, f64::max), ..limb }
 }
 
+/// Cosine and sine of multiples of the golden angle.
+#[rustfmt::skip]
+const TURNS: [[f64; 2]; SAMPLES] = [
+    [1.000000, 0.000000], [-0.737369, 0.675490], [0.087426, -0.996171], [0.608439, 0.793601],
+    [-0.984713, -0.174182], [0.843755, -0.536728], [-0.259604, 0.965715], [-0.460907, -0.887448],
+    [0.939321, 0.343039], [-0.924346, 0.381556], [0.423846, -0.905734], [0.299284, 0.954164],
+    [-0.865211, -0.501408], [0.976676, -0.214719], [-0.575129, 0.818062], [-0.128511, -0.991708],
+];
+
+/// The directions that samples stand for, as even as so many can be: unit vectors along a spiral from pole to pole.
+pub(super) fn direction(number: usize, count: usize) -> Vector {
+    let y = 1.0 - (2.0 * number as f64 + 1.0) / count as f64;
+    let [c, s] = TURNS[number % SAMPLES];
+    let level = (1.0 - y * y).sqrt();
+    [c * level, y, s * level]
+}
+
 /// How far a point is from a limb.
 fn distance(limb: &Limb, point: Vector) -> f64 {
     let (way, to) = (minus(limb.to, limb.from), minus(point, limb.from));
@@ -393,7 +475,7 @@ fn distance(limb: &Limb, point: Vector) -> f64 {
     norm([0, 1, 2].map(|i| to[i] - t * way[i]))
 }
 
-fn minus(a: Vector, b: Vector) -> Vector {
+pub(super) fn minus(a: Vector, b: Vector) -> Vector {
     [0, 1, 2].map(|i| a[i] - b[i])
 }
 

@@ -4,8 +4,9 @@
 //! sight are parallel, and where one meets a stick is known exactly: the stick's side is met at the place `along` the
 //! axis less what the bulge of the side hides, and beyond its ends the line of sight meets a ball or nothing.
 
+use super::lanes::{LANES, Lanes};
 use super::light::{LIGHT, Light, Spot};
-use super::tile::Tile;
+use super::tile::{CELL, Tile};
 use crate::rotation::Vector;
 
 /// A stick in the space of a picture; with perspective its ends differ in width.
@@ -18,7 +19,7 @@ pub(super) struct Stick {
 }
 
 /// Sticks reach at most so far from a tile before they are cut, in samples, so that single precision is enough.
-const REACH: f64 = 2048.0;
+const REACH: f64 = 4096.0;
 /// Where a stick is at most so many samples wide, all of them are looked at in every row.
 const NARROW: usize = 6;
 /// A stick that is seen more end on than this is painted as its nearer end.
@@ -27,16 +28,15 @@ const END_ON: f64 = 1e-3;
 impl Stick {
     /// Paints it on a tile whose upper left corner is at `corner`; returns how many samples were looked at.
     pub(super) fn paint(&self, tile: &mut Tile, corner: [f64; 2], light: &Light) -> usize {
-        let side = tile.side as f64;
-        let Some(stick) = self.within(corner, side) else { return 0 };
+        let size = tile.size.map(|count| count as f64);
+        let Some(stick) = self.within(corner, size) else { return 0 };
         let [[x0, y0, d0], [x1, y1, d1]] = stick.ends;
         let widest = stick.radii[0].max(stick.radii[1]);
-        let Some(across) = span(x0.min(x1) - widest, x0.max(x1) + widest, side) else { return 0 };
-        let Some(down) = span(y0.min(y1) - widest, y0.max(y1) + widest, side) else { return 0 };
+        let Some(across) = span(x0.min(x1) - widest, x0.max(x1) + widest, size[0]) else { return 0 };
+        let Some(down) = span(y0.min(y1) - widest, y0.max(y1) + widest, size[1]) else { return 0 };
         let way = [x1 - x0, y1 - y0, d1 - d0];
         let flat = (way[0] * way[0] + way[1] * way[1]).sqrt();
         let length = (flat * flat + way[2] * way[2]).sqrt();
-        tile.touch(across, down);
         if flat <= END_ON * length || flat < 1e-6 {
             let near = usize::from(d1 < d0);
             let ball = Ball {
@@ -45,13 +45,14 @@ impl Stick {
                 ink: stick.ink,
                 spot: stick.spots[near],
             };
+            tile.touch(across, down);
             return ball.fill(tile, across, down, light);
         }
         stick.fill(tile, across, down, [flat, length], light)
     }
 
     /// Relative to a tile's corner, what is far from the tile cut off; `None` if nothing is left.
-    fn within(&self, corner: [f64; 2], side: f64) -> Option<Self> {
+    fn within(&self, corner: [f64; 2], size: [f64; 2]) -> Option<Self> {
         let mut ends = self.ends.map(|[x, y, d]| [x - corner[0], y - corner[1], d]);
         let is_near = |end: &Vector| (0..2).all(|i| end[i].abs() < REACH);
         if ends.iter().all(is_near) {
@@ -59,7 +60,7 @@ impl Stick {
         }
         let radius = self.radii[0].max(self.radii[1]);
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
-        for (start, end) in ends[0].iter().zip(ends[1]).take(2) {
+        for ((start, end), side) in ends[0].iter().zip(ends[1]).zip(size) {
             let way = end - start;
             let bounds = [-REACH / 2.0 - 2.0 * radius, REACH / 2.0 + side + 2.0 * radius];
             if way.abs() < 1e-9 {
@@ -106,67 +107,91 @@ impl Stick {
         let (per, slope, steep) = (1.0 / flat, rise / level, 1.0 / level);
         let grows = r1 - r0;
         let mut looked = 0;
-        for row in down[0]..=down[1] {
-            let y = row as f32 + 0.5 - y0;
-            let mut columns = across;
-            // Where the row crosses the band around the axis, and the slab between the ends.
-            if across[1] - across[0] > NARROW {
-                let (mut low, mut high) = (across[0] as f32 - x0, across[1] as f32 + 1.0 - x0);
-                let band = [-widest, widest];
-                for (along, offset, limit) in [(-ey, y * ex, band), (ex, y * ey, [-widest, flat + widest])] {
-                    if along.abs() > 1e-4 {
-                        let [a, b] = limit.map(|limit| (limit - offset) / along);
-                        low = low.max(a.min(b));
-                        high = high.min(a.max(b));
-                    } else if offset < limit[0] || offset > limit[1] {
-                        high = f32::NEG_INFINITY;
-                    }
-                }
-                let right = (high + x0 - 0.5).floor().min(across[1] as f32);
-                columns[0] = (low + x0 - 0.5).ceil().max(across[0] as f32) as usize;
-                if right < columns[0] as f32 {
-                    continue;
-                }
-                columns[1] = right as usize;
+        // Where a row crosses the band around the axis, and the slab between the ends: both at places that go on evenly
+        // from row to row. In the middle of the first one's distance, and half their lengths.
+        let narrow = across[1] - across[0] <= NARROW;
+        let crossing = |along: f32, offset: f32, [low, high]: [f32; 2]| {
+            let per = 1.0 / if along.abs() > 1e-4 { along } else { 1e-4 };
+            [0.5 * (low + high) * per, -offset * per, 0.5 * (high - low) * per.abs() + 0.01]
+        };
+        let band = crossing(-ey, ex, [-widest, widest]);
+        let slab = crossing(ex, ey, [-widest, flat + widest]);
+        // What rows cross of both at most; empty where the second is less than the first.
+        let cross = |rows: [usize; 2], [first, last]: [usize; 2]| {
+            if narrow {
+                return [first, last];
             }
-            let left = columns[0];
-            let (depths, colours) = tile.row(row, columns);
-            looked += depths.len();
-            for (i, (depth, colour)) in depths.iter_mut().zip(colours).enumerate() {
-                let x = (left + i) as f32 + 0.5 - x0;
+            let ends = rows.map(|row| row as f32 + 0.5 - y0);
+            let [a, b] = [band, slab].map(|[middle, slope, half]| {
+                let [a, b] = ends.map(|y| middle + slope * y);
+                [a.min(b) - half, a.max(b) + half]
+            });
+            let (low, high) = (a[0].max(b[0]) + x0, a[1].min(b[1]) + x0);
+            if high < 0.5 {
+                return [1, 0];
+            }
+            // From a sample's middle on; what is negative becomes 0.
+            [first.max((low + 0.5) as usize), last.min((high - 0.5) as usize)]
+        };
+        let near = d0.min(d1) - widest;
+        let mut within = [1, 0];
+        for row in down[0]..=down[1] {
+            if row == down[0] || row % CELL == 0 {
+                // Without cells that show something nearer.
+                let end = down[1].min(row / CELL * CELL + CELL - 1);
+                within = tile.seen(row / CELL, cross([row, end], across), near);
+                looked += 2;
+            }
+            let y = row as f32 + 0.5 - y0;
+            let columns = cross([row, row], within);
+            if columns[1] < columns[0] {
+                continue;
+            }
+            let [left, right] = columns;
+            let (depths, colours) = tile.lanes(row, columns);
+            looked += depths.len() * LANES;
+            let last = Lanes::all(right as f32 + 1.0 - x0);
+            for (i, (depths, colours)) in depths.iter_mut().zip(colours).enumerate() {
+                let x = Lanes::from((left + i * LANES) as f32 + 0.5 - x0);
                 let along = x * ex + y * ey;
-                let sideways = y * ex - x * ey;
-                let radius = r0 + grows * (along * per).clamp(0.0, 1.0);
-                let u = sideways / radius;
-                let rest = 1.0 - u * u;
-                if rest < 0.0 {
+                let sideways = x * -ey + y * ex;
+                let radius = (along * per).at_least(0.0).at_most(1.0) * grows + r0;
+                let inverse = radius.inverse();
+                let u = sideways * inverse;
+                let rest = Lanes::all(1.0) - u * u;
+                let h = rest.root();
+                let bulge = radius * h;
+                let met = along - bulge * rise;
+                let depth = Lanes(*depths);
+                let before = met.below(Lanes::all(0.0));
+                let beyond = Lanes::all(flat).below(met);
+                let mut shown = Lanes::all(-1e-6).below(rest).and(x.below(last));
+                let mut surface = along * slope + d0 - bulge * steep;
+                let mut t = met * per;
+                let mut to_light = u * side_light + h * up_light;
+                let mut to_view = h * level;
+                if before.any() || beyond.any() {
+                    // The ball at one of the ends.
+                    let end = before.with(beyond);
+                    let start = Lanes::all(0.0).or(before, Lanes::all(flat));
+                    let w = (along - start) * inverse;
+                    let inside = rest - w * w;
+                    let top = inside.root();
+                    let cap = Lanes::all(d0).or(before, Lanes::all(d1)) - radius * top;
+                    surface = cap.or(end, surface);
+                    shown = shown.and(Lanes::all(-1e-6).below(inside.or(end, rest)));
+                    t = (start * per).or(end, t);
+                    to_light = (w * ahead_light + u * side_light + top * view_light).or(end, to_light);
+                    to_view = top.or(end, to_view);
+                }
+                shown = shown.and(surface.below(depth));
+                if !shown.any() {
                     continue;
                 }
-                let h = rest.sqrt();
-                let met = along - radius * h * rise;
-                let (surface, t, to_light, to_view);
-                if met >= 0.0 && met <= flat {
-                    surface = d0 + along * slope - radius * h * steep;
-                    t = met * per;
-                    to_light = u * side_light + h * up_light;
-                    to_view = h * level;
-                } else {
-                    let (end, start) = if met < 0.0 { (d0, 0.0) } else { (d1, flat) };
-                    let w = (along - start) / radius;
-                    let rest = rest - w * w;
-                    if rest < 0.0 {
-                        continue;
-                    }
-                    let h = rest.sqrt();
-                    surface = end - radius * h;
-                    t = start * per;
-                    to_light = w * ahead_light + u * side_light + h * view_light;
-                    to_view = h;
-                }
-                if surface < *depth {
-                    *depth = surface;
-                    let spot = self.spots[0].towards(&self.spots[1], t);
-                    *colour = light.surface(self.ink, &spot, to_light, to_view);
+                *depths = surface.or(shown, depth).0;
+                let colour = light.surfaces(self.ink, &self.spots, t, to_light, to_view);
+                for ((old, new), shown) in colours.iter_mut().zip(colour).zip(shown.0) {
+                    *old = (new & shown) | (*old & !shown);
                 }
             }
         }
@@ -221,9 +246,9 @@ impl Dot {
     /// Paints it on a tile whose upper left corner is at `corner`.
     pub(super) fn paint(&self, tile: &mut Tile, corner: [f64; 2]) -> usize {
         let [x, y] = [0, 1].map(|i| self.at[i] - corner[i]);
-        let side = tile.side as f64;
-        let Some(across) = span(x - self.radius, x + self.radius, side) else { return 0 };
-        let Some(down) = span(y - self.radius, y + self.radius, side) else { return 0 };
+        let [width, height] = tile.size.map(|count| count as f64);
+        let Some(across) = span(x - self.radius, x + self.radius, width) else { return 0 };
+        let Some(down) = span(y - self.radius, y + self.radius, height) else { return 0 };
         tile.touch(across, down);
         let (x, y, near) = (x as f32, y as f32, self.at[2] as f32);
         let reach = (self.radius * self.radius) as f32;

@@ -1,52 +1,61 @@
 //! The samples of a part of a picture: the nearest surface at each, its depth and its colour.
 
-/// Samples along the side of a cell, for which the farthest depth is remembered.
-const CELL: usize = 8;
+use super::lanes::LANES;
 
-/// A square of samples, row by row.
+/// Samples along the side of a cell, for which the farthest depth is remembered.
+pub(super) const CELL: usize = 8;
+/// After so many changes a cell's farthest depth is looked up again: a cell is seldom covered by less.
+const STALE: u8 = 4;
+
+/// A rectangle of samples, row by row. Behind every row there is room for some more that are never looked at.
 #[derive(Default)]
 pub(super) struct Tile {
-    /// Samples along its side, a multiple of [`CELL`].
-    pub(super) side: usize,
+    /// Samples across and down, multiples of [`CELL`].
+    pub(super) size: [usize; 2],
+    /// From one row to the next.
+    stride: usize,
     /// How far behind the target; infinite where nothing is.
     depth: Vec<f32>,
     /// Red in the lowest byte.
     colour: Vec<u32>,
     /// By cell: the farthest of its depths, or farther.
     far: Vec<f32>,
-    /// By cell: whether something has come nearer since.
-    stale: Vec<bool>,
+    /// By cell: how often something may have come nearer since.
+    stale: Vec<u8>,
     background: u32,
     /// By row of cells: the first and the last sample of what may have been painted; the other way round without any.
     reach: Vec<[usize; 2]>,
 }
 
 impl Tile {
-    /// Empties it, with so many samples along its side.
-    pub(super) fn reset(&mut self, side: usize, [r, g, b]: [u8; 3]) {
+    /// Empties it, with at least so many samples across and down.
+    pub(super) fn reset(&mut self, size: [usize; 2], [r, g, b]: [u8; 3]) {
         let background = u32::from_le_bytes([r, g, b, u8::MAX]);
-        let cells = side / CELL;
-        if (side, background) != (self.side, self.background) {
-            (self.side, self.background) = (side, background);
-            refill(&mut self.depth, side * side, f32::INFINITY);
-            refill(&mut self.colour, side * side, background);
-            refill(&mut self.far, cells * cells, f32::INFINITY);
-            refill(&mut self.stale, cells * cells, false);
-            refill(&mut self.reach, cells, [side, 0]);
+        let size = size.map(|count| count.next_multiple_of(CELL));
+        let [cells, rows] = size.map(|count| count / CELL);
+        if (size, background) != (self.size, self.background) {
+            (self.size, self.background) = (size, background);
+            self.stride = size[0] + LANES;
+            refill(&mut self.depth, self.stride * size[1], f32::INFINITY);
+            refill(&mut self.colour, self.stride * size[1], background);
+            refill(&mut self.far, cells * rows, f32::INFINITY);
+            refill(&mut self.stale, cells * rows, 0);
+            refill(&mut self.reach, rows, [size[0], 0]);
             return;
         }
         for (row, reach) in self.reach.iter_mut().enumerate() {
-            let [left, right] = core::mem::replace(reach, [side, 0]);
+            let [left, right] = core::mem::replace(reach, [size[0], 0]);
             if left > right {
                 continue;
             }
             for line in row * CELL..(row + 1) * CELL {
-                self.depth[line * side + left..=line * side + right].fill(f32::INFINITY);
-                self.colour[line * side + left..=line * side + right].fill(background);
+                let at = line * self.stride;
+                self.depth[at + left..=at + right].fill(f32::INFINITY);
+                self.colour[at + left..=at + right].fill(background);
             }
             let span = row * cells + left / CELL..=row * cells + right / CELL;
             self.far[span.clone()].fill(f32::INFINITY);
-            self.stale[span].fill(false);
+            self.stale[span].fill(0);
         }
     }
 
@@ -54,8 +63,8 @@ impl Tile {
     pub(super) fn hides(&mut self, [left, right]: [usize; 2], [top, bottom]: [usize; 2], near: f32) -> bool {
         for row in top / CELL..=bottom / CELL {
             for column in left / CELL..=right / CELL {
-                let cell = row * (self.side / CELL) + column;
-                if self.far[cell] >= near && !(self.stale[cell] && self.farthest(cell) < near) {
+                let cell = row * (self.size[0] / CELL) + column;
+                if !self.is_hidden(cell, near) {
                     return false;
                 }
             }
@@ -63,18 +72,43 @@ impl Tile {
         true
     }
 
+    /// What of the samples `left..=right` of a row of cells is not behind something nearer than `near`, as far as cells
+    /// tell, and notes that it is about to be painted; the other way round where nothing is.
+    pub(super) fn seen(&mut self, row: usize, [mut left, mut right]: [usize; 2], near: f32) -> [usize; 2] {
+        let first = row * (self.size[0] / CELL);
+        while left <= right && self.is_hidden(first + left / CELL, near) {
+            left = (left / CELL + 1) * CELL;
+        }
+        while left < right && self.is_hidden(first + right / CELL, near) {
+            right = right / CELL * CELL - 1;
+        }
+        if left <= right {
+            let reach = &mut self.reach[row];
+            *reach = [reach[0].min(left), reach[1].max(right)];
+            let cells = &mut self.stale[first + left / CELL..=first + right / CELL];
+            cells.iter_mut().for_each(|times| *times = times.saturating_add(1));
+        }
+        [left, right]
+    }
+
+    /// Whether all samples of a cell show something nearer than `near`.
+    #[inline]
+    fn is_hidden(&mut self, cell: usize, near: f32) -> bool {
+        self.far[cell] < near || self.stale[cell] >= STALE && self.farthest(cell) < near
+    }
+
     /// Looks up how far a cell reaches.
     fn farthest(&mut self, cell: usize) -> f32 {
-        let (side, cells) = (self.side, self.side / CELL);
-        let first = cell / cells * CELL * side + cell % cells * CELL;
+        let (stride, cells) = (self.stride, self.size[0] / CELL);
+        let first = cell / cells * CELL * stride + cell % cells * CELL;
         let mut far = [f32::NEG_INFINITY; CELL];
-        for row in self.depth[first..=first + (CELL - 1) * side + CELL - 1].chunks(side) {
+        for row in self.depth[first..first + (CELL - 1) * stride + CELL].chunks(stride) {
             for (far, depth) in far.iter_mut().zip(row) {
-                *far = far.max(*depth);
+                *far = if *depth > *far { *depth } else { *far };
             }
         }
         let far = far.iter().fold(f32::NEG_INFINITY, |a, b| a.max(*b));
-        self.stale[cell] = false;
+        self.stale[cell] = 0;
         self.far[cell] = far;
         far
     }
@@ -84,16 +118,31 @@ impl Tile {
         for row in top / CELL..=bottom / CELL {
             let reach = &mut self.reach[row];
             *reach = [reach[0].min(left), reach[1].max(right)];
-            let first = row * (self.side / CELL);
-            self.stale[first + left / CELL..=first + right / CELL].fill(true);
+            let first = row * (self.size[0] / CELL);
+            let cells = &mut self.stale[first + left / CELL..=first + right / CELL];
+            cells.iter_mut().for_each(|times| *times = times.saturating_add(1));
         }
     }
 
     /// Depths and colours of the samples `left..=right` of a row.
     #[inline]
     pub(super) fn row(&mut self, row: usize, [left, right]: [usize; 2]) -> (&mut [f32], &mut [u32]) {
-        let at = row * self.side;
+        let at = row * self.stride;
         (&mut self.depth[at + left..=at + right], &mut self.colour[at + left..=at + right])
+    }
+
+    /// The same for the samples from `left` on, up to `right` or a few more.
+    #[inline]
+    pub(super) fn lanes(
+        &mut self,
+        row: usize,
+        [left, right]: [usize; 2],
+    ) -> (&mut [[f32; LANES]], &mut [[u32; LANES]]) {
+        let at = row * self.stride;
+        let end = at + left + (right + 1 - left).next_multiple_of(LANES);
+        let (depth, _) = self.depth[at + left..end].as_chunks_mut();
+        let (colour, _) = self.colour[at + left..end].as_chunks_mut();
+        (depth, colour)
     }
 
     /// The first pixel that may have been painted in a row of pixels that are `samples` wide, and the one after the last.
@@ -106,7 +155,7 @@ impl Tile {
     pub(super) fn pixels(&self, row: usize, from: usize, samples: usize, out: &mut [u8]) {
         const PAIRS: u32 = 0x00ff_00ff;
         let (out, _) = out.as_chunks_mut::<4>();
-        let first = row * samples * self.side + from * samples;
+        let first = row * samples * self.stride + from * samples;
         if samples == 1 {
             for (pixel, colour) in out.iter_mut().zip(&self.colour[first..]) {
                 *pixel = colour.to_le_bytes();
@@ -120,7 +169,7 @@ impl Tile {
             // Sums of two channels each, 16 bits apart: at most 16 * 255.
             let (mut even, mut odd) = (half, half);
             for line in 0..samples {
-                let from = first + line * self.side + x * samples;
+                let from = first + line * self.stride + x * samples;
                 for colour in &self.colour[from..from + samples] {
                     even += colour & PAIRS;
                     odd += colour >> 8 & PAIRS;

@@ -3,11 +3,11 @@
 use super::Quality;
 use super::camera::{Camera, Lens, NEAR};
 use super::light::{DIRECTIONS, Light};
-use super::scene::{Limb, Node, Scene, WIDTH};
+use super::scene::{Node, SAMPLES, Scene, WIDTH, direction, minus};
 use super::stroke::{Dot, Stick, span};
 use super::tile::Tile;
 use crate::render::Shade;
-use crate::rotation::{Vector, combine, dot};
+use crate::rotation::{Vector, combine, dot, norm};
 use crate::{Drawing, Progress, RenderStats, Solid, Style, Viewport};
 
 /// Whole blocks are looked for behind others from this size on, in samples.
@@ -18,11 +18,22 @@ const SORTED: f32 = 4.0;
 const BLUR: f32 = 2.0;
 /// From this radius on blocks have the same share of the budget, in samples.
 const LARGE: f32 = 256.0;
-/// A tile is painted so often at most, with ever larger budgets while little of them is needed.
-const AGAIN: u8 = 2;
+/// Strokes that stand for others are made thicker up to this radius at most, in pixels.
+const THICKER: f64 = 1.25;
+/// A limb stands out among the samples of its node from so many times their length on.
+const OUTSTANDING: f64 = 2.0;
+/// How often what somebody does not need of a budget is shared out to the others.
+const ROUNDS: usize = 2;
+/// How often a picture is made again at most, when a budget is too small, and how many times larger the next one is.
+const AGAIN: u8 = 4;
+const MORE: f32 = 8.0;
+/// It is not made again for less than this part more.
+const WORTH: f32 = 1.6;
+/// Enough for everything.
+const MOST: f32 = 1e30;
 /// What a node, a line, and a dot cost, in units of work, apart from the samples.
 const NODE_WORK: i64 = 8;
-const LINE_WORK: i64 = 2;
+const LINE_WORK: i64 = 4;
 /// Samples in a unit of work.
 const SAMPLES_WORK: i64 = 8;
 /// What emptying and finishing a tile costs.
@@ -40,10 +51,10 @@ struct Frame {
     shade: Shade,
     /// In step lengths.
     width: f64,
-    /// Contents that may still be looked into, those of contents included.
-    budget: f32,
-    /// The weights of all contents in `order`.
-    weight: f32,
+    /// By content: how many strokes and nodes may be looked into for it.
+    shares: [f32; WIDTH],
+    /// What was not needed of the shares so far.
+    spare: f32,
     /// Towards the light and the viewer, in the node's own frame.
     towards: [[f32; 3]; 2],
 }
@@ -70,7 +81,7 @@ struct Inside {
     place: Place,
     shade: Shade,
     width: f64,
-    budget: f32,
+    share: f32,
 }
 
 /// A picture in the making.
@@ -91,12 +102,12 @@ pub(super) struct Walk {
     painted: Vec<[usize; 2]>,
     /// The rows before this one hold nothing of the picture before.
     wiped: usize,
-    /// Whether something in this tile had to go without.
-    poor: bool,
-    /// What has been looked into in this tile, this time.
+    /// What has been looked into, and the work it took, in all tiles.
     used: f32,
-    /// The budget of the tile that is being painted, and how often it was painted before.
-    budget: f32,
+    work: i64,
+    /// Whether something had to go without.
+    poor: bool,
+    /// How often the picture has been made with too small a budget.
     again: u8,
     pub(super) stats: RenderStats,
 }
@@ -108,12 +119,18 @@ struct Look {
     light: Light,
     background: [u8; 3],
     samples: usize,
+    /// Across and down the picture, in samples.
+    size: [f64; 2],
     /// Of a tile, in samples.
-    side: usize,
+    side: [usize; 2],
+    /// Whether there is only one tile.
+    single: bool,
     /// Blocks smaller than this are dots, in samples.
     detail: f32,
-    /// Contents of nodes that are looked into at most, in a tile.
+    /// Contents of nodes that are looked into at most.
     budget: f32,
+    /// Work that it is worth.
+    work: i64,
     /// Half the smallest stroke width, in samples.
     hairline: f64,
     /// The stroke width at the start, in step lengths.
@@ -131,6 +148,8 @@ impl Walk {
     ) {
         let samples = quality.samples();
         let lens = Lens::new(drawing, viewport, camera, samples as f64);
+        let size = [viewport.width, viewport.height].map(|pixels| f64::from(pixels) * samples as f64);
+        let side = quality.tile(viewport);
         let min_width = (style.min_width * viewport.ratio).max(1.0);
         let min_width = if min_width.is_finite() { min_width } else { 1.0 };
         self.look = Some(Look {
@@ -138,9 +157,12 @@ impl Walk {
             light: Light::new(style, &lens, camera.fade),
             background: style.background.rgb,
             samples,
-            side: quality.side(),
+            size,
+            side,
+            single: (0..2).all(|i| side[i] as f64 >= size[i]),
             detail: quality.detail() as f32,
-            budget: quality.budget() as f32,
+            budget: quality.budget(),
+            work: quality.work(viewport),
             hairline: min_width * samples as f64 / 2.0,
             width: drawing.width,
         });
@@ -161,17 +183,32 @@ impl Walk {
         }
         self.stack.clear();
         self.next = 0;
-        self.again = 0;
         self.painting = false;
+        (self.used, self.work, self.poor, self.again) = (0.0, 0, false, 0);
         self.stats = RenderStats::default();
+    }
+
+    /// Starts again with a larger budget where little of the work that the picture is worth was done, though something
+    /// had to go without: how much of a budget is needed nobody knows before. Whether it does.
+    fn starts_again(&mut self) -> bool {
+        let Some(look) = &mut self.look else { return false };
+        let missing = look.work as f32 / (self.work.max(1)) as f32;
+        if !self.poor || self.again == AGAIN || missing < WORTH {
+            return false;
+        }
+        look.budget *= (0.8 * missing).min(MORE);
+        self.again += 1;
+        (self.used, self.work, self.poor) = (0.0, 0, false);
+        (self.next, self.wiped) = (0, 0);
+        true
     }
 
     pub(super) fn step(&mut self, scene: &Scene, left: &mut i64) -> Progress {
         let Some(look) = self.look else { return Progress::Done };
-        // Pixels along the side of a tile.
-        let side = look.side / look.samples;
-        let across = self.width.div_ceil(side);
-        let count = across * self.height.div_ceil(side);
+        // Pixels along the sides of a tile.
+        let side = look.side.map(|side| side / look.samples);
+        let across = self.width.div_ceil(side[0]);
+        let count = across * self.height.div_ceil(side[1]);
         while self.wiped < self.height {
             let [from, to] = core::mem::take(&mut self.painted[self.wiped]);
             let row = self.wiped * self.width;
@@ -182,28 +219,19 @@ impl Walk {
         }
         while *left > 0 {
             if self.next >= count {
-                return Progress::Done;
+                return if self.starts_again() { Progress::More } else { Progress::Done };
             }
             let at = [self.next % across, self.next / across];
-            let corner = at.map(|c| (c * look.side) as f64);
+            let corner = [0, 1].map(|i| (at[i] * look.side[i]) as f64);
             if !self.painting {
                 self.painting = true;
-                self.poor = false;
-                self.used = 0.0;
-                if self.again == 0 {
-                    self.budget = look.budget;
-                }
                 self.tile.reset(look.side, look.background);
                 *left -= TILE_WORK / 4;
                 if let Some(root) = scene.root {
                     let Lens { origin, axes, .. } = look.lens;
                     let place = Place { origin, axes, scale: dot(axes[0], axes[0]).sqrt() };
-                    let inside = Inside {
-                        place,
-                        shade: Shade { number: 0, fixed: true },
-                        width: look.width,
-                        budget: self.budget,
-                    };
+                    let shade = Shade { number: 0, fixed: true };
+                    let inside = Inside { place, shade, width: look.width, share: look.budget };
                     self.open(scene, &look, corner, root, inside);
                 }
             }
@@ -211,14 +239,6 @@ impl Walk {
                 return Progress::More;
             }
             self.painting = false;
-            let spent = self.used.max(1.0);
-            if self.poor && spent < 0.5 * look.budget && self.again < AGAIN {
-                // What came first went without, and others did not need their share.
-                self.again += 1;
-                self.budget *= (0.8 * look.budget / spent).min(8.0);
-                continue;
-            }
-            self.again = 0;
             self.finish(at, side, look.samples);
             *left -= TILE_WORK;
             self.next += 1;
@@ -226,11 +246,26 @@ impl Walk {
         Progress::More
     }
 
+    /// What is left of the picture is made with a part of the effort.
+    pub(super) fn hurry(&mut self, scene: &Scene, part: f32) {
+        if let Some(look) = &mut self.look {
+            look.budget *= part;
+        }
+        for frame in &mut self.stack {
+            frame.spare = 0.0;
+            let node = &scene.nodes[frame.node as usize];
+            let links = &scene.links[node.first_link as usize..][..usize::from(node.links)];
+            for (share, link) in frame.shares.iter_mut().zip(links) {
+                *share = share.min(scene.nodes[link.node as usize].own.need) * part;
+            }
+        }
+    }
+
     /// Copies a finished tile into the picture.
-    fn finish(&mut self, at: [usize; 2], side: usize, samples: usize) {
-        let [x, y] = at.map(|c| c * side);
-        let right = (x + side).min(self.width);
-        for row in y..(y + side).min(self.height) {
+    fn finish(&mut self, at: [usize; 2], side: [usize; 2], samples: usize) {
+        let [x, y] = [0, 1].map(|i| at[i] * side[i]);
+        let right = (x + side[0]).min(self.width);
+        for row in y..(y + side[1]).min(self.height) {
             let [from, to] = self.tile.painted(row - y, samples);
             let to = to.min(right - x);
             if from < to {
@@ -250,22 +285,24 @@ impl Walk {
         while *left > 0 {
             let Some(frame) = self.stack.last_mut() else { return Progress::Done };
             if frame.left == 0 {
-                let rest = frame.budget;
+                let spare = frame.spare;
                 self.stack.pop();
                 if let Some(frame) = self.stack.last_mut() {
-                    frame.budget += rest;
+                    frame.spare += spare;
                 }
                 continue;
             }
             frame.left -= 1;
             let lane = usize::from(frame.order[usize::from(frame.left)]);
             let node = &scene.nodes[frame.node as usize];
-            if lane < usize::from(node.links) {
-                *left -= self.link(scene, look, corner, node, lane);
+            let cost = if lane < usize::from(node.links) {
+                self.link(scene, look, corner, node, lane)
             } else {
                 let line = node.first_line as usize + lane - usize::from(node.links);
-                *left -= self.line(scene, look, corner, line);
-            }
+                self.line(scene, look, corner, line)
+            };
+            self.work += cost;
+            *left -= cost;
         }
         Progress::More
     }
@@ -273,20 +310,30 @@ impl Walk {
     /// Paints a line of the node on top of the stack.
     fn line(&mut self, scene: &Scene, look: &Look, corner: [f64; 2], line: usize) -> i64 {
         let Some(frame) = self.stack.last_mut() else { return 0 };
-        frame.budget -= 1.0;
         self.used += 1.0;
         let line = &scene.lines[line];
         let width = scene.styles[line.style as usize].width.of(frame.width);
         let shade = scene.choice.then(frame.shade, scene.shade(line.style));
         let ends = [line.from, line.to].map(|end| frame.place.lie(end.map(f64::from)));
-        self.stick(look, corner, ends, width, scene.ink(shade))
+        self.stick(look, corner, ends, width, 1.0, scene.ink(shade))
     }
 
     /// Paints a stroke.
-    fn stick(&mut self, look: &Look, corner: [f64; 2], ends: [Vector; 2], width: f64, ink: [f32; 3]) -> i64 {
+    fn stick(
+        &mut self,
+        look: &Look,
+        corner: [f64; 2],
+        ends: [Vector; 2],
+        width: f64,
+        thicker: f32,
+        ink: [f32; 3],
+    ) -> i64 {
         self.stats.strokes += 1;
         let Some(ends) = before_eye(&look.lens, ends) else { return 1 };
-        let radius = |end: Vector| (width * look.lens.step * look.lens.factor(end[2]) / 2.0).max(look.hairline);
+        let radius = |end: Vector| {
+            let own = (width * look.lens.step * look.lens.factor(end[2]) / 2.0).max(look.hairline);
+            (own * f64::from(thicker)).min(THICKER * look.samples as f64).max(own)
+        };
         let stick = Stick {
             ends: ends.map(|end| look.lens.project(end)),
             radii: ends.map(radius),
@@ -306,23 +353,30 @@ impl Walk {
         let radius = ((link.widest.of(frame.width) * lens.step * factor / 2.0).max(look.hairline)) as f32;
         let reach = f64::from(ball + radius);
         let [px, py] = [f64::from(x), f64::from(y)];
-        let weight = weight(ball);
-        let share = frame.budget * (weight / frame.weight).min(1.0);
-        frame.weight -= weight;
-        let side = look.side as f64;
-        let (Some(across), Some(down)) = (span(px - reach, px + reach, side), span(py - reach, py + reach, side))
+        let mut share = frame.shares[lane];
+        if look.single {
+            // What nearer contents did not need.
+            let more = frame.spare / f32::from(frame.left + 1);
+            frame.spare -= more;
+            share += more;
+        }
+        let [width, height] = look.side.map(|side| side as f64);
+        let (Some(across), Some(down)) = (span(px - reach, px + reach, width), span(py - reach, py + reach, height))
         else {
+            frame.spare += share.min(MOST);
             return 1;
         };
         let shade = scene.choice.then(frame.shade, scene.shade(link.style));
         let inner = &scene.nodes[link.node as usize];
         let fine = 2.0 * ball > look.detail;
-        let over = self.used > 2.0 * look.budget;
-        let poor = fine && (over || share < f32::from(inner.links + inner.lines));
+        if look.work > 0 && self.work > 4 * look.work {
+            share = 0.0;
+        }
+        let poor = fine && share < f32::from(inner.links + inner.lines) && share < inner.own.need;
         self.poor |= poor;
         if !fine || poor && ball <= 0.5 * BLUR * look.detail {
+            frame.spare += (share - 1.0).clamp(0.0, MOST);
             self.stats.stamps += 1;
-            frame.budget -= 1.0;
             self.used += 1.0;
             let [bx, by, bz] = [0, 1, 2].map(|i| f64::from(node.balls[i][lane]));
             let spot = look.light.spot(frame.place.lie([bx, by, bz]));
@@ -342,6 +396,7 @@ impl Walk {
         }
         let size = ball + radius;
         if size > HIDEABLE && self.tile.hides(across, down, near - radius) {
+            frame.spare += share.min(MOST);
             return LINE_WORK;
         }
         let place = if link.same {
@@ -353,38 +408,46 @@ impl Walk {
         let width = scene.styles[link.style as usize].width.of(frame.width);
         let limb = &inner.own.limb;
         let thin = 2.0 * (limb.off * place.scale * factor) as f32 <= look.detail;
-        if thin || poor {
-            frame.budget -= 1.0;
+        if thin {
+            // Nothing stands out: the whole node is that line, in the colour that it has on the whole.
+            frame.spare += (share - 1.0).clamp(0.0, MOST);
             self.used += 1.0;
-            let stick = |limb: &Limb| {
+            let ends = [limb.from, limb.to].map(|end| place.lie(end));
+            return self.stick(look, corner, ends, limb.style.width.of(width), 1.0, scene.mean(link.node, shade));
+        }
+        if poor {
+            let own = &inner.own;
+            let outstanding = norm(minus(limb.to, limb.from)) > OUTSTANDING * f64::from(own.sampled);
+            let count = (share as usize).max(1);
+            let all = scene.samples(link.node);
+            let count = count.min(all.len());
+            let order = facing(&place, all.len());
+            let samples =
+                order.into_iter().take(count - usize::from(outstanding)).filter_map(|k| all.get(usize::from(k)));
+            // As much as there is, on the whole, but not much wider than a pixel where they are not.
+            let thicker = own.length / (count as f32 * own.sampled);
+            let mut cost = 0;
+            self.used += count as f32;
+            if outstanding {
                 let ends = [limb.from, limb.to].map(|end| place.lie(end));
-                (ends, limb.style.width.of(width), scene.choice.then(shade, scene.choice.shade(&limb.style)))
-            };
-            let (ends, own, tint) = stick(limb);
-            // Where nothing stands out, the whole node is that line, in the colour that it has on the whole.
-            let ink = if thin { scene.mean(link.node, shade) } else { scene.ink(tint) };
-            let mut cost = self.stick(look, corner, ends, own, ink);
-            if !thin && let Some(tips) = scene.tips.get(link.node as usize) {
-                if let Some(frame) = self.stack.last_mut() {
-                    frame.budget -= tips.len() as f32;
-                }
-                self.used += tips.len() as f32;
-                for tip in tips {
-                    let (ends, own, tint) = stick(tip);
-                    cost += self.stick(look, corner, ends, own, scene.ink(tint));
-                }
+                let ink = scene.ink(scene.choice.then(shade, scene.choice.shade(&limb.style)));
+                cost += self.stick(look, corner, ends, limb.style.width.of(width), 1.0, ink);
+            }
+            for sample in samples {
+                let ends = [sample.from, sample.to].map(|end| place.lie(end.map(f64::from)));
+                let ink = scene.ink(scene.choice.then(shade, scene.choice.shade(&sample.style)));
+                cost += self.stick(look, corner, ends, sample.style.width.of(width), thicker, ink);
             }
             return cost;
         }
-        frame.budget -= share;
         self.used += 1.0;
-        self.open(scene, look, corner, link.node, Inside { place, shade, width, budget: share - 1.0 });
+        self.open(scene, look, corner, link.node, Inside { place, shade, width, share: share - 1.0 });
         NODE_WORK
     }
 
     /// Puts a node on the stack: all its contents that may be seen in the tile, the nearest on top.
     fn open(&mut self, scene: &Scene, look: &Look, corner: [f64; 2], id: u32, inside: Inside) {
-        let Inside { place, shade, width, budget } = inside;
+        let Inside { place, shade, width, share } = inside;
         let node = &scene.nodes[id as usize];
         let lens = &look.lens;
         self.stats.blocks += 1;
@@ -422,23 +485,36 @@ impl Walk {
             place,
             shade,
             width,
-            budget,
-            weight: 0.0,
+            shares: [MOST; WIDTH],
+            spare: 0.0,
             towards: DIRECTIONS.map(|to| place.axes.map(|axis| (dot(axis, to) / place.scale) as f32)),
         };
         let count = usize::from(node.links) + usize::from(node.lines);
+        let scarce = share < node.own.need;
+        let mut weights = [0.0; WIDTH];
         let mut kept = 0;
-        for lane in 0..count {
+        for (lane, weighs) in weights.iter_mut().enumerate().take(count) {
             let [x, y, r] = [0, 1, 2].map(|i| frame.seen[i][lane]);
             let reach = r + widest;
-            let side = look.side as f32;
-            if x + reach >= 0.0 && x - reach <= side && y + reach >= 0.0 && y - reach <= side {
+            let within = |low: [f64; 2], high: [f64; 2]| {
+                let [low, high] = [low, high].map(|corner| corner.map(|c| c as f32));
+                x + reach >= low[0] && x - reach <= high[0] && y + reach >= low[1] && y - reach <= high[1]
+            };
+            if within([0.0; 2], look.side.map(|side| side as f64)) {
                 frame.order[kept] = lane as u8;
                 kept += 1;
-                if lane < usize::from(node.links) {
-                    frame.weight += weight(r);
-                }
             }
+            // Outside of the picture; what is outside of this tile has its share, so that tiles agree.
+            if scarce && lane < usize::from(node.links) {
+                let seen = within(corner.map(|c| -c), [0, 1].map(|i| look.size[i] - corner[i]));
+                *weighs = if seen { weight(r) } else { 0.0 };
+            }
+        }
+        if scarce {
+            let needs = |lane: usize| scene.nodes[scene.links[node.first_link as usize + lane].node as usize].own.need;
+            frame.shares = shares(share - f32::from(node.lines), &weights[..usize::from(node.links)], needs);
+        } else {
+            frame.spare = (share - node.own.need).clamp(0.0, MOST);
         }
         frame.left = kept as u8;
         if scale > SORTED {
@@ -455,7 +531,7 @@ impl Walk {
         if kept > 0 {
             self.stack.push(frame);
         } else if let Some(outer) = self.stack.last_mut() {
-            outer.budget += budget;
+            outer.spare += share.min(MOST);
         }
     }
 }
@@ -472,6 +548,50 @@ impl Place {
 fn weight(ball: f32) -> f32 {
     let size = ball.min(LARGE);
     size * size + 1.0
+}
+
+/// The samples of a node in order, those that face the viewer first.
+fn facing(place: &Place, count: usize) -> [u8; SAMPLES] {
+    let view = place.axes.map(|axis| -axis[2]);
+    let mut order = [0; SAMPLES];
+    let mut scores = [0.0; SAMPLES];
+    for k in 0..count {
+        let score = dot(direction(k, count), view);
+        let mut at = k;
+        while at > 0 && scores[at - 1] < score {
+            (scores[at], order[at]) = (scores[at - 1], order[at - 1]);
+            at -= 1;
+        }
+        (scores[at], order[at]) = (score, k as u8);
+    }
+    order
+}
+
+/// Shares out a budget: nobody gets more than is needed, others by their weights.
+fn shares(mut budget: f32, weights: &[f32], needs: impl Fn(usize) -> f32) -> [f32; WIDTH] {
+    let mut shares = [0.0; WIDTH];
+    let mut open = [0.0; WIDTH];
+    open[..weights.len()].copy_from_slice(weights);
+    let mut sum: f32 = weights.iter().sum();
+    for _ in 0..ROUNDS {
+        let per = (budget / sum.max(1e-30)).max(0.0);
+        for lane in 0..weights.len() {
+            let need = needs(lane) + 1.0;
+            if open[lane] > 0.0 && need <= per * open[lane] {
+                shares[lane] = need;
+                budget -= need;
+                sum -= open[lane];
+                open[lane] = 0.0;
+            }
+        }
+    }
+    let per = (budget / sum.max(1e-30)).max(0.0);
+    for lane in 0..weights.len() {
+        if open[lane] > 0.0 {
+            shares[lane] = per * open[lane];
+        }
+    }
+    shares
 }
 
 /// What of a line lies before the eye.

@@ -1,0 +1,128 @@
+//! Numbers side by side, so that compilers see what can be done at once: no branches, and every step the same for all.
+
+use core::array::from_fn;
+use core::ops::{Add, Mul, Sub};
+
+/// How many samples are looked at together.
+pub(super) const LANES: usize = 4;
+
+/// A number for each sample.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lanes(pub [f32; LANES]);
+
+/// A decision for each sample: all bits or none.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mask(pub [u32; LANES]);
+
+impl Lanes {
+    /// The same number everywhere.
+    #[inline(always)]
+    pub(super) fn all(value: f32) -> Self {
+        Self([value; LANES])
+    }
+
+    /// A number, and those that follow it.
+    #[inline(always)]
+    pub(super) fn from(first: f32) -> Self {
+        Self([first, first + 1.0, first + 2.0, first + 3.0])
+    }
+
+    #[inline(always)]
+    pub(super) fn at_least(self, least: f32) -> Self {
+        Self(from_fn(|i| if self.0[i] > least { self.0[i] } else { least }))
+    }
+
+    #[inline(always)]
+    pub(super) fn at_most(self, most: f32) -> Self {
+        Self(from_fn(|i| if self.0[i] < most { self.0[i] } else { most }))
+    }
+
+    /// Square roots; of negative numbers 0.
+    #[inline(always)]
+    pub(super) fn root(self) -> Self {
+        Self(self.at_least(0.0).0.map(f32::sqrt))
+    }
+
+    /// One over each.
+    #[inline(always)]
+    pub(super) fn inverse(self) -> Self {
+        Self(from_fn(|i| 1.0 / self.0[i]))
+    }
+
+    /// Where it is less than the other.
+    #[inline(always)]
+    pub(super) fn below(self, other: Self) -> Mask {
+        Mask(from_fn(|i| if self.0[i] < other.0[i] { u32::MAX } else { 0 }))
+    }
+
+    /// This where the mask says so, and the other elsewhere.
+    #[inline(always)]
+    pub(super) fn or(self, mask: Mask, other: Self) -> Self {
+        Self(from_fn(|i| f32::from_bits((self.0[i].to_bits() & mask.0[i]) | (other.0[i].to_bits() & !mask.0[i]))))
+    }
+
+    /// Whole numbers, of numbers from 0 to 255.
+    #[inline(always)]
+    pub(super) fn bytes(self) -> [u32; LANES] {
+        // From here on floating-point numbers are whole, and their lowest bits are the number.
+        const WHOLE: f32 = 8_388_608.0;
+        from_fn(|i| (self.0[i] + WHOLE).to_bits() & 0xff)
+    }
+}
+
+impl Mask {
+    #[inline(always)]
+    pub(super) fn and(self, other: Self) -> Self {
+        Self(from_fn(|i| self.0[i] & other.0[i]))
+    }
+
+    #[inline(always)]
+    pub(super) fn with(self, other: Self) -> Self {
+        Self(from_fn(|i| self.0[i] | other.0[i]))
+    }
+
+    #[inline(always)]
+    pub(super) fn any(self) -> bool {
+        self.0.iter().fold(0, |all, one| all | one) != 0
+    }
+}
+
+impl Add for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(from_fn(|i| self.0[i] + other.0[i]))
+    }
+}
+
+impl Sub for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self(from_fn(|i| self.0[i] - other.0[i]))
+    }
+}
+
+impl Mul for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self(from_fn(|i| self.0[i] * other.0[i]))
+    }
+}
+
+impl Add<f32> for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: f32) -> Self {
+        Self(from_fn(|i| self.0[i] + other))
+    }
+}
+
+impl Mul<f32> for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: f32) -> Self {
+        Self(from_fn(|i| self.0[i] * other))
+    }
+}
