@@ -145,7 +145,6 @@ impl Rewriter {
     /// Notes what every step does, among so many productions. Nothing must have been derived yet.
     pub(super) fn note(&mut self, productions: usize) {
         self.record = Some(Record { choices: Choices::new(productions), length: 0, kept: vec![] });
-        self.plan.table = None;
     }
 
     /// What the step that ended last did with every module, where that is noted.
@@ -239,6 +238,9 @@ impl Rewriter {
                     self.work += (end - start) as u64;
                     if let Some(table) = &self.plan.table {
                         let letters = &self.word.letters[start..end];
+                        if let Some(record) = &mut self.record {
+                            table.note(letters, start, self.plan.contexts, &self.sides, &mut record.choices);
+                        }
                         let next = &mut self.next.letters;
                         table.rightward(letters, start, self.plan.contexts, &mut self.sides, next);
                     } else {

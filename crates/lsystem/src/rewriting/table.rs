@@ -1,6 +1,7 @@
 //! Productions without parameters, conditions or weights, and with one letter of context at most to each side,
 //! decided by a look into a table.
 
+use super::choices::{Choice, Choices};
 use super::context::Role;
 use super::rules::{ContextPattern, LetterId, Rules};
 
@@ -12,6 +13,8 @@ pub(super) struct Table {
     /// The successor's place, and how many letters it has.
     chosen: Vec<(u16, u16)>,
     successors: Vec<[LetterId; LONGEST]>,
+    /// By successor's place: which production it is of.
+    productions: Vec<Choice>,
     /// By letter: what it does to neighbours in the pass to the left, and to the right.
     leftward: Turns,
     rightward: Turns,
@@ -114,6 +117,7 @@ impl Table {
             bits,
             chosen: (0..letters << (2 * bits)).map(|slot| ((slot >> (2 * bits)) as u16, 1)).collect(),
             successors: (0..letters).map(stay).collect(),
+            productions: vec![Choice::Stayed; letters],
             leftward: Turns::new(roles, Role::Close, 0),
             rightward: Turns::new(roles, Role::Open, u8::MAX),
         };
@@ -124,6 +128,7 @@ impl Table {
                 let mut letters = [0; LONGEST];
                 letters[..rule.successor.letters.len()].copy_from_slice(&rule.successor.letters);
                 table.successors.push(letters);
+                table.productions.push(Choice::Made(rule.production));
                 let left = rule.left.first().map(|&letter| usize::from(letter) + 1);
                 let right = rule.right.first().and_then(|pattern| match pattern {
                     ContextPattern::Letter(letter) => Some(usize::from(*letter) + 1),
@@ -149,6 +154,24 @@ impl Table {
             near = self.leftward.pass(near, letter, open);
         }
         *nearest = near;
+    }
+
+    /// Notes what will become of `letters`, the first of which is at `start`, before [`Table::rightward`] goes through them.
+    pub(super) fn note(
+        &self,
+        letters: &[LetterId],
+        start: usize,
+        contexts: bool,
+        sides: &Sides,
+        choices: &mut Choices,
+    ) {
+        let (mut near, mut open) = (sides.nearest, sides.open.clone());
+        for (place, &letter) in (start..).zip(letters) {
+            let around = if contexts { usize::from(near) << self.bits | usize::from(sides.right[place]) } else { 0 };
+            let (successor, _) = self.chosen[usize::from(letter) << (2 * self.bits) | around];
+            choices.push(self.productions[usize::from(successor)]);
+            near = self.rightward.pass(near, letter, &mut open);
+        }
     }
 
     /// Goes through `letters`, the first of which is at `start`, and appends what they become to `next`. Without
