@@ -5,7 +5,6 @@ import { announce, toast } from './announce.js';
 import { button, html, setText } from './dom.js';
 import { createEngine } from './engine.js';
 import { kits } from './files.js';
-import { createGallery } from './gallery.js';
 import { createGrowing } from './growing.js';
 import { createHover } from './hover.js';
 import { hasInk, houseInk, isDark } from './inks.js';
@@ -13,11 +12,9 @@ import { createMarks } from './marks.js';
 import { followNotation } from './notation.js';
 import { keepOffline } from './offline.js';
 import { opening } from './opening.js';
-import { bestLink, openLink } from './packed.js';
+import { openLink } from './packed.js';
 import { constantsPanel } from './panels/constants-panel.js';
 import { captionOf, growthPanel } from './panels/growth-panel.js';
-import { favouritesPanel } from './panels/favourites-panel.js';
-import { keepPanel } from './panels/keep-panel.js';
 import { lookPanel } from './panels/look-panel.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { tabs } from './panels/tabs.js';
@@ -25,17 +22,15 @@ import { turtlePanel } from './panels/turtle-panel.js';
 import { createOrbit } from './orbit.js';
 import { createPlayback } from './playback.js';
 import { createReader } from './reading/reader.js';
-import { createSeeds } from './seeds.js';
 import { createSession } from './session.js';
 import { openSession } from './sessions.js';
-import { createShare } from './share.js';
 import { showSheet } from './sheet.js';
-import { createShortcuts } from './shortcuts.js';
 import { createStage } from './stage.js';
 import { definitionOf, sameDrawing, sameSystem } from './state.js';
 import { createStorage } from './storage.js';
 import { createStore } from './store.js';
 import { theme, themeButton } from './theme.js';
+import { createWaiting } from './waiting.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./engine.js').Report} Report */
@@ -64,18 +59,11 @@ followNotation(store, engine, [rules, constantsPanel(store, rules), turtle]);
 const look = lookPanel(store);
 const showAddress = followAddress(store, { open: opened });
 
-const address = async () => new URL(await bestLink(store.state), location.href).href;
-const share = createShare(store, engine);
-const favourites = favouritesPanel(store, engine, { keeper, session });
-keepPanel(store, engine, { address, select: share.select, favourites: favourites.take, canvas: stage.resolution });
-createGallery(engine, {
-    pick: (definition) => store.open(definition),
-    dress: (definition) => ({ ...definition, ...dressOf(definition) }),
-    look: theme,
+const waiting = createWaiting(async () => {
+    const { createLater } = await import('./later.js');
+    createLater(store, engine, { keeper, session, resolution: stage.resolution });
 });
-createSeeds(store, engine);
 tabs();
-createShortcuts();
 themeButton((next) => {
     // What wears the page's own inks, or is the page's own plant, changes with it.
     const former = next === 'dark' ? 'light' : 'dark';
@@ -202,6 +190,7 @@ function drawn(picture) {
 /** @param {boolean} under whether a newer drawing is under way */
 function busy(under) {
     html('stage').setAttribute('aria-busy', String(under));
+    if (!under) waiting.fetch();
 }
 
 /** @param {string} message @param {boolean} again */
@@ -234,13 +223,4 @@ function opened(pasted) {
 function problemWords({ problems }) {
     const more = problems.length - MOST_PROBLEMS;
     return [...problems.slice(0, MOST_PROBLEMS), ...(more > 0 ? [`There are ${more} more such problems.`] : [])].join(' ');
-}
-
-/**
- * The page's inks, for a system that says nothing of its look.
- * @param {import('./state.js').Definition} definition
- */
-function dressOf(definition) {
-    const { palette, background } = hasInk(definition, houseInk('light')) ? houseInk(theme()) : definition;
-    return { palette: [...palette], background };
 }

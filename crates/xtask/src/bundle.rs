@@ -4,6 +4,8 @@
 //! Every module becomes a function that returns what it exports, and they run in the order of their imports. That is
 //! all that a bundler has to do where modules import each other by relative names, without cycles, and export nothing
 //! that changes; anything else is an error here, so that what is joined behaves like what was written.
+//!
+//! One module may be imported while running: it comes, with what it alone imports, in a script of its own or in the same.
 
 use crate::files;
 use anyhow::{Context, Result, bail, ensure};
@@ -13,19 +15,54 @@ use std::path::{Component, Path, PathBuf};
 
 /// The script that does what the module `entry` does, with everything it imports.
 pub(crate) fn bundle(entry: &Path) -> Result<String> {
-    let mut bundle =
-        Bundle { names: BTreeMap::new(), open: vec![], script: String::from("(async () => {\n'use strict';\n") };
+    let mut bundle = Bundle::default();
     bundle.add(entry)?;
-    bundle.script.push_str("})();\n");
-    Ok(bundle.script)
+    Ok(format!("(async () => {{\n'use strict';\n{}}})();\n", bundle.script))
 }
 
+/// The same in two scripts: what `entry` imports while running is in the second, which is asked for under this name.
+pub(crate) fn bundle_in_two(entry: &Path, second_name: &str) -> Result<[String; 2]> {
+    let mut bundle = Bundle { apart: true, ..Bundle::default() };
+    bundle.add(entry)?;
+    let first = std::mem::take(&mut bundle.script);
+    let later = bundle.later.clone().with_context(|| format!("{} imports nothing while running", entry.display()))?;
+    let known: Vec<String> = bundle.names.values().cloned().collect();
+    let value = bundle.add(&later)?;
+    let second = bundle.script;
+    // The second has the values of the modules in the first that it imports.
+    let shared: Vec<String> = known.into_iter().filter(|name| second.contains(&format!("= {name};"))).collect();
+    let shared = shared.join(", ");
+    let ask = format!(
+        "new Promise((done, fail) => {{\n\
+         globalThis.later = {{ shared: {{ {shared} }}, done, fail }};\n\
+         const script = document.createElement('script');\n\
+         script.onerror = () => fail(new Error('{second_name} does not load'));\n\
+         script.src = '{second_name}';\n\
+         document.head.append(script);\n}})"
+    );
+    Ok([
+        format!("(async () => {{\n'use strict';\n{}}})();\n", first.replacen(LATER, &ask, 1)),
+        format!(
+            "(({{ shared, done, fail }}) => (async () => {{\n'use strict';\nconst {{ {shared} }} = shared;\n\
+             {second}return {value};\n}})().then(done, fail))(globalThis.later);\n"
+        ),
+    ])
+}
+
+/// Stands where the second script is asked for, until it is known what that needs of the first.
+const LATER: &str = "<later>";
+
+#[derive(Default)]
 struct Bundle {
     /// The modules that are written, and the names of their values.
     names: BTreeMap<PathBuf, String>,
     /// Those whose imports are being written, from the entry on.
     open: Vec<PathBuf>,
     script: String,
+    /// Whether what is imported while running comes in a script of its own.
+    apart: bool,
+    /// What that is.
+    later: Option<PathBuf>,
 }
 
 impl Bundle {
@@ -68,18 +105,33 @@ impl Bundle {
             } else if let Some(declaration) = line.strip_prefix("export ") {
                 exports.push(exported(declaration)?);
                 writeln!(body, "{declaration}")?;
+            } else if imports_later(line) {
+                writeln!(body, "{}", self.later(path, line)?)?;
             } else {
-                ensure!(
-                    !imports_later(line),
-                    "`{}`: a module that is imported while running is not joined",
-                    line.trim()
-                );
                 ensure!(!line.contains("import.meta"), "a joined script has no import.meta");
                 writeln!(body, "{line}")?;
             }
         }
         writeln!(body, "return {{ {} }};", exports.join(", "))?;
         Ok(body)
+    }
+
+    /// A line that imports a module while running.
+    fn later(&mut self, path: &Path, line: &str) -> Result<String> {
+        let read = || {
+            let (before, rest) = line.split_once("import('")?;
+            let (source, after) = rest.split_once("')")?;
+            Some((before, source, after)).filter(|_| source.starts_with('.'))
+        };
+        let (before, source, after) = read().with_context(|| format!("`{}` is not joined", line.trim()))?;
+        ensure!(self.later.is_none(), "`{}`: a second module that is imported while running", line.trim());
+        let later = beside(path, source);
+        let value = match self.apart {
+            true => LATER.to_owned(),
+            false => format!("Promise.resolve({})", self.add(&later)?),
+        };
+        self.later = Some(later);
+        Ok(format!("{before}{value}{after}"))
     }
 }
 
@@ -220,13 +272,38 @@ mod tests {
             ("import a from './a.js';\n", "import a"),
             ("import { a } from 'elsewhere';\n", "elsewhere"),
             ("import { a } from './gone.js';\n", "gone.js"),
-            ("const a = await import('./a.js');\n", "while running"),
+            ("const a = await import(name);\n", "import(name)"),
+            ("import('./a.js');\nimport('./a.js');\n", "a second"),
             ("use(import.meta.url);\n", "import.meta"),
             ("import './main.js';\n", "imports itself"),
         ] {
             let error = format!("{:#}", joined(&[("main.js", text), ("a.js", "")]).unwrap_err());
             assert!(error.contains(wrong), "{text}: {error}");
         }
+    }
+
+    #[test]
+    fn puts_off_what_is_imported_while_running() {
+        let modules = [
+            ("main.js", "import { a } from './a.js';\nimport('./late.js').then(({ b }) => b(a));\n"),
+            ("a.js", "export const a = 1;\n"),
+            ("late.js", "import { a } from './a.js';\nimport { c } from './c.js';\nexport const b = () => a + c;\n"),
+            ("c.js", "export const c = 2;\n"),
+        ];
+        let whole = joined(&modules).unwrap();
+        assert!(whole.contains("\nPromise.resolve(module2).then(({ b }) => b(a));\n"), "{whole}");
+        assert!(whole.contains("const b = () => a + c;") && whole.contains("const c = 2;"), "{whole}");
+
+        let folder = tempfile::tempdir().unwrap();
+        for (name, text) in modules {
+            files::write(&folder.path().join(name), text).unwrap();
+        }
+        let [first, second] = bundle_in_two(&folder.path().join("main.js"), "later.js").unwrap();
+        assert!(first.contains("const a = 1;") && !first.contains("const c = 2;"), "{first}");
+        assert!(first.contains("shared: { module0 }") && first.contains("script.src = 'later.js';"), "{first}");
+        assert!(second.contains("const { module0 } = shared;") && second.contains("const c = 2;"), "{second}");
+        assert!(second.contains("return module3;") && !second.contains("const a = 1;"), "{second}");
+        assert!(bundle_in_two(&folder.path().join("a.js"), "later.js").is_err());
     }
 
     #[test]

@@ -1,12 +1,12 @@
-//! The served page with its modules and its styles in one file each: half the bytes of many small ones, and a tenth of
-//! the requests.
+//! The served page with its styles in one file and its modules in two: half the bytes of many small ones, and a tenth of
+//! the requests. The second script comes after the first picture.
 
 use crate::one_file::Tag;
 use crate::{bundle, files};
 use anyhow::{Context, Result};
 use std::path::Path;
 
-/// Writes `page.js` and `page.css` beside a page in the folder of the site, and makes the page ask for them.
+/// Writes `page.js`, `later.js` and `page.css` beside a page in the folder of the site, and makes the page ask for them.
 pub(crate) fn join(site: &Path, page: &str) -> Result<()> {
     let file = site.join(page);
     let mut text = String::new();
@@ -29,7 +29,10 @@ pub(crate) fn join(site: &Path, page: &str) -> Result<()> {
         }
     }
     let entry = entry.with_context(|| format!("{page} has no module"))?;
-    files::write(&site.join("page.js"), bundle::squeezed(&bundle::bundle(&site.join(entry))?)?)?;
+    let names = ["page.js", "later.js"];
+    for (name, script) in names.iter().zip(bundle::bundle_in_two(&site.join(entry), names[1])?) {
+        files::write(&site.join(name), bundle::squeezed(&script)?)?;
+    }
     files::write(&site.join("page.css"), bundle::squeezed(&styles)?)?;
     files::write(&file, text)
 }
@@ -48,8 +51,9 @@ mod tests {
             ("index.html", page),
             ("a.css", "a {}\n"),
             ("b.css", "b {}\n"),
-            ("a.js", "import './b.js';\n"),
+            ("a.js", "import './b.js';\nimport('./c.js');\n"),
             ("b.js", "b();\n"),
+            ("c.js", "c();\n"),
         ] {
             files::write(&site.join(name), text).unwrap();
         }
@@ -59,6 +63,7 @@ mod tests {
         assert_eq!(files::read_text(&site.join("index.html")).unwrap(), expected);
         assert_eq!(files::read_text(&site.join("page.css")).unwrap(), "a {}\nb {}\n");
         assert!(files::read_text(&site.join("page.js")).unwrap().contains("b();"));
+        assert!(files::read_text(&site.join("later.js")).unwrap().contains("c();"));
         files::write(&site.join("index.html"), "</head>\n").unwrap();
         assert!(join(site, "index.html").is_err());
     }

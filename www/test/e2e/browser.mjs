@@ -53,7 +53,11 @@ export async function withPage({ address = ADDRESS, also = address, drawing = '#
         });
         await before?.(page);
         await page.goto(address + hash);
-        if (drawing) await page.waitForSelector(drawing);
+        if (drawing) {
+            await page.waitForSelector(drawing);
+            // What the first picture does not need follows it.
+            await page.waitForSelector('[data-later]', { state: 'detached' });
+        }
         await use(page);
         assert.deepEqual(wrong, []);
     } finally {
