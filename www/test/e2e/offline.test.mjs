@@ -78,6 +78,14 @@ const update = (page) => page.evaluate(async () => { await (await navigator.serv
 /** @param {Page} page */
 const title = (page) => page.textContent('h1');
 
+/** Opens the page again once it is kept; its title. @param {Page} page */
+async function reopened(page) {
+    await kept(page);
+    await page.reload();
+    await page.waitForSelector('#stage.inked');
+    return title(page);
+}
+
 const how = () => ({ address: origin, hash: KOCH, expected: /ERR_EMPTY_RESPONSE|Failed to load resource|ERR_FAILED|unknown error occurred when fetching the script/ });
 
 test('the page, the gallery, exports, embedded drawings and the course page work after one visit without a network', () =>
@@ -110,10 +118,7 @@ test('the page, the gallery, exports, embedded drawings and the course page work
 test('a new version is told of, and opens with the next visit', () =>
     withSite(() =>
         withPage(how(), async (page) => {
-            await kept(page);
-            await page.reload();
-            await page.waitForSelector('#stage.inked');
-            const old = await title(page);
+            const old = await reopened(page);
             await publish('Second');
             // The browser looks for one by itself, but in its own time.
             await update(page);
@@ -135,9 +140,7 @@ test('a new version is told of, and opens with the next visit', () =>
 test('a new version opens at once if the reader likes, and keeps the drawing', () =>
     withSite(() =>
         withPage(how(), async (page) => {
-            await kept(page);
-            await page.reload();
-            await page.waitForSelector('#stage.inked');
+            await reopened(page);
             await publish('Third');
             await update(page);
             await page.waitForSelector('#renewal:visible');
@@ -154,10 +157,7 @@ test('a new version opens at once if the reader likes, and keeps the drawing', (
 test('half an upload is not kept, and nothing that is not of the site', () =>
     withSite(() =>
         withPage(how(), async (page) => {
-            await kept(page);
-            await page.reload();
-            await page.waitForSelector('#stage.inked');
-            const old = await title(page);
+            const old = await reopened(page);
             await publish('Fourth');
             await writeFile(join(site, 'page.js'), 'not yet');
             const worker = join(site, 'service-worker.js');

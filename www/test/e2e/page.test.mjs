@@ -57,6 +57,17 @@ test('a first picture takes less than 250 KB as hosts send it, and the full wasm
     });
 });
 
+test('a click before the later script is there takes effect when it comes', () =>
+    withPage({ drawing: null, expected: /Failed to load resource/, before: (page) => page.route('**/later.js', (route) => route.abort()) }, async (page) => {
+        await page.waitForSelector('#stage.inked');
+        await page.click('#share');
+        await until(async () => (await text(page, '#toast')).includes('could not be loaded'), 'what fails is told');
+        await page.unroute('**/later.js');
+        await page.click('#share');
+        await page.waitForSelector('#share-dialog[open]');
+        assert.equal(await page.locator('[data-later]').count(), 0);
+    }));
+
 test('paper shows the drawing and its system, and no controls', () =>
     withPage({ hash: KOCH }, async (page) => {
         assert.equal(await page.isVisible('#sheet'), false);
