@@ -117,6 +117,8 @@ export function createEngine(kits, events) {
     let defineSent = 0;
     let lookSent = 0;
     let patience = 0;
+    /** The id under which a fresh worker was told what is shown already. */
+    let recalled = 0;
     /** The timer that waits for a quiet moment to grow in. */
     let idle = 0;
     /** Views sent and not yet drawn. @type {Map<number, Look>} */
@@ -166,8 +168,26 @@ export function createEngine(kits, events) {
     /** The worker has its wasm: it is told the state, and asked what there is to ask. */
     function begin() {
         ready = true;
+        recall();
         send();
         for (const { request } of asked.values()) worker?.postMessage(request);
+    }
+
+    /** Tells a fresh worker first what is shown, which stays where what is newer cannot be drawn. */
+    function recall() {
+        recalled = 0;
+        if (!worker || !shown.definition || !shown.look || shown.definition === definition) return;
+        recalled = ++lastId;
+        worker.postMessage({ type: 'define', id: recalled, definition: shown.definition, upto: shown.look.upto });
+        tellLook(worker, shown.look);
+        patience = window.setTimeout(goOn, PATIENCE);
+    }
+
+    /** @param {Worker} to @param {Look} what */
+    function tellLook(to, what) {
+        lookSent = ++lastId;
+        views.set(lookSent, what);
+        to.postMessage({ type: 'view', id: lookSent, ...what.canvas, view: what.view, camera: what.camera, upto: what.upto });
     }
 
     function send() {
@@ -179,9 +199,7 @@ export function createEngine(kits, events) {
         }
         if (look && lookWaits) {
             lookWaits = false;
-            lookSent = ++lastId;
-            views.set(lookSent, look);
-            worker.postMessage({ type: 'view', id: lookSent, ...look.canvas, view: look.view, camera: look.camera, upto: look.upto });
+            tellLook(worker, look);
         }
         patience = window.setTimeout(goOn, PATIENCE);
         events.busy(true);
@@ -205,15 +223,21 @@ export function createEngine(kits, events) {
         const question = asked.get(message.id);
         switch (message.type) {
             case 'report':
+                if (message.id === recalled) break;
                 if (message.report.beyond) {
                     grow().catch(({ message: why }) => fail(why, true));
                     break;
                 }
-                // What is wrong is not drawn.
-                if (message.id === defineSent && !message.report.ok) settle();
+                // What is wrong is not drawn, nor what passes a limit.
+                if (message.id === defineSent && isWrong(message.report)) settle();
                 events.report(message.report, message.id);
                 break;
             case 'drawn': {
+                if (message.id === recalled) {
+                    message.bitmap.close();
+                    if (message.complete) goOn();
+                    break;
+                }
                 failures = 0;
                 const seen = views.get(message.viewId);
                 for (const id of views.keys()) if (id < message.viewId) views.delete(id);
@@ -379,3 +403,6 @@ export function createEngine(kits, events) {
         },
     };
 }
+
+/** Whether there is a mistake that keeps a state from being drawn. @param {Report} report */
+const isWrong = ({ ok, diagnostics }) => !ok || diagnostics.some(({ severity }) => severity === 'error');

@@ -234,9 +234,12 @@ for (const [width, height] of /** @type {const} */ ([[640, 400], [320, 640], [32
                 assert.ok(await page.isVisible(`#section-${name}`), name);
                 assert.deepEqual(await sideways(), [], name);
                 const last = page.locator(`#section-${name} :is(button, input, textarea, select, summary):visible`).last();
-                await last.scrollIntoViewIfNeeded();
-                const box = await last.boundingBox();
-                assert.ok(box && box.x >= 0 && box.x + box.width <= width + 1 && box.y >= 0 && box.y < height, `${name}: ${JSON.stringify(box)}`);
+                // What the page still has to say may move it.
+                await until(async () => {
+                    await last.scrollIntoViewIfNeeded();
+                    const box = await last.boundingBox();
+                    return box && box.x >= 0 && box.x + box.width <= width + 1 && box.y >= 0 && box.y < height;
+                }, `the last control of ${name} is in sight`);
             }
             for (const opener of ['gallery', 'shortcuts']) {
                 await page.click(`#open-${opener}`);
