@@ -100,8 +100,9 @@ export function createEngine(kits, events) {
     let growing = null;
     /** @type {Worker | null} */
     let worker = null;
-    /** Whether the worker has been handed the wasm, so that it can be asked. */
+    /** Whether the worker has been handed the wasm, and whether it knows the newest state, so that it can be asked. */
     let ready = false;
+    let askable = false;
     let lastId = 0;
     let failures = 0;
     /** @type {Definition | null} */
@@ -153,6 +154,7 @@ export function createEngine(kits, events) {
         worker?.terminate();
         worker = fresh;
         ready = false;
+        askable = false;
         views.clear();
         clearTimeout(patience);
         patience = 0;
@@ -170,6 +172,13 @@ export function createEngine(kits, events) {
         ready = true;
         recall();
         send();
+        if (!recalled) putQuestions();
+    }
+
+    /** Questions are about the newest state, which the worker has to know. */
+    function putQuestions() {
+        if (askable) return;
+        askable = true;
         for (const { request } of asked.values()) worker?.postMessage(request);
     }
 
@@ -202,6 +211,7 @@ export function createEngine(kits, events) {
             tellLook(worker, look);
         }
         patience = window.setTimeout(goOn, PATIENCE);
+        putQuestions();
         events.busy(true);
     }
 
@@ -280,7 +290,7 @@ export function createEngine(kits, events) {
             const id = ++lastId;
             const request = { ...question, id };
             asked.set(id, { request, resolve, reject });
-            if (ready) worker.postMessage(request);
+            if (askable) worker.postMessage(request);
         });
     }
 

@@ -383,6 +383,17 @@ test('what would pass a limit is refused in words, and the picture stays', () =>
         assert.equal(/n = (\d+)/.exec(await text(page, '#status'))?.[1], String(highest));
     }));
 
+test('what cannot be drawn before the full wasm is there leaves the picture, which can still be moved', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await page.fill('#rules', 'F = = F');
+        await until(async () => (await page.locator('#rules-problems li').count()) > 0, 'the mistake is told');
+        await until(() => hasGrown(page), 'the full wasm has taken over');
+        const former = await stillPicture(page);
+        assert.ok(former.ink > 0.001);
+        await page.click('#zoom-in');
+        await nextPicture(page, former);
+    }));
+
 test('counts stay exact at any depth, shortened and whole on demand', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.fill('#iterations', '40');
