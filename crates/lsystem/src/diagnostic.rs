@@ -139,6 +139,8 @@ pub enum Kind {
     },
     /// A comparison that is read as a context.
     ContextForCondition,
+    /// A condition behind the successor, which is read as symbols.
+    ConditionBehind,
     /// A bracket in a left context.
     ContextBracketLeft,
     /// A bracket without its partner in a right context, or with parameters.
@@ -601,6 +603,7 @@ impl Diagnostic {
             | Kind::NoRuleForArity { .. }
             | Kind::ContextUnseen { .. }
             | Kind::ContextForCondition
+            | Kind::ConditionBehind
             | Kind::ConditionConstant { .. }
             | Kind::UnknownKey { .. }
             | Kind::DuplicateKey { .. }

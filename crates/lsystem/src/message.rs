@@ -117,6 +117,10 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
             "Conditions come after `:`, as in `A(x) : x < 3 -> B`; write the digits in backquotes if they are symbols."
                 .into(),
         ),
+        Kind::ConditionBehind => hinted(
+            "`if` and what follows are read as symbols".into(),
+            "A condition stands before the arrow, as in `A(x) : x < 3 -> B`.".into(),
+        ),
         Kind::ContextBracketLeft => hinted(
             "A left context has no brackets: it is read along the way to the root".into(),
             "Leave out finished branches and the `[` of the branch itself.".into(),

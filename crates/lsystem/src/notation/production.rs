@@ -58,6 +58,9 @@ pub(super) fn read(line: &Line, constants: &mut Constants, reading: &mut Reading
         }
         condition
     });
+    if let Some(at) = condition_in(successor) {
+        notes.add(Kind::ConditionBehind, span_of(&successor[at..], *end));
+    }
     let successor = word(successor, Role::Argument, &mut scope, notes);
     let weight = weight.map(|tokens| {
         let Some(weight) = expression::read(tokens, *end, Role::Weight, &mut scope, notes) else { return wrong() };
@@ -82,6 +85,14 @@ pub(super) fn read(line: &Line, constants: &mut Constants, reading: &mut Reading
     };
     list.push(production);
     places_list.push(places);
+}
+
+/// Where `if` stands as a word of its own, with a comparison behind it.
+fn condition_in(tokens: &[Token]) -> Option<usize> {
+    let apart = |at: usize| tokens.get(at).is_some_and(|t| !t.joined);
+    let word = |at: usize| tokens[at].is('i') && tokens.get(at + 1).is_some_and(|t| t.joined && t.is('f'));
+    let compares = |t: &Token| ['<', '>', '=', '≤', '≥'].iter().any(|&mark| t.is(mark));
+    (1..tokens.len()).find(|&at| apart(at) && word(at) && apart(at + 2) && tokens[at..].iter().any(compares))
 }
 
 /// Notes the classes of a colon and of what follows it, which is given back.
