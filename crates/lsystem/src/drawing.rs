@@ -11,6 +11,7 @@ mod builder;
 mod bulk;
 mod drawer;
 mod extent;
+mod girth;
 mod graph;
 mod hull;
 mod marks;
@@ -28,6 +29,7 @@ mod style;
 mod tree;
 
 pub use body::Body;
+pub(crate) use body::Extent as SolidExtent;
 pub(crate) use builder::{Builder, Enclosed};
 pub use bulk::{SegmentArrays, SegmentChunk};
 pub use drawer::{Drawer, draw};

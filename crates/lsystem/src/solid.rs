@@ -1,6 +1,6 @@
 //! Space of three dimensions: frames are rotation matrices, hulls are boxes and balls.
 
-use crate::drawing::{Body, Builder, Enclosed, Item};
+use crate::drawing::{Body, Builder, Enclosed, Item, SolidExtent};
 use crate::rotation::{Rotation, Vector, combine};
 use crate::space::{Axis, Space};
 use crate::{Heading, Tropism};
@@ -17,8 +17,7 @@ impl Space for Solid {
     type Axes = [Vector; 3];
     type Directions = ();
     type Hull = Body;
-    /// The least and the greatest coordinates.
-    type Extent = [Vector; 2];
+    type Extent = SolidExtent;
 
     const AHEAD: Rotation = Rotation::NONE;
     const AXES: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

@@ -3,6 +3,7 @@
 //! A body is made tight by looking into the blocks that it contains, best first, until it is as exact as wanted; so
 //! slack does not add up from block to block, as it would where bodies were made from bodies alone.
 
+use super::girth::{Girth, girth};
 use super::{Block, BlockId, Drawing, Enclosed, Item, Placed};
 use crate::Solid;
 use crate::rotation::{Vector, dot, norm};
@@ -90,24 +91,33 @@ impl Body {
     }
 }
 
-/// The smallest box around what a block draws as exactly as some effort can tell: the least and greatest coordinates.
-pub(super) fn extent(drawing: &Drawing<Solid>, root: BlockId) -> [Vector; 2] {
+/// What is known of a whole drawing, in units of the root block.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent {
+    /// The least and the greatest coordinates.
+    pub(super) sides: [Vector; 2],
+    pub(crate) girth: Option<Girth>,
+}
+
+/// The smallest box around what a block draws as exactly as some effort can tell, and the drawing's girth.
+pub(super) fn extent(drawing: &Drawing<Solid>, root: BlockId) -> Extent {
     const EXACT: f64 = 1e-11;
     const PATIENCE: usize = 3_000;
     let Drawing { blocks, items, vertices, .. } = drawing;
     let contents = Contents { blocks, items, vertices };
     let items = drawing.items_of(root);
-    [-1.0, 1.0].map(|sign| {
+    let sides = [-1.0, 1.0].map(|sign| {
         [0, 1, 2].map(|i| {
             let mut direction = [0.0; 3];
             direction[i] = sign;
             sign * contents.farthest(items, Along { base: 0.0, direction, scale: 1.0 }, EXACT, PATIENCE).0
         })
-    })
+    });
+    Extent { sides, girth: girth(drawing) }
 }
 
 /// A quantity that points have, and what is known of it where only a body is known.
-trait Probe: Copy {
+pub(super) trait Probe: Copy {
     /// Of a point.
     fn of(&self, point: Vector) -> f64;
     /// At most, of the contents of a body.
@@ -184,10 +194,10 @@ impl Probe for Away {
 }
 
 /// What a search looks into.
-struct Contents<'a> {
-    blocks: &'a [Block<Solid>],
-    items: &'a [Item<Solid>],
-    vertices: &'a [Vector],
+pub(super) struct Contents<'a> {
+    pub(super) blocks: &'a [Block<Solid>],
+    pub(super) items: &'a [Item<Solid>],
+    pub(super) vertices: &'a [Vector],
 }
 
 /// A block that may have the most; the one that may have more comes first.
@@ -220,7 +230,13 @@ impl<P> Eq for Open<P> {}
 impl Contents<'_> {
     /// The most that `items` have of a quantity, and how much less it may be: at most `tolerance`, unless `effort`
     /// blocks are too few to tell.
-    fn farthest<P: Probe>(&self, items: &[Item<Solid>], probe: P, tolerance: f64, effort: usize) -> (f64, f64) {
+    pub(super) fn farthest<P: Probe>(
+        &self,
+        items: &[Item<Solid>],
+        probe: P,
+        tolerance: f64,
+        effort: usize,
+    ) -> (f64, f64) {
         let (mut open, mut least) = (BinaryHeap::new(), f64::NEG_INFINITY);
         self.look(items, probe, &mut open, &mut least);
         for _ in 0..effort {

@@ -28,13 +28,13 @@ impl Drawing<Solid> {
     pub fn bounds(&self) -> Option<[[f64; 3]; 2]> {
         let unit = self.unit();
         let model = |point: [f64; 3]| [0, 1, 2].map(|i| self.start[i] + unit * point[i]);
-        let [a, b] = self.extent()?.map(model);
+        let [a, b] = self.extent()?.sides.map(model);
         // A negative step turns the picture round.
         Some([[0, 1, 2].map(|i| a[i].min(b[i])), [0, 1, 2].map(|i| a[i].max(b[i]))])
     }
 
-    /// The root's extent in its own units: the least and the greatest coordinates.
-    pub(crate) fn extent(&self) -> Option<[[f64; 3]; 2]> {
+    /// The root's extent in its own units.
+    pub(crate) fn extent(&self) -> Option<body::Extent> {
         *self.extent.get_or_init(|| Some(body::extent(self, self.root?)))
     }
 }

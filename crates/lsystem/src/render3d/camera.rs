@@ -49,6 +49,8 @@ pub fn camera_axes(camera: &Camera) -> [[f64; 3]; 3] {
 const DISTANCE: f64 = 4.0;
 /// Empty space around a fitted drawing, as a part of the viewport's shorter side.
 const MARGIN: f64 = 0.04;
+/// Places that are looked at on half a ring.
+const RING: u32 = 12;
 /// What is nearer to the eye than this part of the target's distance is not shown.
 pub(super) const NEAR: f64 = 0.05;
 
@@ -73,6 +75,19 @@ pub(super) struct Lens {
     pub extent: f64,
 }
 
+/// How far a ring about the upright axis reaches to the side and up or down in the picture, given its radius and its
+/// height, how upright things look, how much of them leads to the eye, and how far that is from the axis.
+fn reach([aside, height]: [f64; 2], [upright, back]: [f64; 2], distance: f64) -> [f64; 2] {
+    let mut reach = [0.0_f64; 2];
+    for step in 0..=RING {
+        let angle = core::f64::consts::PI * f64::from(step) / f64::from(RING);
+        let (side, near) = (aside * libm::sin(angle), aside * libm::cos(angle));
+        let larger = 1.0 / (1.0 - (height * back + near * upright) / distance).max(NEAR);
+        reach = [reach[0].max(side * larger), reach[1].max(((height * upright - near * back) * larger).abs())];
+    }
+    reach
+}
+
 impl Lens {
     /// `samples` lie along the side of a pixel.
     pub(super) fn new(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera, samples: f64) -> Self {
@@ -87,15 +102,15 @@ impl Lens {
         let pad = if pad.is_finite() { pad } else { 0.0 };
         let (width, height) = (f64::from(viewport.width), f64::from(viewport.height));
         let margin = 2.0 * MARGIN * width.min(height);
-        // Nearer than the target, the ball's outline is a little larger than the ball.
-        let outline = 1.0 / (1.0 - 1.0 / (DISTANCE * DISTANCE)).sqrt();
         let zoom = if camera.zoom.is_finite() && camera.zoom > 0.0 { camera.zoom } else { 1.0 };
         let [right, up, back] = camera_axes(camera);
-        // Whatever the azimuth, so that a drawing that is turned round keeps its size.
-        let half = root.map_or([0.0; 3], |root| root.hull.half());
-        let level = (half[0] * half[0] + half[2] * half[2]).sqrt();
-        let sides = [level, half[1] * up[1] + level * back[1].abs()];
-        let [across, down] = sides.map(|side| (2.0 * side.min(radius) + pad).max(1e-3 * radius) * outline);
+        let distance = if camera.perspective { DISTANCE * radius } else { f64::INFINITY };
+        let girth = drawing.extent().and_then(|extent| extent.girth);
+        let ball = [[radius, 0.0], [0.0, radius], [0.0, -radius]];
+        let rings = girth.as_ref().map_or(&ball[..], |girth| girth);
+        let sides = rings.iter().map(|&[aside, height]| reach([aside, sign * height], [up[1], back[1]], distance));
+        let sides = sides.fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
+        let [across, down] = sides.map(|side| (2.0 * side + pad).max(1e-3 * radius));
         let fitted = ((width - margin) / across).min((height - margin) / down);
         let scale = fitted * zoom * samples;
         let seen = |p: Vector| [dot(right, p), -dot(up, p), -dot(back, p)];

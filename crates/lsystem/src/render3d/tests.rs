@@ -268,19 +268,32 @@ fn strange_cameras_and_drawings_do_no_harm() {
     }
 }
 
-/// The fitted drawing lies in the picture from every side, and fills it from most.
+/// The fitted drawing lies in the picture from every side, with perspective and thick strokes too, and fills it.
 #[test]
 fn the_whole_drawing_is_shown() {
     let style = Style::default();
-    let drawing = drawing(&bush(), 5);
-    for azimuth in [0.0, 45.0, 130.0] {
-        for elevation in [-90.0, -30.0, 0.0, 60.0, 90.0] {
-            let camera = Camera { azimuth, elevation, ..Camera::default() };
-            let pixels = picture(&drawing, &style, SIZE, &camera, Quality(3), 1 << 20);
-            let painted = |x: u32, y: u32| pixels[((y * SIZE.width + x) * 4) as usize..][..3] != style.background.rgb;
-            let edge = (0..SIZE.width).any(|x| painted(x, 0) || painted(x, SIZE.height - 1))
-                || (0..SIZE.height).any(|y| painted(0, y) || painted(SIZE.width - 1, y));
-            assert!(!edge, "{camera:?}");
+    let cube = system(Dialect::Abop, "F&F&F/(90)&F^F\\F&F", "", 90.0);
+    for (system, n, width, least) in [(bush(), 5, 0.1, 0.7), (tree(), 3, 0.2, 0.7), (cube, 0, 0.6, 0.5)] {
+        let mut system = system;
+        system.turtle.width = width;
+        let drawing = drawing(&system, n);
+        for azimuth in [0.0, 45.0, 130.0] {
+            for elevation in [-90.0, -30.0, 0.0, 12.0, 60.0, 90.0] {
+                for perspective in [true, false] {
+                    let camera = Camera { azimuth, elevation, perspective, ..Camera::default() };
+                    let pixels = picture(&drawing, &style, SIZE, &camera, Quality(3), 1 << 20);
+                    let painted =
+                        |x: u32, y: u32| pixels[((y * SIZE.width + x) * 4) as usize..][..3] != style.background.rgb;
+                    let edge = (0..SIZE.width).any(|x| painted(x, 0) || painted(x, SIZE.height - 1))
+                        || (0..SIZE.height).any(|y| painted(0, y) || painted(SIZE.width - 1, y));
+                    assert!(!edge, "{camera:?}");
+                    let rows: Vec<u32> = (0..SIZE.height).filter(|&y| (0..SIZE.width).any(|x| painted(x, y))).collect();
+                    let tall = f64::from(rows.last().unwrap() - rows[0]) / f64::from(SIZE.height);
+                    let columns = (0..SIZE.width).filter(|&x| (0..SIZE.height).any(|y| painted(x, y))).count();
+                    let wide = columns as f64 / f64::from(SIZE.width);
+                    assert!(tall.max(wide) > least, "{camera:?}: {wide} {tall}");
+                }
+            }
         }
     }
 }
