@@ -273,7 +273,7 @@ fn strange_cameras_and_drawings_do_no_harm() {
 fn the_whole_drawing_is_shown() {
     let style = Style::default();
     let cube = system(Dialect::Abop, "F&F&F/(90)&F^F\\F&F", "", 90.0);
-    for (system, n, width, least) in [(bush(), 5, 0.1, 0.7), (tree(), 3, 0.2, 0.7), (cube, 0, 0.6, 0.5)] {
+    for (system, n, width, least) in [(bush(), 5, 0.1, 0.45), (tree(), 3, 0.2, 0.45), (cube, 0, 0.6, 0.3)] {
         let mut system = system;
         system.turtle.width = width;
         let drawing = drawing(&system, n);
