@@ -67,6 +67,19 @@ impl Place {
     pub(super) fn point(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.origin[0] + self.cos * x - self.sin * y, self.origin[1] - self.sin * x - self.cos * y]
     }
+
+    /// Whether a rectangle along the axes of the frame, about `centre` and widened by `radius`, is beside a picture of
+    /// this `size`; all in subsamples, but half its sides in units.
+    pub(super) fn misses(&self, size: [f64; 2], centre: [f64; 2], half: [f64; 2], radius: f64) -> bool {
+        let size = size.map(|side| side / 2.0);
+        let [dx, dy] = [size[0] - centre[0], size[1] - centre[1]];
+        // Far away numbers are rough.
+        let radius = radius + 1e-12 * (dx.abs() + dy.abs());
+        let beside = |[u, v]: [f64; 2], half: f64| {
+            (dx * u + dy * v).abs() > self.scale * (self.scale * half + radius) + size[0] * u.abs() + size[1] * v.abs()
+        };
+        beside([self.cos, -self.sin], half[0]) || beside([-self.sin, -self.cos], half[1])
+    }
 }
 
 /// What leads from a block to those inside.

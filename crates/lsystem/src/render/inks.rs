@@ -12,6 +12,13 @@ pub(crate) struct Shade {
     pub fixed: bool,
 }
 
+impl Shade {
+    /// As the bits of planes: the digits of the number, and what tells whether it is fixed behind them.
+    pub(super) fn code(self, digits: usize) -> u32 {
+        self.number | u32::from(self.fixed) << digits
+    }
+}
+
 /// How colours are chosen for a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Choice {
@@ -148,7 +155,7 @@ impl InkTable {
 
     /// A shade as the bits of as many planes.
     pub(super) fn code(&self, shade: Shade) -> u32 {
-        shade.number | u32::from(shade.fixed) << self.digits()
+        shade.code(self.digits())
     }
 }
 
@@ -193,9 +200,14 @@ pub(super) struct Dye {
 pub(super) const PLANES: usize = 9;
 
 impl Dye {
-    /// Makes the numbers in `planes` what they are after the entry's shade.
+    /// Whether colours are the same after it.
+    pub(super) fn changes_nothing(&self) -> bool {
+        self.entry == Shade::default()
+    }
+
+    /// Makes the numbers in `planes` what they are after the entry's shade: by plane, some words next to each other.
     #[inline(always)]
-    pub(super) fn apply(&self, planes: &mut [u64; PLANES]) {
+    pub(super) fn apply<const N: usize>(&self, planes: &mut [[u64; N]; PLANES]) {
         let Shade { number: by, fixed } = self.entry;
         let digits = self.digits.min(PLANES - 1);
         let kept = planes[digits];
@@ -203,22 +215,27 @@ impl Dye {
             // n + by, and n - (colours - by), which is the same modulo the palette's size; the latter where it is not
             // negative.
             let back = self.colours - by;
-            let (mut carry, mut borrow) = (0, 0);
-            let mut sums = [[0; 2]; PLANES];
-            for (digit, sum) in sums.iter_mut().enumerate().take(digits) {
-                let n = planes[digit];
+            let (mut carry, mut borrow) = ([0; N], [0; N]);
+            let mut sums = [[[0; N]; 2]; PLANES];
+            for (digit, [ups, downs]) in sums.iter_mut().enumerate().take(digits) {
                 let more = u64::from(by >> digit & 1).wrapping_neg();
                 let less = u64::from(back >> digit & 1).wrapping_neg();
-                *sum = [n ^ more ^ carry, n ^ less ^ borrow];
-                carry = n & more | carry & (n ^ more);
-                borrow = !n & (less | borrow) | less & borrow;
+                for i in 0..N {
+                    let n = planes[digit][i];
+                    ups[i] = n ^ more ^ carry[i];
+                    downs[i] = n ^ less ^ borrow[i];
+                    carry[i] = n & more | carry[i] & (n ^ more);
+                    borrow[i] = !n & (less | borrow[i]) | less & borrow[i];
+                }
             }
             for (plane, [up, down]) in planes.iter_mut().zip(sums).take(digits) {
-                let moved = up & borrow | down & !borrow;
-                *plane = *plane & kept | moved & !kept;
+                for i in 0..N {
+                    let moved = up[i] & borrow[i] | down[i] & !borrow[i];
+                    plane[i] = plane[i] & kept[i] | moved & !kept[i];
+                }
             }
         }
-        planes[digits] = if fixed { u64::MAX } else { kept };
+        planes[digits] = if fixed { [u64::MAX; N] } else { kept };
     }
 }
 
@@ -236,16 +253,16 @@ mod tests {
                     for (fixed, entry_fixed) in [(false, false), (true, false), (false, true), (true, true)] {
                         let entry = Shade { number: by, fixed: entry_fixed };
                         let shade = Shade { number, fixed };
-                        let mut planes = [0; PLANES];
+                        let mut planes = [[0; 2]; PLANES];
                         for (digit, plane) in planes.iter_mut().enumerate().take(digits) {
-                            *plane = u64::from(number >> digit & 1) << 17;
+                            plane[1] = u64::from(number >> digit & 1) << 17;
                         }
-                        planes[digits] = u64::from(fixed) << 17;
+                        planes[digits][1] = u64::from(fixed) << 17;
                         Dye { entry, colours, digits }.apply(&mut planes);
-                        let got: u32 = (0..digits).map(|d| (planes[d] >> 17 & 1) as u32 * (1 << d)).sum();
+                        let got: u32 = (0..digits).map(|d| (planes[d][1] >> 17 & 1) as u32 * (1 << d)).sum();
                         let expected = choice.then(entry, shade);
                         assert_eq!(got, expected.number, "{number} + {by} of {colours}");
-                        assert_eq!(planes[digits] >> 17 & 1 != 0, entry_fixed || fixed);
+                        assert_eq!(planes[digits][1] >> 17 & 1 != 0, entry_fixed || fixed);
                     }
                 }
             }

@@ -96,14 +96,14 @@ impl Output {
                 out.fill(self.shades[0][0]);
                 continue;
             }
-            if frame.planes == 0 && covered == [u64::MAX; 4] {
-                out.fill(self.shades[0][16]);
+            let (ink, same) = first_ink(frame, at, covered);
+            let ink = ink.min(self.palette.len() - 1);
+            if same == [u64::MAX; 4] {
+                out.fill(self.shades[ink][16]);
                 continue;
             }
-            let (ink, same) = first_ink(frame, at, covered);
-            let counts = counts(same);
-            let ink = ink.min(self.palette.len() - 1);
             if same == covered {
+                let counts = counts(same);
                 let shades = &self.shades[ink];
                 let (mut even, mut odd) = (counts.even, counts.odd);
                 for pair in out.chunks_mut(2) {

@@ -140,6 +140,7 @@ impl Walk {
         self.descent.path.prepare(drawing, style);
         let [width, height] = [viewport.width, viewport.height].map(|side| side as usize * detail.samples());
         self.canvases[0].reset(width, height, self.inks.picture_planes());
+        self.canvases[0].holes = self.repeats;
         let Some(root) = self.descent.root(drawing, camera) else { return };
         self.stack.push(root);
         if let Some(upto) = upto {
@@ -258,7 +259,9 @@ impl Walk {
         ];
         let [across, down] = [0, 1]
             .map(|axis| [(centre[axis] - reach[axis]).floor() as i64, (centre[axis] + reach[axis]).ceil() as i64]);
-        if self.canvases[node.canvas].is_full(across, down) {
+        let canvas = &mut self.canvases[node.canvas];
+        let size = [canvas.strips * 64, canvas.rows].map(|side| side as f64);
+        if canvas.is_full(across, down) || node.canvas == 0 && place.misses(size, centre, shape.half, radius) {
             return 1;
         }
         // A part of the path that has one colour is like any other block.
