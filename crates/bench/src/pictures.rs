@@ -21,11 +21,20 @@ const HARD: [(&str, &str, &str, f64); 7] = [
     ("hard: Gosper", "F", "F -> F-G--G+F++FF+G-\nG -> +F-GG--G-F++F+G", 60.0),
 ];
 
+/// The heaviest overlap among them, for which more time is allowed, whatever its letter is.
+const BUSH: &str = "FF-[-F+F+F]+[+F-F-F]";
+
+#[wasm_bindgen]
+extern "C" {
+    #[wasm_bindgen(js_namespace = performance)]
+    fn now() -> f64;
+}
+
 /// The systems to be pictured, and the picture in the making.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Pictures {
-    systems: Vec<(String, System)>,
+    systems: Vec<(String, bool, System)>,
     current: usize,
     drawing: Option<Arc<Drawing>>,
     renderer: Renderer,
@@ -33,7 +42,8 @@ pub struct Pictures {
 
 #[wasm_bindgen]
 impl Pictures {
-    /// The hard systems, and those among `files` (a JSON object of names and contents of system files) that memoise.
+    /// The hard systems, and those among `files` (a JSON object of names and contents of system files) that
+    /// memoise and are drawn in the plane.
     #[wasm_bindgen(constructor)]
     #[must_use]
     pub fn new(files: &str) -> Self {
@@ -50,20 +60,22 @@ impl Pictures {
         }
         let systems = definitions.into_iter().filter_map(|(name, definition)| {
             let system = System::new(&definition).0?;
-            let memoises = draw(&system, 2, &Limits::default()).is_ok_and(|drawing| drawing.is_memoised());
-            memoises.then_some((name, system))
+            let drawing = draw(&system, 2, &Limits::default());
+            let memoises = !system.is_solid() && drawing.is_ok_and(|drawing| drawing.is_memoised());
+            let bush = definition.rules.replace('g', "F").contains(BUSH);
+            memoises.then_some((name, bush, system))
         });
         Self { systems: systems.collect(), ..Self::default() }
     }
 
-    /// Makes the graph of generation `n` of a system; its name, and how many segments it draws. Nothing after the last.
+    /// Makes the graph of generation `n` of a system; its name, whether it is the bush, and how many segments it draws. Nothing after the last.
     pub fn build(&mut self, index: usize, n: u32) -> Option<String> {
-        let (name, system) = self.systems.get(index)?;
+        let (name, bush, system) = self.systems.get(index)?;
         let drawing = draw(system, n, &Limits::default()).ok()?;
         let (segments, blocks) = (drawing.segment_count().to_string(), drawing.block_count());
         self.current = index;
         self.drawing = Some(Arc::new(drawing));
-        Some(json!({"name": name, "segments": segments, "blocks": blocks}).to_string())
+        Some(json!({"name": name, "bush": bush, "segments": segments, "blocks": blocks}).to_string())
     }
 
     /// Forgets every tile, as a change of the system does.
@@ -74,8 +86,9 @@ impl Pictures {
     }
 
     /// Makes a whole picture: fitted at `zoom` 1, else of a place near a segment in the midst, `shift` pixels beside.
-    pub fn picture(&mut self, zoom: f64, shift: f64) {
-        let Some(drawing) = &self.drawing else { return };
+    /// Whether that ended within `limit` milliseconds; it is cut off if not.
+    pub fn picture(&mut self, zoom: f64, shift: f64, limit: f64) -> bool {
+        let Some(drawing) = &self.drawing else { return true };
         let rect = fit(drawing);
         let side = rect.width.max(rect.height);
         let [x, y] = match drawing.segments_from(drawing.segment_count() / 8 * 3).next() {
@@ -86,8 +99,14 @@ impl Pictures {
             _ => [0.0; 2],
         };
         let view = View { x: x + shift / (1000.0 * zoom), y, zoom, ..View::default() };
-        self.renderer.begin(&self.systems[self.current].1.style, VIEWPORT, view);
-        while self.renderer.step(WORK) == Progress::More {}
+        self.renderer.begin(&self.systems[self.current].2.style, VIEWPORT, view);
+        let end = now() + limit;
+        while self.renderer.step(WORK) == Progress::More {
+            if now() > end {
+                return false;
+            }
+        }
+        true
     }
 
     /// What the last picture took: blocks looked into, strokes, tiles made, tiles stamped.

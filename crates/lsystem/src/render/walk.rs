@@ -16,6 +16,11 @@ use crate::{Drawing, Item, Progress, Style};
 const TINY: f64 = 2.0;
 /// A straight block longer than this is taken apart, so that rounding stays far below a subsample.
 const LONG: f64 = 1e6;
+/// A picture is true as long as it takes no more steps than this: blocks looked into, strokes and stamps. After a few
+/// seconds nobody waits for more, and what is left is painted as the outlines of ever larger blocks.
+const PATIENCE: u64 = 2_500_000;
+/// The largest extent, in subsamples, of the outlines at first, and the steps after which it doubles.
+const ROUGH: (f64, u64) = (16.0, 100_000);
 /// Strokes wider than twice this, in subsamples, are not painted into tiles.
 const BROAD: f64 = 64.0;
 
@@ -79,6 +84,10 @@ pub(super) struct Walk {
     /// Whether blocks may recur.
     repeats: bool,
     making: Vec<Making>,
+    /// The largest extent at which a block's outline will do.
+    rough: f64,
+    /// What outlines took, in steps.
+    outlined: u64,
     pub stats: RenderStats,
 }
 
@@ -97,6 +106,8 @@ impl Default for Walk {
             seen: Seen::default(),
             repeats: false,
             making: vec![],
+            rough: 0.0,
+            outlined: 0,
             stats: RenderStats::default(),
         }
     }
@@ -133,7 +144,10 @@ impl Walk {
         let min_width = if min_width.is_finite() { min_width } else { 1.0 };
         let hairline = min_width * detail.samples() as f64 / 2.0;
         let look = Look { hairline, step: camera.step, scale: camera.scale };
-        if self.inks.prepare(drawing, style) || look != self.look {
+        self.outlined = 0;
+        // Rough tiles would spoil this picture.
+        let rough = core::mem::take(&mut self.rough) > 0.0;
+        if self.inks.prepare(drawing, style) || look != self.look || rough {
             self.look = look;
             self.tiles.clear();
         }
@@ -231,6 +245,28 @@ impl Walk {
         polygon::paint(&mut self.canvases[node.canvas], &vertices, colour) as i64 / 4
     }
 
+    /// Lets outlines do for larger blocks, the longer the picture takes.
+    fn grow_rough(&mut self) {
+        let work = self.stats.blocks + self.stats.strokes + self.stats.stamps + self.outlined;
+        if self.repeats && work > PATIENCE {
+            self.rough = libm::scalbn(ROUGH.0, ((work - PATIENCE) / ROUGH.1).min(1000) as i32);
+        }
+    }
+
+    /// Paints what a block's hull encloses, in the colour of what it draws last.
+    fn outline(&mut self, drawing: &Drawing, shape: &Shape, node: Node) -> i64 {
+        let hull = &drawing.blocks[node.block.0 as usize].hull;
+        let pen = node.pen.after(self.inks.choice, &shape.last);
+        match &drawing.corners[hull.start as usize..hull.end as usize] {
+            [from, to] => self.stroke(node.canvas, [*from, *to].map(|p| node.place.point(p)), pen),
+            corners => {
+                let work = self.polygon(node, corners, pen);
+                self.outlined += work.unsigned_abs();
+                work
+            }
+        }
+    }
+
     /// Stamps a tile whose block has these shades.
     fn stamp(&mut self, tile: &Tile, inks: Inks, target: Target) -> i64 {
         self.stats.stamps += 1;
@@ -286,6 +322,10 @@ impl Walk {
             let ends = [-1.0, 1.0]
                 .map(|sign| place.point([shape.centre[0] + sign * along[0], shape.centre[1] + sign * along[1]]));
             return self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &shape.last));
+        }
+        self.grow_rough();
+        if extent <= self.rough {
+            return self.outline(drawing, shape, node);
         }
         node.cursor = block.items.end;
         let simple = node.canvas == 0 && self.painted < self.simple;
