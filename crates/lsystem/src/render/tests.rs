@@ -252,6 +252,32 @@ fn odd_views_and_sizes_do_no_harm() {
 }
 
 #[test]
+fn crowds_that_never_repeat_end() {
+    let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+    let [mut renderer, mut fresh] = [Renderer::new(), Renderer::new()];
+    for sample in [
+        Sample::lowercase("A", &[('A', "g[+A][-A]")], 20.0),
+        narrowing(Sample::abop("X", &[('X', "F[+X][-X]'FX")], 25.7)),
+    ] {
+        let drawing = Arc::new(sample.draw(300));
+        renderer.load(drawing.clone());
+        renderer.begin(&sample.0.style, viewport, View::default());
+        assert!(finishes(&mut renderer));
+        let RenderStats { blocks, strokes, stamps, .. } = renderer.stats();
+        assert!((2_000_000..5_000_000).contains(&(blocks + strokes + stamps)), "{:?}", renderer.stats());
+        let inked = renderer.pixels().chunks(4).filter(|pixel| pixel[..3] != sample.0.style.background.rgb).count();
+        assert!(inked > 320 * 200 / 20, "{inked}");
+        // What was painted roughly leaves no trace.
+        let drawing = Arc::new(sample.draw(6));
+        for renderer in [&mut renderer, &mut fresh] {
+            renderer.load(drawing.clone());
+            picture(renderer, &sample.0.style, viewport, View::default());
+        }
+        assert!(renderer.pixels() == fresh.pixels());
+    }
+}
+
+#[test]
 fn a_thousand_generations_look_like_two_hundred() {
     let viewport = Viewport { width: 160, height: 120, ratio: 1.0 };
     let [mut few, mut many] = [Renderer::new(), Renderer::new()];
