@@ -14,7 +14,7 @@
     /** Attributes that are values of the drawing, named as in links. */
     const VALUES = [
         ...['title', 'axiom', 'rules', 'n', 'angle', 'right', 'down', 'up', 'roll', 'rollright', 'heading', 'step', 'start', 'tropism', 'elasticity', 'shorter', 'vary', 'varylength', 'growth'],
-        ...['turtle', 'do', 'seed', 'palette', 'colour', 'hold', 'turns', 'bg', 'width', 'thinner', 'thin', 'name', 'source', 'notes', 'view', 'camera'],
+        ...['turtle', 'do', 'seed', 'palette', 'colour', 'hold', 'turns', 'bg', 'width', 'thinner', 'thin', 'ink', 'exposure', 'name', 'source', 'notes', 'view', 'camera'],
     ];
     /** Those by which an HTML element has another meaning of its own are written with a prefix, or as here. */
     const ATTRIBUTES = new Map(VALUES.map((key) => [{ title: 'caption', width: 'stroke' }[key] ?? key, key]));

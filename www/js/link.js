@@ -93,6 +93,8 @@ export const KEYS = [
     ['width', 'width', number],
     ['thinner', 'widthFactor', number],
     ['thin', 'minWidth', number],
+    ['ink', 'ink', text],
+    ['exposure', 'exposure', number],
     ['name', 'name', text],
     ['source', 'source', text],
     ['notes', 'notes', text],

@@ -151,6 +151,7 @@ function reported(next) {
     stage.growing(next.ok && next.memoised === null);
     rules.report(next);
     growth.report(next, store.state);
+    look.report(next, store.state);
     turtle.report(next);
     reader.report(next);
     playback.report(next);

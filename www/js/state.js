@@ -3,7 +3,8 @@
  */
 
 /** @typedef {'abop' | 'every-letter' | 'practical' | 'lowercase' | 'axes'} Dialect */
-/** @typedef {'symbol' | 'single' | 'level' | 'turn' | 'generation' | 'path'} ColourBy */
+/** @typedef {'symbol' | 'single' | 'level' | 'turn' | 'generation' | 'path' | 'density'} ColourBy */
+/** @typedef {'solid' | 'density'} Ink */
 
 /**
  * Where the reader looks. `x` and `y` move the picture's centre, in fitted extents (the longer side of what Fit
@@ -48,6 +49,8 @@
  * @property {number} width
  * @property {number} widthFactor what every branch multiplies the width by
  * @property {number} minWidth
+ * @property {Ink} ink whether strokes cover each other, or their ink adds up
+ * @property {number} exposure how much of ink that adds up shows, in stops
  */
 
 /**
@@ -70,7 +73,11 @@ export const MAX_CAMERA_ZOOM = 1e4;
 /** @type {readonly Dialect[]} */
 export const DIALECTS = ['abop', 'every-letter', 'practical', 'lowercase', 'axes'];
 /** @type {readonly ColourBy[]} */
-export const COLOUR_BY = ['symbol', 'level', 'generation', 'path', 'turn', 'single'];
+export const COLOUR_BY = ['symbol', 'level', 'generation', 'path', 'turn', 'density', 'single'];
+/** @type {readonly Ink[]} */
+export const INK = ['solid', 'density'];
+/** Stops either way. */
+export const MAX_EXPOSURE = 10;
 
 /** @type {Readonly<State>} */
 export const DEFAULTS = Object.freeze({
@@ -107,6 +114,8 @@ export const DEFAULTS = Object.freeze({
     width: 0,
     widthFactor: 1,
     minWidth: 1,
+    ink: 'solid',
+    exposure: 0,
     view: null,
     camera: null,
 });
@@ -152,6 +161,8 @@ const CLEAN = {
     width: number(0, 1000),
     widthFactor: number(0, 10),
     minWidth: number(0, 100),
+    ink: oneOf(INK),
+    exposure: number(-MAX_EXPOSURE, MAX_EXPOSURE),
     camera: orNull((value) => {
         if (typeof value !== 'object' || value === null) return undefined;
         const { azimuth, elevation, zoom, x, y, z, perspective, fade } = /** @type {Record<string, unknown>} */ (value);
@@ -235,7 +246,7 @@ export function sameSystem(a, b) {
 }
 
 /** What only captions, inks and views depend on. @type {readonly (keyof State)[]} */
-const LOOKS = ['name', 'title', 'source', 'notes', 'palette', 'colourBy', 'paletteHolds', 'turnColours', 'background', 'width', 'widthFactor', 'minWidth', 'view', 'camera'];
+const LOOKS = ['name', 'title', 'source', 'notes', 'palette', 'colourBy', 'paletteHolds', 'turnColours', 'background', 'width', 'widthFactor', 'minWidth', 'ink', 'exposure', 'view', 'camera'];
 
 /**
  * Whether two states draw the same segments.

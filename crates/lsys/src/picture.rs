@@ -3,7 +3,8 @@
 use crate::args::Size;
 use crate::progress::Progress as Bar;
 use lsystem::{
-    Camera, Drawing, Progress, Quality, Renderer, Solid, SolidRenderer, Style, View, Viewport, fit, tag_png,
+    Camera, DensityRenderer, Drawing, Ink, Progress, Quality, Renderer, Solid, SolidRenderer, Style, View, Viewport,
+    fit, tag_png,
 };
 use std::sync::Arc;
 
@@ -27,10 +28,20 @@ pub(crate) fn png(
 ) -> Result<Vec<u8>, png::EncodingError> {
     let Size { width, height } = size.unwrap_or_else(|| usual_size(&drawing));
     let ratio = (f64::from(width.max(height)) / f64::from(USUAL)).max(1.0);
-    let mut renderer = Renderer::new();
-    renderer.load(Arc::new(drawing));
-    renderer.begin(style, Viewport { width, height, ratio }, View::default());
+    let (drawing, viewport) = (Arc::new(drawing), Viewport { width, height, ratio });
     let mut bar = Bar::new("picture", 0);
+    if style.ink == Ink::Density {
+        let mut renderer = DensityRenderer::new();
+        renderer.load(drawing);
+        renderer.begin(style, viewport, View::default());
+        while renderer.step(WORK) == Progress::More {
+            bar.at(0);
+        }
+        return encode(renderer.pixels(), Size { width, height }, system);
+    }
+    let mut renderer = Renderer::new();
+    renderer.load(drawing);
+    renderer.begin(style, viewport, View::default());
     while renderer.step(WORK) == Progress::More {
         bar.at(0);
     }

@@ -9,6 +9,7 @@
 //! Without the feature `full` there is what a first picture needs: drawings in the plane of what is right. The plain
 //! functions, reading, files, space and the words of problems are left out, and a report tells what is `beyond` it.
 
+mod brush;
 mod clock;
 #[cfg(feature = "full")]
 mod files;

@@ -1,11 +1,12 @@
 //! Drawings in the plane: built in steps, shown on time, coarse first where the fine picture takes longer than a frame.
 
 use crate::LIMITS;
+use crate::brush::Brush;
 use crate::clock::Clock;
 use crate::report::Report;
 use crate::surface::Surface;
 use crate::viewer::{Drawn, Scene, Viewer, WORK, describe_drawing};
-use lsystem::{Detail, Diagnostic, Drawer, Drawing, Progress, Renderer, System, fitted_scale};
+use lsystem::{Detail, Diagnostic, Drawer, Drawing, Progress, System, fitted_scale};
 use std::sync::Arc;
 use wasm_bindgen::JsValue;
 
@@ -17,10 +18,8 @@ pub(crate) struct PlaneView {
     pub(crate) drawing: Option<Arc<Drawing>>,
     /// The drawing that is being built.
     drawer: Option<Drawer>,
-    fine: Renderer,
-    coarse: Renderer,
-    /// Whether the coarse renderer has the drawing.
-    sketches: bool,
+    fine: Brush,
+    coarse: Brush,
     scene: Option<Scene>,
     stage: Stage,
     /// Milliseconds spent on the fine picture so far.
@@ -45,9 +44,8 @@ impl Default for PlaneView {
         Self {
             drawing: None,
             drawer: None,
-            fine: Renderer::new(),
-            coarse: Renderer::new(),
-            sketches: false,
+            fine: Brush::default(),
+            coarse: Brush::default(),
             scene: None,
             stage: Stage::Done,
             spent: 0.0,
@@ -72,8 +70,8 @@ impl Viewer for PlaneView {
         Some(self.drawer.take()?.finish().map(|drawing| {
             let drawing = Arc::new(drawing);
             self.fine.load(drawing.clone());
+            self.coarse.load(drawing.clone());
             self.drawing = Some(drawing);
-            self.sketches = false;
         }))
     }
 
@@ -141,30 +139,26 @@ impl Viewer for PlaneView {
     fn snapshot(&self, scene: Scene, surface: &Surface) -> Result<(), JsValue> {
         let Some(drawing) = &self.drawing else { return Ok(()) };
         let viewport = scene.viewport.within_limits();
-        let mut renderer = Renderer::new();
-        renderer.load(drawing.clone());
-        renderer.begin_with(&scene.style, viewport, scene.view, Detail::Fine, scene.upto);
-        while renderer.step(WORK) == Progress::More {}
-        surface.show(renderer.pixels(), viewport)
+        let mut brush = Brush::default();
+        brush.load(drawing.clone());
+        brush.begin(&Scene { viewport, ..scene }, Detail::Fine);
+        while brush.step(WORK) == Progress::More {}
+        surface.show(brush.pixels(), viewport)
     }
 }
 
 impl PlaneView {
     fn begin_fine(&mut self) {
-        if let Some(Scene { style, viewport, view, upto }) = &self.scene {
-            self.fine.begin_with(style, *viewport, *view, Detail::Fine, *upto);
+        if let Some(scene) = &self.scene {
+            self.fine.begin(scene, Detail::Fine);
         }
         self.spent = 0.0;
         self.stage = Stage::Fine { sketched: false };
     }
 
     fn begin_coarse(&mut self, begun: bool) {
-        if let Some(drawing) = self.drawing.as_ref().filter(|_| !self.sketches) {
-            self.coarse.load(drawing.clone());
-            self.sketches = true;
-        }
-        if let Some(Scene { style, viewport, view, upto }) = &self.scene {
-            self.coarse.begin_with(style, *viewport, *view, Detail::Coarse, *upto);
+        if let Some(scene) = &self.scene {
+            self.coarse.begin(scene, Detail::Coarse);
         }
         self.stage = Stage::Coarse { begun };
     }

@@ -122,6 +122,7 @@ impl Playground {
             self.report = known;
             self.start(&system, n);
         }
+        self.report.beyond = Realm::of(&system).is_none();
         self.stale = true;
         #[cfg(feature = "full")]
         {
@@ -194,7 +195,6 @@ impl Playground {
             self.views.at(realm).stop();
         }
         self.building = Realm::of(system);
-        self.report.beyond = self.building.is_none();
         if let Some(realm) = self.building {
             self.views.at(realm).start(system, n);
         }
@@ -206,9 +206,8 @@ impl Playground {
 
     /// Whether a picture is being made, or has to be.
     fn is_painting(&self) -> bool {
-        let Some(realm) = self.shown.filter(|_| self.viewport.width > 0 && self.viewport.height > 0) else {
-            return false;
-        };
+        let visible = self.viewport.width > 0 && self.viewport.height > 0 && !self.report.beyond;
+        let Some(realm) = self.shown.filter(|_| visible) else { return false };
         self.stale || !self.views.get(realm).is_done()
     }
 

@@ -6,7 +6,7 @@ use crate::report::Report;
 #[cfg(feature = "full")]
 use crate::solid::SolidView;
 use crate::surface::Surface;
-use lsystem::{Diagnostic, Drawing, Space, Style, System, View, Viewport, count_segments, describe};
+use lsystem::{Diagnostic, Drawing, Ink, Space, Style, System, View, Viewport, count_segments, describe};
 use serde::Serialize;
 use wasm_bindgen::JsValue;
 
@@ -81,7 +81,8 @@ impl Realm {
     /// Where a system draws; none where this wasm has no viewer for it.
     pub(crate) fn of(system: &System) -> Option<Self> {
         if !system.is_solid() {
-            return Some(Self::Plane);
+            // Ink that adds up is for the full wasm.
+            return (cfg!(feature = "full") || system.style.ink == Ink::Solid).then_some(Self::Plane);
         }
         #[cfg(feature = "full")]
         return Some(Self::Space);

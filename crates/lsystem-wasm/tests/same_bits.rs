@@ -8,9 +8,9 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_dedicated_worker);
 
 use lsystem::{
-    Camera, Definition, Key, Limits, Mesh, Outlook, Progress, Quality, Renderer, SegmentArrays, SolidRenderer, SvgForm,
-    SvgOptions, System, View, Viewport, draw, draw_solid, expand, read_json, write_csv, write_glb, write_obj,
-    write_svg,
+    Camera, Definition, DensityRenderer, Detail, Key, Limits, Mesh, Outlook, Progress, Quality, Renderer,
+    SegmentArrays, SolidRenderer, SvgForm, SvgOptions, System, View, Viewport, draw, draw_solid, expand, read_json,
+    write_csv, write_glb, write_obj, write_svg,
 };
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -48,6 +48,42 @@ const SOLID: [(&str, &str, u32); 6] = [
 ];
 
 const EXPECTED_SOLID: &str = include_str!("same_bits_solid.txt");
+
+/// Files in which ink adds up: in one ink, in several, and haze where there is too much to draw.
+const DENSITY: [(&str, &str, f64); 4] = [
+    ("garden/levy-lace", include_str!("../../../data_in/garden/levy-lace.json"), 1.0),
+    ("garden/levy-tapestry", include_str!("../../../data_in/garden/levy-tapestry.json"), 7.3),
+    ("garden/smoke-bush", include_str!("../../../data_in/garden/smoke-bush.json"), 1.0),
+    ("garden/smoke-bush", include_str!("../../../data_in/garden/smoke-bush.json"), 3e5),
+];
+
+const EXPECTED_DENSITY: &str = include_str!("same_bits_density.txt");
+
+#[test]
+fn the_corpus_where_ink_adds_up() {
+    let mut found = String::new();
+    for (name, file, zoom) in DENSITY {
+        let definition = read_json(file).0.unwrap_or_default();
+        let system = compiled(&definition);
+        let mut renderer = DensityRenderer::new();
+        renderer.load(Arc::new(draw(&system, definition.iterations, &Limits::default()).unwrap()));
+        let mut pixels = Digest::new();
+        for detail in [Detail::Coarse, Detail::Fine] {
+            let view = View { x: 0.01, y: -0.02, zoom, ..View::default() };
+            let viewport = Viewport { width: 240, height: 180, ratio: 1.0 };
+            renderer.begin_with(&system.style, viewport, view, detail, None);
+            while renderer.step(10_000) == Progress::More {}
+            pixels.bytes(renderer.pixels());
+        }
+        writeln!(found, "{name} {zoom} pixels {:016x}", pixels.0).unwrap();
+    }
+    #[cfg(not(target_arch = "wasm32"))]
+    if std::env::var_os("UPDATE_EXPECT").is_some() {
+        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/same_bits_density.txt"), &found).unwrap();
+        return;
+    }
+    assert_eq!(found, EXPECTED_DENSITY);
+}
 
 #[test]
 fn the_corpus_in_space() {

@@ -67,6 +67,8 @@ pub enum Kind {
         /// How many copies of blocks have to be made.
         count: u128,
     },
+    /// A picture whose ink covers, of a drawing whose ink adds up.
+    CoveringInk,
     /// More diagnostics than are worth listing.
     More {
         /// How many were left out.
@@ -459,6 +461,8 @@ pub enum Quantity {
     Width,
     /// [`Style::min_width`](crate::Style::min_width).
     MinWidth,
+    /// [`Style::exposure`](crate::Style::exposure).
+    Exposure,
 }
 
 impl Quantity {
@@ -476,6 +480,7 @@ impl Quantity {
             Self::TurnColour => Expected::Whole(0, i32::MAX as i64),
             Self::Width => Expected::Between(0.0, 1e9),
             Self::MinWidth => Expected::Between(0.0, 1e4),
+            Self::Exposure => Expected::Between(-10.0, 10.0),
         }
     }
 }
@@ -590,6 +595,7 @@ impl Diagnostic {
         match self.kind {
             Kind::LookAlike { .. }
             | Kind::Instances { .. }
+            | Kind::CoveringInk
             | Kind::More { .. }
             | Kind::ParenthesisSymbol { .. }
             | Kind::NeverApplies { .. }

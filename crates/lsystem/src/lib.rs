@@ -75,7 +75,7 @@ pub use plane::Plane;
 pub use print::{print_axiom, print_module, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
 pub use progress::Progress;
-pub use render::{Detail, Rect, RenderStats, Renderer, View, Viewport, fit, fitted_scale, to_model};
+pub use render::{DensityRenderer, Detail, Rect, RenderStats, Renderer, View, Viewport, fit, fitted_scale, to_model};
 pub use render3d::{Camera, Quality, SolidRenderer, camera_axes, solid_scale};
 pub use rewriting::{
     ContextPattern, Fault, History, Image, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template,
@@ -83,7 +83,7 @@ pub use rewriting::{
 pub use rotation::Rotation;
 pub use solid::Solid;
 pub use space::{Axis, Space};
-pub use style::{Colour, ColourBy, GRADIENT, Style, Tint};
+pub use style::{Colour, ColourBy, GRADIENT, Ink, Style, Tint};
 pub use system::System;
 pub use tally::Tally;
 pub use turtle::{Colouring, Tropism, Turtle};

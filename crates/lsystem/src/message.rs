@@ -33,6 +33,10 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
             format!("Whoever shows this picture has to make {} copies of blocks", grouped(*count)),
             "That takes browsers seconds or minutes; fewer iterations or a smaller size make fewer.".into(),
         ),
+        Kind::CoveringInk => hinted(
+            "SVG has no ink that adds up: strokes cover each other in this file".into(),
+            "A PNG picture shows how much ink there is.".into(),
+        ),
         Kind::More { left_out } => said(format!("And {left_out} more")),
 
         Kind::LookAlike { found, read_as } if *read_as == ' ' => {
@@ -387,6 +391,7 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
                 Quantity::TurnColour => "colour of a turn",
                 Quantity::Width => "stroke width",
                 Quantity::MinWidth => "least stroke width",
+                Quantity::Exposure => "exposure",
             };
             said(format!("The {quantity} must be {}", expected_words(*expected)))
         }

@@ -30,14 +30,44 @@ pub enum ColourBy {
     Generation,
     /// The place among all segments: the whole palette as a gradient, from the first segment to the last.
     Path,
+    /// How much ink lies at a place, where ink adds up ([`Ink::Density`]): the palette as a gradient, from the least to
+    /// the most. The first of the palette elsewhere.
+    Density,
 }
 
 impl ColourBy {
     /// All of them, in the order to offer them.
-    pub const ALL: [Self; 6] = [Self::Symbol, Self::Single, Self::Level, Self::Turn, Self::Generation, Self::Path];
+    pub const ALL: [Self; 7] =
+        [Self::Symbol, Self::Single, Self::Level, Self::Turn, Self::Generation, Self::Path, Self::Density];
 
     /// Their names in files, in the same order.
-    pub(crate) const NAMES: [&str; 6] = ["symbol", "single", "level", "turn", "generation", "path"];
+    pub(crate) const NAMES: [&str; 7] = ["symbol", "single", "level", "turn", "generation", "path", "density"];
+
+    /// Its name in files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::NAMES[self as usize]
+    }
+}
+
+/// What strokes do that lie upon each other.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Ink {
+    /// The later one covers the earlier.
+    #[default]
+    Solid,
+    /// Their ink adds up, and the picture shows how much there is. Files of strokes cannot say this; neither do pictures
+    /// of drawings in space.
+    Density,
+}
+
+impl Ink {
+    /// All of them, in the order to offer them.
+    pub const ALL: [Self; 2] = [Self::Solid, Self::Density];
+
+    /// Their names in files, in the same order.
+    pub(crate) const NAMES: [&str; 2] = ["solid", "density"];
 
     /// Its name in files.
     #[must_use]
@@ -66,6 +96,10 @@ pub struct Style {
     pub width_factor: f64,
     /// No stroke is drawn thinner than this, in CSS pixels of the picture.
     pub min_width: f64,
+    /// What strokes do that lie upon each other.
+    pub ink: Ink,
+    /// How much of the ink shows where it adds up, in stops: each doubles it.
+    pub exposure: f64,
 }
 
 impl Default for Style {
@@ -86,6 +120,8 @@ impl Default for Style {
             width: 0.0,
             width_factor: 1.0,
             min_width: 1.0,
+            ink: Ink::Solid,
+            exposure: 0.0,
         }
     }
 }
@@ -109,7 +145,7 @@ impl Style {
         let wrapped = |index: i64| index.rem_euclid(self.palette.len().max(1) as i64) as u32;
         let held = |index: i64| if self.holds() { index.clamp(0, i64::from(u32::MAX)) as u32 } else { wrapped(index) };
         self.ink(match self.colour_by {
-            ColourBy::Single => 0,
+            ColourBy::Single | ColourBy::Density => 0,
             ColourBy::Symbol | ColourBy::Turn => wrapped(i64::from(tint.index)),
             ColourBy::Level => held(i64::from(tint.level)),
             ColourBy::Generation => held(i64::from(tint.index)),
@@ -126,7 +162,7 @@ impl Style {
     pub(crate) fn inks(&self, farthest: impl FnOnce() -> u32) -> u32 {
         let palette = u32::try_from(self.palette.len()).unwrap_or(u32::MAX / 2).max(1);
         match self.colour_by {
-            ColourBy::Single => 1,
+            ColourBy::Single | ColourBy::Density => 1,
             ColourBy::Path => GRADIENT,
             _ if self.holds() => farthest().saturating_add(1).max(palette).min(crate::limits::MAX_PALETTE as u32),
             _ => palette,

@@ -194,6 +194,7 @@ fn check_numbers(definition: &Definition) -> Vec<Diagnostic> {
         (Quantity::Elasticity, definition.elasticity),
         (Quantity::Width, style.width),
         (Quantity::MinWidth, style.min_width),
+        (Quantity::Exposure, style.exposure),
         (Quantity::WidthFactor, style.width_factor),
         (Quantity::LengthFactor, definition.length_factor),
         (Quantity::AngleVariation, definition.angle_variation),

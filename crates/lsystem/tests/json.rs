@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 use lsystem::{
-    Colour, ColourBy, Definition, Diagnostic, Dialect, Style, System, read_json, render_diagnostic, write_json,
+    Colour, ColourBy, Definition, Diagnostic, Dialect, Ink, Style, System, read_json, render_diagnostic, write_json,
 };
 use proptest::prelude::*;
 use std::path::Path;
@@ -20,7 +20,13 @@ fn style() -> impl Strategy<Value = Style> {
         colour(),
         0.0..1e9,
         0.0..1e4,
-        (any::<bool>(), prop::array::uniform2(0..i32::MAX), 0.0..10.0),
+        (
+            any::<bool>(),
+            prop::array::uniform2(0..i32::MAX),
+            0.0..10.0,
+            prop::sample::select(Ink::ALL.to_vec()),
+            -10.0..10.0,
+        ),
     )
         .prop_map(|(palette, colour_by, background, width, min_width, more)| Style {
             palette,
@@ -31,6 +37,8 @@ fn style() -> impl Strategy<Value = Style> {
             palette_holds: more.0,
             turn_colours: more.1,
             width_factor: more.2,
+            ink: more.3,
+            exposure: more.4,
         });
     prop_oneof![2 => Just(Style::course()), 1 => Just(Style::default()), 1 => any_style]
 }

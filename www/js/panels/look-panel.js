@@ -5,7 +5,7 @@ import { even, slider } from '../controls/slider.js';
 import { numberField } from '../controls/number-field.js';
 import { INKS, hasInk, wearing } from '../inks.js';
 import { plain } from '../numerals.js';
-import { COLOUR_BY, MAX_PALETTE } from '../state.js';
+import { COLOUR_BY, INK, MAX_EXPOSURE, MAX_PALETTE } from '../state.js';
 
 const WIDTHS = [...even(0, 1, 0.05), ...even(1.1, 3, 0.1), ...even(3.25, 10, 0.25), ...even(10.5, 20, 0.5)];
 /** Of width and length, from branch to branch. */
@@ -17,9 +17,11 @@ const NOTES = {
     generation: 'By the iteration that made a symbol. A symbol that a rule puts in its own place stays as old as it was.',
     path: 'All colours as a gradient, from the first segment to the last.',
     turn: 'The first colour at the start, others after turns. A branch ends in the colour it began with.',
+    density: 'Where ink adds up: all colours as a gradient, from the least ink to the most.',
     single: '',
 };
 const THIN = even(0, 8, 0.25);
+const STOPS = even(-4, 4, 0.25);
 
 /** @param {import('../store.js').Store} store */
 export function lookPanel(store) {
@@ -39,6 +41,25 @@ export function lookPanel(store) {
         html('inks').append(chip);
         return { ink, chip };
     });
+
+    const inkKind = byId('ink', HTMLSelectElement);
+    inkKind.addEventListener('change', () => {
+        const chosen = INK.find((name) => name === inkKind.value);
+        if (chosen) store.change({ ink: chosen }, '');
+    });
+    const exposure = { settle, change: (/** @type {number} */ value, held = false) => store.change({ exposure: value }, held ? 'drag exposure' : 'exposure') };
+    const exposureSlider = slider(input('exposure-slider'), { stops: STOPS, text: (value) => `${plain(value)} stops`, ...exposure });
+    const showExposure = numberField(input('exposure'), { low: -MAX_EXPOSURE, high: MAX_EXPOSURE, step: 0.25, ...exposure });
+    let solid = false;
+    /** @param {import('../state.js').State} state */
+    const showInk = (state) => {
+        const adds = state.ink === 'density' && !solid;
+        inkKind.value = solid ? 'solid' : state.ink;
+        inkKind.disabled = solid;
+        html('exposure-row').hidden = !adds;
+        setText(html('ink-note'), solid ? 'Drawings in space have ink that covers.' : adds ? 'Strokes that lie upon each other show as more ink. Pictures (PNG) have it; SVG files have ink that covers.' : '');
+        for (const option of colourBy.options) if (option.value === 'density') option.disabled = !adds && state.colourBy !== 'density';
+    };
 
     const colourBy = byId('colour-by', HTMLSelectElement);
     colourBy.addEventListener('change', () => {
@@ -93,8 +114,16 @@ export function lookPanel(store) {
     }
 
     return {
+        /** @param {import('../engine.js').Report} report @param {import('../state.js').State} state */
+        report(report, state) {
+            solid = report.solid;
+            showInk(state);
+        },
         /** @param {import('../state.js').State} state */
         show(state) {
+            showInk(state);
+            exposureSlider.show(state.exposure);
+            showExposure(state.exposure);
             while (wells.childElementCount > state.palette.length) wells.lastElementChild?.remove();
             while (wells.childElementCount < state.palette.length) wells.append(newWell(wells.childElementCount));
             state.palette.forEach((colour, at) => {

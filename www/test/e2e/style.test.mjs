@@ -27,6 +27,34 @@ test('colours follow what is chosen', () =>
         assert.ok(await page.isVisible('#holds-row'));
     }));
 
+test('ink adds up, and shows as much as it is exposed', () =>
+    withPage({ hash: PLANT.replace('n=5', 'n=30') }, async (page) => {
+        const solid = await stillPicture(page);
+        await tab(page, 'look');
+        assert.ok(!(await page.isVisible('#exposure-row')));
+        await page.selectOption('#ink', 'density');
+        const density = await nextPicture(page, solid);
+        await until(() => page.evaluate(() => location.hash.includes('ink=density')), 'the address follows');
+        assert.ok(await page.isVisible('#exposure-row'));
+        await page.fill('#exposure', '-2');
+        await page.press('#exposure', 'Enter');
+        const faint = await nextPicture(page, density);
+        assert.ok(faint.digest !== solid.digest);
+        await page.selectOption('#colour-by', 'density');
+        await nextPicture(page, faint);
+        for (let step = 0; step < 3; step += 1) await page.click('#undo');
+        await until(async () => (await stillPicture(page)).digest === solid.digest, 'it can be undone');
+        assert.equal(await page.inputValue('#ink'), 'solid');
+    }));
+
+test('drawings in space say that their ink covers', () =>
+    withPage({ hash: PLANT.replace('%2BX', '%26X') + '&ink=density' }, async (page) => {
+        await stillPicture(page);
+        await tab(page, 'look');
+        await until(() => page.isDisabled('#ink'), 'the choice is out of reach');
+        assert.match(await page.innerText('#ink-note'), /space/);
+    }));
+
 test('nine seeds to choose from', () =>
     withPage({ hash: `${PLANT}&vary=20&seed=7` }, async (page) => {
         const before = await stillPicture(page);

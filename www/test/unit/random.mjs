@@ -1,6 +1,6 @@
 /** Random states for tests: the same seed gives the same ones. */
 
-import { COLOUR_BY, DIALECTS, clean } from '../../js/state.js';
+import { COLOUR_BY, INK, DIALECTS, clean } from '../../js/state.js';
 
 /** A small generator of numbers in [0, 1) (mulberry32). @param {number} seed */
 export function dice(seed) {
@@ -55,6 +55,8 @@ export function randomState(roll) {
         background: colour(),
         width: Math.abs(number()),
         minWidth: Math.abs(number()),
+        ink: pick(INK),
+        exposure: roll() * 20 - 10,
         camera: roll() < 0.5 ? null : { azimuth: number(), elevation: number(), zoom: 10 ** (roll() * 6 - 2), x: number(), y: number(), z: number(), perspective: roll() < 0.5, fade: roll() },
         view: roll() < 0.5 ? null : { x: number(), y: number(), zoom: 10 ** (roll() * 26 - 2), ...(roll() < 0.5 ? {} : { fx: roll() * 1e-17, fy: -roll() * 1e-17 }) },
     });

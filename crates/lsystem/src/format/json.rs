@@ -43,20 +43,22 @@
 //! | key | type | meaning |
 //! |---|---|---|
 //! | `palette` | list of colours such as `"#1f5c3a"` | the stroke colours |
-//! | `colour_by` | `"symbol"`, `"single"`, `"level"`, `"turn"`, `"generation"`, `"path"` | what the colour follows |
+//! | `colour_by` | `"symbol"`, `"single"`, `"level"`, `"turn"`, `"generation"`, `"path"`, `"density"` | what the colour follows |
 //! | `palette_holds` | bool | whether by level and by generation what is beyond the palette has its last colour |
 //! | `turn_colours` | `[left, right]` | the palette's indices that turns choose, by turn |
 //! | `background` | colour | behind the drawing |
 //! | `width` | number | the stroke width, in multiples of the step length |
 //! | `width_factor` | number | what every branch multiplies it by |
 //! | `min_width` | number | the least stroke width, in CSS pixels |
+//! | `ink` | `"solid"`, `"density"` | whether strokes cover each other or their ink adds up |
+//! | `exposure` | number | how much of the ink shows where it adds up, in stops |
 //!
 //! Unknown keys are reported and skipped.
 
 use crate::notes::{Notes, excerpt, similar};
 use crate::sorted::repeated;
 use crate::{
-    Colour, ColourBy, Definition, Diagnostic, Dialect, Expected, Field, Grammar, JsonError, Kind, LimitName,
+    Colour, ColourBy, Definition, Diagnostic, Dialect, Expected, Field, Grammar, Ink, JsonError, Kind, LimitName,
     MAX_ITERATIONS, MAX_PALETTE, Module, Production, Quantity, Style, plain_word, print_axiom, print_rules,
 };
 use core::ops::Range;
@@ -100,8 +102,18 @@ const TURTLE_KEYS: [&str; 16] = [
     "growth",
 ];
 /// The keys of `style`.
-const STYLE_KEYS: [&str; 8] =
-    ["palette", "colour_by", "palette_holds", "turn_colours", "background", "width", "width_factor", "min_width"];
+const STYLE_KEYS: [&str; 10] = [
+    "palette",
+    "colour_by",
+    "palette_holds",
+    "turn_colours",
+    "background",
+    "width",
+    "width_factor",
+    "min_width",
+    "ink",
+    "exposure",
+];
 /// The keys of an outcome.
 const OUTCOME_KEYS: [&str; 2] = ["p", "e"];
 
@@ -385,6 +397,10 @@ impl File {
         self.number(object, "width", Quantity::Width.expected(), &mut style.width);
         self.number(object, "width_factor", Quantity::WidthFactor.expected(), &mut style.width_factor);
         self.number(object, "min_width", Quantity::MinWidth.expected(), &mut style.min_width);
+        if let Some(ink) = self.word(object, "ink", &Ink::NAMES) {
+            style.ink = Ink::ALL[ink];
+        }
+        self.number(object, "exposure", Quantity::Exposure.expected(), &mut style.exposure);
     }
 
     fn colour(&mut self, key: &str, value: &Value<'_>) -> Option<Colour> {

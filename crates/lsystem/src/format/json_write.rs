@@ -130,6 +130,12 @@ fn style(definition: &Definition) -> Vec<(&'static str, String)> {
     if style.min_width != usual.min_width {
         members.push(("min_width", json_number(style.min_width)));
     }
+    if style.ink != usual.ink {
+        members.push(("ink", string(style.ink.name())));
+    }
+    if style.exposure != usual.exposure {
+        members.push(("exposure", json_number(style.exposure)));
+    }
     members
 }
 

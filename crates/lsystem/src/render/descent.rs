@@ -82,6 +82,14 @@ impl Place {
     }
 }
 
+/// Something met on the way.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Met<'a> {
+    pub item: &'a Item,
+    /// Where it is: a block itself, or the block that a stroke or a polygon is in, with the pen it is drawn with.
+    pub node: Node,
+}
+
 /// What leads from a block to those inside.
 #[derive(Default)]
 pub(super) struct Descent {
@@ -106,6 +114,46 @@ impl Descent {
         let pen = Pen { shade: Shade { number: 0, fixed: true }, width: drawing.width };
         self.camera = Some(camera);
         Some(Node { block, cursor, canvas: 0, place, far: Some(far), pen, span: Span::WHOLE })
+    }
+
+    /// The next item on the way, last items first; `None` when what is on the stack above `floor` is done. A block is
+    /// not looked into, unless it is put on the stack.
+    pub(super) fn next<'a>(
+        &mut self,
+        drawing: &'a Drawing,
+        choice: Choice,
+        stack: &mut Vec<Node>,
+        floor: usize,
+    ) -> Option<Met<'a>> {
+        let node = loop {
+            let node = stack.get_mut(floor..)?.last_mut()?;
+            if node.cursor > drawing.blocks[node.block.0 as usize].items.start {
+                node.cursor -= 1;
+                break *node;
+            }
+            stack.pop();
+        };
+        let item = &drawing.items[node.cursor as usize];
+        let style = match item {
+            Item::Stroke(stroke) => stroke.style,
+            Item::Polygon(polygon) => polygon.style,
+            Item::Block(placed) => {
+                let child = self.child(drawing, choice, node, placed);
+                if let Some(node) = stack.last_mut() {
+                    node.span.end -= child.span.size;
+                }
+                return Some(Met { item, node: child });
+            }
+        };
+        let mut pen = node.pen.after(choice, &drawing.styles[style.0 as usize]);
+        if self.path.counts() && node.canvas == 0 {
+            let span = self.path.stroke(node.block, node.span);
+            pen.shade = Shade { number: span.ink(), fixed: true };
+            if let (Item::Stroke(_), Some(node)) = (item, stack.last_mut()) {
+                node.span.end -= span.size;
+            }
+        }
+        Some(Met { item, node: Node { pen, ..node } })
     }
 
     /// A block inside another, none of it done.

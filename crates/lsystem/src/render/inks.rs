@@ -39,7 +39,7 @@ impl Choice {
         let moving = |number: u32| Shade { number, fixed: false };
         match (self.by, change.colour) {
             // Along the path the walk knows.
-            (ColourBy::Single | ColourBy::Path, _) => moving(0),
+            (ColourBy::Single | ColourBy::Path | ColourBy::Density, _) => moving(0),
             (ColourBy::Level, _) => moving(change.level % self.colours.max(1)),
             (_, ColourChange::Set(index)) => Shade { number: wrapped(index), fixed: true },
             (_, ColourChange::Add(count)) => moving(wrapped(count)),

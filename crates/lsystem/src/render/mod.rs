@@ -5,6 +5,7 @@
 //! first, so that what is covered already need not be looked at again.
 
 mod canvas;
+mod density;
 mod descent;
 mod inks;
 mod mixer;
@@ -25,6 +26,7 @@ mod sample;
 #[cfg(test)]
 mod tests;
 
+pub use density::DensityRenderer;
 pub(crate) use inks::{Choice, Shade};
 pub use view::{Detail, Rect, View, Viewport, fit, fitted_scale, to_model};
 

@@ -22,7 +22,7 @@ fn difference(a: &[u8], b: &[u8], width: usize) -> (f64, f64) {
     (mean, tiles.iter().copied().max().unwrap_or(0) as f64 / (64.0 * 3.0))
 }
 
-fn samples() -> Vec<(&'static str, Sample, u32)> {
+pub(super) fn samples() -> Vec<(&'static str, Sample, u32)> {
     vec![
         ("koch", Sample::abop("-F", &[('F', "F+F--F+F")], 60.0), 6),
         ("dragon", Sample::abop("X", &[('X', "X+YF+"), ('Y', "-FX-Y")], 90.0), 12),
@@ -107,7 +107,7 @@ fn narrowing(mut sample: Sample) -> Sample {
 }
 
 /// A view at `zoom` onto a place of the drawing where something is drawn.
-fn close_up(drawing: &Drawing, zoom: f64) -> View {
+pub(super) fn close_up(drawing: &Drawing, zoom: f64) -> View {
     let (mut at, mut turn) = ([0.0, 0.0], [1.0, 0.0]);
     let place = |at: [f64; 2], turn: [f64; 2], p: [f64; 2]| {
         [at[0] + turn[0] * p[0] - turn[1] * p[1], at[1] + turn[1] * p[0] + turn[0] * p[1]]
@@ -150,7 +150,7 @@ fn close_up(drawing: &Drawing, zoom: f64) -> View {
     }
 }
 
-fn hard() -> Vec<(&'static str, Sample)> {
+pub(super) fn hard() -> Vec<(&'static str, Sample)> {
     vec![
         ("koch", Sample::abop("-F", &[('F', "F+F--F+F")], 60.0)),
         ("dragon", Sample::abop("X", &[('X', "X+YF+"), ('Y', "-FX-Y")], 90.0)),
@@ -166,7 +166,7 @@ fn hard() -> Vec<(&'static str, Sample)> {
 }
 
 /// Milliseconds this thread has run, where Linux tells; the clock otherwise.
-fn processor_time() -> f64 {
+pub(super) fn processor_time() -> f64 {
     static START: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);
     let told = std::fs::read_to_string("/proc/thread-self/schedstat");
     let nanoseconds = told.ok().and_then(|s| s.split(' ').next()?.parse::<f64>().ok());

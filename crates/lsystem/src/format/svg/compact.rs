@@ -51,7 +51,7 @@ pub(super) fn write(drawing: &Drawing, root: BlockId, style: &Style, options: &S
         writer.write(root, begin);
     }
     text.push_str("</g>\n</svg>\n");
-    Ok(Svg { text, instances })
+    Ok(Svg { text, instances, ink: style.ink })
 }
 
 /// Writes the plan.

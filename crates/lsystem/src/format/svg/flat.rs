@@ -30,7 +30,7 @@ pub(super) fn write(drawing: &Drawing, style: &Style, options: &SvgOptions) -> R
     }
     paths.close();
     text.push_str("</g>\n</svg>\n");
-    Ok(Svg { text, instances: 0 })
+    Ok(Svg { text, instances: 0, ink: style.ink })
 }
 
 /// Keeps what is beyond any picture within the numbers, sums of two included.

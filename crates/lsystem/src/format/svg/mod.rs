@@ -6,7 +6,7 @@ mod paths;
 mod plan;
 
 use super::number::Decimals;
-use crate::{ColourBy, Diagnostic, Drawing, Field, Kind, Style};
+use crate::{ColourBy, Diagnostic, Drawing, Field, Ink, Kind, Style};
 use core::fmt::Write;
 use paths::attribute;
 
@@ -48,17 +48,23 @@ pub struct Svg {
     /// How many copies of blocks whoever shows it has to make: every `<use>` counts as often as it is met when all
     /// are expanded. `u128::MAX` stands for that many or more; a flat file has none.
     pub instances: u128,
+    /// The ink of the drawing's style; that of a file always covers.
+    pub ink: Ink,
 }
 
 /// More copies than this take browsers seconds.
 const MANY: u128 = 100_000;
 
 impl Svg {
-    /// A warning where showing the file takes long.
+    /// A warning where showing the file takes long, or it does not look like the drawing.
     #[must_use]
     pub fn warning(&self) -> Option<Diagnostic> {
-        let kind = Kind::Instances { count: self.instances };
-        (self.instances > MANY).then_some(Diagnostic { kind, field: Field::Numbers, span: 0..0 })
+        let kind = match self.ink {
+            _ if self.instances > MANY => Kind::Instances { count: self.instances },
+            Ink::Density => Kind::CoveringInk,
+            Ink::Solid => return None,
+        };
+        Some(Diagnostic { kind, field: Field::Numbers, span: 0..0 })
     }
 }
 

@@ -54,7 +54,7 @@ impl<'a> Scene<'a> {
             if self.style.holds() { index.clamp(0, colours - 1) } else { index.rem_euclid(colours) }
         };
         let (colour, level) = match self.style.colour_by {
-            ColourBy::Single | ColourBy::Path => (0, 0),
+            ColourBy::Single | ColourBy::Path | ColourBy::Density => (0, 0),
             ColourBy::Symbol | ColourBy::Turn | ColourBy::Generation => (seen(style.colour.of(0)), 0),
             ColourBy::Level => (0, seen(i32::try_from(style.level).unwrap_or(i32::MAX)).cast_unsigned()),
         };

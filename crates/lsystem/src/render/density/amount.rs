@@ -1,0 +1,71 @@
+//! Numbers far beyond the range of `f64`: a drawing of a thousand generations has 2^3000 segments.
+
+/// A number, and the exponent of a power of two that it is to be multiplied by.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Amount {
+    /// From 0.5 on and below 1, or 0.
+    part: f64,
+    exponent: i32,
+}
+
+impl Amount {
+    pub(super) fn new(value: f64) -> Self {
+        if !value.is_finite() {
+            return Self::default();
+        }
+        let (part, exponent) = libm::frexp(value);
+        Self { part, exponent }
+    }
+
+    pub(super) fn is_zero(self) -> bool {
+        self.part == 0.0
+    }
+
+    pub(super) fn plus(self, other: Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            return if self.is_zero() { other } else { self };
+        }
+        let (a, b) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
+        Self { exponent: a.exponent, part: 1.0 }.times(a.part + libm::scalbn(b.part, b.exponent - a.exponent))
+    }
+
+    pub(super) fn times(self, factor: f64) -> Self {
+        let Self { part, exponent } = Self::new(self.part * factor);
+        Self { part, exponent: exponent.saturating_add(self.exponent) }
+    }
+
+    /// The greatest power of two that is not greater, as its exponent; `None` of nothing.
+    pub(super) fn exponent(self) -> Option<i32> {
+        (!self.is_zero()).then(|| self.exponent - 1)
+    }
+
+    /// In units of `2^exponent`.
+    pub(super) fn units(self, exponent: i32) -> f64 {
+        libm::scalbn(self.part, self.exponent.saturating_sub(exponent))
+    }
+
+    /// Which part of `whole` it is.
+    pub(super) fn of(self, whole: Self) -> f64 {
+        if whole.is_zero() { 0.0 } else { self.units(whole.exponent) / whole.part }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn amounts_go_beyond_floating_point() {
+        let mut huge = Amount::new(3.0);
+        for _ in 0..1000 {
+            huge = huge.times(8.0);
+        }
+        assert_eq!(huge.exponent(), Some(3001));
+        assert_eq!(huge.plus(huge).units(3001), 3.0);
+        assert_eq!(Amount::default().plus(huge), huge);
+        let tiny = Amount::new(1.0).times(libm::scalbn(1.0, -900)).times(libm::scalbn(1.0, -900));
+        assert_eq!(tiny.plus(Amount::default()).exponent(), Some(-1800));
+        assert_eq!(tiny.plus(tiny).of(tiny), 2.0);
+        assert_eq!(tiny.of(huge), 0.0);
+    }
+}

@@ -1,0 +1,126 @@
+//! Ink of blocks that are too many to be drawn: each is spread evenly over a rectangle as wide and as high as it is.
+//!
+//! Where thousands of blocks lie upon each other nobody can tell one from another, and what they add up to is smooth. A
+//! rectangle of any size costs the same: only its corners are noted, and summed up in the end.
+
+use super::sheet::{Pigment, Sheet};
+
+/// Pixels along the side of a cell.
+const SIDE: usize = 4;
+/// Less than this part of the most ink at any place is what rounding leaves.
+const ROUNDING: f64 = 1e-10;
+
+/// Differences from cell to cell, across and down.
+#[derive(Default)]
+pub(super) struct Haze {
+    columns: usize,
+    rows: usize,
+    planes: usize,
+    cells: Vec<f64>,
+    line: Vec<f64>,
+}
+
+impl Haze {
+    /// Makes it empty, for a sheet.
+    pub(super) fn reset(&mut self, sheet: &Sheet) {
+        (self.columns, self.rows) = (sheet.width.div_ceil(SIDE) + 2, sheet.height.div_ceil(SIDE) + 2);
+        self.planes = sheet.planes;
+        self.cells.clear();
+        self.cells.resize(self.columns * self.rows * self.planes, 0.0);
+    }
+
+    /// Adds `amount` of ink, whose places differ from its centre, in pixels, by so much in the mean of squares.
+    pub(super) fn add(&mut self, centre: [f64; 2], squares: [f64; 2], amount: f64, pigment: Pigment) {
+        // An even distribution over a length has a twelfth of its square.
+        let sides = squares.map(|square| (12.0 * square).sqrt().max(2.0 * SIDE as f64));
+        let density = amount / (sides[0] * sides[1]);
+        if !density.is_finite() {
+            return;
+        }
+        let edges = [0, 1].map(|axis| {
+            let most = if axis == 0 { self.columns - 2 } else { self.rows - 2 } as f64;
+            [-0.5, 0.5].map(|sign| ((centre[axis] + sign * sides[axis]) / SIDE as f64).clamp(0.0, most))
+        });
+        for (y, down) in steps(edges[1]) {
+            for (x, across) in steps(edges[0]) {
+                let at = (y * self.columns + x) * self.planes;
+                let more = density * down * across;
+                self.cells[at] += more;
+                if let Some(cells) = self.cells.get_mut(at + 1..at + self.planes) {
+                    cells.iter_mut().zip(pigment).for_each(|(cell, pigment)| *cell += more * f64::from(pigment));
+                }
+            }
+        }
+    }
+
+    /// Sums up, and adds everything to the sheet, smoothed so that no edge shows of rectangles about `grain` pixels large.
+    pub(super) fn settle(&mut self, sheet: &mut Sheet, grain: f64) {
+        let (columns, planes) = (self.columns, self.planes);
+        for row in 0..self.rows {
+            for at in row * columns * planes..(row + 1) * columns * planes {
+                let left = if at % (columns * planes) >= planes { self.cells[at - planes] } else { 0.0 };
+                self.cells[at] += left;
+            }
+        }
+        for at in columns * planes..self.cells.len() {
+            self.cells[at] += self.cells[at - columns * planes];
+        }
+        let radius = ((grain / 8.0) as usize / SIDE).clamp(1, columns.max(self.rows));
+        let (across, down) = (columns - 2, self.rows - 2);
+        for _ in 0..2 {
+            (0..down * planes)
+                .for_each(|at| self.smooth(at / planes * columns * planes + at % planes, planes, across, radius));
+            (0..across * planes).for_each(|at| self.smooth(at, columns * planes, down, radius));
+        }
+        let most = self.cells.iter().step_by(planes).fold(0.0_f64, |most, &cell| most.max(cell));
+        if most == 0.0 {
+            return;
+        }
+        let near = |pixel: usize, end: usize| {
+            let at = ((pixel as f64 + 0.5) / SIDE as f64 - 0.5).clamp(0.0, (end - 1) as f64);
+            let first = (at as usize).min(end.saturating_sub(2));
+            (first, at - first as f64)
+        };
+        for row in 0..sheet.height {
+            let (above, down) = near(row, self.rows - 2);
+            for column in 0..sheet.width {
+                let (left, across) = near(column, columns - 2);
+                let value = |plane: usize| {
+                    let cell = |x: usize, y: usize| self.cells[((above + y) * columns + left + x) * planes + plane];
+                    let upper = cell(0, 0) + across * (cell(1, 0) - cell(0, 0));
+                    let lower = cell(0, 1) + across * (cell(1, 1) - cell(0, 1));
+                    upper + down * (lower - upper)
+                };
+                if value(0) > ROUNDING * most {
+                    let at = (row * sheet.width + column) * planes;
+                    (0..planes).for_each(|plane| sheet.values[at + plane] += value(plane) as f32);
+                }
+            }
+            sheet.reach[row] = 0..sheet.width as u32;
+        }
+    }
+}
+
+impl Haze {
+    /// Makes each of a line of cells the mean of those no farther than `radius`.
+    fn smooth(&mut self, first: usize, step: usize, count: usize, radius: usize) {
+        let mut sum = 0.0;
+        self.line.clear();
+        self.line.push(sum);
+        for cell in 0..count {
+            sum += self.cells[first + cell * step];
+            self.line.push(sum);
+        }
+        for cell in 0..count {
+            let (low, high) = (cell.saturating_sub(radius), (cell + radius + 1).min(count));
+            self.cells[first + cell * step] = (self.line[high] - self.line[low]) / (high - low) as f64;
+        }
+    }
+}
+
+/// How coverage between two edges changes from cell to cell.
+fn steps([low, high]: [f64; 2]) -> [(usize, f64); 4] {
+    let (first, last) = (low as usize, high as usize);
+    let (after, beyond) = (low - first as f64, high - last as f64);
+    [(first, 1.0 - after), (first + 1, after), (last, beyond - 1.0), (last + 1, -beyond)]
+}

@@ -1,0 +1,115 @@
+//! How much ink blocks lay down, and where: sums over all their strokes, which are sums over the blocks inside.
+
+use super::amount::Amount;
+use crate::render::shape::Shape;
+use crate::{Block, Drawing, Item};
+
+/// The ink of one block, in its own frame.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Ink {
+    /// Of all strokes together, in block units.
+    pub length: Amount,
+    /// Of all polygons together, in square block units.
+    pub area: Amount,
+    /// The centre of gravity of the strokes; of the polygons where there are no strokes.
+    pub centre: [f64; 2],
+    /// About the centre: the mean of x x, x y and y y.
+    pub spread: [f64; 3],
+    /// Whether the line that the block's shape is has the same ink everywhere.
+    pub even: bool,
+}
+
+impl Ink {
+    /// Which part of a block's ink it is: by length, or by area where there are no strokes.
+    pub(super) fn share_of(&self, whole: &Self) -> f64 {
+        if whole.length.is_zero() { self.area.of(whole.area) } else { self.length.of(whole.length) }
+    }
+}
+
+/// A line is even where its length is that of all its strokes together, but for rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// The ink of each block.
+pub(super) fn inks(drawing: &Drawing, shapes: &[Shape]) -> Vec<Ink> {
+    let mut inks: Vec<Ink> = Vec::with_capacity(drawing.blocks.len());
+    let mut parts = vec![];
+    for (block, shape) in drawing.blocks.iter().zip(shapes) {
+        parts.clear();
+        parts.extend(self::parts(drawing, block, &inks));
+        let mut ink = sum(&parts);
+        ink.even = shape.line.is_some_and(|line| {
+            let (dx, dy) = (line.to[0] - line.from[0], line.to[1] - line.from[1]);
+            let length = (dx * dx + dy * dy).sqrt();
+            (ink.length.units(0) - length).abs() <= ROUNDING * length
+        });
+        inks.push(ink);
+    }
+    inks
+}
+
+/// The ink of a block's items, in the block's frame.
+pub(super) fn parts<'a>(drawing: &'a Drawing, block: &Block, inks: &'a [Ink]) -> impl Iterator<Item = Ink> + 'a {
+    drawing.items[block.items.start as usize..block.items.end as usize].iter().map(|item| match item {
+        Item::Stroke(stroke) => {
+            let [dx, dy] = [0, 1].map(|i| stroke.to[i] - stroke.from[i]);
+            Ink {
+                length: Amount::new((dx * dx + dy * dy).sqrt()),
+                centre: [0, 1].map(|i| (stroke.from[i] + stroke.to[i]) / 2.0),
+                spread: [dx * dx, dx * dy, dy * dy].map(|v| v / 12.0),
+                ..Ink::default()
+            }
+        }
+        Item::Polygon(polygon) => {
+            let vertices = drawing.vertices_of(polygon);
+            let (area, centre) = area(vertices);
+            Ink { area: Amount::new(area), centre, ..Ink::default() }
+        }
+        Item::Block(placed) => {
+            let inner = &inks[placed.block.0 as usize];
+            let (c, s) = placed.heading.cos_sin();
+            let (c, s) = (c * placed.scale, s * placed.scale);
+            let [x, y] = inner.centre;
+            let [xx, xy, yy] = inner.spread;
+            Ink {
+                length: inner.length.times(placed.scale),
+                area: inner.area.times(placed.scale * placed.scale),
+                centre: [placed.at[0] + c * x - s * y, placed.at[1] + s * x + c * y],
+                spread: [
+                    c * c * xx - 2.0 * c * s * xy + s * s * yy,
+                    c * s * (xx - yy) + (c * c - s * s) * xy,
+                    s * s * xx + 2.0 * c * s * xy + c * c * yy,
+                ],
+                even: false,
+            }
+        }
+    })
+}
+
+fn sum(parts: &[Ink]) -> Ink {
+    let mut ink = Ink::default();
+    for part in parts {
+        ink.length = ink.length.plus(part.length);
+        ink.area = ink.area.plus(part.area);
+    }
+    let whole = ink;
+    for part in parts {
+        let share = part.share_of(&whole);
+        ink.centre = [0, 1].map(|i| ink.centre[i] + share * part.centre[i]);
+    }
+    for part in parts {
+        let share = part.share_of(&whole);
+        let [dx, dy] = [0, 1].map(|i| part.centre[i] - ink.centre[i]);
+        let about = [dx * dx, dx * dy, dy * dy];
+        ink.spread = [0, 1, 2].map(|i| ink.spread[i] + share * (part.spread[i] + about[i]));
+    }
+    ink
+}
+
+/// A polygon's area, as far as its outline does not cross itself, and the mean of its vertices.
+fn area(vertices: &[[f64; 2]]) -> (f64, [f64; 2]) {
+    let next = vertices.iter().cycle().skip(1);
+    let twice: f64 = vertices.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum();
+    let count = vertices.len().max(1) as f64;
+    let centre = [0, 1].map(|i| vertices.iter().map(|vertex| vertex[i]).sum::<f64>() / count);
+    (twice.abs() / 2.0, centre)
+}

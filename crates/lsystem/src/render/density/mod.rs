@@ -1,0 +1,94 @@
+//! Pictures in which ink adds up: every stroke lays down its ink, whatever lies there already, and a tone curve makes
+//! sums visible that range from a single stroke to 10^30 of them.
+//!
+//! One layer of ink is what a stroke as wide as a pixel leaves along its axis, at any magnification. What lies at a
+//! pixel is the sum over all strokes of the lengths of their parts there times their widths, each part shared by the
+//! pixels around it ([`sheet`]). A block smaller than a pixel adds all its ink at once, at its centre of gravity
+//! ([`ink`]); larger ones are put together from tiles. The order of drawing plays no part.
+
+mod amount;
+mod haze;
+mod ink;
+mod pigment;
+mod sheet;
+mod tile;
+mod tone;
+mod walk;
+
+#[cfg(test)]
+mod tests;
+
+use super::{Detail, RenderStats, View, Viewport, shape};
+use crate::{Drawing, Progress, Style};
+use std::sync::Arc;
+use walk::{Facts, Walk};
+
+/// Pixels along the side of a sum in a coarse picture.
+const COARSE: usize = 3;
+
+/// Makes pictures of a drawing whose ink adds up ([`Ink::Density`](crate::Ink)), one after the other, in the same
+/// memory.
+#[derive(Default)]
+pub struct DensityRenderer {
+    drawing: Option<Arc<Drawing>>,
+    facts: Facts,
+    walk: Walk,
+    tone: tone::Tone,
+}
+
+impl DensityRenderer {
+    /// A renderer without a drawing.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes the drawing that the next pictures are of.
+    pub fn load(&mut self, drawing: Arc<Drawing>) {
+        let shapes = shape::shapes(&drawing);
+        self.facts = Facts { inks: ink::inks(&drawing, &shapes), shapes };
+        self.drawing = Some(drawing);
+        self.walk.clear();
+    }
+
+    /// Starts a picture of the loaded drawing; a picture that was being made is given up. A viewport that is too large
+    /// is cut to [`Viewport::within_limits`].
+    pub fn begin(&mut self, style: &Style, viewport: Viewport, view: View) {
+        self.begin_with(style, viewport, view, Detail::Fine, None);
+    }
+
+    /// As [`DensityRenderer::begin`], in coarse or in fine `detail`; of the first `upto` segments only, if that is given.
+    pub fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>) {
+        let viewport = viewport.within_limits();
+        let side = if detail == Detail::Coarse && self.drawing.is_some() { COARSE } else { 1 };
+        if let Some(drawing) = &self.drawing {
+            self.walk.begin(drawing, style, viewport, view, 1.0 / side as f64, upto);
+        } else {
+            self.walk.blank(viewport);
+        }
+        self.tone.begin(style, viewport, side);
+    }
+
+    /// Goes on with the picture for about `work` units (one unit is in the order of 10 to 100 nanoseconds).
+    pub fn step(&mut self, work: usize) -> Progress {
+        let mut left = i64::try_from(work).unwrap_or(i64::MAX).max(1);
+        if let Some(drawing) = &self.drawing
+            && self.walk.step(drawing, &self.facts, &mut left) == Progress::More
+        {
+            return Progress::More;
+        }
+        self.tone.step(self.walk.sums(), self.walk.only_pigment(), &mut left)
+    }
+
+    /// The picture so far: RGBA, 8 bits each, opaque, from the upper left corner row by row.
+    #[must_use]
+    pub fn pixels(&self) -> &[u8] {
+        self.tone.pixels()
+    }
+
+    /// What the picture took so far.
+    #[must_use]
+    pub fn stats(&self) -> RenderStats {
+        self.walk.stats
+    }
+}
