@@ -13,7 +13,7 @@
 //! things move, on the time that the picture before took.
 
 mod camera;
-mod hatch;
+mod face;
 mod lanes;
 mod light;
 mod scene;

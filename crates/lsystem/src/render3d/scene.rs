@@ -1,11 +1,10 @@
 //! A drawing made ready for being looked at in space: every block becomes nodes of at most 16 contents, with a ball
 //! around each, and with what is seen of it where it is too small to be looked into.
 
-use super::hatch::hatch;
 use super::light::Bundle;
 use crate::render::{Choice, Shade};
-use crate::rotation::{Vector, combine, dot, norm};
-use crate::turtle::finite;
+use crate::rotation::{Vector, combine, cross, dot, norm};
+use crate::triangulate::triangulate;
 use crate::{BlockId, ColourBy, Drawing, Item, Placed, Solid, Style, StyleChange, WidthChange};
 
 /// Contents of a node at most.
@@ -51,8 +50,9 @@ pub(super) struct Own {
     /// Of the ball around it.
     centre: Vector,
     radius: f64,
-    /// The length of all it draws.
+    /// The length of all it draws, and the area of all triangles.
     pub(super) length: f32,
+    area: f32,
     bundle: Bundle,
     /// No stroke inside is wider than this change makes the width at entry.
     pub(super) widest: WidthChange,
@@ -93,24 +93,43 @@ pub(super) struct Link {
     pub(super) widest: WidthChange,
     /// Of all it draws, in units of the node that holds it.
     pub(super) length: f32,
+    /// Of all its triangles, in the same units.
+    pub(super) area: f32,
     /// In the frame of the node that holds it.
     pub(super) bundle: Bundle,
     /// Whether it is a run of the same block.
     pub(super) same: bool,
 }
 
-/// One segment.
+/// One segment, or a triangle of a polygon.
 #[derive(Clone, Copy)]
 pub(super) struct Line {
     pub(super) from: [f32; 3],
     pub(super) to: [f32; 3],
+    /// Of a triangle: the corner that is not on its longest side.
+    pub(super) corner: Option<[f32; 3]>,
     pub(super) style: u32,
 }
 
 impl Line {
     fn new(ends: [Vector; 2], style: u32) -> Self {
         let [from, to] = ends.map(|end| end.map(|c| c as f32));
-        Self { from, to, style }
+        Self { from, to, corner: None, style }
+    }
+
+    fn face([a, b, c]: [Vector; 3], style: u32) -> Self {
+        let long = |a: Vector, b: Vector| norm(minus(b, a));
+        let turned = [[a, b, c], [b, c, a], [c, a, b]];
+        let most = turned.into_iter().max_by(|p, q| long(p[0], p[1]).total_cmp(&long(q[0], q[1])));
+        let [from, to, corner] = most.unwrap_or([a, b, c]);
+        Self { corner: Some(corner.map(|c| c as f32)), ..Self::new([from, to], style) }
+    }
+
+    /// Of a triangle.
+    fn area(&self) -> f32 {
+        let Some(corner) = self.corner else { return 0.0 };
+        let aside = [0, 1, 2].map(|i| f64::from(corner[i] - self.from[i]));
+        0.5 * norm(cross(self.way(), aside)) as f32
     }
 
     fn way(&self) -> Vector {
@@ -151,14 +170,10 @@ impl Scene {
                 match item {
                     Item::Stroke(stroke) => lines.push(Line::new([stroke.from, stroke.to], stroke.style.0)),
                     Item::Polygon(polygon) => {
-                        let (strokes, wide) = hatch(drawing.vertices_of(polygon));
-                        // Widths are in steps.
-                        let offset = finite(libm::scalbn(wide, block.exponent));
-                        let width = WidthChange { factor: 0.0, offset };
-                        let style = scene.styles.len() as u32;
-                        let own = scene.styles[polygon.style.0 as usize];
-                        scene.styles.push(StyleChange { width, ..own });
-                        lines.extend(strokes.into_iter().map(|ends| Line::new(ends, style)));
+                        let vertices = drawing.vertices_of(polygon);
+                        let triangles = triangulate(vertices).map(|(_, triangles)| triangles).unwrap_or_default();
+                        let corners = triangles.into_iter().map(|corners| corners.map(|corner| vertices[corner]));
+                        lines.extend(corners.map(|corners| Line::face(corners, polygon.style.0)));
                     }
                     Item::Block(placed) => {
                         run.links.push(scene.link(placed, blocks[placed.block.0 as usize]));
@@ -211,6 +226,7 @@ impl Scene {
             widest: self.styles[placed.style.0 as usize].width.then(own.widest),
             // Sums of these stay finite.
             length: (own.length * placed.scale as f32).min(1e30),
+            area: (own.area * (placed.scale * placed.scale) as f32).min(1e30),
             bundle: own.bundle.turned(&columns),
             same: false,
         }
@@ -218,16 +234,16 @@ impl Scene {
 
     /// A link to a run of the same block.
     fn same(&self, node: u32, style: u32) -> Link {
-        let Own { widest, length, bundle, .. } = self.nodes[node as usize].own;
+        let Own { widest, length, area, bundle, .. } = self.nodes[node as usize].own;
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        Link { node, style, at: [0.0; 3], axes, widest, length, bundle, same: true }
+        Link { node, style, at: [0.0; 3], axes, widest, length, area, bundle, same: true }
     }
 
     /// Adds a node; returns its number.
     fn node(&mut self, run: Run) -> u32 {
         let mut balls = [[0.0; WIDTH]; 4];
         let mut widest = WidthChange { factor: 0.0, offset: 0.0 };
-        let (mut length, mut bundle) = (0.0_f32, Bundle::default());
+        let (mut length, mut area, mut bundle) = (0.0_f32, 0.0_f32, Bundle::default());
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         let mut limbs: Vec<Limb> = Vec::with_capacity(WIDTH);
         let mut put = |lane: usize, centre: Vector, radius: f64| {
@@ -247,14 +263,24 @@ impl Scene {
             limbs.push(self.limb_of(link, &own.limb));
             widest = widest.widest(link.widest);
             length += link.length;
+            area += link.area;
             bundle.add(&link.bundle, link.length);
         }
         for (lane, line) in run.lines.iter().enumerate() {
             let [from, to] = [line.from, line.to].map(|end| end.map(f64::from));
             let half = [0, 1, 2].map(|i| 0.5 * (to[i] - from[i]));
-            put(run.links.len() + lane, [0, 1, 2].map(|i| from[i] + half[i]), norm(half));
-            widest = widest.widest(self.styles[line.style as usize].width);
-            limbs.push(Limb { from, to, style: self.styles[line.style as usize], off: 0.0 });
+            let centre = [0, 1, 2].map(|i| from[i] + half[i]);
+            let mut limb = Limb { from, to, style: self.styles[line.style as usize], off: 0.0 };
+            if let Some(corner) = line.corner {
+                let corner = corner.map(f64::from);
+                put(run.links.len() + lane, centre, norm(half).max(norm(minus(corner, centre))));
+                limb.off = distance(&limb, corner);
+                area += line.area();
+            } else {
+                put(run.links.len() + lane, centre, norm(half));
+                widest = widest.widest(limb.style.width);
+            }
+            limbs.push(limb);
             let own = 2.0 * norm(half) as f32;
             length += own;
             bundle.add(&Bundle::of(half), own);
@@ -275,7 +301,7 @@ impl Scene {
         let needs = run.links.iter().map(|link| self.nodes[link.node as usize].own.need);
         let need = (needs.sum::<f32>() + count as f32).min(MANY);
         let sampled = self.sample(&run, length);
-        let own = Own { centre, radius, length, bundle, widest, limb, need, sampled };
+        let own = Own { centre, radius, length, area, bundle, widest, limb, need, sampled };
         self.nodes.push(Node {
             balls,
             first_link: self.links.len() as u32,

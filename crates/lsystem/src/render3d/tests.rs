@@ -297,3 +297,24 @@ fn the_whole_drawing_is_shown() {
         }
     }
 }
+
+/// A filled square covers its area, from whatever side, and half a branch's length is a quarter of it.
+#[test]
+fn polygons_are_filled() {
+    let style = Style::default();
+    for (axiom, factor, part) in [("F{f+f+f+f}", 1.0, 1.0), ("F[{f+f+f+f}]", 0.5, 0.25)] {
+        let definition =
+            Definition { axiom: axiom.into(), angle: 90.0, length_factor: factor, ..Definition::default() };
+        let drawing = drawing(&System::new(&definition).0.unwrap(), 0);
+        for azimuth in [0.0, 40.0, 170.0] {
+            let camera = Camera { azimuth, elevation: 0.0, perspective: false, ..Camera::default() };
+            let lens = Lens::new(&drawing, SIZE, &camera, 1.0);
+            let step = lens.step;
+            let pixels = picture(&drawing, &style, SIZE, &camera, Quality(3), 1 << 20);
+            let painted = pixels.chunks(4).filter(|pixel| pixel[..3] != style.background.rgb).count() as f64;
+            let expected = part * step * step * azimuth.to_radians().cos().abs();
+            // The stroke before it, a pixel wide, and the polygon's edges.
+            assert!((painted - expected).abs() < 3.0 * step, "{axiom} {azimuth}: {painted} {expected}");
+        }
+    }
+}

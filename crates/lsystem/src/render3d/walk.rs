@@ -2,12 +2,13 @@
 
 use super::Quality;
 use super::camera::{Camera, Lens, NEAR};
-use super::light::{DIRECTIONS, Light};
+use super::face::Face;
+use super::light::{DIRECTIONS, LIGHT, Light};
 use super::scene::{Node, SAMPLES, Scene, WIDTH, direction, minus};
 use super::stroke::{Dot, Stick, span};
 use super::tile::Tile;
 use crate::render::Shade;
-use crate::rotation::{Vector, combine, dot, norm};
+use crate::rotation::{Vector, combine, cross, dot, norm};
 use crate::{Drawing, Progress, RenderStats, Solid, Style, Viewport};
 
 /// Whole blocks are looked for behind others from this size on, in samples.
@@ -308,14 +309,41 @@ impl Walk {
     }
 
     /// Paints a line of the node on top of the stack.
-    fn line(&mut self, scene: &Scene, look: &Look, corner: [f64; 2], line: usize) -> i64 {
+    fn line(&mut self, scene: &Scene, look: &Look, tile: [f64; 2], line: usize) -> i64 {
         let Some(frame) = self.stack.last_mut() else { return 0 };
         self.used += 1.0;
         let line = &scene.lines[line];
+        if let Some(corner) = line.corner {
+            let corners = [line.from, line.to, corner].map(|corner| frame.place.lie(corner.map(f64::from)));
+            let ink = scene.ink(scene.choice.then(frame.shade, scene.shade(line.style)));
+            return self.face(look, tile, corners, ink);
+        }
         let width = scene.styles[line.style as usize].width.of(frame.width);
         let shade = scene.choice.then(frame.shade, scene.shade(line.style));
         let ends = [line.from, line.to].map(|end| frame.place.lie(end.map(f64::from)));
-        self.stick(look, corner, ends, width, 1.0, scene.ink(shade))
+        self.stick(look, tile, ends, width, 1.0, scene.ink(shade))
+    }
+
+    /// Paints a triangle, which is seen from both sides; one that reaches behind the eye is left out.
+    fn face(&mut self, look: &Look, tile: [f64; 2], corners: [Vector; 3], ink: [f32; 3]) -> i64 {
+        let lens = &look.lens;
+        if corners.iter().any(|corner| 1.0 + corner[2] * lens.nearness <= NEAR) {
+            return 1;
+        }
+        self.stats.strokes += 1;
+        let [a, b, c] = corners;
+        let normal = cross(minus(b, a), minus(c, a));
+        let size = norm(normal);
+        if size <= 0.0 {
+            return 1;
+        }
+        // Towards the viewer.
+        let sign = if normal[2] > 0.0 { -1.0 } else { 1.0 };
+        let normal = normal.map(|n| sign * n / size);
+        let spot = look.light.spot([0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0));
+        let colour = look.light.surface(ink, &spot, dot(normal, LIGHT) as f32, -normal[2] as f32);
+        let face = Face { corners: corners.map(|corner| lens.project(corner)), colour };
+        LINE_WORK + face.paint(&mut self.tile, tile) as i64 / SAMPLES_WORK
     }
 
     /// Paints a stroke.
@@ -386,7 +414,9 @@ impl Walk {
             // As large as all strokes side by side, but not larger than they reach.
             let length = link.length * (frame.place.scale * factor) as f32;
             let full = 0.8 * ball + radius;
-            let size = (length * radius * core::f32::consts::FRAC_2_PI + radius * radius).min(full * full);
+            let scale = (frame.place.scale * factor) as f32;
+            let faces = link.area * scale * scale * core::f32::consts::FRAC_1_PI;
+            let size = (length * radius * core::f32::consts::FRAC_2_PI + faces + radius * radius).min(full * full);
             let dot = Dot {
                 at: [px + corner[0], py + corner[1], f64::from(near + 0.5 * ball - 0.5 * radius)],
                 radius: f64::from(size.sqrt().max(0.71)),
