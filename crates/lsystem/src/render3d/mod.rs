@@ -105,7 +105,7 @@ impl Quality {
 }
 
 /// Units of work for each pixel of a fine picture, and for one of whatever size.
-const WORTH: i64 = 3;
+const WORTH: i64 = 2;
 const LEAST: i64 = 3_000_000;
 /// How many times more the best one is worth.
 const BETTER: i64 = 8;

@@ -312,7 +312,7 @@ fn polygons_are_filled() {
             let step = lens.step;
             let pixels = picture(&drawing, &style, SIZE, &camera, Quality(3), 1 << 20);
             let painted = pixels.chunks(4).filter(|pixel| pixel[..3] != style.background.rgb).count() as f64;
-            let expected = part * step * step * azimuth.to_radians().cos().abs();
+            let expected = part * step * step * libm::cos(azimuth.to_radians()).abs();
             // The stroke before it, a pixel wide, and the polygon's edges.
             assert!((painted - expected).abs() < 3.0 * step, "{axiom} {azimuth}: {painted} {expected}");
         }
