@@ -147,16 +147,16 @@ impl Canvas {
             }
             let row = (y + above as i64) as usize;
             let left = x.div_euclid(STRIP as i64) + strip as i64;
-            self.stamp_strip(tile, strip, above..below, left, row, dye, |word| word << shift);
+            self.stamp_strip(tile, strip, above..below, left, row, dye, [shift, 0]);
             if shift > 0 {
-                self.stamp_strip(tile, strip, above..below, left + 1, row, dye, |word| word >> (64 - shift));
+                self.stamp_strip(tile, strip, above..below, left + 1, row, dye, [0, 64 - shift]);
             }
         }
     }
 
-    /// Paints `rows` of a tile's strip `from`, each word moved, from `row` on in strip `to`.
+    /// Paints `rows` of a tile's strip `from`, each word shifted left and right by so many bits, from `row` on in strip
+    /// `to`.
     #[expect(clippy::too_many_arguments, reason = "the inner loop of one caller")]
-    #[inline(always)]
     fn stamp_strip(
         &mut self,
         tile: &Bits<'_>,
@@ -165,8 +165,9 @@ impl Canvas {
         to: i64,
         row: usize,
         dye: &Dye,
-        moved: impl Fn(u64) -> u64,
+        [left, right]: [u32; 2],
     ) {
+        let moved = |word: u64| word << left >> right;
         let Some(to) = usize::try_from(to).ok().filter(|&to| to < self.strips) else { return };
         let size = self.strips * self.rows;
         let end = row + rows.len();
