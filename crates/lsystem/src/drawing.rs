@@ -27,6 +27,7 @@ mod sheet;
 mod solid;
 mod style;
 mod tree;
+mod vertical;
 
 pub use body::Body;
 pub(crate) use body::Extent as SolidExtent;

@@ -25,6 +25,7 @@ impl Space for Plane {
 
     const AHEAD: Heading = Heading::EAST;
     const AXES: (f64, f64) = (1.0, 0.0);
+    const UPWARDS: [f64; 2] = [0.0, 1.0];
     const LEVEL: bool = true;
     const ITEM: u64 = 16;
 
@@ -40,8 +41,13 @@ impl Space for Plane {
         first + next
     }
 
-    fn upright(turn: Heading) -> Heading {
+    fn upright(turn: Heading, _: &[f64; 2]) -> Heading {
         turn
+    }
+
+    fn seen(turn: Heading, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (c, s) = turn.cos_sin();
+        [c * x + s * y, c * y - s * x]
     }
 
     fn bent(turn: Heading, tropism: &Tropism) -> Heading {

@@ -60,12 +60,12 @@ impl Rotation {
         self.columns.map(|column| dot(column, vector))
     }
 
-    /// Rolled about the heading until the left is level and the up is not below it, +y being upwards (ABOP, section
-    /// 2.1: L = V x H / |V x H|); the same where the heading is vertical.
+    /// Rolled about the heading until the left is level and the up is not below it, the unit vector `vertical` being
+    /// upwards (ABOP, section 2.1: L = V x H / |V x H|); the same where the heading is vertical.
     #[must_use]
-    pub fn upright(&self) -> Self {
+    pub fn upright(&self, vertical: [f64; 3]) -> Self {
         let [h, ..] = self.columns;
-        let left = cross([0.0, 1.0, 0.0], h);
+        let left = cross(vertical, h);
         let length = norm(left);
         // Along the vertical there is no telling which way is level.
         if length < 1e-9 {
@@ -180,10 +180,10 @@ mod tests {
             .map(|(axis, by)| Rotation::about(axis, Heading::from_degrees(by)))
             .iter()
             .fold(Rotation::NONE, |a, b| a.then(b));
-        let [h, l, u] = tilted.upright().columns();
+        let [h, l, u] = tilted.upright([0.0, 1.0, 0.0]).columns();
         assert_eq!(h, tilted.columns()[0]);
         assert!(l[1].abs() < 1e-15 && u[1] > 0.0);
         let vertical = Rotation::about(Axis::Up, Heading::UP);
-        assert_eq!(vertical.upright(), vertical);
+        assert_eq!(vertical.upright([0.0, 1.0, 0.0]), vertical);
     }
 }

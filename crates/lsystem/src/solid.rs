@@ -21,6 +21,7 @@ impl Space for Solid {
 
     const AHEAD: Rotation = Rotation::NONE;
     const AXES: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    const UPWARDS: Vector = [0.0, 1.0, 0.0];
     // Bodies take ten times as long as hulls of polygons.
     const LEVEL: bool = false;
     const ITEM: u64 = 160;
@@ -35,8 +36,12 @@ impl Space for Solid {
         first.then(&next)
     }
 
-    fn upright(turn: Rotation) -> Rotation {
-        turn.upright()
+    fn upright(turn: Rotation, vertical: &Vector) -> Rotation {
+        turn.upright(*vertical)
+    }
+
+    fn seen(turn: Rotation, direction: Vector) -> Vector {
+        turn.undo(direction)
     }
 
     fn bent(turn: Rotation, tropism: &Tropism) -> Rotation {

@@ -24,6 +24,8 @@ pub trait Space: Copy + Debug + PartialEq + 'static {
     const AHEAD: Self::Turn;
     /// The axes of [`Space::AHEAD`].
     const AXES: Self::Axes;
+    /// Upwards in the model.
+    const UPWARDS: Self::Point;
     /// Whether the turtle's left is always level, so that to roll upright is nothing.
     const LEVEL: bool;
     /// What making one item of a block costs, in letters derived.
@@ -39,8 +41,11 @@ pub trait Space: Copy + Debug + PartialEq + 'static {
     /// `first`, and then `next` as seen from there.
     fn then(first: Self::Turn, next: Self::Turn) -> Self::Turn;
 
-    /// The turn rolled until the turtle's left is level, +y of the model being upwards (`$`).
-    fn upright(turn: Self::Turn) -> Self::Turn;
+    /// The turn rolled until the turtle's left is level (`$`), `vertical` being upwards.
+    fn upright(turn: Self::Turn, vertical: &Self::Point) -> Self::Turn;
+
+    /// A direction as it is seen from a frame turned like that.
+    fn seen(turn: Self::Turn, direction: Self::Point) -> Self::Point;
 
     /// The turn bent by a tropism, in a frame with the axes of the model.
     fn bent(turn: Self::Turn, tropism: &Tropism) -> Self::Turn;

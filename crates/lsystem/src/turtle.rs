@@ -95,7 +95,7 @@ pub(crate) enum Op<S: Space = Plane> {
 /// A rotation about one of the turtle's own axes, also ready for use.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turning<S: Space> {
-    turn: S::Turn,
+    pub(crate) turn: S::Turn,
     about: Axis,
     by: Heading,
 }
@@ -388,6 +388,8 @@ pub(crate) struct Pen<S: Space = Plane> {
     pub(crate) style: StyleChange,
     /// What lengths are multiplied by.
     pub(crate) scale: f64,
+    /// Upwards, in the frame that the pen is in.
+    pub(crate) vertical: S::Point,
 }
 
 /// What a pen draws upon.
@@ -405,7 +407,7 @@ pub(crate) trait Paper<S: Space> {
 impl<S: Space> Pen<S> {
     /// At the origin.
     pub(crate) fn new(heading: S::Turn, style: StyleChange) -> Self {
-        Self { at: S::Point::default(), heading, style, scale: 1.0 }
+        Self { at: S::Point::default(), heading, style, scale: 1.0, vertical: S::UPWARDS }
     }
 
     /// Acts, with `saved` as the stack of open branches and lengths times `scale`, upon `paper`.
@@ -427,7 +429,7 @@ impl<S: Space> Pen<S> {
                 }
                 Op::Move(length) => self.forward(length * scale, directions),
                 Op::Turn(by) => self.heading = S::then(self.heading, by.turn),
-                Op::Upright => self.heading = S::upright(self.heading),
+                Op::Upright => self.heading = S::upright(self.heading, &self.vertical),
                 Op::Bend(tropism) => self.heading = S::bent(self.heading, &tropism),
                 Op::Push(Deeper { width, length }) => {
                     saved.push(*self);

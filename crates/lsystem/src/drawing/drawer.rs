@@ -92,7 +92,11 @@ impl<S: Space> Drawer<S> {
         let state = if n > MAX_ITERATIONS {
             State::Failed(limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)))
         } else if let Some(rules) = &system.rules {
-            if memoises { planned(rules, &turtle, seed, &limits, n) } else { whole(rules, seed, &limits, &score) }
+            if memoises {
+                planned(rules, (&turtle, &score), seed, &limits, n)
+            } else {
+                whole(rules, seed, &limits, &score)
+            }
         } else if memoises {
             State::Plan(Plan::new(&program))
         } else if program.is_deterministic() {
@@ -274,8 +278,8 @@ impl<S: Space> Drawer<S> {
 }
 
 /// Modules with parameters, whose pieces are shared.
-fn planned<S: Space>(rules: &Rules, turtle: &Turtle, seed: u32, limits: &Limits, n: u32) -> State<S> {
-    match Parametric::new(rules, turtle, seed, limits, n) {
+fn planned<S: Space>(rules: &Rules, with: (&Turtle, &Score<S>), seed: u32, limits: &Limits, n: u32) -> State<S> {
+    match Parametric::new(rules, with, seed, limits, n) {
         Ok(parametric) => State::Parametric(Box::new(parametric)),
         Err(diagnostic) => State::Failed(diagnostic),
     }

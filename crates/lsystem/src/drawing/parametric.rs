@@ -2,12 +2,15 @@
 //!
 //! A module with the same parameters draws the same piece in the same number of steps, so pieces are made once for each
 //! state: letter, parameters, steps. Where lengths only ever scale together, states are equal up to the scale, and a
-//! figure has a few of them for each step; otherwise equal numbers are what brings states together.
+//! figure has a few of them for each step; otherwise equal numbers are what brings states together. Where a piece looks to
+//! the vertical (`$`), that is part of its state as the turtle has it (ABOP figure 2.6 has 4,096 apices in step 12, and few
+//! ways in which the vertical lies).
 
 use super::builder::Builder;
 use super::drawer::start;
 use super::graph::{effect, exponent, follow, is_balanced, place};
 use super::sheet::{Desk, Sheet};
+use super::vertical::{self, Course, Tilt, vertical_of};
 use super::{BlockId, Item, Piece, StyleChange};
 use crate::derivation::fault;
 use crate::rewriting::{Keys, Scales, applying};
@@ -20,10 +23,10 @@ use core::ops::Range;
 /// The most states: some hundred bytes each. More of them than this hardly ever come together.
 const STATES: usize = 1 << 16;
 
-/// Whether pieces depend on nothing but letters, parameters and steps: no contexts, no chance, no cutting, nothing that
-/// looks to the directions of the model, and no rewritten module or image that ends on another branch than it began on.
+/// Whether pieces depend on nothing but letters, parameters, the vertical and steps: no contexts, no chance, no cutting,
+/// nothing that bends towards directions of the model, and no rewritten module or image that ends on another branch than it began on.
 pub(crate) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
-    let looks_out = |op: &Op<S>| matches!(op, Op::Bend(_)) || matches!(op, Op::Upright) && !S::LEVEL;
+    let bends = |op: &Op<S>| matches!(op, Op::Bend(_));
     let (letters, ops) = (rules.by_letter.len(), |letter: usize| score.ops[letter].iter());
     // Images stand for themselves, and rewritten modules for what they become.
     let apart = |letter: usize| !rules.by_letter[letter].is_empty() || !rules.images[letter].is_empty();
@@ -35,12 +38,12 @@ pub(crate) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     // What a module of its own does depends on more than its numbers; polygons are made letter by letter.
     let fills = |op: &Op<S>| matches!(op, Op::OpenPolygon | Op::ClosePolygon);
     let special = score.is_personal() || score.shrinking != 1.0 || score.ops.iter().flatten().any(fills);
-    let decided_elsewhere =
-        special || rules.is_random() || rules.is_cutting() || score.ops.iter().flatten().any(looks_out);
+    let decided_elsewhere = special || rules.is_random() || rules.is_cutting() || score.ops.iter().flatten().any(bends);
     !decided_elsewhere
         && rules.by_letter.iter().flatten().all(|rule| !rule.is_context_sensitive() && inside(&rule.successor))
         && rules.images.iter().flatten().all(|image| shown(&image.successor))
         && (0..letters).all(|letter| !apart(letter) || is_balanced(ops(letter)))
+        && vertical::is_known(rules, score)
 }
 
 /// A drawing in the making: plans the states from the axiom on, then makes their pieces from the last step back.
@@ -49,6 +52,8 @@ pub(crate) struct Parametric<S: Space> {
     rules: Rules,
     keys: Keys,
     scales: Scales,
+    /// By letter, whether its pieces look to the vertical; none where nothing does.
+    lookers: Vec<bool>,
     n: u32,
     /// The axiom.
     top: Range<u32>,
@@ -70,6 +75,8 @@ pub(crate) struct Parametric<S: Space> {
 #[derive(Clone, Debug)]
 struct State {
     letter: LetterId,
+    /// The vertical in its frame, where it looks to that.
+    tilt: Tilt,
     /// Where its arguments start.
     argument: u32,
     /// What it becomes.
@@ -85,8 +92,8 @@ enum Part {
     State(u32, f64),
 }
 
-/// A module that waits for its state: letter, the keys of its arguments, its part.
-type Open = (LetterId, [u64; crate::MAX_PARAMETERS], u32);
+/// A module that waits for its state: letter, the keys of its arguments, the vertical, its part.
+type Open = (LetterId, [u64; crate::MAX_PARAMETERS], Tilt, u32);
 
 /// A state's piece, and how many symbols it is made of.
 type Made<S> = (Piece<S>, u128);
@@ -111,10 +118,18 @@ pub(crate) enum Outcome {
 
 impl<S: Space> Parametric<S> {
     /// Ready to draw generation `n` from the axiom on.
-    pub(crate) fn new(rules: &Rules, turtle: &Turtle, seed: u32, limits: &Limits, n: u32) -> Result<Self, Diagnostic> {
+    pub(crate) fn new(
+        rules: &Rules,
+        (turtle, score): (&Turtle, &Score<S>),
+        seed: u32,
+        limits: &Limits,
+        n: u32,
+    ) -> Result<Self, Diagnostic> {
+        let lookers = vertical::lookers(rules, score);
         let mut new = Self {
             keys: Keys::new(rules),
             scales: Scales::new(rules, turtle),
+            lookers: if lookers.contains(&true) { lookers } else { vec![] },
             rules: rules.clone(),
             n,
             top: 0..0,
@@ -132,7 +147,8 @@ impl<S: Space> Parametric<S> {
         let started = started.map_err(|error| fault(rules, error, 0, limits, None))?;
         let word = started.word();
         new.arguments.extend_from_slice(&word.arguments);
-        new.top = new.place(&word.letters, 0, n);
+        let course = Course::new(start::<S>(turtle), S::UPWARDS);
+        new.top = new.place((turtle, score), &word.letters, 0, n, course);
         new.close();
         Ok(new)
     }
@@ -157,19 +173,19 @@ impl<S: Space> Parametric<S> {
         left: &mut u64,
     ) -> Outcome {
         if self.pieces.is_none() {
-            return self.plan(limits, left);
+            return self.plan((turtle, score), limits, left);
         }
         let Some(level) = self.levels.last() else {
-            return match self.piece((turtle, score), builder, self.top.clone(), start::<S>(turtle)) {
+            return match self.piece((turtle, score), builder, self.top.clone(), (start::<S>(turtle), S::UPWARDS)) {
                 Ok((piece, symbols)) => Outcome::Ended(piece.block, symbols),
                 Err(diagnostic) => Outcome::Failed(diagnostic),
             };
         };
         match level.get(self.done) {
             Some(state) => {
-                let parts = state.parts.clone();
+                let (parts, vertical) = (state.parts.clone(), vertical_of(&state.tilt));
                 *left = left.saturating_sub(S::ITEM * (1 + parts.len() as u64));
-                match (self.piece((turtle, score), builder, parts, S::AHEAD), &mut self.pieces) {
+                match (self.piece((turtle, score), builder, parts, (S::AHEAD, vertical)), &mut self.pieces) {
                     (Ok(made), Some([_, here])) => here.push(made),
                     (Err(diagnostic), _) => return Outcome::Failed(diagnostic),
                     (Ok(_), None) => {}
@@ -189,7 +205,7 @@ impl<S: Space> Parametric<S> {
     }
 
     /// Goes on with the plan.
-    fn plan(&mut self, limits: &Limits, left: &mut u64) -> Outcome {
+    fn plan(&mut self, with: (&Turtle, &Score<S>), limits: &Limits, left: &mut u64) -> Outcome {
         let steps = self.levels.len() as u32;
         let Some(state) = self.levels.last().and_then(|level| level.get(self.done)) else {
             *left = left.saturating_sub(1 + self.open.len() as u64);
@@ -207,9 +223,10 @@ impl<S: Space> Parametric<S> {
         }
         let Self { rules, arguments, .. } = self;
         let (letter, from) = (state.letter, state.argument as usize);
+        let course = Course::new(S::AHEAD, vertical_of(&state.tilt));
         let own = from..from + usize::from(rules.letters[usize::from(letter)].arity);
         let parts = match applying(&rules.by_letter[usize::from(letter)], &arguments[own.clone()]) {
-            None => self.place(&[letter], from, self.n - steps),
+            None => self.place(with, &[letter], from, self.n - steps, course),
             Some(rule) => {
                 let (made, production) = (make(rule, own, arguments), rule.production);
                 let letters = rule.successor.letters.clone();
@@ -217,7 +234,7 @@ impl<S: Space> Parametric<S> {
                     let error = Fault::NotFinite(Some(production));
                     return Outcome::Failed(fault(rules, error, steps - 1, limits, None));
                 }
-                self.place(&letters, made, self.n - steps)
+                self.place(with, &letters, made, self.n - steps, course)
             }
         };
         *left = left.saturating_sub(1 + parts.len() as u64);
@@ -229,22 +246,43 @@ impl<S: Space> Parametric<S> {
     }
 
     /// Appends parts: modules whose arguments start at `argument`, with `depth` steps to go.
-    fn place(&mut self, letters: &[LetterId], mut argument: usize, depth: u32) -> Range<u32> {
-        let Self { rules, keys, scales, parts, arguments, open, .. } = self;
-        let first = parts.len() as u32;
+    fn place(
+        &mut self,
+        with: (&Turtle, &Score<S>),
+        letters: &[LetterId],
+        mut argument: usize,
+        depth: u32,
+        mut course: Course<S>,
+    ) -> Range<u32> {
+        let mut deeds = core::mem::take(&mut self.deeds);
+        let first = self.parts.len() as u32;
         for &letter in letters {
-            let arity = usize::from(rules.letters[usize::from(letter)].arity);
-            let own = &mut arguments[argument..argument + arity];
-            if depth > 0 && !rules.by_letter[usize::from(letter)].is_empty() {
+            let arity = usize::from(self.rules.letters[usize::from(letter)].arity);
+            if depth > 0 && !self.rules.by_letter[usize::from(letter)].is_empty() {
+                let Self { keys, scales, lookers, parts, arguments, open, .. } = self;
+                let own = &mut arguments[argument..argument + arity];
                 let scale = scales.take(letter, own);
-                open.push((letter, keys.of(letter, own, scales), parts.len() as u32));
+                let looks = lookers.get(usize::from(letter)).is_some_and(|&looks| looks);
+                let tilt = if looks { course.tilt() } else { Tilt::default() };
+                open.push((letter, keys.of(letter, own, scales), tilt, parts.len() as u32));
                 parts.push(Part::State(argument as u32, scale));
             } else {
-                parts.push(Part::Module(letter, argument as u32));
+                if !self.lookers.is_empty() {
+                    deeds.clear();
+                    // What cannot be computed is told of when pieces are made.
+                    let _ = self.act(with, letter, argument, &mut deeds);
+                    for deed in &deeds {
+                        if let Deed::Op(op) = deed {
+                            course.follow(op);
+                        }
+                    }
+                }
+                self.parts.push(Part::Module(letter, argument as u32));
             }
             argument += arity;
         }
-        first..parts.len() as u32
+        self.deeds = deeds;
+        first..self.parts.len() as u32
     }
 
     /// Makes a level of what is open: of those with equal keys the first in the order of the word stands for all.
@@ -252,10 +290,10 @@ impl<S: Space> Parametric<S> {
         sort(&mut self.open);
         let mut level: Vec<State> = Vec::new();
         let mut last = None;
-        for &(letter, key, part) in &self.open {
+        for &(letter, key, tilt, part) in &self.open {
             let Part::State(argument, scale) = self.parts[part as usize] else { continue };
-            if last.replace((letter, key)) != Some((letter, key)) {
-                level.push(State { letter, argument, parts: 0..0 });
+            if last.replace((letter, key, tilt)) != Some((letter, key, tilt)) {
+                level.push(State { letter, tilt, argument, parts: 0..0 });
             }
             self.parts[part as usize] = Part::State(level.len() as u32 - 1, scale);
         }
@@ -265,13 +303,13 @@ impl<S: Space> Parametric<S> {
         self.done = 0;
     }
 
-    /// Makes the piece of some parts. The turtle enters with `heading`.
+    /// Makes the piece of some parts. The turtle enters with `heading`, in a frame with that `vertical`.
     fn piece(
         &mut self,
         (turtle, score): (&Turtle, &Score<S>),
         builder: &mut Builder<S>,
         parts: Range<u32>,
-        heading: S::Turn,
+        (heading, vertical): (S::Turn, S::Point),
     ) -> Result<Made<S>, Diagnostic> {
         let mut symbols = 0_u128;
         let mut deeds = core::mem::take(&mut self.deeds);
@@ -302,7 +340,7 @@ impl<S: Space> Parametric<S> {
         };
         let unit = deeds.iter().filter_map(unit).max().unwrap_or(0);
         let scale = libm::scalbn(1.0, score.exponent.saturating_sub(unit));
-        let mut pen = Pen::new(heading, StyleChange::NONE);
+        let mut pen = Pen { vertical, ..Pen::new(heading, StyleChange::NONE) };
         let (mut saved, mut sheet) = (Vec::new(), Sheet::new());
         for deed in &deeds {
             match deed {
