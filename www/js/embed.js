@@ -198,8 +198,6 @@ function reported(report) {
         host.error(first.message, mistakes);
         return;
     }
-    // Drawings in space are not played.
-    button('open-playback').disabled = report.solid;
     say('');
     facts = { description: report.description, symbols: report.symbols, segments: report.segments };
     setText(html('empty'), report.empty ?? '');

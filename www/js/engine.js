@@ -51,7 +51,7 @@ import { same } from './state.js';
  * segments are shown: `at` in model units, `fitted` in fitted extents from the fitted centre, heading in degrees.
  * @typedef {{id: number, viewId: number, complete: boolean, scale: number, bitmap: ImageBitmap, pose: Pose | null} & Look} Drawn
  */
-/** @typedef {{at: [number, number], fitted: [number, number], heading: number, level: number}} Pose */
+/** @typedef {{at: number[], fitted: [number, number] | null, heading: number | number[], level: number}} Pose */
 /** Symbols of a generation from `start` on, and how many it has, null where it is too long to be derived; `apart` tells that each ends with a line end. @typedef {{length: string | null, text: string | null, apart: boolean}} StringPage */
 /** What a symbol has become: half-open ranges in decimal digits, the outline in fitted extents. @typedef {{symbols: [string, string], segments: [string, string], outline: [number, number][]}} Part */
 /** `ancestry` is empty and `part` null where neither is known; `stroke` is where its drawing begins. @typedef {{ancestry: Link[], part: Part | null, stroke: Stroke | null}} SymbolFacts */

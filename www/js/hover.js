@@ -75,7 +75,8 @@ export function createHover(engine, { ratio, mark, light, choose, reading, zoom,
 
     /** @param {Picked} picked */
     function tell({ segment, symbol, ancestry, stroke }) {
-        if (!place || segment === null || !stroke) return;
+        // Only what is in the plane is found by a place.
+        if (!place || segment === null || !stroke?.fittedFrom || !stroke.fittedTo || typeof stroke.heading !== 'number') return;
         mark([stroke.fittedFrom, stroke.fittedTo]);
         light(ancestry);
         canvas.classList.add('found');

@@ -157,7 +157,6 @@ function reported(next) {
     playback.report(next);
     stage.report(next);
     orbit.report(next);
-    if (next.ok) tellSpace(next.solid);
     const [mistake, ...more] = next.diagnostics.filter(({ severity }) => severity === 'error');
     if (mistake) {
         const words = more.length === 0 ? mistake.message : `${mistake.message}, and ${more.length} more`;
@@ -171,13 +170,6 @@ function reported(next) {
     setText(html('caption-text'), captionOf(store.state, next));
     html('drawing').setAttribute('aria-label', `Drawing: ${store.state.title || store.state.name || 'untitled system'}`);
     announce(next.empty ?? next.description);
-}
-
-/** Says what drawings in space do not have. @param {boolean} solid */
-function tellSpace(solid) {
-    const play = button('open-playback');
-    play.disabled = solid;
-    play.title = solid ? 'Drawings in space are not played' : 'Watch the turtle draw (space)';
 }
 
 /** @param {import('./engine.js').Drawn} picture */

@@ -247,7 +247,7 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         drawn({ pose, upto: shown }) {
             if (upto === null || shown === null) return turtle(null);
             if (!pose) return;
-            turtle({ at: pose.fitted, heading: pose.heading });
+            turtle(pose.fitted && typeof pose.heading === 'number' ? { at: pose.fitted, heading: pose.heading } : null);
             setText(html('play-pose'), poseText(pose));
         },
     };

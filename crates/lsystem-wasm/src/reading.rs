@@ -4,7 +4,7 @@ use crate::playground::Playground;
 use crate::viewer::WORK;
 use crate::{LIMITS, to_js};
 use core::ops::Range;
-use lsystem::{Ancestor, Drawing, History, Progress, Word, count_symbols, print_module};
+use lsystem::{Ancestor, Drawing, History, Progress, Segment, Word, count_symbols, print_module};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -30,16 +30,24 @@ struct Link {
 /// One segment and the pose that the turtle has at its end.
 #[derive(Serialize)]
 struct Stroke {
-    from: [f64; 2],
-    to: [f64; 2],
-    /// Both ends where the page finds them at any view.
+    from: Vec<f64>,
+    to: Vec<f64>,
+    /// In the plane, both ends where the page finds them at any view.
     #[serde(rename = "fittedFrom")]
-    fitted_from: [f64; 2],
+    fitted_from: Option<[f64; 2]>,
     #[serde(rename = "fittedTo")]
-    fitted_to: [f64; 2],
-    heading: f64,
+    fitted_to: Option<[f64; 2]>,
+    heading: Direction,
     level: u32,
     colour: i32,
+}
+
+/// In degrees in the plane, in space a vector.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Direction {
+    Degrees(f64),
+    Vector([f64; 3]),
 }
 
 /// What a symbol has become in a later generation; numbers are decimal strings, ranges half open.
@@ -159,24 +167,33 @@ impl Playground {
         }))
     }
 
-    /// The segment of that number: `{from, to, fittedFrom, fittedTo, heading, level, colour}`, in model units and
-    /// degrees; `fittedFrom` and `fittedTo` in fitted extents from the fitted centre, y up. Null beyond the last.
+    /// The segment of that number: `{from, to, fittedFrom, fittedTo, heading, level, colour}`, in model units; in the
+    /// plane `heading` is in degrees, and `fittedFrom` and `fittedTo` are in fitted extents from the fitted centre, y up;
+    /// in space these are null, and `heading` is a vector. Null beyond the last.
     ///
     /// # Errors
     /// Throws only where the result cannot be translated.
     pub fn segment(&self, number: u128) -> Result<JsValue, JsValue> {
-        let stroke = self.views.plane.drawing.as_ref().and_then(|drawing| {
-            let segment = drawing.segments_from(number).next()?;
-            let heading = drawing.heading_at(number)?;
+        let in_plane = self.views.plane.drawing.as_ref().and_then(|drawing| {
+            let Segment { from, to, level, colour, .. } = drawing.segments_from(number).next()?;
             Some(Stroke {
-                from: segment.from,
-                to: segment.to,
-                fitted_from: fitted(drawing, segment.from),
-                fitted_to: fitted(drawing, segment.to),
-                heading,
-                level: segment.level,
-                colour: segment.colour,
+                from: from.into(),
+                to: to.into(),
+                fitted_from: Some(fitted(drawing, from)),
+                fitted_to: Some(fitted(drawing, to)),
+                heading: Direction::Degrees(drawing.heading_at(number)?),
+                level,
+                colour,
             })
+        });
+        let stroke = in_plane.or_else(|| {
+            let drawing = self.views.solid.drawing.as_ref()?;
+            let Segment { from, to, level, colour, .. } = drawing.segments_from(number).next()?;
+            let way = [0, 1, 2].map(|i| to[i] - from[i]);
+            let length = way.map(|c| c * c).iter().sum::<f64>().sqrt();
+            let heading = Direction::Vector(way.map(|c| if length > 0.0 { c / length } else { 0.0 }));
+            let (from, to) = (from.into(), to.into());
+            Some(Stroke { from, to, fitted_from: None, fitted_to: None, heading, level, colour })
         });
         to_js(&stroke)
     }

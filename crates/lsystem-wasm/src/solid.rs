@@ -91,6 +91,7 @@ impl Viewer for SolidView {
     }
 
     fn begin(&mut self, scene: Scene) {
+        self.renderer.play(scene.upto);
         self.scene = Some(scene);
         self.refine(self.pace);
     }
@@ -134,6 +135,7 @@ impl Viewer for SolidView {
         let Some(drawing) = &self.drawing else { return Ok(()) };
         let mut renderer = SolidRenderer::new();
         renderer.load(drawing.clone());
+        renderer.play(scene.upto);
         renderer.begin(&scene.style, scene.viewport, &self.camera, Quality::BEST);
         while renderer.step(WORK) == Progress::More {}
         surface.show(renderer.pixels(), scene.viewport)

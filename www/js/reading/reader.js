@@ -87,7 +87,7 @@ export function createReader(engine, { mark, opened }) {
             if (wanted !== generation() || index !== chosen) return;
             // What draws nothing is marked where the turtle is.
             const outline = answer.part?.outline ?? [];
-            mark(outline.length > 0 || !answer.stroke ? outline : [answer.stroke.fittedFrom]);
+            mark(outline.length > 0 || !answer.stroke?.fittedFrom ? outline : [answer.stroke.fittedFrom]);
             showPath(answer.ancestry, answer.part, answer.stroke);
         },
     );

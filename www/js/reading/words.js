@@ -7,7 +7,7 @@ import { grouped, plain, raised } from '../numerals.js';
  * axiom), `production` a number of a production or null where the symbol stayed or stands in the axiom; all from 0.
  * @typedef {{generation: number, symbol: string, index: string, production: number | null, position: number}} Link
  */
-/** @typedef {{from: [number, number], to: [number, number], fittedFrom: [number, number], fittedTo: [number, number], heading: number, level: number, colour: number}} Stroke */
+/** @typedef {{from: number[], to: number[], fittedFrom: [number, number] | null, fittedTo: [number, number] | null, heading: number | number[], level: number, colour: number}} Stroke */
 
 const ORDINALS = ['first', 'second', 'third', 'fourth', 'fifth', 'sixth', 'seventh', 'eighth', 'ninth', 'tenth', 'eleventh', 'twelfth'];
 
@@ -76,9 +76,13 @@ export function origin(chain) {
     return born.generation === 0 ? `${visible(born.symbol)}, ${birth(born)}` : `${visible(born.symbol)} at ${birth(born)}`;
 }
 
-/** A pose in words. @param {{at: [number, number], heading: number, level: number}} pose */
+/**
+ * A pose in words. In the plane the heading is in degrees, in space it is a vector.
+ * @param {{at: number[], heading: number | number[], level: number}} pose
+ */
 export function poseText({ at, heading, level }) {
-    return `At ${at.map(coordinate).join(', ')}, heading ${plain(Number(heading.toFixed(2)))}°, level ${level}`;
+    const towards = typeof heading === 'number' ? `${plain(Number(heading.toFixed(2)))}°` : heading.map(coordinate).join(', ');
+    return `At ${at.map(coordinate).join(', ')}, heading ${towards}, level ${level}`;
 }
 
 /** @param {number} value in model units */

@@ -23,10 +23,27 @@ test('a drawing in space is drawn, and the tools for it are there only then', ()
         const tree = await stillPicture(page);
         assert.ok(tree.ink > 0.003);
         assert.ok(await page.isVisible('#space-tools'));
-        assert.ok(await page.isDisabled('#open-playback'));
         await page.evaluate((next) => (location.hash = next), LEAF);
         await nextPicture(page, tree);
         await until(async () => !(await page.isVisible('#space-tools')), 'the tools are gone');
+    }));
+
+test('it is played from the first segment on, and the turtle\'s pose is told', () =>
+    withPage({ hash: TREE }, async (page) => {
+        const whole = await stillPicture(page);
+        await page.click('#open-playback');
+        await page.click('#play');
+        await page.fill('#play-place', '1');
+        await page.press('#play-place', 'Enter');
+        await until(async () => /^At 0, 1, 0, heading 0, 1, 0, level 0/.test((await page.textContent('#play-pose')) ?? ''), 'the pose behind the first segment');
+        await page.fill('#play-place', '50 %');
+        await page.press('#play-place', 'Enter');
+        await until(async () => {
+            const { ink } = await stillPicture(page);
+            return ink > 0 && ink < whole.ink;
+        }, 'half of it is drawn');
+        await page.click('#close-playback');
+        await sameAgain(page, whole);
     }));
 
 test('a drag goes round it, Shift and a drag move it, Fit shows it whole, and the link keeps it', () =>

@@ -119,6 +119,8 @@ const COARSEST: u32 = 1500;
 pub struct SolidRenderer {
     drawing: Option<Arc<Drawing<Solid>>>,
     scene: Scene,
+    /// How many segments are shown; all of them without it.
+    upto: Option<u128>,
     walk: Walk,
 }
 
@@ -132,7 +134,16 @@ impl SolidRenderer {
     /// Takes the drawing that the next pictures are of.
     pub fn load(&mut self, drawing: Arc<Drawing<Solid>>) {
         self.scene = Scene::new(&drawing);
+        self.upto = None;
         self.drawing = Some(drawing);
+    }
+
+    /// The next pictures are of the first `upto` segments and the polygons before them, or of all.
+    pub fn play(&mut self, upto: Option<u128>) {
+        if let Some(drawing) = self.drawing.as_ref().filter(|_| upto != self.upto) {
+            self.scene.show(drawing, upto);
+            self.upto = upto;
+        }
     }
 
     /// Starts a picture of the loaded drawing; a picture that was being made is given up.

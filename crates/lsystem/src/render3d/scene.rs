@@ -28,6 +28,10 @@ pub(super) struct Scene {
     palette: Vec<[f32; 3]>,
     pub(super) choice: Choice,
     pub(super) root: Option<u32>,
+    /// By block: its node.
+    blocks: Vec<u32>,
+    /// How many nodes, links and lines there are for the whole drawing; those after them are of a part of it.
+    whole: [usize; 3],
     memoised: bool,
     /// The greatest branch level and generation.
     farthest: [u32; 2],
@@ -155,57 +159,112 @@ const MEANS: usize = 1 << 21;
 impl Scene {
     pub(super) fn new(drawing: &Drawing<Solid>) -> Self {
         let mut styles = drawing.styles.clone();
-        let same = styles.len() as u32;
         styles.push(StyleChange::NONE);
         let farthest = [ColourBy::Level, ColourBy::Generation].map(|by| drawing.farthest_ink(by));
         let kept = if drawing.memoised { SAMPLES } else { FEW_SAMPLES };
         let mut scene = Self { styles, farthest, memoised: drawing.memoised, kept, ..Self::default() };
-        // By block: its node.
-        let mut blocks: Vec<u32> = Vec::with_capacity(drawing.blocks.len());
+        scene.blocks.reserve_exact(drawing.blocks.len());
         for (id, block) in drawing.blocks.iter().enumerate() {
-            let mut row: Vec<u32> = Vec::new();
-            let mut run = Run::default();
-            for item in drawing.items_of(BlockId(id as u32)) {
-                let mut lines = Vec::new();
-                match item {
-                    Item::Stroke(stroke) => lines.push(Line::new([stroke.from, stroke.to], stroke.style.0)),
-                    Item::Polygon(polygon) => {
-                        let vertices = drawing.vertices_of(polygon);
-                        let triangles = triangulate(vertices).map(|(_, triangles)| triangles).unwrap_or_default();
-                        let corners = triangles.into_iter().map(|corners| corners.map(|corner| vertices[corner]));
-                        lines.extend(corners.map(|corners| Line::face(corners, polygon.style.0)));
-                    }
-                    Item::Block(placed) => {
-                        run.links.push(scene.link(placed, blocks[placed.block.0 as usize]));
-                        scene.full(&mut run, &mut row);
-                    }
-                }
-                for line in lines {
-                    run.lines.push(line);
-                    scene.full(&mut run, &mut row);
-                }
-            }
-            if !(run.links.is_empty() && run.lines.is_empty()) {
-                row.push(scene.node(run));
-            }
-            while row.len() > 1 {
-                let rows = row.chunks(WIDTH).map(|nodes| {
-                    let links = nodes.iter().map(|&node| scene.same(node, same)).collect();
-                    scene.node(Run { links, lines: vec![] })
-                });
-                row = rows.collect();
-            }
-            let node = row.first().copied().unwrap_or_default();
+            let node = scene.contents(drawing, drawing.items_of(BlockId(id as u32)), None).unwrap_or_default();
             if let Some(node) = scene.nodes.get_mut(node as usize) {
                 // The drawing knows a tighter ball than one around balls.
                 if block.hull.radius < node.own.radius {
                     (node.own.centre, node.own.radius) = (block.hull.centre(), block.hull.radius);
                 }
             }
-            blocks.push(node);
+            scene.blocks.push(node);
         }
-        scene.root = drawing.root.and_then(|root| blocks.get(root.0 as usize).copied());
+        scene.whole = [scene.nodes.len(), scene.links.len(), scene.lines.len()];
+        scene.show(drawing, None);
         scene
+    }
+
+    /// Shows the first `upto` segments and the polygons before them, or all: on the way down to the first that is left
+    /// out every block becomes a node with what is before it.
+    pub(super) fn show(&mut self, drawing: &Drawing<Solid>, upto: Option<u128>) {
+        let [nodes, links, lines] = self.whole;
+        self.nodes.truncate(nodes);
+        self.links.truncate(links);
+        self.lines.truncate(lines);
+        self.samples.truncate(nodes * self.kept);
+        self.means.truncate(nodes * self.entries as usize);
+        self.root = drawing.root.and_then(|root| self.blocks.get(root.0 as usize).copied());
+        let (Some(mut left), Some(mut block)) = (upto.filter(|&upto| upto < drawing.segment_count()), drawing.root)
+        else {
+            return;
+        };
+        let mut way = Vec::new();
+        loop {
+            let items = drawing.items_of(block);
+            let cut = items.iter().position(|item| {
+                let segments = match item {
+                    Item::Stroke(_) => 1,
+                    Item::Polygon(_) => 0,
+                    Item::Block(placed) => drawing.blocks[placed.block.0 as usize].segments,
+                };
+                let beyond = segments > left;
+                left -= if beyond { 0 } else { segments };
+                beyond
+            });
+            let (before, after) = items.split_at(cut.unwrap_or(items.len()));
+            let Some(Item::Block(placed)) = after.first() else {
+                way.push((before, None));
+                break;
+            };
+            way.push((before, Some(placed)));
+            block = placed.block;
+        }
+        self.root = way
+            .into_iter()
+            .rev()
+            .fold(None, |inside, (before, placed)| self.contents(drawing, before, placed.zip(inside)));
+    }
+
+    /// Makes nodes of a block's contents, the last of which may be placed where another block would be; the one that
+    /// holds them all, if there are any.
+    fn contents(
+        &mut self,
+        drawing: &Drawing<Solid>,
+        items: &[Item<Solid>],
+        last: Option<(&Placed<Solid>, u32)>,
+    ) -> Option<u32> {
+        let mut row: Vec<u32> = Vec::new();
+        let mut run = Run::default();
+        for item in items {
+            let mut lines = Vec::new();
+            match item {
+                Item::Stroke(stroke) => lines.push(Line::new([stroke.from, stroke.to], stroke.style.0)),
+                Item::Polygon(polygon) => {
+                    let vertices = drawing.vertices_of(polygon);
+                    let triangles = triangulate(vertices).map(|(_, triangles)| triangles).unwrap_or_default();
+                    let corners = triangles.into_iter().map(|corners| corners.map(|corner| vertices[corner]));
+                    lines.extend(corners.map(|corners| Line::face(corners, polygon.style.0)));
+                }
+                Item::Block(placed) => {
+                    run.links.push(self.link(placed, self.blocks[placed.block.0 as usize]));
+                    self.full(&mut run, &mut row);
+                }
+            }
+            for line in lines {
+                run.lines.push(line);
+                self.full(&mut run, &mut row);
+            }
+        }
+        if let Some((placed, node)) = last {
+            run.links.push(self.link(placed, node));
+        }
+        if !(run.links.is_empty() && run.lines.is_empty()) {
+            row.push(self.node(run));
+        }
+        let same = self.styles.len() as u32 - 1;
+        while row.len() > 1 {
+            let rows = row.chunks(WIDTH).map(|nodes| {
+                let links = nodes.iter().map(|&node| self.same(node, same)).collect();
+                self.node(Run { links, lines: vec![] })
+            });
+            row = rows.collect();
+        }
+        row.first().copied()
     }
 
     /// Makes a node of a run that has as many contents as a node may.
@@ -394,16 +453,16 @@ impl Scene {
         let colours = style.inks(|| if style.colour_by == ColourBy::Level { deepest } else { latest });
         let choice = Choice::new(style.colour_by, colours);
         let palette: Vec<[f32; 3]> = (0..colours).map(|ink| style.ink(ink).rgb.map(f32::from)).collect();
-        if choice == self.choice && palette == self.palette && !self.means.is_empty() {
-            return;
+        if choice != self.choice || palette != self.palette || self.means.is_empty() {
+            (self.choice, self.palette) = (choice, palette);
+            // What does not memoise has its colours as they are, whatever is at the entry.
+            let few = !self.memoised || self.whole[0].saturating_mul(colours as usize) > MEANS;
+            self.entries = if few { 1 } else { colours };
+            self.means.clear();
+            self.means.reserve_exact(self.nodes.len() * self.entries as usize);
         }
-        (self.choice, self.palette) = (choice, palette);
-        // What does not memoise has its colours as they are, whatever is at the entry.
-        let few = !self.memoised || self.nodes.len().saturating_mul(colours as usize) > MEANS;
-        self.entries = if few { 1 } else { colours };
-        self.means.clear();
-        self.means.reserve_exact(self.nodes.len() * self.entries as usize);
-        for node in &self.nodes {
+        let known = self.means.len() / self.entries.max(1) as usize;
+        for node in self.nodes.get(known..).unwrap_or_default() {
             for entry in 0..self.entries {
                 let (mut sum, mut weight) = ([0.0_f32; 3], 0.0_f32);
                 let mut add = |colour: [f32; 3], length: f32| {

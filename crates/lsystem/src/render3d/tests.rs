@@ -77,12 +77,17 @@ fn meet(ends: [Vector; 2], radii: [f64; 2], [x, y]: [f64; 2]) -> Option<(f64, Ve
 
 /// Every segment against every sample, in double precision.
 fn naive(drawing: &Drawing<Solid>, style: &Style, viewport: Viewport, camera: &Camera) -> Vec<u8> {
+    naive_until(drawing, style, viewport, camera, usize::MAX)
+}
+
+/// As [`naive`], of the first `upto` segments.
+fn naive_until(drawing: &Drawing<Solid>, style: &Style, viewport: Viewport, camera: &Camera, upto: usize) -> Vec<u8> {
     let lens = Lens::new(drawing, viewport, camera, 4.0);
     let (width, height) = (viewport.width as usize * 4, viewport.height as usize * 4);
     let paper = style.background.rgb.map(f64::from);
     let mut samples = vec![(f64::INFINITY, paper); width * height];
     let unit = drawing.unit();
-    for segment in drawing.segments() {
+    for segment in drawing.segments().take(upto) {
         let seen = [segment.from, segment.to].map(|p| {
             let p = [0, 1, 2].map(|i| (p[i] - drawing.start[i]) / unit);
             [0, 1, 2].map(|i| lens.origin[i] + (0..3).map(|axis| lens.axes[axis][i] * p[axis]).sum::<f64>())
@@ -206,6 +211,40 @@ fn pictures_of_small_blocks_are_true_on_the_whole() {
             assert!(mean < 2.5 && far < 0.02 && bias < 0.6, "{n} {camera:?}: mean {mean}, far {far}, bias {bias}");
         }
     }
+}
+
+/// The drawing cut short anywhere is that of its first segments; whole again, it is as it was.
+#[test]
+fn the_first_segments_are_shown_alone() {
+    let style = &styles()[0];
+    for (system, n) in [(tree(), 2), (bush(), 4)] {
+        let mut system = system.clone();
+        system.turtle.width = 0.25;
+        let drawing = drawing(&system, n);
+        let (camera, count) = (cameras()[0], drawing.segment_count());
+        let mut renderer = SolidRenderer::new();
+        renderer.load(drawing.clone());
+        let mut paint = |upto| {
+            renderer.play(upto);
+            renderer.begin(style, SIZE, &camera, Quality::FINEST);
+            while renderer.step(1 << 20) == Progress::More {}
+            renderer.pixels().to_vec()
+        };
+        let whole = paint(None);
+        for upto in [0, 1, count / 3, count / 2, count - 1, count] {
+            let truth = naive_until(&drawing, style, SIZE, &camera, upto as usize);
+            let (mean, far) = difference(&truth, &paint(Some(upto)), 16);
+            assert!(mean < 0.15 && far < 0.002, "{upto} of {count}: mean {mean}, far {far}");
+        }
+        assert_eq!(whole, paint(None));
+    }
+    // The way down is as long as the drawing is deep.
+    let deep = drawing(&bush(), 200);
+    let mut renderer = SolidRenderer::new();
+    renderer.load(deep.clone());
+    renderer.play(Some(deep.segment_count() / 7 * 3));
+    renderer.begin(style, SIZE, &Camera::default(), Quality(2));
+    while renderer.step(1 << 20) == Progress::More {}
 }
 
 /// However the work is cut into steps, and whatever was painted before.
