@@ -109,8 +109,11 @@ test('the page, the gallery, exports, embedded drawings and the course page work
             await page.goto(`${origin}embed.html${KOCH}`);
             await page.waitForSelector('#stage.inked');
             await page.goto(`${origin}course.html`);
-            const first = await until(() => page.frames().find((frame) => frame.url().includes('embed.html')), 'a frame of the course page');
-            await first.waitForSelector('#stage.inked');
+            // Those out of sight wait.
+            await until(async () => {
+                const frames = page.frames().filter((frame) => frame.url().includes('embed.html'));
+                return (await Promise.all(frames.map((frame) => frame.locator('#stage.inked').count()))).some((count) => count > 0);
+            }, 'a drawing of the course page is there', 15_000);
             assert.deepEqual(asked.filter((path) => path !== '/play/service-worker.js'), []);
         }),
     ));

@@ -44,7 +44,7 @@ test('every control has a name', () =>
 test('a first picture takes less than 250 KB as hosts send it, and the full wasm follows', async () => {
     /** @type {string[]} */
     const asked = [];
-    const isLater = (/** @type {string} */ url) => /-full\./.test(url);
+    const isLater = (/** @type {string} */ url) => /-full\.|later\.js$/.test(url);
     await withPage({ before: async (page) => void page.on('request', (request) => asked.push(request.url())) }, async (page) => {
         const first = asked.filter((url) => !isLater(url));
         assert.ok(first.some((url) => url.endsWith('lsystem.wasm')), first.join('\n'));

@@ -31,6 +31,9 @@ pub(super) fn vertical_of<P: Default + AsMut<[f64]>>(tilt: &Tilt) -> P {
 /// Whether wherever something looks to the vertical it is known: nothing that does follows, on the same branch, a module
 /// that turns the heading by what will have become of it.
 pub(super) fn is_known<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
+    if S::LEVEL {
+        return true;
+    }
     let looks = lookers(rules, score);
     if !looks.contains(&true) {
         return true;
@@ -58,9 +61,10 @@ pub(super) fn is_known<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     known(&rules.axiom) && rules.by_letter.iter().flatten().all(|rule| known(&rule.successor))
 }
 
-/// By letter: whether it, or anything that it may become, looks to the vertical.
+/// By letter: whether it, or anything that it may become, looks to the vertical. Where the left is always level nothing
+/// does, and there is nothing here.
 pub(super) fn lookers<S: Space>(rules: &Rules, score: &Score<S>) -> Vec<bool> {
-    spread(rules, score, &|op| matches!(op, Op::Upright) && !S::LEVEL, false)
+    if S::LEVEL { vec![] } else { spread(rules, score, &|op| matches!(op, Op::Upright), false) }
 }
 
 /// By letter: whether `is` holds of what it does, or of what anything does that it may become; of what stands in
