@@ -283,7 +283,10 @@ test('an element draws from attributes and text, and they can be changed', () =>
             await changes(frame, before);
             await page.evaluate(() => document.querySelector('l-system')?.setAttribute('controls', 'angle,string'));
             await until(async () => !(await frame.isVisible('#iterations')) && (await frame.isVisible('#angle')) && (await frame.isVisible('#open-reader')), 'other controls');
-            const told = (await heard(page)).filter(([kind]) => kind === 'change').map(([, detail]) => [detail.by, detail.values.angle, detail.values.rules]);
+            const told = await until(async () => {
+                const changes = (await heard(page)).filter(([kind]) => kind === 'change');
+                return changes.length > 1 && changes.map(([, detail]) => [detail.by, detail.values.angle, detail.values.rules]);
+            }, 'both changes are told');
             assert.deepEqual(told, [['host', 40, 'F -> F[+F]F[-F]F'], ['host', 40, 'F -> F[+F]F']]);
 
             await frame.fill('#angle', '10');
