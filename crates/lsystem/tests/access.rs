@@ -1,16 +1,13 @@
 //! Pages, ancestors and segments of derivations against the plain reading of the definition.
 
+mod cases;
 mod naive;
 
+use cases::cases;
 use lsystem::{Ancestor, Definition, History, Limits, Part, Progress, System, Word, draw};
 use naive::Module;
 use naive::systems::{Features, system};
 use proptest::prelude::*;
-
-fn cases() -> ProptestConfig {
-    let cases = std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500);
-    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
-}
 
 /// What reads generations in place.
 trait Reader {

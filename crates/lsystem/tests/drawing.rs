@@ -1,7 +1,9 @@
 //! Drawings against the naive reference.
 
+mod cases;
 mod naive;
 
+use cases::cases;
 use lsystem::{
     Action, Diagnostic, Dialect, Drawer, Drawing, Grammar, Heading, Kind, LimitName, Limits, Module, Production,
     Program, Progress, Segment, SegmentArrays, Style, System, Turtle, draw,
@@ -359,11 +361,6 @@ fn a_system_without_a_step_length() {
     check(&system, 4).unwrap();
     system.turtle.step = -2.0;
     check(&system, 4).unwrap();
-}
-
-fn cases() -> ProptestConfig {
-    let cases = std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500);
-    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
 }
 
 /// A word balanced in branches.

@@ -1,16 +1,14 @@
 //! JSON files: what is written reads back as the same, and no text panics.
 
+mod cases;
+
+use cases::cases;
 use expect_test::expect;
 use lsystem::{
     Colour, ColourBy, Definition, Diagnostic, Dialect, Ink, Style, System, read_json, render_diagnostic, write_json,
 };
 use proptest::prelude::*;
 use std::path::Path;
-
-fn cases() -> ProptestConfig {
-    let cases = std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500);
-    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
-}
 
 fn style() -> impl Strategy<Value = Style> {
     let colour = || any::<[u8; 3]>().prop_map(|rgb| Colour { rgb });

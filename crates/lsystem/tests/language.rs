@@ -1,15 +1,12 @@
 //! Derivation with contexts, parameters and chance against the plain reading of the definition.
 
+mod cases;
 mod naive;
 
+use cases::cases;
 use lsystem::{Fault, Letter, Limits, Rewriter, System};
 use naive::systems::{Features, system};
 use proptest::prelude::*;
-
-fn cases() -> ProptestConfig {
-    let cases = std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500);
-    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
-}
 
 /// The core derives what the plain reading does, generation by generation, until the words get long.
 fn check(system: &System, piece: usize) -> Result<(), TestCaseError> {

@@ -1,15 +1,13 @@
 //! The notation: what is printed reads back as the same, and no text panics.
 
+mod cases;
+
+use cases::cases;
 use lsystem::{
     Constant, Definition, Diagnostic, Expr, Function, Grammar, Kind, Module, Operator, Pattern, Production, Seen,
     System, parse, parse_overrides, print_axiom, print_overrides, print_rules,
 };
 use proptest::prelude::*;
-
-fn cases() -> ProptestConfig {
-    let cases = std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500);
-    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
-}
 
 /// Letters, everything that the notation gives a meaning, look-alikes, things that cannot be seen, and the rest.
 fn symbol() -> impl Strategy<Value = char> {

@@ -1,7 +1,9 @@
 //! Pieces shared among modules with parameters against the plain turtle, and what systems memoise.
 
+mod cases;
 mod naive;
 
+use cases::cases;
 use lsystem::{Definition, Drawing, Kind, Limits, System, count_segments, count_symbols, draw};
 use proptest::prelude::*;
 
@@ -90,11 +92,6 @@ fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
         prop_assert!((a - b).abs() <= tolerance, "{} {}", a, b);
     }
     Ok(drawing)
-}
-
-fn cases() -> ProptestConfig {
-    let cases = std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500);
-    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
 }
 
 proptest! {

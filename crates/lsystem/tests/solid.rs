@@ -1,15 +1,13 @@
 //! Drawings in space against the naive turtle, and what systems mean there.
 
+mod cases;
 mod naive;
 
+use cases::cases;
 use lsystem::{
     Action, Definition, Dialect, Drawing, Kind, LimitName, Limits, Outlook, Segment, Solid, System, draw, draw_solid,
 };
 use proptest::prelude::*;
-
-fn cases() -> ProptestConfig {
-    ProptestConfig { failure_persistence: None, ..ProptestConfig::default() }
-}
 
 fn system(definition: &Definition) -> System {
     let (system, diagnostics) = System::new(definition);

@@ -1,16 +1,13 @@
 //! Colours, factors, variation, growth and polygons against the naive reference.
 
+mod cases;
 mod naive;
 
+use cases::cases;
 use lsystem::{
     ColourBy, Definition, Limits, Mark, Segment, Style, System, Tint, draw, draw_solid, read_json, write_json,
 };
 use proptest::prelude::*;
-
-fn cases() -> ProptestConfig {
-    let cases = std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500);
-    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
-}
 
 fn system(definition: &Definition) -> System {
     let (system, diagnostics) = System::new(definition);
