@@ -1,6 +1,8 @@
 //! Pictures for a browser's script to time: one system after the other, at several depths and magnifications.
 
-use lsystem::{Definition, Drawing, Limits, Progress, Renderer, System, View, Viewport, draw, fit, read_json};
+use lsystem::{
+    Definition, Drawing, Limits, PlaneRenderer, Progress, Renderer, System, View, Viewport, draw, fit, read_json,
+};
 use serde_json::{Value, json};
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;

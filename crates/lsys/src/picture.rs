@@ -3,8 +3,8 @@
 use crate::args::Size;
 use crate::progress::Progress as Bar;
 use lsystem::{
-    Camera, DensityRenderer, Drawing, Ink, Progress, Quality, Renderer, Solid, SolidRenderer, Style, View, Viewport,
-    fit, tag_png,
+    Camera, DensityRenderer, Drawing, Ink, PlaneRenderer, Progress, Quality, Renderer, Solid, SolidRenderer, Style,
+    View, Viewport, fit, tag_png,
 };
 use std::sync::Arc;
 
@@ -30,16 +30,10 @@ pub(crate) fn png(
     let ratio = (f64::from(width.max(height)) / f64::from(USUAL)).max(1.0);
     let (drawing, viewport) = (Arc::new(drawing), Viewport { width, height, ratio });
     let mut bar = Bar::new("picture", 0);
-    if style.ink == Ink::Density {
-        let mut renderer = DensityRenderer::new();
-        renderer.load(drawing);
-        renderer.begin(style, viewport, View::default());
-        while renderer.step(WORK) == Progress::More {
-            bar.at(0);
-        }
-        return encode(renderer.pixels(), Size { width, height }, system);
-    }
-    let mut renderer = Renderer::new();
+    let mut renderer: Box<dyn PlaneRenderer> = match style.ink {
+        Ink::Solid => Box::new(Renderer::new()),
+        Ink::Density => Box::new(DensityRenderer::new()),
+    };
     renderer.load(drawing);
     renderer.begin(style, viewport, View::default());
     while renderer.step(WORK) == Progress::More {

@@ -75,7 +75,9 @@ pub use plane::Plane;
 pub use print::{print_axiom, print_module, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
 pub use progress::Progress;
-pub use render::{DensityRenderer, Detail, Rect, RenderStats, Renderer, View, Viewport, fit, fitted_scale, to_model};
+pub use render::{
+    DensityRenderer, Detail, PlaneRenderer, Rect, RenderStats, Renderer, View, Viewport, fit, fitted_scale, to_model,
+};
 pub use render3d::{Camera, Quality, SolidRenderer, camera_axes, solid_scale};
 pub use rewriting::{
     ContextPattern, Fault, History, Image, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template,

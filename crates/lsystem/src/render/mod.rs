@@ -48,7 +48,35 @@ pub struct RenderStats {
     pub tiles: u64,
 }
 
-/// Makes pictures of a drawing, one after the other, in the same memory.
+/// Makes pictures of a drawing in the plane, one after the other, in the same memory: [`Renderer`] where strokes cover
+/// each other, [`DensityRenderer`] where their ink adds up.
+pub trait PlaneRenderer {
+    /// Takes the drawing that the next pictures are of.
+    fn load(&mut self, drawing: Arc<Drawing>);
+
+    /// Starts a picture of the loaded drawing; a picture that was being made is given up. A viewport that is too large
+    /// is cut to [`Viewport::within_limits`].
+    fn begin(&mut self, style: &Style, viewport: Viewport, view: View) {
+        self.begin_with(style, viewport, view, Detail::Fine, None);
+    }
+
+    /// As [`PlaneRenderer::begin`], in coarse or in fine `detail`; of the first `upto` segments only, if that is given:
+    /// the turtle on its way.
+    fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>);
+
+    /// Goes on with the picture for about `work` units (one unit is in the order of 10 to 100 nanoseconds).
+    fn step(&mut self, work: usize) -> Progress;
+
+    /// The picture so far: RGBA, 8 bits each, opaque, from the upper left corner row by row.
+    #[must_use]
+    fn pixels(&self) -> &[u8];
+
+    /// What the picture took so far.
+    #[must_use]
+    fn stats(&self) -> RenderStats;
+}
+
+/// Makes pictures in which strokes cover each other.
 #[derive(Default)]
 pub struct Renderer {
     drawing: Option<Arc<Drawing>>,
@@ -63,23 +91,16 @@ impl Renderer {
     pub fn new() -> Self {
         Self::default()
     }
+}
 
-    /// Takes the drawing that the next pictures are of.
-    pub fn load(&mut self, drawing: Arc<Drawing>) {
+impl PlaneRenderer for Renderer {
+    fn load(&mut self, drawing: Arc<Drawing>) {
         self.shapes = shape::shapes(&drawing);
         self.drawing = Some(drawing);
         self.walk.clear();
     }
 
-    /// Starts a picture of the loaded drawing; a picture that was being made is given up. A viewport that is too large
-    /// is cut to [`Viewport::within_limits`].
-    pub fn begin(&mut self, style: &Style, viewport: Viewport, view: View) {
-        self.begin_with(style, viewport, view, Detail::Fine, None);
-    }
-
-    /// As [`Renderer::begin`], in coarse or in fine `detail`; of the first `upto` segments only, if that is given: the
-    /// turtle on its way.
-    pub fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>) {
+    fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>) {
         let viewport = viewport.within_limits();
         if let Some(drawing) = &self.drawing {
             self.walk.begin(drawing, style, viewport, view, detail, upto);
@@ -87,8 +108,7 @@ impl Renderer {
         self.output.begin(style, self.walk.inks(), viewport, detail);
     }
 
-    /// Goes on with the picture for about `work` units (one unit is in the order of 10 to 100 nanoseconds).
-    pub fn step(&mut self, work: usize) -> Progress {
+    fn step(&mut self, work: usize) -> Progress {
         let mut left = i64::try_from(work).unwrap_or(i64::MAX).max(1);
         if let Some(drawing) = &self.drawing
             && self.walk.step(drawing, &self.shapes, &mut left) == Progress::More
@@ -98,15 +118,11 @@ impl Renderer {
         self.output.step(self.walk.frame(), &mut left)
     }
 
-    /// The picture so far: RGBA, 8 bits each, opaque, from the upper left corner row by row.
-    #[must_use]
-    pub fn pixels(&self) -> &[u8] {
+    fn pixels(&self) -> &[u8] {
         self.output.pixels()
     }
 
-    /// What the picture took so far.
-    #[must_use]
-    pub fn stats(&self) -> RenderStats {
+    fn stats(&self) -> RenderStats {
         self.walk.stats
     }
 }

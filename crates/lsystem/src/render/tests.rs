@@ -4,7 +4,10 @@ use super::*;
 use crate::{ColourBy, Item};
 use std::time::Instant;
 
-fn picture(renderer: &mut Renderer, style: &Style, viewport: Viewport, view: View) {
+/// Of 100,000 units of work each, for one picture.
+const MOST_STEPS: usize = 5_000;
+
+pub(super) fn picture(renderer: &mut impl PlaneRenderer, style: &Style, viewport: Viewport, view: View) {
     renderer.begin(style, viewport, view);
     while renderer.step(10_000) == Progress::More {}
 }
@@ -173,30 +176,32 @@ pub(super) fn processor_time() -> f64 {
     nanoseconds.map_or_else(|| START.elapsed().as_secs_f64() * 1e3, |ns| ns / 1e6)
 }
 
-/// Run with `--ignored --nocapture`; writes pictures where `PICTURES` says.
-#[test]
-#[ignore = "a measurement"]
-fn timing() {
+/// Prints what pictures take, of the systems whose names contain `ONLY`, of generation `N`, at magnifications `ZOOMS`;
+/// writes them where `PICTURES` says.
+pub(super) fn time(renderer: &mut impl PlaneRenderer) {
+    const RUNS: usize = 10;
     let viewport = Viewport { width: 1600, height: 1000, ratio: 1.0 };
     let folder = std::env::var("PICTURES").ok();
     let only = std::env::var("ONLY").unwrap_or_default();
-    let mut renderer = Renderer::new();
+    let zooms = std::env::var("ZOOMS").unwrap_or_else(|_| "1,30,1e3,1e6".into());
     for (name, sample) in hard().into_iter().filter(|(name, _)| name.contains(&only)) {
         let only_n = std::env::var("N").map(|n| n.parse::<u32>().unwrap()).ok();
         for n in [6, 12, 40].into_iter().filter(|n| only_n.is_none_or(|only| *n == only)) {
             let drawing = Arc::new(sample.draw(n));
             renderer.load(drawing.clone());
-            for zoom in [1.0, 30.0, 1e3, 1e6] {
-                let mut total = 0.0;
-                for (_, x) in (0..10).zip([0.0, 1e-3].into_iter().cycle()) {
+            for zoom in zooms.split(',').map(|zoom| zoom.parse::<f64>().unwrap()) {
+                let (mut total, mut least) = (0.0, f64::INFINITY);
+                for (_, x) in (0..RUNS).zip([0.0, 1e-3].into_iter().cycle()) {
                     let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
                     let view = View { zoom: zoom * (1.0 + x), ..view };
-                    renderer.begin(&Style::default(), viewport, view);
                     let start = processor_time();
+                    renderer.begin(&Style::default(), viewport, view);
                     while renderer.step(10_000) == Progress::More && processor_time() < start + 5000.0 {}
-                    total += (processor_time() - start) / 10.0;
+                    let time = processor_time() - start;
+                    total += time / RUNS as f64;
+                    least = least.min(time);
                 }
-                println!("{name:12} n {n:2} zoom {zoom:7} {total:9.2} ms {:?}", renderer.stats());
+                println!("{name:12} n {n:2} zoom {zoom:7} {total:9.2} ms, least {least:.2} {:?}", renderer.stats());
                 if let Some(folder) = &folder {
                     let mut ppm = b"P6 1600 1000 255\n".to_vec();
                     ppm.extend(renderer.pixels().chunks(4).flat_map(|p| &p[..3]));
@@ -205,6 +210,13 @@ fn timing() {
             }
         }
     }
+}
+
+/// Run with `--ignored --nocapture`.
+#[test]
+#[ignore = "a measurement"]
+fn timing() {
+    time(&mut Renderer::new());
 }
 
 #[test]
@@ -222,13 +234,12 @@ fn the_fitted_scale_is_that_of_the_view() {
 }
 
 /// Steps a picture with a bound on the number of steps, so that endless work shows.
-fn finishes(renderer: &mut Renderer) -> bool {
-    (0..5_000).any(|_| renderer.step(100_000) == Progress::Done)
+fn finishes(renderer: &mut impl PlaneRenderer) -> bool {
+    (0..MOST_STEPS).any(|_| renderer.step(100_000) == Progress::Done)
 }
 
-#[test]
-fn odd_views_and_sizes_do_no_harm() {
-    let mut renderer = Renderer::new();
+/// Whatever is asked for, pictures end, are as large as they should be, and opaque.
+pub(super) fn check_odd_views(mut renderer: impl PlaneRenderer) {
     renderer.begin(&Style::default(), Viewport { width: 7, height: 5, ratio: 1.0 }, View::default());
     assert!(finishes(&mut renderer));
     assert_eq!(renderer.pixels().len(), 7 * 5 * 4);
@@ -241,14 +252,22 @@ fn odd_views_and_sizes_do_no_harm() {
                 let viewport = Viewport { width: [0, 1, 63, 65][i % 4], height: [65, 1, 16, 0][i % 4], ratio: value };
                 let view =
                     View { x: value, y: odd[(i + 3) % odd.len()], zoom: odd[(i + 5) % odd.len()], fine: [value; 2] };
-                let style = Style { min_width: odd[(i + 1) % odd.len()], ..Style::default() };
-                renderer.begin(&style, viewport, view);
-                assert!(finishes(&mut renderer), "{name} {n} {view:?}");
-                assert_eq!(renderer.pixels().len(), (viewport.width * viewport.height * 4) as usize);
-                assert!(renderer.pixels().iter().skip(3).step_by(4).all(|&alpha| alpha == u8::MAX));
+                let style = Style { min_width: odd[(i + 1) % odd.len()], exposure: value, ..Style::default() };
+                let details = [Detail::Fine, Detail::Coarse].into_iter();
+                for (detail, upto) in details.flat_map(|detail| [(detail, None), (detail, Some(7))]) {
+                    renderer.begin_with(&style, viewport, view, detail, upto);
+                    assert!(finishes(&mut renderer), "{name} {n} {view:?}");
+                    assert_eq!(renderer.pixels().len(), (viewport.width * viewport.height * 4) as usize);
+                    assert!(renderer.pixels().iter().skip(3).step_by(4).all(|&alpha| alpha == u8::MAX));
+                }
             }
         }
     }
+}
+
+#[test]
+fn odd_views_and_sizes_do_no_harm() {
+    check_odd_views(Renderer::new());
 }
 
 #[test]
@@ -294,22 +313,29 @@ fn a_thousand_generations_look_like_two_hundred() {
     }
 }
 
-#[test]
-fn work_in_small_steps_gives_the_same_picture() {
+/// However the work is cut into steps, and whatever was given up before.
+pub(super) fn check_small_steps([mut whole, mut stepped]: [impl PlaneRenderer; 2]) {
     let viewport = Viewport { width: 200, height: 150, ratio: 1.0 };
-    let [mut whole, mut stepped] = [Renderer::new(), Renderer::new()];
     for (name, sample, n) in samples() {
         let drawing = Arc::new(sample.draw(n));
         whole.load(drawing.clone());
         stepped.load(drawing);
-        picture(&mut whole, &sample.0.style, viewport, View::default());
-        // A picture given up half-way leaves no trace.
-        stepped.begin(&sample.0.style, viewport, View { x: 0.1, ..View::default() });
-        (0..100).for_each(|_| _ = stepped.step(1));
-        stepped.begin(&sample.0.style, viewport, View::default());
-        while stepped.step(1) == Progress::More {}
-        assert!(whole.pixels() == stepped.pixels(), "{name}");
+        for detail in [Detail::Fine, Detail::Coarse] {
+            whole.begin_with(&sample.0.style, viewport, View::default(), detail, None);
+            while whole.step(usize::MAX) == Progress::More {}
+            // A picture given up half-way leaves no trace.
+            stepped.begin(&sample.0.style, viewport, View { x: 0.1, ..View::default() });
+            (0..100).for_each(|_| _ = stepped.step(1));
+            stepped.begin_with(&sample.0.style, viewport, View::default(), detail, None);
+            while stepped.step(1) == Progress::More {}
+            assert!(whole.pixels() == stepped.pixels(), "{name} {detail:?}");
+        }
     }
+}
+
+#[test]
+fn work_in_small_steps_gives_the_same_picture() {
+    check_small_steps([Renderer::new(), Renderer::new()]);
 }
 
 #[test]

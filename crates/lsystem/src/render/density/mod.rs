@@ -18,7 +18,7 @@ mod walk;
 #[cfg(test)]
 mod tests;
 
-use super::{Detail, RenderStats, View, Viewport, shape};
+use super::{Detail, PlaneRenderer, RenderStats, View, Viewport, shape};
 use crate::{Drawing, Progress, Style};
 use std::sync::Arc;
 use walk::{Facts, Walk};
@@ -26,8 +26,7 @@ use walk::{Facts, Walk};
 /// Pixels along the side of a sum in a coarse picture.
 const COARSE: usize = 3;
 
-/// Makes pictures of a drawing whose ink adds up ([`Ink::Density`](crate::Ink)), one after the other, in the same
-/// memory.
+/// Makes pictures in which ink adds up ([`Ink::Density`](crate::Ink)).
 #[derive(Default)]
 pub struct DensityRenderer {
     drawing: Option<Arc<Drawing>>,
@@ -42,23 +41,17 @@ impl DensityRenderer {
     pub fn new() -> Self {
         Self::default()
     }
+}
 
-    /// Takes the drawing that the next pictures are of.
-    pub fn load(&mut self, drawing: Arc<Drawing>) {
+impl PlaneRenderer for DensityRenderer {
+    fn load(&mut self, drawing: Arc<Drawing>) {
         let shapes = shape::shapes(&drawing);
         self.facts = Facts { inks: ink::inks(&drawing, &shapes), shapes };
         self.drawing = Some(drawing);
         self.walk.clear();
     }
 
-    /// Starts a picture of the loaded drawing; a picture that was being made is given up. A viewport that is too large
-    /// is cut to [`Viewport::within_limits`].
-    pub fn begin(&mut self, style: &Style, viewport: Viewport, view: View) {
-        self.begin_with(style, viewport, view, Detail::Fine, None);
-    }
-
-    /// As [`DensityRenderer::begin`], in coarse or in fine `detail`; of the first `upto` segments only, if that is given.
-    pub fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>) {
+    fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>) {
         let viewport = viewport.within_limits();
         let side = if detail == Detail::Coarse && self.drawing.is_some() { COARSE } else { 1 };
         if let Some(drawing) = &self.drawing {
@@ -69,8 +62,7 @@ impl DensityRenderer {
         self.tone.begin(style, viewport, side);
     }
 
-    /// Goes on with the picture for about `work` units (one unit is in the order of 10 to 100 nanoseconds).
-    pub fn step(&mut self, work: usize) -> Progress {
+    fn step(&mut self, work: usize) -> Progress {
         let mut left = i64::try_from(work).unwrap_or(i64::MAX).max(1);
         if let Some(drawing) = &self.drawing
             && self.walk.step(drawing, &self.facts, &mut left) == Progress::More
@@ -80,15 +72,11 @@ impl DensityRenderer {
         self.tone.step(self.walk.sums(), self.walk.only_pigment(), &mut left)
     }
 
-    /// The picture so far: RGBA, 8 bits each, opaque, from the upper left corner row by row.
-    #[must_use]
-    pub fn pixels(&self) -> &[u8] {
+    fn pixels(&self) -> &[u8] {
         self.tone.pixels()
     }
 
-    /// What the picture took so far.
-    #[must_use]
-    pub fn stats(&self) -> RenderStats {
+    fn stats(&self) -> RenderStats {
         self.walk.stats
     }
 }

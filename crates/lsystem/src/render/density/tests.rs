@@ -1,12 +1,7 @@
 use super::*;
-use crate::render::tests::{close_up, hard, processor_time, samples};
+use crate::render::tests::{check_odd_views, check_small_steps, close_up, hard, picture, samples, time};
 use crate::render::view::root_bounds;
 use crate::{ColourBy, fit, fitted_scale};
-
-fn picture(renderer: &mut DensityRenderer, style: &Style, viewport: Viewport, view: View) {
-    renderer.begin(style, viewport, view);
-    while renderer.step(10_000) == Progress::More {}
-}
 
 /// The ink at each pixel by definition, in layers: every segment point by point, each shared by the four pixels around
 /// it, by how near they are.
@@ -141,23 +136,7 @@ fn a_thousand_generations_look_like_two_hundred() {
 
 #[test]
 fn work_in_small_steps_gives_the_same_picture() {
-    let viewport = Viewport { width: 200, height: 150, ratio: 1.0 };
-    let [mut whole, mut stepped] = [DensityRenderer::new(), DensityRenderer::new()];
-    for (name, sample, n) in samples() {
-        let drawing = Arc::new(sample.draw(n));
-        whole.load(drawing.clone());
-        stepped.load(drawing);
-        for detail in [Detail::Fine, Detail::Coarse] {
-            whole.begin_with(&sample.0.style, viewport, View::default(), detail, None);
-            while whole.step(usize::MAX) == Progress::More {}
-            // A picture given up half-way leaves no trace.
-            stepped.begin(&sample.0.style, viewport, View { x: 0.1, ..View::default() });
-            (0..100).for_each(|_| _ = stepped.step(1));
-            stepped.begin_with(&sample.0.style, viewport, View::default(), detail, None);
-            while stepped.step(1) == Progress::More {}
-            assert!(whole.pixels() == stepped.pixels(), "{name} {detail:?}");
-        }
-    }
+    check_small_steps([DensityRenderer::new(), DensityRenderer::new()]);
 }
 
 /// The mean of all channels' distance from the background.
@@ -212,64 +191,12 @@ fn inks_mix_by_how_much_there_is_of_each() {
 
 #[test]
 fn odd_views_and_sizes_do_no_harm() {
-    let finishes = |renderer: &mut DensityRenderer| (0..10_000).any(|_| renderer.step(100_000) == Progress::Done);
-    let mut renderer = DensityRenderer::new();
-    renderer.begin(&Style::default(), Viewport { width: 7, height: 5, ratio: 1.0 }, View::default());
-    assert!(finishes(&mut renderer));
-    assert_eq!(renderer.pixels().len(), 7 * 5 * 4);
-    let odd = [0.0, -1.0, 1e-300, 1e17, 1e300, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
-    for (name, sample) in hard() {
-        for n in [0, 1, 9, 200] {
-            let drawing = Arc::new(sample.draw(n));
-            renderer.load(drawing.clone());
-            for (i, value) in odd.into_iter().enumerate() {
-                let viewport = Viewport { width: [0, 1, 63, 65][i % 4], height: [65, 1, 16, 0][i % 4], ratio: value };
-                let view =
-                    View { x: value, y: odd[(i + 3) % odd.len()], zoom: odd[(i + 5) % odd.len()], fine: [value; 2] };
-                let style = Style { min_width: odd[(i + 1) % odd.len()], exposure: value, ..Style::default() };
-                for detail in [Detail::Fine, Detail::Coarse] {
-                    renderer.begin_with(&style, viewport, view, detail, (i % 3 == 0).then_some(7));
-                    assert!(finishes(&mut renderer), "{name} {n} {view:?}");
-                    assert_eq!(renderer.pixels().len(), (viewport.width * viewport.height * 4) as usize);
-                    assert!(renderer.pixels().iter().skip(3).step_by(4).all(|&alpha| alpha == u8::MAX));
-                }
-            }
-        }
-    }
+    check_odd_views(DensityRenderer::new());
 }
 
+/// Run with `--ignored --nocapture`.
 #[test]
 #[ignore = "a measurement"]
 fn timing() {
-    let viewport = Viewport { width: 1600, height: 1000, ratio: 1.0 };
-    let folder = std::env::var("PICTURES").ok();
-    let only = std::env::var("ONLY").unwrap_or_default();
-    let zooms = std::env::var("ZOOMS").unwrap_or_else(|_| "1,30".into());
-    let mut renderer = DensityRenderer::new();
-    for (name, sample) in hard().into_iter().filter(|(name, _)| name.contains(&only)) {
-        let only_n = std::env::var("N").map(|n| n.parse::<u32>().unwrap()).ok();
-        for n in [6, 12, 40].into_iter().filter(|n| only_n.is_none_or(|only| *n == only)) {
-            let drawing = Arc::new(sample.draw(n));
-            renderer.load(drawing.clone());
-            for zoom in zooms.split(',').map(|zoom| zoom.parse::<f64>().unwrap()) {
-                let (mut total, mut least) = (0.0, f64::INFINITY);
-                for (_, x) in (0..6).zip([0.0, 1e-3].into_iter().cycle()) {
-                    let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
-                    let view = View { zoom: zoom * (1.0 + x), ..view };
-                    let start = processor_time();
-                    renderer.begin(&Style::default(), viewport, view);
-                    while renderer.step(10_000) == Progress::More && processor_time() < start + 5000.0 {}
-                    let time = processor_time() - start;
-                    total += time / 6.0;
-                    least = least.min(time);
-                }
-                println!("{name:12} n {n:2} zoom {zoom:7} {total:9.2} ms, least {least:.2} {:?}", renderer.stats());
-                if let Some(folder) = &folder {
-                    let mut ppm = b"P6 1600 1000 255\n".to_vec();
-                    ppm.extend(renderer.pixels().chunks(4).flat_map(|p| &p[..3]));
-                    std::fs::write(format!("{folder}/{}-{n}-{zoom}.ppm", name.replace(' ', "_")), ppm).unwrap();
-                }
-            }
-        }
-    }
+    time(&mut DensityRenderer::new());
 }
