@@ -5,7 +5,7 @@ use crate::brush::Brush;
 use crate::clock::Clock;
 use crate::report::Report;
 use crate::surface::Surface;
-use crate::viewer::{Drawn, Scene, Viewer, WORK, describe_drawing};
+use crate::viewer::{Drawn, Scene, Viewer, WORK, describe_drawing, go_on};
 use lsystem::{Detail, Diagnostic, Drawer, Drawing, Progress, System, fitted_scale};
 use std::sync::Arc;
 use wasm_bindgen::JsValue;
@@ -17,7 +17,7 @@ const PATIENCE: f64 = 8.0;
 pub(crate) struct PlaneView {
     pub(crate) drawing: Option<Arc<Drawing>>,
     /// The drawing that is being built.
-    drawer: Option<Drawer>,
+    drawer: Option<Box<Drawer>>,
     fine: Brush,
     coarse: Brush,
     scene: Option<Scene>,
@@ -56,7 +56,7 @@ impl Default for PlaneView {
 
 impl Viewer for PlaneView {
     fn start(&mut self, system: &System, n: u32) {
-        self.drawer = Some(Drawer::new(system, n, LIMITS));
+        self.drawer = Some(Box::new(Drawer::new(system, n, LIMITS)));
     }
 
     fn stop(&mut self) {
@@ -64,11 +64,7 @@ impl Viewer for PlaneView {
     }
 
     fn build(&mut self) -> Option<Result<(), Diagnostic>> {
-        if self.drawer.as_mut()?.step(WORK as u64) == Progress::More {
-            return None;
-        }
-        Some(self.drawer.take()?.finish().map(|drawing| {
-            let drawing = Arc::new(drawing);
+        Some(go_on(&mut self.drawer)?.map(|drawing| {
             self.fine.load(drawing.clone());
             self.coarse.load(drawing.clone());
             self.drawing = Some(drawing);

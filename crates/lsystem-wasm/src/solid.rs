@@ -5,7 +5,7 @@ use crate::clock::Clock;
 use crate::playground::Playground;
 use crate::report::Report;
 use crate::surface::Surface;
-use crate::viewer::{Drawn, Scene, Viewer, WORK, describe_drawing};
+use crate::viewer::{Drawn, Scene, Viewer, WORK, describe_drawing, go_on};
 use lsystem::{Camera, Diagnostic, Drawer, Drawing, Progress, Quality, Solid, SolidRenderer, System, solid_scale};
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
@@ -67,11 +67,7 @@ impl Viewer for SolidView {
     }
 
     fn build(&mut self) -> Option<Result<(), Diagnostic>> {
-        if self.drawer.as_mut()?.step(WORK as u64) == Progress::More {
-            return None;
-        }
-        Some(self.drawer.take()?.finish().map(|drawing| {
-            let drawing = Arc::new(drawing);
+        Some(go_on(&mut self.drawer)?.map(|drawing| {
             self.renderer.load(drawing.clone());
             self.pace = UNKNOWN;
             self.drawing = Some(drawing);

@@ -6,8 +6,11 @@ use crate::report::Report;
 #[cfg(feature = "full")]
 use crate::solid::SolidView;
 use crate::surface::Surface;
-use lsystem::{Diagnostic, Drawing, Ink, Space, Style, System, View, Viewport, count_segments, describe};
+use lsystem::{
+    Diagnostic, Drawer, Drawing, Ink, Progress, Space, Style, System, View, Viewport, count_segments, describe,
+};
 use serde::Serialize;
+use std::sync::Arc;
 use wasm_bindgen::JsValue;
 
 /// Work units between two looks at the clock: well under a millisecond each.
@@ -67,6 +70,14 @@ pub(crate) trait Viewer {
     /// Makes the whole picture for another canvas.
     #[cfg(feature = "full")]
     fn snapshot(&self, scene: Scene, surface: &Surface) -> Result<(), JsValue>;
+}
+
+/// Goes on with the drawing that is being built; it itself when it is there, or what went wrong.
+pub(crate) fn go_on<S: Space>(drawer: &mut Option<Box<Drawer<S>>>) -> Option<Result<Arc<Drawing<S>>, Diagnostic>> {
+    if drawer.as_mut()?.step(WORK as u64) == Progress::More {
+        return None;
+    }
+    Some(drawer.take()?.finish().map(Arc::new))
 }
 
 /// Where a drawing is.

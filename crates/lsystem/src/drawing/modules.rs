@@ -172,7 +172,6 @@ impl<S: Space> Modular<S> {
                         return Outcome::Failed(limit(*passed, limits.value(*passed), *fits));
                     }
                 }
-                let _ = seed;
                 Outcome::Paused
             }
         }

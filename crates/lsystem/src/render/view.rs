@@ -1,8 +1,8 @@
 //! Where on the drawing a picture looks.
 
 use super::wide::Wide;
-use crate::Drawing;
 use crate::limits::{MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
+use crate::{Drawing, Style};
 
 /// The size of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +23,12 @@ impl Viewport {
         let width = self.width.min(MAX_PICTURE_SIDE);
         let height = self.height.min(MAX_PICTURE_SIDE).min(MAX_PICTURE_PIXELS / width.max(1));
         Self { width, height, ..self }
+    }
+
+    /// The least width of strokes, in device pixels.
+    pub(crate) fn least_width(self, style: &Style) -> f64 {
+        let width = (style.min_width * self.ratio).max(1.0);
+        if width.is_finite() { width } else { 1.0 }
     }
 }
 

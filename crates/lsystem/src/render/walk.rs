@@ -140,9 +140,7 @@ impl Walk {
         self.stack.clear();
         self.making.clear();
         let camera = Camera::new(drawing, viewport, view, detail.samples() as f64);
-        let min_width = (style.min_width * viewport.ratio).max(1.0);
-        let min_width = if min_width.is_finite() { min_width } else { 1.0 };
-        let hairline = min_width * detail.samples() as f64 / 2.0;
+        let hairline = viewport.least_width(style) * detail.samples() as f64 / 2.0;
         let look = Look { hairline, step: camera.step, scale: camera.scale };
         self.outlined = 0;
         // Rough tiles would spoil this picture.

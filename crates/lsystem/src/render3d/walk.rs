@@ -151,8 +151,6 @@ impl Walk {
         let lens = Lens::new(drawing, viewport, camera, samples as f64);
         let size = [viewport.width, viewport.height].map(|pixels| f64::from(pixels) * samples as f64);
         let side = quality.tile(viewport);
-        let min_width = (style.min_width * viewport.ratio).max(1.0);
-        let min_width = if min_width.is_finite() { min_width } else { 1.0 };
         self.look = Some(Look {
             lens,
             light: Light::new(style, &lens, camera.fade),
@@ -164,7 +162,7 @@ impl Walk {
             detail: quality.detail() as f32,
             budget: quality.budget(),
             work: quality.work(viewport),
-            hairline: min_width * samples as f64 / 2.0,
+            hairline: viewport.least_width(style) * samples as f64 / 2.0,
             width: drawing.width,
         });
         (self.width, self.height) = (viewport.width as usize, viewport.height as usize);

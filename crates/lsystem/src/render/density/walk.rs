@@ -141,8 +141,7 @@ impl Walk {
         self.stack.clear();
         self.making.clear();
         let camera = Camera::new(drawing, viewport, view, samples);
-        let min_width = (style.min_width * viewport.ratio).max(1.0);
-        let hairline = if min_width.is_finite() { min_width * samples } else { samples };
+        let hairline = viewport.least_width(style) * samples;
         let look = Look { hairline, step: camera.step, scale: camera.scale };
         let changed = self.table.prepare(drawing, style);
         if self.pigments.prepare(style, self.table.choice.colours) | changed || look != self.look {
