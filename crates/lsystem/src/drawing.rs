@@ -174,6 +174,28 @@ impl<S: Space> Drawing<S> {
         &self.items[items.start as usize..items.end as usize]
     }
 
+    /// How many segments an item draws; `u128::MAX` stands for that many or more.
+    pub(crate) fn segments_in(&self, item: &Item<S>) -> u128 {
+        match item {
+            Item::Stroke(_) => 1,
+            Item::Polygon(_) => 0,
+            Item::Block(placed) => self.blocks[placed.block.0 as usize].segments,
+        }
+    }
+
+    /// How many of `items` come before the one with the segment `number` (0-based, of theirs), and the segment's number
+    /// in that one; all items where they have no such segment. Polygons before it come before.
+    pub(crate) fn before(&self, items: &[Item<S>], number: u128) -> (usize, u128) {
+        let mut left = number;
+        let place = items.iter().position(|item| {
+            let segments = self.segments_in(item);
+            let inside = segments > left;
+            left -= if inside { 0 } else { segments };
+            inside
+        });
+        (place.unwrap_or(items.len()), left)
+    }
+
     /// The greatest number that colours by branch level or by generation depend on.
     pub(crate) fn farthest_ink(&self, by: ColourBy) -> u32 {
         let indices = || self.styles.iter().map(|style| style.colour.of(0).max(0).cast_unsigned());

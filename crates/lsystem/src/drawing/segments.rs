@@ -163,23 +163,19 @@ impl<'a, S: Space> Strokes<'a, S> {
     fn pass(&mut self, mut count: u128) {
         while count > 0 {
             let Some((next, end, frame)) = self.open.last_mut() else { return };
-            if next == end {
-                self.open.pop();
-                continue;
-            }
-            let item = &self.drawing.items[*next as usize];
-            *next += 1;
-            match item {
-                Item::Stroke(_) => count -= 1,
-                Item::Polygon(_) => {}
-                Item::Block(placed) => {
-                    let segments = self.drawing.blocks[placed.block.0 as usize].segments;
-                    if segments <= count {
-                        count -= segments;
-                    } else {
-                        let inner = frame.place(placed, self.drawing, &mut self.directions);
-                        self.enter(placed.block, &inner);
-                    }
+            let items = &self.drawing.items[*next as usize..*end as usize];
+            let (passed, left) = self.drawing.before(items, count);
+            *next += passed as u32;
+            count = left;
+            match items.get(passed) {
+                Some(Item::Block(placed)) => {
+                    *next += 1;
+                    let inner = frame.place(placed, self.drawing, &mut self.directions);
+                    self.enter(placed.block, &inner);
+                }
+                Some(_) => return,
+                None => {
+                    self.open.pop();
                 }
             }
         }

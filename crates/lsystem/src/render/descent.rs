@@ -186,30 +186,16 @@ impl Descent {
     pub(super) fn leave_out(&mut self, drawing: &Drawing, choice: Choice, stack: &mut Vec<Node>, from: u128) {
         let mut left = from;
         while let Some(node) = stack.last().copied() {
-            let items = &drawing.blocks[node.block.0 as usize].items;
-            let mut cut = None;
-            let mut cursor = items.start;
+            let items = drawing.items_of(node.block);
             // Polygons before the first segment that is left out are there.
-            while cursor < items.end && cut.is_none() {
-                let segments = match &drawing.items[cursor as usize] {
-                    Item::Stroke(_) => 1,
-                    Item::Polygon(_) => 0,
-                    Item::Block(placed) => drawing.blocks[placed.block.0 as usize].segments,
-                };
-                if segments > left {
-                    cut = Some(&drawing.items[cursor as usize]);
-                } else {
-                    left -= segments;
-                    cursor += 1;
-                }
-            }
+            let (kept, within) = drawing.before(items, left);
+            left = within;
             if let Some(top) = stack.last_mut() {
-                top.cursor = cursor;
-                top.span.end -=
-                    self.path.rest(top.block, top.span, &drawing.items[cursor as usize..items.end as usize]);
+                top.cursor -= (items.len() - kept) as u32;
+                top.span.end -= self.path.rest(top.block, top.span, &items[kept..]);
             }
             let node = stack.last().copied().unwrap_or(node);
-            match cut {
+            match items.get(kept) {
                 Some(Item::Block(placed)) => {
                     let size = self.path.block(node.block, node.span, placed.block).size;
                     let around = Node { span: Span { end: node.span.end + size, ..node.span }, ..node };

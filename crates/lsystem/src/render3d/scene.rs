@@ -196,17 +196,9 @@ impl Scene {
         let mut way = Vec::new();
         loop {
             let items = drawing.items_of(block);
-            let cut = items.iter().position(|item| {
-                let segments = match item {
-                    Item::Stroke(_) => 1,
-                    Item::Polygon(_) => 0,
-                    Item::Block(placed) => drawing.blocks[placed.block.0 as usize].segments,
-                };
-                let beyond = segments > left;
-                left -= if beyond { 0 } else { segments };
-                beyond
-            });
-            let (before, after) = items.split_at(cut.unwrap_or(items.len()));
+            let (cut, within) = drawing.before(items, left);
+            left = within;
+            let (before, after) = items.split_at(cut);
             let Some(Item::Block(placed)) = after.first() else {
                 way.push((before, None));
                 break;
