@@ -77,6 +77,9 @@ pub struct Drawing<S: Space = Plane> {
     pub(crate) pieces: Vec<Vec<(SymbolId, Piece<S>)>>,
     /// Whether blocks are shared.
     pub(crate) memoised: bool,
+    /// By stroke and polygon, in drawing order: where it is along the path, as in [`Tint`](crate::Tint); empty where
+    /// they follow each other on it.
+    pub(crate) places: Vec<f64>,
     /// The symbols of its generation, where they were counted.
     pub(crate) symbols: Option<u64>,
     /// The root's extent in its own units, when somebody has asked.

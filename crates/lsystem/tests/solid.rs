@@ -5,7 +5,8 @@ mod naive;
 
 use cases::cases;
 use lsystem::{
-    Action, Definition, Dialect, Drawing, Kind, LimitName, Limits, Outlook, Segment, Solid, System, draw, draw_solid,
+    Action, Definition, Dialect, Drawing, Kind, LimitName, Limits, Mark, Outlook, Segment, Solid, System, draw,
+    draw_solid,
 };
 use proptest::prelude::*;
 
@@ -415,6 +416,20 @@ fn on_paper_what_is_nearer_covers_what_is_farther() {
     let seen =
         draw_solid(&back, 0, &Limits::default()).unwrap().seen_from(&Outlook { azimuth: 0.0, elevation: 0.0 }, 9);
     assert_eq!(seen.unwrap().segments().map(|s| s.colour).collect::<Vec<_>>(), [2, 1]);
+}
+
+#[test]
+fn on_paper_colours_follow_the_path_in_space() {
+    let line = system(&abop("F&F&F", "", 90.0));
+    let drawing = draw_solid(&line, 0, &Limits::default()).unwrap();
+    // What is drawn first is nearest from one side and farthest from the other.
+    for (azimuth, places) in [(0.0, [2.5, 1.5, 0.5]), (180.0, [0.5, 1.5, 2.5])] {
+        let seen = drawing.seen_from(&Outlook { azimuth, elevation: 0.0 }, 10).unwrap();
+        let tints = seen.marks().map(|mark| match mark {
+            Mark::Segment(_, tint) | Mark::Polygon(_, tint) => tint.place,
+        });
+        assert_eq!(tints.collect::<Vec<_>>(), places.map(|place| place / 3.0), "{azimuth}");
+    }
 }
 
 #[test]

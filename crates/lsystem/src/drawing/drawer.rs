@@ -172,6 +172,7 @@ impl<S: Space> Drawer<S> {
             width: self.score.width,
             pieces,
             memoised: self.memoises,
+            places: vec![],
             symbols: self.symbols,
             extent: OnceLock::new(),
         })

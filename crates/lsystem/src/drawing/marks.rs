@@ -25,15 +25,14 @@ impl<S: Space> Drawing<S> {
         }
         let (all, unit) = (self.segment_count() as f64, self.unit());
         let mut number = 0_u64;
+        let mut places = self.places.iter();
         let model = move |point: S::Point| self.model(point, unit);
         core::iter::from_fn(move || {
             let (part, frame) = strokes.next_part()?;
             let change = |id: super::StyleId| frame.style.then(&self.styles[id.0 as usize]);
-            let tint = |style: &StyleChange, number: u64| Tint {
-                index: style.colour.of(0),
-                level: style.level,
-                place: if all > 0.0 { (number as f64 + 0.5) / all } else { 0.0 },
-            };
+            let own = if all > 0.0 { (number as f64 + 0.5) / all } else { 0.0 };
+            let place = places.next().copied().unwrap_or(own);
+            let tint = |style: &StyleChange| Tint { index: style.colour.of(0), level: style.level, place };
             Some(match part {
                 Part::Stroke(stroke) => {
                     let style = change(stroke.style);
@@ -45,12 +44,12 @@ impl<S: Space> Drawing<S> {
                         width: style.width.of(0.0) * self.step.abs(),
                     };
                     number += 1;
-                    Mark::Segment(segment, tint(&style, number - 1))
+                    Mark::Segment(segment, tint(&style))
                 }
                 Part::Polygon(polygon) => {
                     let style = change(polygon.style);
                     let vertices = self.vertices_of(polygon).iter().map(|&vertex| model(frame.lie(vertex))).collect();
-                    Mark::Polygon(vertices, tint(&style, number))
+                    Mark::Polygon(vertices, tint(&style))
                 }
             })
         })

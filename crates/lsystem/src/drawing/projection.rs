@@ -37,6 +37,17 @@ impl Outlook {
     }
 }
 
+/// A segment or a polygon on the paper.
+struct Seen {
+    /// How near it is.
+    depth: f64,
+    points: Vec<[f64; 2]>,
+    filled: bool,
+    style: StyleChange,
+    /// Along the path.
+    place: f64,
+}
+
 impl Drawing<Solid> {
     /// The drawing as it is seen: every segment and polygon where it lies on the paper, those whose middles are
     /// farther away before those that are nearer, so that these cover them. Depths apart, coordinates are exact to 1e-9 of the extent.
@@ -55,7 +66,8 @@ impl Drawing<Solid> {
         }
         // A negative step turns the picture round.
         let sign = if self.step < 0.0 { -1.0 } else { 1.0 };
-        let mut seen: Vec<(f64, Vec<[f64; 2]>, bool, StyleChange)> = Vec::new();
+        let mut seen = Vec::new();
+        let (all, mut before) = (self.segment_count() as f64, 0.0);
         while let Some((part, frame)) = strokes.next_part() {
             let (points, filled, id) = match part {
                 Part::Stroke(stroke) => (&[stroke.from, stroke.to][..], false, stroke.style),
@@ -64,14 +76,16 @@ impl Drawing<Solid> {
             let points = points.iter().map(|&point| frame.lie(point));
             let depth = points.clone().map(|point| dot(back, point)).sum::<f64>() / points.len() as f64;
             let style = frame.style.then(&self.styles[id.0 as usize]);
-            seen.push((sign * depth, points.map(paper).collect(), filled, style));
+            let place = if all > 0.0 { (before + 0.5) / all } else { 0.0 };
+            before += if filled { 0.0 } else { 1.0 };
+            seen.push(Seen { depth: sign * depth, points: points.map(paper).collect(), filled, style, place });
         }
-        seen.sort_by(|a, b| a.0.total_cmp(&b.0));
+        seen.sort_by(|a, b| a.depth.total_cmp(&b.depth));
 
         let mut builder: Builder<Plane> = Builder::new();
         // Coordinates in space are within 1, those on paper within √3 then.
         let mut tree = Tree::new(self.root.map_or(0, |root| self.blocks[root.0 as usize].exponent));
-        for (_, points, filled, style) in &seen {
+        for Seen { points, filled, style, .. } in &seen {
             tree.draw(&mut builder, |desk| match points.as_slice() {
                 [from, to] if !filled => desk.stroke(*from, *to, style),
                 points => {
@@ -94,6 +108,7 @@ impl Drawing<Solid> {
             width: self.width,
             pieces: vec![],
             memoised: false,
+            places: seen.iter().map(|seen| seen.place).collect(),
             symbols: self.symbols,
             extent: OnceLock::new(),
         })

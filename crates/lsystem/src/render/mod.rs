@@ -28,6 +28,7 @@ mod tests;
 
 pub use density::DensityRenderer;
 pub(crate) use inks::{Choice, Shade};
+pub(crate) use path::{plus, ratio};
 pub use view::{Detail, Rect, View, Viewport, fit, fitted_scale, to_model};
 
 use crate::{Drawing, Progress, Style};

@@ -85,14 +85,20 @@ impl Path {
         items.iter().map(size).sum()
     }
 
-    fn part(&self, block: BlockId, span: Span, (count, exponent): (f64, i32)) -> f64 {
-        let (all, of) = self.counts.get(block.0 as usize).copied().unwrap_or_default();
-        if all > 0.0 { span.size * libm::scalbn(count / all, exponent - of) } else { 0.0 }
+    fn part(&self, block: BlockId, span: Span, count: (f64, i32)) -> f64 {
+        let all = self.counts.get(block.0 as usize).copied().unwrap_or_default();
+        span.size * ratio(count, all)
     }
 }
 
-fn plus(a: (f64, i32), b: (f64, i32)) -> (f64, i32) {
+/// The sum of two numbers, each to be multiplied by a power of two with its exponent.
+pub(crate) fn plus(a: (f64, i32), b: (f64, i32)) -> (f64, i32) {
     let (a, b) = if a.1 >= b.1 { (a, b) } else { (b, a) };
     let (sum, exponent) = libm::frexp(a.0 + libm::scalbn(b.0, b.1 - a.1));
     (sum, exponent + a.1)
+}
+
+/// One such number over another; 0 where that is 0.
+pub(crate) fn ratio(part: (f64, i32), all: (f64, i32)) -> f64 {
+    if all.0 > 0.0 { libm::scalbn(part.0 / all.0, part.1 - all.1) } else { 0.0 }
 }

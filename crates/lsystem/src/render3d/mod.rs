@@ -16,6 +16,7 @@ mod camera;
 mod face;
 mod lanes;
 mod light;
+mod path;
 mod scene;
 mod stroke;
 mod tile;

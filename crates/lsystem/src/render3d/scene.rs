@@ -2,7 +2,8 @@
 //! around each, and with what is seen of it where it is too small to be looked into.
 
 use super::light::Bundle;
-use crate::render::{Choice, Shade};
+use super::path::Stretch;
+use crate::render::{Choice, Shade, plus, ratio};
 use crate::rotation::{Vector, combine, cross, dot, norm};
 use crate::triangulate::triangulate;
 use crate::{BlockId, ColourBy, Drawing, Item, Placed, Solid, Style, StyleChange, WidthChange};
@@ -35,6 +36,11 @@ pub(super) struct Scene {
     memoised: bool,
     /// The greatest branch level and generation.
     farthest: [u32; 2],
+    /// Whether colours follow the path, and not what is at a node's entry.
+    pub(super) along: bool,
+    /// What part of the path is shown, and what part one segment is.
+    pub(super) shown: Stretch,
+    pub(super) one: f64,
 }
 
 /// A block, or a run of a block's contents. Coordinates are the block's.
@@ -65,6 +71,8 @@ pub(super) struct Own {
     pub(super) need: f32,
     /// The mean length of its samples.
     pub(super) sampled: f32,
+    /// Its segments: a number, and the exponent of a power of two that it is to be multiplied by.
+    count: (f64, i32),
 }
 
 /// A straight part of a node, all of it drawn in one style: the longest, which stands for the node where nothing else
@@ -76,6 +84,8 @@ pub(super) struct Limb {
     pub(super) style: StyleChange,
     /// How far from it anything of the node reaches, strokes' widths apart.
     pub(super) off: f64,
+    /// What part of the node's segments comes before.
+    pub(super) before: f64,
 }
 
 /// A stroke of a node, drawn by lot: what there is no time to look into shows some of these.
@@ -84,6 +94,8 @@ pub(super) struct Sample {
     pub(super) from: [f32; 3],
     pub(super) to: [f32; 3],
     pub(super) style: StyleChange,
+    /// What part of the node's segments comes before.
+    pub(super) before: f32,
 }
 
 /// A node inside another: `p -> at + axes p`.
@@ -103,6 +115,9 @@ pub(super) struct Link {
     pub(super) bundle: Bundle,
     /// Whether it is a run of the same block.
     pub(super) same: bool,
+    /// What part of all segments in the node that holds it comes before, and what part is in it.
+    pub(super) before: f64,
+    pub(super) part: f64,
 }
 
 /// One segment, or a triangle of a polygon.
@@ -113,12 +128,14 @@ pub(super) struct Line {
     /// Of a triangle: the corner that is not on its longest side.
     pub(super) corner: Option<[f32; 3]>,
     pub(super) style: u32,
+    /// What part of the node's segments comes before.
+    pub(super) before: f32,
 }
 
 impl Line {
     fn new(ends: [Vector; 2], style: u32) -> Self {
         let [from, to] = ends.map(|end| end.map(|c| c as f32));
-        Self { from, to, corner: None, style }
+        Self { from, to, corner: None, style, before: 0.0 }
     }
 
     fn face([a, b, c]: [Vector; 3], style: u32) -> Self {
@@ -189,8 +206,11 @@ impl Scene {
         self.samples.truncate(nodes * self.kept);
         self.means.truncate(nodes * self.entries as usize);
         self.root = drawing.root.and_then(|root| self.blocks.get(root.0 as usize).copied());
+        let all = self.count(self.root);
+        self.one = ratio((1.0, 0), all);
         let (Some(mut left), Some(mut block)) = (upto.filter(|&upto| upto < drawing.segment_count()), drawing.root)
         else {
+            self.shown = Stretch { from: 0.0, size: 1.0 };
             return;
         };
         let mut way = Vec::new();
@@ -210,6 +230,11 @@ impl Scene {
             .into_iter()
             .rev()
             .fold(None, |inside, (before, placed)| self.contents(drawing, before, placed.zip(inside)));
+        self.shown = Stretch { from: 0.0, size: ratio(self.count(self.root), all) };
+    }
+
+    fn count(&self, node: Option<u32>) -> (f64, i32) {
+        node.and_then(|node| self.nodes.get(node as usize)).map_or((0.0, 0), |node| node.own.count)
     }
 
     /// Makes nodes of a block's contents, the last of which may be placed where another block would be; the one that
@@ -233,17 +258,18 @@ impl Scene {
                     lines.extend(corners.map(|corners| Line::face(corners, polygon.style.0)));
                 }
                 Item::Block(placed) => {
-                    run.links.push(self.link(placed, self.blocks[placed.block.0 as usize]));
+                    let node = self.blocks[placed.block.0 as usize];
+                    run.hold(self.link(placed, node), self.count(Some(node)));
                     self.full(&mut run, &mut row);
                 }
             }
             for line in lines {
-                run.lines.push(line);
+                run.draw(line);
                 self.full(&mut run, &mut row);
             }
         }
         if let Some((placed, node)) = last {
-            run.links.push(self.link(placed, node));
+            run.hold(self.link(placed, node), self.count(Some(node)));
         }
         if !(run.links.is_empty() && run.lines.is_empty()) {
             row.push(self.node(run));
@@ -251,8 +277,9 @@ impl Scene {
         let same = self.styles.len() as u32 - 1;
         while row.len() > 1 {
             let rows = row.chunks(WIDTH).map(|nodes| {
-                let links = nodes.iter().map(|&node| self.same(node, same)).collect();
-                self.node(Run { links, lines: vec![] })
+                let mut run = Run::default();
+                nodes.iter().for_each(|&node| run.hold(self.same(node, same), self.count(Some(node))));
+                self.node(run)
             });
             row = rows.collect();
         }
@@ -280,6 +307,8 @@ impl Scene {
             area: (own.area * (placed.scale * placed.scale) as f32).min(1e30),
             bundle: own.bundle.turned(&columns),
             same: false,
+            before: 0.0,
+            part: 0.0,
         }
     }
 
@@ -287,11 +316,19 @@ impl Scene {
     fn same(&self, node: u32, style: u32) -> Link {
         let Own { widest, length, area, bundle, .. } = self.nodes[node as usize].own;
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        Link { node, style, at: [0.0; 3], axes, widest, length, area, bundle, same: true }
+        Link { node, style, at: [0.0; 3], axes, widest, length, area, bundle, same: true, before: 0.0, part: 0.0 }
     }
 
     /// Adds a node; returns its number.
-    fn node(&mut self, run: Run) -> u32 {
+    fn node(&mut self, mut run: Run) -> u32 {
+        let count = run.count;
+        for (link, before) in run.links.iter_mut().zip(&run.before[0]) {
+            link.before = ratio(*before, count);
+            link.part = ratio(self.count(Some(link.node)), count);
+        }
+        for (line, before) in run.lines.iter_mut().zip(&run.before[1]) {
+            line.before = ratio(*before, count) as f32;
+        }
         let mut balls = [[0.0; WIDTH]; 4];
         let mut widest = WidthChange { factor: 0.0, offset: 0.0 };
         let (mut length, mut area, mut bundle) = (0.0_f32, 0.0_f32, Bundle::default());
@@ -321,7 +358,8 @@ impl Scene {
             let [from, to] = [line.from, line.to].map(|end| end.map(f64::from));
             let half = [0, 1, 2].map(|i| 0.5 * (to[i] - from[i]));
             let centre = [0, 1, 2].map(|i| from[i] + half[i]);
-            let mut limb = Limb { from, to, style: self.styles[line.style as usize], off: 0.0 };
+            let mut limb =
+                Limb { from, to, style: self.styles[line.style as usize], off: 0.0, before: f64::from(line.before) };
             if let Some(corner) = line.corner {
                 let corner = corner.map(f64::from);
                 put(run.links.len() + lane, centre, norm(half).max(norm(minus(corner, centre))));
@@ -342,17 +380,17 @@ impl Scene {
             bundle = Bundle::of([0.0; 3]);
         }
         let centre = [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]));
-        let count = run.links.len() + run.lines.len();
-        let farthest = (0..count).map(|lane| {
+        let contents = run.links.len() + run.lines.len();
+        let farthest = (0..contents).map(|lane| {
             let [x, y, z, radius] = [0, 1, 2, 3].map(|i| f64::from(balls[i][lane]));
             norm([x - centre[0], y - centre[1], z - centre[2]]) + radius
         });
         let radius = farthest.fold(0.0, f64::max);
         let limb = longest(&limbs);
         let needs = run.links.iter().map(|link| self.nodes[link.node as usize].own.need);
-        let need = (needs.sum::<f32>() + count as f32).min(MANY);
+        let need = (needs.sum::<f32>() + contents as f32).min(MANY);
         let sampled = self.sample(&run, length);
-        let own = Own { centre, radius, length, area, bundle, widest, limb, need, sampled };
+        let own = Own { centre, radius, length, area, bundle, widest, limb, need, sampled, count };
         self.nodes.push(Node {
             balls,
             first_link: self.links.len() as u32,
@@ -373,7 +411,13 @@ impl Scene {
             [link.at[0] + x, link.at[1] + y, link.at[2] + z]
         });
         let scale = if link.same { 1.0 } else { norm(link.axes[0]) };
-        Limb { from, to, style: self.styles[link.style as usize].then(&limb.style), off: limb.off * scale }
+        Limb {
+            from,
+            to,
+            style: self.styles[link.style as usize].then(&limb.style),
+            off: limb.off * scale,
+            before: link.before + link.part * limb.before,
+        }
     }
 
     /// Chooses the samples of a new node from those of its contents. Each stands for a direction: of two contents drawn
@@ -381,7 +425,7 @@ impl Scene {
     /// for what can be seen of many strokes in one place are the outer ones. Returns their mean length.
     fn sample(&mut self, run: &Run, length: f32) -> f32 {
         let kept = self.kept;
-        let nothing = Sample { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE };
+        let nothing = Sample { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE, before: 0.0 };
         let mut passed = 0.0;
         let mut ends = [0.0_f32; WIDTH];
         let lengths =
@@ -413,10 +457,14 @@ impl Scene {
                             let [x, y, z] = combine(&link.axes, end.map(f64::from));
                             [link.at[0] + x, link.at[1] + y, link.at[2] + z].map(|c| c as f32)
                         });
-                        Sample { from, to, style: self.styles[link.style as usize].then(&sample.style) }
+                        let style = self.styles[link.style as usize].then(&sample.style);
+                        let before = link.before + link.part * f64::from(sample.before);
+                        Sample { from, to, style, before: before as f32 }
                     }
                     None => match run.lines.get(lane - run.links.len()) {
-                        Some(line) => Sample { from: line.from, to: line.to, style: self.styles[line.style as usize] },
+                        Some(&Line { from, to, style, before, .. }) => {
+                            Sample { from, to, style: self.styles[style as usize], before }
+                        }
                         None => nothing,
                     },
                 };
@@ -445,11 +493,19 @@ impl Scene {
         let colours = style.inks(|| if style.colour_by == ColourBy::Level { deepest } else { latest });
         let choice = Choice::new(style.colour_by, colours);
         let palette: Vec<[f32; 3]> = (0..colours).map(|ink| style.ink(ink).rgb.map(f32::from)).collect();
-        if choice != self.choice || palette != self.palette || self.means.is_empty() {
+        if choice != self.choice || palette != self.palette || self.means.is_empty() && !self.along {
             (self.choice, self.palette) = (choice, palette);
             // What does not memoise has its colours as they are, whatever is at the entry.
             let few = !self.memoised || self.whole[0].saturating_mul(colours as usize) > MEANS;
-            self.entries = if few { 1 } else { colours };
+            // Along the path they follow from that.
+            self.along = style.colour_by == ColourBy::Path;
+            self.entries = if self.along {
+                0
+            } else if few {
+                1
+            } else {
+                colours
+            };
             self.means.clear();
             self.means.reserve_exact(self.nodes.len() * self.entries as usize);
         }
@@ -465,16 +521,16 @@ impl Scene {
                 };
                 for link in &self.links[node.first_link as usize..][..usize::from(node.links)] {
                     let shade = self.choice.then(Shade { number: entry, fixed: true }, self.shade(link.style));
-                    add(self.mean(link.node, shade), link.length);
+                    add(self.mean(link.node, shade, Stretch::default()), link.length);
                 }
                 for line in &self.lines[node.first_line as usize..][..usize::from(node.lines)] {
                     let shade = self.choice.then(Shade { number: entry, fixed: true }, self.shade(line.style));
-                    add(self.ink(shade), norm(line.way()) as f32);
+                    add(self.ink(shade, Stretch::default(), 0.0), norm(line.way()) as f32);
                 }
                 let mean = if weight.is_finite() {
                     sum.map(|c| c / weight)
                 } else {
-                    self.ink(Shade { number: entry, fixed: true })
+                    self.ink(Shade { number: entry, fixed: true }, Stretch::default(), 0.0)
                 };
                 self.means.push(mean);
             }
@@ -487,18 +543,21 @@ impl Scene {
         self.choice.shade(&self.styles[style as usize])
     }
 
-    /// The mean colour of a node that is entered with a shade.
+    /// The mean colour of a node that is entered with a shade and has a part of the path.
     #[inline]
-    pub(super) fn mean(&self, node: u32, shade: Shade) -> [f32; 3] {
+    pub(super) fn mean(&self, node: u32, shade: Shade, path: Stretch) -> [f32; 3] {
+        if self.along {
+            return path.mean(&self.palette);
+        }
         let entry = shade.number;
         let entry = if entry < self.entries { entry } else { 0 };
         self.means.get((node * self.entries + entry) as usize).copied().unwrap_or_default()
     }
 
-    /// The colour of a stroke with a shade.
+    /// The colour of a stroke with a shade, before which there is a part of the path's stretch.
     #[inline]
-    pub(super) fn ink(&self, shade: Shade) -> [f32; 3] {
-        let entry = shade.number;
+    pub(super) fn ink(&self, shade: Shade, path: Stretch, before: f64) -> [f32; 3] {
+        let entry = if self.along { Stretch { size: self.one, ..path.part(before, 0.0) }.ink() } else { shade.number };
         self.palette.get(entry as usize).copied().unwrap_or_default()
     }
 }
@@ -507,7 +566,7 @@ impl Scene {
 fn longest(limbs: &[Limb]) -> Limb {
     let mut all = limbs.iter();
     let Some(mut limb) = all.next().copied() else {
-        return Limb { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE, off: 0.0 };
+        return Limb { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE, off: 0.0, before: 0.0 };
     };
     for next in all {
         let way = minus(next.to, next.from);
@@ -561,4 +620,24 @@ pub(super) fn minus(a: Vector, b: Vector) -> Vector {
 struct Run {
     links: Vec<Link>,
     lines: Vec<Line>,
+    /// Segments before each link, and before each line.
+    before: [Vec<(f64, i32)>; 2],
+    count: (f64, i32),
+}
+
+impl Run {
+    /// Goes on with a link to so many segments.
+    fn hold(&mut self, link: Link, count: (f64, i32)) {
+        self.links.push(link);
+        self.before[0].push(self.count);
+        self.count = plus(self.count, count);
+    }
+
+    fn draw(&mut self, line: Line) {
+        self.before[1].push(self.count);
+        if line.corner.is_none() {
+            self.count = plus(self.count, (1.0, 0));
+        }
+        self.lines.push(line);
+    }
 }

@@ -87,7 +87,7 @@ fn naive_until(drawing: &Drawing<Solid>, style: &Style, viewport: Viewport, came
     let paper = style.background.rgb.map(f64::from);
     let mut samples = vec![(f64::INFINITY, paper); width * height];
     let unit = drawing.unit();
-    for segment in drawing.segments().take(upto) {
+    for (number, segment) in drawing.segments().enumerate().take(upto) {
         let seen = [segment.from, segment.to].map(|p| {
             let p = [0, 1, 2].map(|i| (p[i] - drawing.start[i]) / unit);
             [0, 1, 2].map(|i| lens.origin[i] + (0..3).map(|axis| lens.axes[axis][i] * p[axis]).sum::<f64>())
@@ -96,8 +96,9 @@ fn naive_until(drawing: &Drawing<Solid>, style: &Style, viewport: Viewport, came
         let hairline = style.min_width.max(1.0) * viewport.ratio * 2.0;
         let width_of = |p: Vector| segment.width / drawing.step.abs() * lens.step / 2.0 / (1.0 + p[2] * lens.nearness);
         let radii = seen.map(|p| width_of(p).max(hairline));
-        let ink =
-            style.colour_of(crate::Tint { index: segment.colour, level: segment.level, place: 0.0 }).rgb.map(f64::from);
+        let place = (number as f64 + 0.5) / drawing.segment_count() as f64;
+        let tint = crate::Tint { index: segment.colour, level: segment.level, place };
+        let ink = style.colour_of(tint).rgb.map(f64::from);
         let reach = |axis: usize, side: usize| {
             let radius = radii[0].max(radii[1]) + 1.0;
             let low = (ends[0][axis].min(ends[1][axis]) - radius).clamp(0.0, side as f64);
@@ -163,11 +164,12 @@ fn cameras() -> [Camera; 4] {
     ]
 }
 
-fn styles() -> [Style; 2] {
+fn styles() -> [Style; 3] {
     let dark = crate::Colour { rgb: [12, 16, 24] };
     [
         Style { width: 0.25, colour_by: ColourBy::Level, ..Style::default() },
         Style { background: dark, min_width: 2.0, ..Style::default() },
+        Style { width: 0.25, colour_by: ColourBy::Path, ..Style::default() },
     ]
 }
 
@@ -196,13 +198,13 @@ fn pictures_are_true_where_all_is_looked_into() {
 /// whole the picture is as bright and as dense as the true one.
 #[test]
 fn pictures_of_small_blocks_are_true_on_the_whole() {
-    let style = &styles()[0];
+    let [level, _, path] = &styles();
     let size = Viewport { width: 96, height: 72, ratio: 1.0 };
     for (system, n) in [(bush(), 7), (tree(), 4)] {
         let mut system = system.clone();
         system.turtle.width = 0.1;
         let drawing = drawing(&system, n);
-        for camera in cameras() {
+        for (style, camera) in [level, path].into_iter().flat_map(|style| cameras().map(|camera| (style, camera))) {
             let truth = naive(&drawing, style, size, &camera);
             let seen = picture(&drawing, style, size, &camera, Quality::FINEST, 1 << 20);
             let (mean, far) = difference(&truth, &seen, 48);
@@ -213,11 +215,12 @@ fn pictures_of_small_blocks_are_true_on_the_whole() {
     }
 }
 
-/// The drawing cut short anywhere is that of its first segments; whole again, it is as it was.
+/// The drawing cut short anywhere is that of its first segments, in the colours that they have in the whole; whole again,
+/// it is as it was.
 #[test]
 fn the_first_segments_are_shown_alone() {
-    let style = &styles()[0];
-    for (system, n) in [(tree(), 2), (bush(), 4)] {
+    let [level, _, path] = &styles();
+    for (style, system, n) in [(level, tree(), 2), (path, tree(), 2), (path, bush(), 4)] {
         let mut system = system.clone();
         system.turtle.width = 0.25;
         let drawing = drawing(&system, n);
@@ -243,7 +246,7 @@ fn the_first_segments_are_shown_alone() {
     let mut renderer = SolidRenderer::new();
     renderer.load(deep.clone());
     renderer.play(Some(deep.segment_count() / 7 * 3));
-    renderer.begin(style, SIZE, &Camera::default(), Quality(2));
+    renderer.begin(path, SIZE, &Camera::default(), Quality(2));
     while renderer.step(1 << 20) == Progress::More {}
 }
 
@@ -334,6 +337,26 @@ fn the_whole_drawing_is_shown() {
                 }
             }
         }
+    }
+}
+
+/// A straight line of any number of segments is red at its foot and blue at its top.
+#[test]
+fn colours_go_along_the_path() {
+    let ends = [[255, 0, 0], [0, 0, 255]].map(|rgb| crate::Colour { rgb });
+    let style = Style { palette: ends.to_vec(), colour_by: ColourBy::Path, ..Style::default() };
+
+    for n in [5, 9, 40, 1000] {
+        let line = drawing(&system(Dialect::Abop, "F/(90)", "F -> FF", 20.0), n);
+        let pixels = picture(&line, &style, SIZE, &Camera::default(), Quality::FINEST, 1 << 20);
+        let colours = |row: u32| {
+            let row = &pixels[(row * SIZE.width * 4) as usize..][..(SIZE.width * 4) as usize];
+            let inked = row.chunks(4).min_by_key(|pixel| pixel[1]).unwrap();
+            [i32::from(inked[0]), i32::from(inked[2])]
+        };
+        let [top, middle, foot] = [25, SIZE.height / 2, SIZE.height - 25].map(colours);
+        let blend = (middle[0] - middle[1]).abs();
+        assert!(top[1] > top[0] + 40 && foot[0] > foot[1] + 40 && blend < 20, "{n}: {top:?} {middle:?} {foot:?}");
     }
 }
 

@@ -4,6 +4,7 @@ use super::Quality;
 use super::camera::{Camera, Lens, NEAR};
 use super::face::Face;
 use super::light::{DIRECTIONS, LIGHT, Light};
+use super::path::Stretch;
 use super::scene::{Node, SAMPLES, Scene, WIDTH, direction, minus};
 use super::stroke::{Dot, Stick, span};
 use super::tile::Tile;
@@ -50,6 +51,7 @@ struct Frame {
     seen: [[f32; WIDTH]; 4],
     place: Place,
     shade: Shade,
+    path: Stretch,
     /// In step lengths.
     width: f64,
     /// By content: how many strokes and nodes may be looked into for it.
@@ -81,6 +83,7 @@ impl Place {
 struct Inside {
     place: Place,
     shade: Shade,
+    path: Stretch,
     width: f64,
     share: f32,
 }
@@ -230,7 +233,7 @@ impl Walk {
                     let Lens { origin, axes, .. } = look.lens;
                     let place = Place { origin, axes, scale: dot(axes[0], axes[0]).sqrt() };
                     let shade = Shade { number: 0, fixed: true };
-                    let inside = Inside { place, shade, width: look.width, share: look.budget };
+                    let inside = Inside { place, shade, path: scene.shown, width: look.width, share: look.budget };
                     self.open(scene, &look, corner, root, inside);
                 }
             }
@@ -311,15 +314,15 @@ impl Walk {
         let Some(frame) = self.stack.last_mut() else { return 0 };
         self.used += 1.0;
         let line = &scene.lines[line];
+        let shade = scene.choice.then(frame.shade, scene.shade(line.style));
+        let ink = scene.ink(shade, frame.path, f64::from(line.before));
         if let Some(corner) = line.corner {
             let corners = [line.from, line.to, corner].map(|corner| frame.place.lie(corner.map(f64::from)));
-            let ink = scene.ink(scene.choice.then(frame.shade, scene.shade(line.style)));
             return self.face(look, tile, corners, ink);
         }
         let width = scene.styles[line.style as usize].width.of(frame.width);
-        let shade = scene.choice.then(frame.shade, scene.shade(line.style));
         let ends = [line.from, line.to].map(|end| frame.place.lie(end.map(f64::from)));
-        self.stick(look, tile, ends, width, 1.0, scene.ink(shade))
+        self.stick(look, tile, ends, width, 1.0, ink)
     }
 
     /// Paints a triangle, which is seen from both sides; one that reaches behind the eye is left out.
@@ -393,6 +396,7 @@ impl Walk {
             return 1;
         };
         let shade = scene.choice.then(frame.shade, scene.shade(link.style));
+        let path = frame.path.part(link.before, link.part);
         let inner = &scene.nodes[link.node as usize];
         let fine = 2.0 * ball > look.detail;
         if look.work > 0 && self.work > 4 * look.work {
@@ -406,7 +410,7 @@ impl Walk {
             self.used += 1.0;
             let [bx, by, bz] = [0, 1, 2].map(|i| f64::from(node.balls[i][lane]));
             let spot = look.light.spot(frame.place.lie([bx, by, bz]));
-            let ink = scene.mean(link.node, shade);
+            let ink = scene.mean(link.node, shade, path);
             let [light, view] = frame.towards;
             let colour = look.light.bundle(ink, &spot, &link.bundle, view, light);
             // As large as all strokes side by side, but not larger than they reach.
@@ -436,12 +440,12 @@ impl Walk {
         let width = scene.styles[link.style as usize].width.of(frame.width);
         let limb = &inner.own.limb;
         let thin = 2.0 * (limb.off * place.scale * factor) as f32 <= look.detail;
-        if thin {
+        if thin && (!scene.along || path.is_short()) {
             // Nothing stands out: the whole node is that line, in the colour that it has on the whole.
             frame.spare += (share - 1.0).clamp(0.0, MOST);
             self.used += 1.0;
             let ends = [limb.from, limb.to].map(|end| place.lie(end));
-            return self.stick(look, corner, ends, limb.style.width.of(width), 1.0, scene.mean(link.node, shade));
+            return self.stick(look, corner, ends, limb.style.width.of(width), 1.0, scene.mean(link.node, shade, path));
         }
         if poor {
             let own = &inner.own;
@@ -458,24 +462,25 @@ impl Walk {
             self.used += count as f32;
             if outstanding {
                 let ends = [limb.from, limb.to].map(|end| place.lie(end));
-                let ink = scene.ink(scene.choice.then(shade, scene.choice.shade(&limb.style)));
+                let ink = scene.ink(scene.choice.then(shade, scene.choice.shade(&limb.style)), path, limb.before);
                 cost += self.stick(look, corner, ends, limb.style.width.of(width), 1.0, ink);
             }
             for sample in samples {
                 let ends = [sample.from, sample.to].map(|end| place.lie(end.map(f64::from)));
-                let ink = scene.ink(scene.choice.then(shade, scene.choice.shade(&sample.style)));
+                let shade = scene.choice.then(shade, scene.choice.shade(&sample.style));
+                let ink = scene.ink(shade, path, f64::from(sample.before));
                 cost += self.stick(look, corner, ends, sample.style.width.of(width), thicker, ink);
             }
             return cost;
         }
         self.used += 1.0;
-        self.open(scene, look, corner, link.node, Inside { place, shade, width, share: share - 1.0 });
+        self.open(scene, look, corner, link.node, Inside { place, shade, path, width, share: share - 1.0 });
         NODE_WORK
     }
 
     /// Puts a node on the stack: all its contents that may be seen in the tile, the nearest on top.
     fn open(&mut self, scene: &Scene, look: &Look, corner: [f64; 2], id: u32, inside: Inside) {
-        let Inside { place, shade, width, share } = inside;
+        let Inside { place, shade, path, width, share } = inside;
         let node = &scene.nodes[id as usize];
         let lens = &look.lens;
         self.stats.blocks += 1;
@@ -512,6 +517,7 @@ impl Walk {
             seen,
             place,
             shade,
+            path,
             width,
             shares: [MOST; WIDTH],
             spare: 0.0,
