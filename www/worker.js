@@ -38,6 +38,8 @@
     let seen = false;
     let awake = false;
     let dead = false;
+    /** Whether the newest definition can be drawn; what is still in the making otherwise belongs to the one before. */
+    let sound = true;
 
     /** Questions about what the newest definition derives and draws. @type {Record<string, (question: any) => object>} */
     const READERS = {
@@ -90,15 +92,16 @@
     }
 
     function work() {
+        let report = null;
         if (newDefine) {
             const { id, definition } = newDefine;
             upto = newDefine.upto;
             newDefine = null;
             defineId = id;
-            const report = playground.define(definition);
-            if (report.ok) iterations = definition.iterations;
+            report = playground.define(definition);
+            sound = report.ok;
+            if (sound) iterations = definition.iterations;
             playground.play(upto ?? undefined);
-            self.postMessage({ type: 'report', id, report });
         }
         if (newView) {
             const { id, width, height, ratio, view, camera } = newView;
@@ -111,7 +114,7 @@
             playground.play(upto ?? undefined);
             seen = true;
         }
-        const idle = !seen || step();
+        const idle = step(report);
         // Questions are about the newest definition, whose drawing may still be in the making.
         if (playground.built && questions.length > 0 && canRead(questions[0])) answer(questions.shift());
         if (idle && questions.length === 0) {
@@ -126,10 +129,15 @@
         return !READERS[type] || playground.remember(type === 'string' ? generation : iterations, STEP_MS);
     }
 
-    /** @returns {boolean} whether there is nothing more to do */
-    function step() {
-        const { report, drawn, idle } = playground.step(STEP_MS);
-        if (report) self.postMessage({ type: 'report', id: defineId, report });
+    /**
+     * @param {any} first what is known so far of a new definition; most drawings are built in this step, and then the
+     *   page is told once
+     * @returns {boolean} whether there is nothing more to do
+     */
+    function step(first) {
+        const { report, drawn, idle } = seen ? playground.step(STEP_MS) : { report: null, drawn: null, idle: true };
+        const news = (sound && report) || first;
+        if (news) self.postMessage({ type: 'report', id: defineId, report: news });
         if (drawn) {
             const bitmap = canvas.transferToImageBitmap();
             self.postMessage({ type: 'drawn', id: defineId, viewId, complete: drawn.complete, scale: drawn.scale, bitmap, pose: pose() }, { transfer: [bitmap] });

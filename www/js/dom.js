@@ -62,6 +62,16 @@ export function setValue(field, text) {
 }
 
 /**
+ * Sets what is chosen only where it differs: browsers look through the whole form for what they could fill in whenever
+ * something is chosen, even if it was before.
+ * @param {HTMLSelectElement} element
+ * @param {string} value
+ */
+export function setChoice(element, value) {
+    if (element.value !== value) element.value = value;
+}
+
+/**
  * Closes a dialog by a button in it, and by a click beside it.
  * @param {HTMLDialogElement} dialog
  * @param {string} id of the button

@@ -173,7 +173,7 @@ function show(state, before) {
     button('reset').disabled = !edited && state.view === store.origin.view && state.camera === store.origin.camera;
     html('stage').classList.toggle('on-dark', isDark(state.background));
     html('stage').style.setProperty('--sheet', state.background);
-    showSheet(state);
+    showSheet(state, before);
     address();
 }
 

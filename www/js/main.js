@@ -123,7 +123,7 @@ function show(state, before) {
         playback.forget();
     }
     showNames(state);
-    showSheet(state);
+    showSheet(state, before);
     button('undo').disabled = !store.canUndo;
     button('redo').disabled = !store.canRedo;
     const touched = !sameSystem(state, store.origin);

@@ -2,8 +2,11 @@
 
 import { html, make } from './dom.js';
 
-/** @param {Readonly<import('./state.js').State>} state */
-export function showSheet(state) {
+/** @typedef {Readonly<import('./state.js').State>} State */
+
+/** @param {State} state @param {State | null} before what it shows already */
+export function showSheet(state, before) {
+    if (before && state.axiom === before.axiom && state.rules === before.rules && state.source === before.source) return;
     const rows = Object.entries({ Axiom: state.axiom, Productions: state.rules, Source: state.source }).filter(([, text]) => text !== '');
     html('sheet').replaceChildren(...rows.flatMap(([name, text]) => [make('dt', {}, name), make('dd', {}, text)]));
 }

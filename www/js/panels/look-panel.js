@@ -1,6 +1,6 @@
 /** Colours and strokes. */
 
-import { button, byId, html, input, make, setText } from '../dom.js';
+import { button, byId, html, input, make, setChoice, setText } from '../dom.js';
 import { even, slider } from '../controls/slider.js';
 import { numberField } from '../controls/number-field.js';
 import { INKS, hasInk, wearing } from '../inks.js';
@@ -54,7 +54,7 @@ export function lookPanel(store) {
     /** @param {import('../state.js').State} state */
     const showInk = (state) => {
         const adds = state.ink === 'density' && !solid;
-        inkKind.value = solid ? 'solid' : state.ink;
+        setChoice(inkKind, solid ? 'solid' : state.ink);
         inkKind.disabled = solid;
         html('exposure-row').hidden = !adds;
         setText(html('ink-note'), solid ? 'Drawings in space have ink that covers.' : adds ? 'Strokes that lie upon each other show as more ink. Pictures (PNG) have it; SVG files have ink that covers.' : '');
@@ -133,7 +133,7 @@ export function lookPanel(store) {
             button('remove-colour').disabled = state.palette.length === 1;
             button('add-colour').disabled = state.palette.length >= MAX_PALETTE;
             for (const { ink, chip } of inks) chip.setAttribute('aria-pressed', String(hasInk(state, ink)));
-            colourBy.value = state.colourBy;
+            setChoice(colourBy, state.colourBy);
             holds.checked = state.paletteHolds;
             html('holds-row').hidden = state.colourBy !== 'level' && state.colourBy !== 'generation';
             html('turns-row').hidden = state.colourBy !== 'turn';

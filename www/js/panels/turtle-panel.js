@@ -1,6 +1,6 @@
 /** What symbols do, and where the turtle starts. */
 
-import { byId, html, input, make, setText } from '../dom.js';
+import { byId, html, input, make, setChoice, setText } from '../dom.js';
 import { editor } from '../controls/editor.js';
 import { numberField, optionalField } from '../controls/number-field.js';
 import { DIALECTS } from '../state.js';
@@ -67,7 +67,7 @@ export function turtlePanel(store) {
     return {
         /** @param {import('../state.js').State} state */
         show(state) {
-            dialect.value = state.dialect;
+            setChoice(dialect, state.dialect);
             setText(html('dialect-note'), DIALECT_NOTES[state.dialect]);
             overrides.show(state.overrides);
             showHeading(state.heading);
