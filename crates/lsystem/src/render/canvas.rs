@@ -3,27 +3,38 @@
 //! Bits lie in vertical strips of 64 columns, a word per row, so that stamping a tile at any offset is a loop over
 //! consecutive words with one shift. Painting goes from the last drawn to the first: what is covered stays.
 
-use super::inks::{Dye, PLANES};
+use super::inks::Dye;
 use super::tile::Bits;
 use core::ops::Range;
 
 /// Columns in a strip.
 const STRIP: usize = u64::BITS as usize;
-/// Rows in a cell; a cell is a strip's word range for which coverage is remembered.
+/// Rows in a cell; a cell is a strip's word range that is made pixels of, and cleared, at once.
 const CELL: usize = 64;
-/// Rows in a group; a group is a strip's word range of which some holes are left.
-const GROUP: usize = 8;
+/// Rows in a group; a group is a strip's word range for which coverage is remembered.
+pub(super) const GROUP: usize = 8;
 /// So many subsamples of a group, of 512, may stay bare on a canvas that leaves holes: what a whole picture is off by
 /// is 1/255 at most, and what 8x8 pixels are off by 2/255. The last holes of a crowd take longest to fill.
 const HOLES: u32 = 2;
-/// Cells in a word of bits.
-const CELLS: usize = u64::BITS as usize;
+/// Groups in a word of bits.
+const GROUPS: usize = u64::BITS as usize;
+
+/// The words of a group.
+type Group = [u64; GROUP];
+
+/// The first and the last column of a shape in each row of a group.
+pub(super) type Spans = [[i64; 2]; GROUP];
+/// A row that a shape does not reach.
+pub(super) const NOTHING: [i64; 2] = [1 << 40, -1];
 
 /// A bit picture. Coordinates are subsamples, y down.
 #[derive(Default)]
 pub(super) struct Canvas {
     pub strips: usize,
+    /// Whole groups of them.
     pub rows: usize,
+    /// As many of the rows as were asked for.
+    pub height: usize,
     /// Cells in a strip.
     pub cells: usize,
     /// Bit planes of colours.
@@ -36,16 +47,15 @@ pub(super) struct Canvas {
     pub colours: Vec<u64>,
     /// By strip, then cell: whether anything was painted there.
     pub touched: Vec<bool>,
-    /// By strip, then cell: so many of its first rows are covered throughout, or as good as that.
-    done: Vec<u8>,
-    /// By strip: a bit for each cell that may not be covered throughout.
+    /// By strip: a bit for each group that is not covered throughout, or as good as that.
     open: Vec<u64>,
 }
 
 impl Canvas {
     /// Makes it empty and at least `width` by `height` subsamples.
     pub(super) fn reset(&mut self, width: usize, height: usize, planes: usize) {
-        let (strips, rows) = (width.div_ceil(STRIP), height);
+        let (strips, rows) = (width.div_ceil(STRIP), height.next_multiple_of(GROUP));
+        self.height = height;
         if (strips, rows, planes) != (self.strips, self.rows, self.planes) {
             (self.strips, self.rows, self.planes) = (strips, rows, planes);
             self.cells = rows.div_ceil(CELL);
@@ -54,23 +64,20 @@ impl Canvas {
             self.covered.resize(size, 0);
             self.colours.clear();
             self.colours.resize(size * planes, 0);
-            let cells = strips * self.cells;
             self.touched.clear();
-            self.touched.resize(cells, false);
-            self.done.clear();
-            self.done.resize(cells, 0);
+            self.touched.resize(strips * self.cells, false);
             self.open.clear();
-            self.open.resize(strips * self.cells.div_ceil(CELLS), u64::MAX);
+            self.open.resize(strips * self.words(), u64::MAX);
             return;
         }
-        let (cells, size) = (self.cells, strips * rows);
-        for index in 0..self.touched.len() {
-            if core::mem::take(&mut self.touched[index]) {
-                self.done[index] = 0;
-                self.open[index / cells * cells.div_ceil(CELLS) + index % cells / CELLS] |=
-                    1 << (index % cells % CELLS);
-                let first = index / cells * rows + index % cells * CELL;
-                let last = index / cells * rows + (index % cells * CELL + CELL).min(rows);
+        let (cells, words, size) = (self.cells, self.words(), strips * rows);
+        for (index, touched) in self.touched.iter_mut().enumerate() {
+            if core::mem::take(touched) {
+                let (strip, cell) = (index / cells, index % cells);
+                let groups = [cell, cell + 1].map(|cell| cell * (CELL / GROUP));
+                self.open[strip * words + groups[0] / GROUPS] |=
+                    columns(groups[0] / GROUPS, [groups[0], groups[1] - 1]);
+                let [first, last] = [cell, cell + 1].map(|cell| strip * rows + (cell * CELL).min(rows));
                 self.covered[first..last].fill(0);
                 for plane in 0..planes {
                     self.colours[plane * size + first..plane * size + last].fill(0);
@@ -79,45 +86,33 @@ impl Canvas {
         }
     }
 
+    /// Words of bits for the groups of a strip.
+    fn words(&self) -> usize {
+        (self.rows / GROUP).div_ceil(GROUPS)
+    }
+
+    /// Those of the groups `first..=last` of a strip, which lie in one word, that are not covered throughout: bits.
+    #[inline]
+    fn open(&self, strip: usize, groups: [usize; 2]) -> u64 {
+        let word = groups[0] / GROUPS;
+        self.open[strip * self.words() + word] & columns(word, groups)
+    }
+
     /// Whether the rectangle of columns `x` and rows `y`, ends included, is covered throughout (the part outside
     /// counts as covered).
-    pub(super) fn is_full(&mut self, x: [i64; 2], y: [i64; 2]) -> bool {
+    pub(super) fn is_full(&self, x: [i64; 2], y: [i64; 2]) -> bool {
         let Some((x, y)) = self.clip(x, y) else { return true };
-        let cells = [y[0] / CELL, y[1] / CELL];
+        let groups = y.map(|row| row / GROUP);
         for strip in x[0] / STRIP..=x[1] / STRIP {
             let outside = !columns(strip, x);
-            for word in cells[0] / CELLS..=cells[1] / CELLS {
-                let index = strip * self.cells.div_ceil(CELLS) + word;
-                let mut open = self.open[index] & columns(word, cells);
+            let column = &self.covered[strip * self.rows..][..self.rows];
+            for word in groups[0] / GROUPS..=groups[1] / GROUPS {
+                let mut open = self.open[strip * self.words() + word] & columns(word, groups);
                 while open != 0 {
-                    let cell = word * CELLS + open.trailing_zeros() as usize;
-                    let at = strip * self.cells + cell;
-                    let last = (cell * CELL + CELL).min(self.rows);
-                    let mut full = cell * CELL + usize::from(self.done[at]);
-                    let column = &self.covered[strip * self.rows..][..self.rows];
-                    while full < last {
-                        let end = (full + GROUP).min(last);
-                        if !is_good(&column[full..end], self.holes) {
-                            break;
-                        }
-                        full = end;
-                    }
-                    self.done[at] = (full - cell * CELL) as u8;
-                    if full == last {
-                        self.open[index] &= !(open & open.wrapping_neg());
-                    } else {
-                        // What is left of the rectangle, group by group.
-                        let mut from = full.max(y[0]);
-                        while from < last.min(y[1] + 1) {
-                            let end = (from / GROUP * GROUP + GROUP).min(last);
-                            let rows = &column[from..end.min(y[1] + 1)];
-                            if rows.iter().any(|word| word | outside != u64::MAX)
-                                && !(self.holes && is_good(&column[from / GROUP * GROUP..end], true))
-                            {
-                                return false;
-                            }
-                            from = end;
-                        }
+                    let first = (word * GROUPS + open.trailing_zeros() as usize) * GROUP;
+                    let rows = &column[first.max(y[0])..(first + GROUP).min(y[1] + 1)];
+                    if rows.iter().any(|word| word | outside != u64::MAX) {
+                        return false;
                     }
                     open &= open - 1;
                 }
@@ -138,196 +133,211 @@ impl Canvas {
     /// Paints a tile with its upper left corner at (`x`, `y`), dyed.
     pub(super) fn stamp(&mut self, tile: &Bits<'_>, [x, y]: [i64; 2], dye: &Dye) {
         let shift = x.rem_euclid(STRIP as i64) as u32;
-        for (strip, &extent) in tile.extents.iter().enumerate() {
-            let [first, last] = [extent & u64::from(u32::MAX), extent >> 32].map(|row| row as i64);
-            let above = (-y).clamp(first, last.max(first)) as usize;
-            let below = (self.rows as i64 - y).clamp(first, last.max(first)) as usize;
-            if above >= below {
-                continue;
+        let strips = tile.extents.len();
+        let extent = |strip: usize| match tile.extents.get(strip) {
+            Some(&extent) => [extent & u64::from(u32::MAX), extent >> 32].map(|row| row as i64),
+            None => [i64::MAX, 0],
+        };
+        for strip in 0..strips + usize::from(shift > 0) {
+            let to = x.div_euclid(STRIP as i64) + strip as i64;
+            let Some(to) = usize::try_from(to).ok().filter(|&to| to < self.strips) else { continue };
+            // Bits of this strip of the tile, and those that the one before it leaves over.
+            let (mut rows, mut sources) = (extent(strip), [strip.min(strips - 1); 2]);
+            if shift > 0 && strip > 0 {
+                let before = extent(strip - 1);
+                (rows, sources[0]) = ([rows[0].min(before[0]), rows[1].max(before[1])], strip - 1);
             }
-            let row = (y + above as i64) as usize;
-            let left = x.div_euclid(STRIP as i64) + strip as i64;
-            self.stamp_strip(tile, strip, above..below, left, row, dye, [shift, 0]);
-            if shift > 0 {
-                self.stamp_strip(tile, strip, above..below, left + 1, row, dye, [0, 64 - shift]);
+            let above = rows[0].max(-y);
+            let below = rows[1].min(self.rows as i64 - y);
+            if above < below {
+                let words = Words {
+                    first: sources.map(|strip| strip * tile.rows),
+                    masks: [strip > 0, strip < strips].map(|is| u64::from(is).wrapping_neg()),
+                    shift,
+                    rows: 0..0,
+                    skipped: 0,
+                };
+                self.stamp_strip(tile, &words, y, above..below, to, dye);
             }
         }
     }
 
-    /// Paints `rows` of a tile's strip `from`, each word shifted left and right by so many bits, from `row` on in strip
-    /// `to`.
-    #[expect(clippy::too_many_arguments, reason = "the inner loop of one caller")]
-    fn stamp_strip(
-        &mut self,
-        tile: &Bits<'_>,
-        from: usize,
-        rows: Range<usize>,
-        to: i64,
-        row: usize,
-        dye: &Dye,
-        [left, right]: [u32; 2],
-    ) {
-        let moved = |word: u64| word << left >> right;
-        let Some(to) = usize::try_from(to).ok().filter(|&to| to < self.strips) else { return };
-        let size = self.strips * self.rows;
-        let end = row + rows.len();
-        let mut next = row;
-        while next < end {
-            let cell = next / CELL;
-            let part = next..end.min((cell + 1) * CELL);
-            next = part.end;
-            if self.is_closed(to, [cell, cell]) {
-                continue;
-            }
-            let at = to * self.rows + part.start;
-            let source = from * tile.rows + rows.start + part.start - row;
-            let covered = &mut self.covered[at..at + part.len()];
-            let bits = &tile.covered[source..source + part.len()];
-            // Most of what is stamped in a crowd is covered already.
-            let (new, full) = (covered.iter().zip(bits))
-                .fold((0, u64::MAX), |(new, full), (covered, word)| (new | moved(*word) & !covered, full & covered));
-            if new == 0 {
-                if full == u64::MAX && part.len() == CELL {
-                    self.close(to, cell);
-                }
-                continue;
-            }
-            self.touched[to * self.cells + cell] = true;
-            if self.planes == 0 {
-                for (covered, word) in covered.iter_mut().zip(bits) {
-                    *covered |= moved(*word);
-                }
-                continue;
-            }
-            let colours = tile.colours;
-            let plane_of = |plane: usize, i: usize| moved(colours[plane * tile.covered.len() + source + i]);
-            let plain = colours.is_empty() || dye.changes_nothing();
-            for start in (0..part.len()).step_by(GROUP) {
-                let end = (start + GROUP).min(part.len());
-                let mut new = [0; GROUP];
-                let mut any = 0;
-                for (i, new) in (start..end).zip(&mut new) {
-                    *new = moved(bits[i]) & !covered[i];
-                    covered[i] |= *new;
-                    any |= *new;
-                }
-                if any == 0 {
+    /// Paints `rows` of a tile, whose first is in row `top`, into a strip.
+    fn stamp_strip(&mut self, tile: &Bits<'_>, words: &Words, top: i64, rows: Range<i64>, to: usize, dye: &Dye) {
+        let [first, end] = [rows.start, rows.end].map(|row| (row + top) as usize);
+        let groups = [first / GROUP, (end - 1) / GROUP];
+        let strip_words = self.words();
+        for word in groups[0] / GROUPS..=groups[1] / GROUPS {
+            let mut open = self.open[to * strip_words + word] & columns(word, groups);
+            while open != 0 {
+                let group = word * GROUPS + open.trailing_zeros() as usize;
+                open &= open - 1;
+                let part = (group * GROUP).max(first)..(group * GROUP + GROUP).min(end);
+                let start = (part.start as i64 - top) as usize;
+                let words = Words { rows: start..start + part.len(), skipped: part.start % GROUP, ..words.clone() };
+                let bits = words.of(tile.covered);
+                if bits == [0; GROUP] {
                     continue;
                 }
-                if plain {
-                    let code = dye.entry.code(dye.digits);
-                    for (plane, words) in self.colours.chunks_exact_mut(size).enumerate() {
-                        let words = &mut words[at + start..at + end];
-                        if !colours.is_empty() && plane * tile.covered.len() < colours.len() {
-                            for ((i, new), word) in (start..end).zip(new).zip(words) {
-                                *word |= plane_of(plane, i) & new;
-                            }
-                        } else if code >> plane & 1 != 0 {
-                            for (new, word) in new.into_iter().zip(words) {
-                                *word |= new;
-                            }
-                        }
-                    }
-                    continue;
-                }
-                let mut planes = [[0; GROUP]; PLANES];
-                for (plane, words) in planes.iter_mut().enumerate().take(colours.len() / tile.covered.len()) {
-                    for (i, word) in (start..end).zip(words) {
-                        *word = plane_of(plane, i);
-                    }
-                }
-                dye.apply(&mut planes);
-                for (words, plane) in self.colours.chunks_exact_mut(size).zip(planes) {
-                    for ((word, plane), new) in words[at + start..at + end].iter_mut().zip(plane).zip(new) {
-                        *word |= plane & new;
-                    }
+                let new = self.cover(to, group, bits);
+                if self.planes > 0 && new != [0; GROUP] {
+                    self.dye(to * self.rows + group * GROUP, new, tile, &words, dye);
                 }
             }
         }
     }
 
-    /// Notes that a cell is covered throughout.
-    fn close(&mut self, strip: usize, cell: usize) {
-        self.open[strip * self.cells.div_ceil(CELLS) + cell / CELLS] &= !(1 << (cell % CELLS));
+    /// Covers these subsamples of a group; those that were not.
+    #[inline(always)]
+    fn cover(&mut self, strip: usize, group: usize, bits: Group) -> Group {
+        let at = strip * self.rows + group * GROUP;
+        let Some(covered) = self.covered[at..].first_chunk_mut::<GROUP>() else { return [0; GROUP] };
+        let (mut new, mut any) = ([0; GROUP], 0);
+        for ((new, covered), bits) in new.iter_mut().zip(&mut *covered).zip(bits) {
+            *new = bits & !*covered;
+            *covered |= bits;
+            any |= *new;
+        }
+        if any != 0 {
+            self.touched[strip * self.cells + group * GROUP / CELL] = true;
+            if is_good(covered, self.holes) {
+                let words = self.words();
+                self.open[strip * words + group / GROUPS] &= !(1 << (group % GROUPS));
+            }
+        }
+        new
     }
 
-    /// Whether these cells of a strip, ends included, are known to be covered throughout.
-    #[inline]
-    fn is_closed(&self, strip: usize, cells: [usize; 2]) -> bool {
-        let words = self.cells.div_ceil(CELLS);
-        (cells[0] / CELLS..=cells[1] / CELLS).all(|word| self.open[strip * words + word] & columns(word, cells) == 0)
+    /// Gives colours to what is `new` in a group that begins at a word of every plane: those of a tile's `words`, dyed.
+    fn dye(&mut self, at: usize, new: Group, tile: &Bits<'_>, words: &Words, dye: &Dye) {
+        let size = self.covered.len();
+        let mut planes = self.colours.chunks_exact_mut(size).map(|plane| &mut plane[at..at + GROUP]);
+        let mut put = |colours: Group| {
+            for ((word, colour), new) in planes.next().into_iter().flatten().zip(colours).zip(new) {
+                *word |= colour & new;
+            }
+        };
+        let of = |plane: usize| words.of(&tile.colours[plane * tile.covered.len()..]);
+        let own = tile.colours.len() / tile.covered.len().max(1);
+        if own == 0 {
+            let code = dye.entry.code(dye.digits);
+            (0..self.planes).for_each(|plane| put([u64::from(code >> plane & 1).wrapping_neg(); GROUP]));
+        } else {
+            dye.apply(own, self.planes, of, put);
+        }
     }
 
-    /// Paints a shape row by row. `sides` gives the first and the last column in each of `rows`, and `bounds` the
-    /// first and the last column that the shape reaches in some of them.
+    /// Paints a shape row by row. `spans` gives the spans of some rows of a group, and `bounds` the first and the last
+    /// column that the shape reaches in some rows.
     #[inline]
     pub(super) fn fill(
         &mut self,
         rows: Range<usize>,
         colour: u32,
         bounds: impl Fn(Range<usize>) -> [i64; 2],
-        sides: impl Fn(usize) -> [i64; 2],
+        spans: impl Fn(Range<usize>) -> Spans,
     ) {
         let right = (self.strips * STRIP) as i64 - 1;
         let mut start = rows.start;
         while start < rows.end {
             let cell = start / CELL;
             let end = rows.end.min((cell + 1) * CELL);
+            let groups = [start / GROUP, (end - 1) / GROUP];
             let reach = bounds(start..end);
             let reach = [reach[0].max(0), reach[1].min(right)];
-            let mut closed = true;
-            if reach[0] <= reach[1] {
-                for strip in reach[0] as usize / STRIP..=reach[1] as usize / STRIP {
-                    if !self.is_closed(strip, [cell, cell]) {
-                        closed = false;
-                        self.touched[strip * self.cells + cell] = true;
-                    }
-                }
-            }
-            if !closed {
-                for row in start..end {
-                    let [first, last] = sides(row);
-                    let (first, last) = (first.max(0), last.min(right));
-                    if first <= last {
-                        self.span(row, first as usize, last as usize, colour);
-                    }
-                }
+            let strips =
+                if reach[0] <= reach[1] { reach[0] as usize / STRIP..reach[1] as usize / STRIP + 1 } else { 0..0 };
+            let mut open = strips.fold(0, |open, strip| open | self.open(strip, groups));
+            while open != 0 {
+                let group = groups[0] / GROUPS * GROUPS + open.trailing_zeros() as usize;
+                open &= open - 1;
+                self.fill_group(group, &spans(start.max(group * GROUP)..end.min(group * GROUP + GROUP)), colour);
             }
             start = end;
         }
     }
 
-    /// Paints columns `first..=last` of a row, which lie on the canvas.
-    #[inline]
-    fn span(&mut self, row: usize, first: usize, last: usize, colour: u32) {
-        for strip in first / STRIP..=last / STRIP {
-            let bits = columns(strip, [first, last]);
-            let at = strip * self.rows + row;
-            let before = self.covered[at];
-            if bits & !before == 0 {
+    /// Paints some rows of a group.
+    #[inline(always)]
+    fn fill_group(&mut self, group: usize, spans: &Spans, colour: u32) {
+        let mut reach = NOTHING;
+        for [first, last] in spans {
+            reach = [reach[0].min(*first), reach[1].max(*last)];
+        }
+        let reach = [reach[0].max(0), reach[1].min((self.strips * STRIP) as i64 - 1)];
+        if reach[0] > reach[1] {
+            return;
+        }
+        for strip in reach[0] as usize / STRIP..=reach[1] as usize / STRIP {
+            if self.open(strip, [group; 2]) == 0 {
                 continue;
             }
-            self.covered[at] = before | bits;
-            let size = self.covered.len();
-            let mut left = colour;
-            for plane in 0..self.planes {
-                if left & 1 != 0 {
-                    self.colours[plane * size + at] |= bits & !before;
+            let left = (strip * STRIP) as i64;
+            let new = self.cover(
+                strip,
+                group,
+                spans.map(|[first, last]| {
+                    let (first, last) = ((first - left).max(0), (last - left).min(STRIP as i64 - 1));
+                    if first <= last {
+                        u64::MAX << (first & 63) & u64::MAX >> (STRIP as i64 - 1 - last & 63)
+                    } else {
+                        0
+                    }
+                }),
+            );
+            let (at, size) = (strip * self.rows + group * GROUP, self.covered.len());
+            for plane in (0..self.planes).filter(|plane| colour >> plane & 1 != 0) {
+                let at = plane * size + at;
+                for (word, new) in self.colours[at..at + GROUP].iter_mut().zip(new) {
+                    *word |= new;
                 }
-                left >>= 1;
             }
         }
     }
 }
 
-/// Whether the rows of a group are covered, but for the holes that may be left.
-#[inline]
-fn is_good(rows: &[u64], holes: bool) -> bool {
-    if holes {
-        rows.iter().map(|row| row.count_zeros()).sum::<u32>() <= HOLES
-    } else {
-        rows.iter().all(|&row| row == u64::MAX)
+/// Where a group's words are in a tile: in two strips next to each other.
+#[derive(Clone)]
+struct Words {
+    /// Where these strips begin in a plane.
+    first: [usize; 2],
+    /// All ones where there is such a strip.
+    masks: [u64; 2],
+    /// How far the bits are moved, from the first strip to the second.
+    shift: u32,
+    rows: Range<usize>,
+    /// Words of the group before those.
+    skipped: usize,
+}
+
+impl Words {
+    /// The words of a plane, in their places.
+    #[inline(always)]
+    fn of(&self, plane: &[u64]) -> Group {
+        let moved = |before: u64, own: u64| {
+            (before & self.masks[0]) >> 1 >> (63 - self.shift) | (own & self.masks[1]) << self.shift
+        };
+        let [before, own] = self.first.map(|first| &plane[first + self.rows.start..first + self.rows.end]);
+        let mut group = [0; GROUP];
+        if let (Some(before), Some(own)) = (before.first_chunk::<GROUP>(), own.first_chunk::<GROUP>()) {
+            for ((word, before), own) in group.iter_mut().zip(before).zip(own) {
+                *word = moved(*before, *own);
+            }
+        } else {
+            for ((word, before), own) in group[self.skipped..].iter_mut().zip(before).zip(own) {
+                *word = moved(*before, *own);
+            }
+        }
+        group
     }
+}
+
+/// Whether a group is covered, but for the holes that may be left.
+#[inline(always)]
+fn is_good(rows: &Group, holes: bool) -> bool {
+    let common = rows.iter().fold(u64::MAX, |common, row| common & row);
+    common == u64::MAX
+        || holes && common.count_zeros() <= HOLES && rows.iter().map(|row| row.count_zeros()).sum::<u32>() <= HOLES
 }
 
 /// The bits of a strip that lie in columns `x`, ends included.

@@ -195,47 +195,51 @@ pub(super) struct Dye {
     pub digits: usize,
 }
 
-/// The most bit planes of a colour: the digits of [`MAX_PALETTE`] colours' numbers, and one that tells what
-/// is fixed.
-pub(super) const PLANES: usize = 9;
+/// The most bit planes of a picture's colours: the digits of [`MAX_PALETTE`] colours' numbers.
+pub(super) const PLANES: usize = MAX_PALETTE.next_power_of_two().trailing_zeros() as usize;
 
 impl Dye {
-    /// Whether colours are the same after it.
-    pub(super) fn changes_nothing(&self) -> bool {
-        self.entry == Shade::default()
-    }
-
-    /// Makes the numbers in `planes` what they are after the entry's shade: by plane, some words next to each other.
+    /// Makes the numbers of a tile, which has so many planes and `of` gives each, what they are after the entry's shade;
+    /// `put` takes the planes of these, one after the other, as many as are `wanted`.
     #[inline(always)]
-    pub(super) fn apply<const N: usize>(&self, planes: &mut [[u64; N]; PLANES]) {
+    pub(super) fn apply<const N: usize>(
+        &self,
+        planes: usize,
+        wanted: usize,
+        of: impl Fn(usize) -> [u64; N],
+        mut put: impl FnMut([u64; N]),
+    ) {
         let Shade { number: by, fixed } = self.entry;
-        let digits = self.digits.min(PLANES - 1);
-        let kept = planes[digits];
-        if by != 0 {
-            // n + by, and n - (colours - by), which is the same modulo the palette's size; the latter where it is not
-            // negative.
+        let digits = self.digits.min(planes);
+        let kept = if digits < planes { of(digits) } else { [0; N] };
+        if by == 0 {
+            (0..digits).for_each(|digit| put(of(digit)));
+        } else {
+            // n + by, or n - (colours - by), which is the same modulo the palette's size, where that is not negative.
             let back = self.colours - by;
-            let (mut carry, mut borrow) = ([0; N], [0; N]);
-            let mut sums = [[[0; N]; 2]; PLANES];
-            for (digit, [ups, downs]) in sums.iter_mut().enumerate().take(digits) {
-                let more = u64::from(by >> digit & 1).wrapping_neg();
-                let less = u64::from(back >> digit & 1).wrapping_neg();
+            let less = (0..digits).fold([0; N], |mut less, digit| {
+                let one = u64::from(back >> digit & 1).wrapping_neg();
+                for (less, n) in less.iter_mut().zip(of(digit)) {
+                    *less = !n & (one | *less) | one & *less;
+                }
+                less
+            });
+            let mut carry = [0; N];
+            for digit in 0..digits {
+                let [up, down] = [by, back.wrapping_neg()].map(|v| u64::from(v >> digit & 1).wrapping_neg());
+                let mut sum = of(digit);
                 for i in 0..N {
-                    let n = planes[digit][i];
-                    ups[i] = n ^ more ^ carry[i];
-                    downs[i] = n ^ less ^ borrow[i];
+                    let more = (up & less[i] | down & !less[i]) & !kept[i];
+                    let n = sum[i];
+                    sum[i] = n ^ more ^ carry[i];
                     carry[i] = n & more | carry[i] & (n ^ more);
-                    borrow[i] = !n & (less | borrow[i]) | less & borrow[i];
                 }
-            }
-            for (plane, [up, down]) in planes.iter_mut().zip(sums).take(digits) {
-                for i in 0..N {
-                    let moved = up[i] & borrow[i] | down[i] & !borrow[i];
-                    plane[i] = plane[i] & kept[i] | moved & !kept[i];
-                }
+                put(sum);
             }
         }
-        planes[digits] = if fixed { [u64::MAX; N] } else { kept };
+        if digits < wanted {
+            put(if fixed { [u64::MAX; N] } else { kept });
+        }
     }
 }
 
@@ -253,12 +257,10 @@ mod tests {
                     for (fixed, entry_fixed) in [(false, false), (true, false), (false, true), (true, true)] {
                         let entry = Shade { number: by, fixed: entry_fixed };
                         let shade = Shade { number, fixed };
-                        let mut planes = [[0; 2]; PLANES];
-                        for (digit, plane) in planes.iter_mut().enumerate().take(digits) {
-                            plane[1] = u64::from(number >> digit & 1) << 17;
-                        }
-                        planes[digits][1] = u64::from(fixed) << 17;
-                        Dye { entry, colours, digits }.apply(&mut planes);
+                        let mut planes = vec![];
+                        let of = |plane: usize| [0, u64::from(shade.code(digits) >> plane & 1) << 17];
+                        Dye { entry, colours, digits }.apply(digits + 1, digits + 1, of, |plane| planes.push(plane));
+                        assert_eq!(planes.len(), digits + 1);
                         let got: u32 = (0..digits).map(|d| (planes[d][1] >> 17 & 1) as u32 * (1 << d)).sum();
                         let expected = choice.then(entry, shade);
                         assert_eq!(got, expected.number, "{number} + {by} of {colours}");

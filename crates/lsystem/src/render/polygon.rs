@@ -1,6 +1,6 @@
 //! A filled polygon, row by row.
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, GROUP, NOTHING};
 
 /// Paints every subsample whose centre the outline winds around a number of times other than zero; `vertices` on the
 /// subsample lattice, y down. Returns how many rows and spans it took.
@@ -42,7 +42,9 @@ pub(super) fn paint(canvas: &mut Canvas, vertices: &[[f64; 2]], colour: u32) -> 
                 let from = (start - 0.5).ceil().clamp(0.0, right) as i64;
                 let to = (x - 0.5).floor().clamp(-1.0, right - 1.0) as i64;
                 if from <= to {
-                    canvas.fill(row..row + 1, colour, |_| [from, to], |_| [from, to]);
+                    let mut spans = [NOTHING; GROUP];
+                    spans[row % GROUP] = [from, to];
+                    canvas.fill(row..row + 1, colour, |_| [from, to], |_| spans);
                 }
                 work += 1;
             }

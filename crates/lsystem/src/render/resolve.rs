@@ -1,6 +1,7 @@
 //! From subsamples to pixels.
 
 use super::canvas::Canvas;
+use super::inks::PLANES;
 use super::{Detail, Viewport};
 use crate::Progress;
 use crate::Style;
@@ -36,8 +37,10 @@ impl Output {
             (self.width, self.height, self.background, self.detail) = (width, height, background, detail);
             let [r, g, b] = style.background.rgb;
             self.pixels.clear();
-            self.pixels.reserve_exact(width * height * 4);
-            self.pixels.extend([r, g, b, u8::MAX].iter().cycle().take(width * height * 4));
+            self.pixels.resize(width * height * 4, u8::MAX);
+            if style.background.rgb != [u8::MAX; 3] {
+                self.pixels.as_chunks_mut().0.fill([r, g, b, u8::MAX]);
+            }
             self.inked.clear();
             let side = 4 * SIDE / detail.samples();
             self.inked.resize(width.div_ceil(side) * height.div_ceil(side), false);
@@ -96,7 +99,8 @@ impl Output {
                 out.fill(self.shades[0][0]);
                 continue;
             }
-            let (ink, same) = first_ink(frame, at, covered);
+            let planes = planes(frame, at);
+            let (ink, same) = first_ink(&planes[..frame.planes.min(PLANES)], covered);
             let ink = ink.min(self.palette.len() - 1);
             if same == [u64::MAX; 4] {
                 out.fill(self.shades[ink][16]);
@@ -115,7 +119,7 @@ impl Output {
                 }
                 continue;
             }
-            self.mixed(frame, at, covered, y * self.width + left..y * self.width + right);
+            self.mixed(&planes[..frame.planes.min(PLANES)], covered, y * self.width + left..y * self.width + right);
         }
     }
 
@@ -143,17 +147,16 @@ impl Output {
     }
 
     /// A row of pixels in a cell where colours meet.
-    fn mixed(&mut self, frame: &Canvas, at: usize, covered: [u64; 4], pixels: Range<usize>) {
-        // Sixteenths of the channels, at most 16 * 255, by channel: of the pixels at even and at odd places.
-        let mut sums = [[[8_u16; SIDE / 2]; 2]; 3];
+    fn mixed(&mut self, planes: &[[u64; 4]], covered: [u64; 4], pixels: Range<usize>) {
+        const BYTES: u64 = 0x00ff_00ff_00ff_00ff;
+        // Of every fourth pixel, by the first of them and by channel: sixteenths, at most 16 * 255, in 16 bits each.
+        let mut sums = [[0x0008_0008_0008_0008_u64; 3]; 4];
         let mut add = |words: [u64; 4], colour: [u32; 3]| {
             let Counts { even, odd } = counts(words);
-            let counts = [even, odd].map(|counts| counts.to_le_bytes().map(u16::from));
-            for (sums, channel) in sums.iter_mut().zip(colour) {
-                for (sums, counts) in sums.iter_mut().zip(&counts) {
-                    for (sum, count) in sums.iter_mut().zip(counts) {
-                        *sum += count * channel as u16;
-                    }
+            let counts = [even, odd, even >> 8, odd >> 8].map(|counts| counts & BYTES);
+            for (sums, counts) in sums.iter_mut().zip(counts) {
+                for (sum, channel) in sums.iter_mut().zip(colour) {
+                    *sum += counts * u64::from(channel);
                 }
             }
         };
@@ -163,32 +166,45 @@ impl Output {
         }
         let mut rest = covered;
         while rest != [0; 4] {
-            let (ink, same) = first_ink(frame, at, rest);
+            let (ink, same) = first_ink(planes, rest);
             add(same, self.palette[ink.min(self.palette.len() - 1)]);
-            for (rest, same) in rest.iter_mut().zip(same) {
-                *rest &= !same;
-            }
+            rest = [0, 1, 2, 3].map(|row| rest[row] & !same[row]);
         }
+        let halves = sums.map(|[r, g, b]| {
+            let [r, g, b] = [r, g, b].map(|sum| sum >> 4 & BYTES);
+            [r | g << 8, b | BYTES << 8]
+        });
         let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
         for (x, pixel) in out.iter_mut().enumerate().take(SIDE) {
-            let channel = |c: usize| (sums[c][x % 2][x / 2] >> 4) as u8;
-            *pixel = [channel(0), channel(1), channel(2), u8::MAX];
+            let [low, high] = halves[x % 4].map(|half| (half >> (x / 4 * 16)) as u16);
+            *pixel = (u32::from(low) | u32::from(high) << 16).to_le_bytes();
         }
     }
 }
 
 /// The four words of a row of pixels.
+#[inline(always)]
 fn rows(words: &[u64], at: usize) -> [u64; 4] {
-    core::array::from_fn(|i| words[at + i])
+    words[at..].first_chunk().copied().unwrap_or_default()
 }
 
-/// The ink of the first subsample of `rest`, and all of `rest` that has the same.
-fn first_ink(frame: &Canvas, at: usize, rest: [u64; 4]) -> (usize, [u64; 4]) {
+/// The same of all planes of colours.
+#[inline(always)]
+fn planes(frame: &Canvas, at: usize) -> [[u64; 4]; PLANES] {
+    let mut planes = [[0; 4]; PLANES];
+    for (digit, plane) in planes.iter_mut().enumerate().take(frame.planes) {
+        *plane = rows(&frame.colours, digit * frame.covered.len() + at);
+    }
+    planes
+}
+
+/// The ink of the first subsample of `rest`, and all of `rest` that has the same, by the planes of a row of pixels.
+#[inline(always)]
+fn first_ink(planes: &[[u64; 4]], rest: [u64; 4]) -> (usize, [u64; 4]) {
     let row = rest.iter().position(|&word| word != 0).unwrap_or(0);
     let bit = rest[row].trailing_zeros() & 63;
     let (mut ink, mut same) = (0, rest);
-    for digit in 0..frame.planes {
-        let plane = rows(&frame.colours, digit * frame.covered.len() + at);
+    for (digit, plane) in planes.iter().enumerate() {
         let one = plane[row] >> bit & 1;
         ink |= (one as usize) << digit;
         // All ones where the digit is 0, so that equal digits give ones.

@@ -1,6 +1,6 @@
 //! A stroke with round caps, row by row.
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, GROUP, NOTHING};
 use core::ops::Range;
 
 /// A segment on the subsample lattice, y down, and half its width.
@@ -85,10 +85,26 @@ impl Capsule {
             };
             [(a.min(b) - radius) as i64 - 1, (a.max(b) + radius) as i64 + 1]
         };
-        canvas.fill(first as usize..last as usize + 1, colour, bounds, |row| {
+        // The rows in which both sides are edges.
+        let edges = left.edge[0].max(right.edge[0])..left.edge[1].min(right.edge[1]);
+        canvas.fill(first as usize..last as usize + 1, colour, bounds, |rows| {
+            let mut spans = [NOTHING; GROUP];
             // From the first to the last subsample centre between the sides.
-            let row = row as i64;
-            [(left.x(row) + HALF - 1) >> FRACTION, (right.x(row) - HALF) >> FRACTION]
+            let between =
+                |left: i64, right: i64| [left.wrapping_add(HALF - 1) >> FRACTION, right.wrapping_sub(HALF) >> FRACTION];
+            let within = &mut spans[rows.start % GROUP..][..rows.len()];
+            if edges.start <= rows.start as i64 && rows.end as i64 <= edges.end {
+                let [mut l, mut r] = [&left, &right].map(|side| side.x(rows.start as i64));
+                for span in within {
+                    *span = between(l, r);
+                    (l, r) = (l.wrapping_add(left.step), r.wrapping_add(right.step));
+                }
+            } else {
+                for (span, row) in within.iter_mut().zip(rows) {
+                    *span = between(left.x(row as i64), right.x(row as i64));
+                }
+            }
+            spans
         });
         (last - first + 1).max(0) as usize
     }

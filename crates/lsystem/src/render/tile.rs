@@ -143,7 +143,7 @@ impl Tiles {
 
     /// Keeps what is on `canvas`, which [fits](Self::fits).
     pub(super) fn insert(&mut self, key: Key, canvas: &Canvas, corner: [i64; 2]) -> Tile {
-        let (strips, rows, planes) = (canvas.strips, canvas.rows, canvas.planes);
+        let (strips, rows, planes) = (canvas.strips, canvas.height, canvas.planes);
         let needed = strips * (1 + rows * (1 + planes));
         if self.chunks.get(self.chunk).is_some_and(|words| words.len() + needed > CHUNK) {
             self.chunk += 1;
@@ -157,13 +157,15 @@ impl Tiles {
         }
         let words = &mut self.chunks[self.chunk];
         let first = words.len();
-        words.extend(canvas.covered.chunks_exact(rows).map(|strip| {
+        words.extend(canvas.covered.chunks_exact(canvas.rows).map(|strip| {
+            let strip = &strip[..rows];
             let first = strip.iter().position(|&word| word != 0).unwrap_or(0);
             let end = strip.iter().rposition(|&word| word != 0).map_or(first, |last| last + 1);
             first as u64 | (end as u64) << 32
         }));
-        words.extend_from_slice(&canvas.covered);
-        words.extend_from_slice(&canvas.colours);
+        for strip in [&canvas.covered, &canvas.colours].into_iter().flat_map(|bits| bits.chunks_exact(canvas.rows)) {
+            words.extend_from_slice(&strip[..rows]);
+        }
         let tile = Tile { chunk: self.chunk, first, strips, rows, planes, corner };
         self.places.insert(key, tile);
         tile
