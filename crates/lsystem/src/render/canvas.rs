@@ -279,7 +279,7 @@ impl Canvas {
                 spans.map(|[first, last]| {
                     let (first, last) = ((first - left).max(0), (last - left).min(STRIP as i64 - 1));
                     if first <= last {
-                        u64::MAX << (first & 63) & u64::MAX >> (STRIP as i64 - 1 - last & 63)
+                        u64::MAX << (first & 63) & u64::MAX >> ((STRIP as i64 - 1 - last) & 63)
                     } else {
                         0
                     }
