@@ -7,6 +7,8 @@
  */
 (() => {
     const STEP_MS = 8;
+    /** So long after a picture of what moves the next is waited for before a finer one is begun. */
+    const PAUSE_MS = 12;
     /** A small picture gets at most this many steps. */
     const THUMB_STEPS = 40;
 
@@ -28,6 +30,8 @@
     const thumbs = [];
     /** The small picture being made. @type {any} */
     let thumb = null;
+    /** Whether the picture just shown is one of many while things move. */
+    let moving = false;
     let defineId = 0;
     /** The generation that is defined. */
     let iterations = 0;
@@ -121,7 +125,8 @@
             if (!thumb && thumbs.length > 0) thumb = beginThumb(thumbs.shift());
             if (thumb) paintThumb();
         }
-        if (!idle || newDefine || newView || (questions.length > 0 && playground.built) || thumb || thumbs.length > 0) wake();
+        if (newDefine || newView || (questions.length > 0 && playground.built) || thumb || thumbs.length > 0) wake();
+        else if (!idle) moving ? setTimeout(wake, PAUSE_MS) : wake();
     }
 
     /** Works towards what a question needs, for one step; whether it can be answered. @param {any} question */
@@ -138,6 +143,7 @@
         const { report, drawn, idle } = seen ? playground.step(STEP_MS) : { report: null, drawn: null, idle: true };
         const news = (sound && report) || first;
         if (news) self.postMessage({ type: 'report', id: defineId, report: news });
+        moving = drawn?.moving ?? false;
         if (drawn) {
             const bitmap = canvas.transferToImageBitmap();
             self.postMessage({ type: 'drawn', id: defineId, viewId, complete: drawn.complete, scale: drawn.scale, bitmap, pose: pose() }, { transfer: [bitmap] });

@@ -229,7 +229,9 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
         drawn({ bitmap, scale: deviceScale, view: from, canvas: made, complete }) {
             if (canvas.width !== bitmap.width) canvas.width = bitmap.width;
             if (canvas.height !== bitmap.height) canvas.height = bitmap.height;
-            drawn = { view: from, scale: deviceScale / made.ratio, size: { width: bitmap.width / made.ratio, height: bitmap.height / made.ratio } };
+            // While a drawing in space moves there may be fewer pixels than asked for.
+            const { width, height } = solid ? made : bitmap;
+            drawn = { view: from, scale: deviceScale / made.ratio, size: { width: width / made.ratio, height: height / made.ratio } };
             context.transferFromImageBitmap(bitmap);
             canvas.style.width = `${drawn.size.width}px`;
             canvas.style.height = `${drawn.size.height}px`;

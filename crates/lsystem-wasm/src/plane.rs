@@ -104,7 +104,7 @@ impl Viewer for PlaneView {
                     self.begin_fine();
                 }
                 self.stage = Stage::Fine { sketched: true };
-                Ok(Some(Drawn { complete: false, scale }))
+                Ok(Some(Drawn { complete: false, scale, moving: false }))
             }
             Stage::Fine { sketched } => {
                 let start = clock.now();
@@ -114,7 +114,7 @@ impl Viewer for PlaneView {
                     self.slow = self.spent > PATIENCE;
                     self.stage = Stage::Done;
                     surface.show(self.fine.pixels(), viewport)?;
-                    return Ok(Some(Drawn { complete: true, scale }));
+                    return Ok(Some(Drawn { complete: true, scale, moving: false }));
                 }
                 if self.spent > PATIENCE {
                     self.slow = true;

@@ -6,7 +6,9 @@ use crate::playground::Playground;
 use crate::report::Report;
 use crate::surface::Surface;
 use crate::viewer::{Drawn, Scene, Viewer, WORK, describe_drawing, go_on};
-use lsystem::{Camera, Diagnostic, Drawer, Drawing, Progress, Quality, Solid, SolidRenderer, System, solid_scale};
+use lsystem::{
+    Camera, Diagnostic, Drawer, Drawing, Progress, Quality, Solid, SolidRenderer, System, Viewport, solid_scale,
+};
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
@@ -14,6 +16,13 @@ use wasm_bindgen::prelude::*;
 const TARGET: f64 = 7.5;
 /// One that takes longer than this is finished with less effort.
 const HURRY: f64 = 9.0;
+/// With two pictures in a row that take longer than this until they are shown, those that follow have half the pixels
+/// in each direction: then they show more in the time.
+const HALVE: f64 = 10.5;
+/// By how many steps they are finer otherwise.
+const FINER: i32 = 3;
+/// A picture of half the pixels, with all there is to see, that takes no longer than this will come in time whole.
+const WHOLE: f64 = 0.25 * TARGET;
 /// Between the first picture and the finest there is one that comes soon.
 const MIDDLE: Quality = Quality(12);
 /// The first picture of a drawing of which nothing is known.
@@ -31,8 +40,14 @@ pub(crate) struct SolidView {
     scene: Option<Scene>,
     /// Of the picture that is being made.
     quality: Quality,
+    viewport: Viewport,
+    /// Whether that is one of those that are shown while things move.
+    moving: bool,
     /// Of pictures that come in time while things move.
     pace: Quality,
+    /// Whether those have half the pixels, and how many before have come late.
+    half: bool,
+    late: u8,
     /// What the picture has taken, in milliseconds, and when it is told to hurry.
     spent: f64,
     hurried: f64,
@@ -49,7 +64,11 @@ impl Default for SolidView {
             camera: Camera::default(),
             scene: None,
             quality: MIDDLE,
+            viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
+            moving: false,
             pace: UNKNOWN,
+            half: false,
+            late: 0,
             hurried: 0.0,
             spent: 0.0,
             done: true,
@@ -89,6 +108,7 @@ impl Viewer for SolidView {
     fn begin(&mut self, scene: Scene) {
         self.renderer.play(scene.upto);
         self.scene = Some(scene);
+        self.moving = true;
         self.refine(self.pace);
     }
 
@@ -96,27 +116,29 @@ impl Viewer for SolidView {
     fn paint(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
         let (Some(drawing), Some(scene), false) = (&self.drawing, &self.scene, self.done) else { return Ok(None) };
         let began = clock.now();
-        let moving = self.quality == self.pace;
-        let progress = self.renderer.step(if moving { MOVING_WORK } else { WORK });
+        let progress = self.renderer.step(if self.moving { MOVING_WORK } else { WORK });
         self.spent += clock.now() - began;
         if progress == Progress::More {
-            if moving && self.spent > self.hurried {
+            if self.moving && self.spent > self.hurried {
                 self.renderer.hurry(0.3);
                 self.hurried += 0.5 * HURRY;
             }
             return Ok(None);
         }
-        if moving {
-            self.pace = self.pace.paced(steps(self.spent));
-        }
-        surface.show(self.renderer.pixels(), scene.viewport)?;
+        let finished = clock.now();
+        surface.show(self.renderer.pixels(), self.viewport)?;
         let scale = solid_scale(drawing, scene.viewport, &self.camera);
         let complete = self.quality == Quality::FINEST;
+        let moving = core::mem::take(&mut self.moving);
+        let sharp = self.viewport == scene.viewport;
+        if moving {
+            self.keep_pace(clock.now() - finished);
+        }
         self.done = complete;
         if !complete {
-            self.refine(if self.quality < MIDDLE { MIDDLE } else { Quality::FINEST });
+            self.refine(if sharp && self.quality >= MIDDLE { Quality::FINEST } else { MIDDLE });
         }
-        Ok(Some(Drawn { complete, scale }))
+        Ok(Some(Drawn { complete, scale, moving }))
     }
 
     fn is_done(&self) -> bool {
@@ -124,7 +146,7 @@ impl Viewer for SolidView {
     }
 
     fn is_refining(&self) -> bool {
-        !self.done && self.quality != self.pace
+        !self.done && !self.moving
     }
 
     fn snapshot(&self, scene: Scene, surface: &Surface) -> Result<(), JsValue> {
@@ -143,9 +165,30 @@ impl SolidView {
         let Some(scene) = &self.scene else { return };
         self.done = false;
         self.quality = quality;
+        self.viewport = if self.moving && self.half { halved(scene.viewport) } else { scene.viewport };
         (self.spent, self.hurried) = (0.0, HURRY);
-        self.renderer.begin(&scene.style, scene.viewport, &self.camera, quality);
+        self.renderer.begin(&scene.style, self.viewport, &self.camera, quality);
     }
+
+    /// Chooses how fine the next picture is while things move, after one that took so many milliseconds to show.
+    fn keep_pace(&mut self, shown: f64) {
+        let finest = self.pace == Quality::MOVING;
+        self.pace = self.pace.paced(steps(self.spent));
+        if self.half {
+            self.half = !finest || self.spent > WHOLE;
+            return;
+        }
+        self.late = if self.spent + shown > HALVE { self.late + 1 } else { 0 };
+        if self.late > 1 {
+            (self.half, self.late) = (true, 0);
+            self.pace = self.pace.paced(FINER);
+        }
+    }
+}
+
+/// A quarter of the pixels, for the same picture.
+fn halved(Viewport { width, height, ratio }: Viewport) -> Viewport {
+    Viewport { width: width.div_ceil(2), height: height.div_ceil(2), ratio: 0.5 * ratio }
 }
 
 /// By how many steps the next picture is to be finer than one that took so many milliseconds. Two are twice the effort.

@@ -34,6 +34,8 @@ pub(crate) struct Drawn {
     pub(crate) complete: bool,
     /// Device pixels per fitted extent at zoom 1.
     pub(crate) scale: f64,
+    /// Whether things move, so that the next picture is more likely to be of something else than a finer one.
+    pub(crate) moving: bool,
 }
 
 /// Builds a drawing and makes its pictures, both in steps.

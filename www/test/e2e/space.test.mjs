@@ -92,6 +92,27 @@ test('the turntable turns until it is told to stop', () =>
         await until(async () => /camera=/.test(await hash(page)), 'the link has the camera');
     }));
 
+test('what turns fills the stage at once, whatever its pixels, and has all of them at rest', () =>
+    withPage({ hash: TREE.replace('n=4', 'n=8&width=0.1'), options: { ...DESKTOP, reducedMotion: 'no-preference' } }, async (page) => {
+        const sizes = () =>
+            page.evaluate(() => {
+                const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
+                const [box, stage] = [canvas.getBoundingClientRect(), /** @type {Element} */ (document.querySelector('#stage'))];
+                return { shown: [box.width, box.height], stage: [stage.clientWidth, stage.clientHeight], pixels: [canvas.width, canvas.height] };
+            });
+        await page.click('#turntable');
+        for (let look = 0; look < 10; look++) {
+            await page.waitForTimeout(60);
+            const { shown, stage, pixels } = await sizes();
+            assert.deepEqual(shown, stage);
+            assert.ok(stage.every((side, axis) => [side, Math.ceil(side / 2)].includes(pixels[axis] ?? 0)), `${pixels}`);
+        }
+        await page.click('#turntable');
+        await until(async () => (await page.getAttribute('#stage', 'aria-busy')) !== 'true', 'it is at rest', 30_000);
+        const { shown, pixels } = await sizes();
+        assert.deepEqual(pixels, shown);
+    }));
+
 test('it works on a phone', () =>
     withPage({ hash: TREE, options: PHONE }, async (page) => {
         const first = await stillPicture(page);

@@ -122,7 +122,10 @@ pub struct SolidRenderer {
     scene: Scene,
     /// How many segments are shown; all of them without it.
     upto: Option<u128>,
-    walk: Walk,
+    /// Pictures of two sizes in turn, as while things move and at rest, keep the memory of both.
+    walks: [Walk; 2],
+    /// Which of them makes the picture.
+    at: usize,
 }
 
 impl SolidRenderer {
@@ -151,30 +154,33 @@ impl SolidRenderer {
     pub fn begin(&mut self, style: &Style, viewport: Viewport, camera: &Camera, quality: Quality) {
         if let Some(drawing) = &self.drawing {
             self.scene.dye(style);
-            self.walk.begin(drawing, style, viewport, camera, quality);
+            if !self.walks[self.at].fits(viewport) {
+                self.at = 1 - self.at;
+            }
+            self.walks[self.at].begin(drawing, style, viewport, camera, quality);
         }
     }
 
     /// Goes on with the picture for about `work` units (one unit is in the order of 10 to 100 nanoseconds).
     pub fn step(&mut self, work: usize) -> Progress {
         let mut left = i64::try_from(work).unwrap_or(i64::MAX).max(1);
-        self.walk.step(&self.scene, &mut left)
+        self.walks[self.at].step(&self.scene, &mut left)
     }
 
     /// What is left of the picture is made with only `part` of the effort that was meant for it.
     pub fn hurry(&mut self, part: f32) {
-        self.walk.hurry(&self.scene, part);
+        self.walks[self.at].hurry(&self.scene, part);
     }
 
     /// The picture so far: RGBA, 8 bits each, opaque, from the upper left corner row by row.
     #[must_use]
     pub fn pixels(&self) -> &[u8] {
-        &self.walk.pixels
+        &self.walks[self.at].pixels
     }
 
     /// What the picture took so far.
     #[must_use]
     pub fn stats(&self) -> RenderStats {
-        self.walk.stats
+        self.walks[self.at].stats
     }
 }

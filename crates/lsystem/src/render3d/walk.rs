@@ -142,6 +142,11 @@ struct Look {
 }
 
 impl Walk {
+    /// Whether the picture before had the same size.
+    pub(super) fn fits(&self, viewport: Viewport) -> bool {
+        (self.width, self.height) == (viewport.width as usize, viewport.height as usize)
+    }
+
     pub(super) fn begin(
         &mut self,
         drawing: &Drawing<Solid>,
