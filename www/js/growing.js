@@ -25,9 +25,9 @@ export function duration(iterations) {
 /**
  * @param {import('./store.js').Store} store
  * @param {import('./engine.js').Engine} engine
- * @param {() => void} begins called before it grows
+ * @param {{begins: () => void, tell: (words: string) => void}} page what is done before it grows, and what it says as it does
  */
-export function createGrowing(store, engine, begins) {
+export function createGrowing(store, engine, { begins, tell }) {
     const toggle = button('grow');
     let running = false;
     let frame = 0;
@@ -49,6 +49,7 @@ export function createGrowing(store, engine, begins) {
         shown = grown;
         asked = now;
         engine.define(at(definition, grown));
+        tell(`Growing: generation ${Math.ceil(grown)} of ${definition.iterations}.`);
     }
 
     function start() {

@@ -49,7 +49,7 @@ const marks = createMarks();
 const stage = createStage(store, engine, marks);
 const orbit = createOrbit(store, stage);
 const playback = createPlayback(engine, { turtle: marks.turtle });
-const growing = createGrowing(store, engine, () => playback.forget());
+const growing = createGrowing(store, engine, { begins: () => playback.forget(), tell: (words) => playback.tell(words) });
 const reader = createReader(engine, { mark: marks.part, opened: () => hover.forget() });
 const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.segment, light: reader.light, choose: reader.choose, reading: () => reader.open, zoom: () => store.state.view?.zoom ?? 1, upto: () => playback.upto });
 const rules = rulesPanel(store);

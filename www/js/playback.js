@@ -62,7 +62,7 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         slider.style.setProperty('--at', String(part));
         slider.setAttribute('aria-valuetext', `${shortText(String(place))} of ${digits ? shortText(digits) : '…'} segments`);
         if (document.activeElement !== field) {
-            setValue(field, briefly(place));
+            setValue(field, total === null ? '' : briefly(place));
             field.title = `${grouped(String(place))} segments are drawn. Write a number, 10^12, 50 %`;
             field.removeAttribute('data-wrong');
         }
@@ -77,7 +77,7 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         speedSlider.setAttribute('aria-valuetext', paceText(now));
         setText(html('play-pace'), paceText(now));
         button('play-ten').setAttribute('aria-pressed', String(speed === null));
-        if (upto === null) setText(html('play-pose'), all === 0n ? 'Nothing is drawn.' : 'The whole drawing.');
+        if (upto === null) setText(html('play-pose'), total === null ? '' : all === 0n ? 'Nothing is drawn.' : 'The whole drawing.');
     }
 
     /** Shows the first so many segments; all of them are the whole picture. @param {bigint | null} next */
@@ -224,6 +224,11 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
 
         close() {
             if (open) setOpen(false);
+        },
+
+        /** Says what is drawn while it is not counted. @param {string} words */
+        tell(words) {
+            setText(html('play-pose'), words);
         },
 
         /** Another drawing comes: back to the whole picture. */

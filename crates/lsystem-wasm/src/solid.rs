@@ -27,6 +27,8 @@ const WHOLE: f64 = 0.25 * TARGET;
 const MIDDLE: Quality = Quality(12);
 /// The first picture of a drawing of which nothing is known.
 const UNKNOWN: Quality = Quality(4);
+/// Of a drawing with more than so many times the segments of the former nothing is known.
+const LIKE: u128 = 8;
 /// Work units between two looks at the clock while things move.
 const MOVING_WORK: usize = WORK / 4;
 
@@ -88,7 +90,11 @@ impl Viewer for SolidView {
     fn build(&mut self) -> Option<Result<(), Diagnostic>> {
         Some(go_on(&mut self.drawer)?.map(|drawing| {
             self.renderer.load(drawing.clone());
-            self.pace = UNKNOWN;
+            // What grows, or has another angle, takes about as long as before.
+            let known = self.drawing.as_ref().map_or(0, |former| former.segment_count());
+            if drawing.segment_count() / LIKE > known {
+                self.pace = self.pace.min(UNKNOWN);
+            }
             self.drawing = Some(drawing);
         }))
     }

@@ -84,6 +84,7 @@ test('a drawing grows and comes back to what it was', () =>
         await page.click('#grow');
         await until(async () => (await picture(page)).digest !== before.digest, 'it begins to grow');
         assert.equal(await page.getAttribute('#grow', 'aria-pressed'), 'true');
+        assert.match((await page.textContent('#play-pose')) ?? '', /^Growing: generation \d+ of 5\.$/);
         await page.click('#grow');
         await page.click('#close-playback');
         await until(async () => (await stillPicture(page)).digest === before.digest, 'the whole plant is back');

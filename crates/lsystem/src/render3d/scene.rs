@@ -312,6 +312,13 @@ impl Scene {
         }
     }
 
+    /// What the pen does for a line that stands for others: a triangle's longest side has no width.
+    fn style_of(&self, line: &Line) -> StyleChange {
+        let style = self.styles[line.style as usize];
+        let width = if line.corner.is_some() { WidthChange { factor: 0.0, offset: 0.0 } } else { style.width };
+        StyleChange { width, ..style }
+    }
+
     /// A link to a run of the same block.
     fn same(&self, node: u32, style: u32) -> Link {
         let Own { widest, length, area, bundle, .. } = self.nodes[node as usize].own;
@@ -358,8 +365,7 @@ impl Scene {
             let [from, to] = [line.from, line.to].map(|end| end.map(f64::from));
             let half = [0, 1, 2].map(|i| 0.5 * (to[i] - from[i]));
             let centre = [0, 1, 2].map(|i| from[i] + half[i]);
-            let mut limb =
-                Limb { from, to, style: self.styles[line.style as usize], off: 0.0, before: f64::from(line.before) };
+            let mut limb = Limb { from, to, style: self.style_of(line), off: 0.0, before: f64::from(line.before) };
             if let Some(corner) = line.corner {
                 let corner = corner.map(f64::from);
                 put(run.links.len() + lane, centre, norm(half).max(norm(minus(corner, centre))));

@@ -31,6 +31,8 @@ const AGAIN: u8 = 4;
 const MORE: f32 = 8.0;
 /// It is not made again for less than this part more.
 const WORTH: f32 = 1.6;
+/// So many strokes and nodes are drawn in time in any case, and each of them tells in so small a drawing.
+const FEW: f32 = 16_000.0;
 /// Enough for everything.
 const MOST: f32 = 1e30;
 /// What a node, a line, and a dot cost, in units of work, apart from the samples.
@@ -238,7 +240,8 @@ impl Walk {
                     let Lens { origin, axes, .. } = look.lens;
                     let place = Place { origin, axes, scale: dot(axes[0], axes[0]).sqrt() };
                     let shade = Shade { number: 0, fixed: true };
-                    let inside = Inside { place, shade, path: scene.shown, width: look.width, share: look.budget };
+                    let share = if few(scene) { MOST } else { look.budget };
+                    let inside = Inside { place, shade, path: scene.shown, width: look.width, share };
                     self.open(scene, &look, corner, root, inside);
                 }
             }
@@ -255,6 +258,9 @@ impl Walk {
 
     /// What is left of the picture is made with a part of the effort.
     pub(super) fn hurry(&mut self, scene: &Scene, part: f32) {
+        if few(scene) {
+            return;
+        }
         if let Some(look) = &mut self.look {
             look.budget *= part;
         }
@@ -581,6 +587,11 @@ impl Place {
         // Depth is z / (1 + z n), so 1 / (1 + z n) is 1 - depth n.
         (1.0 - f64::from(depth) * lens.nearness).clamp(0.0, 1.0 / NEAR)
     }
+}
+
+/// Whether a drawing is so small that all of it is always looked into.
+fn few(scene: &Scene) -> bool {
+    scene.root.is_none_or(|root| scene.nodes[root as usize].own.need <= FEW)
 }
 
 /// How a node's budget is shared out to the nodes in it: by the room that they take, as far as it can be in the tile.
