@@ -3,12 +3,15 @@
  * `wasm_bindgen`, in one classic script, because a classic worker also starts from a blob.
  *
  * It keeps only the newest `define` and `view` it has seen, works in steps of at most 8 ms, and returns to its event
- * loop between steps, so that newer input supersedes older.
+ * loop between steps, so that newer input supersedes older. What it is at may finish first while it is quick, so that
+ * there are pictures on the way of a long drag.
  */
 (() => {
     const STEP_MS = 8;
     /** So long after a picture of what moves the next is waited for before a finer one is begun. */
     const PAUSE_MS = 12;
+    /** What is not shown after this time is superseded by what is newer. */
+    const PATIENCE_MS = 250;
     /** A small picture gets at most this many steps. */
     const THUMB_STEPS = 40;
 
@@ -32,6 +35,8 @@
     let thumb = null;
     /** Whether the picture just shown is one of many while things move. */
     let moving = false;
+    /** When what is not shown yet was begun; null once it is. @type {number | null} */
+    let begun = null;
     let defineId = 0;
     /** The generation that is defined. */
     let iterations = 0;
@@ -97,7 +102,9 @@
 
     function work() {
         let report = null;
-        if (newDefine) {
+        const free = begun === null || performance.now() - begun > PATIENCE_MS;
+        if (free) begun = newDefine || newView ? performance.now() : null;
+        if (free && newDefine) {
             const { id, definition } = newDefine;
             upto = newDefine.upto;
             newDefine = null;
@@ -107,7 +114,7 @@
             if (sound) iterations = definition.iterations;
             playground.play(upto ?? undefined);
         }
-        if (newView) {
+        if (free && newView) {
             const { id, width, height, ratio, view, camera } = newView;
             upto = newView.upto;
             newView = null;
@@ -120,12 +127,13 @@
         }
         const idle = step(report);
         // Questions are about the newest definition, whose drawing may still be in the making.
-        if (playground.built && questions.length > 0 && canRead(questions[0])) answer(questions.shift());
+        const newest = !newDefine && !newView && playground.built;
+        if (newest && questions.length > 0 && canRead(questions[0])) answer(questions.shift());
         if (idle && questions.length === 0) {
             if (!thumb && thumbs.length > 0) thumb = beginThumb(thumbs.shift());
             if (thumb) paintThumb();
         }
-        if (newDefine || newView || (questions.length > 0 && playground.built) || thumb || thumbs.length > 0) wake();
+        if (newDefine || newView || (questions.length > 0 && newest) || thumb || thumbs.length > 0) wake();
         else if (!idle) moving ? setTimeout(wake, PAUSE_MS) : wake();
     }
 
@@ -144,6 +152,7 @@
         const news = (sound && report) || first;
         if (news) self.postMessage({ type: 'report', id: defineId, report: news });
         moving = drawn?.moving ?? false;
+        if (drawn || idle) begun = null;
         if (drawn) {
             const bitmap = canvas.transferToImageBitmap();
             self.postMessage({ type: 'drawn', id: defineId, viewId, complete: drawn.complete, scale: drawn.scale, bitmap, pose: pose() }, { transfer: [bitmap] });

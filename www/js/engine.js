@@ -1,8 +1,8 @@
 /**
- * The worker as seen from the page. Nothing is ever queued: one state is in flight, the newest one waits, those between
- * are forgotten. A state in flight is let finish while it is quick, so that a long drag shows pictures on the way; then
- * the newest supersedes it. A worker that fails is replaced by a fresh one with the same state, and so is the small kit
- * of the first picture, by the full one.
+ * The worker as seen from the page. Nothing is ever queued: it is at one state, one more is there for it to go on with,
+ * the newest one waits, those between are forgotten. A state is let finish while it is quick, so that a long drag shows
+ * pictures on the way; then newer ones supersede it. A worker that fails is replaced by a fresh one with the same state,
+ * and so is the small kit of the first picture, by the full one.
  */
 
 import { bytesOf, scriptAddress } from './files.js';
@@ -73,8 +73,11 @@ import { same } from './state.js';
  * @property {(message: string, again: boolean) => void} failed `again` tells whether a fresh worker has taken over
  */
 
-/** A state in flight is superseded when it is not drawn after this time, in milliseconds. */
+/** States that are not drawn after this time are waited for no longer, in milliseconds. */
 const PATIENCE = 250;
+
+/** So many states are sent before the first of them is drawn: the worker need not wait while the page shows a picture. */
+const AHEAD = 2;
 
 /** The full kit is fetched so long after the first picture, in milliseconds. */
 const IDLE = 500;
@@ -114,9 +117,11 @@ export function createEngine(kits, events) {
     /** What is newer than what was sent. */
     let defineWaits = false;
     let lookWaits = false;
-    /** The last of each that was sent, by id, and the timer that ends the patience with them; 0 when they are drawn. */
+    /** The last of each that was sent, by id. */
     let defineSent = 0;
     let lookSent = 0;
+    /** The states that were sent and are not drawn yet, by their last ids, and the timer that ends the patience with them. @type {number[]} */
+    let ahead = [];
     let patience = 0;
     /** The id under which a fresh worker was told what is shown already. */
     let recalled = 0;
@@ -156,8 +161,7 @@ export function createEngine(kits, events) {
         ready = false;
         askable = false;
         views.clear();
-        clearTimeout(patience);
-        patience = 0;
+        awaited([]);
         defineWaits = definition !== null;
         lookWaits = look !== null;
         fresh.onmessage = ({ data }) => worker === fresh && receive(data);
@@ -189,7 +193,8 @@ export function createEngine(kits, events) {
         recalled = ++lastId;
         worker.postMessage({ type: 'define', id: recalled, definition: shown.definition, upto: shown.look.upto });
         tellLook(worker, shown.look);
-        patience = window.setTimeout(goOn, PATIENCE);
+        // Nothing else may come before it is drawn.
+        awaited(Array(AHEAD).fill(lastId));
     }
 
     /** @param {Worker} to @param {Look} what */
@@ -200,7 +205,7 @@ export function createEngine(kits, events) {
     }
 
     function send() {
-        if (!worker || !ready || patience || !(defineWaits || lookWaits)) return;
+        if (!worker || !ready || ahead.length >= AHEAD || !(defineWaits || lookWaits)) return;
         if (definition && defineWaits) {
             defineWaits = false;
             defineSent = ++lastId;
@@ -210,22 +215,28 @@ export function createEngine(kits, events) {
             lookWaits = false;
             tellLook(worker, look);
         }
-        patience = window.setTimeout(goOn, PATIENCE);
+        awaited([...ahead, lastId]);
         putQuestions();
         events.busy(true);
     }
 
-    /** The state in flight is done with, or the patience with it is at an end: the newest one may follow. */
-    function goOn() {
+    /** Sets what is waited for. @param {number[]} ids of states */
+    function awaited(ids) {
         clearTimeout(patience);
-        patience = 0;
+        ahead = ids;
+        patience = ids.length > 0 ? window.setTimeout(() => goOn(), PATIENCE) : 0;
+    }
+
+    /** The states up to an id are drawn, or waited for no longer: the newest may follow. */
+    function goOn(id = lastId) {
+        awaited(ahead.filter((each) => each > id));
         send();
     }
 
-    /** The state in flight is shown, or cannot be. */
+    /** The newest state is shown, or cannot be. */
     function settle() {
         goOn();
-        if (!patience) events.busy(false);
+        if (ahead.length === 0) events.busy(false);
     }
 
     /** @param {any} message */
@@ -257,7 +268,8 @@ export function createEngine(kits, events) {
                 if (seen && !known) events.drawn({ ...message, ...seen });
                 if (newest && message.complete && !(defineWaits || lookWaits)) rest();
                 // Only the finest is the end of it.
-                if (newest) message.complete ? settle() : goOn();
+                if (newest && message.complete) settle();
+                else goOn(Math.max(message.id, message.viewId));
                 break;
             }
             case 'fatal':

@@ -13,6 +13,10 @@ use wasm_bindgen::JsValue;
 /// Milliseconds that a fine picture may take before a coarse one is shown in its stead.
 const PATIENCE: f64 = 8.0;
 
+/// After a fine picture that took too long so many pictures are begun coarse, before the next is tried at once: what was
+/// slow may have been the moment.
+const SKETCHES: u8 = 8;
+
 /// A drawing in the plane and its picture.
 pub(crate) struct PlaneView {
     pub(crate) drawing: Option<Arc<Drawing>>,
@@ -24,8 +28,8 @@ pub(crate) struct PlaneView {
     stage: Stage,
     /// Milliseconds spent on the fine picture so far.
     spent: f64,
-    /// Whether the last fine picture took too long to wait for it.
-    slow: bool,
+    /// How many pictures are to be begun coarse, because a fine one took too long to wait for it.
+    sketches: u8,
 }
 
 /// How far a picture is.
@@ -49,7 +53,7 @@ impl Default for PlaneView {
             scene: None,
             stage: Stage::Done,
             spent: 0.0,
-            slow: false,
+            sketches: 0,
         }
     }
 }
@@ -83,7 +87,8 @@ impl Viewer for PlaneView {
 
     fn begin(&mut self, scene: Scene) {
         self.scene = Some(scene);
-        if self.slow {
+        if self.sketches > 0 {
+            self.sketches -= 1;
             self.begin_coarse(false);
         } else {
             self.begin_fine();
@@ -111,13 +116,13 @@ impl Viewer for PlaneView {
                 let progress = self.fine.step(WORK);
                 self.spent += clock.now() - start;
                 if progress == Progress::Done {
-                    self.slow = self.spent > PATIENCE;
+                    self.sketches = if self.spent > PATIENCE { SKETCHES } else { 0 };
                     self.stage = Stage::Done;
                     surface.show(self.fine.pixels(), viewport)?;
                     return Ok(Some(Drawn { complete: true, scale, moving: false }));
                 }
                 if self.spent > PATIENCE {
-                    self.slow = true;
+                    self.sketches = SKETCHES;
                     if !sketched {
                         self.begin_coarse(true);
                     }
@@ -129,6 +134,10 @@ impl Viewer for PlaneView {
 
     fn is_done(&self) -> bool {
         self.stage == Stage::Done
+    }
+
+    fn is_refining(&self) -> bool {
+        self.stage == Stage::Fine { sketched: true }
     }
 
     #[cfg(feature = "full")]

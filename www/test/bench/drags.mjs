@@ -1,4 +1,7 @@
-/** How free the page's thread stays while a slider is dragged and while the turtle plays: prints a table. */
+/**
+ * Pictures while a slider is dragged and while the turtle plays, how many of them were fine at once, and how free the
+ * page's thread stays: prints a table.
+ */
 
 import { close, stillPicture, withPage } from '../e2e/browser.mjs';
 
@@ -40,19 +43,33 @@ function slide(page, selector) {
     );
 }
 
+/** Counts the pictures that a worker sends, in the page. */
+function countFine() {
+    const seen = (/** @type {any} */ (globalThis).seen = { tasks: /** @type {number[]} */ ([]), pictures: 0, fine: 0 });
+    const Plain = Worker;
+    globalThis.Worker = class extends Plain {
+        /** @param {string | URL} address */
+        constructor(address) {
+            super(address);
+            this.addEventListener('message', ({ data }) => (seen.fine += Number(data.type === 'drawn' && data.complete)));
+        }
+    };
+}
+
 /** @param {Page} page */
 async function play(page) {
     await page.click('#open-playback');
     await page.waitForTimeout(DURATION);
 }
 
-console.log(`${CHANGES} changes in ${DURATION / 1000} s             pictures  long tasks  longest   over 50 ms in all`);
+console.log(`${CHANGES} changes in ${DURATION / 1000} s             pictures  fine  long tasks  longest   over 50 ms in all`);
 for (const [name, hash, gesture] of GESTURES) {
-    await withPage({ hash, options: { viewport: { width: 1280, height: 800 }, reducedMotion: 'no-preference' } }, async (page) => {
+    await withPage({ hash, options: { viewport: { width: 1280, height: 800 }, reducedMotion: 'no-preference' }, before: (page) => page.addInitScript(countFine) }, async (page) => {
         await stillPicture(page);
         await page.waitForTimeout(500);
         await page.evaluate(() => {
-            const seen = (/** @type {any} */ (globalThis).seen = { tasks: /** @type {number[]} */ ([]), pictures: 0 });
+            const { seen } = /** @type {any} */ (globalThis);
+            seen.fine = 0;
             new PerformanceObserver((list) => seen.tasks.push(...list.getEntries().map(({ duration }) => duration))).observe({ type: 'longtask' });
             const transfer = ImageBitmapRenderingContext.prototype.transferFromImageBitmap;
             ImageBitmapRenderingContext.prototype.transferFromImageBitmap = function (bitmap) {
@@ -62,10 +79,10 @@ for (const [name, hash, gesture] of GESTURES) {
         });
         await gesture(page);
         await page.waitForTimeout(300);
-        const { tasks, pictures } = await page.evaluate(() => /** @type {any} */ (globalThis).seen);
+        const { tasks, pictures, fine } = await page.evaluate(() => /** @type {any} */ (globalThis).seen);
         const longest = Math.max(0, ...tasks);
         const over = tasks.reduce((/** @type {number} */ sum, /** @type {number} */ task) => sum + task - 50, 0);
-        console.log(`${name.padEnd(30)}${String(pictures).padStart(10)}${String(tasks.length).padStart(12)}${longest.toFixed(0).padStart(6)} ms${over.toFixed(0).padStart(17)} ms`);
+        console.log(`${name.padEnd(30)}${String(pictures).padStart(10)}${String(fine).padStart(6)}${String(tasks.length).padStart(12)}${longest.toFixed(0).padStart(6)} ms${over.toFixed(0).padStart(17)} ms`);
     });
 }
 await close();
