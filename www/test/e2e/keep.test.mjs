@@ -121,8 +121,7 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
             assert.ok(!(await page.isVisible('#favourites-undo')));
             await page.keyboard.press('Escape');
             await page.reload();
-            await page.waitForSelector('#stage.inked');
-            assert.equal(await text(page, '#favourites-count'), '2');
+            await until(async () => (await text(page, '#favourites-count')) === '2', 'the count is shown again');
         }));
 }
 
