@@ -87,6 +87,25 @@ function shifted(camera, right, up) {
     return { ...camera, x: camera.x + right * r[0] + up * u[0], y: camera.y + right * r[1] + up * u[1], z: camera.z + right * r[2] + up * u[2] };
 }
 
+/** The eye's distance from the target, in fitted extents. */
+const DISTANCE = 2;
+/** What is nearer to the eye than this part of that distance is not shown. */
+const NEAR = 0.05;
+
+/**
+ * Where a place is seen: CSS pixels right of and below the canvas's centre.
+ * @param {Camera} camera
+ * @param {number[]} place from the fitted centre, in fitted extents, in the directions of the model
+ * @param {number} scale CSS pixels per fitted extent at zoom 1
+ * @returns {[number, number]}
+ */
+export function seen(camera, [x = 0, y = 0, z = 0], scale) {
+    const [right, up, back] = axes(camera);
+    const along = (/** @type {Vector} */ axis) => axis[0] * (x - camera.x) + axis[1] * (y - camera.y) + axis[2] * (z - camera.z);
+    const pixels = (scale * camera.zoom) / (camera.perspective ? Math.max(NEAR, 1 - along(back) / DISTANCE) : 1);
+    return [along(right) * pixels, -along(up) * pixels];
+}
+
 /**
  * The camera on the way from one to another, at `t` from 0 to 1, the shorter way round.
  * @param {Camera} from

@@ -48,12 +48,12 @@ import { same } from './state.js';
 /** How the picture is to be shown; only the first `upto` segments unless it is null. @typedef {{canvas: Canvas, view: View, camera: Camera | null, upto: bigint | null}} Look */
 /**
  * A picture; `scale` is in device pixels per fitted extent at zoom 1. `pose` is the turtle's where only the first
- * segments are shown: `at` in model units, `fitted` in fitted extents from the fitted centre, heading in degrees.
+ * segments are shown: `at` in model units, `fitted` as places of marks, `heading` in degrees, in space a vector.
  * @typedef {{id: number, viewId: number, complete: boolean, scale: number, bitmap: ImageBitmap, pose: Pose | null} & Look} Drawn
  */
-/** @typedef {{at: number[], fitted: [number, number] | null, heading: number | number[], level: number}} Pose */
+/** @typedef {{at: number[], fitted: number[], heading: number | number[], level: number}} Pose */
 /** Symbols of a generation from `start` on, and how many it has, null where it is too long to be derived; `apart` tells that each ends with a line end. @typedef {{length: string | null, text: string | null, apart: boolean}} StringPage */
-/** What a symbol has become: half-open ranges in decimal digits, the outline in fitted extents. @typedef {{symbols: [string, string], segments: [string, string], outline: [number, number][]}} Part */
+/** What a symbol has become: half-open ranges in decimal digits, the outline as places of marks. @typedef {{symbols: [string, string], segments: [string, string], outline: number[][]}} Part */
 /** `ancestry` is empty and `part` null where neither is known; `stroke` is where its drawing begins. @typedef {{ancestry: Link[], part: Part | null, stroke: Stroke | null}} SymbolFacts */
 /** @typedef {{segment: string | null, symbol: string | null, ancestry: Link[], stroke: Stroke | null}} Picked */
 /**

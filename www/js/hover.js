@@ -2,9 +2,8 @@
 
 import { html, make } from './dom.js';
 import { latest } from './latest.js';
-import { DEEPEST } from './marks.js';
-import { grouped, plain, shortText } from './numerals.js';
-import { birth, birthOf, descent, visible } from './reading/words.js';
+import { grouped, shortText } from './numerals.js';
+import { birth, birthOf, descent, strokeText, visible } from './reading/words.js';
 
 /** How near a segment must be, in CSS pixels. */
 const NEAR = { mouse: 6, touch: 16 };
@@ -15,6 +14,8 @@ const LONG = 500;
 const TOLD = { mouse: 4, touch: 1 };
 /** What a finger tapped near the lower edge is told above: buttons stand there on a phone, in CSS pixels. */
 const FOOT = 72;
+/** A drawing in space that was turned rests after this time, in milliseconds. */
+const REST_MS = 200;
 /** Between the pointer and the card, in CSS pixels. */
 const APART = { mouse: 18, touch: 34 };
 
@@ -23,31 +24,32 @@ const APART = { mouse: 18, touch: 34 };
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{ratio: () => number, mark: (ends: [[number, number], [number, number]] | null) => void, light: (chain: import('./reading/words.js').Link[]) => void, choose: (chain: import('./reading/words.js').Link[]) => void, reading: () => boolean, zoom: () => number, upto: () => bigint | null}} page
+ * @param {{ratio: () => number, mark: (ends: [number[], number[]] | null) => void, light: (chain: import('./reading/words.js').Link[]) => void, choose: (chain: import('./reading/words.js').Link[]) => void, reading: () => boolean, upto: () => bigint | null, offered?: () => boolean}} page
  */
-export function createHover(engine, { ratio, mark, light, choose, reading, zoom, upto }) {
+export function createHover(engine, { ratio, mark, light, choose, reading, upto, offered = () => true }) {
     const canvas = html('drawing');
     const stage = html('stage');
     const card = html('card');
     /** Where the pointer rests, or a finger tapped; null while it is elsewhere or drags. @type {Place | null} */
     let place = null;
+    /** Whether what is there is to be chosen in the string view, too. */
     let choosing = false;
     /** @type {{x: number, y: number, time: number} | null} */
     let press = null;
     let told = '';
+    /** Runs while a drawing in space is being turned. */
+    let turning = 0;
 
     const ask = latest(
         (/** @type {Place} */ { x, y, touch }, /** @type {boolean} */ _chosen) => engine.pick(x * ratio(), y * ratio(), (touch ? NEAR.touch : NEAR.mouse) * ratio()),
         (picked, _asked, chosen) => {
             if (place === null) return;
-            const shown = upto();
-            const found = picked.segment !== null && (shown === null || BigInt(picked.segment) < shown) ? picked : null;
-            if (!found) return hide();
-            tell(found);
+            if (turning || picked.segment === null) return hide();
+            tell(picked);
             if (!chosen) return;
-            choose(found.ancestry);
+            choose(picked.ancestry);
             // The string view says the same, and a phone has no room for both.
-            if (place.touch && reading() && found.ancestry.length > 0) card.hidden = true;
+            if (place.touch && reading() && picked.ancestry.length > 0) card.hidden = true;
         },
     );
 
@@ -65,18 +67,21 @@ export function createHover(engine, { ratio, mark, light, choose, reading, zoom,
     function leave() {
         if (place === null) return;
         place = null;
+        choosing = false;
         hide();
     }
 
     /** @param {boolean} chosen */
     function look(chosen) {
-        if (place && zoom() <= DEEPEST) ask(place, chosen);
+        choosing ||= chosen;
+        if (!place || turning || !offered()) return;
+        ask(place, choosing);
+        choosing = false;
     }
 
     /** @param {Picked} picked */
     function tell({ segment, symbol, ancestry, stroke }) {
-        // Only what is in the plane is found by a place.
-        if (!place || segment === null || !stroke?.fittedFrom || !stroke.fittedTo || typeof stroke.heading !== 'number') return;
+        if (!place || segment === null || !stroke) return;
         mark([stroke.fittedFrom, stroke.fittedTo]);
         light(ancestry);
         canvas.classList.add('found');
@@ -86,7 +91,7 @@ export function createHover(engine, { ratio, mark, light, choose, reading, zoom,
             const [, ...older] = descent(ancestry);
             const most = place.touch ? TOLD.touch : TOLD.mouse;
             const more = older.length - most;
-            const facts = [`Segment ${number(segment)}`, `heading ${plain(Number(stroke.heading.toFixed(2)))}°`, ...(stroke.level > 0 ? [`branch level ${stroke.level}`] : [])].join(', ');
+            const facts = `Segment ${number(segment)}, ${strokeText(stroke)}`;
             card.replaceChildren(
                 ...(own ? [make('p', { class: 'card-head' }, make('kbd', {}, visible(own.symbol)), make('span', {}, birthOf(ancestry)))] : []),
                 ...(older.length > 0 ? [make('ol', { class: 'card-path' }, ...older.slice(0, most).map((link) => make('li', {}, make('kbd', {}, visible(link.symbol)), make('span', {}, birth(link)))), ...(more > 0 ? [make('li', { class: 'more' }, `and ${more} more, back to the axiom`)] : []))] : []),
@@ -134,6 +139,15 @@ export function createHover(engine, { ratio, mark, light, choose, reading, zoom,
         /** The picture is another one: what is under the pointer may be, too. */
         drawn() {
             if (upto() === null) look(false);
+        },
+        /** The camera is at another place: what is under the pointer is told when it rests. */
+        turned() {
+            if (place !== null) hide();
+            clearTimeout(turning);
+            turning = window.setTimeout(() => {
+                turning = 0;
+                look(false);
+            }, REST_MS);
         },
         /** What was told of is gone. */
         forget: leave,

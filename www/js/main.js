@@ -51,7 +51,7 @@ const orbit = createOrbit(store, stage);
 const playback = createPlayback(engine, { turtle: marks.turtle });
 const growing = createGrowing(store, engine, { begins: () => playback.forget(), tell: (words) => playback.tell(words) });
 const reader = createReader(engine, { mark: marks.part, opened: () => hover.forget() });
-const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.segment, light: reader.light, choose: reader.choose, reading: () => reader.open, zoom: () => store.state.view?.zoom ?? 1, upto: () => playback.upto });
+const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.segment, light: reader.light, choose: reader.choose, reading: () => reader.open, upto: () => playback.upto });
 const rules = rulesPanel(store);
 const growth = growthPanel(store, engine);
 const turtle = turtlePanel(store);
@@ -122,6 +122,7 @@ function show(state, before) {
         hover.forget();
         playback.forget();
     }
+    if (before && before.camera !== state.camera) hover.turned();
     showNames(state);
     showSheet(state, before);
     button('undo').disabled = !store.canUndo;

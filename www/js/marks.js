@@ -1,17 +1,48 @@
 /** What is marked upon the drawing: a segment, the outline of a part, the turtle. They move with the view. */
 
+import { seen as seenInSpace } from './camera.js';
 import { byId } from './dom.js';
 
 /** @typedef {import('./state.js').View} View */
-/** Right of and above the fitted centre, in fitted extents. @typedef {[number, number]} Point */
-/** `scale` in CSS pixels per fitted extent at zoom 1. @typedef {{view: View, scale: number, size: {width: number, height: number}}} Sight */
+/** @typedef {import('./state.js').Camera} Camera */
+/**
+ * In fitted extents from the fitted centre: in the plane to the right and upwards, then what is below the precision of
+ * these; in space in the directions of the model.
+ * @typedef {number[]} Point
+ */
+/**
+ * `scale` in CSS pixels per fitted extent at zoom 1; `camera` where the drawing is in space.
+ * @typedef {{view: View, camera: Camera | null, scale: number, size: {width: number, height: number}}} Sight
+ */
+
+/** `heading` in degrees counter-clockwise from the right, in space a vector. @typedef {{at: Point, heading: number | number[]}} Pose */
 
 /** Farther outside the frame nothing is drawn exactly, in CSS pixels. */
 const FAR = 1e5;
-/** At larger zooms a number has no digits left for a place, and nothing is marked. */
-export const DEEPEST = 1e12;
+/** What is a little way ahead of a turtle in space, in fitted extents. */
+const STEP = 1e-6;
 /** A shorter mark gets a ring, so that it is found, in CSS pixels. */
 const SHORT = 9;
+
+/**
+ * The part of a line that is not farther outside the frame than {@link FAR}; its ends where none is.
+ * @param {[number, number]} from
+ * @param {[number, number]} to
+ * @returns {[[number, number], [number, number]]}
+ */
+function within(from, to) {
+    const way = [to[0] - from[0], to[1] - from[1]];
+    let [first, last] = [0, 1];
+    for (const axis of [0, 1]) {
+        const [start = 0, length = 0] = [from[axis], way[axis]];
+        if (length === 0) continue;
+        const sides = [(-FAR - start) / length, (FAR - start) / length];
+        first = Math.max(first, Math.min(...sides));
+        last = Math.min(last, Math.max(...sides));
+    }
+    const at = (/** @type {number} */ part) => /** @type {[number, number]} */ ([from[0] + part * (way[0] ?? 0), from[1] + part * (way[1] ?? 0)]);
+    return first < last ? [at(first), at(last)] : [from, to];
+}
 
 export function createMarks() {
     const frame = byId('marks', SVGSVGElement);
@@ -24,15 +55,31 @@ export function createMarks() {
     let ends = null;
     /** @type {Point[]} */
     let outline = [];
-    /** @type {{at: Point, heading: number} | null} */
+    /** @type {Pose | null} */
     let pose = null;
 
-    /** @param {Point} point */
-    function seen([x, y]) {
-        const { view, scale, size } = /** @type {Sight} */ (sight);
+    /** @param {Point} point @returns {[number, number]} CSS pixels from the stage's upper left corner */
+    function place(point) {
+        const { view, camera, scale, size } = /** @type {Sight} */ (sight);
+        const middle = /** @type {const} */ ([size.width / 2, size.height / 2]);
+        if (camera) {
+            const [x, y] = seenInSpace(camera, point, scale);
+            return [middle[0] + x, middle[1] + y];
+        }
+        const [x = 0, y = 0, fx = 0, fy = 0] = point;
         const pixels = scale * view.zoom;
-        const clamp = (/** @type {number} */ value) => Math.min(FAR, Math.max(-FAR, value));
-        return [clamp(size.width / 2 + (x - view.x) * pixels), clamp(size.height / 2 - (y - view.y) * pixels)];
+        return [middle[0] + (x - view.x + (fx - (view.fx ?? 0))) * pixels, middle[1] - (y - view.y + (fy - (view.fy ?? 0))) * pixels];
+    }
+
+    /** @param {Point} point */
+    const seen = (point) => place(point).map((value) => Math.min(FAR, Math.max(-FAR, value)));
+
+    /** How the turtle is turned in the picture: degrees clockwise from the right. @param {Pose} pose */
+    function towards({ at, heading }) {
+        if (typeof heading === 'number') return -heading;
+        const ahead = at.map((value, axis) => value + STEP * (heading[axis] ?? 0));
+        const [[x1, y1], [x2, y2]] = [place(at), place(ahead)];
+        return (Math.atan2(y2 - y1, x2 - x1) * 180) / Math.PI;
     }
 
     /** @param {Element} group @param {boolean} shown */
@@ -42,12 +89,12 @@ export function createMarks() {
         for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, typeof value === 'number' ? value.toFixed(2) : value);
     }
 
-    function place() {
-        show(frame, sight !== null && sight.view.zoom <= DEEPEST && (ends !== null || outline.length > 0 || pose !== null));
+    function draw() {
+        show(frame, sight !== null && (ends !== null || outline.length > 0 || pose !== null));
         if (!sight) return;
         show(segment, ends !== null);
         if (ends) {
-            const [[x1, y1], [x2, y2]] = /** @type {[[number, number], [number, number]]} */ (ends.map(seen));
+            const [[x1, y1], [x2, y2]] = within(place(ends[0]), place(ends[1]));
             for (const line of segment.querySelectorAll('line')) set(line, { x1, y1, x2, y2 });
             const ring = /** @type {SVGCircleElement} */ (segment.querySelector('circle'));
             set(ring, { cx: (x1 + x2) / 2, cy: (y1 + y2) / 2 });
@@ -70,8 +117,8 @@ export function createMarks() {
         }
         show(turtle, pose !== null);
         if (pose) {
-            const [x, y] = seen(pose.at);
-            set(turtle, { transform: `translate(${x?.toFixed(2)} ${y?.toFixed(2)}) rotate(${(-pose.heading).toFixed(2)})` });
+            const [x = 0, y = 0] = seen(pose.at);
+            set(turtle, { transform: `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${towards(pose).toFixed(2)})` });
         }
     }
 
@@ -79,25 +126,25 @@ export function createMarks() {
         /** @param {Sight | null} next */
         look(next) {
             sight = next;
-            place();
+            draw();
         },
         /** @param {[Point, Point] | null} next from and to */
         segment(next) {
             if (ends === null && next === null) return;
             ends = next;
-            place();
+            draw();
         },
         /** @param {Point[]} next */
         part(next) {
             if (outline.length === 0 && next.length === 0) return;
             outline = next;
-            place();
+            draw();
         },
-        /** @param {{at: Point, heading: number} | null} next heading in degrees counter-clockwise from the right */
+        /** @param {Pose | null} next */
         turtle(next) {
             if (pose === null && next === null) return;
             pose = next;
-            place();
+            draw();
         },
     };
 }

@@ -20,7 +20,7 @@ const briefly = (count) => (count < 10n ** 12n ? grouped(String(count)) : shortT
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{turtle: (pose: {at: [number, number], heading: number} | null) => void, offered?: () => boolean}} page
+ * @param {{turtle: (pose: import('./marks.js').Pose | null) => void, offered?: () => boolean}} page
  */
 export function createPlayback(engine, { turtle, offered = () => true }) {
     const bar = html('playback');
@@ -252,7 +252,7 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         drawn({ pose, upto: shown }) {
             if (upto === null || shown === null) return turtle(null);
             if (!pose) return;
-            turtle(pose.fitted && typeof pose.heading === 'number' ? { at: pose.fitted, heading: pose.heading } : null);
+            turtle({ at: pose.fitted, heading: pose.heading });
             setText(html('play-pose'), poseText(pose));
         },
     };

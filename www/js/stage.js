@@ -79,11 +79,11 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
         if (!drawn) return;
         if (solid) {
             // No other picture stands for one from another side.
-            marks.look(null);
+            marks.look({ view: view(), camera: camera(), scale: drawn.scale, size });
             canvas.style.transform = 'none';
             return;
         }
-        marks.look({ view: view(), scale: drawn.scale, size });
+        marks.look({ view: view(), camera: null, scale: drawn.scale, size });
         const at = placement(drawn.view, view(), drawn.scale);
         const x = size.width / 2 + at.x - (drawn.size.width / 2) * at.factor;
         const y = size.height / 2 + at.y - (drawn.size.height / 2) * at.factor;

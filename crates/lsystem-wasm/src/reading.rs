@@ -1,10 +1,13 @@
 //! Reading a derivation in place: pages of its strings, where a symbol comes from, what a segment is.
 
 use crate::playground::Playground;
-use crate::viewer::WORK;
+use crate::viewer::{Views, WORK};
 use crate::{LIMITS, to_js};
 use core::ops::Range;
-use lsystem::{Ancestor, Drawing, History, Progress, Segment, Word, count_symbols, print_module};
+use lsystem::{
+    Ancestor, History, Pointer, Progress, Segment, Word, count_symbols, fitted_ends, fitted_outline, fitted_solid_ends,
+    pick, pick_solid, print_module,
+};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -32,11 +35,11 @@ struct Link {
 struct Stroke {
     from: Vec<f64>,
     to: Vec<f64>,
-    /// In the plane, both ends where the page finds them at any view.
+    /// Both ends where the page finds them at any view.
     #[serde(rename = "fittedFrom")]
-    fitted_from: Option<[f64; 2]>,
+    fitted_from: Vec<f64>,
     #[serde(rename = "fittedTo")]
-    fitted_to: Option<[f64; 2]>,
+    fitted_to: Vec<f64>,
     heading: Direction,
     level: u32,
     colour: i32,
@@ -55,8 +58,9 @@ enum Direction {
 struct Part {
     symbols: [String; 2],
     segments: [String; 2],
-    /// The corners of a convex outline of its segments, in fitted extents; empty unless the shown generation is meant.
-    outline: Vec<[f64; 2]>,
+    /// The corners of a convex outline of its segments, in the plane; in space the ends of a single one. Empty unless the
+    /// shown generation is meant.
+    outline: Vec<Vec<f64>>,
 }
 
 #[derive(Serialize)]
@@ -159,32 +163,24 @@ impl Playground {
             Reader::Remembered(history) => history.part(generation, index, later),
         });
         to_js(&part.map(|lsystem::Part { symbols, segments }| {
-            let drawing = self.views.plane.drawing.as_ref().filter(|_| later == self.shown_iterations());
-            let corners = drawing.map(|drawing| (drawing, drawing.outline(segments.clone())));
-            let outline =
-                corners.map(|(drawing, corners)| corners.into_iter().map(|corner| fitted(drawing, corner)).collect());
-            Part { symbols: ends(symbols), segments: ends(segments), outline: outline.unwrap_or_default() }
+            let outline = if later == self.shown_iterations() { self.outline(segments.clone()) } else { vec![] };
+            Part { symbols: ends(symbols), segments: ends(segments), outline }
         }))
     }
 
-    /// The segment of that number: `{from, to, fittedFrom, fittedTo, heading, level, colour}`, in model units; in the
-    /// plane `heading` is in degrees, and `fittedFrom` and `fittedTo` are in fitted extents from the fitted centre, y up;
-    /// in space these are null, and `heading` is a vector. Null beyond the last.
+    /// The segment of that number: `{from, to, fittedFrom, fittedTo, heading, level, colour}`, `from` and `to` in model
+    /// units. In the plane `heading` is in degrees, and `fittedFrom` and `fittedTo` are four numbers: right of and above
+    /// the fitted centre, in fitted extents, and what is below the precision of these. In space `heading` is a vector, and
+    /// they are three, in the directions of the model. Null beyond the last.
     ///
     /// # Errors
     /// Throws only where the result cannot be translated.
     pub fn segment(&self, number: u128) -> Result<JsValue, JsValue> {
         let in_plane = self.views.plane.drawing.as_ref().and_then(|drawing| {
             let Segment { from, to, level, colour, .. } = drawing.segments_from(number).next()?;
-            Some(Stroke {
-                from: from.into(),
-                to: to.into(),
-                fitted_from: Some(fitted(drawing, from)),
-                fitted_to: Some(fitted(drawing, to)),
-                heading: Direction::Degrees(drawing.heading_at(number)?),
-                level,
-                colour,
-            })
+            let heading = Direction::Degrees(drawing.heading_at(number)?);
+            let [fitted_from, fitted_to] = fitted_ends(drawing, number)?.map(Vec::from);
+            Some(Stroke { from: from.into(), to: to.into(), fitted_from, fitted_to, heading, level, colour })
         });
         let stroke = in_plane.or_else(|| {
             let drawing = self.views.solid.drawing.as_ref()?;
@@ -192,23 +188,25 @@ impl Playground {
             let way = [0, 1, 2].map(|i| to[i] - from[i]);
             let length = way.map(|c| c * c).iter().sum::<f64>().sqrt();
             let heading = Direction::Vector(way.map(|c| if length > 0.0 { c / length } else { 0.0 }));
-            let (from, to) = (from.into(), to.into());
-            Some(Stroke { from, to, fitted_from: None, fitted_to: None, heading, level, colour })
+            let [fitted_from, fitted_to] = fitted_solid_ends(drawing, number)?.map(Vec::from);
+            Some(Stroke { from: from.into(), to: to.into(), fitted_from, fitted_to, heading, level, colour })
         });
         to_js(&stroke)
     }
 
-    /// The segment within `tolerance` device pixels of a place on the canvas: `{segment, symbol}` with the numbers
-    /// of the segment and of the symbol that draws it, as decimal strings; null where there is none. The symbol is
+    /// The segment that is seen within `tolerance` device pixels of a place on the canvas: `{segment, symbol}` with the
+    /// numbers of the segment and of the symbol that draws it, as decimal strings; null where there is none. The symbol is
     /// null where the generation cannot be read.
     ///
     /// # Errors
     /// Throws only where the result cannot be translated.
     pub fn pick(&self, x: f64, y: f64, tolerance: f64) -> Result<JsValue, JsValue> {
-        let Some(drawing) = &self.views.plane.drawing else { return Ok(JsValue::NULL) };
-        let at = |x: f64, y: f64| drawing.from_model(lsystem::to_model(drawing, self.viewport, self.view, x, y));
-        let (centre, edge) = (at(x, y), at(x + tolerance, y));
-        let found = drawing.pick(centre, (edge[0] - centre[0]).abs(), VISITS);
+        let pointer = Pointer { at: [x, y], tolerance, upto: self.upto, visits: VISITS };
+        let views = &self.views;
+        let in_plane = views.plane.drawing.as_ref();
+        let in_plane = in_plane.and_then(|drawing| pick(drawing, self.viewport, self.view, &pointer));
+        let found = in_plane
+            .or_else(|| pick_solid(views.solid.drawing.as_ref()?, self.viewport, &views.solid.camera, &pointer));
         to_js(
             &found
                 .map(|pick| Picked { segment: pick.segment.to_string(), symbol: self.symbol_of_segment(pick.segment) }),
@@ -242,6 +240,18 @@ impl Playground {
         word.or_else(|| self.history.as_ref().map(Reader::Remembered))
     }
 
+    /// What is around these segments of the drawing.
+    fn outline(&self, segments: Range<u128>) -> Vec<Vec<f64>> {
+        let Views { plane, solid, .. } = &self.views;
+        if let Some(drawing) = &plane.drawing {
+            return fitted_outline(drawing, segments).into_iter().map(Vec::from).collect();
+        }
+        let single = segments.end.checked_sub(segments.start) == Some(1);
+        let drawing = solid.drawing.as_ref().filter(|_| single);
+        let ends = drawing.and_then(|drawing| fitted_solid_ends(drawing, segments.start));
+        ends.into_iter().flatten().map(Vec::from).collect()
+    }
+
     fn link(&self, ancestor: Ancestor) -> Link {
         let Ancestor { generation, symbol, arguments, index, production, position } = ancestor;
         let mut module = String::new();
@@ -252,13 +262,6 @@ impl Playground {
         }
         Link { generation, symbol: module, index: index.to_string(), production, position }
     }
-}
-
-/// A model point relative to the fitted view: in fitted extents from its centre, y up.
-fn fitted(drawing: &Drawing, [x, y]: [f64; 2]) -> [f64; 2] {
-    let shown = lsystem::fit(drawing);
-    let side = shown.width.max(shown.height);
-    [(x - (shown.x + shown.width / 2.0)) / side, (y - (shown.y + shown.height / 2.0)) / side]
 }
 
 fn ends(range: Range<u128>) -> [String; 2] {

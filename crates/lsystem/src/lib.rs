@@ -52,8 +52,8 @@ pub use describe::{LegendEntry, describe, kind, legend, short_count, why_empty};
 pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Quantity, Role, Severity};
 pub use dialect::Dialect;
 pub use drawing::{
-    Block, BlockId, Body, ColourChange, Drawer, Drawing, Effect, Item, Mark, Outlook, Pick, Piece, Placed, Polygon,
-    Segment, SegmentArrays, SegmentChunk, Segments, Stroke, StyleChange, StyleId, WidthChange, draw, draw_solid,
+    Block, BlockId, Body, ColourChange, Drawer, Drawing, Effect, Item, Mark, Outlook, Piece, Placed, Polygon, Segment,
+    SegmentArrays, SegmentChunk, Segments, Stroke, StyleChange, StyleId, WidthChange, draw, draw_solid,
 };
 pub use expr::{Expr, Function, Operator, SIGN};
 pub use format::{
@@ -76,9 +76,10 @@ pub use print::{print_axiom, print_module, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
 pub use progress::Progress;
 pub use render::{
-    DensityRenderer, Detail, PlaneRenderer, Rect, RenderStats, Renderer, View, Viewport, fit, fitted_scale, to_model,
+    DensityRenderer, Detail, Fitted, Pick, PlaneRenderer, Pointer, Rect, RenderStats, Renderer, View, Viewport, fit,
+    fitted_ends, fitted_outline, fitted_scale, pick,
 };
-pub use render3d::{Camera, Quality, SolidRenderer, camera_axes, solid_scale};
+pub use render3d::{Camera, Quality, SolidRenderer, camera_axes, fitted_solid_ends, pick_solid, solid_scale};
 pub use rewriting::{
     ContextPattern, Fault, History, Image, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template,
 };

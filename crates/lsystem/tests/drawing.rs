@@ -5,8 +5,9 @@ mod naive;
 
 use cases::cases;
 use lsystem::{
-    Action, Diagnostic, Dialect, Drawer, Drawing, Grammar, Heading, Kind, LimitName, Limits, Module, Production,
-    Program, Progress, Segment, SegmentArrays, Style, System, Turtle, draw,
+    Action, Diagnostic, Dialect, Drawer, Drawing, Fitted, Grammar, Heading, Kind, LimitName, Limits, Module, Pointer,
+    Production, Program, Progress, Segment, SegmentArrays, Style, System, Turtle, View, Viewport, draw, fit,
+    fitted_ends, fitted_outline, fitted_scale, pick,
 };
 use naive::systems::Features;
 use proptest::prelude::*;
@@ -106,18 +107,24 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
             prop_assert!(near(along, ahead, slack) || near(along, ahead.map(|v| -v), slack));
         }
     }
-    let [x0, y0, x1, y1] = drawing.bounds().unwrap();
-    let extent = (x1 - x0).max(y1 - y0);
-    let root = |point| drawing.from_model(point);
-    // A negative step length turns the root's frame round.
-    let side = |axis: usize| (root([x1, y1])[axis] - root([x0, y0])[axis]).abs();
-    let unit = extent / side(0).max(side(1));
-    if !unit.is_normal() {
+    let shown = fit(drawing);
+    // With a negative step it is negative, too.
+    let side = if shown.width.abs() > shown.height.abs() { shown.width } else { shown.height };
+    if !side.is_normal() {
         return Ok(());
     }
+    let extent = side.abs();
+    let centre = [shown.x + shown.width / 2.0, shown.y + shown.height / 2.0];
+    let model = |[x, y, fine_x, fine_y]: Fitted| [centre[0] + side * (x + fine_x), centre[1] + side * (y + fine_y)];
+    for number in [0, segments.len() / 3, segments.len() - 1] {
+        let [from, to] = fitted_ends(drawing, number as u128).unwrap().map(model);
+        prop_assert!(near(from, segments[number].from, 1e-9 * extent) && near(to, segments[number].to, 1e-9 * extent));
+    }
+    prop_assert_eq!(fitted_ends(drawing, segments.len() as u128), None);
     for (first, last) in [(0, segments.len()), (segments.len() / 3, segments.len() * 2 / 3), (0, 1), (1, 1)] {
         let ends: Vec<[f64; 2]> = segments[first..last.max(first)].iter().flat_map(|s| [s.from, s.to]).collect();
-        let outline = drawing.outline(first as u128..last as u128);
+        let outline: Vec<[f64; 2]> =
+            fitted_outline(drawing, first as u128..last as u128).into_iter().map(model).collect();
         prop_assert_eq!(outline.is_empty(), ends.is_empty());
         // Convex, around all ends, and no larger than the box around them, but for hulls of very many corners.
         for (corner, &from) in outline.iter().enumerate().filter(|_| outline.len() > 2) {
@@ -136,26 +143,38 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
             }
         }
     }
+    let viewport = Viewport { width: 1000, height: 800, ratio: 1.0 };
+    let fitted = fitted_scale(drawing, viewport);
+    // Device pixels in a model unit.
+    let scale = fitted / extent;
     for k in 0..4 {
         let segment = &segments[k * (segments.len() - 1) / 3];
         let middle = [0, 1].map(|axis| (segment.from[axis] + segment.to[axis]) / 2.0);
         let point = [middle[0] + 0.02 * k as f64 * extent, middle[1]];
-        let tolerance = extent * 0.05;
-        let distances: Vec<f64> = segments.iter().map(|s| distance(point, s)).collect();
-        let nearest = distances.iter().copied().fold(f64::INFINITY, f64::min);
-        let pick = drawing.pick(root(point), tolerance / unit, usize::MAX);
-        let slack = 1e-9 * extent;
-        match pick {
-            None => prop_assert!(nearest >= tolerance - slack),
-            Some(pick) => {
-                let found = pick.distance * unit;
-                prop_assert!((distances[pick.segment as usize] - found).abs() <= slack);
-                prop_assert!(found <= tolerance + slack && found <= (tolerance / 4.0).max(nearest) + slack);
+        let tolerance = 0.05 * fitted;
+        let distances: Vec<f64> =
+            segments.iter().map(|s| scale * (distance(point, s) - s.width / 2.0).max(0.0)).collect();
+        let slack = 1e-9 * fitted;
+        for upto in [None, Some(segments.len() / 2)] {
+            let pointer = Pointer {
+                at: [500.0 + fitted / side * (point[0] - centre[0]), 400.0 - fitted / side * (point[1] - centre[1])],
+                tolerance,
+                upto: upto.map(|upto| upto as u128),
+                visits: usize::MAX,
+            };
+            let there = &distances[..upto.unwrap_or(distances.len())];
+            let nearest = there.iter().copied().fold(f64::INFINITY, f64::min);
+            match pick(drawing, viewport, View::default(), &pointer) {
+                None => prop_assert!(nearest >= tolerance * 31.0 / 32.0 - slack),
+                Some(pick) => {
+                    prop_assert!((there[pick.segment as usize] - pick.distance).abs() <= slack);
+                    prop_assert!(pick.distance <= tolerance);
+                    prop_assert!(pick.distance <= (tolerance / 4.0).max(nearest + tolerance / 16.0) + slack);
+                }
             }
+            let hurried = pick(drawing, viewport, View::default(), &Pointer { visits: 3, ..pointer });
+            prop_assert!(hurried.is_none_or(|pick| (there[pick.segment as usize] - pick.distance).abs() <= slack));
         }
-        prop_assert!(
-            drawing.pick(root(point), tolerance / unit, 3).is_none_or(|p| p.distance * unit <= tolerance + slack)
-        );
     }
     Ok(())
 }
@@ -262,8 +281,11 @@ fn any_segment_of_a_drawing_without_end() {
     let extent = (x1 - x0).max(y1 - y0);
     let end = 0.7 * 717_897_987_691_852_588_770_249.0; // steps of 0.7, 3^50 of them
     assert!(near(last[1].to, [0.0, end], 1e-9 * extent) || near(last[1].to, [end, 0.0], 1e-9 * extent), "{last:?}");
-    let pick = drawing.pick(drawing.from_model(last[1].to), 1e-6, 10_000).unwrap();
-    assert!(pick.distance < 1e-6);
+    let viewport = Viewport { width: 200, height: 100, ratio: 1.0 };
+    let [_, [x, y, fine_x, fine_y]] = fitted_ends(&drawing, count - 1).unwrap();
+    let view = View { x, y, zoom: 1e25, fine: [fine_x, fine_y] };
+    let pointer = Pointer { at: [100.0, 50.0], tolerance: 1e-6, upto: None, visits: 10_000 };
+    assert_eq!(pick(&drawing, viewport, view, &pointer).unwrap().segment, count - 1);
 }
 
 #[test]

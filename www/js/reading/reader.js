@@ -18,7 +18,7 @@ const UNTRACED = 'This derivation is too long to be remembered, so where the sym
 
 /**
  * @param {import('../engine.js').Engine} engine
- * @param {{mark: (outline: [number, number][]) => void, opened: () => void}} page `mark` marks a part of the drawing
+ * @param {{mark: (outline: number[][]) => void, opened: () => void}} page `mark` marks a part of the drawing
  */
 export function createReader(engine, { mark, opened }) {
     const frame = html('reader');
@@ -87,7 +87,7 @@ export function createReader(engine, { mark, opened }) {
             if (wanted !== generation() || index !== chosen) return;
             // What draws nothing is marked where the turtle is.
             const outline = answer.part?.outline ?? [];
-            mark(outline.length > 0 || !answer.stroke?.fittedFrom ? outline : [answer.stroke.fittedFrom]);
+            mark(outline.length > 0 || !answer.stroke ? outline : [answer.stroke.fittedFrom]);
             showPath(answer.ancestry, answer.part, answer.stroke);
         },
     );

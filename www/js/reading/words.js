@@ -7,7 +7,10 @@ import { grouped, plain, raised } from '../numerals.js';
  * axiom), `production` a number of a production or null where the symbol stayed or stands in the axiom; all from 0.
  * @typedef {{generation: number, symbol: string, index: string, production: number | null, position: number}} Link
  */
-/** @typedef {{from: number[], to: number[], fittedFrom: [number, number] | null, fittedTo: [number, number] | null, heading: number | number[], level: number, colour: number}} Stroke */
+/**
+ * `from` and `to` in model units; `fittedFrom` and `fittedTo` as places of marks.
+ * @typedef {{from: number[], to: number[], fittedFrom: number[], fittedTo: number[], heading: number | number[], level: number, colour: number}} Stroke
+ */
 
 const ORDINALS = ['first', 'second', 'third', 'fourth', 'fifth', 'sixth', 'seventh', 'eighth', 'ninth', 'tenth', 'eleventh', 'twelfth'];
 
@@ -81,8 +84,17 @@ export function origin(chain) {
  * @param {{at: number[], heading: number | number[], level: number}} pose
  */
 export function poseText({ at, heading, level }) {
-    const towards = typeof heading === 'number' ? `${plain(Number(heading.toFixed(2)))}°` : heading.map(coordinate).join(', ');
-    return `At ${at.map(coordinate).join(', ')}, heading ${towards}, level ${level}`;
+    return `At ${at.map(coordinate).join(', ')}, ${headingText(heading)}, level ${level}`;
+}
+
+/** @param {number | number[]} heading */
+function headingText(heading) {
+    return `heading ${typeof heading === 'number' ? `${plain(Number(heading.toFixed(2)))}°` : heading.map(coordinate).join(', ')}`;
+}
+
+/** How a segment is drawn, in words. @param {Stroke} stroke */
+export function strokeText({ heading, level, colour }) {
+    return [headingText(heading), ...(level > 0 ? [`branch level ${level}`] : []), ...(colour !== 0 ? [`colour ${coordinate(colour)}`] : [])].join(', ');
 }
 
 /** @param {number} value in model units */

@@ -9,6 +9,8 @@ after(close);
 const PLANT = '#v=1&title=Plant&axiom=X&rules=X%20-%3E%20F%5B+X%5DF%5B-X%5D+X%0AF%20-%3E%20FF&angle=20&n=40';
 const SMALL = PLANT.replace('n=40', 'n=3');
 const STRAIGHT = '#v=1&axiom=F&rules=F%20-%3E%20FF&n=3&angle=90';
+/** 3^40 steps high; the first of them fills a part of the picture. */
+const DEEP = '#v=1&axiom=F&rules=F%20-%3E%20F+F-F-F+F&n=40&angle=90&view=0.25,-0.5,1e18,0,4.1126e-20';
 const CHANCE = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%20:%200.5%0AF%20-%3E%20F%5B-F%5DF%20:%200.5&n=4&angle=25';
 
 const SHRINKING = `#v=1&axiom=A(1)&rules=${encodeURIComponent('A(l) : l > 0.3 -> F(l)[+A(l*0.7)]A(l*0.5)')}&n=4&angle=25`;
@@ -159,6 +161,34 @@ test('the pointer on the drawing tells the segment and its symbol, and lights it
         await until(async () => !(await page.isVisible('#card')), 'the card is gone');
         assert.notEqual(await page.getAttribute('#mark-segment', 'hidden'), null);
         assert.equal(await page.locator('.cells .lit').count(), 0);
+    }));
+
+test('a single step of a drawing 10^19 steps high is found, marked and lit', () =>
+    withPage({ hash: DEEP }, async (page) => {
+        await page.click('#open-reader');
+        await until(async () => (await symbols(page)).startsWith('F+F-F-F+F+F+F-F'), 'the string');
+        await stillPicture(page);
+        const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
+        const middle = [box.x + box.width / 2, box.y + box.height / 2];
+        // The middle of the picture is that of the first step, upwards; the second leads to the left from its end.
+        const line = () => page.evaluate(() => ['x1', 'y1', 'x2', 'y2'].map((name) => Number(document.querySelector('#mark-segment .line')?.getAttribute(name))));
+        await page.mouse.move(Number(middle[0]) + 2, Number(middle[1]));
+        await page.waitForSelector('#card:visible');
+        assert.match(await text(page, '#card'), /^Fstep 40, by rule 1, first symbol.*Segment 1, heading 90°Symbol 1$/s);
+        const [x1 = 0, y1 = 0, x2 = 0, y2 = 0] = await line();
+        assert.ok(Math.abs(x1 - box.width / 2) < 1 && Math.abs(x2 - x1) < 0.1, `${x1} ${x2}`);
+        assert.ok(Math.abs((y1 + y2) / 2 - box.height / 2) < 1 && y1 - y2 > 25 && y1 - y2 < 80, `${y1} ${y2}`);
+        assert.equal(await page.getAttribute('#mark-segment', 'hidden'), null);
+        await until(async () => (await page.locator('.cells .lit').count()) === 1, 'it is lit');
+        await page.mouse.move(Number(middle[0]) - (y1 - y2) / 2, Number(middle[1]) - (y1 - y2) / 2 + 2);
+        await until(async () => /Segment 2, heading 180°Symbol 3$/.test(await text(page, '#card')), 'the second step');
+        // What the string shows is marked there, too.
+        await page.mouse.move(box.x + 20, box.y + 20);
+        await goTo(page, '3');
+        await until(async () => (await text(page, '#reader-path')).includes('Segment 2, marked'), 'the symbol');
+        const outline = await page.evaluate(() => document.querySelector('#mark-part .line')?.getAttribute('d') ?? '');
+        const [ax = 0, ay = 0, bx = 0, by = 0] = (outline.match(/-?[\d.]+/g) ?? []).map(Number);
+        assert.ok(Math.abs(Math.abs(ax - bx) - (y1 - y2)) < 0.5 && Math.abs(ay - by) < 0.5 && Math.abs(ay - y2) < 0.5, outline);
     }));
 
 test('hovering asks one question at a time, and nothing is asked without it', () =>

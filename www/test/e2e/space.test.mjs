@@ -5,6 +5,7 @@ import { DESKTOP, PHONE, close, nextPicture, sameAgain, stillPicture, until, wit
 after(close);
 
 const TREE = '#v=1&axiom=T&rules=T%20-%3E%20TF%0AF%20-%3E%20F%5B+F%5D%5B-FF%5D%5B%3CF%5D%5B%3EFF%5D%5B%26F%5D&n=4&angle=40&turtle=practical';
+const STICK = '#v=1&axiom=F/&rules=F%20-%3E%20FF&n=3&angle=90';
 const LEAF = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF&n=4&angle=25';
 
 /** @param {import('playwright-core').Page} page */
@@ -64,6 +65,61 @@ test('a drag goes round it, Shift and a drag move it, Fit shows it whole, and th
         await page.focus('#drawing');
         await page.keyboard.press('Shift+ArrowLeft');
         await nextPicture(page, round);
+    }));
+
+test('what is under the pointer is told, marked and lit, but not while the drawing is turned', () =>
+    withPage({ hash: STICK }, async (page) => {
+        await page.click('#open-reader');
+        await until(async () => (await page.locator('.row-line .cells').allTextContents()).join('') === 'FFFFFFFF/', 'the string');
+        await stillPicture(page);
+        const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
+        const ends = await page.evaluate(() => {
+            const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
+            const copy = document.createElement('canvas');
+            copy.width = canvas.width;
+            copy.height = canvas.height;
+            const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d'));
+            context.drawImage(canvas, 0, 0);
+            const { data } = context.getImageData(Math.floor(copy.width / 2), 0, 1, copy.height);
+            const rows = Array.from({ length: copy.height }, (_, y) => y).filter((y) => data[y * 4] !== data[0]);
+            return { top: rows[0] ?? 0, bottom: rows.at(-1) ?? 0 };
+        });
+        const y = ends.bottom - ((ends.bottom - ends.top) * 2.5) / 8;
+        const hover = () => page.mouse.move(box.x + box.width / 2 + 2, box.y + y);
+        const card = async () => (await page.textContent('#card')) ?? '';
+        await hover();
+        await page.waitForSelector('#card:visible');
+        assert.match(await card(), /^Fstep 3, by rule 1, first symbol.*Segment 3, heading 0, 1, 0Symbol 3$/s);
+        const [x1 = 0, y1 = 0, x2 = 0, y2 = 0] = await page.evaluate(() => ['x1', 'y1', 'x2', 'y2'].map((name) => Number(document.querySelector('#mark-segment .line')?.getAttribute(name))));
+        const step = (ends.bottom - ends.top) / 8;
+        assert.ok(Math.abs(x1 - box.width / 2) < 1 && Math.abs(x2 - x1) < 1 && y1 > y && y > y2, `${x1} ${y1} ${x2} ${y2}`);
+        assert.ok(Math.abs(y1 - y2 - step) < 0.15 * step && Math.abs((y1 + y2) / 2 - y) < 0.3 * step, `${y1} ${y2} ${step}`);
+        await until(async () => (await page.locator('.cells .lit').count()) === 1, 'it is lit');
+        // It stands upright, so that it is in the same place when one has gone round it.
+        await page.mouse.down();
+        await page.mouse.move(box.x + box.width / 2 + 60, box.y + y, { steps: 4 });
+        assert.ok(!(await page.isVisible('#card')));
+        await page.mouse.up();
+        await hover();
+        await until(async () => (await page.isVisible('#card')) && (await card()).includes('Segment 3'), 'it is told again');
+        // Seen from nearer the card goes until the drawing rests; what is there then is told.
+        await page.mouse.wheel(0, -100);
+        await until(async () => !(await page.isVisible('#card')), 'the card is gone');
+        await until(async () => (await page.isVisible('#card')) && (await card()).includes('Segment 3'), 'it is told when the drawing rests');
+        // What the turtle has not drawn yet is not there.
+        await page.click('#open-playback');
+        await page.click('#play');
+        await page.fill('#play-place', '2');
+        await page.press('#play-place', 'Enter');
+        await until(async () => /^At 0, 2, 0/.test((await page.textContent('#play-pose')) ?? ''), 'two segments');
+        await stillPicture(page);
+        const turtle = /translate\(([-\d.]+) ([-\d.]+)\) rotate\(-90/.exec((await page.getAttribute('#mark-turtle', 'transform')) ?? '');
+        assert.ok(turtle && (await page.isVisible('#mark-turtle')));
+        const at = [box.x + Number(turtle[1]), box.y + Number(turtle[2])];
+        await page.mouse.move(Number(at[0]), Number(at[1]) + 25);
+        await until(async () => (await page.isVisible('#card')) && (await card()).includes('Segment 2'), 'where it has been');
+        await page.mouse.move(Number(at[0]), Number(at[1]) - 25);
+        await until(async () => !(await page.isVisible('#card')), 'nothing is there yet');
     }));
 
 test('perspective, fading and the turntable change the picture', () =>

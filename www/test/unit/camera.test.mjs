@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { FRONT, axes, isWhole, midway, orbit, slide, turned, whole, zoomed } from '../../js/camera.js';
+import { FRONT, axes, isWhole, midway, orbit, seen as projected, slide, turned, whole, zoomed } from '../../js/camera.js';
 import { clean } from '../../js/state.js';
 import { dice } from './random.mjs';
 
@@ -65,4 +65,22 @@ test('a camera of unknown origin is valid or none', () => {
     assert.deepEqual(clean({ camera: FRONT }).camera, FRONT);
     assert.deepEqual(clean({ camera: { ...FRONT, elevation: 500, zoom: 1e99, fade: 7 } }).camera, { ...FRONT, elevation: 90, zoom: 1e4, fade: 1 });
     for (const nonsense of [1, 'x', {}, { ...FRONT, azimuth: NaN }, { ...FRONT, perspective: 1 }]) assert.equal(clean({ camera: nonsense }).camera, null);
+});
+
+test('with perspective what is nearer to the eye lies farther from the middle', () => {
+    const roll = dice(5);
+    near(projected({ ...FRONT, azimuth: 0, elevation: 0 }, [0.1, 0.2, 0], 700), [70, -140], 1e-9);
+    // Half-way to the eye, which is two fitted extents from the target, everything is twice as large.
+    near(projected({ ...FRONT, azimuth: 0, elevation: 0 }, [0.1, 0.2, 1], 700), [140, -280], 1e-9);
+    near(projected({ ...FRONT, azimuth: 90, elevation: 0, zoom: 3 }, [1, 0.2, -0.1], 700), [420, -840], 1e-9);
+    for (let round = 0; round < 100; round++) {
+        const camera = random(roll);
+        const point = [camera.x + (roll() - 0.5) / 2, camera.y + (roll() - 0.5) / 2, camera.z + (roll() - 0.5) / 2];
+        const [x, y] = seen({ ...camera }, point);
+        const [px, py] = projected({ ...camera, perspective: false }, point, 700);
+        near([px, -py], [Number(x), Number(y)], 1e-6 * camera.zoom);
+        // In the same direction from the middle.
+        const [qx, qy] = projected({ ...camera, perspective: true }, point, 700);
+        assert.ok(Math.abs(qx * py - qy * px) <= 1e-9 * (px * px + py * py) + 1e-9 && qx * px + qy * py >= 0);
+    }
 });

@@ -7,9 +7,11 @@
 mod canvas;
 mod density;
 mod descent;
+mod exact;
 mod inks;
 mod mixer;
 mod path;
+mod pick;
 mod polygon;
 mod resolve;
 mod seen;
@@ -27,9 +29,12 @@ mod sample;
 mod tests;
 
 pub use density::DensityRenderer;
+pub use exact::{Fitted, fitted_ends, fitted_outline};
 pub(crate) use inks::{Choice, Shade};
 pub(crate) use path::{plus, ratio};
-pub use view::{Detail, Rect, View, Viewport, fit, fitted_scale, to_model};
+pub(crate) use pick::{BETTER, nearest_on};
+pub use pick::{Pick, Pointer, pick};
+pub use view::{Detail, Rect, View, Viewport, fit, fitted_scale};
 
 use crate::{Drawing, Progress, Style};
 use shape::Shape;

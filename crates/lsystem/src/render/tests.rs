@@ -224,10 +224,11 @@ fn the_fitted_scale_is_that_of_the_view() {
     for (name, sample, n) in samples() {
         let drawing = sample.draw(n);
         let viewport = Viewport { width: 320, height: 200, ratio: 2.0 };
-        let extent = fit(&drawing).width.max(fit(&drawing).height);
+        let (_, rect) = view::root_bounds(&drawing);
         for zoom in [1.0, 8.0] {
-            let at = |px| to_model(&drawing, viewport, View { zoom, ..View::default() }, px, 0.0)[0];
-            let scale = extent * 320.0 / (at(320.0) - at(0.0));
+            let camera = view::Camera::new(&drawing, viewport, View { zoom, ..View::default() }, 1.0);
+            let at = |x| camera.place([Wide::sum(x, 0.0), Wide::ZERO])[0];
+            let scale = at(rect.width.max(rect.height)) - at(0.0);
             assert!((scale / (fitted_scale(&drawing, viewport) * zoom) - 1.0).abs() < 1e-9, "{name}");
         }
     }

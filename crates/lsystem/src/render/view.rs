@@ -66,11 +66,11 @@ pub struct Rect {
 }
 
 impl Rect {
-    fn centre(&self) -> [f64; 2] {
+    pub(super) fn centre(&self) -> [f64; 2] {
         [self.x + self.width / 2.0, self.y + self.height / 2.0]
     }
 
-    fn longer_side(&self) -> f64 {
+    pub(super) fn longer_side(&self) -> f64 {
         self.width.max(self.height)
     }
 }
@@ -90,16 +90,6 @@ pub fn fit(drawing: &Drawing) -> Rect {
 pub fn fitted_scale(drawing: &Drawing, viewport: Viewport) -> f64 {
     let (_, rect) = root_bounds(drawing);
     Camera::new(drawing, viewport, View::default(), 1.0).scale * rect.longer_side()
-}
-
-/// The model point, y up, that the view shows at (`px`, `py`): device pixels from the upper left corner.
-#[must_use]
-pub fn to_model(drawing: &Drawing, viewport: Viewport, view: View, px: f64, py: f64) -> [f64; 2] {
-    let (unit, _) = root_bounds(drawing);
-    let camera = Camera::new(drawing, viewport, view, 1.0);
-    let [x, y] = camera.place([Wide::default(); 2]);
-    let local = [(px - x) / camera.scale, (y - py) / camera.scale];
-    [0, 1].map(|axis| drawing.start[axis] + unit * local[axis])
 }
 
 /// The bounds of the drawing in units of its root block, never empty, and that unit in model units.

@@ -8,6 +8,8 @@ pub(super) struct Wide {
 }
 
 impl Wide {
+    pub(super) const ZERO: Self = Self { high: 0.0, low: 0.0 };
+
     /// The exact sum of two numbers.
     pub(super) fn sum(a: f64, b: f64) -> Self {
         let high = a + b;
@@ -37,6 +39,17 @@ impl Wide {
         self.plus(other.high).plus(other.low)
     }
 
+    /// The quotient, to about the same precision.
+    pub(super) fn over(self, divisor: f64) -> Self {
+        let quotient = self.high / divisor;
+        Self::sum(quotient, self.minus(Self::product(quotient, divisor)) / divisor)
+    }
+
+    /// The number as an `f64`, and what that leaves.
+    pub(super) fn parts(self) -> [f64; 2] {
+        [self.high, self.low]
+    }
+
     /// The difference, rounded once.
     pub(super) fn minus(self, other: Self) -> f64 {
         let whole = Self::sum(self.high, -other.high);
@@ -56,6 +69,10 @@ mod tests {
         let third = Wide::product(1.0 / 3.0, 3.0);
         assert_eq!(third.minus(Wide::sum(1.0, 0.0)), 3.0 * (1.0 / 3.0) - 1.0 + third.low);
         assert!(third.low != 0.0);
+        let back = Wide::sum(1.0, tiny).over(3.0);
+        assert!(
+            Wide::product(back.parts()[0], 3.0).plus(3.0 * back.parts()[1]).minus(Wide::sum(1.0, tiny)).abs() < 1e-30
+        );
         assert_eq!(Wide::product(1e300, 1e300).low, 0.0);
     }
 }

@@ -45,6 +45,29 @@ pub fn camera_axes(camera: &Camera) -> [[f64; 3]; 3] {
     [[ca, 0.0, -sa], [-se * sa, ce, -se * ca], [ce * sa, se, ce * ca]]
 }
 
+/// Where the segment `number` (0-based) starts and ends: from the fitted centre, in fitted extents (the diameter of a
+/// ball around the drawing), in the directions of the model, as [`Camera::target`]; `None` beyond the last.
+#[must_use]
+pub fn fitted_solid_ends(drawing: &Drawing<Solid>, number: u128) -> Option<[[f64; 3]; 2]> {
+    let (centre, radius) = ball(drawing);
+    let segment = drawing.segments_from(number).next()?;
+    let unit = drawing.unit();
+    let sign = unit.signum();
+    Some(
+        [segment.from, segment.to]
+            .map(|end| [0, 1, 2].map(|i| sign * ((end[i] - drawing.start[i]) / unit - centre[i]) / (2.0 * radius))),
+    )
+}
+
+/// The ball around a drawing in units of its root block: its centre, and its radius, which is not 0. A drawing that is
+/// only a point, or nothing, has one of one step around it.
+fn ball(drawing: &Drawing<Solid>) -> (Vector, f64) {
+    let root = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize));
+    let (centre, radius) = root.map_or(([0.0; 3], 0.0), |root| (root.hull.centre(), root.hull.radius));
+    let step = libm::scalbn(0.5, -root.map_or(0, |root| root.exponent));
+    (centre, if radius > 0.0 { radius } else { step })
+}
+
 /// The eye's distance from the target, in radii of the ball around the drawing.
 const DISTANCE: f64 = 4.0;
 /// Empty space around a fitted drawing, as a part of the viewport's shorter side.
@@ -94,10 +117,7 @@ impl Lens {
         let root = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize));
         let exponent = root.map_or(0, |root| root.exponent);
         let sign = if drawing.step < 0.0 { -1.0 } else { 1.0 };
-        // A drawing that is only a point, or nothing, gives a ball of one step around it.
-        let centre = root.map_or([0.0; 3], |root| root.hull.centre());
-        let radius = root.map_or(0.0, |root| root.hull.radius);
-        let radius = if radius > 0.0 { radius } else { libm::scalbn(0.5, -exponent) };
+        let (centre, radius) = ball(drawing);
         let pad = root.map_or(0.0, |root| libm::scalbn(root.widest.of(drawing.width).max(0.0), -exponent));
         let pad = if pad.is_finite() { pad } else { 0.0 };
         let (width, height) = (f64::from(viewport.width), f64::from(viewport.height));

@@ -17,6 +17,7 @@ mod face;
 mod lanes;
 mod light;
 mod path;
+mod pick;
 mod scene;
 mod stroke;
 mod tile;
@@ -25,7 +26,8 @@ mod walk;
 #[cfg(test)]
 mod tests;
 
-pub use camera::{Camera, camera_axes, solid_scale};
+pub use camera::{Camera, camera_axes, fitted_solid_ends, solid_scale};
+pub use pick::pick_solid;
 
 use crate::{Drawing, Progress, RenderStats, Solid, Style, Viewport};
 use scene::Scene;

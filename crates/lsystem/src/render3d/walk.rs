@@ -645,7 +645,7 @@ fn shares(mut budget: f32, weights: &[f32], needs: impl Fn(usize) -> f32) -> [f3
 }
 
 /// What of a line lies before the eye.
-fn before_eye(lens: &Lens, ends: [Vector; 2]) -> Option<[Vector; 2]> {
+pub(super) fn before_eye(lens: &Lens, ends: [Vector; 2]) -> Option<[Vector; 2]> {
     let ahead = ends.map(|end| 1.0 + end[2] * lens.nearness - NEAR);
     match ahead.map(|a| a > 0.0) {
         [true, true] => Some(ends),
