@@ -15,7 +15,7 @@ const PATIENCE: f64 = 8.0;
 
 /// After a fine picture that took too long so many pictures are begun coarse, before the next is tried at once: what was
 /// slow may have been the moment.
-const SKETCHES: u8 = 8;
+const SKETCHES: u8 = 4;
 
 /// A drawing in the plane and its picture.
 pub(crate) struct PlaneView {

@@ -14,6 +14,8 @@ const DIALECT_NOTES = {
     axes: 'F draws; > and < turn left and right, v and ^ pitch up and down, + and − roll left and right: turns about the z, x and y axes of a turtle that goes along its y; [ and ] branch. Other symbols do nothing.',
 };
 
+/** @typedef {import('../engine.js').Report} Report */
+
 /** @param {import('../store.js').Store} store */
 export function turtlePanel(store) {
     const settle = () => store.settle();
@@ -63,7 +65,22 @@ export function turtlePanel(store) {
         showRight(rollRight, rollLeft ?? angle);
     }
 
-    let shown = '';
+    /** What each row of the legend tells, to leave alone those that stay as they are. @type {string[]} */
+    let told = [];
+    /** @param {Report['legend']} legend */
+    function showLegend(legend) {
+        const rows = html('legend');
+        const tells = legend.map((entry) => JSON.stringify(entry));
+        while (rows.childElementCount > legend.length) rows.lastElementChild?.remove();
+        legend.forEach((entry, at) => {
+            if (tells[at] === told[at]) return;
+            const [row, former] = [legendRow(entry), rows.children[at]];
+            if (former) former.replaceWith(row);
+            else rows.append(row);
+        });
+        told = tells;
+    }
+
     return {
         /** @param {import('../state.js').State} state */
         show(state) {
@@ -85,22 +102,19 @@ export function turtlePanel(store) {
         read(notation, texts) {
             overrides.tint(notation.overrides, texts.overrides);
         },
-        /** @param {import('../engine.js').Report} report */
+        /** @param {Report} report */
         report(report) {
             const { ok, legend, diagnostics } = report;
             overrides.mark(diagnostics.filter(({ field }) => field === 'overrides'));
             if (!ok) return;
             solid = report.solid;
             showSpace(store.state);
-            const key = JSON.stringify(legend);
-            if (key === shown) return;
-            shown = key;
-            html('legend').replaceChildren(...legend.map(legendRow));
+            showLegend(legend);
         },
     };
 }
 
-/** @param {import('../engine.js').Report['legend'][number]} entry */
+/** @param {Report['legend'][number]} entry */
 function legendRow({ symbol, actions, rewritten }) {
     const words = (Array.isArray(actions) ? actions.join(', ') : actions) || 'draws nothing';
     return make(
