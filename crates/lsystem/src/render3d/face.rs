@@ -19,7 +19,8 @@ impl Face {
         let [a, b, c] = self.corners.map(|[x, y, d]| [x - corner[0], y - corner[1], d]);
         let least = |i: usize| a[i].min(b[i]).min(c[i]);
         let most = |i: usize| a[i].max(b[i]).max(c[i]);
-        let Some(across) = span(least(0), most(0), width) else { return 0 };
+        let slack = tile.slack();
+        let Some(across) = span(least(0) - slack, most(0) + slack, width) else { return 0 };
         let Some(down) = span(least(1), most(1), height) else { return 0 };
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
         if area.abs() < 1e-9 || tile.hides(across, down, least(2) as f32) {
@@ -40,8 +41,9 @@ impl Face {
                     (from, to) = (from.min(x), to.max(x));
                 }
             }
-            let Some(columns) = span(from, to, width) else { continue };
-            let depth = a[2] + below * (y - a[1]) + right * (columns[0] as f64 + 0.5 - a[0]);
+            let lean = f64::from(tile.lean(row));
+            let Some(columns) = span(from - lean, to - lean, width) else { continue };
+            let depth = a[2] + below * (y - a[1]) + right * (columns[0] as f64 + 0.5 + lean - a[0]);
             let (depths, colours) = tile.row(row, columns);
             looked += depths.len();
             for (i, (old, colour)) in depths.iter_mut().zip(colours).enumerate() {

@@ -32,7 +32,8 @@ impl Stick {
         let Some(stick) = self.within(corner, size) else { return 0 };
         let [[x0, y0, d0], [x1, y1, d1]] = stick.ends;
         let widest = stick.radii[0].max(stick.radii[1]);
-        let Some(across) = span(x0.min(x1) - widest, x0.max(x1) + widest, size[0]) else { return 0 };
+        let aside = widest + tile.slack();
+        let Some(across) = span(x0.min(x1) - aside, x0.max(x1) + aside, size[0]) else { return 0 };
         let Some(down) = span(y0.min(y1) - widest, y0.max(y1) + widest, size[1]) else { return 0 };
         let way = [x1 - x0, y1 - y0, d1 - d0];
         let flat = (way[0] * way[0] + way[1] * way[1]).sqrt();
@@ -110,9 +111,10 @@ impl Stick {
         // Where a row crosses the band around the axis, and the slab between the ends: both at places that go on evenly
         // from row to row. In the middle of the first one's distance, and half their lengths.
         let narrow = across[1] - across[0] <= NARROW;
+        let slack = 0.01 + tile.slack() as f32;
         let crossing = |along: f32, offset: f32, [low, high]: [f32; 2]| {
             let per = 1.0 / if along.abs() > 1e-4 { along } else { 1e-4 };
-            [0.5 * (low + high) * per, -offset * per, 0.5 * (high - low) * per.abs() + 0.01]
+            [0.5 * (low + high) * per, -offset * per, 0.5 * (high - low) * per.abs() + slack]
         };
         let band = crossing(-ey, ex, [-widest, widest]);
         let slab = crossing(ex, ey, [-widest, flat + widest]);
@@ -148,11 +150,12 @@ impl Stick {
                 continue;
             }
             let [left, right] = columns;
+            let ahead = left as f32 + 0.5 + tile.lean(row) - x0;
             let (depths, colours) = tile.lanes(row, columns);
             looked += depths.len() * LANES;
             let last = Lanes::all(right as f32 + 1.0 - x0);
             for (i, (depths, colours)) in depths.iter_mut().zip(colours).enumerate() {
-                let x = Lanes::from((left + i * LANES) as f32 + 0.5 - x0);
+                let x = Lanes::from(ahead + (i * LANES) as f32);
                 let along = x * ex + y * ey;
                 let sideways = x * -ey + y * ex;
                 let radius = (along * per).at_least(0.0).at_most(1.0) * grows + r0;
@@ -213,9 +216,10 @@ impl Ball {
         let per = 1.0 / self.radius;
         for row in down[0]..=down[1] {
             let y = (row as f32 + 0.5 - y0) * per;
+            let ahead = 0.5 + tile.lean(row) - x0;
             let (depths, colours) = tile.row(row, across);
             for (i, (depth, colour)) in depths.iter_mut().zip(colours).enumerate() {
-                let x = ((across[0] + i) as f32 + 0.5 - x0) * per;
+                let x = ((across[0] + i) as f32 + ahead) * per;
                 let rest = 1.0 - x * x - y * y;
                 if rest < 0.0 {
                     continue;
@@ -247,14 +251,15 @@ impl Dot {
     pub(super) fn paint(&self, tile: &mut Tile, corner: [f64; 2]) -> usize {
         let [x, y] = [0, 1].map(|i| self.at[i] - corner[i]);
         let [width, height] = tile.size.map(|count| count as f64);
-        let Some(across) = span(x - self.radius, x + self.radius, width) else { return 0 };
+        let aside = self.radius + tile.slack();
+        let Some(across) = span(x - aside, x + aside, width) else { return 0 };
         let Some(down) = span(y - self.radius, y + self.radius, height) else { return 0 };
         tile.touch(across, down);
         let (x, y, near) = (x as f32, y as f32, self.at[2] as f32);
         let reach = (self.radius * self.radius) as f32;
         for row in down[0]..=down[1] {
             let dy = row as f32 + 0.5 - y;
-            let left = across[0] as f32 + 0.5 - x;
+            let left = across[0] as f32 + 0.5 + tile.lean(row) - x;
             let (depths, colours) = tile.row(row, across);
             for (i, (depth, colour)) in depths.iter_mut().zip(colours).enumerate() {
                 let dx = left + i as f32;

@@ -104,9 +104,12 @@ fn naive_until(drawing: &Drawing<Solid>, style: &Style, viewport: Viewport, came
             let low = (ends[0][axis].min(ends[1][axis]) - radius).clamp(0.0, side as f64);
             low as usize..(ends[0][axis].max(ends[1][axis]) + radius).clamp(0.0, side as f64) as usize
         };
+        let lean = |row: usize| 0.5 + [-0.375, 0.125, -0.125, 0.375][row % 4];
         for y in reach(1, height) {
             for x in reach(0, width) {
-                let Some((depth, normal, t)) = meet(ends, radii, [x as f64 + 0.5, y as f64 + 0.5]) else { continue };
+                let Some((depth, normal, t)) = meet(ends, radii, [x as f64 + lean(y), y as f64 + 0.5]) else {
+                    continue;
+                };
                 let sample = &mut samples[y * width + x];
                 if depth < sample.0 {
                     let spot = seen.map(|p| [0, 1, 2].map(|i| (p[i] - lens.centre[i]) / lens.radius));

@@ -6,6 +6,9 @@ use super::lanes::LANES;
 pub(super) const CELL: usize = 8;
 /// After so many changes a cell's farthest depth is looked up again: a cell is seldom covered by less.
 const STALE: u8 = 4;
+/// How far to the right of their places the samples are in each of a pixel's four rows, so that upright edges, which
+/// trees have most of, pass them one after the other and not four at once.
+const LEAN: [f32; 4] = [-0.375, 0.125, -0.125, 0.375];
 
 /// A rectangle of samples, row by row. Behind every row there is room for some more that are never looked at.
 #[derive(Default)]
@@ -23,6 +26,8 @@ pub(super) struct Tile {
     /// By cell: how often something may have come nearer since.
     stale: Vec<u8>,
     background: u32,
+    /// Whether samples lean, as those of pixels of four by four do.
+    pub(super) leans: bool,
     /// By row of cells: the first and the last sample of what may have been painted; the other way round without any.
     reach: Vec<[usize; 2]>,
 }
@@ -57,6 +62,18 @@ impl Tile {
             self.far[span.clone()].fill(f32::INFINITY);
             self.stale[span].fill(0);
         }
+    }
+
+    /// How far to the right of its place a row's samples are.
+    #[inline]
+    pub(super) fn lean(&self, row: usize) -> f32 {
+        if self.leans { LEAN[row % LEAN.len()] } else { 0.0 }
+    }
+
+    /// How far samples are from their places at most.
+    #[inline]
+    pub(super) fn slack(&self) -> f64 {
+        if self.leans { f64::from(LEAN[3]) } else { 0.0 }
     }
 
     /// Whether all samples of a rectangle, ends included, show something nearer than `near`.

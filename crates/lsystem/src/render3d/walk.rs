@@ -234,6 +234,7 @@ impl Walk {
             let corner = [0, 1].map(|i| (at[i] * look.side[i]) as f64);
             if !self.painting {
                 self.painting = true;
+                self.tile.leans = look.samples == 4;
                 self.tile.reset(look.side, look.background);
                 *left -= TILE_WORK / 4;
                 if let Some(root) = scene.root {
@@ -392,6 +393,7 @@ impl Walk {
         let factor = frame.place.scale_at(lens, near);
         let radius = ((link.widest.of(frame.width) * lens.step * factor / 2.0).max(look.hairline)) as f32;
         let reach = f64::from(ball + radius);
+        let aside = reach + self.tile.slack();
         let [px, py] = [f64::from(x), f64::from(y)];
         let mut share = frame.shares[lane];
         if look.single {
@@ -401,7 +403,7 @@ impl Walk {
             share += more;
         }
         let [width, height] = look.side.map(|side| side as f64);
-        let (Some(across), Some(down)) = (span(px - reach, px + reach, width), span(py - reach, py + reach, height))
+        let (Some(across), Some(down)) = (span(px - aside, px + aside, width), span(py - reach, py + reach, height))
         else {
             frame.spare += share.min(MOST);
             return 1;
