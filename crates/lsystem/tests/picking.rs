@@ -128,14 +128,13 @@ proptest! {
         let [axiom, a, b, f] = words;
         let rules = if chance { format!("A -> {a} : 1\nA -> {b} : 2\nF -> {f}F") } else { format!("A -> {a}\nB -> {b}\nF -> {f}F") };
         let style = Style { width, ..Style::default() };
-        let definition = Definition { axiom, rules, angle: 25.7, start: [3.0, -2.0], style, ..Definition::default() };
+        let definition = Definition { axiom: format!("F{axiom}"), rules, angle: 25.7, start: [3.0, -2.0], style, ..Definition::default() };
         let (system, problems) = System::new(&definition);
         let mut system = system.unwrap_or_else(|| panic!("{definition:?}: {problems:?}"));
         system.turtle.step = step;
         prop_assume!(lsystem::count_segments(&system, n).is_none_or(|count| count.to_string().len() < 5));
         let drawing = draw_solid(&system, n, &Limits::default()).unwrap();
         let count = drawing.segment_count();
-        prop_assume!(count > 0);
         // At places of the picture, and upon segments.
         for (k, (x, y)) in places.into_iter().enumerate() {
             let upto = Some((part * count as f64) as u128).filter(|&upto| upto < count);
@@ -155,25 +154,29 @@ proptest! {
     }
 }
 
-/// However many segments there are, something is found on every one of them, soon.
+/// However many segments there are, something is found on every one of them, soon; also where branches do not become
+/// smaller and lie in the same place.
 #[test]
 fn deep_bushes_are_picked_within_a_budget() {
-    // ABOP, figure 1.25, without its leaves.
-    let rules = "A -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\nL -> ['''^^F]";
-    let definition = Definition { axiom: "A".into(), rules: rules.into(), angle: 22.5, ..Definition::default() };
-    let drawing = draw_solid(&System::new(&definition).0.unwrap(), 40, &Limits::default()).unwrap();
-    let mut missed = 0;
-    for k in 0..200 {
-        let camera = Camera { azimuth: 7.0 * f64::from(k), perspective: k % 2 == 0, ..Camera::default() };
-        let [right, up, back] = camera_axes(&camera);
-        let [from, _] = fitted_solid_ends(&drawing, drawing.segment_count() / 201 * (k as u128 + 1)).unwrap();
-        let along = |a: [f64; 3]| a[0] * from[0] + a[1] * from[1] + a[2] * from[2];
-        let larger = if camera.perspective { 1.0 / (1.0 - along(back) / 2.0) } else { 1.0 };
-        let pixels = solid_scale(&drawing, VIEWPORT, &camera) * larger;
-        let at = [200.0 + pixels * along(right), 150.0 - pixels * along(up)];
-        let found =
-            pick_solid(&drawing, VIEWPORT, &camera, &Pointer { at, tolerance: 6.0, upto: None, visits: 20_000 });
-        missed += u32::from(found.is_none_or(|pick| pick.distance > 1.5));
+    // ABOP, figure 1.25, without its leaves; and a tree of the course.
+    let bush = "A -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\nL -> ['''^^F]";
+    let tree = "A -> AF\nF -> F[+F][-FF][\\F][/FF][&F]";
+    for (rules, angle, n) in [(bush, 22.5, 40), (tree, 40.0, 30)] {
+        let definition = Definition { axiom: "A".into(), rules: rules.into(), angle, ..Definition::default() };
+        let drawing = draw_solid(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap();
+        let large = Viewport { width: 1000, height: 800, ratio: 1.0 };
+        let mut missed = 0;
+        for k in 0..200 {
+            let camera = Camera { azimuth: 7.0 * f64::from(k), perspective: k % 2 == 0, ..Camera::default() };
+            let [right, up, back] = camera_axes(&camera);
+            let [from, _] = fitted_solid_ends(&drawing, drawing.segment_count() / 201 * (k as u128 + 1)).unwrap();
+            let along = |a: [f64; 3]| a[0] * from[0] + a[1] * from[1] + a[2] * from[2];
+            let larger = if camera.perspective { 1.0 / (1.0 - along(back) / 2.0) } else { 1.0 };
+            let pixels = solid_scale(&drawing, large, &camera) * larger;
+            let at = [500.0 + pixels * along(right), 400.0 - pixels * along(up)];
+            let pointer = Pointer { at, tolerance: 6.0, upto: None, visits: 20_000 };
+            missed += u32::from(pick_solid(&drawing, large, &camera, &pointer).is_none());
+        }
+        assert_eq!(missed, 0, "{rules}");
     }
-    assert_eq!(missed, 0);
 }

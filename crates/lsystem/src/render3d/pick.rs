@@ -28,7 +28,7 @@ pub fn pick_solid(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera,
     };
     let frame = Frame::new(1.0, StyleChange::start(drawing.width));
     search.open.extend(search.seen(drawing.root?, &frame, 0, 0));
-    while let Some(block) = search.nearest().filter(|_| search.visits > 0) {
+    while let Some(block) = search.next().filter(|_| search.visits > 0) {
         search.look_into(&block);
     }
     let (_, pick) = search.best?;
@@ -52,6 +52,8 @@ struct Open {
     first: u128,
     /// No segment inside is better.
     least: Rank,
+    /// How far the pointer is from its middle, as a part of its radius.
+    off: f64,
     /// Where in the list those begin that are in the same block.
     siblings: usize,
 }
@@ -81,14 +83,21 @@ impl Search<'_> {
         }
     }
 
-    /// Takes the nearest block of those that were found last, unless nothing there is better than what there is.
-    fn nearest(&mut self) -> Option<Open> {
+    /// Takes a block of those that were found last, unless nothing there is better than what there is: the one whose
+    /// middle is nearest to the pointer, so that something is found soon, and then the nearest to the eye.
+    fn next(&mut self) -> Option<Open> {
         loop {
             let siblings = self.open.last()?.siblings;
             let mut best = siblings;
             for i in siblings..self.open.len() {
-                let [a, b] = [i, best].map(|i| self.open[i].least);
-                if a.beside < b.beside || a.beside == b.beside && a.depth < b.depth {
+                let [a, b] = [i, best].map(|i| &self.open[i]);
+                let nearer = if self.best.is_none() {
+                    a.off < b.off
+                } else {
+                    let [a, b] = [a.least, b.least];
+                    a.beside < b.beside || a.beside == b.beside && a.depth < b.depth
+                };
+                if nearer {
                     best = i;
                 }
             }
@@ -159,9 +168,16 @@ impl Search<'_> {
             return None;
         }
         let [from, towards] = self.ray;
-        let beside = norm(cross([0, 1, 2].map(|i| centre[i] - from[i]), towards)) - radius;
-        let beside = (beside * lens.factor(far)).max(self.pointer.enough());
-        Some(Open { block: id, frame: *frame, first, least: Rank { beside, depth: near }, siblings })
+        let away = norm(cross([0, 1, 2].map(|i| centre[i] - from[i]), towards));
+        let beside = ((away - radius) * lens.factor(far)).max(self.pointer.enough());
+        Some(Open {
+            block: id,
+            frame: *frame,
+            first,
+            least: Rank { beside, depth: near },
+            off: away / radius,
+            siblings,
+        })
     }
 
     /// Where a point of the root block lies, as the lens sees it before perspective.
