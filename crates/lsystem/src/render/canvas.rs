@@ -176,36 +176,36 @@ impl Canvas {
                 let start = (part.start as i64 - top) as usize;
                 let words = Words { rows: start..start + part.len(), skipped: part.start % GROUP, ..words.clone() };
                 let bits = words.of(tile.covered);
-                if bits == [0; GROUP] {
-                    continue;
-                }
-                let new = self.cover(to, group, bits);
-                if self.planes > 0 && new != [0; GROUP] {
+                if any(&bits)
+                    && let Some(new) = self.cover(to, group, bits)
+                    && self.planes > 0
+                {
                     self.dye(to * self.rows + group * GROUP, new, tile, &words, dye);
                 }
             }
         }
     }
 
-    /// Covers these subsamples of a group; those that were not.
+    /// Covers these subsamples of a group; those that were not covered, if there are any.
     #[inline(always)]
-    fn cover(&mut self, strip: usize, group: usize, bits: Group) -> Group {
+    fn cover(&mut self, strip: usize, group: usize, bits: Group) -> Option<Group> {
         let at = strip * self.rows + group * GROUP;
-        let Some(covered) = self.covered[at..].first_chunk_mut::<GROUP>() else { return [0; GROUP] };
-        let (mut new, mut any) = ([0; GROUP], 0);
-        for ((new, covered), bits) in new.iter_mut().zip(&mut *covered).zip(bits) {
-            *new = bits & !*covered;
-            *covered |= bits;
-            any |= *new;
+        let covered = self.covered[at..].first_chunk_mut::<GROUP>()?;
+        let mut new = bits;
+        for (new, covered) in new.iter_mut().zip(&mut *covered) {
+            let before = *covered;
+            *covered |= *new;
+            *new &= !before;
         }
-        if any != 0 {
-            self.touched[strip * self.cells + group * GROUP / CELL] = true;
-            if is_good(covered, self.holes) {
-                let words = self.words();
-                self.open[strip * words + group / GROUPS] &= !(1 << (group % GROUPS));
-            }
+        if !any(&new) {
+            return None;
         }
-        new
+        self.touched[strip * self.cells + group * GROUP / CELL] = true;
+        if is_good(covered, self.holes) {
+            let words = self.words();
+            self.open[strip * words + group / GROUPS] &= !(1 << (group % GROUPS));
+        }
+        Some(new)
     }
 
     /// Gives colours to what is `new` in a group that begins at a word of every plane: those of a tile's `words`, dyed.
@@ -227,15 +227,15 @@ impl Canvas {
         }
     }
 
-    /// Paints a shape row by row. `spans` gives the spans of some rows of a group, and `bounds` the first and the last
-    /// column that the shape reaches in some rows.
+    /// Paints a shape row by row. `spans` sets the spans of some rows of a group, which reach nothing before, and gives
+    /// the first and the last column of them all; `bounds` gives columns between which the shape is in some rows.
     #[inline]
     pub(super) fn fill(
         &mut self,
         rows: Range<usize>,
         colour: u32,
         bounds: impl Fn(Range<usize>) -> [i64; 2],
-        spans: impl Fn(Range<usize>) -> Spans,
+        spans: impl Fn(Range<usize>, &mut Spans) -> [i64; 2],
     ) {
         let right = (self.strips * STRIP) as i64 - 1;
         let mut start = rows.start;
@@ -251,46 +251,52 @@ impl Canvas {
             while open != 0 {
                 let group = groups[0] / GROUPS * GROUPS + open.trailing_zeros() as usize;
                 open &= open - 1;
-                self.fill_group(group, &spans(start.max(group * GROUP)..end.min(group * GROUP + GROUP)), colour);
+                let rows = start.max(group * GROUP)..end.min(group * GROUP + GROUP);
+                let mut places = [NOTHING; GROUP];
+                let reach = spans(rows, &mut places);
+                self.fill_group(group, reach, &places, colour);
             }
             start = end;
         }
     }
 
-    /// Paints some rows of a group.
+    /// Paints some rows of a group; `reach` is from the first to the last of all their columns.
     #[inline(always)]
-    fn fill_group(&mut self, group: usize, spans: &Spans, colour: u32) {
-        let mut reach = NOTHING;
-        for [first, last] in spans {
-            reach = [reach[0].min(*first), reach[1].max(*last)];
+    fn fill_group(&mut self, group: usize, reach: [i64; 2], spans: &Spans, colour: u32) {
+        const LAST: i64 = STRIP as i64 - 1;
+        let right = (self.strips * STRIP) as i64 - 1;
+        let strips = reach.map(|column| column.clamp(0, right) as usize / STRIP);
+        if strips[0] == strips[1] && reach[0] >= 0 && reach[1] <= right {
+            // Mostly so: what is thin and steep.
+            let bits = |[first, last]: [i64; 2]| u64::MAX << (first & LAST) & u64::MAX >> (!last & LAST);
+            let bits = spans.map(|span| if span[0] <= span[1] { bits(span) } else { 0 });
+            return self.fill_strip(strips[0], group, bits, colour);
         }
-        let reach = [reach[0].max(0), reach[1].min((self.strips * STRIP) as i64 - 1)];
-        if reach[0] > reach[1] {
+        if reach[0] > right || reach[1] < 0 {
             return;
         }
-        for strip in reach[0] as usize / STRIP..=reach[1] as usize / STRIP {
-            if self.open(strip, [group; 2]) == 0 {
-                continue;
-            }
+        for strip in strips[0]..=strips[1] {
             let left = (strip * STRIP) as i64;
-            let new = self.cover(
-                strip,
-                group,
-                spans.map(|[first, last]| {
-                    let (first, last) = ((first - left).max(0), (last - left).min(STRIP as i64 - 1));
-                    if first <= last {
-                        u64::MAX << (first & 63) & u64::MAX >> ((STRIP as i64 - 1 - last) & 63)
-                    } else {
-                        0
-                    }
-                }),
-            );
-            let (at, size) = (strip * self.rows + group * GROUP, self.covered.len());
-            for plane in (0..self.planes).filter(|plane| colour >> plane & 1 != 0) {
-                let at = plane * size + at;
-                for (word, new) in self.colours[at..at + GROUP].iter_mut().zip(new) {
-                    *word |= new;
-                }
+            let bits = spans.map(|[first, last]| {
+                let (first, last) = ((first - left).max(0), (last - left).min(LAST));
+                if first <= last { u64::MAX << (first & LAST) & u64::MAX >> ((LAST - last) & LAST) } else { 0 }
+            });
+            self.fill_strip(strip, group, bits, colour);
+        }
+    }
+
+    /// Paints these subsamples of a group.
+    #[inline(always)]
+    fn fill_strip(&mut self, strip: usize, group: usize, bits: Group, colour: u32) {
+        if self.open(strip, [group; 2]) == 0 {
+            return;
+        }
+        let Some(new) = self.cover(strip, group, bits) else { return };
+        let (at, size) = (strip * self.rows + group * GROUP, self.covered.len());
+        for plane in (0..self.planes).filter(|plane| colour >> plane & 1 != 0) {
+            let at = plane * size + at;
+            for (word, new) in self.colours[at..at + GROUP].iter_mut().zip(new) {
+                *word |= new;
             }
         }
     }
@@ -330,6 +336,12 @@ impl Words {
         }
         group
     }
+}
+
+/// Whether a group has any bits.
+#[inline(always)]
+fn any(group: &Group) -> bool {
+    group.iter().fold(0, |any, word| any | word) != 0
 }
 
 /// Whether a group is covered, but for the holes that may be left.

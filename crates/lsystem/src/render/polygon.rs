@@ -1,6 +1,6 @@
 //! A filled polygon, row by row.
 
-use super::canvas::{Canvas, GROUP, NOTHING};
+use super::canvas::{Canvas, GROUP};
 
 /// Paints every subsample whose centre the outline winds around a number of times other than zero; `vertices` on the
 /// subsample lattice, y down. Returns how many rows and spans it took.
@@ -42,9 +42,10 @@ pub(super) fn paint(canvas: &mut Canvas, vertices: &[[f64; 2]], colour: u32) -> 
                 let from = (start - 0.5).ceil().clamp(0.0, right) as i64;
                 let to = (x - 0.5).floor().clamp(-1.0, right - 1.0) as i64;
                 if from <= to {
-                    let mut spans = [NOTHING; GROUP];
-                    spans[row % GROUP] = [from, to];
-                    canvas.fill(row..row + 1, colour, |_| [from, to], |_| spans);
+                    canvas.fill(row..row + 1, colour, |_| [from, to], |rows, spans| {
+                        spans[rows.start % GROUP] = [from, to];
+                        [from, to]
+                    });
                 }
                 work += 1;
             }

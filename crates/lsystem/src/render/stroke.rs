@@ -87,24 +87,27 @@ impl Capsule {
         };
         // The rows in which both sides are edges.
         let edges = left.edge[0].max(right.edge[0])..left.edge[1].min(right.edge[1]);
-        canvas.fill(first as usize..last as usize + 1, colour, bounds, |rows| {
-            let mut spans = [NOTHING; GROUP];
+        canvas.fill(first as usize..last as usize + 1, colour, bounds, |rows, spans| {
             // From the first to the last subsample centre between the sides.
-            let between =
-                |left: i64, right: i64| [left.wrapping_add(HALF - 1) >> FRACTION, right.wrapping_sub(HALF) >> FRACTION];
-            let within = &mut spans[rows.start % GROUP..][..rows.len()];
+            let between = |left: i64, right: i64| {
+                [left.wrapping_add(HALF - 1) >> FRACTION, right.wrapping_sub(HALF) >> FRACTION]
+            };
+            let spans = &mut spans[rows.start % GROUP..][..rows.len()];
             if edges.start <= rows.start as i64 && rows.end as i64 <= edges.end {
                 let [mut l, mut r] = [&left, &right].map(|side| side.x(rows.start as i64));
-                for span in within {
+                for span in &mut *spans {
                     *span = between(l, r);
                     (l, r) = (l.wrapping_add(left.step), r.wrapping_add(right.step));
                 }
-            } else {
-                for (span, row) in within.iter_mut().zip(rows) {
-                    *span = between(left.x(row as i64), right.x(row as i64));
-                }
+                let (first, last) = (spans.first().unwrap_or(&NOTHING), spans.last().unwrap_or(&NOTHING));
+                return [first[0].min(last[0]), first[1].max(last[1])];
             }
-            spans
+            let mut reach = NOTHING;
+            for (span, row) in spans.iter_mut().zip(rows) {
+                *span = between(left.x(row as i64), right.x(row as i64));
+                reach = [reach[0].min(span[0]), reach[1].max(span[1])];
+            }
+            reach
         });
         (last - first + 1).max(0) as usize
     }
@@ -120,6 +123,10 @@ impl Capsule {
         }
         let direction = if length > 0.0 { delta.map(|d| d / length) } else { [1.0, 0.0] };
         let margin = self.radius + 8.0;
+        let near = |p: [f64; 2]| (0..2).all(|axis| p[axis] >= -margin && p[axis] <= size[axis] + margin);
+        if ends.into_iter().all(near) {
+            return Some((ends, direction));
+        }
         let (mut start, mut end) = (0.0_f64, 1.0_f64);
         for axis in 0..2 {
             let (low, high) = (-margin, size[axis] + margin);
