@@ -155,7 +155,7 @@
         if (drawn || idle) begun = null;
         if (drawn) {
             const bitmap = canvas.transferToImageBitmap();
-            self.postMessage({ type: 'drawn', id: defineId, viewId, complete: drawn.complete, scale: drawn.scale, bitmap, pose: pose() }, { transfer: [bitmap] });
+            self.postMessage({ type: 'drawn', id: defineId, viewId, complete: drawn.complete, scale: drawn.scale, rough: drawn.rough, bitmap, pose: pose() }, { transfer: [bitmap] });
         }
         return idle;
     }

@@ -47,9 +47,10 @@ import { same } from './state.js';
 /** @typedef {import('./reading/words.js').Stroke} Stroke */
 /** How the picture is to be shown; only the first `upto` segments unless it is null. @typedef {{canvas: Canvas, view: View, camera: Camera | null, upto: bigint | null}} Look */
 /**
- * A picture; `scale` is in device pixels per fitted extent at zoom 1. `pose` is the turtle's where only the first
- * segments are shown: `at` in model units, `fitted` as places of marks, `heading` in degrees, in space a vector.
- * @typedef {{id: number, viewId: number, complete: boolean, scale: number, bitmap: ImageBitmap, pose: Pose | null} & Look} Drawn
+ * A picture; `scale` is in device pixels per fitted extent at zoom 1, and `rough` tells that fine detail is left out for
+ * good. `pose` is the turtle's where only the first segments are shown: `at` in model units, `fitted` as places of
+ * marks, `heading` in degrees, in space a vector.
+ * @typedef {{id: number, viewId: number, complete: boolean, scale: number, rough: boolean, bitmap: ImageBitmap, pose: Pose | null} & Look} Drawn
  */
 /** @typedef {{at: number[], fitted: number[], heading: number | number[], level: number}} Pose */
 /** Symbols of a generation from `start` on, and how many it has, null where it is too long to be derived; `apart` tells that each ends with a line end. @typedef {{length: string | null, text: string | null, apart: boolean}} StringPage */

@@ -59,6 +59,11 @@ impl Brush {
         self.renderer.step(work)
     }
 
+    /// Whether outlines stand for fine detail.
+    pub(crate) fn is_rough(&self) -> bool {
+        self.renderer.stats().outlines > 0
+    }
+
     /// The picture so far.
     pub(crate) fn pixels(&self) -> &[u8] {
         self.renderer.pixels()

@@ -109,7 +109,7 @@ impl Viewer for PlaneView {
                     self.begin_fine();
                 }
                 self.stage = Stage::Fine { sketched: true };
-                Ok(Some(Drawn { complete: false, scale, moving: false }))
+                Ok(Some(Drawn { complete: false, scale, moving: false, rough: false }))
             }
             Stage::Fine { sketched } => {
                 let start = clock.now();
@@ -119,7 +119,7 @@ impl Viewer for PlaneView {
                     self.sketches = if self.spent > PATIENCE { SKETCHES } else { 0 };
                     self.stage = Stage::Done;
                     surface.show(self.fine.pixels(), viewport)?;
-                    return Ok(Some(Drawn { complete: true, scale, moving: false }));
+                    return Ok(Some(Drawn { complete: true, scale, moving: false, rough: self.fine.is_rough() }));
                 }
                 if self.spent > PATIENCE {
                     self.sketches = SKETCHES;

@@ -160,7 +160,7 @@ impl Playground {
         self.building.is_none()
     }
 
-    /// Works for about `budget` milliseconds: `{report, drawn: {complete, scale}, idle}`, parts null without news.
+    /// Works for about `budget` milliseconds: `{report, drawn: {complete, scale, rough}, idle}`, parts null without news.
     ///
     /// # Errors
     /// Throws where the canvas refuses the picture.

@@ -144,7 +144,7 @@ impl Viewer for SolidView {
         if !complete {
             self.refine(if sharp && self.quality >= MIDDLE { Quality::FINEST } else { MIDDLE });
         }
-        Ok(Some(Drawn { complete, scale, moving }))
+        Ok(Some(Drawn { complete, scale, moving, rough: false }))
     }
 
     fn is_done(&self) -> bool {

@@ -36,6 +36,8 @@ pub(crate) struct Drawn {
     pub(crate) scale: f64,
     /// Whether things move, so that the next picture is more likely to be of something else than a finer one.
     pub(crate) moving: bool,
+    /// Whether fine detail is left out for good, because it would take too long.
+    pub(crate) rough: bool,
 }
 
 /// Builds a drawing and makes its pictures, both in steps.

@@ -57,6 +57,14 @@ test('a first picture takes less than 250 KB as hosts send it, and the full wasm
     });
 });
 
+test('where fine detail is left out, that is told until it is there again', () =>
+    withPage({ hash: '#v=1&axiom=A&rules=A%20-%3E%20F%5B+A%5D%5B-A%5D&n=40&angle=20' }, async (page) => {
+        await until(() => page.isVisible('#rough'), 'it is told', 60_000);
+        await page.fill('#iterations', '5');
+        await page.press('#iterations', 'Enter');
+        await until(async () => !(await page.isVisible('#rough')), 'the finer picture is there');
+    }));
+
 test('a click before the later script is there takes effect when it comes', () =>
     withPage({ drawing: null, expected: /Failed to load resource/, before: (page) => page.route('**/later.js', (route) => route.abort()) }, async (page) => {
         await page.waitForSelector('#stage.inked');

@@ -154,7 +154,8 @@ impl Canvas {
                     first: sources.map(|strip| strip * tile.rows),
                     masks: [strip > 0, strip < strips].map(|is| u64::from(is).wrapping_neg()),
                     shift,
-                    rows: 0..0,
+                    start: 0,
+                    count: 0,
                     skipped: 0,
                 };
                 self.stamp_strip(tile, &words, y, above..below, to, dye);
@@ -174,13 +175,13 @@ impl Canvas {
                 open &= open - 1;
                 let part = (group * GROUP).max(first)..(group * GROUP + GROUP).min(end);
                 let start = (part.start as i64 - top) as usize;
-                let words = Words { rows: start..start + part.len(), skipped: part.start % GROUP, ..words.clone() };
+                let words = Words { start, count: part.len(), skipped: part.start % GROUP, ..*words };
                 let bits = words.of(tile.covered);
                 if any(&bits)
                     && let Some(new) = self.cover(to, group, bits)
                     && self.planes > 0
                 {
-                    self.dye(to * self.rows + group * GROUP, new, tile, &words, dye);
+                    self.dye(to * self.rows + group * GROUP, &new, tile, &words, dye);
                 }
             }
         }
@@ -209,21 +210,36 @@ impl Canvas {
     }
 
     /// Gives colours to what is `new` in a group that begins at a word of every plane: those of a tile's `words`, dyed.
-    fn dye(&mut self, at: usize, new: Group, tile: &Bits<'_>, words: &Words, dye: &Dye) {
+    #[inline(always)]
+    fn dye(&mut self, at: usize, new: &Group, tile: &Bits<'_>, words: &Words, dye: &Dye) {
         let size = self.covered.len();
-        let mut planes = self.colours.chunks_exact_mut(size).map(|plane| &mut plane[at..at + GROUP]);
-        let mut put = |colours: Group| {
-            for ((word, colour), new) in planes.next().into_iter().flatten().zip(colours).zip(new) {
-                *word |= colour & new;
-            }
-        };
         let of = |plane: usize| words.of(&tile.colours[plane * tile.covered.len()..]);
         let own = tile.colours.len() / tile.covered.len().max(1);
         if own == 0 {
-            let code = dye.entry.code(dye.digits);
-            (0..self.planes).for_each(|plane| put([u64::from(code >> plane & 1).wrapping_neg(); GROUP]));
+            self.colour(at, new, dye.entry.code(dye.digits));
         } else {
-            dye.apply(own, self.planes, of, put);
+            let mut start = at;
+            dye.apply(own, self.planes, of, |colours| {
+                if let Some(words) = self.colours.get_mut(start..).and_then(<[u64]>::first_chunk_mut::<GROUP>) {
+                    for ((word, colour), new) in words.iter_mut().zip(colours).zip(new) {
+                        *word |= colour & new;
+                    }
+                }
+                start += size;
+            });
+        }
+    }
+
+    /// Gives a colour to what is `new` in a group that begins at a word of every plane.
+    #[inline(always)]
+    fn colour(&mut self, at: usize, new: &Group, colour: u32) {
+        let size = self.covered.len();
+        for plane in (0..self.planes).filter(|plane| colour >> plane & 1 != 0) {
+            if let Some(words) = self.colours[plane * size + at..].first_chunk_mut::<GROUP>() {
+                for (word, new) in words.iter_mut().zip(new) {
+                    *word |= new;
+                }
+            }
         }
     }
 
@@ -292,18 +308,12 @@ impl Canvas {
             return;
         }
         let Some(new) = self.cover(strip, group, bits) else { return };
-        let (at, size) = (strip * self.rows + group * GROUP, self.covered.len());
-        for plane in (0..self.planes).filter(|plane| colour >> plane & 1 != 0) {
-            let at = plane * size + at;
-            for (word, new) in self.colours[at..at + GROUP].iter_mut().zip(new) {
-                *word |= new;
-            }
-        }
+        self.colour(strip * self.rows + group * GROUP, &new, colour);
     }
 }
 
 /// Where a group's words are in a tile: in two strips next to each other.
-#[derive(Clone)]
+#[derive(Clone, Copy)]
 struct Words {
     /// Where these strips begin in a plane.
     first: [usize; 2],
@@ -311,7 +321,9 @@ struct Words {
     masks: [u64; 2],
     /// How far the bits are moved, from the first strip to the second.
     shift: u32,
-    rows: Range<usize>,
+    /// The first of the rows, and how many there are.
+    start: usize,
+    count: usize,
     /// Words of the group before those.
     skipped: usize,
 }
@@ -323,7 +335,7 @@ impl Words {
         let moved = |before: u64, own: u64| {
             (before & self.masks[0]) >> 1 >> (63 - self.shift) | (own & self.masks[1]) << self.shift
         };
-        let [before, own] = self.first.map(|first| &plane[first + self.rows.start..first + self.rows.end]);
+        let [before, own] = self.first.map(|first| &plane[first + self.start..][..self.count]);
         let mut group = [0; GROUP];
         if let (Some(before), Some(own)) = (before.first_chunk::<GROUP>(), own.first_chunk::<GROUP>()) {
             for ((word, before), own) in group.iter_mut().zip(before).zip(own) {

@@ -52,6 +52,9 @@ pub struct RenderStats {
     pub stamps: u64,
     /// Tiles made.
     pub tiles: u64,
+    /// Blocks of which only the outline was painted, because the picture took too long: where there are any, fine detail
+    /// is left out.
+    pub outlines: u64,
 }
 
 /// Makes pictures of a drawing in the plane, one after the other, in the same memory: [`Renderer`] where strokes cover

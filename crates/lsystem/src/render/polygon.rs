@@ -42,10 +42,15 @@ pub(super) fn paint(canvas: &mut Canvas, vertices: &[[f64; 2]], colour: u32) -> 
                 let from = (start - 0.5).ceil().clamp(0.0, right) as i64;
                 let to = (x - 0.5).floor().clamp(-1.0, right - 1.0) as i64;
                 if from <= to {
-                    canvas.fill(row..row + 1, colour, |_| [from, to], |rows, spans| {
-                        spans[rows.start % GROUP] = [from, to];
-                        [from, to]
-                    });
+                    canvas.fill(
+                        row..row + 1,
+                        colour,
+                        |_| [from, to],
+                        |rows, spans| {
+                            spans[rows.start % GROUP] = [from, to];
+                            [from, to]
+                        },
+                    );
                 }
                 work += 1;
             }

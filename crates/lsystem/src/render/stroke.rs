@@ -89,9 +89,8 @@ impl Capsule {
         let edges = left.edge[0].max(right.edge[0])..left.edge[1].min(right.edge[1]);
         canvas.fill(first as usize..last as usize + 1, colour, bounds, |rows, spans| {
             // From the first to the last subsample centre between the sides.
-            let between = |left: i64, right: i64| {
-                [left.wrapping_add(HALF - 1) >> FRACTION, right.wrapping_sub(HALF) >> FRACTION]
-            };
+            let between =
+                |left: i64, right: i64| [left.wrapping_add(HALF - 1) >> FRACTION, right.wrapping_sub(HALF) >> FRACTION];
             let spans = &mut spans[rows.start % GROUP..][..rows.len()];
             if edges.start <= rows.start as i64 && rows.end as i64 <= edges.end {
                 let [mut l, mut r] = [&left, &right].map(|side| side.x(rows.start as i64));

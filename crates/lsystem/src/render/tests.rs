@@ -283,8 +283,9 @@ fn crowds_that_never_repeat_end() {
         renderer.load(drawing.clone());
         renderer.begin(&sample.0.style, viewport, View::default());
         assert!(finishes(&mut renderer));
-        let RenderStats { blocks, strokes, stamps, .. } = renderer.stats();
+        let RenderStats { blocks, strokes, stamps, outlines, .. } = renderer.stats();
         assert!((2_000_000..5_000_000).contains(&(blocks + strokes + stamps)), "{:?}", renderer.stats());
+        assert!(outlines > 0);
         let inked = renderer.pixels().chunks(4).filter(|pixel| pixel[..3] != sample.0.style.background.rgb).count();
         assert!(inked > 320 * 200 / 20, "{inked}");
         // What was painted roughly leaves no trace.
@@ -292,6 +293,7 @@ fn crowds_that_never_repeat_end() {
         for renderer in [&mut renderer, &mut fresh] {
             renderer.load(drawing.clone());
             picture(renderer, &sample.0.style, viewport, View::default());
+            assert_eq!(renderer.stats().outlines, 0);
         }
         assert!(renderer.pixels() == fresh.pixels());
     }

@@ -253,6 +253,7 @@ impl Walk {
 
     /// Paints what a block's hull encloses, in the colour of what it draws last.
     fn outline(&mut self, drawing: &Drawing, shape: &Shape, node: Node) -> i64 {
+        self.stats.outlines += 1;
         let hull = &drawing.blocks[node.block.0 as usize].hull;
         let pen = node.pen.after(self.inks.choice, &shape.last);
         match &drawing.corners[hull.start as usize..hull.end as usize] {
