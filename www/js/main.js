@@ -176,7 +176,7 @@ function reported(next) {
 /** @param {import('./engine.js').Drawn} picture */
 function drawn(picture) {
     stage.drawn(picture);
-    html('rough').hidden = !picture.rough;
+    if (picture.complete) html('rough').hidden = !picture.rough;
     growing.drawn();
     playback.drawn(picture);
     hover.drawn();
