@@ -100,19 +100,24 @@ impl Canvas {
 
     /// Whether the rectangle of columns `x` and rows `y`, ends included, is covered throughout (the part outside
     /// counts as covered).
-    pub(super) fn is_full(&self, x: [i64; 2], y: [i64; 2]) -> bool {
+    pub(super) fn is_full(&mut self, x: [i64; 2], y: [i64; 2]) -> bool {
         let Some((x, y)) = self.clip(x, y) else { return true };
         let groups = y.map(|row| row / GROUP);
         for strip in x[0] / STRIP..=x[1] / STRIP {
             let outside = !columns(strip, x);
             let column = &self.covered[strip * self.rows..][..self.rows];
             for word in groups[0] / GROUPS..=groups[1] / GROUPS {
-                let mut open = self.open[strip * self.words() + word] & columns(word, groups);
+                let index = strip * self.words() + word;
+                let mut open = self.open[index] & columns(word, groups);
                 while open != 0 {
                     let first = (word * GROUPS + open.trailing_zeros() as usize) * GROUP;
                     let rows = &column[first.max(y[0])..(first + GROUP).min(y[1] + 1)];
                     if rows.iter().any(|word| word | outside != u64::MAX) {
-                        return false;
+                        if !(self.holes && has_only_holes(&column[first..first + GROUP])) {
+                            return false;
+                        }
+                        // Not before it is asked for: what fills a picture from one side to the other leaves no holes.
+                        self.open[index] &= !(open & open.wrapping_neg());
                     }
                     open &= open - 1;
                 }
@@ -202,7 +207,7 @@ impl Canvas {
             return None;
         }
         self.touched[strip * self.cells + group * GROUP / CELL] = true;
-        if is_good(covered, self.holes) {
+        if covered.iter().all(|&word| word == u64::MAX) {
             let words = self.words();
             self.open[strip * words + group / GROUPS] &= !(1 << (group % GROUPS));
         }
@@ -356,12 +361,9 @@ fn any(group: &Group) -> bool {
     group.iter().fold(0, |any, word| any | word) != 0
 }
 
-/// Whether a group is covered, but for the holes that may be left.
-#[inline(always)]
-fn is_good(rows: &Group, holes: bool) -> bool {
-    let common = rows.iter().fold(u64::MAX, |common, row| common & row);
-    common == u64::MAX
-        || holes && common.count_zeros() <= HOLES && rows.iter().map(|row| row.count_zeros()).sum::<u32>() <= HOLES
+/// Whether these rows are covered, but for the holes that may be left.
+fn has_only_holes(rows: &[u64]) -> bool {
+    rows.iter().map(|row| row.count_zeros()).sum::<u32>() <= HOLES
 }
 
 /// The bits of a strip that lie in columns `x`, ends included.
