@@ -198,9 +198,6 @@ pub(super) struct Dye {
 /// The most bit planes of a picture's colours: the digits of [`MAX_PALETTE`] colours' numbers.
 pub(super) const PLANES: usize = MAX_PALETTE.next_power_of_two().trailing_zeros() as usize;
 
-/// So many planes are remembered while numbers are added, as most palettes have no more.
-const KNOWN: usize = 4;
-
 impl Dye {
     /// Makes the numbers of a tile, which has so many planes and `of` gives each, what they are after the entry's shade;
     /// `put` takes the planes of these, one after the other, as many as are `wanted`.
@@ -220,22 +217,18 @@ impl Dye {
         } else {
             // n + by, or n - (colours - by), which is the same modulo the palette's size, where that is not negative.
             let back = self.colours - by;
-            let mut known = [[0; N]; KNOWN];
+            let mut numbers = [[0; N]; PLANES];
             let mut less = [0; N];
-            for digit in 0..digits {
+            for (digit, plane) in numbers.iter_mut().enumerate().take(digits) {
+                *plane = of(digit);
                 let one = u64::from(back >> digit & 1).wrapping_neg();
-                let plane = of(digit);
-                if let Some(known) = known.get_mut(digit) {
-                    *known = plane;
-                }
                 for (less, n) in less.iter_mut().zip(plane) {
-                    *less = !n & (one | *less) | one & *less;
+                    *less = !*n & (one | *less) | one & *less;
                 }
             }
             let mut carry = [0; N];
-            for digit in 0..digits {
+            for (digit, mut sum) in numbers.into_iter().enumerate().take(digits) {
                 let [up, down] = [by, back.wrapping_neg()].map(|v| u64::from(v >> digit & 1).wrapping_neg());
-                let mut sum = if digit < KNOWN { known[digit] } else { of(digit) };
                 for i in 0..N {
                     let more = (up & less[i] | down & !less[i]) & !kept[i];
                     let n = sum[i];
