@@ -69,7 +69,7 @@ struct Picked {
     symbol: Option<String>,
 }
 
-/// A budget for one look at what is under the pointer: well under a millisecond.
+/// A budget for one look at what is under the pointer: some milliseconds at most.
 const VISITS: usize = 20_000;
 
 #[wasm_bindgen]
