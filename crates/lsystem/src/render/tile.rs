@@ -27,7 +27,7 @@ pub(super) const SIMPLE_STROKES: u64 = 12_000;
 /// Words in a chunk of memory; no tile needs more.
 const CHUNK: usize = 1 << 17;
 /// Chunks kept; when more are needed, all tiles are dropped and made again as needed.
-const CHUNKS: usize = 24;
+const CHUNKS: usize = 23;
 
 /// The number of sizes.
 pub(super) const SIZES: usize = EXTENTS.len();
