@@ -296,12 +296,18 @@ impl Canvas {
         if reach[0] > right || reach[1] < 0 {
             return;
         }
+        // Columns that all rows have: most of what is broad.
+        let inner = spans.iter().fold([i64::MIN, i64::MAX], |[a, b], &[first, last]| [a.max(first), b.min(last)]);
         for strip in strips[0]..=strips[1] {
             let left = (strip * STRIP) as i64;
-            let bits = spans.map(|[first, last]| {
-                let (first, last) = ((first - left).max(0), (last - left).min(LAST));
-                if first <= last { u64::MAX << (first & LAST) & u64::MAX >> ((LAST - last) & LAST) } else { 0 }
-            });
+            let bits = if inner[0] <= left && left + LAST <= inner[1] {
+                [u64::MAX; GROUP]
+            } else {
+                spans.map(|[first, last]| {
+                    let (first, last) = ((first - left).max(0), (last - left).min(LAST));
+                    if first <= last { u64::MAX << (first & LAST) & u64::MAX >> ((LAST - last) & LAST) } else { 0 }
+                })
+            };
             self.fill_strip(strip, group, bits, colour);
         }
     }
