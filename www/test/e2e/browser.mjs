@@ -88,6 +88,24 @@ export async function until(check, what, patience = 8000) {
 }
 
 /**
+ * The first and the last row with ink in the middle column of the canvas.
+ * @param {Page} page
+ */
+export function inkedRows(page) {
+    return page.evaluate(() => {
+        const source = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
+        const copy = document.createElement('canvas');
+        copy.width = source.width;
+        copy.height = source.height;
+        const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d'));
+        context.drawImage(source, 0, 0);
+        const { data } = context.getImageData(Math.floor(copy.width / 2), 0, 1, copy.height);
+        const rows = Array.from({ length: copy.height }, (_, y) => y).filter((y) => data[y * 4] !== data[0]);
+        return { top: rows[0] ?? 0, bottom: rows.at(-1) ?? 0 };
+    });
+}
+
+/**
  * The picture as it is on the canvas: a digest of its pixels, and the part of them that is not background.
  * @param {Page | import('playwright-core').Frame} page
  * @returns {Promise<{digest: string, ink: number, width: number, height: number}>}

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { DESKTOP, PHONE, close, nextPicture, picture, stillPicture, until, withPage } from './browser.mjs';
+import { close, DESKTOP, inkedRows, nextPicture, PHONE, picture, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -133,17 +133,7 @@ test('the pointer on the drawing tells the segment and its symbol, and lights it
         await until(async () => (await symbols(page)) === 'FFFFFFFF', 'the string');
         await stillPicture(page);
         const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
-        const shown = await page.evaluate(() => {
-            const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
-            const copy = document.createElement('canvas');
-            copy.width = canvas.width;
-            copy.height = canvas.height;
-            const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d'));
-            context.drawImage(canvas, 0, 0);
-            const { data } = context.getImageData(Math.floor(copy.width / 2), 0, 1, copy.height);
-            const rows = Array.from({ length: copy.height }, (_, y) => y).filter((y) => data[y * 4] !== data[0]);
-            return { top: rows[0] ?? 0, bottom: rows.at(-1) ?? 0 };
-        });
+        const shown = await inkedRows(page);
         const at = (/** @type {number} */ part) => box.y + shown.bottom - (shown.bottom - shown.top) * part;
         await page.mouse.move(box.x + box.width / 2 + 2, at(2.5 / 8));
         await page.waitForSelector('#card:visible');

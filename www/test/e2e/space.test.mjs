@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { DESKTOP, PHONE, close, nextPicture, sameAgain, stillPicture, until, withPage } from './browser.mjs';
+import { close, DESKTOP, inkedRows, nextPicture, PHONE, sameAgain, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -73,17 +73,7 @@ test('what is under the pointer is told, marked and lit, but not while the drawi
         await until(async () => (await page.locator('.row-line .cells').allTextContents()).join('') === 'FFFFFFFF/', 'the string');
         await stillPicture(page);
         const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
-        const ends = await page.evaluate(() => {
-            const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
-            const copy = document.createElement('canvas');
-            copy.width = canvas.width;
-            copy.height = canvas.height;
-            const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d'));
-            context.drawImage(canvas, 0, 0);
-            const { data } = context.getImageData(Math.floor(copy.width / 2), 0, 1, copy.height);
-            const rows = Array.from({ length: copy.height }, (_, y) => y).filter((y) => data[y * 4] !== data[0]);
-            return { top: rows[0] ?? 0, bottom: rows.at(-1) ?? 0 };
-        });
+        const ends = await inkedRows(page);
         const y = ends.bottom - ((ends.bottom - ends.top) * 2.5) / 8;
         const hover = () => page.mouse.move(box.x + box.width / 2 + 2, box.y + y);
         const card = async () => (await page.textContent('#card')) ?? '';
