@@ -222,6 +222,11 @@ pub(crate) fn gradient_step(place: f64) -> u32 {
     ((place * f64::from(GRADIENT)) as u32).min(GRADIENT - 1)
 }
 
+/// Whether a part of the path has one colour, as far as anybody can tell: it is shorter than a step of the gradient.
+pub(crate) fn is_one_step(size: f64) -> bool {
+    size * f64::from(GRADIENT) <= 1.0
+}
+
 impl From<Colour> for String {
     fn from(colour: Colour) -> Self {
         let [r, g, b] = colour.rgb;

@@ -3,8 +3,8 @@
 //! A block recurs at many places of the path, so its tiles know nothing of them: on the picture every block that is
 //! shorter than a step of the gradient is in the colour of its middle, and longer ones are looked into.
 
-use crate::style::gradient_step;
-use crate::{BlockId, ColourBy, Drawing, GRADIENT, Item, Style};
+use crate::style::{gradient_step, is_one_step};
+use crate::{BlockId, ColourBy, Drawing, Item, Style};
 
 /// A part of the path, as parts of the whole.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +22,7 @@ impl Span {
     }
 
     pub(super) fn is_short(self) -> bool {
-        self.size * f64::from(GRADIENT) <= 1.0
+        is_one_step(self.size)
     }
 }
 

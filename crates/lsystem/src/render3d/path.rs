@@ -1,7 +1,7 @@
 //! Colours along the path: which part of all segments a node has.
 
 use crate::GRADIENT;
-use crate::style::gradient_step;
+use crate::style::{gradient_step, is_one_step};
 
 /// A part of the path, from the first segment at 0 to the last at 1.
 #[derive(Clone, Copy, Debug, Default)]
@@ -20,7 +20,7 @@ impl Stretch {
     /// Whether it has one colour, as far as anybody can tell.
     #[inline]
     pub(super) fn is_short(self) -> bool {
-        self.size * f64::from(GRADIENT) <= 1.0
+        is_one_step(self.size)
     }
 
     /// The number of the colour in its middle.
