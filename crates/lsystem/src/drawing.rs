@@ -42,7 +42,7 @@ pub(crate) use shape::{Line, Shape, shapes};
 pub use solid::draw_solid;
 
 use crate::turtle::finite;
-use crate::{ColourBy, Plane, Space, SymbolId};
+use crate::{Plane, Space, SymbolId};
 use core::ops::Range;
 use std::sync::OnceLock;
 
@@ -194,27 +194,6 @@ impl<S: Space> Drawing<S> {
             inside
         });
         (place.unwrap_or(items.len()), left)
-    }
-
-    /// The greatest number that colours by branch level or by generation depend on.
-    pub(crate) fn farthest_ink(&self, by: ColourBy) -> u32 {
-        let indices = || self.styles.iter().map(|style| style.colour.of(0).max(0).cast_unsigned());
-        if by != ColourBy::Level {
-            return indices().max().unwrap_or(0);
-        }
-        let mut deepest: Vec<u32> = Vec::with_capacity(self.blocks.len());
-        for block in &self.blocks {
-            let items = &self.items[block.items.start as usize..block.items.end as usize];
-            let level = |style: StyleId| self.styles[style.0 as usize].level;
-            let levels = items.iter().map(|item| match item {
-                Item::Stroke(stroke) => level(stroke.style),
-                Item::Polygon(polygon) => level(polygon.style),
-                Item::Block(placed) => level(placed.style).saturating_add(deepest[placed.block.0 as usize]),
-            });
-            let level = levels.max().unwrap_or(0);
-            deepest.push(level);
-        }
-        self.root.map_or(0, |root| deepest[root.0 as usize])
     }
 
     /// A polygon's vertices.

@@ -158,13 +158,12 @@ impl Style {
         self.palette_holds && matches!(self.colour_by, ColourBy::Level | ColourBy::Generation)
     }
 
-    /// How many different inks there are; `farthest` is the greatest index in use.
-    pub(crate) fn inks(&self, farthest: impl FnOnce() -> u32) -> u32 {
+    /// How many different inks there are.
+    pub(crate) fn inks(&self) -> u32 {
         let palette = u32::try_from(self.palette.len()).unwrap_or(u32::MAX / 2).max(1);
         match self.colour_by {
             ColourBy::Single | ColourBy::Density => 1,
             ColourBy::Path => GRADIENT,
-            _ if self.holds() => farthest().saturating_add(1).max(palette).min(crate::limits::MAX_PALETTE as u32),
             _ => palette,
         }
     }

@@ -220,7 +220,7 @@ impl Canvas {
         let size = self.covered.len();
         let of = |plane: usize| words.of(&tile.colours[plane * tile.covered.len()..]);
         let own = tile.colours.len() / tile.covered.len().max(1);
-        if own == 0 {
+        if own == 0 || dye.is_even(own) {
             self.colour(at, new, dye.entry.code(dye.digits));
         } else {
             let mut start = at;

@@ -25,22 +25,36 @@ pub(crate) struct Choice {
     by: ColourBy,
     /// Of the palette; at least 1.
     pub colours: u32,
+    /// Whether numbers beyond the palette mean its last entry, instead of wrapping around.
+    holds: bool,
 }
 
 impl Choice {
-    /// Of so many palette entries.
-    pub(crate) fn new(by: ColourBy, colours: u32) -> Self {
-        Self { by, colours: colours.max(1) }
+    /// By a style, in a drawing with these changes of it.
+    pub(crate) fn new(style: &Style, changes: &[StyleChange]) -> Self {
+        let by = style.colour_by;
+        // Where numbers become smaller again, those beyond the palette have to be told apart.
+        let falls =
+            by != ColourBy::Level && changes.iter().any(|change| matches!(change.colour, ColourChange::Add(..0)));
+        let largest = changes.iter().map(|change| change.colour.of(0).max(0).unsigned_abs());
+        let apart = if style.holds() && falls { largest.max().unwrap_or(0).saturating_add(1) } else { 1 };
+        Self { by, colours: style.inks().max(apart).min(MAX_PALETTE as u32), holds: style.holds() && !falls }
+    }
+
+    /// The number of the palette entry for an index.
+    fn wrapped(self, index: i64) -> u32 {
+        let colours = i64::from(self.colours.max(1));
+        (if self.holds { index.clamp(0, colours - 1) } else { index.rem_euclid(colours) }) as u32
     }
 
     /// The shade after a change, from the entry's.
     pub(crate) fn shade(self, change: &StyleChange) -> Shade {
-        let wrapped = |index: i32| i64::from(index).rem_euclid(i64::from(self.colours.max(1))) as u32;
+        let wrapped = |index: i32| self.wrapped(i64::from(index));
         let moving = |number: u32| Shade { number, fixed: false };
         match (self.by, change.colour) {
             // Along the path the walk knows.
             (ColourBy::Single | ColourBy::Path | ColourBy::Density, _) => moving(0),
-            (ColourBy::Level, _) => moving(change.level % self.colours.max(1)),
+            (ColourBy::Level, _) => moving(self.wrapped(i64::from(change.level))),
             (_, ColourChange::Set(index)) => Shade { number: wrapped(index), fixed: true },
             (_, ColourChange::Add(count)) => moving(wrapped(count)),
         }
@@ -52,7 +66,8 @@ impl Choice {
             return second;
         }
         let sum = first.number + second.number;
-        Shade { number: if sum >= self.colours { sum - self.colours } else { sum }, fixed: first.fixed }
+        let beyond = if self.holds { self.colours.max(1) - 1 } else { sum.wrapping_sub(self.colours) };
+        Shade { number: if sum >= self.colours { beyond } else { sum }, fixed: first.fixed }
     }
 }
 
@@ -105,8 +120,7 @@ impl InkTable {
 
     /// Makes the table for a drawing, unless it is the one already there. Returns whether anything changed.
     pub(super) fn prepare(&mut self, drawing: &Drawing, style: &Style) -> bool {
-        let colours = style.inks(|| drawing.farthest_ink(style.colour_by)).min(MAX_PALETTE as u32);
-        let choice = Choice { by: style.colour_by, colours };
+        let choice = Choice::new(style, &drawing.styles);
         if self.ready && self.choice == choice {
             return false;
         }
@@ -119,9 +133,9 @@ impl InkTable {
         self.fixes = drawing.styles.iter().any(|style| choice.shade(style).fixed);
         let start = Shade { number: 0, fixed: true };
         self.used = match drawing.root.map(|root| self.of(root.0 as usize).after(choice, start)) {
-            Some(Inks::One(_)) if choice.by == ColourBy::Path => (0..colours).collect(),
+            Some(Inks::One(_)) if choice.by == ColourBy::Path => (0..choice.colours).collect(),
             Some(Inks::One(shade)) => vec![shade.number],
-            Some(Inks::Many) => (0..colours).collect(),
+            Some(Inks::Many) => (0..choice.colours).collect(),
             _ => vec![],
         };
         true
@@ -189,8 +203,7 @@ fn of_block(choice: Choice, drawing: &Drawing, block: &Block, blocks: &[Inks]) -
 pub(super) struct Dye {
     /// The shade at the block's entry.
     pub entry: Shade,
-    /// Of the palette.
-    pub colours: u32,
+    pub choice: Choice,
     /// Binary digits of a number; the plane behind them tells what is fixed.
     pub digits: usize,
 }
@@ -199,6 +212,12 @@ pub(super) struct Dye {
 pub(super) const PLANES: usize = MAX_PALETTE.next_power_of_two().trailing_zeros() as usize;
 
 impl Dye {
+    /// Whether a tile of so many planes becomes one shade throughout.
+    #[inline(always)]
+    pub(super) fn is_even(&self, planes: usize) -> bool {
+        self.choice.holds && self.entry.number + 1 == self.choice.colours && planes <= self.digits
+    }
+
     /// Makes the numbers of a tile, which has so many planes and `of` gives each, what they are after the entry's shade;
     /// `put` takes the planes of these, one after the other, as many as are `wanted`.
     #[inline(always)]
@@ -215,8 +234,10 @@ impl Dye {
         if by == 0 {
             (0..digits).for_each(|digit| put(of(digit)));
         } else {
-            // n + by, or n - (colours - by), which is the same modulo the palette's size, where that is not negative.
-            let back = self.colours - by;
+            // n + by or, where that is beyond the palette, the last number or n - (colours - by), which is the same modulo
+            // the palette's size.
+            let Choice { colours, holds, .. } = self.choice;
+            let back = colours - by;
             let mut numbers = [[0; N]; PLANES];
             let mut less = [0; N];
             for (digit, plane) in numbers.iter_mut().enumerate().take(digits) {
@@ -226,13 +247,18 @@ impl Dye {
                     *less = !*n & (one | *less) | one & *less;
                 }
             }
+            let beyond: [u64; N] = core::array::from_fn(|i| !less[i] & !kept[i]);
+            let within: [u64; N] = core::array::from_fn(|i| less[i] & !kept[i]);
+            // Which of them get the last number.
+            let ends = if holds { beyond } else { [0; N] };
+            let down = if holds { 0 } else { back.wrapping_neg() };
             let mut carry = [0; N];
             for (digit, mut sum) in numbers.into_iter().enumerate().take(digits) {
-                let [up, down] = [by, back.wrapping_neg()].map(|v| u64::from(v >> digit & 1).wrapping_neg());
+                let [up, down, last] = [by, down, colours - 1].map(|v| u64::from(v >> digit & 1).wrapping_neg());
                 for i in 0..N {
-                    let more = (up & less[i] | down & !less[i]) & !kept[i];
+                    let more = up & within[i] | down & beyond[i];
                     let n = sum[i];
-                    sum[i] = n ^ more ^ carry[i];
+                    sum[i] = (n ^ more ^ carry[i]) & !ends[i] | last & ends[i];
                     carry[i] = n & more | carry[i] & (n ^ more);
                 }
                 put(sum);
@@ -249,10 +275,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn dyeing_adds_modulo_the_palette() {
-        for colours in [2, 3, 5, 8, 100, 256] {
+    fn dyeing_adds_within_the_palette() {
+        for (colours, holds) in [2, 3, 5, 8, 100, 256].into_iter().flat_map(|c| [(c, false), (c, true)]) {
             let digits = (u32::BITS - (colours - 1_u32).leading_zeros()) as usize;
-            let choice = Choice { by: ColourBy::Symbol, colours };
+            let choice = Choice { by: ColourBy::Symbol, colours, holds };
             for by in (0..colours).step_by(7) {
                 for number in 0..colours {
                     for (fixed, entry_fixed) in [(false, false), (true, false), (false, true), (true, true)] {
@@ -260,7 +286,7 @@ mod tests {
                         let shade = Shade { number, fixed };
                         let mut planes = vec![];
                         let of = |plane: usize| [0, u64::from(shade.code(digits) >> plane & 1) << 17];
-                        Dye { entry, colours, digits }.apply(digits + 1, digits + 1, of, |plane| planes.push(plane));
+                        Dye { entry, choice, digits }.apply(digits + 1, digits + 1, of, |plane| planes.push(plane));
                         assert_eq!(planes.len(), digits + 1);
                         let got: u32 = (0..digits).map(|d| (planes[d][1] >> 17 & 1) as u32 * (1 << d)).sum();
                         let expected = choice.then(entry, shade);

@@ -274,7 +274,7 @@ impl Walk {
             Inks::One(shade) => self.inks.choice.then(target.shade, shade),
             _ => target.shade,
         };
-        let dye = Dye { entry, colours: self.inks.choice.colours, digits: self.inks.digits() };
+        let dye = Dye { entry, choice: self.inks.choice, digits: self.inks.digits() };
         self.canvases[target.canvas].stamp(&self.tiles.bits(tile), at, &dye);
         (tile.strips * tile.rows) as i64 / 64
     }

@@ -34,8 +34,6 @@ pub(super) struct Scene {
     /// How many nodes, links and lines there are for the whole drawing; those after them are of a part of it.
     whole: [usize; 3],
     memoised: bool,
-    /// The greatest branch level and generation.
-    farthest: [u32; 2],
     /// Whether colours follow the path, and not what is at a node's entry.
     pub(super) along: bool,
     /// What part of the path is shown, and what part one segment is.
@@ -177,9 +175,8 @@ impl Scene {
     pub(super) fn new(drawing: &Drawing<Solid>) -> Self {
         let mut styles = drawing.styles.clone();
         styles.push(StyleChange::NONE);
-        let farthest = [ColourBy::Level, ColourBy::Generation].map(|by| drawing.farthest_ink(by));
         let kept = if drawing.memoised { SAMPLES } else { FEW_SAMPLES };
-        let mut scene = Self { styles, farthest, memoised: drawing.memoised, kept, ..Self::default() };
+        let mut scene = Self { styles, memoised: drawing.memoised, kept, ..Self::default() };
         scene.blocks.reserve_exact(drawing.blocks.len());
         for (id, block) in drawing.blocks.iter().enumerate() {
             let node = scene.contents(drawing, drawing.items_of(BlockId(id as u32)), None).unwrap_or_default();
@@ -495,9 +492,8 @@ impl Scene {
 
     /// Makes the mean colours for a style, unless they are there.
     pub(super) fn dye(&mut self, style: &Style) {
-        let [deepest, latest] = self.farthest;
-        let colours = style.inks(|| if style.colour_by == ColourBy::Level { deepest } else { latest });
-        let choice = Choice::new(style.colour_by, colours);
+        let choice = Choice::new(style, &self.styles);
+        let colours = choice.colours;
         let palette: Vec<[f32; 3]> = (0..colours).map(|ink| style.ink(ink).rgb.map(f32::from)).collect();
         if choice != self.choice || palette != self.palette || self.means.is_empty() && !self.along {
             (self.choice, self.palette) = (choice, palette);
