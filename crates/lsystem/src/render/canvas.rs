@@ -2,6 +2,9 @@
 //!
 //! Bits lie in vertical strips of 64 columns, a word per row, so that stamping a tile at any offset is a loop over
 //! consecutive words with one shift. Painting goes from the last drawn to the first: what is covered stays.
+//!
+//! What a broad stroke covers throughout is one number to eight words of each plane, so that large pictures of little
+//! take little memory traffic; and nothing is cleared before it is painted upon.
 
 use super::inks::Dye;
 use super::tile::Bits;
@@ -9,9 +12,9 @@ use core::ops::Range;
 
 /// Columns in a strip.
 const STRIP: usize = u64::BITS as usize;
-/// Rows in a cell; a cell is a strip's word range that is made pixels of, and cleared, at once.
+/// Rows in a cell; a cell is a strip's word range that is made pixels of at once.
 const CELL: usize = 64;
-/// Rows in a group; a group is a strip's word range for which coverage is remembered.
+/// Rows in a group; a group is a strip's word range for which it is remembered how it is covered.
 pub(super) const GROUP: usize = 8;
 /// So many subsamples of a group, of 512, may stay bare on a canvas that leaves holes: what a whole picture is off by
 /// is 1/255 at most, and what 8x8 pixels are off by 2/255. The last holes of a crowd take longest to fill.
@@ -20,7 +23,7 @@ const HOLES: u32 = 2;
 const GROUPS: usize = u64::BITS as usize;
 
 /// The words of a group.
-type Group = [u64; GROUP];
+type Block = [u64; GROUP];
 
 /// The first and the last column of a shape in each row of a group.
 pub(super) type Spans = [[i64; 2]; GROUP];
@@ -41,14 +44,27 @@ pub(super) struct Canvas {
     pub planes: usize,
     /// Whether what is covered but for a few holes counts as covered.
     pub holes: bool,
-    /// By strip, then row.
+    /// By strip, then row. These are there where a group is mixed; elsewhere they are left over from other pictures.
     pub covered: Vec<u64>,
-    /// By plane, then strip, then row. Only bits that are covered are ever set.
+    /// The same by plane, then strip, then row. Only bits that are covered are ever set.
     pub colours: Vec<u64>,
-    /// By strip, then cell: whether anything was painted there.
-    pub touched: Vec<bool>,
     /// By strip: a bit for each group that is not covered throughout, or as good as that.
     open: Vec<u64>,
+    /// By strip: a bit for each group whose subsamples differ.
+    mixed: Vec<u64>,
+    /// By strip, then group: the colour of one that is neither open nor mixed.
+    plain: Vec<u16>,
+}
+
+/// What a group holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Group {
+    /// Nothing.
+    Bare,
+    /// One colour throughout.
+    Plain(u16),
+    /// What its words tell.
+    Mixed,
 }
 
 impl Canvas {
@@ -56,32 +72,71 @@ impl Canvas {
     pub(super) fn reset(&mut self, width: usize, height: usize, planes: usize) {
         let (strips, rows) = (width.div_ceil(STRIP), height.next_multiple_of(GROUP));
         self.height = height;
-        if (strips, rows, planes) != (self.strips, self.rows, self.planes) {
-            (self.strips, self.rows, self.planes) = (strips, rows, planes);
-            self.cells = rows.div_ceil(CELL);
-            let size = strips * rows;
-            self.covered.clear();
-            self.covered.resize(size, 0);
-            self.colours.clear();
-            self.colours.resize(size * planes, 0);
-            self.touched.clear();
-            self.touched.resize(strips * self.cells, false);
-            self.open.clear();
-            self.open.resize(strips * self.words(), u64::MAX);
-            return;
+        (self.strips, self.rows, self.planes) = (strips, rows, planes);
+        self.cells = rows.div_ceil(CELL);
+        let (words, size) = (strips * self.words(), strips * rows);
+        self.covered.resize(size, 0);
+        self.colours.resize(size * planes, 0);
+        self.plain.resize(size / GROUP, 0);
+        self.open.clear();
+        self.open.resize(words, u64::MAX);
+        self.mixed.clear();
+        self.mixed.resize(words, 0);
+    }
+
+    /// What a group of a strip holds.
+    #[inline]
+    pub(super) fn group(&self, strip: usize, group: usize) -> Group {
+        let (word, bit) = (strip * self.words() + group / GROUPS, 1 << (group % GROUPS));
+        if self.mixed[word] & bit != 0 {
+            Group::Mixed
+        } else if self.open[word] & bit != 0 {
+            Group::Bare
+        } else {
+            Group::Plain(self.plain[strip * (self.rows / GROUP) + group])
         }
-        let (cells, words, size) = (self.cells, self.words(), strips * rows);
-        for (index, touched) in self.touched.iter_mut().enumerate() {
-            if core::mem::take(touched) {
-                let (strip, cell) = (index / cells, index % cells);
-                let groups = [cell, cell + 1].map(|cell| cell * (CELL / GROUP));
-                self.open[strip * words + groups[0] / GROUPS] |=
-                    columns(groups[0] / GROUPS, [groups[0], groups[1] - 1]);
-                let [first, last] = [cell, cell + 1].map(|cell| strip * rows + (cell * CELL).min(rows));
-                self.covered[first..last].fill(0);
-                for plane in 0..planes {
-                    self.colours[plane * size + first..plane * size + last].fill(0);
+    }
+
+    /// The groups of a cell.
+    pub(super) fn groups(&self, cell: usize) -> Range<usize> {
+        cell * (CELL / GROUP)..((cell + 1) * (CELL / GROUP)).min(self.rows / GROUP)
+    }
+
+    /// Whether anything was painted in a cell of a strip.
+    pub(super) fn is_touched(&self, strip: usize, cell: usize) -> bool {
+        let groups = self.groups(cell);
+        let word = strip * self.words() + groups.start / GROUPS;
+        let bits = columns(groups.start / GROUPS, [groups.start, groups.end - 1]);
+        (self.mixed[word] | !self.open[word]) & bits != 0
+    }
+
+    /// Lets the words of every group tell what it holds.
+    pub(super) fn settle(&mut self) {
+        for strip in 0..self.strips {
+            for group in 0..self.rows / GROUP {
+                let at = strip * self.rows + group * GROUP;
+                match self.group(strip, group) {
+                    Group::Mixed => {}
+                    Group::Bare => self.begin_group(at, [0; GROUP]),
+                    Group::Plain(colour) => {
+                        self.begin_group(at, [u64::MAX; GROUP]);
+                        self.colour(at, &[u64::MAX; GROUP], u32::from(colour));
+                    }
                 }
+            }
+        }
+    }
+
+    /// Sets the words of a group, which begins at a word of every plane: what is covered, and no colours.
+    #[inline(always)]
+    fn begin_group(&mut self, at: usize, bits: Block) {
+        let size = self.covered.len();
+        if let Some(words) = self.covered[at..].first_chunk_mut() {
+            *words = bits;
+        }
+        for plane in 0..self.planes {
+            if let Some(words) = self.colours[plane * size + at..].first_chunk_mut() {
+                *words = [0; GROUP];
             }
         }
     }
@@ -110,6 +165,9 @@ impl Canvas {
                 let index = strip * self.words() + word;
                 let mut open = self.open[index] & columns(word, groups);
                 while open != 0 {
+                    if self.mixed[index] & (open & open.wrapping_neg()) == 0 {
+                        return false;
+                    }
                     let first = (word * GROUPS + open.trailing_zeros() as usize) * GROUP;
                     let rows = &column[first.max(y[0])..(first + GROUP).min(y[1] + 1)];
                     if rows.iter().any(|word| word | outside != u64::MAX) {
@@ -192,10 +250,19 @@ impl Canvas {
         }
     }
 
-    /// Covers these subsamples of a group; those that were not covered, if there are any.
+    /// Covers these subsamples of a group, of which there are some; those that were not covered, if there are any.
     #[inline(always)]
-    fn cover(&mut self, strip: usize, group: usize, bits: Group) -> Option<Group> {
+    fn cover(&mut self, strip: usize, group: usize, bits: Block) -> Option<Block> {
         let at = strip * self.rows + group * GROUP;
+        let (word, bit) = (strip * self.words() + group / GROUPS, 1 << (group % GROUPS));
+        if self.mixed[word] & bit == 0 {
+            self.mixed[word] |= bit;
+            self.begin_group(at, bits);
+            if bits == [u64::MAX; GROUP] {
+                self.open[word] &= !bit;
+            }
+            return Some(bits);
+        }
         let covered = self.covered[at..].first_chunk_mut::<GROUP>()?;
         let mut new = bits;
         for (new, covered) in new.iter_mut().zip(&mut *covered) {
@@ -206,17 +273,15 @@ impl Canvas {
         if !any(&new) {
             return None;
         }
-        self.touched[strip * self.cells + group * GROUP / CELL] = true;
         if covered.iter().all(|&word| word == u64::MAX) {
-            let words = self.words();
-            self.open[strip * words + group / GROUPS] &= !(1 << (group % GROUPS));
+            self.open[word] &= !bit;
         }
         Some(new)
     }
 
     /// Gives colours to what is `new` in a group that begins at a word of every plane: those of a tile's `words`, dyed.
     #[inline(always)]
-    fn dye(&mut self, at: usize, new: &Group, tile: &Bits<'_>, words: &Words, dye: &Dye) {
+    fn dye(&mut self, at: usize, new: &Block, tile: &Bits<'_>, words: &Words, dye: &Dye) {
         let size = self.covered.len();
         let of = |plane: usize| words.of(&tile.colours[plane * tile.covered.len()..]);
         let own = tile.colours.len() / tile.covered.len().max(1);
@@ -237,7 +302,7 @@ impl Canvas {
 
     /// Gives a colour to what is `new` in a group that begins at a word of every plane.
     #[inline(always)]
-    fn colour(&mut self, at: usize, new: &Group, colour: u32) {
+    fn colour(&mut self, at: usize, new: &Block, colour: u32) {
         let size = self.covered.len();
         for plane in (0..self.planes).filter(|plane| colour >> plane & 1 != 0) {
             if let Some(words) = self.colours[plane * size + at..].first_chunk_mut::<GROUP>() {
@@ -299,27 +364,43 @@ impl Canvas {
         // Columns that all rows have: most of what is broad.
         let inner = spans.iter().fold([i64::MIN, i64::MAX], |[a, b], &[first, last]| [a.max(first), b.min(last)]);
         for strip in strips[0]..=strips[1] {
+            if self.open(strip, [group; 2]) == 0 {
+                continue;
+            }
             let left = (strip * STRIP) as i64;
-            let bits = if inner[0] <= left && left + LAST <= inner[1] {
-                [u64::MAX; GROUP]
-            } else {
-                spans.map(|[first, last]| {
-                    let (first, last) = ((first - left).max(0), (last - left).min(LAST));
-                    if first <= last { u64::MAX << (first & LAST) & u64::MAX >> ((LAST - last) & LAST) } else { 0 }
-                })
-            };
+            if inner[0] <= left && left + LAST <= inner[1] {
+                self.fill_whole(strip, group, colour);
+                continue;
+            }
+            let bits = spans.map(|[first, last]| {
+                let (first, last) = ((first - left).max(0), (last - left).min(LAST));
+                if first <= last { u64::MAX << (first & LAST) & u64::MAX >> ((LAST - last) & LAST) } else { 0 }
+            });
             self.fill_strip(strip, group, bits, colour);
+        }
+    }
+
+    /// Paints all of a group.
+    #[inline(always)]
+    fn fill_whole(&mut self, strip: usize, group: usize, colour: u32) {
+        let (word, bit) = (strip * self.words() + group / GROUPS, 1 << (group % GROUPS));
+        if self.mixed[word] & bit == 0 {
+            self.open[word] &= !bit;
+            self.plain[strip * (self.rows / GROUP) + group] = (colour & !(u32::MAX << self.planes)) as u16;
+        } else {
+            self.fill_strip(strip, group, [u64::MAX; GROUP], colour);
         }
     }
 
     /// Paints these subsamples of a group.
     #[inline(always)]
-    fn fill_strip(&mut self, strip: usize, group: usize, bits: Group, colour: u32) {
-        if self.open(strip, [group; 2]) == 0 {
-            return;
+    fn fill_strip(&mut self, strip: usize, group: usize, bits: Block, colour: u32) {
+        if any(&bits)
+            && self.open(strip, [group; 2]) != 0
+            && let Some(new) = self.cover(strip, group, bits)
+        {
+            self.colour(strip * self.rows + group * GROUP, &new, colour);
         }
-        let Some(new) = self.cover(strip, group, bits) else { return };
-        self.colour(strip * self.rows + group * GROUP, &new, colour);
     }
 }
 
@@ -342,7 +423,7 @@ struct Words {
 impl Words {
     /// The words of a plane, in their places.
     #[inline(always)]
-    fn of(&self, plane: &[u64]) -> Group {
+    fn of(&self, plane: &[u64]) -> Block {
         let moved = |before: u64, own: u64| {
             (before & self.masks[0]) >> 1 >> (63 - self.shift) | (own & self.masks[1]) << self.shift
         };
@@ -363,7 +444,7 @@ impl Words {
 
 /// Whether a group has any bits.
 #[inline(always)]
-fn any(group: &Group) -> bool {
+fn any(group: &Block) -> bool {
     group.iter().fold(0, |any, word| any | word) != 0
 }
 

@@ -1,6 +1,6 @@
 //! From subsamples to pixels.
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, GROUP, Group};
 use super::inks::PLANES;
 use super::{Detail, Viewport};
 use crate::Progress;
@@ -17,7 +17,7 @@ pub(super) struct Output {
     background: [u32; 3],
     /// By palette entry, then by how many of a pixel's subsamples have it: the pixel.
     shades: Vec<[[u8; 4]; 32]>,
-    /// By strip, then cell: whether the pixels there are not background.
+    /// By cell, then strip: whether the pixels there are not background.
     inked: Vec<bool>,
     detail: Detail,
     /// The next cell to do.
@@ -65,20 +65,17 @@ impl Output {
         &self.pixels
     }
 
-    /// Makes pixels of the subsamples, cell by cell.
+    /// Makes pixels of the subsamples, cell by cell from side to side.
     pub(super) fn step(&mut self, frame: &Canvas, left: &mut i64) -> Progress {
         while self.next < self.inked.len() {
             if *left <= 0 {
                 return Progress::More;
             }
-            let touched = frame.touched.get(self.next).copied().unwrap_or_default();
+            let (cell, strip) = (self.next / frame.strips.max(1), self.next % frame.strips.max(1));
+            let touched = strip < frame.strips && cell < frame.cells && frame.is_touched(strip, cell);
             if touched || self.inked[self.next] {
-                match self.detail {
-                    Detail::Fine => self.cell(frame, self.next),
-                    Detail::Coarse => self.coarse_cell(frame, self.next),
-                }
+                *left -= self.cell(frame, strip, cell);
                 self.inked[self.next] = touched;
-                *left -= 30;
             }
             *left -= 1;
             self.next += 1;
@@ -86,63 +83,79 @@ impl Output {
         Progress::Done
     }
 
-    fn cell(&mut self, frame: &Canvas, index: usize) {
-        let (strip, cell) = (index / frame.cells, index % frame.cells);
-        let left = strip * SIDE;
-        let right = (left + SIDE).min(self.width);
-        for y in cell * SIDE..(cell * SIDE + SIDE).min(self.height) {
-            let at = strip * frame.rows + y * 4;
-            let covered = rows(&frame.covered, at);
-            let out = &mut self.pixels[(y * self.width + left) * 4..(y * self.width + right) * 4];
-            let (out, _) = out.as_chunks_mut::<4>();
-            if covered == [0; 4] {
-                out.fill(self.shades[0][0]);
-                continue;
-            }
-            let planes = planes(frame, at);
-            let (ink, same) = first_ink(&planes[..frame.planes.min(PLANES)], covered);
-            let ink = ink.min(self.palette.len() - 1);
-            if same == [u64::MAX; 4] {
-                out.fill(self.shades[ink][16]);
-                continue;
-            }
-            if same == covered {
-                let counts = counts(same);
-                let shades = &self.shades[ink];
-                let (mut even, mut odd) = (counts.even, counts.odd);
-                for pair in out.chunks_mut(2) {
-                    pair[0] = shades[(even & 31) as usize];
-                    if let [_, second] = pair {
-                        *second = shades[(odd & 31) as usize];
+    /// Makes pixels of a cell; what that took.
+    fn cell(&mut self, frame: &Canvas, strip: usize, cell: usize) -> i64 {
+        let samples = self.detail.samples();
+        let side = u64::BITS as usize / samples;
+        let left = strip * side;
+        let right = (left + side).min(self.width);
+        let mut work = 0;
+        for group in frame.groups(cell) {
+            let rows = GROUP / samples;
+            let rows = group * rows..(group * rows + rows).min(self.height);
+            let plain = match frame.group(strip, group) {
+                Group::Bare => self.shades[0][0],
+                Group::Plain(ink) => self.shades[usize::from(ink).min(self.palette.len() - 1)][16],
+                Group::Mixed => {
+                    work += 4;
+                    for y in rows {
+                        let at = strip * frame.rows + y * samples;
+                        let pixels = y * self.width + left..y * self.width + right;
+                        match self.detail {
+                            Detail::Fine => self.row(frame, at, pixels),
+                            Detail::Coarse => self.coarse_row(frame, at, pixels),
+                        }
                     }
-                    (even, odd) = (even >> 8, odd >> 8);
+                    continue;
                 }
-                continue;
+            };
+            for y in rows {
+                let out = &mut self.pixels[(y * self.width + left) * 4..(y * self.width + right) * 4];
+                out.as_chunks_mut().0.fill(plain);
             }
-            self.mixed(&planes[..frame.planes.min(PLANES)], covered, y * self.width + left..y * self.width + right);
+        }
+        work
+    }
+
+    /// Makes pixels of the four words from one on.
+    fn row(&mut self, frame: &Canvas, at: usize, pixels: Range<usize>) {
+        let covered = rows(&frame.covered, at);
+        let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
+        if covered == [0; 4] {
+            out.fill(self.shades[0][0]);
+            return;
+        }
+        let planes = planes(frame, at);
+        let planes = &planes[..frame.planes.min(PLANES)];
+        let (ink, same) = first_ink(planes, covered);
+        let ink = ink.min(self.palette.len() - 1);
+        if same == [u64::MAX; 4] {
+            out.fill(self.shades[ink][16]);
+        } else if same == covered {
+            let counts = counts(same);
+            let shades = &self.shades[ink];
+            let (mut even, mut odd) = (counts.even, counts.odd);
+            for pair in out.chunks_mut(2) {
+                pair[0] = shades[(even & 31) as usize];
+                if let [_, second] = pair {
+                    *second = shades[(odd & 31) as usize];
+                }
+                (even, odd) = (even >> 8, odd >> 8);
+            }
+        } else {
+            self.mixed(planes, covered, pixels);
         }
     }
 
-    /// A cell whose subsamples are pixels.
-    fn coarse_cell(&mut self, frame: &Canvas, index: usize) {
-        const SIDE: usize = u64::BITS as usize;
-        let (strip, cell) = (index / frame.cells, index % frame.cells);
-        let left = strip * SIDE;
-        let right = (left + SIDE).min(self.width);
-        for y in cell * SIDE..(cell * SIDE + SIDE).min(self.height) {
-            let at = strip * frame.rows + y;
-            let (out, _) = self.pixels[(y * self.width + left) * 4..(y * self.width + right) * 4].as_chunks_mut::<4>();
-            let covered = frame.covered[at];
-            if covered == 0 {
-                out.fill(self.shades[0][0]);
-                continue;
-            }
-            for (x, pixel) in out.iter_mut().enumerate() {
-                let digits = frame.colours.chunks_exact(frame.covered.len()).enumerate();
-                let ink: usize = digits.map(|(digit, plane)| ((plane[at] >> x & 1) as usize) << digit).sum();
-                let count = if covered >> x & 1 != 0 { 16 } else { 0 };
-                *pixel = self.shades[ink.min(self.palette.len() - 1)][count];
-            }
+    /// Makes pixels of a word whose subsamples are pixels.
+    fn coarse_row(&mut self, frame: &Canvas, at: usize, pixels: Range<usize>) {
+        let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
+        let covered = frame.covered[at];
+        for (x, pixel) in out.iter_mut().enumerate() {
+            let digits = frame.colours.chunks_exact(frame.covered.len()).enumerate();
+            let ink: usize = digits.map(|(digit, plane)| ((plane[at] >> x & 1) as usize) << digit).sum();
+            let count = if covered >> x & 1 != 0 { 16 } else { 0 };
+            *pixel = self.shades[ink.min(self.palette.len() - 1)][count];
         }
     }
 

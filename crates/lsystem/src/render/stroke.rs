@@ -172,6 +172,7 @@ mod tests {
             let mut canvas = Canvas::default();
             canvas.reset(256, 200, 1);
             Capsule { from, to, radius }.paint(&mut canvas, 1);
+            canvas.settle();
             let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
             let norm = dx * dx + dy * dy;
             for row in 0..200 {
@@ -185,7 +186,7 @@ mod tests {
                         prop_assert_eq!(covered, distance < radius, "{} {}", column, row);
                         prop_assert_eq!(covered, canvas.colours[at] >> (column % 64) & 1 != 0);
                     }
-                    prop_assert!(!covered || canvas.touched[column / 64 * canvas.cells + row / 64], "{} {}", column, row);
+                    prop_assert!(!covered || canvas.is_touched(column / 64, row / 64), "{} {}", column, row);
                 }
             }
         }

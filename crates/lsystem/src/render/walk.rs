@@ -172,6 +172,7 @@ impl Walk {
     pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], left: &mut i64) -> Progress {
         while *left > 0 {
             if let Some(making) = self.making.pop_if(|making| making.height == self.stack.len()) {
+                self.canvases[1 + making.size].settle();
                 let tile = self.tiles.insert(making.key, &self.canvases[1 + making.size], making.corner);
                 self.stats.tiles += 1;
                 *left -= self.stamp(&tile, making.inks, making.target);
