@@ -250,12 +250,15 @@ impl Canvas {
         }
     }
 
-    /// Covers these subsamples of a group, of which there are some; those that were not covered, if there are any.
+    /// Covers these subsamples of a group; those that were not covered, if there are any.
     #[inline(always)]
     fn cover(&mut self, strip: usize, group: usize, bits: Block) -> Option<Block> {
         let at = strip * self.rows + group * GROUP;
         let (word, bit) = (strip * self.words() + group / GROUPS, 1 << (group % GROUPS));
         if self.mixed[word] & bit == 0 {
+            if !any(&bits) {
+                return None;
+            }
             self.mixed[word] |= bit;
             self.begin_group(at, bits);
             if bits == [u64::MAX; GROUP] {
@@ -395,8 +398,7 @@ impl Canvas {
     /// Paints these subsamples of a group.
     #[inline(always)]
     fn fill_strip(&mut self, strip: usize, group: usize, bits: Block, colour: u32) {
-        if any(&bits)
-            && self.open(strip, [group; 2]) != 0
+        if self.open(strip, [group; 2]) != 0
             && let Some(new) = self.cover(strip, group, bits)
         {
             self.colour(strip * self.rows + group * GROUP, &new, colour);
