@@ -6,8 +6,8 @@
 //! What a broad stroke covers throughout is one number to eight words of each plane, so that large pictures of little
 //! take little memory traffic; and nothing is cleared before it is painted upon.
 
-use super::inks::Dye;
-use super::tile::Bits;
+use super::inks::{Dye, PLANES};
+use super::tile::{Bits, Planes};
 use core::ops::Range;
 
 /// Columns in a strip.
@@ -214,20 +214,17 @@ impl Canvas {
             let below = rows[1].min(self.rows as i64 - y);
             if above < below {
                 let words = Words {
-                    first: sources.map(|strip| strip * tile.rows),
+                    at: sources.map(|strip| strip * tile.rows),
                     masks: [strip > 0, strip < strips].map(|is| u64::from(is).wrapping_neg()),
                     shift,
-                    start: 0,
-                    count: 0,
-                    skipped: 0,
                 };
-                self.stamp_strip(tile, &words, y, above..below, to, dye);
+                self.stamp_strip(tile, words, y, above..below, to, dye);
             }
         }
     }
 
     /// Paints `rows` of a tile, whose first is in row `top`, into a strip.
-    fn stamp_strip(&mut self, tile: &Bits<'_>, words: &Words, top: i64, rows: Range<i64>, to: usize, dye: &Dye) {
+    fn stamp_strip(&mut self, tile: &Bits<'_>, words: Words, top: i64, rows: Range<i64>, to: usize, dye: &Dye) {
         let [first, end] = [rows.start, rows.end].map(|row| (row + top) as usize);
         let groups = [first / GROUP, (end - 1) / GROUP];
         let strip_words = self.words();
@@ -236,10 +233,15 @@ impl Canvas {
             while open != 0 {
                 let group = word * GROUPS + open.trailing_zeros() as usize;
                 open &= open - 1;
-                let part = (group * GROUP).max(first)..(group * GROUP + GROUP).min(end);
-                let start = (part.start as i64 - top) as usize;
-                let words = Words { start, count: part.len(), skipped: part.start % GROUP, ..*words };
-                let bits = words.of(tile.covered);
+                // Before the first and behind the last of the tile's rows there are others.
+                let skipped = (group * GROUP) as i64 - top;
+                let words = Words { at: words.at.map(|at| at.wrapping_add_signed(skipped as isize)), ..words };
+                let mut bits = words.masked(&tile.covered);
+                if group * GROUP < first || group * GROUP + GROUP > end {
+                    for (row, bits) in (group * GROUP..).zip(&mut bits) {
+                        *bits = if (first..end).contains(&row) { *bits } else { 0 };
+                    }
+                }
                 if any(&bits)
                     && let Some(new) = self.cover(to, group, bits)
                     && self.planes > 0
@@ -285,34 +287,44 @@ impl Canvas {
     /// Gives colours to what is `new` in a group that begins at a word of every plane: those of a tile's `words`, dyed.
     #[inline(always)]
     fn dye(&mut self, at: usize, new: &Block, tile: &Bits<'_>, words: &Words, dye: &Dye) {
-        let size = self.covered.len();
-        let of = |plane: usize| words.of(&tile.colours[plane * tile.covered.len()..]);
-        let own = tile.colours.len() / tile.covered.len().max(1);
-        if own == 0 || dye.is_even(own) {
-            self.colour(at, new, dye.entry.code(dye.digits));
+        if dye.is_even(tile.colours.count) {
+            return self.colour(at, new, dye.entry.code(dye.digits));
+        }
+        let fixed = || if tile.colours.count > dye.digits { words.of(&tile.colours, dye.digits) } else { [0; GROUP] };
+        if let Some(dyed) = &tile.dyed {
+            for digit in 0..dye.digits {
+                self.add(digit, at, new, &words.of(dyed, digit));
+            }
         } else {
-            let mut start = at;
-            dye.apply(own, self.planes, of, |colours| {
-                if let Some(words) = self.colours.get_mut(start..).and_then(<[u64]>::first_chunk_mut::<GROUP>) {
-                    for ((word, colour), new) in words.iter_mut().zip(colours).zip(new) {
-                        *word |= colour & new;
-                    }
-                }
-                start += size;
-            });
+            let mut numbers = [[0; GROUP]; PLANES];
+            for (digit, number) in numbers.iter_mut().enumerate().take(dye.digits) {
+                *number = words.of(&tile.colours, digit);
+            }
+            dye.apply(&mut numbers[..dye.digits], &fixed());
+            for (digit, number) in numbers.iter().enumerate().take(dye.digits) {
+                self.add(digit, at, new, number);
+            }
+        }
+        if self.planes > dye.digits {
+            self.add(dye.digits, at, new, &if dye.entry.fixed { *new } else { fixed() });
+        }
+    }
+
+    /// Sets what is `new` of some bits in a plane of a group that begins at this word.
+    #[inline(always)]
+    fn add(&mut self, plane: usize, at: usize, new: &Block, bits: &Block) {
+        if let Some(words) = self.colours[plane * self.covered.len() + at..].first_chunk_mut::<GROUP>() {
+            for ((word, bits), new) in words.iter_mut().zip(bits).zip(new) {
+                *word |= bits & new;
+            }
         }
     }
 
     /// Gives a colour to what is `new` in a group that begins at a word of every plane.
     #[inline(always)]
     fn colour(&mut self, at: usize, new: &Block, colour: u32) {
-        let size = self.covered.len();
         for plane in (0..self.planes).filter(|plane| colour >> plane & 1 != 0) {
-            if let Some(words) = self.colours[plane * size + at..].first_chunk_mut::<GROUP>() {
-                for (word, new) in words.iter_mut().zip(new) {
-                    *word |= new;
-                }
-            }
+            self.add(plane, at, new, new);
         }
     }
 
@@ -406,48 +418,70 @@ impl Canvas {
     }
 }
 
-/// Where a group's words are in a tile: in two strips next to each other.
+/// Where a group's words are in a plane of a tile: in two strips next to each other.
 #[derive(Clone, Copy)]
 struct Words {
-    /// Where these strips begin in a plane.
-    first: [usize; 2],
+    /// Where they begin; the bits of the second move up by `shift`, and those of the first that this leaves over go below.
+    at: [usize; 2],
     /// All ones where there is such a strip.
     masks: [u64; 2],
-    /// How far the bits are moved, from the first strip to the second.
     shift: u32,
-    /// The first of the rows, and how many there are.
-    start: usize,
-    count: usize,
-    /// Words of the group before those.
-    skipped: usize,
 }
 
 impl Words {
-    /// The words of a plane, in their places.
+    /// The words of a plane, in their places. Where the tile covers nothing they are anything.
     #[inline(always)]
-    fn of(&self, plane: &[u64]) -> Block {
-        let moved = |before: u64, own: u64| {
-            (before & self.masks[0]) >> 1 >> (63 - self.shift) | (own & self.masks[1]) << self.shift
-        };
-        let [before, own] = self.first.map(|first| &plane[first + self.start..][..self.count]);
+    fn of(&self, planes: &Planes<'_>, plane: usize) -> Block {
+        self.moved(planes, plane, [u64::MAX; 2])
+    }
+
+    /// Those of a plane alone.
+    #[inline(always)]
+    fn masked(&self, planes: &Planes<'_>) -> Block {
+        self.moved(planes, 0, self.masks)
+    }
+
+    #[inline(always)]
+    fn moved(&self, planes: &Planes<'_>, plane: usize, masks: [u64; 2]) -> Block {
+        let first = planes.first + plane * planes.size;
+        let [before, own] = self.at.map(|at| {
+            planes.words.get(first.wrapping_add(at)..).and_then(<[u64]>::first_chunk::<GROUP>).unwrap_or(&[0; GROUP])
+        });
         let mut group = [0; GROUP];
-        if let (Some(before), Some(own)) = (before.first_chunk::<GROUP>(), own.first_chunk::<GROUP>()) {
-            for ((word, before), own) in group.iter_mut().zip(before).zip(own) {
-                *word = moved(*before, *own);
-            }
-        } else {
-            for ((word, before), own) in group[self.skipped..].iter_mut().zip(before).zip(own) {
-                *word = moved(*before, *own);
-            }
+        let (pairs, _) = group.as_chunks_mut();
+        for ((pair, before), own) in pairs.iter_mut().zip(before.as_chunks().0).zip(own.as_chunks().0) {
+            *pair = funnel([*before, *own], masks, self.shift);
         }
         group
     }
 }
 
+/// Two words of a strip and two of the one before it as they are behind a shift; nothing is shifted where both are the
+/// same.
+#[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+#[inline(always)]
+fn funnel([before, own]: [[u64; 2]; 2], masks: [u64; 2], shift: u32) -> [u64; 2] {
+    let word =
+        |i: usize| (before[i] & masks[0]).wrapping_shr(shift.wrapping_neg()) | (own[i] & masks[1]).wrapping_shl(shift);
+    [word(0), word(1)]
+}
+
+/// The same at once: the compiler finds no vectors in it.
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+#[inline(always)]
+fn funnel(words: [[u64; 2]; 2], masks: [u64; 2], shift: u32) -> [u64; 2] {
+    use core::arch::wasm32::{u64x2, u64x2_extract_lane, u64x2_shl, u64x2_shr, u64x2_splat, v128_and, v128_or};
+    let [before, own] = [0, 1].map(|i| v128_and(u64x2(words[i][0], words[i][1]), u64x2_splat(masks[i])));
+    let moved = v128_or(u64x2_shr(before, shift.wrapping_neg()), u64x2_shl(own, shift));
+    [u64x2_extract_lane::<0>(moved), u64x2_extract_lane::<1>(moved)]
+}
+
 /// Whether a group has any bits.
 #[inline(always)]
 fn any(group: &Block) -> bool {
-    group.iter().fold(0, |any, word| any | word) != 0
+    let [a, b, c, d, e, f, g, h] = *group;
+    let pair = [a | c | e | g, b | d | f | h];
+    pair[0] | pair[1] != 0
 }
 
 /// Whether these rows are covered, but for the holes that may be left.

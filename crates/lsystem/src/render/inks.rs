@@ -215,57 +215,45 @@ impl Dye {
     /// Whether a tile of so many planes becomes one shade throughout.
     #[inline(always)]
     pub(super) fn is_even(&self, planes: usize) -> bool {
-        self.choice.holds && self.entry.number + 1 == self.choice.colours && planes <= self.digits
+        planes == 0 || self.choice.holds && self.entry.number + 1 == self.choice.colours && planes <= self.digits
     }
 
-    /// Makes the numbers of a tile, which has so many planes and `of` gives each, what they are after the entry's shade;
-    /// `put` takes the planes of these, one after the other, as many as are `wanted`.
-    #[inline(always)]
-    pub(super) fn apply<const N: usize>(
-        &self,
-        planes: usize,
-        wanted: usize,
-        of: impl Fn(usize) -> [u64; N],
-        mut put: impl FnMut([u64; N]),
-    ) {
-        let Shade { number: by, fixed } = self.entry;
-        let digits = self.digits.min(planes);
-        let kept = if digits < planes { of(digits) } else { [0; N] };
+    /// Makes the numbers of a tile, given the words of each digit, what they are after the entry's shade, but for those
+    /// that are `fixed`.
+    pub(super) fn apply<const N: usize>(&self, numbers: &mut [[u64; N]], fixed: &[u64; N]) {
+        let by = self.entry.number;
         if by == 0 {
-            (0..digits).for_each(|digit| put(of(digit)));
-        } else {
-            // n + by or, where that is beyond the palette, the last number or n - (colours - by), which is the same modulo
-            // the palette's size.
-            let Choice { colours, holds, .. } = self.choice;
-            let back = colours - by;
-            let mut numbers = [[0; N]; PLANES];
-            let mut less = [0; N];
-            for (digit, plane) in numbers.iter_mut().enumerate().take(digits) {
-                *plane = of(digit);
-                let one = u64::from(back >> digit & 1).wrapping_neg();
-                for (less, n) in less.iter_mut().zip(plane) {
-                    *less = !*n & (one | *less) | one & *less;
-                }
-            }
-            let beyond: [u64; N] = core::array::from_fn(|i| !less[i] & !kept[i]);
-            let within: [u64; N] = core::array::from_fn(|i| less[i] & !kept[i]);
-            // Which of them get the last number.
-            let ends = if holds { beyond } else { [0; N] };
-            let down = if holds { 0 } else { back.wrapping_neg() };
-            let mut carry = [0; N];
-            for (digit, mut sum) in numbers.into_iter().enumerate().take(digits) {
-                let [up, down, last] = [by, down, colours - 1].map(|v| u64::from(v >> digit & 1).wrapping_neg());
-                for i in 0..N {
-                    let more = up & within[i] | down & beyond[i];
-                    let n = sum[i];
-                    sum[i] = (n ^ more ^ carry[i]) & !ends[i] | last & ends[i];
-                    carry[i] = n & more | carry[i] & (n ^ more);
-                }
-                put(sum);
+            return;
+        }
+        // n + by or, where that is beyond the palette, the last number or n - (colours - by), which is the same modulo
+        // the palette's size.
+        let Choice { colours, holds, .. } = self.choice;
+        let back = colours - by;
+        let mask = |number: u32, digit: usize| u64::from(number >> digit & 1).wrapping_neg();
+        let mut less = [0; N];
+        for (digit, plane) in numbers.iter().enumerate() {
+            let one = mask(back, digit);
+            for (less, n) in less.iter_mut().zip(plane) {
+                *less = !*n & (one | *less) | one & *less;
             }
         }
-        if digits < wanted {
-            put(if fixed { [u64::MAX; N] } else { kept });
+        let (mut within, mut beyond) = (less, less);
+        for i in 0..N {
+            within[i] &= !fixed[i];
+            beyond[i] = !(less[i] | fixed[i]);
+        }
+        // Which of them get the last number.
+        let ends = if holds { beyond } else { [0; N] };
+        let down = if holds { 0 } else { back.wrapping_neg() };
+        let mut carry = [0; N];
+        for (digit, plane) in numbers.iter_mut().enumerate() {
+            let [up, down, last] = [by, down, colours - 1].map(|number| mask(number, digit));
+            for i in 0..N {
+                let more = up & within[i] | down & beyond[i];
+                let n = plane[i];
+                plane[i] = (n ^ more ^ carry[i]) & !ends[i] | last & ends[i];
+                carry[i] = n & more | carry[i] & (n ^ more);
+            }
         }
     }
 }
@@ -281,17 +269,14 @@ mod tests {
             let choice = Choice { by: ColourBy::Symbol, colours, holds };
             for by in (0..colours).step_by(7) {
                 for number in 0..colours {
-                    for (fixed, entry_fixed) in [(false, false), (true, false), (false, true), (true, true)] {
-                        let entry = Shade { number: by, fixed: entry_fixed };
+                    for fixed in [false, true] {
+                        let entry = Shade { number: by, fixed: true };
                         let shade = Shade { number, fixed };
-                        let mut planes = vec![];
-                        let of = |plane: usize| [0, u64::from(shade.code(digits) >> plane & 1) << 17];
-                        Dye { entry, choice, digits }.apply(digits + 1, digits + 1, of, |plane| planes.push(plane));
-                        assert_eq!(planes.len(), digits + 1);
+                        let plane = |digit: usize| [0, u64::from(shade.code(digits) >> digit & 1) << 17];
+                        let mut planes: Vec<_> = (0..digits).map(plane).collect();
+                        Dye { entry, choice, digits }.apply(&mut planes, &plane(digits));
                         let got: u32 = (0..digits).map(|d| (planes[d][1] >> 17 & 1) as u32 * (1 << d)).sum();
-                        let expected = choice.then(entry, shade);
-                        assert_eq!(got, expected.number, "{number} + {by} of {colours}");
-                        assert_eq!(planes[digits][1] >> 17 & 1 != 0, entry_fixed || fixed);
+                        assert_eq!(got, choice.then(entry, shade).number, "{number} + {by} of {colours}");
                     }
                 }
             }

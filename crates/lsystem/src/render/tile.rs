@@ -3,7 +3,8 @@
 //! A tile is what a block covers at one size and heading, with its origin at one of a few places between two
 //! subsamples. Colours are relative to the colour at entry, so that one tile serves them all.
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, GROUP};
+use super::inks::{Dye, PLANES};
 use super::mixer::Mixer;
 use super::view::Detail;
 use crate::{BlockId, Heading};
@@ -28,6 +29,12 @@ pub(super) const SIMPLE_STROKES: u64 = 12_000;
 const CHUNK: usize = 1 << 17;
 /// Chunks kept; when more are needed, all tiles are dropped and made again as needed.
 const CHUNKS: usize = 23;
+/// Of these, dyed copies of tiles are made as long as no more are in use.
+const COPIED: usize = 16;
+/// So many dyed copies are kept of a tile.
+const COPIES: usize = 6;
+/// The bits of the number of an entry's shade, in what tells where its copy is.
+const NUMBER: u64 = u16::MAX as u64;
 
 /// The number of sizes.
 pub(super) const SIZES: usize = EXTENTS.len();
@@ -94,15 +101,48 @@ pub(super) struct Tile {
     pub corner: [i64; 2],
 }
 
-/// The bits of a tile, laid out as on a [`Canvas`].
+impl Tile {
+    /// Words that tell where copies are.
+    fn copies(&self) -> usize {
+        if self.planes > 0 { COPIES } else { 0 }
+    }
+
+    /// Where coverage begins, behind the extents.
+    fn covered(&self) -> usize {
+        self.first + self.copies() + self.strips
+    }
+
+    /// Where the planes of colours begin.
+    fn colours(&self) -> usize {
+        self.covered() + self.strips * self.rows
+    }
+
+    /// All its words.
+    fn len(&self) -> usize {
+        self.colours() + self.strips * self.rows * self.planes - self.first
+    }
+}
+
+/// Bit planes of a tile, each laid out as on a [`Canvas`]: by strip, then row.
+pub(super) struct Planes<'a> {
+    /// Before and behind the planes there are [`GROUP`] words more, at least.
+    pub words: &'a [u64],
+    /// Where the first plane begins.
+    pub first: usize,
+    /// Words of a plane.
+    pub size: usize,
+    pub count: usize,
+}
+
+/// The bits of a tile.
 pub(super) struct Bits<'a> {
     pub rows: usize,
     /// By strip: the first row that has bits, and 2^32 times the row after the last.
     pub extents: &'a [u64],
-    /// By strip, then row.
-    pub covered: &'a [u64],
-    /// By plane, then strip, then row.
-    pub colours: &'a [u64],
+    pub covered: Planes<'a>,
+    pub colours: Planes<'a>,
+    /// The digits of colours that are dyed already.
+    pub dyed: Option<Planes<'a>>,
 }
 
 /// The tiles made so far.
@@ -126,28 +166,85 @@ impl Tiles {
 
     /// Whether a tile of this size, in subsamples, can be kept.
     pub(super) fn fits([width, height]: [usize; 2], planes: usize) -> bool {
-        width.div_ceil(u64::BITS as usize) * (1 + height * (1 + planes)) <= CHUNK
+        COPIES + 2 * GROUP + width.div_ceil(u64::BITS as usize) * (1 + height * (1 + planes)) <= CHUNK
     }
 
     pub(super) fn get(&self, key: &Key) -> Option<Tile> {
         self.places.get(key).copied()
     }
 
-    pub(super) fn bits(&self, tile: &Tile) -> Bits<'_> {
-        let size = tile.strips * tile.rows;
-        let words = &self.chunks[tile.chunk][tile.first..tile.first + tile.strips + size * (1 + tile.planes)];
-        let (extents, words) = words.split_at(tile.strips);
-        let (covered, colours) = words.split_at(size);
-        Bits { rows: tile.rows, extents, covered, colours }
+    /// The bits of a tile that is about to be stamped with a dye. What is dyed in the same way again is kept.
+    pub(super) fn bits(&mut self, tile: &Tile, dye: &Dye) -> Bits<'_> {
+        let colours = tile.colours();
+        let dyed = match dye.entry.number {
+            _ if dye.is_even(tile.planes) => None,
+            0 => Some((tile.chunk, colours)),
+            _ => self.copy(tile, dye),
+        };
+        let planes = |(chunk, first): (usize, usize), count: usize| Planes {
+            words: &self.chunks[chunk],
+            first,
+            size: tile.strips * tile.rows,
+            count,
+        };
+        Bits {
+            rows: tile.rows,
+            extents: &self.chunks[tile.chunk][tile.covered() - tile.strips..tile.covered()],
+            covered: planes((tile.chunk, tile.covered()), 1),
+            colours: planes((tile.chunk, colours), tile.planes),
+            dyed: dyed.map(|place| planes(place, dye.digits)),
+        }
     }
 
-    /// Keeps what is on `canvas`, which [fits](Self::fits).
-    pub(super) fn insert(&mut self, key: Key, canvas: &Canvas, corner: [i64; 2]) -> Tile {
-        let (strips, rows, planes) = (canvas.strips, canvas.height, canvas.planes);
-        let needed = strips * (1 + rows * (1 + planes));
-        if self.chunks.get(self.chunk).is_some_and(|words| words.len() + needed > CHUNK) {
-            self.chunk += 1;
+    /// Where a tile's copy is that is dyed like this. It is made when asked for twice, if there is room.
+    fn copy(&mut self, tile: &Tile, dye: &Dye) -> Option<(usize, usize)> {
+        let entry = u64::from(dye.entry.number);
+        let notes = &mut self.chunks[tile.chunk][tile.first..][..tile.copies()];
+        let at = notes.iter().position(|&note| note == 0 || note & NUMBER == entry)?;
+        if notes[at] > NUMBER {
+            let place = (notes[at] / (NUMBER + 1)) as usize;
+            return Some((place / CHUNK, place % CHUNK));
         }
+        if notes[at] == 0 {
+            notes[at] = entry;
+            return None;
+        }
+        let size = tile.strips * tile.rows;
+        if self.chunk(size * dye.digits) >= COPIED {
+            return None;
+        }
+        let first = self.room(size * dye.digits);
+        self.chunks[self.chunk].resize(first + size * dye.digits + GROUP, 0);
+        let from = tile.colours();
+        for start in (0..size).step_by(GROUP) {
+            let count = GROUP.min(size - start);
+            let words = |plane: usize| {
+                let mut words = [0; GROUP];
+                words[..count].copy_from_slice(&self.chunks[tile.chunk][from + plane * size + start..][..count]);
+                words
+            };
+            let mut numbers = [[0; GROUP]; PLANES];
+            numbers.iter_mut().take(dye.digits).enumerate().for_each(|(digit, number)| *number = words(digit));
+            let fixed = if dye.digits < tile.planes { words(dye.digits) } else { [0; GROUP] };
+            dye.apply(&mut numbers[..dye.digits], &fixed);
+            for (digit, number) in numbers[..dye.digits].iter().enumerate() {
+                let to = first + digit * size + start;
+                self.chunks[self.chunk][to..to + count].copy_from_slice(&number[..count]);
+            }
+        }
+        self.chunks[tile.chunk][tile.first + at] = entry + (self.chunk * CHUNK + first) as u64 * (NUMBER + 1);
+        Some((self.chunk, first))
+    }
+
+    /// The chunk where there is room for so many words.
+    fn chunk(&self, needed: usize) -> usize {
+        let is_full = self.chunks.get(self.chunk).is_some_and(|words| words.len() + needed + GROUP > CHUNK);
+        self.chunk + usize::from(is_full)
+    }
+
+    /// Makes room for so many words, and a group behind them, in the chunk in use; where they begin.
+    fn room(&mut self, needed: usize) -> usize {
+        self.chunk = self.chunk(needed);
         if self.chunk == CHUNKS {
             self.clear();
             self.crowded = true;
@@ -156,7 +253,18 @@ impl Tiles {
             self.chunks.push(Vec::with_capacity(CHUNK));
         }
         let words = &mut self.chunks[self.chunk];
-        let first = words.len();
+        words.resize(words.len().max(GROUP), 0);
+        words.len()
+    }
+
+    /// Keeps what is on `canvas`, which [fits](Self::fits).
+    pub(super) fn insert(&mut self, key: Key, canvas: &Canvas, corner: [i64; 2]) -> Tile {
+        let (strips, rows, planes) = (canvas.strips, canvas.height, canvas.planes);
+        let mut tile = Tile { chunk: 0, first: 0, strips, rows, planes, corner };
+        tile.first = self.room(tile.len());
+        tile.chunk = self.chunk;
+        let words = &mut self.chunks[self.chunk];
+        words.resize(tile.first + tile.copies(), 0);
         words.extend(canvas.covered.chunks_exact(canvas.rows).map(|strip| {
             let strip = &strip[..rows];
             let first = strip.iter().position(|&word| word != 0).unwrap_or(0);
@@ -166,8 +274,65 @@ impl Tiles {
         for strip in [&canvas.covered, &canvas.colours].into_iter().flat_map(|bits| bits.chunks_exact(canvas.rows)) {
             words.extend_from_slice(&strip[..rows]);
         }
-        let tile = Tile { chunk: self.chunk, first, strips, rows, planes, corner };
+        words.resize(words.len() + GROUP, 0);
         self.places.insert(key, tile);
         tile
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::inks::{Choice, Shade};
+    use super::super::stroke::Capsule;
+    use super::*;
+    use crate::{ColourBy, Style};
+
+    #[test]
+    fn however_often_a_tile_is_stamped_it_is_dyed_the_same() {
+        let style = Style { colour_by: ColourBy::Symbol, ..Style::default() };
+        let choice = Choice::new(&style, &[]);
+        let digits = 3;
+        // Two moving shades, then a moving one beside a fixed one, across three strips.
+        for shades in [[(4, false), (2, false)], [(4, false), (4, true)]] {
+            let mut canvas = Canvas::default();
+            canvas.reset(150, 29, digits + usize::from(shades[1].1));
+            for ((number, fixed), x) in shades.into_iter().zip([20.0, 130.0]) {
+                let code = Shade { number, fixed }.code(digits);
+                Capsule { from: [x, 10.0], to: [75.0, 15.5], radius: 7.0 }.paint(&mut canvas, code);
+            }
+            canvas.settle();
+            check(&canvas, choice, digits);
+        }
+    }
+
+    fn check(canvas: &Canvas, choice: Choice, digits: usize) {
+        let key =
+            Key { block: BlockId(0), heading: Heading::default(), scale: 0, offset: [0; 2], fine: false, width: None };
+        let mut tiles = Tiles::default();
+        let tile = tiles.insert(key, canvas, [0; 2]);
+        // Something behind it.
+        tiles.insert(Key { scale: 1, ..key }, canvas, [0; 2]);
+        let ink = |canvas: &Canvas, x: usize, y: usize| {
+            let at = x / 64 * canvas.rows + y;
+            let of = |words: &[u64]| words[at] >> (x % 64) & 1;
+            let planes = canvas.colours.chunks_exact(canvas.covered.len()).enumerate();
+            (of(&canvas.covered) != 0).then(|| planes.map(|(digit, plane)| (of(plane) as u32) << digit).sum::<u32>())
+        };
+        for number in (0..5).cycle().take(20) {
+            let dye = Dye { entry: Shade { number, fixed: true }, choice, digits };
+            for [left, top] in [[0, 0], [-5, 3], [64, 8], [77, -9], [200, 90]] {
+                let mut frame = Canvas::default();
+                frame.reset(256, 100, digits);
+                frame.stamp(&tiles.bits(&tile, &dye), [left, top], &dye);
+                frame.settle();
+                for (x, y) in (0..256).flat_map(|x| (0..100).map(move |y| (x, y))) {
+                    let from = [x - left, y - top].map(|v| usize::try_from(v).unwrap_or(usize::MAX));
+                    let code = (from[0] < 150 && from[1] < 29).then(|| ink(canvas, from[0], from[1])).flatten();
+                    let shade = |code: u32| Shade { number: code & 7, fixed: code >> digits != 0 };
+                    let expected = code.map(|code| choice.then(dye.entry, shade(code)).number);
+                    assert_eq!(ink(&frame, x as usize, y as usize), expected, "{number} at {left}, {top}: {x}, {y}");
+                }
+            }
+        }
     }
 }

@@ -276,7 +276,7 @@ impl Walk {
             _ => target.shade,
         };
         let dye = Dye { entry, choice: self.inks.choice, digits: self.inks.digits() };
-        self.canvases[target.canvas].stamp(&self.tiles.bits(tile), at, &dye);
+        self.canvases[target.canvas].stamp(&self.tiles.bits(tile, &dye), at, &dye);
         (tile.strips * tile.rows) as i64 / 64
     }
 
