@@ -128,7 +128,6 @@ impl Canvas {
     }
 
     /// Sets the words of a group, which begins at a word of every plane: what is covered, and no colours.
-    #[inline(always)]
     fn begin_group(&mut self, at: usize, bits: Block) {
         let size = self.covered.len();
         if let Some(words) = self.covered[at..].first_chunk_mut() {
@@ -383,28 +382,31 @@ impl Canvas {
                 continue;
             }
             let left = (strip * STRIP) as i64;
-            if inner[0] <= left && left + LAST <= inner[1] {
-                self.fill_whole(strip, group, colour);
-                continue;
-            }
-            let bits = spans.map(|[first, last]| {
-                let (first, last) = ((first - left).max(0), (last - left).min(LAST));
-                if first <= last { u64::MAX << (first & LAST) & u64::MAX >> ((LAST - last) & LAST) } else { 0 }
-            });
+            let bits = if inner[0] <= left && left + LAST <= inner[1] {
+                if self.fill_bare(strip, group, colour) {
+                    continue;
+                }
+                [u64::MAX; GROUP]
+            } else {
+                spans.map(|[first, last]| {
+                    let (first, last) = ((first - left).max(0), (last - left).min(LAST));
+                    if first <= last { u64::MAX << (first & LAST) & u64::MAX >> ((LAST - last) & LAST) } else { 0 }
+                })
+            };
             self.fill_strip(strip, group, bits, colour);
         }
     }
 
-    /// Paints all of a group.
-    #[inline(always)]
-    fn fill_whole(&mut self, strip: usize, group: usize, colour: u32) {
+    /// Paints all of an open group, if it is bare.
+    #[inline]
+    fn fill_bare(&mut self, strip: usize, group: usize, colour: u32) -> bool {
         let (word, bit) = (strip * self.words() + group / GROUPS, 1 << (group % GROUPS));
-        if self.mixed[word] & bit == 0 {
+        let bare = self.mixed[word] & bit == 0;
+        if bare {
             self.open[word] &= !bit;
             self.plain[strip * (self.rows / GROUP) + group] = (colour & !(u32::MAX << self.planes)) as u16;
-        } else {
-            self.fill_strip(strip, group, [u64::MAX; GROUP], colour);
         }
+        bare
     }
 
     /// Paints these subsamples of a group.
