@@ -497,3 +497,50 @@ fn columns(strip: usize, x: [usize; 2]) -> u64 {
     let high = (x[1] - strip * STRIP).min(STRIP - 1);
     u64::MAX << low & u64::MAX >> (STRIP - 1 - high)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::polygon;
+    use super::super::stroke::Capsule;
+    use super::*;
+
+    fn paint(canvas: &mut Canvas, colours: u32) {
+        for (colour, radius) in (0..colours).zip([2.0, 20.0, 45.0, 70.0].into_iter().cycle()) {
+            let along = f64::from(colour) * 37.0;
+            Capsule { from: [along, 90.0], to: [200.0 - along, along], radius }.paint(canvas, colour);
+            polygon::paint(canvas, &[[along, 0.0], [along + 90.0, 10.0], [150.0, 40.0 + along]], colour);
+        }
+        canvas.settle();
+    }
+
+    #[test]
+    fn nothing_is_left_of_the_picture_before() {
+        let mut used = Canvas::default();
+        for (width, height, planes) in [(256, 200, 3), (256, 200, 3), (130, 77, 0), (300, 160, 2), (256, 200, 3)] {
+            let mut fresh = Canvas::default();
+            for canvas in [&mut used, &mut fresh] {
+                canvas.reset(width, height, planes);
+                paint(canvas, 1 << planes);
+            }
+            assert!(used.covered == fresh.covered, "{width} {height} {planes}");
+            assert!(used.colours == fresh.colours, "{width} {height} {planes}");
+            used.reset(width, height, planes);
+            paint(&mut used, 0);
+            assert!(used.covered.iter().chain(&used.colours).all(|&word| word == 0));
+        }
+    }
+
+    #[test]
+    fn what_is_covered_throughout_is_painted_no_more() {
+        let mut canvas = Canvas::default();
+        canvas.reset(256, 64, 2);
+        let wide = |radius| Capsule { from: [-200.0, 32.0], to: [500.0, 32.0], radius };
+        wide(100.0).paint(&mut canvas, 2);
+        assert!(canvas.is_full([0, 255], [0, 63]));
+        assert!((0..4).all(|strip| canvas.groups(0).all(|group| canvas.group(strip, group) == Group::Plain(2))));
+        wide(10.0).paint(&mut canvas, 1);
+        canvas.settle();
+        let (low, high) = canvas.colours.split_at(canvas.covered.len());
+        assert!(canvas.covered.iter().chain(high).all(|&word| word == u64::MAX) && low.iter().all(|&word| word == 0));
+    }
+}

@@ -65,7 +65,8 @@ impl Output {
         &self.pixels
     }
 
-    /// Makes pixels of the subsamples, cell by cell from side to side.
+    /// Makes pixels of the subsamples, cell by cell from side to side: downwards each row of pixels would be in another
+    /// page of memory, and with more rows than the processor knows addresses of pages that takes several times as long.
     pub(super) fn step(&mut self, frame: &Canvas, left: &mut i64) -> Progress {
         while self.next < self.inked.len() {
             if *left <= 0 {
