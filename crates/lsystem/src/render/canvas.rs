@@ -277,7 +277,9 @@ impl Canvas {
         if !any(&new) {
             return None;
         }
-        if covered.iter().all(|&word| word == u64::MAX) {
+        let [a, b, c, d, e, f, g, h] = *covered;
+        let pair = [a & c & e & g, b & d & f & h];
+        if pair[0] & pair[1] == u64::MAX {
             self.open[word] &= !bit;
         }
         Some(new)
@@ -449,12 +451,9 @@ impl Words {
         let [before, own] = self.at.map(|at| {
             planes.words.get(first.wrapping_add(at)..).and_then(<[u64]>::first_chunk::<GROUP>).unwrap_or(&[0; GROUP])
         });
-        let mut group = [0; GROUP];
-        let (pairs, _) = group.as_chunks_mut();
-        for ((pair, before), own) in pairs.iter_mut().zip(before.as_chunks().0).zip(own.as_chunks().0) {
-            *pair = funnel([*before, *own], masks, self.shift);
-        }
-        group
+        let pair = |i: usize| funnel([before, own].map(|words| [words[i], words[i + 1]]), masks, self.shift);
+        let [[a, b], [c, d], [e, f], [g, h]] = [pair(0), pair(2), pair(4), pair(6)];
+        [a, b, c, d, e, f, g, h]
     }
 }
 
@@ -488,7 +487,11 @@ fn any(group: &Block) -> bool {
 
 /// Whether these rows are covered, but for the holes that may be left.
 fn has_only_holes(rows: &[u64]) -> bool {
-    rows.iter().map(|row| row.count_zeros()).sum::<u32>() <= HOLES
+    let mut holes = 0;
+    rows.iter().all(|row| {
+        holes += row.count_zeros();
+        holes <= HOLES
+    })
 }
 
 /// The bits of a strip that lie in columns `x`, ends included.
