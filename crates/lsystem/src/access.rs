@@ -5,7 +5,8 @@
 
 use crate::counts::{drawn_by_letter, sum_of, sums_by_depth};
 use crate::program::{Rewrite, SymbolId};
-use crate::{Key, MAX_ITERATIONS, Rules, System};
+use crate::space::Space;
+use crate::{Drawing, Item, Key, MAX_ITERATIONS, Rules, System};
 use core::ops::Range;
 
 /// Generation `n` of a system whose letters always have the same successors, read in place. Modules may have
@@ -46,6 +47,17 @@ pub struct Part {
     pub symbols: Range<u128>,
     /// The segments that they draw.
     pub segments: Range<u128>,
+}
+
+/// The position of the symbol that opens the polygon `number` (0-based, in the order in which they are opened) of
+/// generation `n`, which `drawing` shows; saturating. `None` beyond the last polygon.
+#[must_use]
+pub fn symbol_of_polygon<S: Space>(system: &System, n: u32, drawing: &Drawing<S>, number: u128) -> Option<u128> {
+    if drawing.is_memoised() {
+        Word::new(system, n)?.symbol_of_polygon(drawing, number)
+    } else {
+        drawing.polygon(number).map(|(polygon, _)| polygon.symbol.into())
+    }
 }
 
 /// A module on the way down.
@@ -134,6 +146,41 @@ impl<'a> Word<'a> {
     #[must_use]
     pub fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
         Some(self.descend(segment, &self.segments).last()?.index)
+    }
+
+    /// As the function of that name. Every letter that is rewritten has a block of its own, and the polygons of those that
+    /// stay are among the items of the block of their word.
+    fn symbol_of_polygon<S: Space>(&self, drawing: &Drawing<S>, number: u128) -> Option<u128> {
+        let (mut word, mut depth, mut left) = (self.system.program.axiom.as_slice(), self.n, number);
+        let (mut block, mut before) = (drawing.root?, 0_u128);
+        loop {
+            let inner = |symbol: SymbolId| drawing.piece(symbol, depth).map(|piece| piece.block);
+            // A word that draws nothing but what one of its letters does has that one's block.
+            let alone = word.iter().any(|&symbol| inner(symbol) == Some(Some(block)));
+            let items = if alone { &[] } else { drawing.items_of(block) };
+            let opened = |item: &Item<S>| if let Item::Polygon(polygon) = item { Some(polygon.symbol) } else { None };
+            let mut own = items.iter().filter_map(opened).peekable();
+            let held = word.iter().enumerate().find(|&(place, &symbol)| {
+                let mut count = 0_u128;
+                if let Some(block) = inner(symbol) {
+                    count = block.map_or(0, |block| drawing.blocks[block.0 as usize].polygons);
+                } else {
+                    while own.next_if_eq(&(place as u32)).is_some() {
+                        count += 1;
+                    }
+                }
+                if left < count {
+                    return true;
+                }
+                left -= count;
+                before = before.saturating_add(self.symbols[depth as usize][usize::from(symbol)]);
+                false
+            });
+            let (_, &symbol) = held?;
+            let Some(held) = inner(symbol) else { return Some(before) };
+            block = held?;
+            (word, depth) = (self.successor(symbol, depth)?, depth - 1);
+        }
     }
 
     /// How many segments the symbols before position `index` draw.

@@ -125,6 +125,12 @@ impl<S: Space> Drawing<S> {
         self.root.map_or(0, |root| self.blocks[root.0 as usize].segments)
     }
 
+    /// How many polygons there are; `u128::MAX` stands for that many or more.
+    #[must_use]
+    pub fn polygon_count(&self) -> u128 {
+        self.root.map_or(0, |root| self.blocks[root.0 as usize].polygons)
+    }
+
     /// How many blocks the graph has.
     #[must_use]
     pub fn block_count(&self) -> usize {
@@ -174,6 +180,15 @@ impl<S: Space> Drawing<S> {
         &self.items[items.start as usize..items.end as usize]
     }
 
+    /// How many polygons an item fills; `u128::MAX` stands for that many or more.
+    pub(crate) fn polygons_in(&self, item: &Item<S>) -> u128 {
+        match item {
+            Item::Stroke(_) => 0,
+            Item::Polygon(_) => 1,
+            Item::Block(placed) => self.blocks[placed.block.0 as usize].polygons,
+        }
+    }
+
     /// How many segments an item draws; `u128::MAX` stands for that many or more.
     pub(crate) fn segments_in(&self, item: &Item<S>) -> u128 {
         match item {
@@ -186,14 +201,24 @@ impl<S: Space> Drawing<S> {
     /// How many of `items` come before the one with the segment `number` (0-based, of theirs), and the segment's number
     /// in that one; all items where they have no such segment. Polygons before it come before.
     pub(crate) fn before(&self, items: &[Item<S>], number: u128) -> (usize, u128) {
-        let mut left = number;
-        let place = items.iter().position(|item| {
-            let segments = self.segments_in(item);
-            let inside = segments > left;
-            left -= if inside { 0 } else { segments };
-            inside
-        });
-        (place.unwrap_or(items.len()), left)
+        before(items, number, |item| self.segments_in(item))
+    }
+
+    /// The polygon `number` (0-based, in drawing order), and the placed blocks that it is in, outermost first.
+    pub(crate) fn polygon(&self, number: u128) -> Option<(&Polygon, Vec<&Placed<S>>)> {
+        let (mut block, mut left, mut way) = (self.root?, number, Vec::new());
+        loop {
+            let items = self.items_of(block);
+            let (at, within) = before(items, left, |item| self.polygons_in(item));
+            match items.get(at)? {
+                Item::Block(placed) => {
+                    way.push(placed);
+                    (block, left) = (placed.block, within);
+                }
+                Item::Polygon(polygon) => return Some((polygon, way)),
+                Item::Stroke(_) => return None,
+            }
+        }
     }
 
     /// A polygon's vertices.
@@ -206,6 +231,19 @@ impl<S: Space> Drawing<S> {
         let exponent = self.root.map_or(0, |root| self.blocks[root.0 as usize].exponent);
         finite(libm::scalbn(self.step, exponent))
     }
+}
+
+/// How many of `items` come before the one that holds what is counted as `number` (0-based), and its number in that one;
+/// all items where none does.
+fn before<T>(items: &[T], number: u128, count: impl Fn(&T) -> u128) -> (usize, u128) {
+    let mut left = number;
+    let place = items.iter().position(|item| {
+        let count = count(item);
+        let inside = count > left;
+        left -= if inside { 0 } else { count };
+        inside
+    });
+    (place.unwrap_or(items.len()), left)
 }
 
 /// Which of a drawing's blocks.
@@ -226,6 +264,8 @@ pub struct Block<S: Space = Plane> {
     pub exponent: i32,
     /// How many segments it draws; `u128::MAX` stands for that many or more.
     pub segments: u128,
+    /// How many polygons it fills; `u128::MAX` stands for that many or more.
+    pub polygons: u128,
     /// A convex body that contains every segment's axis (strokes' widths apart), in block units.
     pub hull: S::Hull,
     /// How far the hull may be larger than the smallest one of its sort, in block units: nothing to speak of, unless
@@ -266,6 +306,9 @@ pub struct Polygon {
     pub count: u32,
     /// The style it is filled in, relative to the block's entry.
     pub style: StyleId,
+    /// The place of the symbol that opens it: where blocks are shared in the axiom or the successor that its block comes
+    /// of, otherwise in the whole string; 0-based.
+    pub symbol: u32,
 }
 
 impl Polygon {

@@ -42,7 +42,7 @@ mod triangulate;
 mod turtle;
 mod walk;
 
-pub use access::{Ancestor, Part, Word};
+pub use access::{Ancestor, Part, Word, symbol_of_polygon};
 pub use action::Action;
 pub use code::{Code, Meaning, Op, STACK, Unusable};
 pub use counts::{count, count_segments, count_symbols};
@@ -76,10 +76,12 @@ pub use print::{print_axiom, print_module, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
 pub use progress::Progress;
 pub use render::{
-    DensityRenderer, Detail, Fitted, Pick, PlaneRenderer, Pointer, Rect, RenderStats, Renderer, View, Viewport, fit,
-    fitted_ends, fitted_outline, fitted_scale, pick,
+    DensityRenderer, Detail, Fitted, Pick, PlaneRenderer, Pointer, Rect, RenderStats, Renderer, Target, View, Viewport,
+    fit, fitted_ends, fitted_outline, fitted_polygon, fitted_scale, pick,
 };
-pub use render3d::{Camera, Quality, SolidRenderer, camera_axes, fitted_solid_ends, pick_solid, solid_scale};
+pub use render3d::{
+    Camera, Quality, SolidRenderer, camera_axes, fitted_solid_ends, fitted_solid_polygon, pick_solid, solid_scale,
+};
 pub use rewriting::{
     ContextPattern, Fault, History, Image, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template,
 };

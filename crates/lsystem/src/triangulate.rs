@@ -9,18 +9,7 @@ const MOST: usize = 1_000;
 /// of its vertices that go the same way round; `None` where it has no area. Exact for outlines in a plane that do not
 /// cross themselves.
 pub(crate) fn triangulate(vertices: &[Vector]) -> Option<(Vector, Vec<[usize; 3]>)> {
-    let next = vertices.iter().cycle().skip(1);
-    let sum = vertices.iter().zip(next).fold([0.0; 3], |sum, (&a, &b)| {
-        // Counted from the first vertex: far from the origin there is nothing left of the differences.
-        let [a, b] = [a, b].map(|v| minus(v, vertices[0]));
-        let product = cross(a, b);
-        [0, 1, 2].map(|i| sum[i] + product[i])
-    });
-    let size = norm(sum);
-    if !(size > 0.0 && size.is_finite()) {
-        return None;
-    }
-    let normal = sum.map(|c| c / size);
+    let normal = facing(vertices)?;
     let turn = |a: usize, b: usize, c: usize| {
         dot(normal, cross(minus(vertices[b], vertices[a]), minus(vertices[c], vertices[b])))
     };
@@ -43,6 +32,22 @@ pub(crate) fn triangulate(vertices: &[Vector]) -> Option<(Vector, Vec<[usize; 3]
     }
     triangles.extend((2..left.len()).map(|at| [left[0], left[at - 1], left[at]]));
     Some((normal, triangles))
+}
+
+/// The direction in which a polygon faces, as a unit vector; `None` where it has no area.
+pub(crate) fn facing(vertices: &[Vector]) -> Option<Vector> {
+    let next = vertices.iter().cycle().skip(1);
+    let sum = vertices.iter().zip(next).fold([0.0; 3], |sum, (&a, &b)| {
+        // Counted from the first vertex: far from the origin there is nothing left of the differences.
+        let [a, b] = [a, b].map(|v| minus(v, vertices[0]));
+        let product = cross(a, b);
+        [0, 1, 2].map(|i| sum[i] + product[i])
+    });
+    let size = norm(sum);
+    if !(size > 0.0 && size.is_finite()) {
+        return None;
+    }
+    Some(sum.map(|c| c / size))
 }
 
 fn minus(a: Vector, b: Vector) -> Vector {

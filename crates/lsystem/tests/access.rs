@@ -4,7 +4,10 @@ mod cases;
 mod naive;
 
 use cases::cases;
-use lsystem::{Ancestor, Definition, History, Limits, Part, Progress, System, Word, draw};
+use lsystem::{
+    Ancestor, Definition, History, Limits, Part, Progress, System, Word, draw, draw_solid, fitted_polygon,
+    symbol_of_polygon,
+};
 use naive::Module;
 use naive::systems::{Features, system};
 use proptest::prelude::*;
@@ -164,6 +167,110 @@ proptest! {
             prop_assert_eq!(draw(&system, n, &Limits::default()).unwrap().segment_count(), total);
         }
     }
+}
+
+/// A word with polygons, which may reach over several productions.
+fn leafy(reaching: bool) -> impl Strategy<Value = String> {
+    let mut parts = vec![
+        "F",
+        "F",
+        "A",
+        "B",
+        "P(2)",
+        "+",
+        "-",
+        "&",
+        "[A]",
+        "[+B]",
+        "L",
+        "{f+f+f}",
+        "{.-f.+G.}",
+        "{f+{G.f.}f}",
+        "{}",
+        "[{f&f-f}]",
+    ];
+    if reaching {
+        parts.extend(["{.-f.+F[A]}", "{", "}", "{", "}", "]"]);
+    }
+    prop::collection::vec(prop::sample::select(parts), 1..6).prop_map(|parts| parts.concat())
+}
+
+proptest! {
+    #![proptest_config(cases())]
+
+    #[test]
+    fn polygons_come_from_the_symbols_that_open_them(
+        words in any::<bool>().prop_flat_map(|reaching| prop::array::uniform4(leafy(reaching))),
+        (n, chance, parametric, drawn) in (0_u32..6, any::<bool>(), any::<bool>(), any::<bool>()),
+    ) {
+        let words = words.map(|word| if parametric { word } else { word.replace("P(2)", "B") });
+        let [axiom, a, b, f] = words;
+        let mut rules = if chance { format!("A -> {a} : 1\nA -> {b} : 2") } else { format!("A -> {a}\nB -> {b}") };
+        rules += &format!("\nF -> {f}F");
+        if parametric {
+            rules += "\nP(x) : x > 0 -> {f+F(x)-F}P(x-1)";
+        }
+        if drawn {
+            rules += "\ndraw:\nL -> {f-f-f}F";
+        }
+        let definition = Definition { axiom: format!("F{axiom}"), rules, angle: 25.7, ..Definition::default() };
+        let (system, problems) = System::new(&definition);
+        let system = system.unwrap_or_else(|| panic!("{definition:?}: {problems:?}"));
+        prop_assume!((0..=n).all(|n| naive::modules(&system.grammar, 0, n).is_some_and(|word| word.len() < 900)));
+        let expected = naive::solid_polygons(&system, n);
+        // What has no area but by rounding may be a polygon or not.
+        let reach = expected.iter().flat_map(|p| p.0.iter().flatten()).fold(1.0_f64, |r, c| r.max(c.abs()));
+        let steps = |outline: &[[f64; 3]]| {
+            outline.windows(2).map(|p| (0..3).map(|i| (p[0][i] - p[1][i]).abs()).fold(0.0, f64::max)).fold(f64::INFINITY, f64::min)
+        };
+        prop_assume!(expected.iter().all(|polygon| steps(&polygon.0) > 1e-9 * reach));
+        let solid = draw_solid(&system, n, &Limits::default()).unwrap();
+        let symbols = |count: u128, symbol: &dyn Fn(u128) -> Option<u128>| -> Vec<u128> {
+            (0..count).map(|number| symbol(number).unwrap()).collect()
+        };
+        let own: Vec<u128> = expected.iter().map(|polygon| polygon.4 as u128).collect();
+        let found = symbols(solid.polygon_count(), &|number| symbol_of_polygon(&system, n, &solid, number));
+        prop_assert_eq!(&found, &own);
+        prop_assert_eq!(symbol_of_polygon(&system, n, &solid, own.len() as u128), None);
+        if !system.is_solid() {
+            let flat = draw(&system, n, &Limits::default()).unwrap();
+            let found = symbols(flat.polygon_count(), &|number| symbol_of_polygon(&system, n, &flat, number));
+            prop_assert_eq!(&found, &own);
+            let rect = lsystem::fit(&flat);
+            let (side, centre) = (rect.width.max(rect.height), [rect.x + rect.width / 2.0, rect.y + rect.height / 2.0]);
+            for (number, (outline, ..)) in expected.iter().enumerate() {
+                let fitted = fitted_polygon(&flat, number as u128);
+                prop_assert_eq!(fitted.len(), outline.len());
+                for (a, b) in fitted.iter().zip(outline) {
+                    let off = |i: usize| (centre[i] + side * (a[i] + a[i + 2]) - b[i]).abs();
+                    prop_assert!(off(0).max(off(1)) < 1e-8 * reach.max(side), "{:?} {:?}", a, b);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn polygons_of_a_generation_without_end() {
+    // Each apex leaves a leaf of moves alone on either side; those that are no polygons count for nothing.
+    let system = read("X", "X -> F[+X{.f-f-f.}]{}{f}F[-X]{.+f+f+f.}X\nF -> FF");
+    let n = 60;
+    let drawing = draw(&system, n, &Limits::default()).unwrap();
+    let word = Word::new(&system, n).unwrap();
+    assert!(drawing.is_memoised());
+    let count = drawing.polygon_count();
+    assert_eq!(count, 3_u128.pow(n) - 1);
+    let mut last = None;
+    for k in 0..100 {
+        let number = (count - 1) / 99 * k;
+        let symbol = symbol_of_polygon(&system, n, &drawing, number).unwrap();
+        assert!(Some(symbol) > last);
+        last = Some(symbol);
+        let text = word.slice(symbol, 9);
+        assert!(text.starts_with("{.f-f-f.}") || text.starts_with("{.+f+f+f."), "{text}");
+        assert_eq!(word.ancestry(symbol).last().unwrap().symbol, '{');
+    }
+    assert_eq!(symbol_of_polygon(&system, n, &drawing, count), None);
 }
 
 fn read(axiom: &str, rules: &str) -> System {

@@ -58,7 +58,7 @@ fn check(definition: &Definition, n: u32) -> Result<(), TestCaseError> {
             Mark::Polygon(vertices, _) if flat(&vertices) => {}
             Mark::Polygon(vertices, tint) => {
                 prop_assert!(filled < polygons.len());
-                let (outline, colour, level, before) = polygons[filled];
+                let (outline, colour, level, before, _) = polygons[filled];
                 // Ends that meet by rounding only may be one vertex or two.
                 let mut theirs = outline.iter();
                 let mut last = None;

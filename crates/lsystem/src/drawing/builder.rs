@@ -51,17 +51,19 @@ impl<S: Space> Builder<S> {
             [Item::Block(only)] if only.is_plain(self, exponent) => return Some(only.block),
             _ => {}
         }
-        let (mut segments, mut widest) = (0_u128, WidthChange { factor: 0.0, offset: 0.0 });
+        let (mut segments, mut polygons) = (0_u128, 0_u128);
+        let mut widest = WidthChange { factor: 0.0, offset: 0.0 };
         for item in items {
             match item {
                 Item::Stroke(stroke) => {
                     segments = segments.saturating_add(1);
                     widest = widest.widest(self.width(stroke.style));
                 }
-                Item::Polygon(_) => {}
+                Item::Polygon(_) => polygons = polygons.saturating_add(1),
                 Item::Block(placed) => {
                     let block = &self.blocks[placed.block.0 as usize];
                     segments = segments.saturating_add(block.segments);
+                    polygons = polygons.saturating_add(block.polygons);
                     widest = widest.widest(self.width(placed.style).then(block.widest));
                 }
             }
@@ -79,6 +81,7 @@ impl<S: Space> Builder<S> {
             items: first..self.items.len() as u32,
             exponent: exponent.saturating_add(shift),
             segments,
+            polygons,
             hull,
             slack,
             widest,

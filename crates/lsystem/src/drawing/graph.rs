@@ -186,6 +186,7 @@ pub(crate) fn piece<S: Space>(
         match lower(symbol) {
             None => {
                 let scale = libm::scalbn(1.0, score.exponent - exponent);
+                sheet.symbol = index as u32;
                 let Builder { styles, directions, vertices, .. } = builder;
                 let mut desk = Desk { sheet: &mut sheet, styles, vertices };
                 let ops = &score.ops[usize::from(symbol)];

@@ -43,14 +43,14 @@ impl Census {
         self.walk.fraction(program)
     }
 
-    /// Goes on for `left` letters, handing the actions of each of the last generation to `act`.
+    /// Goes on for `left` letters, handing the actions of each of the last generation to `act`, with its place there.
     pub(crate) fn step<S: Space>(
         &mut self,
         program: &Program,
         score: &Score<S>,
         limits: &Limits,
         left: &mut u64,
-        mut act: impl FnMut(&Walk, SymbolId, &[Op<S>]),
+        mut act: impl FnMut(&Walk, (u64, SymbolId), &[Op<S>]),
     ) -> Outcome<()> {
         let began = self.walk.work;
         let until = began.saturating_add(*left).min(limits.work);
@@ -58,12 +58,13 @@ impl Census {
             match self.walk.next(program, |_| false, until) {
                 Next::Letter(symbol, _) => {
                     let ops = &score.ops[usize::from(symbol)];
+                    let place = self.symbols;
                     self.symbols += 1;
                     self.count(ops);
                     if self.segments > limits.segments {
                         break Outcome::Passed(LimitName::Segments);
                     }
-                    act(&self.walk, symbol, ops);
+                    act(&self.walk, (place, symbol), ops);
                 }
                 Next::End => break Outcome::Ended(()),
                 Next::Pause if self.walk.work >= limits.work => break Outcome::Passed(LimitName::Work),
@@ -144,14 +145,14 @@ impl<S: Space> Materialiser<S> {
         left: &mut u64,
     ) -> Outcome<Option<BlockId>> {
         let Self { census, pen, saved, tree, directions, seed, own } = self;
-        let outcome = census.step(program, score, limits, left, |walk, symbol, ops| {
+        let outcome = census.step(program, score, limits, left, |walk, (place, symbol), ops| {
             let mut ops = ops;
             if score.is_personal() {
                 let fate = walk.fate(program, symbol, |former, successor| score.heir(former, successor));
                 score.own(ops, &fate, *seed, own);
                 ops = own;
             }
-            tree.draw(builder, |desk| pen.act(ops, saved, 1.0, directions, desk));
+            tree.draw(builder, place, |desk| pen.act(ops, saved, 1.0, directions, desk));
         });
         match outcome {
             Outcome::Paused => Outcome::Paused,

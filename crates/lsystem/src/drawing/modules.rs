@@ -115,7 +115,7 @@ impl<S: Space> Modular<S> {
                 Outcome::Paused
             }
             Stage::Measure(measure) => {
-                let done = reader.read(rewriter, (turtle, score, *seed), left, &mut |ops| measure.add(ops));
+                let done = reader.read(rewriter, (turtle, score, *seed), left, &mut |_, ops| measure.add(ops));
                 let generation = rewriter.generation();
                 match (measure.passed(limits), done) {
                     (Some(passed), _) => return self.recount(passed, n, limits),
@@ -138,8 +138,8 @@ impl<S: Space> Modular<S> {
                 Outcome::Paused
             }
             Stage::Draw { pen, saved, tree, directions, scale } => {
-                let mut act = |ops: &[Op<S>]| {
-                    tree.draw(builder, |desk| pen.act(ops, saved, *scale, directions, desk));
+                let mut act = |place: usize, ops: &[Op<S>]| {
+                    tree.draw(builder, place as u64, |desk| pen.act(ops, saved, *scale, directions, desk));
                 };
                 match reader.read(rewriter, (turtle, score, *seed), left, &mut act) {
                     Ok(false) => Outcome::Paused,
@@ -152,7 +152,7 @@ impl<S: Space> Modular<S> {
                 if rewriter.generation() >= *before {
                     return Outcome::Failed(over);
                 }
-                let done = reader.read(rewriter, (turtle, score, *seed), left, &mut |ops| measure.add(ops));
+                let done = reader.read(rewriter, (turtle, score, *seed), left, &mut |_, ops| measure.add(ops));
                 let within = measure.passed(limits).is_none();
                 if within && done == Ok(false) {
                     return Outcome::Paused;
@@ -266,19 +266,19 @@ impl<S: Space> Default for Reader<S> {
 }
 
 impl<S: Space> Reader<S> {
-    /// Hands over what `left` modules do; says whether the generation is at its end.
+    /// Hands over what `left` modules do, with their places; says whether the generation is at its end.
     fn read(
         &mut self,
         rewriter: &Rewriter,
         (turtle, score, seed): (&Turtle, &Score<S>, u32),
         left: &mut u64,
-        act: &mut dyn FnMut(&[Op<S>]),
+        act: &mut dyn FnMut(usize, &[Op<S>]),
     ) -> Result<bool, Fault> {
         let Self { at, argument, image, ops, own } = self;
         let (word, rules) = (rewriter.word(), rewriter.rules());
         let end = (*at + PIECE).min(word.letters.len());
         *left = left.saturating_sub(2 * (end - *at) as u64 + 1);
-        let mut one = |letter: u16, arguments: &[f64], fate: Option<&Fate>| {
+        let mut one = |place: usize, letter: u16, arguments: &[f64], fate: Option<&Fate>| {
             let mut plain = score.ops[usize::from(letter)].as_slice();
             if let ([number, ..], [_, ..]) = (arguments, plain) {
                 score.numbered(turtle, &turtle.actions[usize::from(letter)], *number, ops);
@@ -286,10 +286,10 @@ impl<S: Space> Reader<S> {
             }
             match fate {
                 _ if plain.is_empty() => {}
-                None => act(plain),
+                None => act(place, plain),
                 Some(fate) => {
                     score.own(plain, fate, seed, own);
-                    act(own);
+                    act(place, own);
                 }
             }
         };
@@ -303,7 +303,7 @@ impl<S: Space> Reader<S> {
                 Fate { key: word.key_of(*at), since: u32::from(age.since), grows }
             });
             if rules.images[usize::from(letter)].is_empty() {
-                one(letter, &word.arguments[*argument..after], fate.as_ref());
+                one(*at, letter, &word.arguments[*argument..after], fate.as_ref());
             } else {
                 let modules = rewriter.image(*at, *argument, image)?;
                 let mut arguments = modules.arguments.as_slice();
@@ -314,7 +314,7 @@ impl<S: Space> Reader<S> {
                     if let Some(fate) = &mut fate {
                         fate.key = key.child(u32::MAX, index as u64);
                     }
-                    one(letter, own, fate.as_ref());
+                    one(*at, letter, own, fate.as_ref());
                 }
             }
             *argument = after;

@@ -86,7 +86,7 @@ impl Drawing<Solid> {
         // Coordinates in space are within 1, those on paper within √3 then.
         let mut tree = Tree::new(self.root.map_or(0, |root| self.blocks[root.0 as usize].exponent));
         for Seen { points, filled, style, .. } in &seen {
-            tree.draw(&mut builder, |desk| match points.as_slice() {
+            tree.draw(&mut builder, 0, |desk| match points.as_slice() {
                 [from, to] if !filled => desk.stroke(*from, *to, style),
                 points => {
                     desk.open(style);

@@ -12,11 +12,13 @@ pub(crate) struct Sheet<S: Space> {
     pub(crate) items: Vec<Item<S>>,
     /// Polygons that are not closed, innermost last: the places of their items, and their vertices so far.
     open: Vec<(usize, Vec<S::Point>)>,
+    /// The place of the symbol that is being drawn, as in [`Polygon::symbol`].
+    pub(crate) symbol: u32,
 }
 
 impl<S: Space> Sheet<S> {
     pub(crate) fn new() -> Self {
-        Self { items: vec![], open: vec![] }
+        Self { items: vec![], open: vec![], symbol: 0 }
     }
 
     /// Whether no polygon is open.
@@ -72,7 +74,8 @@ impl<S: Space> Paper<S> for Desk<'_, S> {
     fn open(&mut self, style: &StyleChange) {
         // It lies beneath what is drawn inside, and so comes before that.
         self.sheet.open.push((self.sheet.items.len(), vec![]));
-        self.sheet.items.push(Item::Polygon(Polygon { first: 0, count: 0, style: self.styles.id(style) }));
+        let Sheet { items, symbol, .. } = self.sheet;
+        items.push(Item::Polygon(Polygon { first: 0, count: 0, style: self.styles.id(style), symbol: *symbol }));
     }
 
     fn vertex(&mut self, at: S::Point) {

@@ -25,8 +25,10 @@ impl<S: Space> Tree<S> {
         Self { exponent, sheet: Sheet::new(), rows: vec![] }
     }
 
-    /// Has `act` draw, and makes blocks of what has become enough for one.
-    pub(crate) fn draw(&mut self, builder: &mut Builder<S>, act: impl FnOnce(&mut Desk<'_, S>)) {
+    /// Has `act` draw what the symbol at `place` of the string does, and makes blocks of what has become enough for one.
+    pub(crate) fn draw(&mut self, builder: &mut Builder<S>, place: u64, act: impl FnOnce(&mut Desk<'_, S>)) {
+        // No string that is drawn whole has more symbols.
+        self.sheet.symbol = place as u32;
         let Builder { styles, vertices, .. } = builder;
         act(&mut Desk { sheet: &mut self.sheet, styles, vertices });
         if self.sheet.items.len() >= STROKES && self.sheet.is_closed() {

@@ -68,6 +68,13 @@ impl Place {
         [self.origin[0] + self.cos * x - self.sin * y, self.origin[1] - self.sin * x - self.cos * y]
     }
 
+    /// Which point of the block is at a place on the canvas.
+    pub(super) fn within(&self, at: [f64; 2]) -> [f64; 2] {
+        let [x, y] = [at[0] - self.origin[0], self.origin[1] - at[1]];
+        let square = self.scale * self.scale;
+        [(self.cos * x + self.sin * y) / square, (self.cos * y - self.sin * x) / square]
+    }
+
     /// Whether a rectangle along the axes of the frame, about `centre` and widened by `radius`, is beside a picture of
     /// this `size`; all in subsamples, but half its sides in units.
     pub(super) fn misses(&self, size: [f64; 2], centre: [f64; 2], half: [f64; 2], radius: f64) -> bool {

@@ -38,6 +38,16 @@ pub fn fitted_outline(drawing: &Drawing, segments: Range<u128>) -> Vec<Fitted> {
     corners.into_iter().map(|[x, y]| frame.see([base[0].plus(x), base[1].plus(y)])).collect()
 }
 
+/// The vertices of the polygon `number` (0-based, in the order in which they are opened), each joined to the next and the
+/// last to the first; none beyond the last polygon.
+#[must_use]
+pub fn fitted_polygon(drawing: &Drawing, number: u128) -> Vec<Fitted> {
+    let Some((polygon, way)) = drawing.polygon(number) else { return vec![] };
+    let (frame, mut turns) = (FittedFrame::new(drawing), Turns::default());
+    let spot = way.into_iter().fold(Spot::ROOT, |spot, placed| spot.inside(&mut turns, placed));
+    drawing.vertices_of(polygon).iter().map(|&vertex| frame.see(spot.lie(&mut turns, vertex))).collect()
+}
+
 /// Corners that are collected before they are joined to a hull.
 const MANY: usize = 4096;
 

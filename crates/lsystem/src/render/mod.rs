@@ -14,6 +14,7 @@ mod path;
 mod pick;
 mod polygon;
 mod resolve;
+mod search;
 mod seen;
 mod shape;
 mod stroke;
@@ -29,11 +30,12 @@ mod sample;
 mod tests;
 
 pub use density::DensityRenderer;
-pub use exact::{Fitted, fitted_ends, fitted_outline};
+pub use exact::{Fitted, fitted_ends, fitted_outline, fitted_polygon};
 pub(crate) use inks::{Choice, Shade};
 pub(crate) use path::{plus, ratio};
-pub(crate) use pick::{BETTER, nearest_on};
-pub use pick::{Pick, Pointer, pick};
+pub use pick::pick;
+pub(crate) use search::{Aim, Order, Sight, covers, nearest_on, nearest_side, search};
+pub use search::{Pick, Pointer, Target};
 pub use view::{Detail, Rect, View, Viewport, fit, fitted_scale};
 
 use crate::{Drawing, Progress, Style};

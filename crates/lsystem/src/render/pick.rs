@@ -1,180 +1,99 @@
-//! Which segment is at a place of a picture in the plane.
+//! What is at a place of a picture in the plane.
 
-use super::descent::{Descent, Met, Node};
+use super::descent::{Descent, Node};
 use super::inks::Choice;
+use super::search::{Aim, Order, Pick, Pointer, Sight, covers, nearest_on, nearest_side, search};
+use super::seen::Seen;
 use super::view::{Camera, View, Viewport};
-use crate::{Drawing, Item, Stroke};
+use crate::{BlockId, Drawing, Placed, Plane, Polygon, Stroke};
 
-/// A place on a picture, and how hard to look there.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pointer {
-    /// Right of and below the upper left corner, in device pixels.
-    pub at: [f64; 2],
-    /// What is nearer than this may be meant, in device pixels.
-    pub tolerance: f64,
-    /// Only the first so many segments are there; all of them without it.
-    pub upto: Option<u128>,
-    /// Blocks and segments that are looked at, at most.
-    pub visits: usize,
-}
-
-/// A segment found near a pointer.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pick {
-    /// Its number in drawing order, 0-based.
-    pub segment: u128,
-    /// How far the pointer is from its stroke, in device pixels: 0 upon it. A stroke is as wide as in the model here,
-    /// however thin that is.
-    pub distance: f64,
-}
-
-impl Pointer {
-    /// A segment this near is as good as any that is nearer.
-    pub(crate) fn enough(&self) -> f64 {
-        /// As a part of the tolerance.
-        const CLOSE: f64 = 0.25;
-        self.tolerance * CLOSE
-    }
-}
-
-/// A segment must be this much nearer than another to be better, as a part of the tolerance; and a block that is smaller
-/// is in one place.
-pub(crate) const BETTER: f64 = 1.0 / 32.0;
-
-/// A segment near a place of a picture: the nearest, to a 32nd of the tolerance, or one that is within a quarter of it,
-/// later ones first. It descends as the renderer does, so it is right at any magnification at which the picture is.
-/// Where many blocks overlap it gives the best of what it may look at. Polygons hide nothing, and segments beyond the
-/// first 2^128 - 1 are not found.
+/// What is near a place of a picture: what is drawn last of the polygons that are filled there and of the segments within
+/// a quarter of the tolerance; where there are none, the nearest, to a 32nd of the tolerance. It descends as the renderer
+/// does, so it is right at any magnification at which the picture is. Where many blocks overlap it gives the best of what
+/// it may look at. Segments and polygons beyond the first 2^128 - 1 are not found.
 #[must_use]
 pub fn pick(drawing: &Drawing, viewport: Viewport, view: View, pointer: &Pointer) -> Option<Pick> {
     let camera = Camera::new(drawing, viewport, view, 1.0);
-    let (mut descent, choice) = (Descent::default(), Choice::default());
-    let mut stack = vec![descent.root(drawing, camera)?];
-    if let Some(upto) = pointer.upto {
-        descent.leave_out(drawing, choice, &mut stack, upto);
-    }
-    let (step, reach, visits) = (camera.step, pointer.tolerance, pointer.visits);
-    let mut search = Search { drawing, pointer, descent, stack, choice, step, reach, visits, best: None };
-    while search.visits > 0 && search.best.is_none_or(|best| best.distance > pointer.enough()) {
-        let Some(Met { item, node }) = search.next(0) else { break };
-        match item {
-            Item::Stroke(stroke) => search.consider(stroke, &node),
-            Item::Polygon(_) => {}
-            Item::Block(_) => {
-                if search.is_near(&node) {
-                    search.stack.push(node);
-                    if node.place.scale < pointer.tolerance * BETTER / 3.0 {
-                        search.sample();
-                    }
-                }
-            }
-        }
-    }
-    search.best.filter(|pick| pick.segment < drawing.segment_count())
+    let mut descent = Descent::default();
+    let root = descent.root(drawing, camera)?;
+    let mut sight = Page { drawing, at: pointer.at, descent, seen: Seen::default(), step: camera.step };
+    search(drawing, pointer, &mut sight, root, Order::Best)
 }
 
-struct Search<'a> {
+/// The plane beside a pointer.
+struct Page<'a> {
     drawing: &'a Drawing,
-    pointer: &'a Pointer,
+    at: [f64; 2],
     descent: Descent,
-    stack: Vec<Node>,
-    choice: Choice,
+    seen: Seen,
     /// Device pixels in a step length.
     step: f64,
-    /// Only what is nearer than this is of interest.
-    reach: f64,
-    visits: usize,
-    best: Option<Pick>,
 }
 
-impl<'a> Search<'a> {
-    fn next(&mut self, floor: usize) -> Option<Met<'a>> {
-        self.visits = self.visits.saturating_sub(1);
-        self.descent.next(self.drawing, self.choice, &mut self.stack, floor)
+impl Page<'_> {
+    /// What is `distance` away.
+    fn aim(distance: f64) -> Aim {
+        Aim { distance, depth: 0.0, off: 0.0 }
+    }
+}
+
+impl Sight<Plane> for Page<'_> {
+    type Place = Node;
+
+    fn inside(&mut self, node: &Node, placed: &Placed) -> Node {
+        self.descent.child(self.drawing, Choice::default(), *node, placed)
     }
 
-    /// Takes the stroke that was met last, if it is better than what there is.
-    fn consider(&mut self, stroke: &Stroke, node: &Node) {
-        let axis = to_segment(self.pointer.at, [stroke.from, stroke.to].map(|end| node.place.point(end)));
-        let distance = (axis - self.step * node.pen.width / 2.0).max(0.0);
-        if distance < self.reach {
-            self.best = Some(Pick { segment: self.number(), distance });
-            self.reach = distance - self.pointer.tolerance * BETTER;
-        }
+    fn is_new(&mut self, id: BlockId, Node { place, pen, .. }: &Node) -> bool {
+        // Larger ones are few, and rounded.
+        const LARGE: f64 = (1_u64 << 24) as f64;
+        let along = [place.origin[0] + place.cos, place.origin[1] + place.sin];
+        place.scale > LARGE || self.seen.paint([u64::from(id.0), pen.width.to_bits()], [place.origin, along])
     }
 
-    /// Considers one stroke of the block on top of the stack, and is done with that.
-    fn sample(&mut self) {
-        let floor = self.stack.len() - 1;
-        while let Some(Met { item, node }) = self.next(floor) {
-            match item {
-                Item::Block(_) if self.drawing.blocks[node.block.0 as usize].segments > 0 => self.stack.push(node),
-                Item::Block(_) | Item::Polygon(_) => {}
-                Item::Stroke(stroke) => {
-                    self.consider(stroke, &node);
-                    break;
-                }
-            }
-        }
-        self.stack.truncate(floor);
+    fn scale(&self, node: &Node) -> f64 {
+        node.place.scale
     }
 
-    /// The number of the stroke that was met last: so many segments come before it on the way down to it.
-    fn number(&self) -> u128 {
-        let before = self.stack.iter().flat_map(|node| {
-            let first = self.drawing.blocks[node.block.0 as usize].items.start;
-            &self.drawing.items[first as usize..node.cursor as usize]
-        });
-        before.fold(0, |sum, item| sum.saturating_add(self.drawing.segments_in(item)))
-    }
-
-    /// Whether a block may have a stroke within reach.
-    fn is_near(&self, node: &Node) -> bool {
+    fn block(&self, id: BlockId, Node { place, pen, .. }: &Node) -> Option<Aim> {
         /// In units of the block: what hulls and places on a canvas are rounded by.
         const ROUGH: f64 = 1e-11;
-        let Node { place, block, .. } = node;
-        let block = &self.drawing.blocks[block.0 as usize];
+        let block = &self.drawing.blocks[id.0 as usize];
         let corners = &self.drawing.corners[block.hull.start as usize..block.hull.end as usize];
-        let Some(last) = corners.last().filter(|_| block.segments > 0) else { return false };
-        let radius = self.step * block.widest.of(node.pen.width).max(0.0) / 2.0;
-        let reach = self.reach + radius + ROUGH * place.scale;
-        let at = self.pointer.at;
-        let mut inside = corners.len() > 2;
-        let mut from = place.point(*last);
-        for &corner in corners {
-            let to = place.point(corner);
-            if to_segment(at, [from, to]) < reach {
-                return true;
-            }
-            // Corners go counter-clockwise, and here y is down: inside is to the right of every side.
-            let side = (to[0] - from[0]) * (at[1] - from[1]) - (to[1] - from[1]) * (at[0] - from[0]);
-            inside &= side <= 0.0;
+        // In units of the block.
+        let at = place.within(self.at);
+        let (mut away, mut inside) = (f64::INFINITY, corners.len() > 2);
+        let mut from = *corners.last()?;
+        for &to in corners {
+            away = away.min(nearest_on(at, [from, to]).0);
+            // Corners go counter-clockwise.
+            inside &= (to[0] - from[0]) * (at[1] - from[1]) - (to[1] - from[1]) * (at[0] - from[0]) >= 0.0;
             from = to;
         }
-        inside
+        let radius = self.step * block.widest.of(pen.width).max(0.0) / 2.0;
+        let distance = if inside { 0.0 } else { (place.scale * (away - ROUGH) - radius).max(0.0) };
+        Some(Self::aim(distance))
     }
-}
 
-/// The distance from a point to a segment.
-fn to_segment(point: [f64; 2], ends: [[f64; 2]; 2]) -> f64 {
-    nearest_on(point, ends).0
-}
+    fn stroke(&self, node: &Node, stroke: &Stroke) -> Option<Aim> {
+        let axis = nearest_on(self.at, [stroke.from, stroke.to].map(|end| node.place.point(end))).0;
+        let width = self.drawing.styles[stroke.style.0 as usize].width.of(node.pen.width);
+        Some(Self::aim((axis - self.step * width / 2.0).max(0.0)))
+    }
 
-/// The distance from a point to a segment, and which part of the segment is before the place nearest to it.
-pub(crate) fn nearest_on(point: [f64; 2], [from, to]: [[f64; 2]; 2]) -> (f64, f64) {
-    let along = [to[0] - from[0], to[1] - from[1]];
-    let away = [point[0] - from[0], point[1] - from[1]];
-    let length2 = along[0] * along[0] + along[1] * along[1];
-    let part = if length2 > 0.0 { ((away[0] * along[0] + away[1] * along[1]) / length2).clamp(0.0, 1.0) } else { 0.0 };
-    let (x, y) = (away[0] - part * along[0], away[1] - part * along[1]);
-    ((x * x + y * y).sqrt(), part)
+    fn polygon(&self, node: &Node, polygon: &Polygon) -> Option<Aim> {
+        let vertices = self.drawing.vertices_of(polygon).iter();
+        let outline: Vec<_> = vertices.map(|&vertex| node.place.point(vertex)).collect();
+        Some(Self::aim(if covers(&outline, self.at) { 0.0 } else { nearest_side(&outline, self.at)?.0 }))
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::search::Target;
     use super::super::tests::{hard, picture};
     use super::*;
-    use crate::{ColourBy, PlaneRenderer, Renderer, Style, fitted_ends};
+    use crate::{ColourBy, Item, PlaneRenderer, Renderer, Style, fitted_ends};
     use std::sync::Arc;
 
     const VIEWPORT: Viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
@@ -240,7 +159,7 @@ mod tests {
                     continue;
                 }
                 let at = [183.0, 117.0];
-                assert!(to_segment(at, ends) < 1e-3, "{name} {zoom} {ends:?} {to:?}");
+                assert!(nearest_on(at, ends).0 < 1e-3, "{name} {zoom} {ends:?} {to:?}");
                 // Its outline is it, however short it is beside the drawing.
                 for end in [from, to] {
                     let on = |corner: &[f64; 4]| {
@@ -256,12 +175,16 @@ mod tests {
                     assert!(crowded, "{name} {zoom}");
                     continue;
                 };
-                let away = to_segment(at, shown(&drawing, view, found.segment));
+                let Target::Segment(segment) = found.target else { panic!("{name} has no polygons") };
+                let away = nearest_on(at, shown(&drawing, view, segment)).0;
                 assert!((found.distance - away).abs() < 1e-3 && away <= 0.5, "{name} {zoom} {found:?} {away}");
                 deepest += i32::from(zoom >= 1e15);
                 // Played up to there, it is not there any more.
                 let before = pick(&drawing, VIEWPORT, view, &Pointer { upto: Some(number), ..pointer });
-                assert!(before.is_none_or(|pick| pick.segment < number), "{name} {zoom} {before:?}");
+                assert!(
+                    before.is_none_or(|pick| matches!(pick.target, Target::Segment(other) if other < number)),
+                    "{name} {zoom} {before:?}"
+                );
 
                 if crowded {
                     continue;
@@ -281,5 +204,29 @@ mod tests {
             }
         }
         assert!(deepest > 12, "{deepest}");
+    }
+
+    /// Wherever there is something, soon something is found that is as near.
+    #[test]
+    fn crowds_are_picked_within_a_budget() {
+        let viewport = Viewport { width: 1280, height: 800, ratio: 1.0 };
+        for (name, sample) in hard() {
+            let drawing = sample.draw(40);
+            let fitted = crate::fitted_scale(&drawing, viewport);
+            for zoom in [1.0, 30.0, 1e3, 1e6, 1e9] {
+                for k in 0..50 {
+                    let number = drawing.segment_count() / 51 * (k + 1) + 977 * k;
+                    let [from, _] = fitted_ends(&drawing, number).unwrap();
+                    let aside = [23.0, -17.0].map(|pixels| pixels / (fitted * zoom));
+                    let view = View { x: from[0], y: from[1], zoom, fine: [from[2] - aside[0], from[3] - aside[1]] };
+                    let pointer = Pointer { at: [663.0, 417.0], tolerance: 2.0, upto: None, visits: 20_000 };
+                    let found = pick(&drawing, viewport, view, &pointer);
+                    assert!(
+                        found.is_some_and(|pick| pick.distance <= pointer.enough()),
+                        "{name} {zoom} {number} {found:?}"
+                    );
+                }
+            }
+        }
     }
 }

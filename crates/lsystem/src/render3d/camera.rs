@@ -1,7 +1,8 @@
 //! From where a drawing in space is looked at.
 
+use crate::drawing::Frame;
 use crate::rotation::{Vector, dot};
-use crate::{Drawing, Solid, Viewport};
+use crate::{Drawing, Solid, StyleChange, Viewport};
 
 /// A view of a drawing in space: the eye on a sphere about a target, upright, so that +y of the model is up in the
 /// picture.
@@ -57,6 +58,19 @@ pub fn fitted_solid_ends(drawing: &Drawing<Solid>, number: u128) -> Option<[[f64
         [segment.from, segment.to]
             .map(|end| [0, 1, 2].map(|i| sign * ((end[i] - drawing.start[i]) / unit - centre[i]) / (2.0 * radius))),
     )
+}
+
+/// The vertices of the polygon `number` (0-based, in the order in which they are opened), as in [`fitted_solid_ends`], each
+/// joined to the next and the last to the first; none beyond the last polygon.
+#[must_use]
+pub fn fitted_solid_polygon(drawing: &Drawing<Solid>, number: u128) -> Vec<[f64; 3]> {
+    let Some((polygon, way)) = drawing.polygon(number) else { return vec![] };
+    let (centre, radius) = ball(drawing);
+    let root = Frame::new(1.0, StyleChange::NONE);
+    let frame = way.into_iter().fold(root, |frame, placed| frame.place(placed, drawing, &mut ()));
+    let sign = drawing.unit().signum();
+    let fitted = |vertex: Vector| [0, 1, 2].map(|i| sign * (frame.lie(vertex)[i] - centre[i]) / (2.0 * radius));
+    drawing.vertices_of(polygon).iter().map(|&vertex| fitted(vertex)).collect()
 }
 
 /// The ball around a drawing in units of its root block: its centre, and its radius, which is not 0. A drawing that is

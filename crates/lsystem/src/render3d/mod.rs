@@ -26,7 +26,7 @@ mod walk;
 #[cfg(test)]
 mod tests;
 
-pub use camera::{Camera, camera_axes, fitted_solid_ends, solid_scale};
+pub use camera::{Camera, camera_axes, fitted_solid_ends, fitted_solid_polygon, solid_scale};
 pub use pick::pick_solid;
 
 use crate::{Drawing, Progress, RenderStats, Solid, Style, Viewport};

@@ -81,10 +81,14 @@ pub fn images(grammar: &Grammar, seed: u32, word: &[Module]) -> Option<Vec<Modul
     Some(image_of_each(grammar, seed, word).concat()).filter(|word| is_finite(word))
 }
 
-/// The modules that each module of a word is drawn as.
+/// The modules that each module of a word is drawn as; their places are its own.
 pub fn image_of_each(grammar: &Grammar, seed: u32, word: &[Module]) -> Vec<Vec<Module>> {
     let tree = Tree::new(grammar, word);
-    let image = |place: usize| tree.successor(&grammar.images, seed, u32::MAX, place);
+    let image = |place: usize| {
+        let mut modules = tree.successor(&grammar.images, seed, u32::MAX, place)?;
+        modules.iter_mut().for_each(|module| module.index = place);
+        Some(modules)
+    };
     (0..word.len()).map(|place| image(place).unwrap_or_else(|| vec![word[place].clone()])).collect()
 }
 

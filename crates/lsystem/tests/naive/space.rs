@@ -15,8 +15,9 @@ struct State {
     pen: Pen,
 }
 
-/// A polygon's vertices, its colour index and its level, before how many segments it is drawn.
-pub type Filled = (Vec<Vector>, i32, u32, usize);
+/// A polygon's vertices, its colour index and its level, before how many segments it is drawn, and the place of the module
+/// that opens it.
+pub type Filled = (Vec<Vector>, i32, u32, usize, usize);
 
 impl State {
     /// By the right-hand rule.
@@ -103,7 +104,7 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
                 }
                 Action::OpenPolygon => {
                     open.push(polygons.len());
-                    polygons.push((vec![], state.pen.colour, state.pen.level, segments.len()));
+                    polygons.push((vec![], state.pen.colour, state.pen.level, segments.len(), module.index));
                 }
                 Action::Vertex => {
                     if let Some(&place) = open.last() {
