@@ -64,9 +64,14 @@
         descendant: ({ generation, index, later }) => ({ start: playground.part(generation, index, later)?.symbols[0] ?? null }),
         pick: ({ x, y, tolerance }) => {
             const found = playground.pick(x, y, tolerance);
-            if (!found) return { segment: null, symbol: null, ancestry: [], stroke: null };
-            const { segment, symbol } = found;
-            return { segment, symbol, ancestry: symbol === null ? [] : playground.ancestry(iterations, BigInt(symbol)), stroke: playground.segment(BigInt(segment)) };
+            if (!found) return { segment: null, polygon: null, symbol: null, ancestry: [], stroke: null, filled: null };
+            const { segment, polygon, symbol } = found;
+            return {
+                ...found,
+                ancestry: symbol === null ? [] : playground.ancestry(iterations, BigInt(symbol)),
+                stroke: segment === null ? null : playground.segment(BigInt(segment)),
+                filled: polygon === null ? null : playground.polygon(BigInt(polygon)),
+            };
         },
     };
 

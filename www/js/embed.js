@@ -128,7 +128,7 @@ function begin() {
     const reader = createReader(engine, { mark: marks.part, opened: () => hover.forget() });
     // What is under the pointer is told by its symbols, which only those know who can read the string.
     const reads = () => controls.includes('string');
-    const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.segment, light: reader.light, choose: reader.choose, reading: () => reader.open, upto: () => playback.upto, offered: reads });
+    const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.found, light: reader.light, choose: reader.choose, reading: () => reader.open, upto: () => playback.upto, offered: reads });
     stage.show(store.state, null);
     reader.show(store.state, null);
     return { engine, stage, playback, reader, hover, drawn: () => ready };

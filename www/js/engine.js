@@ -56,7 +56,7 @@ import { same } from './state.js';
 /** Symbols of a generation from `start` on, and how many it has, null where it is too long to be derived; `apart` tells that each ends with a line end. @typedef {{length: string | null, text: string | null, apart: boolean}} StringPage */
 /** What a symbol has become: half-open ranges in decimal digits, the outline as places of marks. @typedef {{symbols: [string, string], segments: [string, string], outline: number[][]}} Part */
 /** `ancestry` is empty and `part` null where neither is known; `stroke` is where its drawing begins. @typedef {{ancestry: Link[], part: Part | null, stroke: Stroke | null}} SymbolFacts */
-/** @typedef {{segment: string | null, symbol: string | null, ancestry: Link[], stroke: Stroke | null}} Picked */
+/** One of `segment` and `polygon`, with `stroke` or `filled`, or nothing. @typedef {{segment: string | null, polygon: string | null, symbol: string | null, ancestry: Link[], stroke: Stroke | null, filled: Filled | null}} Picked */
 /**
  * How texts read, be they right or wrong: the letter of its class for each UTF-16 unit, and the named constants of the rules.
  * @typedef {{axiom: string, rules: string, overrides: string, constants: Constant[]}} Notation

@@ -1,11 +1,11 @@
-/** What is under the pointer: marks the segment, tells its symbol, and lights that in the string view. */
+/** What is under the pointer: marks the segment or the polygon, tells its symbol, and lights that in the string view. */
 
 import { html, make } from './dom.js';
 import { latest } from './latest.js';
 import { grouped, shortText } from './numerals.js';
-import { birth, birthOf, descent, strokeText, visible } from './reading/words.js';
+import { birth, birthOf, descent, filledText, strokeText, visible } from './reading/words.js';
 
-/** How near a segment must be, in CSS pixels. */
+/** How near something must be, in CSS pixels. */
 const NEAR = { mouse: 6, touch: 16 };
 /** A press that moved or lasted more than this was no tap: CSS pixels, milliseconds. */
 const SLIP = 6;
@@ -24,7 +24,7 @@ const APART = { mouse: 18, touch: 34 };
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{ratio: () => number, mark: (ends: [number[], number[]] | null) => void, light: (chain: import('./reading/words.js').Link[]) => void, choose: (chain: import('./reading/words.js').Link[]) => void, reading: () => boolean, upto: () => bigint | null, offered?: () => boolean}} page
+ * @param {{ratio: () => number, mark: (points: number[][]) => void, light: (chain: import('./reading/words.js').Link[]) => void, choose: (chain: import('./reading/words.js').Link[]) => void, reading: () => boolean, upto: () => bigint | null, offered?: () => boolean}} page
  */
 export function createHover(engine, { ratio, mark, light, choose, reading, upto, offered = () => true }) {
     const canvas = html('drawing');
@@ -44,7 +44,7 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
         (/** @type {Place} */ { x, y, touch }, /** @type {boolean} */ _chosen) => engine.pick(x * ratio(), y * ratio(), (touch ? NEAR.touch : NEAR.mouse) * ratio()),
         (picked, _asked, chosen) => {
             if (place === null) return;
-            if (turning || picked.segment === null) return hide();
+            if (turning || (picked.stroke ?? picked.filled) === null) return hide();
             tell(picked);
             if (!chosen) return;
             choose(picked.ancestry);
@@ -56,7 +56,7 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
     function hide() {
         told = '';
         card.hidden = true;
-        mark(null);
+        mark([]);
         light([]);
         canvas.classList.remove('found');
     }
@@ -80,18 +80,18 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
     }
 
     /** @param {Picked} picked */
-    function tell({ segment, symbol, ancestry, stroke }) {
-        if (!place || segment === null || !stroke) return;
-        mark([stroke.fittedFrom, stroke.fittedTo]);
+    function tell({ segment, polygon, symbol, ancestry, stroke, filled }) {
+        const facts = stroke ? `Segment ${number(segment)}, ${strokeText(stroke)}` : filled && `Polygon ${number(polygon)}, ${filledText(filled)}`;
+        if (!place || !facts) return;
+        mark(filled ? filled.outline : stroke ? [stroke.fittedFrom, stroke.fittedTo] : []);
         light(ancestry);
         canvas.classList.add('found');
-        if (told !== segment || card.hidden) {
-            told = segment;
+        if (told !== facts || card.hidden) {
+            told = facts;
             const own = ancestry.at(-1);
             const [, ...older] = descent(ancestry);
             const most = place.touch ? TOLD.touch : TOLD.mouse;
             const more = older.length - most;
-            const facts = `Segment ${number(segment)}, ${strokeText(stroke)}`;
             card.replaceChildren(
                 ...(own ? [make('p', { class: 'card-head' }, make('kbd', {}, visible(own.symbol)), make('span', {}, birthOf(ancestry)))] : []),
                 ...(older.length > 0 ? [make('ol', { class: 'card-path' }, ...older.slice(0, most).map((link) => make('li', {}, make('kbd', {}, visible(link.symbol)), make('span', {}, birth(link)))), ...(more > 0 ? [make('li', { class: 'more' }, `and ${more} more, back to the axiom`)] : []))] : []),
@@ -154,8 +154,8 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
     };
 }
 
-/** @param {string} digits counted from 0 */
+/** @param {string | null} digits counted from 0 */
 function number(digits) {
-    const one = String(BigInt(digits) + 1n);
+    const one = String(BigInt(digits ?? 0) + 1n);
     return one.length > 15 ? shortText(one) : grouped(one);
 }

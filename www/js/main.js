@@ -51,7 +51,7 @@ const orbit = createOrbit(store, stage);
 const playback = createPlayback(engine, { turtle: marks.turtle });
 const growing = createGrowing(store, engine, { begins: () => playback.forget(), tell: (words) => playback.tell(words) });
 const reader = createReader(engine, { mark: marks.part, opened: () => hover.forget() });
-const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.segment, light: reader.light, choose: reader.choose, reading: () => reader.open, upto: () => playback.upto });
+const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.found, light: reader.light, choose: reader.choose, reading: () => reader.open, upto: () => playback.upto });
 const rules = rulesPanel(store);
 const growth = growthPanel(store, engine);
 const turtle = turtlePanel(store);

@@ -1,4 +1,4 @@
-/** What is marked upon the drawing: a segment, the outline of a part, the turtle. They move with the view. */
+/** What is marked upon the drawing: a segment or a polygon, the outline of a part, the turtle. They move with the view. */
 
 import { seen as seenInSpace } from './camera.js';
 import { byId } from './dom.js';
@@ -46,13 +46,13 @@ function within(from, to) {
 
 export function createMarks() {
     const frame = byId('marks', SVGSVGElement);
-    const segment = byId('mark-segment', SVGGElement);
+    const found = byId('mark-found', SVGGElement);
     const part = byId('mark-part', SVGGElement);
     const turtle = byId('mark-turtle', SVGGElement);
     /** @type {Sight | null} */
     let sight = null;
-    /** @type {[Point, Point] | null} */
-    let ends = null;
+    /** The ends of a segment, or the corners of a polygon. @type {Point[]} */
+    let points = [];
     /** @type {Point[]} */
     let outline = [];
     /** @type {Pose | null} */
@@ -89,30 +89,39 @@ export function createMarks() {
         for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, typeof value === 'number' ? value.toFixed(2) : value);
     }
 
+    /** @param {number[]} at */
+    const pair = (at) => at.map((value) => value.toFixed(2)).join(' ');
+
+    /** Puts a group's ring around what is short; whether it is. @param {Element} group @param {number[][]} corners */
+    function encircle(group, corners) {
+        const [xs = [], ys = []] = [0, 1].map((axis) => corners.map((corner) => corner[axis] ?? 0));
+        const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+        const ring = /** @type {SVGCircleElement} */ (group.querySelector('circle'));
+        set(ring, { cx: (left + right) / 2, cy: (low + high) / 2 });
+        const short = Math.hypot(right - left, high - low) < SHORT;
+        show(ring, short);
+        return short;
+    }
+
     function draw() {
-        show(frame, sight !== null && (ends !== null || outline.length > 0 || pose !== null));
+        show(frame, sight !== null && (points.length > 0 || outline.length > 0 || pose !== null));
         if (!sight) return;
-        show(segment, ends !== null);
-        if (ends) {
-            const [[x1, y1], [x2, y2]] = within(place(ends[0]), place(ends[1]));
-            for (const line of segment.querySelectorAll('line')) set(line, { x1, y1, x2, y2 });
-            const ring = /** @type {SVGCircleElement} */ (segment.querySelector('circle'));
-            set(ring, { cx: (x1 + x2) / 2, cy: (y1 + y2) / 2 });
-            const short = Math.hypot(x2 - x1, y2 - y1) < SHORT;
-            show(ring, short);
-            show(/** @type {Element} */ (segment.querySelector('.halo')), !short);
+        show(found, points.length > 0);
+        if (points.length > 0) {
+            const corners = points.map(place);
+            const sides = corners.map((corner, at) => within(corner, corners[(at + 1) % corners.length] ?? corner));
+            if (corners.length === 2) sides.pop();
+            const d = sides.map(([from, to]) => `M${pair(from)}L${pair(to)}`).join('');
+            for (const path of found.querySelectorAll('path')) set(path, { d });
+            const short = encircle(found, sides.flat());
+            show(/** @type {Element} */ (found.querySelector('.halo')), !short);
         }
         show(part, outline.length > 0);
         if (outline.length > 0) {
             const corners = outline.map(seen);
-            const d = `M${corners.map((corner) => corner.map((value) => value?.toFixed(2)).join(' ')).join('L')}Z`;
+            const d = `M${corners.map(pair).join('L')}Z`;
             for (const path of part.querySelectorAll('path')) set(path, { d });
-            const [xs, ys] = [0, 1].map((axis) => corners.map((corner) => corner[axis] ?? 0));
-            const [left, right, low, high] = [Math.min(...(xs ?? [])), Math.max(...(xs ?? [])), Math.min(...(ys ?? [])), Math.max(...(ys ?? []))];
-            const ring = /** @type {SVGCircleElement} */ (part.querySelector('circle'));
-            set(ring, { cx: (left + right) / 2, cy: (low + high) / 2 });
-            const short = Math.max(right - left, high - low) < SHORT;
-            show(ring, short);
+            const short = encircle(part, corners);
             for (const path of part.querySelectorAll('path')) show(path, !short);
         }
         show(turtle, pose !== null);
@@ -128,10 +137,10 @@ export function createMarks() {
             sight = next;
             draw();
         },
-        /** @param {[Point, Point] | null} next from and to */
-        segment(next) {
-            if (ends === null && next === null) return;
-            ends = next;
+        /** @param {Point[]} next the ends of a segment, or the corners of a polygon */
+        found(next) {
+            if (points.length === 0 && next.length === 0) return;
+            points = next;
             draw();
         },
         /** @param {Point[]} next */

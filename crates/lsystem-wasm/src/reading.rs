@@ -5,8 +5,9 @@ use crate::viewer::{Views, WORK};
 use crate::{LIMITS, to_js};
 use core::ops::Range;
 use lsystem::{
-    Ancestor, History, Pointer, Progress, Segment, Word, count_symbols, fitted_ends, fitted_outline, fitted_solid_ends,
-    pick, pick_solid, print_module,
+    Ancestor, Drawing, History, Pointer, Progress, Segment, Space, Target, Word, count_symbols, fitted_ends,
+    fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, pick, pick_solid, print_module,
+    symbol_of_polygon,
 };
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -63,9 +64,20 @@ struct Part {
     outline: Vec<Vec<f64>>,
 }
 
+/// One polygon.
 #[derive(Serialize)]
+struct Filled {
+    /// Its vertices where the page finds them at any view.
+    outline: Vec<Vec<f64>>,
+    level: u32,
+    colour: i32,
+}
+
+/// One of the numbers is there.
+#[derive(Default, Serialize)]
 struct Picked {
-    segment: String,
+    segment: Option<String>,
+    polygon: Option<String>,
     symbol: Option<String>,
 }
 
@@ -176,27 +188,39 @@ impl Playground {
     /// # Errors
     /// Throws only where the result cannot be translated.
     pub fn segment(&self, number: u128) -> Result<JsValue, JsValue> {
-        let in_plane = self.views.plane.drawing.as_ref().and_then(|drawing| {
-            let Segment { from, to, level, colour, .. } = drawing.segments_from(number).next()?;
-            let heading = Direction::Degrees(drawing.heading_at(number)?);
-            let [fitted_from, fitted_to] = fitted_ends(drawing, number)?.map(Vec::from);
-            Some(Stroke { from: from.into(), to: to.into(), fitted_from, fitted_to, heading, level, colour })
+        let Views { plane, solid, .. } = &self.views;
+        let in_plane = plane.drawing.as_ref().and_then(|drawing| {
+            let heading = |_: &Segment| drawing.heading_at(number).map(Direction::Degrees);
+            stroke(drawing, number, fitted_ends(drawing, number)?, heading)
         });
-        let stroke = in_plane.or_else(|| {
-            let drawing = self.views.solid.drawing.as_ref()?;
-            let Segment { from, to, level, colour, .. } = drawing.segments_from(number).next()?;
-            let way = [0, 1, 2].map(|i| to[i] - from[i]);
-            let length = way.map(|c| c * c).iter().sum::<f64>().sqrt();
-            let heading = Direction::Vector(way.map(|c| if length > 0.0 { c / length } else { 0.0 }));
-            let [fitted_from, fitted_to] = fitted_solid_ends(drawing, number)?.map(Vec::from);
-            Some(Stroke { from: from.into(), to: to.into(), fitted_from, fitted_to, heading, level, colour })
-        });
-        to_js(&stroke)
+        let in_space = || {
+            let drawing = solid.drawing.as_ref()?;
+            stroke(drawing, number, fitted_solid_ends(drawing, number)?, |Segment { from, to, .. }| {
+                let way = [0, 1, 2].map(|i| to[i] - from[i]);
+                let length = way.map(|c| c * c).iter().sum::<f64>().sqrt();
+                Some(Direction::Vector(way.map(|c| if length > 0.0 { c / length } else { 0.0 })))
+            })
+        };
+        to_js(&in_plane.or_else(in_space))
     }
 
-    /// The segment that is seen within `tolerance` device pixels of a place on the canvas: `{segment, symbol}` with the
-    /// numbers of the segment and of the symbol that draws it, as decimal strings; null where there is none. The symbol is
-    /// null where the generation cannot be read.
+    /// The polygon of that number: `{outline, level, colour}`, its vertices as the ends in [`Playground::segment`]. Null
+    /// beyond the last.
+    ///
+    /// # Errors
+    /// Throws only where the result cannot be translated.
+    pub fn polygon(&self, number: u128) -> Result<JsValue, JsValue> {
+        let Views { plane, solid, .. } = &self.views;
+        let in_plane = plane.drawing.as_ref();
+        let in_plane = in_plane.and_then(|drawing| filled(drawing, number, fitted_polygon(drawing, number)));
+        let in_space =
+            || filled(solid.drawing.as_ref()?, number, fitted_solid_polygon(solid.drawing.as_ref()?, number));
+        to_js(&in_plane.or_else(in_space))
+    }
+
+    /// What is seen within `tolerance` device pixels of a place on the canvas: `{segment, polygon, symbol}` with the number of
+    /// the segment or of the polygon, the other null, and of the symbol that draws or opens it, as decimal strings; null
+    /// where there is nothing. The symbol is null where the generation cannot be read.
     ///
     /// # Errors
     /// Throws only where the result cannot be translated.
@@ -207,10 +231,17 @@ impl Playground {
         let in_plane = in_plane.and_then(|drawing| pick(drawing, self.viewport, self.view, &pointer));
         let found = in_plane
             .or_else(|| pick_solid(views.solid.drawing.as_ref()?, self.viewport, &views.solid.camera, &pointer));
-        to_js(
-            &found
-                .map(|pick| Picked { segment: pick.segment.to_string(), symbol: self.symbol_of_segment(pick.segment) }),
-        )
+        let picked = found.map(|pick| match pick.target {
+            Target::Segment(number) => {
+                let symbol = self.symbol_of_segment(number);
+                Picked { segment: Some(number.to_string()), symbol, ..Picked::default() }
+            }
+            Target::Polygon(number) => {
+                let symbol = self.symbol_of_polygon(number).map(|symbol| symbol.to_string());
+                Picked { polygon: Some(number.to_string()), symbol, ..Picked::default() }
+            }
+        });
+        to_js(&picked)
     }
 
     /// How many segments the symbols before `index` draw, as a decimal string; null where that is not known.
@@ -235,6 +266,15 @@ impl Playground {
 }
 
 impl Playground {
+    fn symbol_of_polygon(&self, number: u128) -> Option<u128> {
+        let (system, n) = (self.system.as_ref()?, self.shown_iterations());
+        let Views { plane, solid, .. } = &self.views;
+        match &plane.drawing {
+            Some(drawing) => symbol_of_polygon(system, n, drawing, number),
+            None => symbol_of_polygon(system, n, solid.drawing.as_ref()?, number),
+        }
+    }
+
     fn reader(&self, generation: u32) -> Option<Reader<'_>> {
         let word = Word::new(self.system.as_ref()?, generation).map(Reader::Counted);
         word.or_else(|| self.history.as_ref().map(Reader::Remembered))
@@ -262,6 +302,25 @@ impl Playground {
         }
         Link { generation, symbol: module, index: index.to_string(), production, position }
     }
+}
+
+fn stroke<S: Space, const N: usize>(
+    drawing: &Drawing<S>,
+    number: u128,
+    fitted: [[f64; N]; 2],
+    heading: impl FnOnce(&Segment<S>) -> Option<Direction>,
+) -> Option<Stroke> {
+    let segment = drawing.segments_from(number).next()?;
+    let heading = heading(&segment)?;
+    let Segment { from, to, level, colour, .. } = segment;
+    let [fitted_from, fitted_to] = fitted.map(Vec::from);
+    Some(Stroke { from: from.as_ref().into(), to: to.as_ref().into(), fitted_from, fitted_to, heading, level, colour })
+}
+
+fn filled<S: Space, const N: usize>(drawing: &Drawing<S>, number: u128, outline: Vec<[f64; N]>) -> Option<Filled> {
+    let style = drawing.polygon_style(number)?;
+    let outline = outline.into_iter().map(Vec::from).collect();
+    Some(Filled { outline, level: style.level, colour: style.colour.of(0) })
 }
 
 fn ends(range: Range<u128>) -> [String; 2] {

@@ -131,6 +131,16 @@ impl<S: Space> Drawing<S> {
         self.root.map_or(0, |root| self.blocks[root.0 as usize].polygons)
     }
 
+    /// The style in which the polygon `number` (0-based, in the order in which they are opened) is filled, from the start of
+    /// the drawing.
+    #[must_use]
+    pub fn polygon_style(&self, number: u128) -> Option<StyleChange> {
+        let (polygon, way) = self.polygon(number)?;
+        let ids = way.iter().map(|placed| placed.style).chain([polygon.style]);
+        let start = StyleChange::start(self.width);
+        Some(ids.fold(start, |style, id| style.then(&self.styles[id.0 as usize])))
+    }
+
     /// How many blocks the graph has.
     #[must_use]
     pub fn block_count(&self) -> usize {

@@ -11,6 +11,7 @@ import { grouped, plain, raised } from '../numerals.js';
  * `from` and `to` in model units; `fittedFrom` and `fittedTo` as places of marks.
  * @typedef {{from: number[], to: number[], fittedFrom: number[], fittedTo: number[], heading: number | number[], level: number, colour: number}} Stroke
  */
+/** A polygon, its outline as places of marks. @typedef {{outline: number[][], level: number, colour: number}} Filled */
 
 const ORDINALS = ['first', 'second', 'third', 'fourth', 'fifth', 'sixth', 'seventh', 'eighth', 'ninth', 'tenth', 'eleventh', 'twelfth'];
 
@@ -93,8 +94,14 @@ function headingText(heading) {
 }
 
 /** How a segment is drawn, in words. @param {Stroke} stroke */
-export function strokeText({ heading, level, colour }) {
-    return [headingText(heading), ...(level > 0 ? [`branch level ${level}`] : []), ...(colour !== 0 ? [`colour ${coordinate(colour)}`] : [])].join(', ');
+export const strokeText = (stroke) => [headingText(stroke.heading), ...looks(stroke)].join(', ');
+
+/** How a polygon is filled, in words. @param {Filled} filled */
+export const filledText = (filled) => ['filled', ...looks(filled)].join(', ');
+
+/** @param {{level: number, colour: number}} drawn */
+function looks({ level, colour }) {
+    return [...(level > 0 ? [`branch level ${level}`] : []), ...(colour !== 0 ? [`colour ${coordinate(colour)}`] : [])];
 }
 
 /** @param {number} value in model units */

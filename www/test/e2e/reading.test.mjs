@@ -138,7 +138,7 @@ test('the pointer on the drawing tells the segment and its symbol, and lights it
         await page.mouse.move(box.x + box.width / 2 + 2, at(2.5 / 8));
         await page.waitForSelector('#card:visible');
         assert.match(await text(page, '#card'), /^Fstep 3, by rule 1, first symbol.*Segment 3, heading 90°.*Symbol 3$/s);
-        assert.equal(await page.getAttribute('#mark-segment', 'hidden'), null);
+        assert.equal(await page.getAttribute('#mark-found', 'hidden'), null);
         await until(async () => (await page.locator('.cells .lit').count()) === 1, 'it is lit');
         const before = await page.evaluate(() => document.querySelector('.cells .lit')?.previousSibling?.textContent);
         assert.equal(before, 'FF');
@@ -149,7 +149,7 @@ test('the pointer on the drawing tells the segment and its symbol, and lights it
         await until(async () => (await page.evaluate(() => document.querySelector('.cells .lit')?.previousSibling?.textContent)) === 'FFF', 'its parent, the fourth');
         await page.mouse.move(box.x + 40, box.y + box.height / 2);
         await until(async () => !(await page.isVisible('#card')), 'the card is gone');
-        assert.notEqual(await page.getAttribute('#mark-segment', 'hidden'), null);
+        assert.notEqual(await page.getAttribute('#mark-found', 'hidden'), null);
         assert.equal(await page.locator('.cells .lit').count(), 0);
     }));
 
@@ -161,14 +161,14 @@ test('a single step of a drawing 10^19 steps high is found, marked and lit', () 
         const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
         const middle = [box.x + box.width / 2, box.y + box.height / 2];
         // The middle of the picture is that of the first step, upwards; the second leads to the left from its end.
-        const line = () => page.evaluate(() => ['x1', 'y1', 'x2', 'y2'].map((name) => Number(document.querySelector('#mark-segment .line')?.getAttribute(name))));
+        const line = () => page.evaluate(() => (document.querySelector('#mark-found .line')?.getAttribute('d')?.match(/-?[\d.]+/g) ?? []).map(Number));
         await page.mouse.move(Number(middle[0]) + 2, Number(middle[1]));
         await page.waitForSelector('#card:visible');
         assert.match(await text(page, '#card'), /^Fstep 40, by rule 1, first symbol.*Segment 1, heading 90°Symbol 1$/s);
         const [x1 = 0, y1 = 0, x2 = 0, y2 = 0] = await line();
         assert.ok(Math.abs(x1 - box.width / 2) < 1 && Math.abs(x2 - x1) < 0.1, `${x1} ${x2}`);
         assert.ok(Math.abs((y1 + y2) / 2 - box.height / 2) < 1 && y1 - y2 > 25 && y1 - y2 < 80, `${y1} ${y2}`);
-        assert.equal(await page.getAttribute('#mark-segment', 'hidden'), null);
+        assert.equal(await page.getAttribute('#mark-found', 'hidden'), null);
         await until(async () => (await page.locator('.cells .lit').count()) === 1, 'it is lit');
         await page.mouse.move(Number(middle[0]) - (y1 - y2) / 2, Number(middle[1]) - (y1 - y2) / 2 + 2);
         await until(async () => /Segment 2, heading 180°Symbol 3$/.test(await text(page, '#card')), 'the second step');

@@ -80,7 +80,7 @@ test('what is under the pointer is told, marked and lit, but not while the drawi
         await hover();
         await page.waitForSelector('#card:visible');
         assert.match(await card(), /^Fstep 3, by rule 1, first symbol.*Segment 3, heading 0, 1, 0Symbol 3$/s);
-        const [x1 = 0, y1 = 0, x2 = 0, y2 = 0] = await page.evaluate(() => ['x1', 'y1', 'x2', 'y2'].map((name) => Number(document.querySelector('#mark-segment .line')?.getAttribute(name))));
+        const [x1 = 0, y1 = 0, x2 = 0, y2 = 0] = await page.evaluate(() => (document.querySelector('#mark-found .line')?.getAttribute('d')?.match(/-?[\d.]+/g) ?? []).map(Number));
         const step = (ends.bottom - ends.top) / 8;
         assert.ok(Math.abs(x1 - box.width / 2) < 1 && Math.abs(x2 - x1) < 1 && y1 > y && y > y2, `${x1} ${y1} ${x2} ${y2}`);
         assert.ok(Math.abs(y1 - y2 - step) < 0.15 * step && Math.abs((y1 + y2) / 2 - y) < 0.3 * step, `${y1} ${y2} ${step}`);
