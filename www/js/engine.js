@@ -45,6 +45,7 @@ import { same } from './state.js';
 /** @typedef {{width: number, height: number, ratio: number}} Canvas width and height in device pixels */
 /** @typedef {import('./reading/words.js').Link} Link */
 /** @typedef {import('./reading/words.js').Stroke} Stroke */
+/** @typedef {import('./reading/words.js').Filled} Filled */
 /** How the picture is to be shown; only the first `upto` segments unless it is null. @typedef {{canvas: Canvas, view: View, camera: Camera | null, upto: bigint | null}} Look */
 /**
  * A picture; `scale` is in device pixels per fitted extent at zoom 1, and `rough` tells that fine detail is left out for

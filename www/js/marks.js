@@ -111,6 +111,7 @@ export function createMarks() {
             const corners = points.map(place);
             const sides = corners.map((corner, at) => within(corner, corners[(at + 1) % corners.length] ?? corner));
             if (corners.length === 2) sides.pop();
+            found.classList.toggle('outline', corners.length > 2);
             const d = sides.map(([from, to]) => `M${pair(from)}L${pair(to)}`).join('');
             for (const path of found.querySelectorAll('path')) set(path, { d });
             const short = encircle(found, sides.flat());

@@ -5,9 +5,9 @@ use crate::viewer::{Views, WORK};
 use crate::{LIMITS, to_js};
 use core::ops::Range;
 use lsystem::{
-    Ancestor, Drawing, History, Pointer, Progress, Segment, Space, Target, Word, count_symbols, fitted_ends,
-    fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, pick, pick_solid, print_module,
-    symbol_of_polygon,
+    Ancestor, Drawing, History, Pointer, Progress, Segment, Space, StyleChange, Target, Word, count_symbols,
+    fitted_ends, fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, pick, pick_solid,
+    print_module, symbol_of_polygon,
 };
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -74,7 +74,7 @@ struct Filled {
 }
 
 /// One of the numbers is there.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 struct Picked {
     segment: Option<String>,
     polygon: Option<String>,
@@ -212,10 +212,16 @@ impl Playground {
     pub fn polygon(&self, number: u128) -> Result<JsValue, JsValue> {
         let Views { plane, solid, .. } = &self.views;
         let in_plane = plane.drawing.as_ref();
-        let in_plane = in_plane.and_then(|drawing| filled(drawing, number, fitted_polygon(drawing, number)));
-        let in_space =
-            || filled(solid.drawing.as_ref()?, number, fitted_solid_polygon(solid.drawing.as_ref()?, number));
-        to_js(&in_plane.or_else(in_space))
+        let in_plane =
+            in_plane.map(|drawing| (drawing.polygon_style(number), corners(fitted_polygon(drawing, number))));
+        let found = in_plane.or_else(|| {
+            let drawing = solid.drawing.as_ref()?;
+            Some((drawing.polygon_style(number), corners(fitted_solid_polygon(drawing, number))))
+        });
+        to_js(&found.and_then(|(style, outline)| {
+            let StyleChange { level, colour, .. } = style?;
+            Some(Filled { outline, level, colour: colour.of(0) })
+        }))
     }
 
     /// What is seen within `tolerance` device pixels of a place on the canvas: `{segment, polygon, symbol}` with the number of
@@ -231,15 +237,13 @@ impl Playground {
         let in_plane = in_plane.and_then(|drawing| pick(drawing, self.viewport, self.view, &pointer));
         let found = in_plane
             .or_else(|| pick_solid(views.solid.drawing.as_ref()?, self.viewport, &views.solid.camera, &pointer));
-        let picked = found.map(|pick| match pick.target {
-            Target::Segment(number) => {
-                let symbol = self.symbol_of_segment(number);
-                Picked { segment: Some(number.to_string()), symbol, ..Picked::default() }
-            }
-            Target::Polygon(number) => {
-                let symbol = self.symbol_of_polygon(number).map(|symbol| symbol.to_string());
-                Picked { polygon: Some(number.to_string()), symbol, ..Picked::default() }
-            }
+        let picked = found.map(|pick| {
+            let (segment, polygon, symbol) = match pick.target {
+                Target::Segment(number) => (Some(number), None, self.symbol_of_segment(number)),
+                Target::Polygon(number) => (None, Some(number), self.symbol_of_polygon(number)),
+            };
+            let [segment, polygon] = [segment, polygon].map(|number| number.map(|number| number.to_string()));
+            Picked { segment, polygon, symbol }
         });
         to_js(&picked)
     }
@@ -266,13 +270,15 @@ impl Playground {
 }
 
 impl Playground {
-    fn symbol_of_polygon(&self, number: u128) -> Option<u128> {
+    /// The number of the symbol that opens a polygon.
+    fn symbol_of_polygon(&self, number: u128) -> Option<String> {
         let (system, n) = (self.system.as_ref()?, self.shown_iterations());
         let Views { plane, solid, .. } = &self.views;
-        match &plane.drawing {
+        let symbol = match &plane.drawing {
             Some(drawing) => symbol_of_polygon(system, n, drawing, number),
             None => symbol_of_polygon(system, n, solid.drawing.as_ref()?, number),
-        }
+        };
+        Some(symbol?.to_string())
     }
 
     fn reader(&self, generation: u32) -> Option<Reader<'_>> {
@@ -284,7 +290,7 @@ impl Playground {
     fn outline(&self, segments: Range<u128>) -> Vec<Vec<f64>> {
         let Views { plane, solid, .. } = &self.views;
         if let Some(drawing) = &plane.drawing {
-            return fitted_outline(drawing, segments).into_iter().map(Vec::from).collect();
+            return corners(fitted_outline(drawing, segments));
         }
         let single = segments.end.checked_sub(segments.start) == Some(1);
         let drawing = solid.drawing.as_ref().filter(|_| single);
@@ -317,10 +323,8 @@ fn stroke<S: Space, const N: usize>(
     Some(Stroke { from: from.as_ref().into(), to: to.as_ref().into(), fitted_from, fitted_to, heading, level, colour })
 }
 
-fn filled<S: Space, const N: usize>(drawing: &Drawing<S>, number: u128, outline: Vec<[f64; N]>) -> Option<Filled> {
-    let style = drawing.polygon_style(number)?;
-    let outline = outline.into_iter().map(Vec::from).collect();
-    Some(Filled { outline, level: style.level, colour: style.colour.of(0) })
+fn corners<const N: usize>(outline: Vec<[f64; N]>) -> Vec<Vec<f64>> {
+    outline.into_iter().map(Vec::from).collect()
 }
 
 fn ends(range: Range<u128>) -> [String; 2] {

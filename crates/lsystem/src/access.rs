@@ -6,7 +6,7 @@
 use crate::counts::{drawn_by_letter, sum_of, sums_by_depth};
 use crate::program::{Rewrite, SymbolId};
 use crate::space::Space;
-use crate::{Drawing, Item, Key, MAX_ITERATIONS, Rules, System};
+use crate::{BlockId, Drawing, Item, Key, MAX_ITERATIONS, Rules, System};
 use core::ops::Range;
 
 /// Generation `n` of a system whose letters always have the same successors, read in place. Modules may have
@@ -54,9 +54,36 @@ pub struct Part {
 #[must_use]
 pub fn symbol_of_polygon<S: Space>(system: &System, n: u32, drawing: &Drawing<S>, number: u128) -> Option<u128> {
     if drawing.is_memoised() {
-        Word::new(system, n)?.symbol_of_polygon(drawing, number)
+        Word::new(system, n)?.symbol_of_polygon(drawing, drawing.root?, number)
     } else {
         drawing.polygon(number).map(|(polygon, _)| polygon.symbol.into())
+    }
+}
+
+/// What polygons a drawing has, in whatever space.
+trait Filled {
+    /// The block of what a letter that is rewritten becomes in `depth` steps, if it draws anything.
+    fn inner(&self, symbol: SymbolId, depth: u32) -> Option<Option<BlockId>>;
+
+    /// How many polygons a block fills.
+    fn polygons(&self, block: BlockId) -> u128;
+
+    /// The places of the symbols that open those among its items.
+    fn opened(&self, block: BlockId) -> Vec<u32>;
+}
+
+impl<S: Space> Filled for Drawing<S> {
+    fn inner(&self, symbol: SymbolId, depth: u32) -> Option<Option<BlockId>> {
+        self.piece(symbol, depth).map(|piece| piece.block)
+    }
+
+    fn polygons(&self, block: BlockId) -> u128 {
+        self.blocks[block.0 as usize].polygons
+    }
+
+    fn opened(&self, block: BlockId) -> Vec<u32> {
+        let opened = |item: &Item<S>| if let Item::Polygon(polygon) = item { Some(polygon.symbol) } else { None };
+        self.items_of(block).iter().filter_map(opened).collect()
     }
 }
 
@@ -150,23 +177,21 @@ impl<'a> Word<'a> {
 
     /// As the function of that name. Every letter that is rewritten has a block of its own, and the polygons of those that
     /// stay are among the items of the block of their word.
-    fn symbol_of_polygon<S: Space>(&self, drawing: &Drawing<S>, number: u128) -> Option<u128> {
+    fn symbol_of_polygon(&self, drawing: &dyn Filled, root: BlockId, number: u128) -> Option<u128> {
         let (mut word, mut depth, mut left) = (self.system.program.axiom.as_slice(), self.n, number);
-        let (mut block, mut before) = (drawing.root?, 0_u128);
+        let (mut block, mut before) = (root, 0_u128);
         loop {
-            let inner = |symbol: SymbolId| drawing.piece(symbol, depth).map(|piece| piece.block);
             // A word that draws nothing but what one of its letters does has that one's block.
-            let alone = word.iter().any(|&symbol| inner(symbol) == Some(Some(block)));
-            let items = if alone { &[] } else { drawing.items_of(block) };
-            let opened = |item: &Item<S>| if let Item::Polygon(polygon) = item { Some(polygon.symbol) } else { None };
-            let mut own = items.iter().filter_map(opened).peekable();
+            let alone = word.iter().any(|&symbol| drawing.inner(symbol, depth) == Some(Some(block)));
+            let mut own = if alone { vec![] } else { drawing.opened(block) }.into_iter().peekable();
             let held = word.iter().enumerate().find(|&(place, &symbol)| {
                 let mut count = 0_u128;
-                if let Some(block) = inner(symbol) {
-                    count = block.map_or(0, |block| drawing.blocks[block.0 as usize].polygons);
-                } else {
-                    while own.next_if_eq(&(place as u32)).is_some() {
-                        count += 1;
+                match drawing.inner(symbol, depth) {
+                    Some(inner) => count = inner.map_or(0, |inner| drawing.polygons(inner)),
+                    None => {
+                        while own.next_if_eq(&(place as u32)).is_some() {
+                            count += 1;
+                        }
                     }
                 }
                 if left < count {
@@ -177,8 +202,8 @@ impl<'a> Word<'a> {
                 false
             });
             let (_, &symbol) = held?;
-            let Some(held) = inner(symbol) else { return Some(before) };
-            block = held?;
+            let Some(inner) = drawing.inner(symbol, depth) else { return Some(before) };
+            block = inner?;
             (word, depth) = (self.successor(symbol, depth)?, depth - 1);
         }
     }

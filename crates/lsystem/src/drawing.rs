@@ -135,10 +135,8 @@ impl<S: Space> Drawing<S> {
     /// the drawing.
     #[must_use]
     pub fn polygon_style(&self, number: u128) -> Option<StyleChange> {
-        let (polygon, way) = self.polygon(number)?;
-        let ids = way.iter().map(|placed| placed.style).chain([polygon.style]);
-        let start = StyleChange::start(self.width);
-        Some(ids.fold(start, |style, id| style.then(&self.styles[id.0 as usize])))
+        let (polygon, frame) = self.polygon(number)?;
+        Some(frame.style.then(&self.styles[polygon.style.0 as usize]))
     }
 
     /// How many blocks the graph has.
@@ -211,21 +209,39 @@ impl<S: Space> Drawing<S> {
     /// How many of `items` come before the one with the segment `number` (0-based, of theirs), and the segment's number
     /// in that one; all items where they have no such segment. Polygons before it come before.
     pub(crate) fn before(&self, items: &[Item<S>], number: u128) -> (usize, u128) {
-        before(items, number, |item| self.segments_in(item))
+        self.before_by(items, number, Self::segments_in)
     }
 
-    /// The polygon `number` (0-based, in drawing order), and the placed blocks that it is in, outermost first.
-    pub(crate) fn polygon(&self, number: u128) -> Option<(&Polygon, Vec<&Placed<S>>)> {
-        let (mut block, mut left, mut way) = (self.root?, number, Vec::new());
+    /// The same by another count.
+    pub(crate) fn before_by(
+        &self,
+        items: &[Item<S>],
+        number: u128,
+        count: fn(&Self, &Item<S>) -> u128,
+    ) -> (usize, u128) {
+        let mut left = number;
+        let place = items.iter().position(|item| {
+            let count = count(self, item);
+            let inside = count > left;
+            left -= if inside { 0 } else { count };
+            inside
+        });
+        (place.unwrap_or(items.len()), left)
+    }
+
+    /// The polygon `number` (0-based, in drawing order), and where it lies in the root block's frame.
+    pub(crate) fn polygon(&self, number: u128) -> Option<(&Polygon, Frame<S>)> {
+        let (mut block, mut left) = (self.root?, number);
+        let mut frame = Frame::new(1.0, StyleChange::start(self.width));
         loop {
             let items = self.items_of(block);
-            let (at, within) = before(items, left, |item| self.polygons_in(item));
+            let (at, within) = self.before_by(items, left, Self::polygons_in);
             match items.get(at)? {
                 Item::Block(placed) => {
-                    way.push(placed);
+                    frame = frame.place(placed, self, &mut S::directions());
                     (block, left) = (placed.block, within);
                 }
-                Item::Polygon(polygon) => return Some((polygon, way)),
+                Item::Polygon(polygon) => return Some((polygon, frame)),
                 Item::Stroke(_) => return None,
             }
         }
@@ -241,19 +257,6 @@ impl<S: Space> Drawing<S> {
         let exponent = self.root.map_or(0, |root| self.blocks[root.0 as usize].exponent);
         finite(libm::scalbn(self.step, exponent))
     }
-}
-
-/// How many of `items` come before the one that holds what is counted as `number` (0-based), and its number in that one;
-/// all items where none does.
-fn before<T>(items: &[T], number: u128, count: impl Fn(&T) -> u128) -> (usize, u128) {
-    let mut left = number;
-    let place = items.iter().position(|item| {
-        let count = count(item);
-        let inside = count > left;
-        left -= if inside { 0 } else { count };
-        inside
-    });
-    (place.unwrap_or(items.len()), left)
 }
 
 /// Which of a drawing's blocks.

@@ -5,9 +5,9 @@ mod naive;
 
 use cases::cases;
 use lsystem::{
-    Action, Diagnostic, Dialect, Drawer, Drawing, Fitted, Grammar, Heading, Kind, LimitName, Limits, Module, Pointer,
-    Production, Program, Progress, Segment, SegmentArrays, Style, System, Turtle, View, Viewport, draw, fit,
-    fitted_ends, fitted_outline, fitted_scale, pick,
+    Action, Diagnostic, Dialect, Drawer, Drawing, Fitted, Grammar, Heading, Kind, LimitName, Limits, Module, Pick,
+    Pointer, Production, Program, Progress, Segment, SegmentArrays, Style, System, Target, Turtle, View, Viewport,
+    draw, fit, fitted_ends, fitted_outline, fitted_scale, pick,
 };
 use naive::systems::Features;
 use proptest::prelude::*;
@@ -147,6 +147,10 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
     let fitted = fitted_scale(drawing, viewport);
     // Device pixels in a model unit.
     let scale = fitted / extent;
+    let number = |pick: Pick| match pick.target {
+        Target::Segment(number) => number as usize,
+        Target::Polygon(_) => usize::MAX,
+    };
     for k in 0..4 {
         let segment = &segments[k * (segments.len() - 1) / 3];
         let middle = [0, 1].map(|axis| (segment.from[axis] + segment.to[axis]) / 2.0);
@@ -167,13 +171,13 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
             match pick(drawing, viewport, View::default(), &pointer) {
                 None => prop_assert!(nearest >= tolerance * 31.0 / 32.0 - slack),
                 Some(pick) => {
-                    prop_assert!((there[pick.segment as usize] - pick.distance).abs() <= slack);
+                    prop_assert!((there[number(pick)] - pick.distance).abs() <= slack);
                     prop_assert!(pick.distance <= tolerance);
                     prop_assert!(pick.distance <= (tolerance / 4.0).max(nearest + tolerance / 16.0) + slack);
                 }
             }
             let hurried = pick(drawing, viewport, View::default(), &Pointer { visits: 3, ..pointer });
-            prop_assert!(hurried.is_none_or(|pick| (there[pick.segment as usize] - pick.distance).abs() <= slack));
+            prop_assert!(hurried.is_none_or(|pick| (there[number(pick)] - pick.distance).abs() <= slack));
         }
     }
     Ok(())
@@ -285,7 +289,7 @@ fn any_segment_of_a_drawing_without_end() {
     let [_, [x, y, fine_x, fine_y]] = fitted_ends(&drawing, count - 1).unwrap();
     let view = View { x, y, zoom: 1e25, fine: [fine_x, fine_y] };
     let pointer = Pointer { at: [100.0, 50.0], tolerance: 1e-6, upto: None, visits: 10_000 };
-    assert_eq!(pick(&drawing, viewport, view, &pointer).unwrap().segment, count - 1);
+    assert_eq!(pick(&drawing, viewport, view, &pointer).unwrap().target, Target::Segment(count - 1));
 }
 
 #[test]

@@ -1,6 +1,9 @@
 //! Every file of `data_in` is fit for the gallery.
 
-use lsystem::{Limits, System, draw, read_json, write_json};
+use lsystem::{
+    Camera, Limits, Pointer, System, View, Viewport, camera_axes, draw, draw_solid, fitted_ends, fitted_polygon,
+    fitted_scale, fitted_solid_ends, pick, pick_solid, read_json, solid_scale, write_json,
+};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -54,4 +57,54 @@ fn files_survive_being_written() {
         let (again, diagnostics) = read_json(&write_json(&definition));
         assert_eq!((again.as_ref(), diagnostics.as_slice()), (Some(&definition), [].as_slice()), "{folder}/{file}");
     }
+}
+
+/// Whatever the magnification, what is under a pointer is found with as much work as the page allows.
+#[test]
+fn everything_is_picked_within_a_budget() {
+    let viewport = Viewport { width: 1280, height: 800, ratio: 1.0 };
+    let pointer = Pointer { at: [640.0, 400.0], tolerance: 6.0, upto: None, visits: 20_000 };
+    let near = pointer.tolerance / 4.0;
+    let mut filled = 0;
+    for (folder, file, text) in files() {
+        let what = format!("{folder}/{file}");
+        let definition = read_json(&text).0.unwrap();
+        let system = System::new(&definition).0.unwrap();
+        if system.is_solid() {
+            let drawing = draw_solid(&system, definition.iterations, &Limits::default()).unwrap();
+            for k in 0..20 {
+                let Some([from, to]) = fitted_solid_ends(&drawing, drawing.segment_count() / 20 * k) else { continue };
+                let camera = Camera { azimuth: 17.0 * k as f64, ..Camera::default() };
+                let along = |a: [f64; 3]| (0..3).map(|i| a[i] * (from[i] + to[i]) / 2.0).sum::<f64>();
+                let [right, up, back] = camera_axes(&camera).map(along);
+                let scale = solid_scale(&drawing, viewport, &camera) / (1.0 - back / 2.0);
+                let pointer = Pointer { at: [640.0 + scale * right, 400.0 - scale * up], ..pointer };
+                let found = pick_solid(&drawing, viewport, &camera, &pointer);
+                assert!(found.is_some_and(|pick| pick.distance <= near), "{what} {k}: {found:?}");
+            }
+            continue;
+        }
+        let later = draw(&system, 40, &Limits::default()).ok().filter(lsystem::Drawing::is_memoised);
+        for drawing in [draw(&system, definition.iterations, &Limits::default()).ok(), later].into_iter().flatten() {
+            for zoom in [1.0, 30.0, 1e3, 1e6, 1e9] {
+                for k in 0..20 {
+                    let ends = fitted_ends(&drawing, drawing.segment_count() / 20 * k + k);
+                    // Nobody looks so closely that a segment is as long as a hundred screens.
+                    let long = |[from, to]: &[[f64; 4]; 2]| {
+                        let [x, y] = [0, 1].map(|i| to[i] - from[i] + (to[i + 2] - from[i + 2]));
+                        fitted_scale(&drawing, viewport) * zoom * x.abs().max(y.abs()) > 1e5
+                    };
+                    let end = ends.filter(|ends| !long(ends)).map(|ends| ends[0]);
+                    let corner = fitted_polygon(&drawing, drawing.polygon_count() / 20 * k + k).first().copied();
+                    filled += u32::from(corner.is_some());
+                    for [x, y, fine_x, fine_y] in [end, corner].into_iter().flatten() {
+                        let view = View { x, y, zoom, fine: [fine_x, fine_y] };
+                        let found = pick(&drawing, viewport, view, &pointer);
+                        assert!(found.is_some_and(|pick| pick.distance <= near), "{what} {zoom} {k}: {found:?}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(filled > 100, "{filled}");
 }

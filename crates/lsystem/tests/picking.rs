@@ -57,7 +57,7 @@ fn to_line([x, y]: [f64; 2], [[x0, y0], [x1, y1]]: [[f64; 2]; 2]) -> (f64, f64) 
 
 /// Whether an outline winds around a point, by the angles at which its corners are seen from there.
 fn winds(outline: &[[f64; 2]], at: [f64; 2]) -> bool {
-    let angle = |p: [f64; 2]| (p[1] - at[1]).atan2(p[0] - at[0]);
+    let angle = |p: [f64; 2]| libm::atan2(p[1] - at[1], p[0] - at[0]);
     let turn = |a: f64, b: f64| {
         let by = b - a;
         if by > core::f64::consts::PI {

@@ -32,6 +32,28 @@ async function goTo(page, place) {
     await page.press('#reader-goto', 'Enter');
 }
 
+/** The middle of a place where the picture has one colour, which is not the background's: a filled polygon. CSS pixels. @param {Page} page @returns {Promise<[number, number]>} */
+const flatPlace = (page) =>
+    page.evaluate(() => {
+        const source = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
+        const copy = document.createElement('canvas');
+        copy.width = source.width;
+        copy.height = source.height;
+        const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d'));
+        context.drawImage(source, 0, 0);
+        const words = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+        const size = 5;
+        // Not below the tools at the edges.
+        for (let top = Math.floor(copy.height / 4); top < copy.height * 0.75; top++) {
+            for (let left = Math.floor(copy.width / 4); left < copy.width * 0.75; left++) {
+                const first = words[top * copy.width + left];
+                const same = (/** @type {number} */ at) => words[(top + Math.floor(at / size)) * copy.width + left + (at % size)] === first;
+                if (first !== words[0] && Array.from({ length: size * size }, (_, at) => at).every(same)) return /** @type {[number, number]} */ ([left + size / 2, top + size / 2]);
+            }
+        }
+        throw new Error('nothing is filled');
+    });
+
 /** What the rules derive, the plain way. @param {number} n */
 function derive(n) {
     const rules = /** @type {Record<string, string>} */ ({ X: 'F[+X]F[-X]+X', F: 'FF' });
@@ -152,6 +174,35 @@ test('the pointer on the drawing tells the segment and its symbol, and lights it
         assert.notEqual(await page.getAttribute('#mark-found', 'hidden'), null);
         assert.equal(await page.locator('.cells .lit').count(), 0);
     }));
+
+for (const [title, own] of /** @type {const} */ ([['Lime twig', 'L'], ['Bush with leaves', '{']])) {
+    test(`a leaf is told, marked and chosen: ${title}`, () =>
+        withPage({}, async (page) => {
+            const before = await stillPicture(page);
+            await page.click('#open-gallery');
+            await page.fill('#search', title);
+            await page.locator('.card:visible').first().click();
+            await nextPicture(page, before);
+            await page.click('#open-reader');
+            await until(async () => (await symbols(page)).length > 100, 'the string');
+            await stillPicture(page);
+            const [x, y] = await flatPlace(page);
+            const box = /** @type {{x: number, y: number}} */ (await page.locator('#stage').boundingBox());
+            await page.mouse.move(box.x + x, box.y + y);
+            await page.waitForSelector('#card:visible');
+            const words = await text(page, '#card');
+            assert.ok(words.startsWith(own), words);
+            assert.match(words, /step \d, by rule \d, .* symbol.*Polygon [\d,]+, filled, .*colour \d+Symbol [\d,]+$/s);
+            // The pointer is within the outline.
+            const corners = ((await page.getAttribute('#mark-found .line', 'd')) ?? '').match(/-?[\d.]+/g)?.map(Number) ?? [];
+            assert.ok(corners.length >= 12, String(corners));
+            const [xs, ys] = [0, 1].map((axis) => corners.filter((_, at) => at % 2 === axis));
+            for (const [values, at] of /** @type {const} */ ([[xs, x], [ys, y]])) assert.ok(Math.min(...(values ?? [])) < at && at < Math.max(...(values ?? [])), `${at} in ${values}`);
+            await page.mouse.click(box.x + x, box.y + y);
+            await until(async () => (await page.locator('.cells .chosen').count()) === 1, 'it is chosen in the string');
+            assert.equal(await page.locator('.cells .chosen').textContent(), own);
+        }));
+}
 
 test('a single step of a drawing 10^19 steps high is found, marked and lit', () =>
     withPage({ hash: DEEP }, async (page) => {

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { latest } from '../../js/latest.js';
 import { REACH, lastTop, marginText, paceText, portion, ratio, readPlace, rowsOf, scrolled, within } from '../../js/reading/places.js';
-import { birth, birthOf, coordinate, descent, modulesOf, ordinal, origin, partsOf, visible } from '../../js/reading/words.js';
+import { birth, birthOf, coordinate, descent, filledText, modulesOf, ordinal, origin, partsOf, strokeText, visible } from '../../js/reading/words.js';
 import { dice } from './random.mjs';
 
 const LONG = 10n ** 30n;
@@ -136,4 +136,12 @@ test('one question is under way at a time, and only the newest waits', async () 
     await new Promise(setImmediate);
     assert.deepEqual(answers, [[7, 0], [8, 99]]);
     assert.equal(open.length, 2);
+});
+
+test('what is drawn is told in words', () => {
+    const stroke = { from: [0, 0], to: [0, 1], fittedFrom: [], fittedTo: [], heading: 90, level: 2, colour: -1 };
+    assert.equal(strokeText(stroke), 'heading 90°, branch level 2, colour −1');
+    assert.equal(strokeText({ ...stroke, heading: [0, 0.5, 1], level: 0, colour: 0 }), 'heading 0, 0.5, 1');
+    assert.equal(filledText({ outline: [], level: 1, colour: 3 }), 'filled, branch level 1, colour 3');
+    assert.equal(filledText({ outline: [], level: 0, colour: 0 }), 'filled');
 });

@@ -42,10 +42,10 @@ pub fn fitted_outline(drawing: &Drawing, segments: Range<u128>) -> Vec<Fitted> {
 /// last to the first; none beyond the last polygon.
 #[must_use]
 pub fn fitted_polygon(drawing: &Drawing, number: u128) -> Vec<Fitted> {
-    let Some((polygon, way)) = drawing.polygon(number) else { return vec![] };
-    let (frame, mut turns) = (FittedFrame::new(drawing), Turns::default());
-    let spot = way.into_iter().fold(Spot::ROOT, |spot, placed| spot.inside(&mut turns, placed));
-    drawing.vertices_of(polygon).iter().map(|&vertex| frame.see(spot.lie(&mut turns, vertex))).collect()
+    let mut search = Search::new(drawing, 0..0);
+    let Some((Item::Polygon(polygon), spot)) = search.find(number, Drawing::polygons_in) else { return vec![] };
+    let frame = FittedFrame::new(drawing);
+    drawing.vertices_of(polygon).iter().map(|&vertex| frame.see(spot.lie(&mut search.turns, vertex))).collect()
 }
 
 /// Corners that are collected before they are joined to a hull.
@@ -116,17 +116,22 @@ impl<'a> Search<'a> {
 
     /// The ends of a segment.
     fn ends(&mut self, number: u128) -> Option<[[Wide; 2]; 2]> {
+        let (Item::Stroke(stroke), spot) = self.find(number, Drawing::segments_in)? else { return None };
+        Some([stroke.from, stroke.to].map(|p| spot.lie(&mut self.turns, p)))
+    }
+
+    /// What is counted as `number`, and the place of the block that it is in.
+    fn find(&mut self, number: u128, count: fn(&Drawing, &Item) -> u128) -> Option<(&'a Item, Spot)> {
         let (mut block, mut spot, mut number) = (self.drawing.root?, Spot::ROOT, number);
         loop {
             let items = self.drawing.items_of(block);
-            let (before, within) = self.drawing.before(items, number);
+            let (before, within) = self.drawing.before_by(items, number, count);
             match items.get(before)? {
                 Item::Block(placed) => {
                     spot = spot.inside(&mut self.turns, placed);
                     (block, number) = (placed.block, within);
                 }
-                Item::Stroke(stroke) => return Some([stroke.from, stroke.to].map(|p| spot.lie(&mut self.turns, p))),
-                Item::Polygon(_) => return None,
+                item => return Some((item, spot)),
             }
         }
     }

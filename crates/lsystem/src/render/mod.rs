@@ -34,7 +34,7 @@ pub use exact::{Fitted, fitted_ends, fitted_outline, fitted_polygon};
 pub(crate) use inks::{Choice, Shade};
 pub(crate) use path::{plus, ratio};
 pub use pick::pick;
-pub(crate) use search::{Aim, Order, Sight, covers, nearest_on, nearest_side, search};
+pub(crate) use search::{Aim, Order, Sight, covers, nearest_on, search};
 pub use search::{Pick, Pointer, Target};
 pub use view::{Detail, Rect, View, Viewport, fit, fitted_scale};
 

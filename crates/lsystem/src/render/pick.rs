@@ -2,7 +2,7 @@
 
 use super::descent::{Descent, Node};
 use super::inks::Choice;
-use super::search::{Aim, Order, Pick, Pointer, Sight, covers, nearest_on, nearest_side, search};
+use super::search::{Aim, Order, Pick, Pointer, Sight, covers, nearest_on, search};
 use super::seen::Seen;
 use super::view::{Camera, View, Viewport};
 use crate::{BlockId, Drawing, Placed, Plane, Polygon, Stroke};
@@ -84,7 +84,9 @@ impl Sight<Plane> for Page<'_> {
     fn polygon(&self, node: &Node, polygon: &Polygon) -> Option<Aim> {
         let vertices = self.drawing.vertices_of(polygon).iter();
         let outline: Vec<_> = vertices.map(|&vertex| node.place.point(vertex)).collect();
-        Some(Self::aim(if covers(&outline, self.at) { 0.0 } else { nearest_side(&outline, self.at)?.0 }))
+        let sides = outline.iter().zip(outline.iter().cycle().skip(1));
+        let beside = sides.map(|(&from, &to)| nearest_on(self.at, [from, to]).0).fold(f64::INFINITY, f64::min);
+        Some(Self::aim(if covers(&outline, self.at) { 0.0 } else { beside }))
     }
 }
 

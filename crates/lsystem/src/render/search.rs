@@ -211,7 +211,8 @@ impl<S: Space, V: Sight<S>> Search<'_, S, V> {
         let small = self.pointer.is_small(self.sight.scale(&place));
         let siblings = self.open.len();
         for item in self.drawing.items_of(block.block) {
-            if self.visits == 0 || segments > self.shown {
+            // Nobody can count to what comes after so many.
+            if self.visits == 0 || segments > self.shown || segments == u128::MAX {
                 break;
             }
             self.visits -= 1;
@@ -288,15 +289,4 @@ pub(crate) fn covers(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
         i32::from(crosses) * if y0 < y1 { 1 } else { -1 }
     });
     winding.sum::<i32>() != 0
-}
-
-/// The way from a point to the outline of a polygon: how far it is, to which of its sides (0-based), and as in
-/// [`nearest_on`]; `None` without sides.
-pub(crate) fn nearest_side(outline: &[[f64; 2]], point: [f64; 2]) -> Option<(f64, usize, f64)> {
-    let next = outline.iter().cycle().skip(1);
-    let sides = outline.iter().zip(next).enumerate().map(|(side, (&from, &to))| {
-        let (distance, part) = nearest_on(point, [from, to]);
-        (distance, side, part)
-    });
-    sides.min_by(|a, b| a.0.total_cmp(&b.0))
 }

@@ -1,8 +1,7 @@
 //! From where a drawing in space is looked at.
 
-use crate::drawing::Frame;
 use crate::rotation::{Vector, dot};
-use crate::{Drawing, Solid, StyleChange, Viewport};
+use crate::{Drawing, Solid, Viewport};
 
 /// A view of a drawing in space: the eye on a sphere about a target, upright, so that +y of the model is up in the
 /// picture.
@@ -64,10 +63,8 @@ pub fn fitted_solid_ends(drawing: &Drawing<Solid>, number: u128) -> Option<[[f64
 /// joined to the next and the last to the first; none beyond the last polygon.
 #[must_use]
 pub fn fitted_solid_polygon(drawing: &Drawing<Solid>, number: u128) -> Vec<[f64; 3]> {
-    let Some((polygon, way)) = drawing.polygon(number) else { return vec![] };
+    let Some((polygon, frame)) = drawing.polygon(number) else { return vec![] };
     let (centre, radius) = ball(drawing);
-    let root = Frame::new(1.0, StyleChange::NONE);
-    let frame = way.into_iter().fold(root, |frame, placed| frame.place(placed, drawing, &mut ()));
     let sign = drawing.unit().signum();
     let fitted = |vertex: Vector| [0, 1, 2].map(|i| sign * (frame.lie(vertex)[i] - centre[i]) / (2.0 * radius));
     drawing.vertices_of(polygon).iter().map(|&vertex| fitted(vertex)).collect()

@@ -3,7 +3,7 @@
 use super::camera::{Camera, Lens, NEAR};
 use super::walk::before_eye;
 use crate::drawing::Frame;
-use crate::render::{Aim, Order, Sight, covers, nearest_on, nearest_side, search};
+use crate::render::{Aim, Order, Sight, covers, nearest_on, search};
 use crate::rotation::{Vector, combine, cross, dot, norm};
 use crate::triangulate::facing;
 use crate::{BlockId, Drawing, Pick, Placed, Pointer, Polygon, Solid, Stroke, StyleChange, Viewport};
@@ -74,28 +74,31 @@ impl Sight<Solid> for Sky<'_> {
     }
 
     fn polygon(&self, frame: &Frame<Solid>, polygon: &Polygon) -> Option<Aim> {
-        let vertices: Vec<Vector> =
-            self.drawing.vertices_of(polygon).iter().map(|&vertex| self.place(frame.lie(vertex))).collect();
-        let shown = self.before(&vertices);
-        let outline: Vec<[f64; 2]> =
-            shown.iter().map(|&place| self.lens.project(place)).map(|[x, y, _]| [x, y]).collect();
+        let lens = &self.lens;
+        let vertices = self.drawing.vertices_of(polygon).iter();
+        let vertices: Vec<Vector> = vertices.map(|&vertex| self.place(frame.lie(vertex))).collect();
+        // What reaches behind the eye is not painted.
+        if vertices.iter().any(|vertex| 1.0 + vertex[2] * lens.nearness <= NEAR) {
+            return None;
+        }
+        let outline: Vec<_> = vertices.iter().map(|&vertex| lens.project(vertex)).map(|[x, y, _]| [x, y]).collect();
         if covers(&outline, self.at) {
             // Where the pointer meets the plane that it lies in.
             let [from, towards] = self.ray;
             let normal = facing(&vertices)?;
             let depth = dot(normal, minus(vertices[0], from)) / dot(normal, towards) * towards[2];
-            let [near, far] =
-                shown.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], p| [a.min(p[2]), b.max(p[2])]);
-            return Some(Aim { distance: 0.0, depth: depth.max(near).min(far), off: 0.0 });
+            return Some(Aim { distance: 0.0, depth, off: 0.0 });
         }
-        let (distance, side, _) = nearest_side(&outline, self.at)?;
-        let (_, depth) = self.beside([shown[side], shown[(side + 1) % shown.len()]]);
+        let sides = vertices.iter().zip(vertices.iter().cycle().skip(1));
+        let (distance, depth) = sides.map(|(&from, &to)| self.beside([from, to])).min_by(|a, b| a.0.total_cmp(&b.0))?;
         Some(Aim { distance, depth, off: 0.0 })
     }
 }
 
 impl Sky<'_> {
     /// Where a point of the root block lies, as the lens sees it before perspective.
+    // Once is enough in the wasm.
+    #[inline(never)]
     fn place(&self, point: Vector) -> Vector {
         let [x, y, z] = combine(&self.lens.axes, point);
         let [x0, y0, z0] = self.lens.origin;
@@ -104,25 +107,13 @@ impl Sky<'_> {
 
     /// How far the pointer is from a line before the eye, in pixels, and how far behind the target the place nearest to it
     /// is.
+    // Once is enough in the wasm.
+    #[inline(never)]
     fn beside(&self, ends: [Vector; 2]) -> (f64, f64) {
         let ends = ends.map(|end| self.lens.project(end));
         let (axis, t) = nearest_on(self.at, ends.map(|[x, y, _]| [x, y]));
         let shown = ends[0][2] + t * (ends[1][2] - ends[0][2]);
         (axis, shown / (1.0 - shown * self.lens.nearness))
-    }
-
-    /// What of a polygon lies before the eye.
-    fn before(&self, vertices: &[Vector]) -> Vec<Vector> {
-        let mut shown: Vec<Vector> = Vec::with_capacity(vertices.len() + 1);
-        for (&from, &to) in vertices.iter().zip(vertices.iter().cycle().skip(1)) {
-            let Some(ends) = before_eye(&self.lens, [from, to]) else { continue };
-            for end in ends {
-                if shown.last() != Some(&end) {
-                    shown.push(end);
-                }
-            }
-        }
-        shown
     }
 }
 
