@@ -4,7 +4,7 @@
 //! subsamples. Colours are relative to the colour at entry, so that one tile serves them all.
 
 use super::canvas::{Canvas, GROUP};
-use super::inks::{Dye, PLANES};
+use super::inks::{Dye, Inks, PLANES};
 use super::mixer::Mixer;
 use super::view::Detail;
 use crate::{BlockId, Heading};
@@ -13,18 +13,18 @@ use std::collections::HashMap;
 
 /// The sizes of tiles, as the largest extents of their blocks in subsamples: each is put together from smaller
 /// ones, the smallest from strokes.
-const EXTENTS: [f64; 4] = [256.0, 96.0, 28.0, 8.0];
+const EXTENTS: [f64; 5] = [512.0, 256.0, 96.0, 28.0, 8.0];
 /// By size of tile: into how many steps a subsample is divided, each way, for the places of origins. A tile is off by
 /// half a step at most.
-const STEPS: [f64; SIZES] = [2.0, 4.0, 4.0, 4.0];
+const STEPS: [f64; SIZES] = [2.0, 2.0, 4.0, 4.0, 4.0];
 /// The same for blocks whose strokes can be told apart, as long as there is room.
 const SPARSE_STEPS: f64 = 8.0;
 /// By size of tile: blocks of fewer strokes are painted stroke by stroke, which is as fast, and exact.
-const FEW: [u32; SIZES] = [48, 16, 12, 8];
+const FEW: [u32; SIZES] = [64, 48, 16, 8, 8];
 /// The same in a picture that has few strokes so far, so that simple drawings are exact throughout.
-const SIMPLE: [u32; SIZES] = [640, 160, 80, 8];
+const SIMPLE: [u32; SIZES] = [1280, 640, 160, 80, 8];
 /// How many strokes are few for a picture.
-pub(super) const SIMPLE_STROKES: u64 = 12_000;
+pub(super) const SIMPLE_STROKES: u64 = 4_000;
 /// Words in a chunk of memory; no tile needs more.
 const CHUNK: usize = 1 << 17;
 /// Chunks kept; when more are needed, all tiles are dropped and made again as needed.
@@ -40,10 +40,12 @@ const NUMBER: u64 = u16::MAX as u64;
 pub(super) const SIZES: usize = EXTENTS.len();
 
 /// The size of the tile for a block, if it should have one: 0 is the largest. `simple` says that it is on a picture
-/// that has few strokes so far.
-pub(super) fn size(extent: f64, strokes: u32, simple: bool) -> Option<usize> {
+/// that has few strokes so far. The largest are for crowds in one ink: others are rarely met again, and take much memory.
+pub(super) fn size(extent: f64, strokes: u32, inks: Inks, simple: bool) -> Option<usize> {
     let enough = if simple { SIMPLE } else { FEW };
-    EXTENTS.iter().rposition(|&largest| extent <= largest).filter(|&size| strokes >= enough[size])
+    let size = EXTENTS.iter().rposition(|&largest| extent <= largest)?;
+    let crowd = inks != Inks::Many && !is_sparse(extent, strokes);
+    (strokes >= enough[size] && (size > 0 || crowd)).then_some(size)
 }
 
 /// Everything a tile depends on, apart from what holds for the whole picture.

@@ -329,7 +329,8 @@ impl Walk {
         }
         node.cursor = block.items.end;
         let simple = node.canvas == 0 && self.painted < self.simple;
-        if let Some(size) = tile::size(extent, shape.strokes, simple)
+        let inks = self.inks.of(node.block.0 as usize);
+        if let Some(size) = tile::size(extent, shape.strokes, inks, simple)
             && size + 1 > node.canvas
             && radius <= BROAD
             && self.repeats
@@ -345,7 +346,6 @@ impl Walk {
                 fine,
                 width: (radius > self.look.hairline).then_some(node.pen.width.to_bits()),
             };
-            let inks = self.inks.of(node.block.0 as usize);
             let target = Target { canvas: node.canvas, cell: snapped.cell, shade: node.pen.shade };
             if let Some(tile) = self.tiles.get(&key) {
                 return self.stamp(&tile, inks, target);
