@@ -152,6 +152,11 @@ impl Canvas {
         self.open[strip * self.words() + word] & columns(word, groups)
     }
 
+    /// In subsamples, whole strips and groups.
+    pub(super) fn size(&self) -> [f64; 2] {
+        [self.strips * STRIP, self.rows].map(|side| side as f64)
+    }
+
     /// Whether the rectangle of columns `x` and rows `y`, ends included, is covered throughout (the part outside
     /// counts as covered).
     pub(super) fn is_full(&mut self, x: [i64; 2], y: [i64; 2]) -> bool {

@@ -103,6 +103,21 @@ fn a_turtle_on_its_way_has_drawn_the_first_segments() {
     }
 }
 
+#[test]
+fn a_stroke_broader_than_the_picture_is_found_first() {
+    let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+    let sample = Sample::abop("F", &[('F', "F+F--F+F")], 60.0).wide(40.0);
+    let style = &sample.0.style;
+    let mut renderer = Renderer::new();
+    for (n, zoom) in [(6, 1e3), (20, 1e9)] {
+        let drawing = Arc::new(sample.draw(n));
+        renderer.load(drawing.clone());
+        picture(&mut renderer, style, viewport, close_up(&drawing, zoom));
+        assert_eq!(renderer.stats().strokes, 1);
+        assert!(renderer.pixels().chunks(4).all(|pixel| pixel[..3] == style.ink(0).rgb), "{n}");
+    }
+}
+
 /// With branches that are shorter and thinner than what bears them.
 fn narrowing(mut sample: Sample) -> Sample {
     (sample.0.length_factor, sample.0.style.width_factor) = (0.7, 0.5);

@@ -21,6 +21,8 @@ const LONG: f64 = 1e6;
 const PATIENCE: u64 = 2_500_000;
 /// The largest extent, in subsamples, of the outlines at first, and the steps after which it doubles.
 const ROUGH: (f64, u64) = (16.0, 100_000);
+/// A stroke of so many rows takes as long as two steps.
+const MANY_ROWS: u64 = 256;
 /// Strokes wider than twice this, in subsamples, are not painted into tiles.
 const BROAD: f64 = 64.0;
 
@@ -86,8 +88,10 @@ pub(super) struct Walk {
     making: Vec<Making>,
     /// The largest extent at which a block's outline will do.
     rough: f64,
-    /// What outlines took, in steps.
-    outlined: u64,
+    /// Whether the whole drawing is to be shown, and nothing has been painted yet.
+    fresh: bool,
+    /// What outlines and broad strokes took beyond a step each.
+    extra: u64,
     pub stats: RenderStats,
 }
 
@@ -107,7 +111,8 @@ impl Default for Walk {
             repeats: false,
             making: vec![],
             rough: 0.0,
-            outlined: 0,
+            fresh: false,
+            extra: 0,
             stats: RenderStats::default(),
         }
     }
@@ -142,7 +147,7 @@ impl Walk {
         let camera = Camera::new(drawing, viewport, view, detail.samples() as f64);
         let hairline = viewport.least_width(style) * detail.samples() as f64 / 2.0;
         let look = Look { hairline, step: camera.step, scale: camera.scale };
-        self.outlined = 0;
+        self.extra = 0;
         // Rough tiles would spoil this picture.
         let rough = core::mem::take(&mut self.rough) > 0.0;
         if self.inks.prepare(drawing, style) || look != self.look || rough {
@@ -155,8 +160,49 @@ impl Walk {
         self.canvases[0].holes = self.repeats;
         let Some(root) = self.descent.root(drawing, camera) else { return };
         self.stack.push(root);
+        self.fresh = upto.is_none();
         if let Some(upto) = upto {
             self.descent.leave_out(drawing, self.inks.choice, &mut self.stack, upto);
+        }
+    }
+
+    /// Where all is in one colour, and strokes may be broader than the picture, looks for one that covers all of it:
+    /// those that come before would each be painted up to an edge that crosses the picture.
+    fn cover(&mut self, drawing: &Drawing, shapes: &[Shape]) {
+        let Some(&root) = self.stack.last() else { return };
+        let one = matches!(self.inks.of(root.block.0 as usize), Inks::One(_)) && !self.descent.path.counts();
+        let size = self.canvases[0].size();
+        let middle = size.map(|side| side / 2.0);
+        let away = |p: [f64; 2]| libm::hypot(p[0] - middle[0], p[1] - middle[1]);
+        let reach = away([0.0; 2]);
+        let mut next = Some(root).filter(|_| one);
+        // Always on into the block whose middle is nearest: what is near is near enough.
+        while let Some(node) = next.take() {
+            let widest = drawing.blocks[node.block.0 as usize].widest.of(node.pen.width);
+            if self.look.radius(widest) < reach {
+                return;
+            }
+            let mut least = f64::INFINITY;
+            for item in drawing.items_of(node.block) {
+                match item {
+                    Item::Stroke(stroke) => {
+                        let pen = node.pen.after(self.inks.choice, &drawing.styles[stroke.style.0 as usize]);
+                        let ends = [stroke.from, stroke.to].map(|p| node.place.point(p));
+                        if ends.into_iter().any(|end| away(end) + reach <= self.look.radius(pen.width)) {
+                            self.stroke(0, ends, pen);
+                            return;
+                        }
+                    }
+                    Item::Block(placed) if shapes[placed.block.0 as usize].strokes > 0 => {
+                        let child = self.descent.child(drawing, self.inks.choice, node, placed);
+                        let distance = away(child.place.point(shapes[placed.block.0 as usize].centre));
+                        if distance < least {
+                            (least, next) = (distance, Some(child));
+                        }
+                    }
+                    _ => {}
+                }
+            }
         }
     }
 
@@ -170,6 +216,9 @@ impl Walk {
     }
 
     pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], left: &mut i64) -> Progress {
+        if core::mem::take(&mut self.fresh) {
+            self.cover(drawing, shapes);
+        }
         while *left > 0 {
             if let Some(making) = self.making.pop_if(|making| making.height == self.stack.len()) {
                 self.canvases[1 + making.size].settle();
@@ -228,7 +277,9 @@ impl Walk {
         self.stats.strokes += 1;
         self.painted += u64::from(canvas == 0);
         let colour = self.inks.code(pen.shade);
-        Capsule { from, to, radius }.paint(&mut self.canvases[canvas], colour) as i64 / 4
+        let rows = Capsule { from, to, radius }.paint(&mut self.canvases[canvas], colour);
+        self.extra += rows as u64 / MANY_ROWS;
+        rows as i64 / 4
     }
 
     /// What tells a canvas from others, former tiles included.
@@ -246,25 +297,37 @@ impl Walk {
 
     /// Lets outlines do for larger blocks, the longer the picture takes.
     fn grow_rough(&mut self) {
-        let work = self.stats.blocks + self.stats.strokes + self.stats.stamps + self.outlined;
+        let work = self.stats.blocks + self.stats.strokes + self.stats.stamps + self.extra;
         if self.repeats && work > PATIENCE {
             self.rough = libm::scalbn(ROUGH.0, ((work - PATIENCE) / ROUGH.1).min(1000) as i32);
         }
     }
 
-    /// Paints what a block's hull encloses, in the colour of what it draws last.
-    fn outline(&mut self, drawing: &Drawing, shape: &Shape, node: Node) -> i64 {
+    /// Paints what a block's hull encloses, in the colour of what it draws last; where strokes are broader than the
+    /// block, one of them.
+    fn outline(&mut self, drawing: &Drawing, shape: &Shape, node: Node, broad: bool) -> i64 {
         self.stats.outlines += 1;
+        if broad {
+            return self.axis(shape, node);
+        }
         let hull = &drawing.blocks[node.block.0 as usize].hull;
         let pen = node.pen.after(self.inks.choice, &shape.last);
         match &drawing.corners[hull.start as usize..hull.end as usize] {
             [from, to] => self.stroke(node.canvas, [*from, *to].map(|p| node.place.point(p)), pen),
             corners => {
                 let work = self.polygon(node, corners, pen);
-                self.outlined += work.unsigned_abs();
+                self.extra += work.unsigned_abs();
                 work
             }
         }
+    }
+
+    /// Paints a stroke along a block, in the colour of what it draws last.
+    fn axis(&mut self, shape: &Shape, node: Node) -> i64 {
+        let along = if shape.half[0] >= shape.half[1] { [shape.half[0], 0.0] } else { [0.0, shape.half[1]] };
+        let ends = [-1.0, 1.0]
+            .map(|sign| node.place.point([shape.centre[0] + sign * along[0], shape.centre[1] + sign * along[1]]));
+        self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &shape.last))
     }
 
     /// Stamps a tile whose block has these shades.
@@ -296,7 +359,7 @@ impl Walk {
         let [across, down] = [0, 1]
             .map(|axis| [(centre[axis] - reach[axis]).floor() as i64, (centre[axis] + reach[axis]).ceil() as i64]);
         let canvas = &mut self.canvases[node.canvas];
-        let size = [canvas.strips * 64, canvas.rows].map(|side| side as f64);
+        let size = canvas.size();
         if canvas.is_full(across, down) || node.canvas == 0 && place.misses(size, centre, shape.half, radius) {
             return 1;
         }
@@ -318,14 +381,11 @@ impl Walk {
             return self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &line.style));
         }
         if extent <= TINY {
-            let along = if shape.half[0] >= shape.half[1] { [shape.half[0], 0.0] } else { [0.0, shape.half[1]] };
-            let ends = [-1.0, 1.0]
-                .map(|sign| place.point([shape.centre[0] + sign * along[0], shape.centre[1] + sign * along[1]]));
-            return self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &shape.last));
+            return self.axis(shape, node);
         }
         self.grow_rough();
         if extent <= self.rough {
-            return self.outline(drawing, shape, node);
+            return self.outline(drawing, shape, node, 2.0 * radius > extent);
         }
         node.cursor = block.items.end;
         let simple = node.canvas == 0 && self.painted < self.simple;
