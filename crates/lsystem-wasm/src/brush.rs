@@ -2,15 +2,38 @@
 
 use crate::viewer::Scene;
 #[cfg(feature = "full")]
-use lsystem::{DensityRenderer, Ink};
+use lsystem::{DensityRenderer, Ink, Pane};
 use lsystem::{Detail, Drawing, PlaneRenderer, Progress, Renderer};
 use std::sync::Arc;
 
+/// A renderer for one of the inks.
+enum Maker {
+    Covering(Box<Renderer>),
+    #[cfg(feature = "full")]
+    Adding(Box<DensityRenderer>),
+}
+
+impl Maker {
+    fn of(&mut self) -> &mut dyn PlaneRenderer {
+        match self {
+            Self::Covering(renderer) => &mut **renderer,
+            #[cfg(feature = "full")]
+            Self::Adding(renderer) => &mut **renderer,
+        }
+    }
+
+    fn get(&self) -> &dyn PlaneRenderer {
+        match self {
+            Self::Covering(renderer) => &**renderer,
+            #[cfg(feature = "full")]
+            Self::Adding(renderer) => &**renderer,
+        }
+    }
+}
+
 /// Makes pictures in the ink that they ask for.
 pub(crate) struct Brush {
-    renderer: Box<dyn PlaneRenderer>,
-    #[cfg(feature = "full")]
-    ink: Ink,
+    maker: Maker,
     drawing: Option<Arc<Drawing>>,
     /// Whether the renderer has the drawing.
     loaded: bool,
@@ -18,13 +41,7 @@ pub(crate) struct Brush {
 
 impl Default for Brush {
     fn default() -> Self {
-        Self {
-            renderer: Box::new(Renderer::new()),
-            #[cfg(feature = "full")]
-            ink: Ink::Solid,
-            drawing: None,
-            loaded: false,
-        }
+        Self { maker: Maker::Covering(Box::new(Renderer::new())), drawing: None, loaded: false }
     }
 }
 
@@ -37,35 +54,52 @@ impl Brush {
 
     /// Starts a picture.
     pub(crate) fn begin(&mut self, scene: &Scene, detail: Detail) {
+        self.prepare(scene);
+        let Scene { style, viewport, view, upto, .. } = scene;
+        self.maker.of().begin_with(style, *viewport, *view, detail, *upto);
+    }
+
+    /// Starts a pane of a fine picture in ink that covers.
+    #[cfg(feature = "full")]
+    pub(crate) fn begin_pane(&mut self, scene: &Scene, pane: Pane) {
+        self.prepare(scene);
+        let Scene { style, viewport, view, upto, .. } = scene;
+        if let Maker::Covering(renderer) = &mut self.maker {
+            renderer.begin_pane(style, *viewport, *view, *upto, pane);
+        }
+    }
+
+    /// Makes sure that the right renderer has the drawing.
+    fn prepare(&mut self, _scene: &Scene) {
         #[cfg(feature = "full")]
-        if self.ink != scene.style.ink {
-            self.ink = scene.style.ink;
-            self.renderer = match self.ink {
-                Ink::Solid => Box::new(Renderer::new()),
-                Ink::Density => Box::new(DensityRenderer::new()),
-            };
-            self.loaded = false;
+        match (_scene.style.ink, &self.maker) {
+            (Ink::Solid, Maker::Covering(_)) | (Ink::Density, Maker::Adding(_)) => {}
+            (ink, _) => {
+                self.maker = match ink {
+                    Ink::Solid => Maker::Covering(Box::new(Renderer::new())),
+                    Ink::Density => Maker::Adding(Box::new(DensityRenderer::new())),
+                };
+                self.loaded = false;
+            }
         }
         if let Some(drawing) = self.drawing.as_ref().filter(|_| !self.loaded) {
-            self.renderer.load(drawing.clone());
+            self.maker.of().load(drawing.clone());
             self.loaded = true;
         }
-        let Scene { style, viewport, view, upto } = scene;
-        self.renderer.begin_with(style, *viewport, *view, detail, *upto);
     }
 
     /// Goes on with it.
     pub(crate) fn step(&mut self, work: usize) -> Progress {
-        self.renderer.step(work)
+        self.maker.of().step(work)
     }
 
     /// Whether outlines stand for fine detail.
     pub(crate) fn is_rough(&self) -> bool {
-        self.renderer.stats().outlines > 0
+        self.maker.get().stats().outlines > 0
     }
 
     /// The picture so far.
     pub(crate) fn pixels(&self) -> &[u8] {
-        self.renderer.pixels()
+        self.maker.get().pixels()
     }
 }

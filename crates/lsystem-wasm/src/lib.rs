@@ -13,6 +13,8 @@ mod brush;
 mod clock;
 #[cfg(feature = "full")]
 mod files;
+#[cfg(feature = "full")]
+mod mates;
 mod notation;
 #[cfg(feature = "full")]
 mod plain;
@@ -23,6 +25,8 @@ mod qr;
 #[cfg(feature = "full")]
 mod reading;
 mod report;
+#[cfg(feature = "full")]
+mod sharing;
 #[cfg(feature = "full")]
 mod solid;
 mod surface;

@@ -4,9 +4,13 @@ use crate::LIMITS;
 use crate::brush::Brush;
 use crate::clock::Clock;
 use crate::report::Report;
+#[cfg(feature = "full")]
+use crate::sharing::{Sharing, Turn};
 use crate::surface::Surface;
-use crate::viewer::{Drawn, Scene, Viewer, WORK, describe_drawing, go_on};
-use lsystem::{Detail, Diagnostic, Drawer, Drawing, Progress, System, fitted_scale};
+use crate::viewer::{Drawn, SLOW, Scene, Viewer, WORK, describe_drawing, go_on};
+use lsystem::{Detail, Diagnostic, Drawer, Drawing, Ink, Progress, System, fitted_scale};
+#[cfg(feature = "full")]
+use lsystem::{Pane, Spent, Viewport};
 use std::sync::Arc;
 use wasm_bindgen::JsValue;
 
@@ -30,6 +34,8 @@ pub(crate) struct PlaneView {
     spent: f64,
     /// How many pictures are to be begun coarse, because a fine one took too long to wait for it.
     sketches: u8,
+    #[cfg(feature = "full")]
+    sharing: Sharing,
 }
 
 /// How far a picture is.
@@ -39,6 +45,9 @@ enum Stage {
     Coarse { begun: bool },
     /// The fine picture is being made; a coarse one is shown already or need not be.
     Fine { sketched: bool },
+    /// It is being made together with mates.
+    #[cfg(feature = "full")]
+    Shared,
     /// It is shown.
     Done,
 }
@@ -54,6 +63,8 @@ impl Default for PlaneView {
             stage: Stage::Done,
             spent: 0.0,
             sketches: 0,
+            #[cfg(feature = "full")]
+            sharing: Sharing::default(),
         }
     }
 }
@@ -109,7 +120,7 @@ impl Viewer for PlaneView {
                     self.begin_fine();
                 }
                 self.stage = Stage::Fine { sketched: true };
-                Ok(Some(Drawn { complete: false, scale, moving: false, rough: false }))
+                Ok(Some(Drawn { complete: false, scale, moving: false, rough: false, slow: false }))
             }
             Stage::Fine { sketched } => {
                 let start = clock.now();
@@ -119,12 +130,38 @@ impl Viewer for PlaneView {
                     self.sketches = if self.spent > PATIENCE { SKETCHES } else { 0 };
                     self.stage = Stage::Done;
                     surface.show(self.fine.pixels(), viewport)?;
-                    return Ok(Some(Drawn { complete: true, scale, moving: false, rough: self.fine.is_rough() }));
+                    let (rough, slow) = (self.fine.is_rough(), self.spent > SLOW && can_share(drawing, scene));
+                    return Ok(Some(Drawn { complete: true, scale, moving: false, rough, slow }));
                 }
                 if self.spent > PATIENCE {
                     self.sketches = SKETCHES;
                     if !sketched {
                         self.begin_coarse(true);
+                        return Ok(None);
+                    }
+                    #[cfg(feature = "full")]
+                    if scene.mates > 0 && can_share(drawing, scene) {
+                        self.sharing.start(viewport, Pane::all(viewport, bands(viewport, scene.mates + 1)));
+                        self.stage = Stage::Shared;
+                    }
+                }
+                Ok(None)
+            }
+            #[cfg(feature = "full")]
+            Stage::Shared => {
+                match self.sharing.turn() {
+                    Turn::Begin(pane) => self.fine.begin_pane(scene, pane),
+                    Turn::GoOn => {
+                        if self.fine.step(WORK) == Progress::Done
+                            && let Some(pane) = self.sharing.finish(Spent::default(), self.fine.is_rough())
+                        {
+                            surface.put(self.fine.pixels(), viewport, pane)?;
+                        }
+                    }
+                    Turn::Done => {
+                        self.stage = Stage::Done;
+                        let rough = self.sharing.is_rough();
+                        return Ok(Some(Drawn { complete: true, scale, moving: false, rough, slow: true }));
                     }
                 }
                 Ok(None)
@@ -137,7 +174,31 @@ impl Viewer for PlaneView {
     }
 
     fn is_refining(&self) -> bool {
+        #[cfg(feature = "full")]
+        if self.stage == Stage::Shared {
+            return true;
+        }
         self.stage == Stage::Fine { sketched: true }
+    }
+
+    #[cfg(feature = "full")]
+    fn sharing(&mut self) -> Option<(&mut Sharing, f32)> {
+        (self.stage == Stage::Shared).then_some((&mut self.sharing, 0.0))
+    }
+
+    #[cfg(feature = "full")]
+    fn begin_pane(&mut self, scene: Scene, pane: Pane, _budget: f32) {
+        self.fine.begin_pane(&scene, pane);
+    }
+
+    #[cfg(feature = "full")]
+    fn step_pane(&mut self) -> Option<(Spent, bool)> {
+        (self.fine.step(WORK) == Progress::Done).then(|| (Spent::default(), self.fine.is_rough()))
+    }
+
+    #[cfg(feature = "full")]
+    fn pane_pixels(&self) -> &[u8] {
+        self.fine.pixels()
     }
 
     #[cfg(feature = "full")]
@@ -150,6 +211,21 @@ impl Viewer for PlaneView {
         while brush.step(WORK) == Progress::More {}
         surface.show(brush.pixels(), viewport)
     }
+}
+
+/// Whether others can make panes of a picture: what is not shared inside they would have to build again, and the tone of
+/// ink that adds up depends on the whole.
+fn can_share(drawing: &Drawing, scene: &Scene) -> bool {
+    drawing.is_memoised() && scene.style.ink == Ink::Solid
+}
+
+/// The size of panes for so many workers: some for each, for one takes longer than another. They are as wide as the
+/// picture and whole cells of it high.
+#[cfg(feature = "full")]
+fn bands(viewport: Viewport, workers: u32) -> [u32; 2] {
+    const EACH: u32 = 4;
+    const CELL: u32 = 16;
+    [viewport.width, viewport.height.div_ceil(EACH * workers).next_multiple_of(CELL)]
 }
 
 impl PlaneView {

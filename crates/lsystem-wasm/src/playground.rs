@@ -37,6 +37,15 @@ pub struct Playground {
     pub(crate) upto: Option<u128>,
     /// Whether the viewer has to be told what to show.
     stale: bool,
+    /// Whether the newest definition passed a limit, so that an older drawing is shown.
+    #[cfg(feature = "full")]
+    pub(crate) refused: bool,
+    /// How many others help with pictures that take long.
+    #[cfg(feature = "full")]
+    pub(crate) mates: u32,
+    /// As one of those: what to make.
+    #[cfg(feature = "full")]
+    pub(crate) pane: Option<(lsystem::Pane, f32)>,
 }
 
 /// While a picture is refined newer input is listened for after so many milliseconds.
@@ -74,6 +83,12 @@ impl Playground {
             view: View::default(),
             upto: None,
             stale: false,
+            #[cfg(feature = "full")]
+            refused: false,
+            #[cfg(feature = "full")]
+            mates: 0,
+            #[cfg(feature = "full")]
+            pane: None,
         })
     }
 
@@ -160,7 +175,7 @@ impl Playground {
         self.building.is_none()
     }
 
-    /// Works for about `budget` milliseconds: `{report, drawn: {complete, scale, rough}, idle}`, parts null without news.
+    /// Works for about `budget` milliseconds: `{report, drawn: {complete, scale, rough, slow}, idle}`, parts null without news.
     ///
     /// # Errors
     /// Throws where the canvas refuses the picture.
@@ -211,6 +226,24 @@ impl Playground {
         self.stale || !self.views.get(realm).is_done()
     }
 
+    /// The panes that mates may help with, and the picture's budget, while one is made that is still wanted.
+    #[cfg(feature = "full")]
+    pub(crate) fn shared(&mut self) -> Option<(&mut crate::sharing::Sharing, f32)> {
+        if self.stale || !self.built() {
+            return None;
+        }
+        self.views.at(self.shown?).sharing()
+    }
+
+    /// Goes on with the drawing that is being built, if any is.
+    #[cfg(feature = "full")]
+    pub(crate) fn go_on_building(&mut self) -> bool {
+        self.building.is_some_and(|realm| {
+            self.build(realm);
+            true
+        })
+    }
+
     /// What is shown has to be painted anew.
     #[cfg(feature = "full")]
     pub(crate) fn outdate(&mut self) {
@@ -230,6 +263,10 @@ impl Playground {
     }
 
     fn accept(&mut self, realm: Realm) {
+        #[cfg(feature = "full")]
+        {
+            self.refused = false;
+        }
         if let Some(former) = self.shown.replace(realm).filter(|&former| former != realm) {
             self.views.at(former).forget();
         }
@@ -239,6 +276,10 @@ impl Playground {
     }
 
     fn refuse(&mut self, limit: Diagnostic) {
+        #[cfg(feature = "full")]
+        {
+            self.refused = true;
+        }
         if let Kind::Limit { largest, .. } = limit.kind {
             self.report.largest = largest;
         }
@@ -259,7 +300,11 @@ impl Playground {
     /// What the picture is to show.
     pub(crate) fn scene(&self) -> Option<Scene> {
         let style = self.system.as_ref()?.style.clone();
-        Some(Scene { style, viewport: self.viewport, view: self.view, upto: self.upto })
+        #[cfg(feature = "full")]
+        let mates = if self.refused { 0 } else { self.mates };
+        #[cfg(not(feature = "full"))]
+        let mates = 0;
+        Some(Scene { style, viewport: self.viewport, view: self.view, upto: self.upto, mates })
     }
 }
 

@@ -4,10 +4,12 @@ use crate::LIMITS;
 use crate::clock::Clock;
 use crate::playground::Playground;
 use crate::report::Report;
+use crate::sharing::{Sharing, Turn};
 use crate::surface::Surface;
-use crate::viewer::{Drawn, Scene, Viewer, WORK, describe_drawing, go_on};
+use crate::viewer::{Drawn, SLOW, Scene, Viewer, WORK, describe_drawing, go_on};
 use lsystem::{
-    Camera, Diagnostic, Drawer, Drawing, Progress, Quality, Solid, SolidRenderer, System, Viewport, solid_scale,
+    Camera, Diagnostic, Drawer, Drawing, Effort, Pane, Progress, Quality, Solid, SolidRenderer, Spent, System,
+    Viewport, solid_scale,
 };
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
@@ -53,6 +55,10 @@ pub(crate) struct SolidView {
     /// What the picture has taken, in milliseconds, and when it is told to hurry.
     spent: f64,
     hurried: f64,
+    /// Whether it is made together with mates, which panes, and how much they may show.
+    shared: bool,
+    sharing: Sharing,
+    effort: Effort,
     /// Whether the finest picture is shown.
     done: bool,
 }
@@ -73,6 +79,9 @@ impl Default for SolidView {
             late: 0,
             hurried: 0.0,
             spent: 0.0,
+            shared: false,
+            sharing: Sharing::default(),
+            effort: Effort::default(),
             done: true,
         }
     }
@@ -120,6 +129,9 @@ impl Viewer for SolidView {
 
     /// A finer picture is begun when one is shown.
     fn paint(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
+        if self.shared {
+            return self.paint_shared(surface);
+        }
         let (Some(drawing), Some(scene), false) = (&self.drawing, &self.scene, self.done) else { return Ok(None) };
         let began = clock.now();
         let progress = self.renderer.step(if self.moving { MOVING_WORK } else { WORK });
@@ -129,12 +141,18 @@ impl Viewer for SolidView {
                 self.renderer.hurry(0.3);
                 self.hurried += 0.5 * HURRY;
             }
+            if self.quality == Quality::FINEST && self.spent > HURRY && scene.mates > 0 && drawing.is_memoised() {
+                self.shared = true;
+                self.effort = Effort::new(self.quality, self.viewport);
+                self.sharing.start(self.viewport, SolidRenderer::panes(self.viewport));
+            }
             return Ok(None);
         }
         let finished = clock.now();
         surface.show(self.renderer.pixels(), self.viewport)?;
         let scale = solid_scale(drawing, scene.viewport, &self.camera);
         let complete = self.quality == Quality::FINEST;
+        let slow = complete && self.spent > SLOW && drawing.is_memoised();
         let moving = core::mem::take(&mut self.moving);
         let sharp = self.viewport == scene.viewport;
         if moving {
@@ -144,7 +162,7 @@ impl Viewer for SolidView {
         if !complete {
             self.refine(if sharp && self.quality >= MIDDLE { Quality::FINEST } else { MIDDLE });
         }
-        Ok(Some(Drawn { complete, scale, moving, rough: false }))
+        Ok(Some(Drawn { complete, scale, moving, rough: false, slow }))
     }
 
     fn is_done(&self) -> bool {
@@ -153,6 +171,23 @@ impl Viewer for SolidView {
 
     fn is_refining(&self) -> bool {
         !self.done && !self.moving
+    }
+
+    fn sharing(&mut self) -> Option<(&mut Sharing, f32)> {
+        self.shared.then_some((&mut self.sharing, self.effort.budget()))
+    }
+
+    fn begin_pane(&mut self, scene: Scene, pane: Pane, budget: f32) {
+        self.renderer.play(scene.upto);
+        self.renderer.begin_pane(&scene.style, scene.viewport, &self.camera, pane, budget);
+    }
+
+    fn step_pane(&mut self) -> Option<(Spent, bool)> {
+        (self.renderer.step(WORK) == Progress::Done).then(|| (self.renderer.spent(), false))
+    }
+
+    fn pane_pixels(&self) -> &[u8] {
+        self.renderer.pixels()
     }
 
     fn snapshot(&self, scene: Scene, surface: &Surface) -> Result<(), JsValue> {
@@ -169,11 +204,36 @@ impl Viewer for SolidView {
 impl SolidView {
     fn refine(&mut self, quality: Quality) {
         let Some(scene) = &self.scene else { return };
-        self.done = false;
+        (self.done, self.shared) = (false, false);
         self.quality = quality;
         self.viewport = if self.moving && self.half { halved(scene.viewport) } else { scene.viewport };
         (self.spent, self.hurried) = (0.0, HURRY);
         self.renderer.begin(&scene.style, self.viewport, &self.camera, quality);
+    }
+
+    /// Goes on with a picture that is made together with mates.
+    fn paint_shared(&mut self, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
+        let (Some(drawing), Some(scene)) = (&self.drawing, &self.scene) else { return Ok(None) };
+        let viewport = self.viewport;
+        match self.sharing.turn() {
+            Turn::Begin(pane) => {
+                self.renderer.begin_pane(&scene.style, viewport, &self.camera, pane, self.effort.budget());
+            }
+            Turn::GoOn => {
+                if self.renderer.step(WORK) == Progress::Done
+                    && let Some(pane) = self.sharing.finish(self.renderer.spent(), false)
+                {
+                    surface.put(self.renderer.pixels(), viewport, pane)?;
+                }
+            }
+            Turn::Done if self.effort.is_too_small(self.sharing.spent()) => self.sharing.start_again(viewport),
+            Turn::Done => {
+                (self.done, self.shared) = (true, false);
+                let scale = solid_scale(drawing, viewport, &self.camera);
+                return Ok(Some(Drawn { complete: true, scale, moving: false, rough: false, slow: true }));
+            }
+        }
+        Ok(None)
     }
 
     /// Chooses how fine the next picture is while things move, after one that took so many milliseconds to show.

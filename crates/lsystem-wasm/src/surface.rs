@@ -1,6 +1,6 @@
 //! Where pixels meet the browser.
 
-use lsystem::Viewport;
+use lsystem::{Pane, Viewport};
 use wasm_bindgen::{Clamped, JsCast, JsValue};
 use web_sys::{ImageData, OffscreenCanvas, OffscreenCanvasRenderingContext2d};
 
@@ -17,13 +17,19 @@ impl Surface {
     }
 
     /// Shows a picture of opaque RGBA pixels, and makes the canvas its size.
-    pub(crate) fn show(&self, pixels: &[u8], Viewport { width, height, .. }: Viewport) -> Result<(), JsValue> {
+    pub(crate) fn show(&self, pixels: &[u8], viewport: Viewport) -> Result<(), JsValue> {
+        self.put(pixels, viewport, Pane::whole(viewport))
+    }
+
+    /// Shows a pane of a picture, and makes the canvas the picture's size.
+    pub(crate) fn put(&self, pixels: &[u8], viewport: Viewport, pane: Pane) -> Result<(), JsValue> {
+        let Viewport { width, height, .. } = viewport;
         // Setting a size clears the canvas even where it is the same.
         if (self.canvas.width(), self.canvas.height()) != (width, height) {
             self.canvas.set_width(width);
             self.canvas.set_height(height);
         }
-        let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(pixels), width, height)?;
-        self.context.put_image_data(&image, 0.0, 0.0)
+        let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(pixels), pane.width, pane.height)?;
+        self.context.put_image_data(&image, f64::from(pane.x), f64::from(pane.y))
     }
 }

@@ -4,14 +4,21 @@ use crate::clock::Clock;
 use crate::plane::PlaneView;
 use crate::report::Report;
 #[cfg(feature = "full")]
+use crate::sharing::Sharing;
+#[cfg(feature = "full")]
 use crate::solid::SolidView;
 use crate::surface::Surface;
 use lsystem::{
     Diagnostic, Drawer, Drawing, Ink, Progress, Space, Style, System, View, Viewport, count_segments, describe,
 };
+#[cfg(feature = "full")]
+use lsystem::{Pane, Spent};
 use serde::Serialize;
 use std::sync::Arc;
 use wasm_bindgen::JsValue;
+
+/// A picture that takes longer than so many milliseconds is one that mates would help with.
+pub(crate) const SLOW: f64 = 30.0;
 
 /// Work units between two looks at the clock: well under a millisecond each.
 pub(crate) const WORK: usize = 16_384;
@@ -25,6 +32,8 @@ pub(crate) struct Scene {
     pub(crate) view: View,
     /// How many segments; all of them without it.
     pub(crate) upto: Option<u128>,
+    /// How many mates may help with it.
+    pub(crate) mates: u32,
 }
 
 /// What is on the canvas.
@@ -38,6 +47,8 @@ pub(crate) struct Drawn {
     pub(crate) moving: bool,
     /// Whether fine detail is left out for good, because it would take too long.
     pub(crate) rough: bool,
+    /// Whether it took so long that mates would help.
+    pub(crate) slow: bool,
 }
 
 /// Builds a drawing and makes its pictures, both in steps.
@@ -70,6 +81,22 @@ pub(crate) trait Viewer {
     fn is_refining(&self) -> bool {
         false
     }
+
+    /// The panes that mates may help with, if the picture is made together with them, and its budget.
+    #[cfg(feature = "full")]
+    fn sharing(&mut self) -> Option<(&mut Sharing, f32)>;
+
+    /// Starts a pane of the fine picture for others, with the budget that they tell.
+    #[cfg(feature = "full")]
+    fn begin_pane(&mut self, scene: Scene, pane: Pane, budget: f32);
+
+    /// Goes on with it; when it is there, what it has taken and whether fine detail is left out.
+    #[cfg(feature = "full")]
+    fn step_pane(&mut self) -> Option<(Spent, bool)>;
+
+    /// Its pixels.
+    #[cfg(feature = "full")]
+    fn pane_pixels(&self) -> &[u8];
 
     /// Makes the whole picture for another canvas.
     #[cfg(feature = "full")]

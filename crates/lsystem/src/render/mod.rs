@@ -10,6 +10,7 @@ mod descent;
 mod exact;
 mod inks;
 mod mixer;
+mod pane;
 mod path;
 mod pick;
 mod polygon;
@@ -32,6 +33,7 @@ mod tests;
 pub use density::DensityRenderer;
 pub use exact::{Fitted, fitted_ends, fitted_outline, fitted_polygon};
 pub(crate) use inks::{Choice, Shade};
+pub use pane::Pane;
 pub(crate) use path::{plus, ratio};
 pub use pick::pick;
 pub(crate) use search::{Aim, Order, Sight, covers, nearest_on, search};
@@ -102,6 +104,20 @@ impl Renderer {
     pub fn new() -> Self {
         Self::default()
     }
+
+    /// As [`PlaneRenderer::begin_with`], but only a pane of the fine picture: the pixels are those of the pane, as they
+    /// are in the whole but for rounding. Panes that begin at multiples of 16 pixels have the same subsamples.
+    pub fn begin_pane(&mut self, style: &Style, viewport: Viewport, view: View, upto: Option<u128>, pane: Pane) {
+        self.start(style, viewport.within_limits(), view, Detail::Fine, upto, pane);
+    }
+
+    fn start(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>, pane: Pane) {
+        let pane = pane.within(viewport);
+        if let Some(drawing) = &self.drawing {
+            self.walk.begin(drawing, style, viewport, view, detail, upto, pane);
+        }
+        self.output.begin(style, self.walk.inks(), pane, detail);
+    }
 }
 
 impl PlaneRenderer for Renderer {
@@ -113,10 +129,7 @@ impl PlaneRenderer for Renderer {
 
     fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>) {
         let viewport = viewport.within_limits();
-        if let Some(drawing) = &self.drawing {
-            self.walk.begin(drawing, style, viewport, view, detail, upto);
-        }
-        self.output.begin(style, self.walk.inks(), viewport, detail);
+        self.start(style, viewport, view, detail, upto, Pane::whole(viewport));
     }
 
     fn step(&mut self, work: usize) -> Progress {

@@ -2,7 +2,7 @@
 
 use super::canvas::{Canvas, GROUP, Group};
 use super::inks::PLANES;
-use super::{Detail, Viewport};
+use super::{Detail, Pane};
 use crate::Progress;
 use crate::Style;
 use core::ops::Range;
@@ -28,9 +28,9 @@ pub(super) struct Output {
 const SIDE: usize = 16;
 
 impl Output {
-    /// Starts a picture whose colours have the palette entries `inks`, by number.
-    pub(super) fn begin(&mut self, style: &Style, inks: &[u32], viewport: Viewport, detail: Detail) {
-        let (width, height) = (viewport.width as usize, viewport.height as usize);
+    /// Starts a pane of a picture whose colours have the palette entries `inks`, by number.
+    pub(super) fn begin(&mut self, style: &Style, inks: &[u32], pane: Pane, detail: Detail) {
+        let (width, height) = (pane.width as usize, pane.height as usize);
         let background = style.background.rgb.map(u32::from);
         let known = (self.width, self.height, self.background, self.detail) == (width, height, background, detail);
         if !known || self.pixels.is_empty() {

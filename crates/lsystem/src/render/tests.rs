@@ -85,6 +85,70 @@ fn the_picture_is_that_of_every_segment_stroked_in_order() {
 }
 
 #[test]
+fn panes_together_are_the_picture() {
+    let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+    let (mut renderer, mut whole) = (Renderer::new(), Renderer::new());
+    let mut failures = vec![];
+    for (name, sample, n) in samples() {
+        let drawing = Arc::new(sample.draw(n));
+        renderer.load(drawing.clone());
+        whole.load(drawing.clone());
+        for (zoom, colour_by) in [(1.0, ColourBy::Symbol), (10.0, ColourBy::Level), (10.0, ColourBy::Path)] {
+            let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
+            let style = Style { colour_by, ..sample.0.style.clone() };
+            for simple in [tile::SIMPLE_STROKES, 0] {
+                (renderer.walk.simple, whole.walk.simple) = (simple, simple);
+                picture(&mut whole, &style, viewport, view);
+                let mut pixels = vec![0; 320 * 200 * 4];
+                for pane in Pane::all(viewport, [144, 48]) {
+                    renderer.begin_pane(&style, viewport, view, None, pane);
+                    while renderer.step(10_000) == Progress::More {}
+                    put(&mut pixels, 320, pane, renderer.pixels());
+                }
+                // Which tiles there are depends on what has been painted before, and where the last holes are as well.
+                let (mean, worst) = difference(&pixels, whole.pixels(), 320);
+                let (_, truth) = difference(&pixels, &brute_force(&drawing, &style, viewport, view), 320);
+                println!("{name:12} {colour_by:?} {zoom:5} {simple:5} mean {mean:.3} worst {worst:.2}");
+                let most = if simple == 0 { 0.05 } else { 1.0 };
+                if mean > most || worst > 12.0 || truth > 12.0 {
+                    failures.push((name, colour_by, zoom, simple, mean, worst, truth));
+                }
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{failures:?}");
+}
+
+/// Puts a pane where it belongs in a picture that is so many pixels wide.
+fn put(pixels: &mut [u8], width: usize, pane: Pane, own: &[u8]) {
+    assert_eq!(own.len(), (pane.width * pane.height * 4) as usize);
+    for (y, row) in own.chunks(pane.width as usize * 4).enumerate() {
+        let at = ((pane.y as usize + y) * width + pane.x as usize) * 4;
+        pixels[at..at + row.len()].copy_from_slice(row);
+    }
+}
+
+#[test]
+fn panes_cover_the_picture_once() {
+    for (width, height) in [(0, 0), (1, 1), (320, 200), (1600, 1000)] {
+        let viewport = Viewport { width, height, ratio: 1.0 };
+        for size in [[0, 0], [16, 64], [1600, 48], [256, 256]] {
+            if size[0] == 0 && width > 320 {
+                continue;
+            }
+            let mut covered = vec![0_u8; (width * height) as usize];
+            for pane in Pane::all(viewport, size) {
+                assert_eq!(pane.within(viewport), pane);
+                for y in pane.y..pane.y + pane.height {
+                    covered[(y * width + pane.x) as usize..][..pane.width as usize].iter_mut().for_each(|n| *n += 1);
+                }
+            }
+            assert!(covered.iter().all(|&times| times == 1), "{viewport:?} in panes of {size:?}");
+        }
+    }
+}
+
+#[test]
 fn a_turtle_on_its_way_has_drawn_the_first_segments() {
     let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
     let (style, view) = (Style::default(), View::default());

@@ -1,5 +1,6 @@
 //! Where on the drawing a picture looks.
 
+use super::Pane;
 use super::wide::Wide;
 use crate::limits::{MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 use crate::{Drawing, Style};
@@ -186,6 +187,12 @@ impl Camera {
             scale,
             step: libm::scalbn(scale, -exponent),
         }
+    }
+
+    /// The same picture, seen from the corner of a pane of it.
+    pub(super) fn of_pane(self, pane: Pane, samples: f64) -> Self {
+        let [x, y] = [pane.x, pane.y].map(|corner| f64::from(corner) * samples);
+        Self { middle: [self.middle[0] - x, self.middle[1] - y], ..self }
     }
 
     /// Where a point of the root block's frame is, in subsamples.

@@ -1,6 +1,5 @@
 //! The descent through a drawing's graph, last item first, on an explicit stack so that it can stop anywhere.
 
-use super::RenderStats;
 use super::canvas::Canvas;
 use super::descent::{Descent, Node, Pen};
 use super::inks::{Dye, InkTable, Inks, Shade};
@@ -10,6 +9,7 @@ use super::shape::Shape;
 use super::stroke::Capsule;
 use super::tile::{self, Key, Tile, Tiles};
 use super::view::{Camera, Detail, View, Viewport};
+use super::{Pane, RenderStats};
 use crate::{Drawing, Item, Progress, Style};
 
 /// The largest extent, in subsamples, at which a block is painted as a line.
@@ -19,6 +19,8 @@ const LONG: f64 = 1e6;
 /// A picture is true as long as it takes no more steps than this: blocks looked into, strokes and stamps. After a few
 /// seconds nobody waits for more, and what is left is painted as the outlines of ever larger blocks.
 const PATIENCE: u64 = 2_500_000;
+/// A pane of a picture has a part of them: there are about so many panes for each of those who make them.
+const PANES: u64 = 4;
 /// The largest extent, in subsamples, of the outlines at first, and the steps after which it doubles.
 const ROUGH: (f64, u64) = (16.0, 100_000);
 /// A stroke of so many rows takes as long as two steps.
@@ -88,6 +90,8 @@ pub(super) struct Walk {
     making: Vec<Making>,
     /// The largest extent at which a block's outline will do.
     rough: f64,
+    /// The steps after which it becomes more.
+    patience: u64,
     /// Whether the whole drawing is to be shown, and nothing has been painted yet.
     fresh: bool,
     /// What outlines and broad strokes took beyond a step each.
@@ -111,6 +115,7 @@ impl Default for Walk {
             repeats: false,
             making: vec![],
             rough: 0.0,
+            patience: PATIENCE,
             fresh: false,
             extra: 0,
             stats: RenderStats::default(),
@@ -128,7 +133,8 @@ impl Walk {
         self.descent.path.clear();
     }
 
-    /// Starts a picture of `width` by `height` pixels, of the segments before `upto` where that is given.
+    /// Starts a pane of a picture, of the segments before `upto` where that is given.
+    #[expect(clippy::too_many_arguments, reason = "each is another kind of thing")]
     pub(super) fn begin(
         &mut self,
         drawing: &Drawing,
@@ -137,6 +143,7 @@ impl Walk {
         view: View,
         detail: Detail,
         upto: Option<u128>,
+        pane: Pane,
     ) {
         self.stats = RenderStats::default();
         self.repeats = drawing.memoised;
@@ -144,7 +151,9 @@ impl Walk {
         self.seen.clear();
         self.stack.clear();
         self.making.clear();
-        let camera = Camera::new(drawing, viewport, view, detail.samples() as f64);
+        let samples = detail.samples() as f64;
+        let camera = Camera::new(drawing, viewport, view, samples).of_pane(pane, samples);
+        self.patience = if pane == Pane::whole(viewport) { PATIENCE } else { PATIENCE / PANES };
         let hairline = viewport.least_width(style) * detail.samples() as f64 / 2.0;
         let look = Look { hairline, step: camera.step, scale: camera.scale };
         self.extra = 0;
@@ -155,7 +164,7 @@ impl Walk {
             self.tiles.clear();
         }
         self.descent.path.prepare(drawing, style);
-        let [width, height] = [viewport.width, viewport.height].map(|side| side as usize * detail.samples());
+        let [width, height] = [pane.width, pane.height].map(|side| side as usize * detail.samples());
         self.canvases[0].reset(width, height, self.inks.picture_planes());
         self.canvases[0].holes = self.repeats;
         let Some(root) = self.descent.root(drawing, camera) else { return };
@@ -298,8 +307,8 @@ impl Walk {
     /// Lets outlines do for larger blocks, the longer the picture takes.
     fn grow_rough(&mut self) {
         let work = self.stats.blocks + self.stats.strokes + self.stats.stamps + self.extra;
-        if self.repeats && work > PATIENCE {
-            self.rough = libm::scalbn(ROUGH.0, ((work - PATIENCE) / ROUGH.1).min(1000) as i32);
+        if self.repeats && work > self.patience {
+            self.rough = libm::scalbn(ROUGH.0, ((work - self.patience) / ROUGH.1).min(1000) as i32);
         }
     }
 

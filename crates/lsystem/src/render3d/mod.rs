@@ -13,6 +13,7 @@
 //! things move, on the time that the picture before took.
 
 mod camera;
+mod effort;
 mod face;
 mod lanes;
 mod light;
@@ -27,9 +28,10 @@ mod walk;
 mod tests;
 
 pub use camera::{Camera, camera_axes, fitted_solid_ends, fitted_solid_polygon, solid_scale};
+pub use effort::{Effort, Spent};
 pub use pick::pick_solid;
 
-use crate::{Drawing, Progress, RenderStats, Solid, Style, Viewport};
+use crate::{Drawing, Pane, Progress, RenderStats, Solid, Style, Viewport};
 use scene::Scene;
 use std::sync::Arc;
 use walk::Walk;
@@ -124,8 +126,8 @@ pub struct SolidRenderer {
     scene: Scene,
     /// How many segments are shown; all of them without it.
     upto: Option<u128>,
-    /// Pictures of two sizes in turn, as while things move and at rest, keep the memory of both.
-    walks: [Walk; 2],
+    /// Pictures of two sizes in turn, as while things move and at rest, keep the memory of both; the last is for panes.
+    walks: [Walk; 3],
     /// Which of them makes the picture.
     at: usize,
 }
@@ -157,10 +159,34 @@ impl SolidRenderer {
         if let Some(drawing) = &self.drawing {
             self.scene.dye(style);
             if !self.walks[self.at].fits(viewport) {
-                self.at = 1 - self.at;
+                let other = usize::from(self.at == 0);
+                self.at = (0..2).find(|&at| self.walks[at].fits(viewport)).unwrap_or(other);
             }
-            self.walks[self.at].begin(drawing, style, viewport, camera, quality);
+            self.walks[self.at].begin(drawing, style, viewport, camera, quality, None);
         }
+    }
+
+    /// Panes of a picture in the finest quality that are made like the whole picture: its tiles, row by row.
+    #[must_use]
+    pub fn panes(viewport: Viewport) -> Vec<Pane> {
+        let quality = Quality::FINEST;
+        Pane::all(viewport, quality.tile(viewport).map(|side| (side / quality.samples()) as u32))
+    }
+
+    /// Starts one of [`SolidRenderer::panes`] of the finest picture, with a budget that holds for all of them: the pixels
+    /// are those of the pane. Whether that was too small what all of them have [spent](Self::spent) tells [`Effort`].
+    pub fn begin_pane(&mut self, style: &Style, viewport: Viewport, camera: &Camera, pane: Pane, budget: f32) {
+        if let Some(drawing) = &self.drawing {
+            self.scene.dye(style);
+            self.at = 2;
+            self.walks[2].begin(drawing, style, viewport, camera, Quality::FINEST, Some((pane, budget)));
+        }
+    }
+
+    /// What the picture, or the pane, has taken with its budget so far.
+    #[must_use]
+    pub fn spent(&self) -> Spent {
+        self.walks[self.at].spent()
     }
 
     /// Goes on with the picture for about `work` units (one unit is in the order of 10 to 100 nanoseconds).

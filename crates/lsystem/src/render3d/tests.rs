@@ -272,6 +272,45 @@ fn pictures_do_not_depend_on_steps() {
     assert_eq!(whole, renderer.pixels());
 }
 
+/// Made pane by pane, in any order and by several renderers, with the budgets that the picture has one after the other,
+/// it is the same picture.
+#[test]
+fn panes_together_are_the_picture() {
+    let viewport = Viewport { width: 560, height: 400, ratio: 1.0 };
+    let mut rounds = 0;
+    for (system, n, camera) in
+        [(bush(), 9, Camera::default()), (bush(), 20, Camera { zoom: 3.0, ..cameras()[1] }), (tree(), 3, cameras()[0])]
+    {
+        let drawing = drawing(&system, n);
+        for style in &styles() {
+            let whole = picture(&drawing, style, viewport, &camera, Quality::FINEST, usize::MAX);
+            let mut renderers = [SolidRenderer::new(), SolidRenderer::new()];
+            renderers.iter_mut().for_each(|renderer| renderer.load(drawing.clone()));
+            let mut effort = Effort::new(Quality::FINEST, viewport);
+            let mut pixels = vec![0; 560 * 400 * 4];
+            loop {
+                let mut spent = Spent::default();
+                for (number, pane) in SolidRenderer::panes(viewport).into_iter().rev().enumerate() {
+                    let renderer = &mut renderers[number % 2];
+                    renderer.begin_pane(style, viewport, &camera, pane, effort.budget());
+                    while renderer.step(10_000) == Progress::More {}
+                    spent.add(renderer.spent());
+                    for (y, row) in renderer.pixels().chunks(pane.width as usize * 4).enumerate() {
+                        let at = ((pane.y as usize + y) * 560 + pane.x as usize) * 4;
+                        pixels[at..at + row.len()].copy_from_slice(row);
+                    }
+                }
+                rounds += 1;
+                if !effort.is_too_small(spent) {
+                    break;
+                }
+            }
+            assert!(pixels == whole, "n = {n}, {camera:?}");
+        }
+    }
+    assert!(rounds > 12, "some are made again: {rounds}");
+}
+
 /// Every tile's work is bounded, at any number of segments, also where they all lie in the same place.
 #[test]
 fn deep_drawings_end_in_time() {

@@ -2,13 +2,14 @@
 
 use super::Quality;
 use super::camera::{Camera, Lens, NEAR};
+use super::effort::{Effort, Spent};
 use super::face::Face;
 use super::light::{DIRECTIONS, LIGHT, Light};
 use super::path::Stretch;
 use super::scene::{Node, SAMPLES, Scene, WIDTH, direction, minus};
 use super::stroke::{Dot, Stick, span};
 use super::tile::Tile;
-use crate::render::Shade;
+use crate::render::{Pane, Shade};
 use crate::rotation::{Vector, combine, cross, dot, norm};
 use crate::{Drawing, Progress, RenderStats, Solid, Style, Viewport};
 
@@ -26,11 +27,6 @@ const THICKER: f64 = 1.25;
 const OUTSTANDING: f64 = 2.0;
 /// How often what somebody does not need of a budget is shared out to the others.
 const ROUNDS: usize = 2;
-/// How often a picture is made again at most, when a budget is too small, and how many times larger the next one is.
-const AGAIN: u8 = 4;
-const MORE: f32 = 8.0;
-/// It is not made again for less than this part more.
-const WORTH: f32 = 1.6;
 /// So many strokes and nodes are drawn in time in any case, and each of them tells in so small a drawing.
 const FEW: f32 = 16_000.0;
 /// Enough for everything.
@@ -113,8 +109,6 @@ pub(super) struct Walk {
     work: i64,
     /// Whether something had to go without.
     poor: bool,
-    /// How often the picture has been made with too small a budget.
-    again: u8,
     pub(super) stats: RenderStats,
 }
 
@@ -133,10 +127,11 @@ struct Look {
     single: bool,
     /// Blocks smaller than this are dots, in samples.
     detail: f32,
-    /// Contents of nodes that are looked into at most.
-    budget: f32,
-    /// Work that it is worth.
-    work: i64,
+    effort: Effort,
+    /// Whether it is only a pane of the picture, whose effort others know.
+    pane: bool,
+    /// Where it begins in the picture, in samples.
+    corner: [f64; 2],
     /// Half the smallest stroke width, in samples.
     hairline: f64,
     /// The stroke width at the start, in step lengths.
@@ -149,6 +144,7 @@ impl Walk {
         (self.width, self.height) == (viewport.width as usize, viewport.height as usize)
     }
 
+    /// Starts a picture, or only a pane of it with this budget.
     pub(super) fn begin(
         &mut self,
         drawing: &Drawing<Solid>,
@@ -156,11 +152,14 @@ impl Walk {
         viewport: Viewport,
         camera: &Camera,
         quality: Quality,
+        only: Option<(Pane, f32)>,
     ) {
         let samples = quality.samples();
         let lens = Lens::new(drawing, viewport, camera, samples as f64);
         let size = [viewport.width, viewport.height].map(|pixels| f64::from(pixels) * samples as f64);
         let side = quality.tile(viewport);
+        let effort = Effort::new(quality, viewport);
+        let pane = only.map_or(Pane::whole(viewport), |(pane, _)| pane.within(viewport));
         self.look = Some(Look {
             lens,
             light: Light::new(style, &lens, camera.fade),
@@ -170,12 +169,13 @@ impl Walk {
             side,
             single: (0..2).all(|i| side[i] as f64 >= size[i]),
             detail: quality.detail() as f32,
-            budget: quality.budget(),
-            work: quality.work(viewport),
+            effort: only.map_or(effort, |(_, budget)| effort.with_budget(budget)),
+            pane: only.is_some(),
+            corner: [pane.x, pane.y].map(|pixels| f64::from(pixels) * samples as f64),
             hairline: viewport.least_width(style) * samples as f64 / 2.0,
             width: drawing.width,
         });
-        (self.width, self.height) = (viewport.width as usize, viewport.height as usize);
+        (self.width, self.height) = (pane.width as usize, pane.height as usize);
         let size = self.width * self.height * 4;
         let [r, g, b] = style.background.rgb;
         let paper = [r, g, b, u8::MAX];
@@ -193,20 +193,22 @@ impl Walk {
         self.stack.clear();
         self.next = 0;
         self.painting = false;
-        (self.used, self.work, self.poor, self.again) = (0.0, 0, false, 0);
+        (self.used, self.work, self.poor) = (0.0, 0, false);
         self.stats = RenderStats::default();
     }
 
-    /// Starts again with a larger budget where little of the work that the picture is worth was done, though something
-    /// had to go without: how much of a budget is needed nobody knows before. Whether it does.
+    /// What the picture, or the pane, has taken since it was started, with the budget it has now.
+    pub(super) fn spent(&self) -> Spent {
+        Spent { work: self.work as f64, poor: self.poor }
+    }
+
+    /// Starts again where the budget was too small. Whether it does.
     fn starts_again(&mut self) -> bool {
-        let Some(look) = &mut self.look else { return false };
-        let missing = look.work as f32 / (self.work.max(1)) as f32;
-        if !self.poor || self.again == AGAIN || missing < WORTH {
+        let spent = self.spent();
+        let Some(look) = self.look.as_mut().filter(|look| !look.pane) else { return false };
+        if !look.effort.is_too_small(spent) {
             return false;
         }
-        look.budget *= (0.8 * missing).min(MORE);
-        self.again += 1;
         (self.used, self.work, self.poor) = (0.0, 0, false);
         (self.next, self.wiped) = (0, 0);
         true
@@ -231,7 +233,7 @@ impl Walk {
                 return if self.starts_again() { Progress::More } else { Progress::Done };
             }
             let at = [self.next % across, self.next / across];
-            let corner = [0, 1].map(|i| (at[i] * look.side[i]) as f64);
+            let corner = [0, 1].map(|i| look.corner[i] + (at[i] * look.side[i]) as f64);
             if !self.painting {
                 self.painting = true;
                 self.tile.leans = look.samples == 4;
@@ -241,7 +243,7 @@ impl Walk {
                     let Lens { origin, axes, .. } = look.lens;
                     let place = Place { origin, axes, scale: dot(axes[0], axes[0]).sqrt() };
                     let shade = Shade { number: 0, fixed: true };
-                    let share = if few(scene) { MOST } else { look.budget };
+                    let share = if few(scene) { MOST } else { look.effort.budget };
                     let inside = Inside { place, shade, path: scene.shown, width: look.width, share };
                     self.open(scene, &look, corner, root, inside);
                 }
@@ -263,7 +265,7 @@ impl Walk {
             return;
         }
         if let Some(look) = &mut self.look {
-            look.budget *= part;
+            look.effort = look.effort.with_budget(look.effort.budget * part);
         }
         for frame in &mut self.stack {
             frame.spare = 0.0;
@@ -412,7 +414,7 @@ impl Walk {
         let path = frame.path.part(link.before, link.part);
         let inner = &scene.nodes[link.node as usize];
         let fine = 2.0 * ball > look.detail;
-        if look.work > 0 && self.work > 4 * look.work {
+        if look.effort.work > 0 && self.work > 4 * look.effort.work {
             share = 0.0;
         }
         let poor = fine && share < f32::from(inner.links + inner.lines) && share < inner.own.need;

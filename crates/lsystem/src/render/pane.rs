@@ -1,0 +1,42 @@
+//! Panes of a picture, which can be made one by one, and by several at the same time.
+
+use super::Viewport;
+
+/// A rectangle of a picture's pixels, y down from the upper left corner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pane {
+    /// Its left side.
+    pub x: u32,
+    /// Its upper side.
+    pub y: u32,
+    /// In pixels.
+    pub width: u32,
+    /// In pixels.
+    pub height: u32,
+}
+
+impl Pane {
+    /// All of a picture.
+    #[must_use]
+    pub fn whole(viewport: Viewport) -> Self {
+        Self { x: 0, y: 0, width: viewport.width, height: viewport.height }
+    }
+
+    /// All of a picture in panes of this size, but for the last of each row and column, row by row.
+    #[must_use]
+    pub fn all(viewport: Viewport, [width, height]: [u32; 2]) -> Vec<Self> {
+        let [width, height] = [width.max(1), height.max(1)];
+        let starts = |side: u32, step: u32| (0..side).step_by(step as usize);
+        let row = |y: u32| {
+            let height = height.min(viewport.height - y);
+            starts(viewport.width, width).map(move |x| Self { x, y, width: width.min(viewport.width - x), height })
+        };
+        starts(viewport.height, height).flat_map(row).collect()
+    }
+
+    /// What of it lies in a picture.
+    pub(crate) fn within(self, viewport: Viewport) -> Self {
+        let [x, y] = [self.x.min(viewport.width), self.y.min(viewport.height)];
+        Self { x, y, width: self.width.min(viewport.width - x), height: self.height.min(viewport.height - y) }
+    }
+}
