@@ -134,6 +134,9 @@ export function createEngine(kits, events) {
     /** Questions without an answer yet. @type {Map<number, {request: object, resolve: (answer: any) => void, reject: (reason: Error) => void}>} */
     const asked = new Map();
 
+    /** Who helps with pictures that take long. @type {{help: (worker: Worker, script: string, wasm: ArrayBuffer) => void, leave: () => void} | null} */
+    let mates = null;
+
     /** The state that is shown at its finest. @type {{definition: Definition | null, look: Look | null}} */
     let shown = { definition: null, look: null };
 
@@ -158,6 +161,7 @@ export function createEngine(kits, events) {
 
     /** Puts a worker in the place of another, for the same state. @param {Worker} fresh */
     function employ(fresh) {
+        mates?.leave();
         worker?.terminate();
         worker = fresh;
         ready = false;
@@ -264,6 +268,7 @@ export function createEngine(kits, events) {
                 failures = 0;
                 const seen = views.get(message.viewId);
                 for (const id of views.keys()) if (id < message.viewId) views.delete(id);
+                if (message.slow && kit === full) help();
                 const newest = message.id >= defineSent && message.viewId >= lookSent;
                 // A worker that takes over begins with a coarse picture of what is shown at its finest already.
                 const known = newest && !message.complete && shown.definition === definition && shown.look === look;
@@ -283,8 +288,16 @@ export function createEngine(kits, events) {
         }
     }
 
+    /** The next such picture is made by several workers. */
+    async function help() {
+        const slow = worker;
+        const bytes = await wasm;
+        if (slow && bytes && worker === slow) mates?.help(slow, full.worker, bytes);
+    }
+
     /** @param {string} message @param {boolean} [hopeless] */
     function fail(message, hopeless = false) {
+        mates?.leave();
         worker?.terminate();
         worker = null;
         failures += 1;
@@ -387,6 +400,11 @@ export function createEngine(kits, events) {
             send();
             // The turtle's pose is known to the full kit only.
             if (upto !== null) grow().catch(() => {});
+        },
+
+        /** From now on these help with pictures that take long. @param {NonNullable<typeof mates>} helpers */
+        share(helpers) {
+            mates = helpers;
         },
 
         /** @param {number} generation @param {bigint} start @param {number} count @returns {Promise<StringPage>} */

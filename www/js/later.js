@@ -2,6 +2,7 @@
 
 import { createGallery } from './gallery.js';
 import { hasInk, houseInk } from './inks.js';
+import { createMates, matesOn } from './mates.js';
 import { bestLink } from './packed.js';
 import { favouritesPanel } from './panels/favourites-panel.js';
 import { keepPanel } from './panels/keep-panel.js';
@@ -27,6 +28,7 @@ export function createLater(store, engine, { keeper, session, resolution }) {
     });
     createSeeds(store, engine);
     createShortcuts();
+    engine.share(createMates(matesOn(navigator)));
 }
 
 /**

@@ -2,9 +2,12 @@
 
 use crate::viewer::Scene;
 #[cfg(feature = "full")]
-use lsystem::{DensityRenderer, Ink, Pane};
+use lsystem::{DensityRenderer, Ink, Pane, RenderStats, Spent};
 use lsystem::{Detail, Drawing, PlaneRenderer, Progress, Renderer};
 use std::sync::Arc;
+
+/// A picture that needs more tiles than this is mostly made of them.
+const TILES: u64 = 100;
 
 /// A renderer for one of the inks.
 enum Maker {
@@ -96,6 +99,18 @@ impl Brush {
     /// Whether outlines stand for fine detail.
     pub(crate) fn is_rough(&self) -> bool {
         self.maker.get().stats().outlines > 0
+    }
+
+    /// Whether tiles were made for it, enough to tell.
+    pub(crate) fn has_tiles(&self) -> bool {
+        self.maker.get().stats().tiles > TILES
+    }
+
+    /// What it has taken: steps of any kind.
+    #[cfg(feature = "full")]
+    pub(crate) fn spent(&self) -> Spent {
+        let RenderStats { blocks, strokes, stamps, .. } = self.maker.get().stats();
+        Spent { work: (blocks + strokes + stamps) as f64, poor: false }
     }
 
     /// The picture so far.

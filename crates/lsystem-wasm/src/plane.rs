@@ -36,6 +36,9 @@ pub(crate) struct PlaneView {
     sketches: u8,
     #[cfg(feature = "full")]
     sharing: Sharing,
+    /// Whether the picture before took long, and whether it was made of tiles.
+    slow: bool,
+    tiled: bool,
 }
 
 /// How far a picture is.
@@ -65,6 +68,8 @@ impl Default for PlaneView {
             sketches: 0,
             #[cfg(feature = "full")]
             sharing: Sharing::default(),
+            slow: false,
+            tiled: false,
         }
     }
 }
@@ -130,8 +135,9 @@ impl Viewer for PlaneView {
                     self.sketches = if self.spent > PATIENCE { SKETCHES } else { 0 };
                     self.stage = Stage::Done;
                     surface.show(self.fine.pixels(), viewport)?;
-                    let (rough, slow) = (self.fine.is_rough(), self.spent > SLOW && can_share(drawing, scene));
-                    return Ok(Some(Drawn { complete: true, scale, moving: false, rough, slow }));
+                    (self.slow, self.tiled) = (self.spent > SLOW, self.fine.has_tiles());
+                    let slow = self.slow && !self.tiled && can_share(drawing, scene);
+                    return Ok(Some(Drawn { complete: true, scale, moving: false, rough: self.fine.is_rough(), slow }));
                 }
                 if self.spent > PATIENCE {
                     self.sketches = SKETCHES;
@@ -140,8 +146,8 @@ impl Viewer for PlaneView {
                         return Ok(None);
                     }
                     #[cfg(feature = "full")]
-                    if scene.mates > 0 && can_share(drawing, scene) {
-                        self.sharing.start(viewport, Pane::all(viewport, bands(viewport, scene.mates + 1)));
+                    if scene.mates > 0 && self.slow && !self.tiled && can_share(drawing, scene) {
+                        self.sharing.start(Pane::all(viewport, bands(viewport, scene.mates + 1)));
                         self.stage = Stage::Shared;
                     }
                 }
@@ -149,15 +155,17 @@ impl Viewer for PlaneView {
             }
             #[cfg(feature = "full")]
             Stage::Shared => {
-                match self.sharing.turn() {
+                match self.sharing.turn(clock.now()) {
                     Turn::Begin(pane) => self.fine.begin_pane(scene, pane),
                     Turn::GoOn => {
-                        if self.fine.step(WORK) == Progress::Done
-                            && let Some(pane) = self.sharing.finish(Spent::default(), self.fine.is_rough())
-                        {
-                            surface.put(self.fine.pixels(), viewport, pane)?;
+                        if self.fine.step(WORK) == Progress::Done {
+                            self.tiled |= self.fine.has_tiles();
+                            if let Some(pane) = self.sharing.finish(self.fine.spent(), self.fine.is_rough()) {
+                                surface.put(self.fine.pixels(), viewport, pane)?;
+                            }
                         }
                     }
+                    Turn::Wait => {}
                     Turn::Done => {
                         self.stage = Stage::Done;
                         let rough = self.sharing.is_rough();
@@ -193,7 +201,7 @@ impl Viewer for PlaneView {
 
     #[cfg(feature = "full")]
     fn step_pane(&mut self) -> Option<(Spent, bool)> {
-        (self.fine.step(WORK) == Progress::Done).then(|| (Spent::default(), self.fine.is_rough()))
+        (self.fine.step(WORK) == Progress::Done).then(|| (self.fine.spent(), self.fine.is_rough()))
     }
 
     #[cfg(feature = "full")]

@@ -188,6 +188,10 @@ impl Playground {
                 self.build(realm);
             } else {
                 drawn = self.paint()?;
+                #[cfg(feature = "full")]
+                if self.waits() {
+                    break;
+                }
             }
             if self.clock.now() >= end {
                 break;

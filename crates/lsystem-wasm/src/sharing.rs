@@ -1,10 +1,13 @@
 //! A picture that several workers make together: who makes which pane of it, here and at the mates.
 
 use core::sync::atomic::{AtomicU32, Ordering};
-use lsystem::{Pane, Spent, Viewport};
+use lsystem::{Pane, Spent};
 
 /// The number of the newest round of panes.
 static ROUNDS: AtomicU32 = AtomicU32::new(0);
+
+/// When there is nothing else to do, mates are waited for so long without any news, in milliseconds.
+const PATIENCE: f64 = 150.0;
 
 /// Panes that are to be made in one round, each by whoever is free.
 #[derive(Default)]
@@ -12,12 +15,18 @@ pub(crate) struct Sharing {
     /// Which round: what is made in another is of no use any more.
     pub(crate) round: u32,
     panes: Vec<Pane>,
+    /// By pane: the work that it took the last time.
+    work: Vec<f64>,
     /// Those that nobody makes yet, the next one last.
     open: Vec<usize>,
     /// Those that mates make, in the order in which they were handed out.
     out: Vec<usize>,
     /// The one that is made here.
     own: Option<usize>,
+    /// Since when there is nothing to do but to wait.
+    waiting: Option<f64>,
+    /// Whether mates are not waited for any more.
+    alone: bool,
     spent: Spent,
     /// Whether fine detail is left out of any.
     rough: bool,
@@ -30,32 +39,45 @@ pub(crate) enum Turn {
     Begin(Pane),
     /// Go on with the one that was begun.
     GoOn,
+    /// Wait for mates.
+    Wait,
     /// Nothing: all panes are there.
     Done,
 }
 
 impl Sharing {
-    /// Starts a round: those in the middle of the picture first, where mostly there is most to do.
-    pub(crate) fn start(&mut self, viewport: Viewport, panes: Vec<Pane>) {
-        let aside = |&number: &usize| {
-            let Pane { x, y, width, height } = panes[number];
-            let [x, y] = [(2 * x + width).abs_diff(viewport.width), (2 * y + height).abs_diff(viewport.height)];
-            core::cmp::Reverse(x.max(y))
-        };
-        let mut open: Vec<usize> = (0..panes.len()).collect();
-        open.sort_by_key(aside);
+    /// Starts a round: what took most the last time is made first, and what is in the middle where nothing is known.
+    pub(crate) fn start(&mut self, panes: Vec<Pane>) {
+        let count = panes.len();
+        // 0, 4, 1, 3, 2 for five.
+        let mut open: Vec<usize> = (0..count).map(|at| if at % 2 == 0 { at / 2 } else { count - 1 - at / 2 }).collect();
+        let mut work = core::mem::take(&mut self.work);
+        if panes != self.panes {
+            work.clear();
+            work.resize(count, 0.0);
+        }
+        for i in 1..count {
+            let mut j = i;
+            while j > 0 && work[open[j - 1]] > work[open[j]] {
+                open.swap(j - 1, j);
+                j -= 1;
+            }
+        }
         let round = ROUNDS.fetch_add(1, Ordering::Relaxed) + 1;
-        *self = Self { round, panes, open, ..Self::default() };
+        *self = Self { round, panes, work, open, ..Self::default() };
     }
 
     /// The same panes once more.
-    pub(crate) fn start_again(&mut self, viewport: Viewport) {
-        let panes = core::mem::take(&mut self.panes);
-        self.start(viewport, panes);
+    pub(crate) fn start_again(&mut self) {
+        self.start(self.panes.clone());
     }
 
-    /// The next pane for a mate, if nobody makes it yet.
-    pub(crate) fn hand_out(&mut self) -> Option<(usize, Pane)> {
+    /// The next pane for a mate, if nobody makes it yet. One that is not begun at once is only handed out while there
+    /// are more than `kept`.
+    pub(crate) fn hand_out(&mut self, kept: usize) -> Option<(usize, Pane)> {
+        if self.open.len() <= kept {
+            return None;
+        }
         let number = self.open.pop()?;
         self.out.push(number);
         Some((number, self.panes[number]))
@@ -68,21 +90,37 @@ impl Sharing {
         if self.own == Some(number) {
             self.own = None;
         }
+        self.waiting = None;
+        self.work[number] = spent.work;
         self.spent.add(spent);
         self.rough |= rough;
         true
     }
 
-    /// What to do here: what mates have not answered when nothing else is left is made here as well, what they were
-    /// handed last first.
-    pub(crate) fn turn(&mut self) -> Turn {
+    /// What to do here, at a time in milliseconds. What mates do not answer is made here as well when they have been
+    /// waited for, what they were handed last first.
+    pub(crate) fn turn(&mut self, now: f64) -> Turn {
         if self.own.is_some() {
             return Turn::GoOn;
         }
-        let open = self.open.pop();
-        self.out.extend(open);
-        self.own = open.or(self.out.last().copied());
-        self.own.map_or(Turn::Done, |number| Turn::Begin(self.panes[number]))
+        let next = self.open.pop();
+        if let Some(number) = next {
+            self.out.push(number);
+        }
+        let Some(&last) = self.out.last() else { return Turn::Done };
+        if next.is_none() {
+            self.alone |= now - *self.waiting.get_or_insert(now) > PATIENCE;
+            if !self.alone {
+                return Turn::Wait;
+            }
+        }
+        self.own = Some(last);
+        Turn::Begin(self.panes[last])
+    }
+
+    /// Whether there is nothing to do but to wait.
+    pub(crate) fn is_waiting(&self) -> bool {
+        self.waiting.is_some() && self.own.is_none()
     }
 
     /// The pane that is made here is there; which one that is.
@@ -106,12 +144,13 @@ impl Sharing {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use lsystem::Viewport;
 
     const VIEWPORT: Viewport = Viewport { width: 64, height: 160, ratio: 1.0 };
 
     fn sharing() -> Sharing {
         let mut sharing = Sharing::default();
-        sharing.start(VIEWPORT, Pane::all(VIEWPORT, [64, 32]));
+        sharing.start(Pane::all(VIEWPORT, [64, 32]));
         sharing
     }
 
@@ -122,64 +161,80 @@ mod tests {
         }
     }
 
-    #[test]
-    fn alone_all_panes_are_made_here_the_middle_first() {
-        let mut sharing = sharing();
+    /// Makes all panes here, with so much work each; in which order.
+    fn make(sharing: &mut Sharing, work: [f64; 5]) -> Vec<u32> {
         let mut made = vec![];
-        while let turn @ Turn::Begin(_) = sharing.turn() {
+        while let turn @ Turn::Begin(_) = sharing.turn(0.0) {
             made.push(number(&turn));
-            assert_eq!(sharing.turn(), Turn::GoOn);
-            sharing.finish(Spent { work: 2.0, poor: made.len() == 3 }, made.len() == 4);
+            assert_eq!(sharing.turn(0.0), Turn::GoOn);
+            let spent = Spent { work: work[number(&turn) as usize], poor: made.len() == 3 };
+            sharing.finish(spent, made.len() == 4);
         }
-        assert_eq!(made[0], 2);
-        made.sort_unstable();
-        assert_eq!(made, [0, 1, 2, 3, 4]);
-        assert_eq!(sharing.spent(), Spent { work: 10.0, poor: true });
+        assert_eq!(sharing.turn(0.0), Turn::Done);
+        made
+    }
+
+    #[test]
+    fn alone_all_panes_are_made_here_in_a_good_order() {
+        let mut sharing = sharing();
+        assert_eq!(make(&mut sharing, [5.0, 1.0, 2.0, 3.0, 4.0]), [2, 3, 1, 4, 0]);
+        assert_eq!(sharing.spent(), Spent { work: 15.0, poor: true });
         assert!(sharing.is_rough());
-        assert_eq!(sharing.turn(), Turn::Done);
+        sharing.start_again();
+        assert!(!sharing.is_rough());
+        assert_eq!(make(&mut sharing, [1.0; 5]), [0, 4, 3, 2, 1]);
+        sharing.start(Pane::all(VIEWPORT, [32, 80]));
+        assert_eq!(sharing.hand_out(0).unwrap().0, 2);
     }
 
     #[test]
     fn mates_make_what_they_are_handed() {
         let mut sharing = sharing();
-        let handed: Vec<usize> = core::iter::from_fn(|| Some(sharing.hand_out()?.0)).collect();
-        assert_eq!(handed.len(), 5);
-        for number in handed {
+        let handed: Vec<usize> = core::iter::from_fn(|| Some(sharing.hand_out(2)?.0)).collect();
+        assert_eq!(handed, [2, 3, 1], "some are kept for who is free first");
+        let rest: Vec<usize> = core::iter::from_fn(|| Some(sharing.hand_out(0)?.0)).collect();
+        for number in handed.into_iter().chain(rest) {
             assert!(sharing.take_in(number, Spent::default(), false));
             assert!(!sharing.take_in(number, Spent::default(), false), "twice");
         }
-        assert_eq!(sharing.turn(), Turn::Done);
+        assert_eq!(sharing.turn(0.0), Turn::Done);
         assert!(!sharing.take_in(77, Spent::default(), false));
     }
 
     #[test]
     fn what_mates_do_not_answer_is_made_here() {
         let mut sharing = sharing();
-        let lost = sharing.hand_out().unwrap().0;
-        let slow = sharing.hand_out().unwrap().0;
-        for _ in 0..3 {
-            assert!(matches!(sharing.turn(), Turn::Begin(_)));
+        let [lost, slow, late] = [0; 3].map(|_| sharing.hand_out(0).unwrap().0);
+        for _ in 0..2 {
+            assert!(matches!(sharing.turn(0.0), Turn::Begin(_)));
             sharing.finish(Spent::default(), false);
         }
-        assert_eq!(number(&sharing.turn()) as usize, slow);
+        assert_eq!(sharing.turn(10.0), Turn::Wait);
+        assert!(sharing.is_waiting());
+        assert!(sharing.take_in(late, Spent::default(), false));
+        assert!(!sharing.is_waiting());
+        assert_eq!(sharing.turn(100.0), Turn::Wait);
+        assert_eq!(sharing.turn(240.0), Turn::Wait, "there were news");
+        assert_eq!(number(&sharing.turn(260.0)) as usize, slow);
+        assert!(!sharing.is_waiting());
         // It answers after all, while the pane is made here.
         assert!(sharing.take_in(slow, Spent::default(), false));
-        assert_eq!(number(&sharing.turn()) as usize, lost);
+        assert_eq!(number(&sharing.turn(270.0)) as usize, lost, "nobody waits twice");
         assert_eq!(sharing.finish(Spent::default(), false).map(|pane| pane.y as usize / 32), Some(lost));
         assert!(!sharing.take_in(lost, Spent::default(), false), "too late");
-        assert_eq!(sharing.turn(), Turn::Done);
+        assert_eq!(sharing.turn(280.0), Turn::Done);
     }
 
     #[test]
     fn rounds_are_told_apart() {
         let (mut sharing, other) = (sharing(), sharing());
         let before = sharing.round;
-        sharing.hand_out();
-        sharing.start_again(VIEWPORT);
+        sharing.hand_out(0);
+        sharing.start_again();
         assert!(before < other.round && other.round < sharing.round);
         assert_eq!(sharing.open.len(), 5);
-        sharing.start(Viewport { width: 0, ..VIEWPORT }, vec![]);
-        assert_eq!(sharing.turn(), Turn::Done);
-        assert_eq!(sharing.hand_out(), None);
+        sharing.start(vec![]);
+        assert_eq!(sharing.turn(0.0), Turn::Done);
+        assert_eq!(sharing.hand_out(0), None);
     }
 }

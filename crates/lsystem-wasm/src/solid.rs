@@ -130,7 +130,7 @@ impl Viewer for SolidView {
     /// A finer picture is begun when one is shown.
     fn paint(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
         if self.shared {
-            return self.paint_shared(surface);
+            return self.paint_shared(clock, surface);
         }
         let (Some(drawing), Some(scene), false) = (&self.drawing, &self.scene, self.done) else { return Ok(None) };
         let began = clock.now();
@@ -144,7 +144,7 @@ impl Viewer for SolidView {
             if self.quality == Quality::FINEST && self.spent > HURRY && scene.mates > 0 && drawing.is_memoised() {
                 self.shared = true;
                 self.effort = Effort::new(self.quality, self.viewport);
-                self.sharing.start(self.viewport, SolidRenderer::panes(self.viewport));
+                self.sharing.start(SolidRenderer::panes(self.viewport));
             }
             return Ok(None);
         }
@@ -212,10 +212,10 @@ impl SolidView {
     }
 
     /// Goes on with a picture that is made together with mates.
-    fn paint_shared(&mut self, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
+    fn paint_shared(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
         let (Some(drawing), Some(scene)) = (&self.drawing, &self.scene) else { return Ok(None) };
         let viewport = self.viewport;
-        match self.sharing.turn() {
+        match self.sharing.turn(clock.now()) {
             Turn::Begin(pane) => {
                 self.renderer.begin_pane(&scene.style, viewport, &self.camera, pane, self.effort.budget());
             }
@@ -226,7 +226,8 @@ impl SolidView {
                     surface.put(self.renderer.pixels(), viewport, pane)?;
                 }
             }
-            Turn::Done if self.effort.is_too_small(self.sharing.spent()) => self.sharing.start_again(viewport),
+            Turn::Wait => {}
+            Turn::Done if self.effort.is_too_small(self.sharing.spent()) => self.sharing.start_again(),
             Turn::Done => {
                 (self.done, self.shared) = (true, false);
                 let scale = solid_scale(drawing, viewport, &self.camera);

@@ -7,9 +7,10 @@ use anyhow::{Result, bail};
 use std::ffi::OsStr;
 use std::process::Command;
 
-const PARTS: [&str; 6] = ["native", "web", "pictures", "page", "load", "space"];
+const PARTS: [&str; 7] = ["native", "web", "pictures", "page", "load", "space", "shares"];
 
-/// Measures natively, in the browser, pictures, the page, what it costs to open it, drawings in space, or all of it.
+/// Measures natively, in the browser, pictures, the page, what it costs to open it, drawings in space, pictures that
+/// several workers share, or all of it.
 pub(crate) fn bench<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a str>) -> Result<()> {
     let parts: Vec<_> = words.collect();
     if let Some(word) = parts.iter().find(|word| !PARTS.contains(word)) {
@@ -27,7 +28,7 @@ pub(crate) fn bench<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a s
     if has("pictures") {
         browser(workspace, "pictures".as_ref())?;
     }
-    if ["page", "load", "space"].into_iter().any(has) {
+    if ["page", "load", "space", "shares"].into_iter().any(has) {
         build::build(workspace)?;
     }
     if has("page") {
@@ -38,6 +39,9 @@ pub(crate) fn bench<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a s
     }
     if has("space") {
         page::bench(workspace, &["space.mjs"])?;
+    }
+    if has("shares") {
+        page::bench(workspace, &["shares.mjs"])?;
     }
     Ok(())
 }

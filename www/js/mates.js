@@ -1,0 +1,73 @@
+/**
+ * Workers that make panes of pictures which take long for one. They are hired when a picture has, and let go when none has
+ * for a while. The drawing worker hears from them directly; without them it makes all by itself.
+ */
+
+import { scriptAddress } from './files.js';
+
+const MOST = 3;
+/** Gigabytes, as far as the browser tells. */
+const LEAST_MEMORY = 4;
+/** In milliseconds. */
+const PAUSE = 30_000;
+
+/**
+ * How many there may be: the drawing worker has a core to itself, and each of them needs some memory.
+ * @param {{hardwareConcurrency?: number, deviceMemory?: number}} machine
+ */
+export const matesOn = ({ hardwareConcurrency = 1, deviceMemory = LEAST_MEMORY }) =>
+    deviceMemory < LEAST_MEMORY ? 0 : Math.max(0, Math.min(hardwareConcurrency - 1, MOST));
+
+/** @param {number} count */
+export function createMates(count) {
+    /** @type {Worker[]} */
+    let hired = [];
+    /** The one that they help. @type {Worker | null} */
+    let master = null;
+    let timer = 0;
+
+    function leave() {
+        clearTimeout(timer);
+        for (const mate of hired) mate.terminate();
+        hired = [];
+        master?.postMessage({ type: 'mates', ports: [] });
+        master = null;
+    }
+
+    /** The other end of a new mate's port. @param {string} script @param {ArrayBuffer} wasm */
+    function hire(script, wasm) {
+        const mate = new Worker(scriptAddress(script));
+        const { port1, port2 } = new MessageChannel();
+        mate.onerror = (event) => {
+            event.preventDefault();
+            mate.terminate();
+        };
+        // What it does not answer is made without it.
+        mate.onmessage = ({ data }) => data.type === 'fatal' && mate.terminate();
+        mate.postMessage({ type: 'init', wasm, master: port2 }, [port2]);
+        hired.push(mate);
+        return port1;
+    }
+
+    return {
+        /** A worker's picture has taken long. @param {Worker} worker @param {string} script of its kind @param {ArrayBuffer} wasm */
+        help(worker, script, wasm) {
+            if (worker !== master) {
+                leave();
+                master = worker;
+                try {
+                    const ports = Array.from({ length: count }, () => hire(script, wasm));
+                    worker.postMessage({ type: 'mates', ports }, ports);
+                } catch {
+                    // A page that may not have more workers does without.
+                    leave();
+                    master = worker;
+                }
+            }
+            clearTimeout(timer);
+            timer = window.setTimeout(leave, PAUSE);
+        },
+
+        leave,
+    };
+}

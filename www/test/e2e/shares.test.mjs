@@ -1,0 +1,147 @@
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+import { close, nextPicture, picture, stillPicture, until, withPage } from './browser.mjs';
+
+after(close);
+
+const TREE = '#v=1&axiom=T&rules=T%20-%3E%20TF%0AF%20-%3E%20F%5B+F%5D%5B-FF%5D%5B%3CF%5D%5B%3EFF%5D%5B%26F%5D&n=8&angle=40&turtle=practical';
+const LEAF = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF&n=4&angle=25';
+
+/**
+ * Runs in the page: a worker that makes pictures by itself, and then with a mate, whose messages pass through here. How
+ * different they are, and how many panes the mate has made. A mate that is `lost` answers nothing; with `drags` there
+ * are other views before the last.
+ * @param {{definition: object, zoom: number, lost?: boolean, drags?: number}} work
+ */
+async function compare({ definition, zoom, lost = false, drags = 0 }) {
+    const wasm = await (await fetch('lsystem-full.wasm')).arrayBuffer();
+    const [worker, mate] = [new Worker('worker-full.js'), new Worker('worker-full.js')];
+    const [near, far] = [new MessageChannel(), new MessageChannel()];
+    let [made, stopped] = [0, 0];
+    near.port1.onmessage = ({ data }) => {
+        if (data.round === 0) stopped += 1;
+        if (!lost) far.port1.postMessage(data);
+    };
+    far.port1.onmessage = ({ data }) => {
+        if (data.pixels) made += 1;
+        near.port1.postMessage(data);
+    };
+    mate.postMessage({ type: 'init', wasm, master: far.port2 }, [far.port2]);
+    worker.postMessage({ type: 'init', wasm });
+    let id = 0;
+    worker.postMessage({ type: 'define', id: ++id, definition, upto: null });
+    /** @param {number} size */
+    const look = (size) => worker.postMessage({ type: 'view', id: ++id, width: 640, height: 480, ratio: 2, view: { x: 0.05, y: 0.1, zoom: size }, camera: { azimuth: 20, elevation: 12, zoom: size, x: 0, y: 0, z: 0, perspective: true, fade: 0 }, upto: null });
+    /** The finished picture of the last view. @returns {Promise<Uint8ClampedArray>} */
+    const finished = () =>
+        new Promise((resolve, reject) => {
+            worker.onmessage = ({ data }) => {
+                if (data.type === 'fatal') return reject(new Error(data.message));
+                if (data.type !== 'drawn' || data.viewId !== id || !data.complete) return data.bitmap?.close();
+                const sheet = new OffscreenCanvas(640, 480).getContext('2d');
+                sheet?.drawImage(data.bitmap, 0, 0);
+                if (sheet) resolve(sheet.getImageData(0, 0, 640, 480).data);
+            };
+        });
+    look(zoom * 1.01);
+    await finished();
+    look(zoom);
+    const alone = await finished();
+    worker.postMessage({ type: 'mates', ports: [near.port2] }, [near.port2]);
+    for (let drag = 0; drag < drags; drag++) {
+        look(zoom * (1.5 + 0.01 * drag));
+        await new Promise((resolve) => setTimeout(resolve, 60));
+    }
+    look(zoom * 1.01);
+    await finished();
+    look(zoom);
+    const shared = await finished();
+    worker.terminate();
+    mate.terminate();
+    let [sum, ink] = [0, 0];
+    for (let at = 0; at < alone.length; at++) {
+        sum += Math.abs(Number(alone[at]) - Number(shared[at]));
+        if (alone[at] !== alone[at % 4]) ink += 1;
+    }
+    return { mean: sum / alone.length, ink: ink / alone.length, made, stopped };
+}
+
+const BUSH = { axiom: 'F', rules: 'F -> FF-[-F+F+F]+[+F-F-F]', angle: 22.5, iterations: 12 };
+const WOOD = { axiom: 'T', rules: 'T -> TF\nF -> F[+F][-FF][<F][>FF][&F]', dialect: 'practical', angle: 40, iterations: 8, colourBy: 'level' };
+
+test('pictures that workers make together are those that one makes', () =>
+    withPage({}, async (page) => {
+        const space = await page.evaluate(compare, { definition: WOOD, zoom: 1 });
+        assert.equal(space.mean, 0);
+        assert.ok(space.ink > 0.003 && space.made > 0, JSON.stringify(space));
+        const plane = await page.evaluate(compare, { definition: BUSH, zoom: 1000 });
+        assert.ok(plane.mean < 0.5, JSON.stringify(plane));
+        assert.ok(plane.ink > 0.003 && plane.made > 0, JSON.stringify(plane));
+    }));
+
+test('newer views supersede what is shared, and mates are told', () =>
+    withPage({}, async (page) => {
+        const { mean, made, stopped } = await page.evaluate(compare, { definition: WOOD, zoom: 1, drags: 8 });
+        assert.equal(mean, 0);
+        assert.ok(made > 0 && stopped > 0);
+    }));
+
+test('a mate that never answers loses nothing', () =>
+    withPage({}, async (page) => {
+        for (const [definition, zoom] of /** @type {const} */ ([[WOOD, 1], [BUSH, 1000]])) {
+            const { mean, ink, made } = await page.evaluate(compare, { definition, zoom, lost: true });
+            assert.ok(mean < 0.5 && ink > 0.003);
+            assert.equal(made, 0);
+        }
+    }));
+
+/** On a machine with so many cores; its workers are at hand for the test. @param {number} cores */
+const machine = (cores) => (/** @type {import('playwright-core').Page} */ page) =>
+    page.addInitScript((count) => {
+        Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => count });
+        Object.defineProperty(navigator, 'deviceMemory', { get: () => 8, configurable: true });
+        const page = /** @type {any} */ (globalThis);
+        page.workers = [];
+        const Own = Worker;
+        page.Worker = class extends Own {
+            /** @param {[string]} how */
+            constructor(...how) {
+                super(...how);
+                page.workers.push(this);
+            }
+        };
+    }, cores);
+
+/** @param {import('playwright-core').Page} page */
+const patient = (page) => until(() => stillPicture(page), 'a picture', 30_000);
+
+test('the page has mates where a picture takes long, and shows the same with them and without', async () => {
+    /** @type {string[][]} */
+    const seen = [];
+    for (const cores of [1, 4]) {
+        await withPage({ hash: TREE, before: machine(cores) }, async (page) => {
+            const first = await patient(page);
+            // The page's worker, and those that help it.
+            await until(() => page.workers().length === cores, `${cores} workers`);
+            await page.focus('#drawing');
+            await page.keyboard.press('Shift+ArrowLeft');
+            const moved = await nextPicture(page, first);
+            seen.push([first.digest, moved.digest]);
+            if (cores === 1) return;
+            await page.evaluate(() => /** @type {any} */ (globalThis).workers.slice(-3).forEach((/** @type {Worker} */ mate) => mate.terminate()));
+            await page.keyboard.press('Shift+ArrowRight');
+            await until(async () => (await picture(page)).digest === first.digest, 'the first picture again', 30_000);
+            await page.evaluate((next) => (location.hash = next), LEAF);
+            await nextPicture(page, first);
+        });
+    }
+    assert.deepEqual(seen[0], seen[1]);
+});
+
+test('a page whose pictures are quick has none', () =>
+    withPage({ hash: LEAF, before: machine(4) }, async (page) => {
+        await patient(page);
+        await until(() => page.workers().length === 1, 'the full worker alone');
+        await page.waitForTimeout(300);
+        assert.equal(page.workers().length, 1);
+    }));

@@ -1,0 +1,96 @@
+import assert from 'node:assert/strict';
+import { mock, test } from 'node:test';
+import { createMates, matesOn } from '../../js/mates.js';
+
+test('there are no more mates than the machine has room for', () => {
+    assert.equal(matesOn({}), 0);
+    assert.equal(matesOn({ hardwareConcurrency: 1 }), 0);
+    assert.equal(matesOn({ hardwareConcurrency: 2 }), 1);
+    assert.equal(matesOn({ hardwareConcurrency: 64, deviceMemory: 8 }), 3);
+    assert.equal(matesOn({ hardwareConcurrency: 8, deviceMemory: 2 }), 0);
+    assert.equal(matesOn({ hardwareConcurrency: 0, deviceMemory: 4 }), 0);
+});
+
+/** A page in which workers are only counted. @param {() => void} use @param {boolean} [refuses] */
+function inPage(use, refuses = false) {
+    const page = /** @type {any} */ (globalThis);
+    const live = new Set();
+    page.window = globalThis;
+    page.document = { querySelector: () => null };
+    page.Worker = class {
+        constructor() {
+            if (refuses) throw new Error('no workers here');
+            live.add(this);
+        }
+        postMessage() {}
+        terminate() {
+            live.delete(this);
+        }
+    };
+    mock.timers.enable({ apis: ['setTimeout'] });
+    try {
+        page.live = live;
+        use();
+    } finally {
+        mock.timers.reset();
+        for (const name of ['window', 'document', 'Worker', 'live']) delete page[name];
+    }
+}
+
+/** @returns {Set<any>} */
+const live = () => /** @type {any} */ (globalThis).live;
+
+/** A worker that is told how many mates it has. */
+function master() {
+    /** @type {number[]} */
+    const told = [];
+    const worker = /** @type {any} */ ({ postMessage: (/** @type {any} */ { ports }, /** @type {any} */ moved) => told.push(ports.length) && moved?.forEach((/** @type {MessagePort} */ port) => port.close()) });
+    return { worker, told };
+}
+
+test('mates stay as long as they are of use, and go with their worker', () =>
+    inPage(() => {
+        const mates = createMates(3);
+        const [first, second] = [master(), master()];
+        mates.help(first.worker, 'worker.js', new ArrayBuffer(0));
+        mates.help(first.worker, 'worker.js', new ArrayBuffer(0));
+        assert.equal(live().size, 3);
+        assert.deepEqual(first.told, [3]);
+        mates.help(second.worker, 'worker.js', new ArrayBuffer(0));
+        assert.equal(live().size, 3);
+        assert.deepEqual([first.told, second.told], [[3, 0], [3]]);
+        mock.timers.tick(29_000);
+        mates.help(second.worker, 'worker.js', new ArrayBuffer(0));
+        mock.timers.tick(29_000);
+        assert.equal(live().size, 3);
+        mock.timers.tick(2000);
+        assert.equal(live().size, 0);
+        assert.deepEqual(second.told, [3, 0]);
+        mates.help(second.worker, 'worker.js', new ArrayBuffer(0));
+        assert.equal(live().size, 3);
+        mates.leave();
+        assert.equal(live().size, 0);
+    }));
+
+test('a mate that fails is gone, and a page without room for workers does without', () => {
+    inPage(() => {
+        const mates = createMates(2);
+        mates.help(master().worker, 'worker.js', new ArrayBuffer(0));
+        const [broken, trapped] = [...live()];
+        broken.onerror({ preventDefault() {} });
+        assert.equal(live().size, 1);
+        trapped.onmessage({ data: { type: 'ready' } });
+        assert.equal(live().size, 1);
+        trapped.onmessage({ data: { type: 'fatal' } });
+        assert.equal(live().size, 0);
+        mates.leave();
+    });
+    inPage(() => {
+        const { worker, told } = master();
+        const mates = createMates(2);
+        mates.help(worker, 'worker.js', new ArrayBuffer(0));
+        mates.help(worker, 'worker.js', new ArrayBuffer(0));
+        assert.deepEqual(told, [0]);
+        mates.leave();
+    }, true);
+});
