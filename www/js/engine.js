@@ -136,6 +136,8 @@ export function createEngine(kits, events) {
 
     /** Who helps with pictures that take long. @type {{help: (worker: Worker, script: string, wasm: ArrayBuffer) => void, leave: () => void} | null} */
     let mates = null;
+    /** Whether the last picture did. */
+    let slow = false;
 
     /** The state that is shown at its finest. @type {{definition: Definition | null, look: Look | null}} */
     let shown = { definition: null, look: null };
@@ -268,7 +270,8 @@ export function createEngine(kits, events) {
                 failures = 0;
                 const seen = views.get(message.viewId);
                 for (const id of views.keys()) if (id < message.viewId) views.delete(id);
-                if (message.slow && kit === full) help();
+                slow = message.slow && kit === full;
+                if (slow) help();
                 const newest = message.id >= defineSent && message.viewId >= lookSent;
                 // A worker that takes over begins with a coarse picture of what is shown at its finest already.
                 const known = newest && !message.complete && shown.definition === definition && shown.look === look;
@@ -290,9 +293,9 @@ export function createEngine(kits, events) {
 
     /** The next such picture is made by several workers. */
     async function help() {
-        const slow = worker;
+        const helped = worker;
         const bytes = await wasm;
-        if (slow && bytes && worker === slow) mates?.help(slow, full.worker, bytes);
+        if (helped && bytes && worker === helped) mates?.help(helped, full.worker, bytes);
     }
 
     /** @param {string} message @param {boolean} [hopeless] */
@@ -405,6 +408,7 @@ export function createEngine(kits, events) {
         /** From now on these help with pictures that take long. @param {NonNullable<typeof mates>} helpers */
         share(helpers) {
             mates = helpers;
+            if (slow) help();
         },
 
         /** @param {number} generation @param {bigint} start @param {number} count @returns {Promise<StringPage>} */

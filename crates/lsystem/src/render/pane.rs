@@ -25,13 +25,16 @@ impl Pane {
     /// All of a picture in panes of this size, but for the last of each row and column, row by row.
     #[must_use]
     pub fn all(viewport: Viewport, [width, height]: [u32; 2]) -> Vec<Self> {
-        let [width, height] = [width.max(1), height.max(1)];
-        let starts = |side: u32, step: u32| (0..side).step_by(step as usize);
-        let row = |y: u32| {
-            let height = height.min(viewport.height - y);
-            starts(viewport.width, width).map(move |x| Self { x, y, width: width.min(viewport.width - x), height })
-        };
-        starts(viewport.height, height).flat_map(row).collect()
+        let mut panes = Vec::new();
+        let mut next = Self { x: 0, y: 0, width: width.max(1), height: height.max(1) };
+        while next.y < viewport.height {
+            while next.x < viewport.width {
+                panes.push(next.within(viewport));
+                next.x = next.x.saturating_add(next.width);
+            }
+            (next.x, next.y) = (0, next.y.saturating_add(next.height));
+        }
+        panes
     }
 
     /// What of it lies in a picture.
