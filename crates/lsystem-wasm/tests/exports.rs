@@ -218,3 +218,47 @@ fn qr_codes_grow_with_the_text_to_a_limit() {
     assert_eq!(side(&"x".repeat(1733)), None);
     assert_eq!(side(&"x".repeat(1_000_000)), None);
 }
+
+/// Two playgrounds with the same state: one shows the picture, the other makes what it is handed.
+#[wasm_bindgen_test]
+fn a_mate_makes_panes_of_the_picture() {
+    let tree = r#"{"axiom": "T", "rules": "T -> TF\nF -> F[+F][-FF][<F][>FF][&F]", "dialect": "practical", "angle": 40, "iterations": 8}"#;
+    let canvas = OffscreenCanvas::new(1, 1).unwrap();
+    let mut own = Playground::new(canvas.clone()).unwrap();
+    let mut mate = Playground::new(OffscreenCanvas::new(1, 1).unwrap()).unwrap();
+    for playground in [&mut own, &mut mate] {
+        playground.define(object(tree)).unwrap();
+        playground.view(600, 300, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0);
+    }
+    assert_eq!((own.round(), own.hand_out(0)), (0, None));
+    own.set_mates(1);
+    let (mut made, mut complete) = (0, false);
+    while !complete {
+        let drawn = get(&own.step(1.0).unwrap(), "drawn");
+        complete = !drawn.is_null() && get(&drawn, "complete").as_bool().unwrap();
+        let round = own.round();
+        while let Some(task) = own.hand_out(0) {
+            let [number, x, y, width, height, budget] = task[..] else { panic!("{task:?}") };
+            mate.begin_pane(x as u32, y as u32, width as u32, height as u32, budget as f32);
+            let outcome = loop {
+                if let Some(outcome) = mate.step_pane(1000.0) {
+                    break outcome;
+                }
+            };
+            assert_eq!(f64::from(mate.pane_pixels().length()), 4.0 * width * height);
+            assert!(!own.take_in(round + 1, number as usize, outcome[0], false, false), "another round");
+            assert!(own.take_in(round, number as usize, outcome[0], outcome[1] > 0.0, outcome[2] > 0.0));
+            made += 1;
+        }
+    }
+    assert!(made > 0 && own.round() == 0);
+    // A definition that cannot be drawn has no panes.
+    mate.define(object(r#"{"axiom": "F", "rules": "F -> FF : 1\nF -> F : 1", "iterations": 1000}"#)).unwrap();
+    mate.begin_pane(0, 0, 16, 16, 0.0);
+    let outcome = loop {
+        if let Some(outcome) = mate.step_pane(1000.0) {
+            break outcome;
+        }
+    };
+    assert!(outcome.is_empty());
+}

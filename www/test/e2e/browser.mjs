@@ -152,13 +152,14 @@ export async function stillPicture(page) {
     let last = await picture(page);
     let since = Date.now();
     return until(async () => {
+        // In this order: the last picture may come in between.
+        const busy = (await page.getAttribute('#stage', 'aria-busy')) === 'true';
         await frames(page);
         const now = await picture(page);
         if (now.digest !== last.digest) {
             last = now;
             since = Date.now();
         }
-        const busy = (await page.getAttribute('#stage', 'aria-busy')) === 'true';
         return !busy && Date.now() - since > 150 ? now : null;
     }, 'the picture comes to rest');
 }

@@ -5,6 +5,7 @@ import { close, nextPicture, picture, stillPicture, until, withPage } from './br
 after(close);
 
 const TREE = '#v=1&axiom=T&rules=T%20-%3E%20TF%0AF%20-%3E%20F%5B+F%5D%5B-FF%5D%5B%3CF%5D%5B%3EFF%5D%5B%26F%5D&n=8&angle=40&turtle=practical';
+const CHANCE = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%20:%201%0AF%20-%3E%20F%5B-F%5DF%20:%201&n=9&angle=25';
 const LEAF = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF&n=4&angle=25';
 
 /**
@@ -138,8 +139,8 @@ test('the page has mates where a picture takes long, and shows the same with the
     assert.deepEqual(seen[0], seen[1]);
 });
 
-test('a page whose pictures are quick has none', () =>
-    withPage({ hash: LEAF, before: machine(4) }, async (page) => {
+test('what each would have to build again is not shared', () =>
+    withPage({ hash: CHANCE, before: machine(4) }, async (page) => {
         await patient(page);
         await until(() => page.workers().length === 1, 'the full worker alone');
         await page.waitForTimeout(300);
