@@ -5,9 +5,6 @@
  * It keeps only the newest `define` and `view` it has seen, works in steps of at most 8 ms, and returns to its event
  * loop between steps, so that newer input supersedes older. What it is at may finish first while it is quick, so that
  * there are pictures on the way of a long drag.
- *
- * It may have mates, workers of the same script that make panes of a picture that takes long. They hear from it alone,
- * through a port, and every pane that it hands out is answered, be it with nothing. What is not answered it makes itself.
  */
 (() => {
     const STEP_MS = 8;
@@ -19,8 +16,6 @@
     const WAIT_MS = 40;
     /** A small picture gets at most this many steps. */
     const THUMB_STEPS = 40;
-    /** So many panes are handed to a mate before the first of them is answered: it need not wait while this worker is at a step. */
-    const AHEAD = 2;
 
     const wasm = wasm_bindgen;
     const canvas = new OffscreenCanvas(1, 1);
@@ -52,23 +47,19 @@
     let upto = null;
     /** Whether a view is set; nothing is drawn before. */
     let seen = false;
-    /** Those who help: how many answers they owe, and which state they know. @type {{port: MessagePort, owed: number, knows: number}[]} */
-    let mates = [];
-    /** The panes that are handed out belong to this round; 0 without any. */
-    let round = 0;
-    /** The state that panes are of, and its number. @type {{definition: any, view: any}} */
+    /** The state that pictures are of: changes are counted. @type {{definition: any, view: any}} */
     const state = { definition: null, view: null };
     let stateNumber = 0;
-    /** As a mate: where to answer, what to do, and a state that was not yet acted on. @type {MessagePort | null} */
-    let master = null;
-    /** @type {any[]} */
-    const tasks = [];
-    /** @type {any} */
-    let newState = null;
     let awake = false;
     let dead = false;
     /** Whether the newest definition can be drawn; what is still in the making otherwise belongs to the one before. */
     let sound = true;
+
+    /** Only the full kit shares pictures. */
+    const sharing =
+        typeof createSharing === 'undefined'
+            ? null
+            : createSharing({ canvas, playground: () => playground, guard, wake, lookAt, state: () => ({ ...state, upto, number: stateNumber }), stepMs: STEP_MS });
 
     /** Questions about what the newest definition derives and draws. @type {Record<string, (question: any) => object>} */
     const READERS = {
@@ -97,7 +88,7 @@
 
     self.onmessage = ({ data }) => {
         if (data.type === 'init') return start(data.wasm, data.master);
-        if (data.type === 'mates') return guard(() => meet(data.ports));
+        if (data.type === 'mates') return guard(() => sharing?.meet(data.ports));
         if (data.type === 'define') newDefine = data;
         else if (data.type === 'view') newView = data;
         else if (data.type === 'thumb') thumbs.push(data);
@@ -106,13 +97,13 @@
     };
     channel.port1.onmessage = () => {
         awake = false;
-        guard(master ? assist : work);
+        guard(sharing?.serves ? sharing.assist : work);
     };
 
     /** @param {ArrayBuffer} bytes @param {MessagePort} [port] of the worker whose mate this one is */
     function start(bytes, port) {
         guard(() => {
-            if (port) serve(port);
+            if (port) sharing?.serve(port);
             wasm.initSync({ module: bytes });
             playground = new wasm.Playground(canvas);
             self.postMessage({ type: 'ready' });
@@ -155,9 +146,9 @@
             stateNumber += 1;
             seen = true;
         }
-        deal();
+        sharing?.deal();
         const idle = step(report);
-        deal();
+        sharing?.deal();
         // Questions are about the newest definition, whose drawing may still be in the making.
         const newest = !newDefine && !newView && playground.built;
         if (newest && questions.length > 0 && canRead(questions[0])) answer(questions.shift());
@@ -177,86 +168,6 @@
         playground.view(width, height, ratio, view.x, view.y, view.zoom, view.fx ?? 0, view.fy ?? 0);
         // Only the full wasm has one.
         if (camera) playground.camera?.(camera.azimuth, camera.elevation, camera.zoom, camera.x, camera.y, camera.z, camera.perspective, camera.fade);
-    }
-
-    /** Has these mates from now on. @param {MessagePort[]} ports */
-    function meet(ports) {
-        for (const { port } of mates) port.close();
-        mates = ports.map((port) => ({ port, owed: 0, knows: -1 }));
-        for (const mate of mates) mate.port.onmessage = ({ data }) => guard(() => receive(mate, data));
-        // The small wasm has none.
-        playground.mates = mates.length;
-        round = 0;
-    }
-
-    /** Hands out panes of the picture that is being made, if any; mates drop what is not wanted any more. */
-    function deal() {
-        if (mates.length === 0) return;
-        const now = playground.round;
-        if (now === 0 && round !== 0) for (const { port } of mates) port.postMessage({ round: 0 });
-        round = now;
-        if (round === 0) return;
-        for (let most = 1; most <= AHEAD; most++) {
-            for (const mate of mates) {
-                if (mate.owed >= most) continue;
-                // What is left at the end is for who is free first.
-                const task = playground.handOut(most > 1 ? 2 * mates.length : 0);
-                if (!task) return;
-                const known = mate.knows === stateNumber;
-                mate.port.postMessage({ round, task, state: known ? null : { ...state, upto } });
-                mate.knows = stateNumber;
-                mate.owed += 1;
-            }
-        }
-    }
-
-    /** A mate's answer. @param {typeof mates[number]} mate @param {any} answer */
-    function receive(mate, { round, task, outcome, pixels }) {
-        const [number, x, y, width, height] = task;
-        const [work, poor, rough] = outcome;
-        mate.owed -= 1;
-        if (pixels && playground.takeIn(round, number, work, poor, rough)) {
-            const image = new ImageData(new Uint8ClampedArray(pixels.buffer), width, height);
-            canvas.getContext('2d')?.putImageData(image, x, y);
-        }
-        deal();
-        wake();
-    }
-
-    /** Makes panes for another worker. @param {MessagePort} port */
-    function serve(port) {
-        master = port;
-        port.onmessage = ({ data }) => {
-            while (tasks.length > 0 && tasks[0].round !== data.round) deliver(tasks.shift(), []);
-            if (data.state) newState = data.state;
-            if (data.round !== 0) tasks.push(data);
-            wake();
-        };
-    }
-
-    /** As a mate: one step of the pane that is asked for. */
-    function assist() {
-        if (tasks.length === 0) return;
-        if (newState) {
-            playground.define(newState.definition);
-            lookAt(newState.view);
-            playground.play(newState.upto ?? undefined);
-            newState = null;
-        }
-        if (!tasks[0].begun) {
-            const [, x, y, width, height, budget] = tasks[0].task;
-            playground.beginPane(x, y, width, height, budget);
-            tasks[0].begun = true;
-        }
-        const outcome = playground.stepPane(STEP_MS);
-        if (outcome) deliver(tasks.shift(), outcome);
-        if (tasks.length > 0) wake();
-    }
-
-    /** @param {any} request @param {ArrayLike<number>} outcome empty where the pane was not made */
-    function deliver({ round, task }, outcome) {
-        const pixels = outcome.length > 0 ? playground.panePixels() : null;
-        master?.postMessage({ round, task, outcome, pixels }, pixels ? [pixels.buffer] : []);
     }
 
     /** Works towards what a question needs, for one step; whether it can be answered. @param {any} question */

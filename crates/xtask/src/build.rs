@@ -13,12 +13,16 @@ const NAME: &str = "lsystem_wasm";
 struct Kit {
     /// Cargo's options.
     features: &'static [&'static str],
+    /// Of `www`, joined to the worker.
+    scripts: &'static [&'static str],
     worker: &'static str,
     wasm: &'static str,
 }
 
-const FIRST: Kit = Kit { features: &["--no-default-features"], worker: "worker.js", wasm: "lsystem.wasm" };
-const FULL: Kit = Kit { features: &[], worker: "worker-full.js", wasm: "lsystem-full.wasm" };
+const FIRST: Kit =
+    Kit { features: &["--no-default-features"], scripts: &["worker.js"], worker: "worker.js", wasm: "lsystem.wasm" };
+const FULL: Kit =
+    Kit { features: &[], scripts: &["sharing.js", "worker.js"], worker: "worker-full.js", wasm: "lsystem-full.wasm" };
 
 /// A single file made of a page, with a kit and the other files that the page would fetch.
 struct Whole {
@@ -41,7 +45,7 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     // The full one last: its types are left for the page's check.
     for kit in [FIRST, FULL] {
         let generated = wasm(workspace, &kit)?;
-        worker(&workspace.www(), &generated, &site.join(kit.worker))?;
+        worker(&workspace.www(), kit.scripts, &generated, &site.join(kit.worker))?;
         fs::copy(generated.join(format!("{NAME}_bg.wasm")), site.join(kit.wasm))?;
     }
     let gallery = gallery::gallery(&workspace.root.join("data_in"))?;
@@ -79,11 +83,11 @@ fn page(www: &Path, site: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Whether a file or folder of `www` belongs to the page, rather than to its development. `worker.js` is shipped as a
-/// part of another file.
+/// Whether a file or folder of `www` belongs to the page, rather than to its development. `worker.js` and
+/// `sharing.js` are shipped as parts of others.
 fn is_shipped(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let development = ["node_modules", "test", "package.json", "package-lock.json", "worker.js"];
+    let development = ["node_modules", "test", "package.json", "package-lock.json", "worker.js", "sharing.js"];
     let at_the_top = path.components().count() == 1;
     !(name.starts_with('.')
         || name.ends_with(".d.ts")
@@ -93,10 +97,13 @@ fn is_shipped(path: &Path) -> bool {
 
 /// One classic script from the generated JavaScript and ours: module workers and imports fail in sandboxed frames and
 /// from files, one script handed over as text does not.
-fn worker(www: &Path, generated: &Path, script: &Path) -> Result<()> {
-    let glue = files::read_text(&generated.join(format!("{NAME}.js")))?;
-    let ours = files::read_text(&www.join("worker.js"))?;
-    files::write(script, bundle::squeezed(&format!("{glue}\n{ours}"))?)
+fn worker(www: &Path, scripts: &[&str], generated: &Path, script: &Path) -> Result<()> {
+    let mut text = files::read_text(&generated.join(format!("{NAME}.js")))?;
+    for name in scripts {
+        text.push('\n');
+        text.push_str(&files::read_text(&www.join(name))?);
+    }
+    files::write(script, bundle::squeezed(&text)?)
 }
 
 /// Puts `new` where `place` is, moving what is there to `old`.
@@ -141,8 +148,9 @@ mod tests {
         let [www, generated, script] = ["www", "generated", "script.js"].map(|name| folder.path().join(name));
         files::write(&www.join("worker.js"), "use(glue)")?;
         files::write(&generated.join("lsystem_wasm.js"), "let glue = 1;")?;
-        worker(&www, &generated, &script)?;
-        assert_eq!(files::read_text(&script)?, "let glue = 1;\nuse(glue)\n");
+        files::write(&www.join("more.js"), "let more = 2;")?;
+        worker(&www, &["more.js", "worker.js"], &generated, &script)?;
+        assert_eq!(files::read_text(&script)?, "let glue = 1;\nlet more = 2;\nuse(glue)\n");
         Ok(())
     }
 }
