@@ -13,16 +13,28 @@ const NAME: &str = "lsystem_wasm";
 struct Kit {
     /// Cargo's options.
     features: &'static [&'static str],
+    /// Of Cargo's.
+    profile: &'static str,
     /// Of `www`, joined to the worker.
     scripts: &'static [&'static str],
     worker: &'static str,
     wasm: &'static str,
 }
 
-const FIRST: Kit =
-    Kit { features: &["--no-default-features"], scripts: &["worker.js"], worker: "worker.js", wasm: "lsystem.wasm" };
-const FULL: Kit =
-    Kit { features: &[], scripts: &["sharing.js", "worker.js"], worker: "worker-full.js", wasm: "lsystem-full.wasm" };
+const FIRST: Kit = Kit {
+    features: &["--no-default-features"],
+    profile: "first",
+    scripts: &["worker.js"],
+    worker: "worker.js",
+    wasm: "lsystem.wasm",
+};
+const FULL: Kit = Kit {
+    features: &[],
+    profile: "release",
+    scripts: &["sharing.js", "worker.js"],
+    worker: "worker-full.js",
+    wasm: "lsystem-full.wasm",
+};
 
 /// A single file made of a page, with a kit and the other files that the page would fetch.
 struct Whole {
@@ -66,11 +78,11 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
 fn wasm(workspace: &Workspace, kit: &Kit) -> Result<PathBuf> {
     tools::wasm_target()?;
     let target = tools::WASM_TARGET;
-    let words = ["build", "--release", "--lib", "--package=lsystem-wasm", "--target", target];
+    let words = ["build", "--profile", kit.profile, "--lib", "--package=lsystem-wasm", "--target", target];
     run(&mut workspace.cargo(words.iter().chain(kit.features).copied()))?;
     // The page's type check reads the generated types here: www/tsconfig.worker.json.
     let out = workspace.root.join("target/wasm-bindgen");
-    let wasm = workspace.target.join(target).join(format!("release/{NAME}.wasm"));
+    let wasm = workspace.target.join(target).join(kit.profile).join(format!("{NAME}.wasm"));
     bindgen::generate(&wasm, &out, NAME)?;
     Ok(out)
 }
