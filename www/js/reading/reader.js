@@ -216,7 +216,7 @@ export function createReader(engine, { mark, opened }) {
         const count = /** @type {bigint} */ (to) - /** @type {bigint} */ (from);
         const now = generation();
         const grown = now === iterations ? '' : `${countText(BigInt(part.symbols[1]) - BigInt(part.symbols[0]))} symbols at n = ${iterations}: `;
-        if (count === 0n) return `${grown}draws nothing itself${stroke ? ', marked where the turtle is' : ''}.`.replace(/^./, (letter) => letter.toUpperCase());
+        if (count === 0n) return `${grown}draws no segment itself${stroke ? ', marked where the turtle is' : ''}.`.replace(/^./, (letter) => letter.toUpperCase());
         const place = count === 1n ? `segment ${short(/** @type {bigint} */ (from) + 1n)}` : `${countText(count)} segments`;
         return `${grown}${place}, marked in the drawing.`.replace(/^./, (letter) => letter.toUpperCase());
     }

@@ -120,7 +120,7 @@ test('one jumps to a position, and a symbol tells where it comes from and what i
         assert.ok(await page.isVisible('#mark-part'));
         await goTo(page, '100 %');
         await until(async () => (await text(page, '#reader-path')).startsWith('XX at step 40, by rule 1, twelfth symbol'), 'the last symbol');
-        assert.match(await text(page, '#reader-path'), /Draws nothing itself/);
+        assert.match(await text(page, '#reader-path'), /Draws no segment itself/);
         await goTo(page, 'nowhere');
         assert.ok(await page.locator('#reader-goto[data-wrong]').count());
         // What was chosen is followed through the generations.
