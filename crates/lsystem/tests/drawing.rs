@@ -145,6 +145,10 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
     }
     let viewport = Viewport { width: 1000, height: 800, ratio: 1.0 };
     let fitted = fitted_scale(drawing, viewport);
+    // Beside strokes of a great width all axes may lie within a tiny part of a pixel, where no pointer tells them apart.
+    if fitted < 1e-3 {
+        return Ok(());
+    }
     // Device pixels in a model unit.
     let scale = fitted / extent;
     let number = |pick: Pick| match pick.target {
