@@ -5,8 +5,7 @@ use super::canvas::{Canvas, GROUP, NOTHING, Spans};
 /// Paints every subsample whose centre the outline winds around a number of times other than zero; `vertices` on the
 /// subsample lattice, y down. Returns how many rows and spans it took.
 pub(super) fn paint(canvas: &mut Canvas, vertices: &[[f64; 2]], colour: u32) -> usize {
-    let height = canvas.rows as f64;
-    let right = (canvas.strips * 64) as f64;
+    let [right, height] = canvas.size();
     if vertices.iter().flatten().any(|c| !c.is_finite()) {
         return 0;
     }

@@ -61,7 +61,7 @@ impl Capsule {
     pub(super) fn paint(&self, canvas: &mut Canvas, colour: u32) -> usize {
         let radius = self.radius;
         let height = canvas.rows as i64;
-        let size = [(canvas.strips * 64) as f64, height as f64];
+        let size = canvas.size();
         let Some((ends, direction)) = self.clipped(size) else { return 0 };
         let first = ((ends[0][1] - radius - 0.5).ceil() as i64).max(0);
         let last = ((ends[1][1] + radius - 0.5).floor() as i64).min(height - 1);
