@@ -267,6 +267,28 @@ fn word() -> impl Strategy<Value = String> {
     prop::collection::vec(prop::sample::select(parts), 1..7).prop_map(|parts| parts.concat())
 }
 
+/// A system of an axiom and three successors; where `chance` is, two of them are the first letter's.
+fn system([axiom, a, b, f]: [String; 4], chance: bool, width: f64, step: f64) -> System {
+    let rules = if chance {
+        format!("A -> {a} : 1\nA -> {b} : 2\nF -> {f}F")
+    } else {
+        format!("A -> {a}\nB -> {b}\nF -> {f}F")
+    };
+    let style = Style { width, ..Style::default() };
+    let definition = Definition {
+        axiom: format!("F{axiom}"),
+        rules,
+        angle: 25.7,
+        start: [3.0, -2.0],
+        style,
+        ..Definition::default()
+    };
+    let (system, problems) = System::new(&definition);
+    let mut system = system.unwrap_or_else(|| panic!("{definition:?}: {problems:?}"));
+    system.turtle.step = step;
+    system
+}
+
 fn camera() -> impl Strategy<Value = Camera> {
     let zoom = prop::sample::select(vec![1.0, 2.5, 7.0]);
     (-180.0..180.0, -90.0..90.0, zoom, prop::array::uniform3(-0.2..0.2), any::<bool>()).prop_map(
@@ -293,13 +315,7 @@ proptest! {
         (tolerance, part) in (2.0..16.0, 0.0..2.0),
         chance in any::<bool>(),
     ) {
-        let [axiom, a, b, f] = words;
-        let rules = if chance { format!("A -> {a} : 1\nA -> {b} : 2\nF -> {f}F") } else { format!("A -> {a}\nB -> {b}\nF -> {f}F") };
-        let style = Style { width, ..Style::default() };
-        let definition = Definition { axiom: format!("F{axiom}"), rules, angle: 25.7, start: [3.0, -2.0], style, ..Definition::default() };
-        let (system, problems) = System::new(&definition);
-        let mut system = system.unwrap_or_else(|| panic!("{definition:?}: {problems:?}"));
-        system.turtle.step = step;
+        let system = system(words, chance, width, step);
         prop_assume!(lsystem::count_segments(&system, n).is_none_or(|count| count.to_string().len() < 5));
         let drawing = draw_solid(&system, n, &Limits::default()).unwrap();
         let count = drawing.segment_count();
@@ -337,13 +353,8 @@ proptest! {
         chance in any::<bool>(),
     ) {
         // In the plane what leads out of it stays.
-        let [axiom, a, b, f] = words.map(|word| word.replace(['&', '^', '\\', '/', '$'], "+"));
-        let rules = if chance { format!("A -> {a} : 1\nA -> {b} : 2\nF -> {f}F") } else { format!("A -> {a}\nB -> {b}\nF -> {f}F") };
-        let style = Style { width, ..Style::default() };
-        let definition = Definition { axiom: format!("F{axiom}"), rules, angle: 25.7, start: [3.0, -2.0], style, ..Definition::default() };
-        let (system, problems) = System::new(&definition);
-        let mut system = system.unwrap_or_else(|| panic!("{definition:?}: {problems:?}"));
-        system.turtle.step = step;
+        let words = words.map(|word| word.replace(['&', '^', '\\', '/', '$'], "+"));
+        let system = system(words, chance, width, step);
         prop_assume!(lsystem::count_segments(&system, n).is_none_or(|count| count.to_string().len() < 5));
         let drawing: Drawing<Plane> = draw(&system, n, &Limits::default()).unwrap();
         let (count, polygons) = (drawing.segment_count(), drawing.polygon_count());

@@ -88,19 +88,38 @@ export async function until(check, what, patience = 8000) {
 }
 
 /**
- * The first and the last row with ink in the middle column of the canvas.
- * @param {Page} page
+ * Runs a function in the page, on the pixels of the drawing: row by row, a number each.
+ * @template T
+ * @param {Page | import('playwright-core').Frame} page
+ * @param {(pixels: {words: Uint32Array, width: number, height: number}) => T} read
+ * @returns {Promise<T>}
  */
-export function inkedRows(page) {
-    return page.evaluate(() => {
+export async function onPixels(page, read) {
+    const pixels = await page.evaluateHandle(() => {
         const source = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
         const copy = document.createElement('canvas');
         copy.width = source.width;
         copy.height = source.height;
         const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d'));
         context.drawImage(source, 0, 0);
-        const { data } = context.getImageData(Math.floor(copy.width / 2), 0, 1, copy.height);
-        const rows = Array.from({ length: copy.height }, (_, y) => y).filter((y) => data[y * 4] !== data[0]);
+        const words = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+        return { words, width: copy.width, height: copy.height };
+    });
+    try {
+        return /** @type {T} */ (await pixels.evaluate(/** @type {any} */ (read)));
+    } finally {
+        await pixels.dispose();
+    }
+}
+
+/**
+ * The first and the last row with ink in the middle column of the canvas.
+ * @param {Page} page
+ */
+export function inkedRows(page) {
+    return onPixels(page, ({ words, width, height }) => {
+        const red = (/** @type {number} */ y) => (words[y * width + Math.floor(width / 2)] ?? 0) & 255;
+        const rows = Array.from({ length: height }, (_, y) => y).filter((y) => red(y) !== red(0));
         return { top: rows[0] ?? 0, bottom: rows.at(-1) ?? 0 };
     });
 }
@@ -111,21 +130,14 @@ export function inkedRows(page) {
  * @returns {Promise<{digest: string, ink: number, width: number, height: number}>}
  */
 export function picture(page) {
-    return page.evaluate(() => {
-        const source = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
-        const copy = document.createElement('canvas');
-        copy.width = source.width;
-        copy.height = source.height;
-        const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d'));
-        context.drawImage(source, 0, 0);
-        const words = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+    return onPixels(page, ({ words, width, height }) => {
         let hash = 0;
         let ink = 0;
         for (const word of words) {
             hash = (Math.imul(hash, 31) + word) | 0;
             if (word !== words[0]) ink += 1;
         }
-        return { digest: `${source.width}x${source.height}:${hash}`, ink: ink / words.length, width: source.width, height: source.height };
+        return { digest: `${width}x${height}:${hash}`, ink: ink / words.length, width, height };
     });
 }
 

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, DESKTOP, inkedRows, nextPicture, PHONE, picture, stillPicture, until, withPage } from './browser.mjs';
+import { close, DESKTOP, inkedRows, nextPicture, onPixels, PHONE, picture, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -34,20 +34,13 @@ async function goTo(page, place) {
 
 /** The middle of a place where the picture has one colour, which is not the background's: a filled polygon. CSS pixels. @param {Page} page @returns {Promise<[number, number]>} */
 const flatPlace = (page) =>
-    page.evaluate(() => {
-        const source = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
-        const copy = document.createElement('canvas');
-        copy.width = source.width;
-        copy.height = source.height;
-        const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d'));
-        context.drawImage(source, 0, 0);
-        const words = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+    onPixels(page, ({ words, width, height }) => {
         const size = 5;
         // Not below the tools at the edges.
-        for (let top = Math.floor(copy.height / 4); top < copy.height * 0.75; top++) {
-            for (let left = Math.floor(copy.width / 4); left < copy.width * 0.75; left++) {
-                const first = words[top * copy.width + left];
-                const same = (/** @type {number} */ at) => words[(top + Math.floor(at / size)) * copy.width + left + (at % size)] === first;
+        for (let top = Math.floor(height / 4); top < height * 0.75; top++) {
+            for (let left = Math.floor(width / 4); left < width * 0.75; left++) {
+                const first = words[top * width + left];
+                const same = (/** @type {number} */ at) => words[(top + Math.floor(at / size)) * width + left + (at % size)] === first;
                 if (first !== words[0] && Array.from({ length: size * size }, (_, at) => at).every(same)) return /** @type {[number, number]} */ ([left + size / 2, top + size / 2]);
             }
         }
