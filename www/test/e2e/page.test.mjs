@@ -546,8 +546,14 @@ test('on a phone everything is within reach', () =>
             const box = await page.locator(String(control)).boundingBox();
             assert.ok(box && box.x >= 0 && box.x + box.width <= 390 && box.y > 300 && box.y + box.height <= 844, `${control} ${JSON.stringify(box)}`);
         }
-        for (const control of ['#fit', '#reset', '#undo']) assert.ok(await page.isVisible(control), control);
-        const before = await stillPicture(page);
+        assert.ok(await page.isVisible('#fit'));
+        // Nothing lies upon the drawing for want of anything to undo.
+        assert.ok(!(await page.isVisible('#undo')));
+        const whole = await stillPicture(page);
+        await page.tap('#tab-grow');
+        await page.fill('#angle', '30');
+        const before = await nextPicture(page, whole);
+        for (const control of ['#reset', '#undo', '#redo']) assert.ok(await page.isVisible(control), control);
         await page.tap('#open-gallery');
         await page.waitForSelector('.thumb.inked');
         await page.locator('.card').nth(3).tap();
