@@ -24,6 +24,7 @@ mod shape;
 mod sheet;
 mod solid;
 mod style;
+mod tally;
 mod tree;
 mod vertical;
 

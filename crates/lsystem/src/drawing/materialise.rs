@@ -1,6 +1,7 @@
 //! Drawing letter by letter, where no two pieces need be alike.
 
 use super::builder::Builder;
+use super::tally::Tally;
 use super::tree::Tree;
 use super::{BlockId, StyleChange};
 use crate::space::Space;
@@ -8,20 +9,12 @@ use crate::turtle::{Op, Pen, Score};
 use crate::walk::{Next, Walk};
 use crate::{LimitName, Limits, Program, SymbolId};
 
-/// What an open branch costs in units of work: its turtle's state takes the memory of as many letters.
-pub(super) const BRANCH: u64 = 32;
-
 /// What a derivation has cost so far.
 #[derive(Clone, Debug)]
 pub(crate) struct Census {
     walk: Walk,
     symbols: u64,
-    segments: u64,
-    /// Branches open now, and at most so far.
-    open: u64,
-    deepest: u64,
-    /// Polygons open now.
-    outlines: u64,
+    tally: Tally,
 }
 
 /// What came of working on.
@@ -36,7 +29,7 @@ pub(crate) enum Outcome<T> {
 
 impl Census {
     pub(crate) fn new(n: u32, seed: u32) -> Self {
-        Self { walk: Walk::new(n, seed), symbols: 0, segments: 0, open: 0, deepest: 0, outlines: 0 }
+        Self { walk: Walk::new(n, seed), symbols: 0, tally: Tally::default() }
     }
 
     pub(crate) fn fraction(&self, program: &Program) -> f64 {
@@ -60,8 +53,10 @@ impl Census {
                     let ops = &score.ops[usize::from(symbol)];
                     let place = self.symbols;
                     self.symbols += 1;
-                    self.count(ops);
-                    if self.segments > limits.segments {
+                    let before = self.tally.work();
+                    ops.iter().for_each(|op| self.tally.add(op));
+                    self.walk.work += self.tally.work() - before;
+                    if self.tally.segments > limits.segments {
                         break Outcome::Passed(LimitName::Segments);
                     }
                     act(&self.walk, (place, symbol), ops);
@@ -73,30 +68,6 @@ impl Census {
         };
         *left = left.saturating_sub((self.walk.work - began).max(1));
         outcome
-    }
-
-    fn count<S: Space>(&mut self, ops: &[Op<S>]) {
-        for op in ops {
-            match op {
-                Op::Draw(_) => self.segments += 1,
-                Op::Push(_) => {
-                    self.open += 1;
-                    if self.open > self.deepest {
-                        self.deepest = self.open;
-                        self.walk.work += BRANCH;
-                    }
-                }
-                Op::Pop => self.open = self.open.saturating_sub(1),
-                // A vertex takes as much memory.
-                Op::Vertex => self.segments += u64::from(self.outlines > 0),
-                Op::OpenPolygon => {
-                    self.outlines += 1;
-                    self.segments += 1;
-                }
-                Op::ClosePolygon => self.outlines = self.outlines.saturating_sub(1),
-                Op::Move(_) | Op::Turn(_) | Op::Upright | Op::Bend(_) | Op::Style(_) => {}
-            }
-        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::builder::Builder;
 use super::drawer::start;
-use super::materialise::BRANCH;
+use super::tally::Tally;
 use super::tree::Tree;
 use super::{BlockId, StyleChange};
 use crate::derivation::{fault, limit};
@@ -199,12 +199,7 @@ fn derive(rewriter: &mut Rewriter, left: &mut u64) -> Result<(), Fault> {
 /// What a generation will cost to draw.
 #[derive(Clone, Debug, Default)]
 struct Measure {
-    segments: u64,
-    /// Branches open now, and at most so far.
-    open: u64,
-    deepest: u64,
-    /// Polygons open now.
-    outlines: u64,
+    tally: Tally,
     /// The longest way forward, in units of the score.
     longest: f64,
 }
@@ -212,33 +207,17 @@ struct Measure {
 impl Measure {
     fn add<S: Space>(&mut self, ops: &[Op<S>]) {
         for op in ops {
-            match *op {
-                Op::Draw(length) => {
-                    self.segments += 1;
-                    self.longest = self.longest.max(length.abs());
-                }
-                Op::Move(length) => self.longest = self.longest.max(length.abs()),
-                Op::Push(_) => {
-                    self.open += 1;
-                    self.deepest = self.deepest.max(self.open);
-                }
-                Op::Pop => self.open = self.open.saturating_sub(1),
-                // A vertex takes as much memory.
-                Op::Vertex => self.segments += u64::from(self.outlines > 0),
-                Op::OpenPolygon => {
-                    self.outlines += 1;
-                    self.segments += 1;
-                }
-                Op::ClosePolygon => self.outlines = self.outlines.saturating_sub(1),
-                Op::Turn(_) | Op::Upright | Op::Bend(_) | Op::Style(_) => {}
+            self.tally.add(op);
+            if let Op::Draw(length) | Op::Move(length) = op {
+                self.longest = self.longest.max(length.abs());
             }
         }
     }
 
     fn passed(&self, limits: &Limits) -> Option<LimitName> {
-        if self.segments > limits.segments {
+        if self.tally.segments > limits.segments {
             Some(LimitName::Segments)
-        } else if self.deepest.saturating_mul(BRANCH) > limits.work {
+        } else if self.tally.work() > limits.work {
             Some(LimitName::Work)
         } else {
             None
