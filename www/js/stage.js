@@ -28,7 +28,7 @@ const SLOW_MS = 300;
  * @param {import('./store.js').Store} store
  * @param {import('./engine.js').Engine} engine
  * @param {{look: (sight: import('./marks.js').Sight | null) => void}} marks what moves with the picture
- * @param {{takes?: (event: PointerEvent | WheelEvent) => boolean, keys?: () => readonly ('angle' | 'iterations')[]}} [page]
+ * @param {{takes?: (event: Event) => boolean, keys?: () => readonly ('angle' | 'iterations')[]}} [page]
  *   `takes` tells which gestures are the drawing's, rather than of the page it stands in; `keys` what arrows change
  */
 export function createStage(store, engine, marks, { takes = () => true, keys = () => ['angle', 'iterations'] } = {}) {
@@ -245,7 +245,7 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
 /**
  * Pointer, wheel and pinch, as drags and zooms in client coordinates.
  * @param {HTMLElement} element
- * @param {{takes: (event: PointerEvent | WheelEvent) => boolean, drag: (dx: number, dy: number, aside: boolean) => void, zoom: (factor: number, x: number, y: number) => void, fit: () => void}} act
+ * @param {{takes: (event: Event) => boolean, drag: (dx: number, dy: number, aside: boolean) => void, zoom: (factor: number, x: number, y: number) => void, fit: () => void}} act
  */
 function gestures(element, { takes, drag, zoom, fit }) {
     /** @type {Map<number, {x: number, y: number}>} */
@@ -289,4 +289,16 @@ function gestures(element, { takes, drag, zoom, fit }) {
         },
         { passive: false },
     );
+    // In Safari a pinch on a track pad has events of its own; one on the screen is in the pointers already.
+    let pinched = 1;
+    /** @param {Event} event */
+    const pinch = (event) => {
+        if (pointers.size > 0 || !takes(event)) return;
+        event.preventDefault();
+        const { scale, clientX, clientY } = /** @type {MouseEvent & {scale: number}} */ (event);
+        if (event.type === 'gesturechange') zoom(scale / pinched, clientX, clientY);
+        pinched = scale;
+    };
+    element.addEventListener('gesturestart', pinch);
+    element.addEventListener('gesturechange', pinch);
 }

@@ -337,6 +337,19 @@ test('wheel, drag, keys and buttons move the picture; Fit brings it back', () =>
         assert.match(await text(page, '#zoom'), /150/);
     }));
 
+test('Safari’s events for a pinch on a track pad zoom the picture, and not the page', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        const zooms = await page.evaluate(() => {
+            const canvas = /** @type {HTMLElement} */ (document.querySelector('#drawing'));
+            const pinch = (/** @type {string} */ type, /** @type {number} */ scale) => {
+                const event = new MouseEvent(type, { clientX: 400, clientY: 400, bubbles: true, cancelable: true });
+                return canvas.dispatchEvent(Object.assign(event, { scale })) ? null : parseInt(String(document.querySelector('#zoom')?.textContent), 10);
+            };
+            return [pinch('gesturestart', 1), pinch('gesturechange', 1.5), pinch('gesturechange', 2), pinch('gesturestart', 1), pinch('gesturechange', 0.5)];
+        });
+        assert.deepEqual(zooms, [100, 150, 200, 200, 100]);
+    }));
+
 test('the picture moves with the pointer before it is painted anew', () =>
     withPage({ hash: KOCH }, async (page) => {
         await stillPicture(page);
