@@ -547,6 +547,9 @@ test('on a phone everything is within reach', () =>
         assert.ok((await picture(page)).ink > 0.002);
         const wide = await page.evaluate(() => document.documentElement.scrollWidth);
         assert.equal(wide, 390);
+        // Phones zoom into fields of smaller type.
+        const small = await page.evaluate(() => [...document.querySelectorAll('[inputmode], [type=text], [type=search], textarea')].filter((field) => field.matches(':read-write') && parseFloat(getComputedStyle(field).fontSize) < 16).map(({ id }) => id));
+        assert.deepEqual(small, []);
         for (const [tab, control] of [
             ['rules', '#rules'],
             ['grow', '#iterations-slider'],
