@@ -11,7 +11,7 @@ import { hasInk, houseInk, isDark } from './inks.js';
 import { createMarks } from './marks.js';
 import { followNotation } from './notation.js';
 import { keepOffline } from './offline.js';
-import { opening } from './opening.js';
+import { blank, opening } from './opening.js';
 import { openLink } from './packed.js';
 import { constantsPanel } from './panels/constants-panel.js';
 import { captionOf, growthPanel } from './panels/growth-panel.js';
@@ -79,6 +79,11 @@ html('skip').addEventListener('click', (event) => {
 button('undo').addEventListener('click', () => store.undo());
 button('redo').addEventListener('click', () => store.redo());
 button('reset').addEventListener('click', () => store.change({ ...store.origin }, ''));
+button('start-anew').addEventListener('click', () => {
+    session.visit(blank(theme()));
+    html('rules').focus();
+    toast('A new system, of your own. Undo brings back what was here.');
+});
 addEventListener('keydown', (event) => {
     const command = (event.ctrlKey || event.metaKey) && !event.altKey;
     const key = event.key.toLowerCase();

@@ -1,5 +1,6 @@
-/** What a first visit shows, at once. */
+/** What a first visit shows, at once, and what a system of one's own starts from. */
 
+import { houseInk } from './inks.js';
 import { clean } from './state.js';
 
 /** The same plant by day and by night: trunk, branches and leaves follow the colour symbol. */
@@ -20,13 +21,17 @@ export function opening(theme) {
         name: 'twig',
         title: 'A twig by two rules',
         source: 'After Prusinkiewicz and Lindenmayer, The Algorithmic Beauty of Plants (1990), figure 1.24 f',
-        axiom: 'X',
+        // The width stands in the text: who writes rules over it gets the plain lines that other rules ask for.
+        axiom: '!(14)X',
         rules: "X -> F'!-[[X]+X]+F![+FX]-X\nF -> FF",
         iterations: 8,
         angle: 22.5,
-        heading: 80,
-        width: 14,
-        minWidth: 0.7,
         ...INKS[theme],
     });
+}
+
+/** A line, waiting for its first production. @param {'light' | 'dark'} theme */
+export function blank(theme) {
+    const { palette, background } = houseInk(theme);
+    return clean({ axiom: 'F', iterations: 4, angle: 60, palette: [...palette], background });
 }

@@ -133,6 +133,25 @@ test('editing the rules changes the picture and the counts', () =>
         assert.equal(await text(page, '#caption-title'), 'Koch, edited');
     }));
 
+test('who writes rules over the first plant gets plain lines, and New begins with one', () =>
+    withPage({}, async (page) => {
+        const plant = await stillPicture(page);
+        await page.fill('#axiom', 'F--F--F');
+        await page.fill('#rules', 'F -> F+F--F+F');
+        await page.fill('#angle', '60');
+        await page.fill('#iterations', '4');
+        const koch = await nextPicture(page, plant);
+        assert.ok(koch.ink > 0.001 && koch.ink < 0.1, `${koch.ink} of the picture is ink`);
+        await page.click('#start-anew');
+        await until(async () => (await text(page, '#segments')) === '1', 'a line');
+        assert.equal(await text(page, '#specimen-title'), 'Untitled system');
+        assert.equal(await page.evaluate(() => document.activeElement?.id), 'rules');
+        await page.keyboard.type('F -> F+F--F+F');
+        await until(async () => (await text(page, '#segments')) === '256', 'what was typed is drawn');
+        for (let steps = 0; steps < 9 && (await page.inputValue('#axiom')) !== 'F--F--F'; steps++) await page.click('#undo');
+        await sameAgain(page, koch);
+    }));
+
 test('a mistake is underlined in its place and explained, and the picture stays', () =>
     withPage({ hash: KOCH }, async (page) => {
         const before = await stillPicture(page);
