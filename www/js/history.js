@@ -6,7 +6,9 @@
 import { same } from './state.js';
 
 /** @typedef {import('./state.js').State} State */
-/** @typedef {{before: Partial<State>, after: Partial<State>, label: string, time: number}} Change */
+/** What Reset returns to, where a change opens another system. @typedef {{before: Readonly<State>, after: Readonly<State>}} Origins */
+/** @typedef {{before: Partial<State>, after: Partial<State>, label: string, time: number, origins?: Origins}} Change */
+/** @typedef {{history: History, patch: Partial<State>, origin?: Readonly<State>}} Step */
 /** @typedef {{past: readonly Change[], future: readonly Change[]}} History */
 
 /** @type {History} */
@@ -24,9 +26,10 @@ const MOST = 500;
  * @param {Partial<State>} patch what is new
  * @param {string} label names the control; changes with an empty label are never joined, and those of a drag always
  * @param {number} now in milliseconds
+ * @param {Origins} [origins]
  * @returns {History}
  */
-export function record(history, before, patch, label, now) {
+export function record(history, before, patch, label, now, origins) {
     const last = history.past.at(-1);
     const joins = last !== undefined && label !== '' && last.label === label && (now - last.time < TOGETHER || label.startsWith('drag '));
     /** @type {Partial<State>} */
@@ -35,7 +38,7 @@ export function record(history, before, patch, label, now) {
     /** @type {Change} */
     const change = joins
         ? { before: { ...was, ...last.before }, after: { ...last.after, ...patch }, label, time: now }
-        : { before: was, after: { ...patch }, label, time: now };
+        : { before: was, after: { ...patch }, label, time: now, ...(origins && { origins }) };
     const past = joins ? history.past.slice(0, -1) : history.past;
     const changed = fieldsOf(change.after).some((field) => !same(change.before[field], change.after[field]));
     return { past: changed ? [...past, change].slice(-MOST) : past, future: [] };
@@ -51,16 +54,16 @@ export function settle(history) {
     return last && last.label !== '' ? { ...history, past: [...history.past.slice(0, -1), { ...last, label: '' }] } : history;
 }
 
-/** @param {History} history @returns {{history: History, patch: Partial<State>} | null} null when there is nothing to undo */
+/** @param {History} history @returns {Step | null} null when there is nothing to undo */
 export function undo({ past, future }) {
     const change = past.at(-1);
-    return change ? { history: { past: past.slice(0, -1), future: [settled(change), ...future] }, patch: change.before } : null;
+    return change ? { history: { past: past.slice(0, -1), future: [settled(change), ...future] }, patch: change.before, origin: change.origins?.before } : null;
 }
 
-/** @param {History} history @returns {{history: History, patch: Partial<State>} | null} null when there is nothing to redo */
+/** @param {History} history @returns {Step | null} null when there is nothing to redo */
 export function redo({ past, future }) {
     const [change, ...rest] = future;
-    return change ? { history: { past: [...past, settled(change)], future: rest }, patch: change.after } : null;
+    return change ? { history: { past: [...past, settled(change)], future: rest }, patch: change.after, origin: change.origins?.after } : null;
 }
 
 /** @param {Change} change @returns {Change} */

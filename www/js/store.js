@@ -82,8 +82,9 @@ export function createStore(initial, from = initial) {
          */
         open(values, from = values) {
             const next = clean(values);
-            origin = clean(from);
-            history = record(settle(history), state, next, '', Date.now());
+            const origins = { before: origin, after: clean(from) };
+            history = record(settle(history), state, next, '', Date.now(), origins);
+            origin = origins.after;
             become(next);
         },
 
@@ -105,6 +106,7 @@ export function createStore(initial, from = initial) {
             const step = undo(history);
             if (!step) return false;
             history = step.history;
+            origin = step.origin ?? origin;
             become({ ...state, ...step.patch });
             return true;
         },
@@ -113,6 +115,7 @@ export function createStore(initial, from = initial) {
             const step = redo(history);
             if (!step) return false;
             history = step.history;
+            origin = step.origin ?? origin;
             become({ ...state, ...step.patch });
             return true;
         },

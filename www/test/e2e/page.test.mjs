@@ -104,6 +104,7 @@ test('a system is picked from the gallery', () =>
         assert.equal(await text(page, '#specimen-title'), title);
         await page.click('#undo');
         await sameAgain(page, before);
+        assert.ok((await page.isHidden('#edited')) && (await page.isDisabled('#reset')), 'the first plant is as it was');
     }));
 
 test('every system of the gallery draws, or says why not', () =>

@@ -45,6 +45,23 @@ test('undo leaves the view where the reader has it, unless the change moved it',
     assert.equal(store.state.axiom, 'F');
 });
 
+test('what Reset returns to goes back and forth with what was opened', () => {
+    const store = createStore(clean({ axiom: 'F' }));
+    const first = store.origin;
+    store.change({ angle: 30 }, '');
+    store.open({ axiom: 'G' });
+    store.change({ angle: 60 }, '');
+    store.undo();
+    assert.equal(store.origin.axiom, 'G');
+    store.undo();
+    assert.deepEqual(store.origin, first);
+    store.undo();
+    store.redo();
+    assert.deepEqual(store.origin, first);
+    store.redo();
+    assert.deepEqual(store.origin, clean({ axiom: 'G' }));
+});
+
 test('undo to the start and redo to the end walk the same states', () => {
     const roll = dice(7);
     for (let round = 0; round < 50; round++) {
