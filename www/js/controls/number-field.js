@@ -2,6 +2,7 @@
 
 import { plain, readNumber } from '../numerals.js';
 import { setValue } from '../dom.js';
+import { wanting, wordsOf } from './wanted.js';
 
 /** @typedef {{low: number, high: number, step: number | (() => number), whole?: boolean, change: (value: number) => void, settle: () => void}} Range */
 
@@ -12,6 +13,7 @@ import { setValue } from '../dom.js';
  */
 export function numberField(field, { low, high, step, whole = false, change, settle }) {
     let shown = 0;
+    const wrong = wanting(field, `${wordsOf({ low, high, whole })}.`);
     field.setAttribute('role', 'spinbutton');
     // Bounds that only numbers as such have say nothing.
     if (Math.abs(low) < 1e21) field.setAttribute('aria-valuemin', decimal(low));
@@ -27,7 +29,7 @@ export function numberField(field, { low, high, step, whole = false, change, set
 
     field.addEventListener('input', () => {
         const value = read();
-        field.toggleAttribute('data-wrong', value === null);
+        wrong(value === null);
         if (value !== null) change((shown = value));
     });
     field.addEventListener('keydown', (event) => {
@@ -36,7 +38,7 @@ export function numberField(field, { low, high, step, whole = false, change, set
         event.preventDefault();
         const next = fits(stepped(readNumber(field.value) ?? shown, event, typeof step === 'number' ? step : step(), whole));
         field.value = plain(next);
-        field.removeAttribute('data-wrong');
+        wrong(false);
         change((shown = next));
     });
     field.addEventListener('focus', () => field.select());
@@ -44,7 +46,7 @@ export function numberField(field, { low, high, step, whole = false, change, set
         const value = readNumber(field.value);
         if (value !== null && fits(value) !== value) change((shown = fits(value)));
         field.value = plain(shown);
-        field.removeAttribute('data-wrong');
+        wrong(false);
         settle();
     });
 
@@ -53,7 +55,7 @@ export function numberField(field, { low, high, step, whole = false, change, set
         field.setAttribute('aria-valuenow', decimal(value));
         // What is being typed stays as it is typed: "25." is not to become "25".
         if (document.activeElement === field && read() === value) return;
-        field.removeAttribute('data-wrong');
+        wrong(false);
         setValue(field, plain(value));
     };
 }
@@ -68,6 +70,7 @@ export function optionalField(field, { low, high, step, change, settle }) {
     /** @type {number | null} */
     let shown = null;
     let without = 0;
+    const wrong = wanting(field, `${wordsOf({ low, high })}, or nothing.`);
     const written = (/** @type {number | null} */ value) => (value === null ? '' : plain(value));
     const fits = (/** @type {number} */ value) => Math.min(high, Math.max(low, value));
     /** What the field says; undefined where that is neither nothing nor a number within the range. */
@@ -79,7 +82,7 @@ export function optionalField(field, { low, high, step, change, settle }) {
 
     field.addEventListener('input', () => {
         const value = read();
-        field.toggleAttribute('data-wrong', value === undefined);
+        wrong(value === undefined);
         if (value !== undefined) change((shown = value));
     });
     field.addEventListener('keydown', (event) => {
@@ -88,13 +91,13 @@ export function optionalField(field, { low, high, step, change, settle }) {
         event.preventDefault();
         shown = fits(stepped(readNumber(field.value) ?? shown ?? without, event, step));
         field.value = plain(shown);
-        field.removeAttribute('data-wrong');
+        wrong(false);
         change(shown);
     });
     field.addEventListener('focus', () => field.select());
     field.addEventListener('blur', () => {
         field.value = written(shown);
-        field.removeAttribute('data-wrong');
+        wrong(false);
         settle();
     });
 
@@ -103,7 +106,7 @@ export function optionalField(field, { low, high, step, change, settle }) {
         without = inherited;
         field.placeholder = plain(inherited);
         if (document.activeElement === field && read() === value) return;
-        field.removeAttribute('data-wrong');
+        wrong(false);
         setValue(field, written(value));
     };
 }

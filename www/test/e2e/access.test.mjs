@@ -197,6 +197,21 @@ test('number fields step with the arrows, ten times with Shift, a tenth with Alt
         assert.equal(await page.inputValue('#iterations'), '15');
     }));
 
+test('a number field that holds something else says what it wants', () =>
+    withPage({ hash: TREE }, async (page) => {
+        for (const [id, wrong, words] of [['iterations', '12 times', 'Write a whole number from 0 to 1,000.'], ['angle', '9999', 'Write a number from −3,600 to 3,600.'], ['seed', 'NaN', 'Write a whole number from 0 to 4,294,967,295.']]) {
+            const field = page.locator(`#${id}`);
+            await field.fill('');
+            assert.equal(await page.locator('.wanted').count(), 0, 'an empty field waits');
+            await field.fill(String(wrong));
+            assert.equal(await page.locator(`#${await field.getAttribute('aria-errormessage')}`).textContent(), words);
+            assert.equal(await field.getAttribute('aria-invalid'), 'true');
+            await field.blur();
+            assert.equal(await page.locator('.wanted').count(), 0);
+            assert.equal(await field.getAttribute('aria-invalid'), 'false');
+        }
+    }));
+
 test('results and mistakes are announced, once and when typing has paused', () =>
     withPage(
         {

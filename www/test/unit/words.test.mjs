@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { linesOf } from '../../js/controls/editor.js';
+import { wordsOf } from '../../js/controls/wanted.js';
 import { outgrown, scaleAbout, writtenAs } from '../../js/controls/scale.js';
 import { even, nearest } from '../../js/controls/slider.js';
 import { grouped, plain, readNumber, short, shortText, zoomText } from '../../js/numerals.js';
@@ -17,7 +18,7 @@ test('counts are whole up to nine digits and shortened beyond', () => {
 });
 
 test('numbers are read as people write them', () => {
-    for (const [text, value] of /** @type {[string, number | null][]} */ ([['25,7', 25.7], [' 22.5° ', 22.5], ['−30', -30], ['.5', 0.5], ['1e3', 1000], ['2 px', 2], ['', null], ['1.2.3', null], ['ten', null], ['0x10', null], ['Infinity', null]])) {
+    for (const [text, value] of /** @type {[string, number | null][]} */ ([['25,7', 25.7], [' 22.5° ', 22.5], ['−30', -30], ['.5', 0.5], ['1e3', 1000], ['2 px', 2], ['50 %', 50], ['', null], ['1.2.3', null], ['ten', null], ['0x10', null], ['Infinity', null]])) {
         assert.equal(readNumber(text), value, text);
     }
     assert.equal(plain(0.1 + 0.2), '0.3');
@@ -25,6 +26,13 @@ test('numbers are read as people write them', () => {
     assert.equal(zoomText(1), '100\u2009%');
     assert.equal(zoomText(1234), '×1,234');
     assert.equal(zoomText(1.5e6), '×1.5·10⁶');
+});
+
+test('a number field says what it wants', () => {
+    assert.equal(wordsOf({ low: 0, high: 1000, whole: true }), 'Write a whole number from 0 to 1,000');
+    assert.equal(wordsOf({ low: -3600, high: 3600 }), 'Write a number from −3,600 to 3,600');
+    assert.equal(wordsOf({ low: 1e-9, high: 10.5 }), 'Write a number from 1e-9 to 10.5');
+    assert.equal(wordsOf({ low: -Number.MAX_VALUE, high: Number.MAX_VALUE }), 'Write a number');
 });
 
 test('sliders find the nearest stop', () => {
