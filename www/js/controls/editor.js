@@ -94,26 +94,29 @@ export function editor(area, problems, kind, { change, settle }) {
             if (JSON.stringify(diagnostics) === JSON.stringify(marks)) return;
             marks = diagnostics;
             area.setAttribute('aria-invalid', String(marks.some((mark) => mark.severity === 'error')));
-            listProblems(problems, marks, area);
+            listProblems(problems, marks, area.value, area);
             paint();
         },
     };
 }
 
 /**
- * Lists diagnostics in words; where they have a place in `area`, a click goes there.
+ * Lists diagnostics in words; those of a `text` with their places in it, and a click goes there in `area`, if it stands
+ * in one.
  * @param {HTMLElement} list
  * @param {Diagnostic[]} diagnostics
+ * @param {string} [text]
  * @param {HTMLTextAreaElement} [area]
  */
-export function listProblems(list, diagnostics, area) {
-    const place = area && placesIn(area.value);
+export function listProblems(list, diagnostics, text, area) {
+    const place = text === undefined ? null : placesIn(text);
     list.replaceChildren(
         ...diagnostics.map(({ severity, message, hint, start, end }) => {
             const words = [make('span', { class: 'problem-text' }, ...withCode(message))];
+            if (place) words.unshift(make('span', { class: 'place' }, place(start)));
             if (hint) words.push(make('span', { class: 'problem-hint' }, ...withCode(hint)));
-            if (!area || !place) return make('li', { class: severity }, ...words);
-            const go = make('button', { type: 'button', class: 'problem' }, make('span', { class: 'place' }, place(start)), ...words);
+            if (!area) return make('li', { class: severity }, ...words);
+            const go = make('button', { type: 'button', class: 'problem' }, ...words);
             go.addEventListener('click', () => {
                 area.focus();
                 area.setSelectionRange(start, Math.max(end, start));
@@ -129,7 +132,7 @@ function withCode(words) {
 }
 
 /** Says where an offset is. @param {string} text @returns {(offset: number) => string} */
-function placesIn(text) {
+export function placesIn(text) {
     const starts = [0];
     for (let at = text.indexOf('\n'); at >= 0; at = text.indexOf('\n', at + 1)) starts.push(at + 1);
     return (offset) => {

@@ -1,7 +1,7 @@
 /** Links, files, and opening them again. */
 
 import { toast } from '../announce.js';
-import { listProblems } from '../controls/editor.js';
+import { listProblems, placesIn } from '../controls/editor.js';
 import { copyText } from '../copy.js';
 import { button, byId, html, input } from '../dom.js';
 import { download, fileName } from '../download.js';
@@ -72,13 +72,17 @@ export function keepPanel(store, engine, page) {
         if (file.size > LARGEST_FILE) return toast('This file is too large to be an L-system.');
         try {
             const bytes = await file.arrayBuffer();
-            if (/\.json$/i.test(file.name)) {
-                const text = new TextDecoder().decode(bytes);
-                if (isFavouritesFile(text)) return page.favourites(text);
-            }
+            const text = new TextDecoder().decode(bytes);
+            if (/\.json$/i.test(file.name) && isFavouritesFile(text)) return page.favourites(text);
             const { definition, diagnostics } = await engine.read(bytes);
-            listProblems(problems, diagnostics);
-            if (!definition) return toast(`${file.name} could not be read: ${diagnostics[0]?.message ?? 'it holds no system'}`);
+            // What a picture carries is not to be read by people.
+            const readable = text.trim() !== '' && !/^\s*<|^.PNG/.test(text);
+            listProblems(problems, diagnostics, readable ? text : undefined);
+            if (!definition) {
+                const mistake = diagnostics.find(({ severity }) => severity === 'error');
+                const words = [readable && mistake && `${placesIn(text)(mistake.start)}: `, mistake?.message ?? 'it holds no system'];
+                return toast(`${file.name} could not be read. ${words.filter(Boolean).join('')}`);
+            }
             const name = definition.name || file.name.replace(/\.(json|svg|png)$/i, '');
             store.open({ ...definition, name });
             toast(`Opened ${file.name}${diagnostics.length > 0 ? ', with remarks: see Save' : ''}`);

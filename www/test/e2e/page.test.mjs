@@ -510,6 +510,9 @@ test('what was saved as JSON opens again, and other files are refused in words',
         assert.equal(await page.inputValue('#dialect'), 'every-letter');
         await page.setInputFiles('#file', { name: 'broken.json', mimeType: 'application/json', buffer: Buffer.from('{"initial": ') });
         await until(async () => (await text(page, '#toast')).includes('broken.json could not be read'), 'the refusal');
+        await page.setInputFiles('#file', { name: 'words.json', mimeType: 'application/json', buffer: Buffer.from('{"initial": "F",\r\n "angle_deg": "60"}') });
+        await until(async () => (await text(page, '#toast')).startsWith('words.json could not be read. Line 2, column 15: `angle_deg` must be a number'), 'the refusal says where');
+        assert.match(await text(page, '#file-problems'), /Line 2, column 15/);
         assert.equal(await page.inputValue('#axiom'), 'A');
     }));
 
