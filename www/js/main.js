@@ -141,7 +141,8 @@ function show(state, before) {
 /** @param {Readonly<State>} state */
 function showNames(state) {
     const title = state.title || state.name || 'Untitled system';
-    const edited = !sameSystem(state, store.origin);
+    // What has been given another title is another system.
+    const edited = !sameSystem(state, store.origin) && state.title === store.origin.title;
     setText(html('specimen-title'), title);
     setText(html('specimen-source'), state.source);
     html('edited').hidden = !edited;

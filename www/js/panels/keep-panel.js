@@ -1,9 +1,9 @@
-/** Links, files, and opening them again. */
+/** The title, links, files, and opening them again. */
 
 import { toast } from '../announce.js';
 import { listProblems, placesIn } from '../controls/editor.js';
 import { copyText } from '../copy.js';
-import { button, byId, html, input } from '../dom.js';
+import { button, byId, html, input, setValue } from '../dom.js';
 import { download, fileName } from '../download.js';
 import { isFavouritesFile } from '../favourites.js';
 import { definitionOf } from '../state.js';
@@ -23,6 +23,14 @@ const MIME = { svg: 'image/svg+xml', csv: 'text/csv', txt: 'text/plain', json: '
  *   `select` shows the link for the reader to copy, `favourites` takes a file of them
  */
 export function keepPanel(store, engine, page) {
+    const title = input('title');
+    const showTitle = () => setValue(title, store.state.title || store.state.name);
+    // The name of a file it came from is no name for what has been given another.
+    title.addEventListener('input', () => store.change({ title: title.value, name: '' }, 'title'));
+    title.addEventListener('blur', () => store.settle());
+    store.subscribe(showTitle);
+    showTitle();
+
     button('copy-link').addEventListener('click', async () => {
         if (await copyText(await page.address())) toast('Link copied');
         else page.select();

@@ -470,6 +470,20 @@ test('everything saves under a name that says what it is', () =>
         assert.equal(Math.max(bytes.readUInt32BE(16), bytes.readUInt32BE(20)), 2048);
     }));
 
+test('a title stands under the drawing, in its link and in the names of its files', () =>
+    withPage({ hash: `${KOCH}&name=course-1` }, async (page) => {
+        await page.click('#tab-keep');
+        assert.equal(await page.inputValue('#title'), 'Koch');
+        await page.fill('#title', 'Snow, by Ada');
+        assert.equal(await text(page, '#caption-title'), 'Snow, by Ada');
+        assert.ok(await page.isHidden('#edited'));
+        await until(async () => (await hash(page)).includes('title=Snow,%20by%20Ada'), 'the link says so');
+        const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=json]')]);
+        assert.equal(download.suggestedFilename(), 'Snow_by_Ada_n4.json');
+        await page.click('#undo');
+        assert.deepEqual([await page.inputValue('#title'), await text(page, '#specimen-title')], ['Koch', 'Koch']);
+    }));
+
 test('what is in space saves with its depth', () =>
     withPage({ hash: '#v=1&title=Corner&axiom=F%26F&n=0&angle=90' }, async (page) => {
         await stillPicture(page);
