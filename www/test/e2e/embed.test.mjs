@@ -126,6 +126,17 @@ test('string and playback work in a frame', () =>
         await until(async () => /16 segments/.test((await frame.textContent('#caption-text')) ?? ''), 'the edited rules are drawn');
     }));
 
+test('a low frame shows its drawing beside the playback, and symbols of its string', () =>
+    withHost(frameOf(`${WEED}&controls=all`, 'style="width: 400px; height: 300px"'), async (page) => {
+        const frame = await drawn(page);
+        assert.ok(await frame.isHidden('#start-anew'), 'a frame begins no other system');
+        await frame.click('#open-playback');
+        await until(async () => Number((await frame.locator('#drawing').boundingBox())?.height) > 120, 'there is room for the drawing');
+        await frame.click('#close-playback');
+        await frame.click('#open-reader');
+        await until(async () => /^1 to [1-9]/.test((await frame.textContent('#reader-where')) ?? ''), 'rows of symbols can be seen');
+    }));
+
 test('a drawing in space is drawn, and turns under the pointer', () =>
     withHost(frameOf('v=1&axiom=A&rules=A%20-%3E%20F%5B%26A%5D%2FF%5B%5EA%5D%2FA&n=4&angle=35&controls=n,play'), async (page) => {
         const frame = await drawn(page);
