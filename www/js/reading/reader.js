@@ -61,7 +61,7 @@ export function createReader(engine, { mark, opened }) {
 
     const fetchPage = latest(
         (/** @type {number} */ wanted, /** @type {bigint} */ start, /** @type {number} */ count) => engine.string(wanted, start, count),
-        (answer, wanted, start) => {
+        (answer, wanted, start, count) => {
             if (wanted !== generation()) return;
             stale = false;
             digits = answer.length ?? '';
@@ -77,7 +77,8 @@ export function createReader(engine, { mark, opened }) {
             if (length !== null) top = scrolled(top, 0, scale());
             if (changed && chosen !== null) reveal(chosen);
             show();
-            if (changed && answer.text !== null) need();
+            // Rows may have become longer, or more, while it was on its way.
+            if (answer.text !== null && (changed || page.symbols.length >= count)) need();
             if (wished) go();
         },
     );

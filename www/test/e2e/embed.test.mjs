@@ -135,6 +135,7 @@ test('a low frame shows its drawing beside the playback, and symbols of its stri
         await frame.click('#close-playback');
         await frame.click('#open-reader');
         await until(async () => /^1 to [1-9]/.test((await frame.textContent('#reader-where')) ?? ''), 'rows of symbols can be seen');
+        await until(async () => (await frame.locator('#reader-text .cells').allTextContents()).every((row) => row.length > 20), 'every row is full');
     }));
 
 test('a drawing in space is drawn, and turns under the pointer', () =>
