@@ -131,8 +131,9 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
         look(true);
     });
     canvas.addEventListener('pointerleave', (event) => {
-        // A finger always leaves; what it tapped stays until it taps elsewhere.
-        if (event.pointerType === 'mouse') leave();
+        // A finger always leaves; what it tapped stays until it taps elsewhere. WebKit says that a mouse left wherever
+        // its button is released.
+        if (event.pointerType === 'mouse' && document.elementFromPoint(event.clientX, event.clientY) !== canvas) leave();
     });
 
     return {

@@ -153,6 +153,10 @@ test('the pointer on the drawing tells the segment and its symbol, and lights it
         await page.mouse.move(box.x + box.width / 2 + 2, at(2.5 / 8));
         await page.waitForSelector('#card:visible');
         assert.match(await text(page, '#card'), /^Fstep 3, by rule 1, first symbol.*Segment 3, heading 90°.*Symbol 3$/s);
+        // WebKit says that the pointer left when a button is released.
+        const left = { pointerType: 'mouse', clientX: box.x + box.width / 2 + 2, clientY: at(2.5 / 8) };
+        await page.evaluate((told) => document.querySelector('#drawing')?.dispatchEvent(new PointerEvent('pointerleave', told)), left);
+        assert.ok(await page.isVisible('#card'));
         assert.equal(await page.getAttribute('#mark-found', 'hidden'), null);
         await until(async () => (await page.locator('.cells .lit').count()) === 1, 'it is lit');
         const before = await page.evaluate(() => document.querySelector('.cells .lit')?.previousSibling?.textContent);
