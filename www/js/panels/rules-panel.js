@@ -1,17 +1,25 @@
 /** Axiom and productions. */
 
+import { toast } from '../announce.js';
 import { byId, html, setText } from '../dom.js';
 import { editor } from '../controls/editor.js';
+import { grouped } from '../numerals.js';
 
 /** @param {import('../store.js').Store} store */
 export function rulesPanel(store) {
     const settle = () => store.settle();
+    /** @param {'axiom' | 'rules'} field @param {string} text */
+    const change = (field, text) => {
+        store.change({ [field]: text }, field);
+        const { length } = store.state[field];
+        if (length < text.length) toast(`This is too long: the first ${grouped(String(length))} characters were taken.`);
+    };
     const axiom = editor(byId('axiom', HTMLTextAreaElement), html('axiom-problems'), 'axiom', {
-        change: (text) => store.change({ axiom: text }, 'axiom'),
+        change: (text) => change('axiom', text),
         settle,
     });
     const rules = editor(byId('rules', HTMLTextAreaElement), html('rules-problems'), 'rules', {
-        change: (text) => store.change({ rules: text }, 'rules'),
+        change: (text) => change('rules', text),
         settle,
     });
 

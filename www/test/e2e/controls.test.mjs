@@ -112,6 +112,16 @@ test('wrapped and blank lines stand in the same place in the text and in its lay
         }
     }));
 
+test('a text that is too long is cut, and that is said', () =>
+    withPage({ hash: TREE }, async (page) => {
+        await page.locator('#axiom').evaluate((area) => {
+            /** @type {HTMLTextAreaElement} */ (area).value = 'F+'.repeat(15_000);
+            area.dispatchEvent(new Event('input', { bubbles: true }));
+        });
+        await until(async () => (await page.textContent('#toast')) === 'This is too long: the first 20,000 characters were taken.', 'it is said');
+        assert.equal((await page.inputValue('#axiom')).length, 20_000);
+    }));
+
 test('fifty thousand characters can be typed in', () =>
     withPage({ hash: TREE }, async (page) => {
         const line = 'A(l) : l > 0.1 -> F(l)[+(a)A(l*r)]';
