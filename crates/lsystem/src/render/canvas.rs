@@ -334,8 +334,7 @@ impl Canvas {
         }
     }
 
-    /// Paints a shape row by row. `spans` sets the spans of some rows of a group, which reach nothing before, and gives
-    /// the first and the last column of them all; `bounds` gives columns between which the shape is in some rows.
+    /// Paints a shape, as [`Canvas::trace`] goes along it.
     #[inline]
     pub(super) fn fill(
         &mut self,
@@ -343,6 +342,23 @@ impl Canvas {
         colour: u32,
         bounds: impl Fn(Range<usize>) -> [i64; 2],
         spans: impl Fn(Range<usize>, &mut Spans) -> [i64; 2],
+    ) {
+        self.trace(rows, bounds, spans, |canvas, group, reach, spans| {
+            canvas.fill_group(group, reach, spans, colour);
+            true
+        });
+    }
+
+    /// Goes along the groups of a shape that are not covered throughout, row by row, as long as `visit` says so. `spans`
+    /// sets the spans of some rows of a group, which reach nothing before, and gives the first and the last column of
+    /// them all; `bounds` gives columns between which the shape is in some rows.
+    #[inline(always)]
+    pub(super) fn trace(
+        &mut self,
+        rows: Range<usize>,
+        bounds: impl Fn(Range<usize>) -> [i64; 2],
+        spans: impl Fn(Range<usize>, &mut Spans) -> [i64; 2],
+        mut visit: impl FnMut(&mut Self, usize, [i64; 2], &Spans) -> bool,
     ) {
         let right = (self.strips * STRIP) as i64 - 1;
         let mut start = rows.start;
@@ -361,15 +377,32 @@ impl Canvas {
                 let rows = start.max(group * GROUP)..end.min(group * GROUP + GROUP);
                 let mut places = [NOTHING; GROUP];
                 let reach = spans(rows, &mut places);
-                self.fill_group(group, reach, &places, colour);
+                if !visit(self, group, reach, &places) {
+                    return;
+                }
             }
             start = end;
         }
     }
 
+    /// Whether some rows of a group are covered; `reach` is from the first to the last of all their columns.
+    pub(super) fn is_group_full(&self, group: usize, reach: [i64; 2], spans: &Spans) -> bool {
+        let right = (self.strips * STRIP) as i64 - 1;
+        if reach[0] > right || reach[1] < 0 {
+            return true;
+        }
+        let strips = reach.map(|column| column.clamp(0, right) as usize / STRIP);
+        (strips[0]..=strips[1]).filter(|&strip| self.open(strip, [group; 2]) != 0).all(|strip| {
+            let bits = within(strip, spans);
+            let mixed = self.group(strip, group) == Group::Mixed;
+            let covered = &self.covered[strip * self.rows + group * GROUP..][..GROUP];
+            bits.iter().zip(covered).all(|(bits, covered)| bits & !(if mixed { *covered } else { 0 }) == 0)
+        })
+    }
+
     /// Paints some rows of a group; `reach` is from the first to the last of all their columns.
     #[inline(always)]
-    fn fill_group(&mut self, group: usize, reach: [i64; 2], spans: &Spans, colour: u32) {
+    pub(super) fn fill_group(&mut self, group: usize, reach: [i64; 2], spans: &Spans, colour: u32) {
         const LAST: i64 = STRIP as i64 - 1;
         let right = (self.strips * STRIP) as i64 - 1;
         let strips = reach.map(|column| column.clamp(0, right) as usize / STRIP);
@@ -395,10 +428,7 @@ impl Canvas {
                 }
                 [u64::MAX; GROUP]
             } else {
-                spans.map(|[first, last]| {
-                    let (first, last) = ((first - left).max(0), (last - left).min(LAST));
-                    if first <= last { u64::MAX << (first & LAST) & u64::MAX >> ((LAST - last) & LAST) } else { 0 }
-                })
+                within(strip, spans)
             };
             self.fill_strip(strip, group, bits, colour);
         }
@@ -480,6 +510,17 @@ fn funnel(words: [[u64; 2]; 2], masks: [u64; 2], shift: u32) -> [u64; 2] {
     let [before, own] = [0, 1].map(|i| v128_and(u64x2(words[i][0], words[i][1]), u64x2_splat(masks[i])));
     let moved = v128_or(u64x2_shr(before, shift.wrapping_neg()), u64x2_shl(own, shift));
     [u64x2_extract_lane::<0>(moved), u64x2_extract_lane::<1>(moved)]
+}
+
+/// The bits of a strip that lie in these spans.
+#[inline(always)]
+fn within(strip: usize, spans: &Spans) -> Block {
+    const LAST: i64 = STRIP as i64 - 1;
+    let left = (strip * STRIP) as i64;
+    spans.map(|[first, last]| {
+        let (first, last) = ((first - left).max(0), (last - left).min(LAST));
+        if first <= last { u64::MAX << (first & LAST) & u64::MAX >> ((LAST - last) & LAST) } else { 0 }
+    })
 }
 
 /// Whether a group has any bits.

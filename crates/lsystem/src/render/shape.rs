@@ -17,6 +17,19 @@ pub(super) struct Shape {
     pub strokes: u32,
 }
 
+impl Shape {
+    /// The longer side of its bounds, at this scale.
+    pub(super) fn extent(&self, scale: f64) -> f64 {
+        2.0 * scale * self.half[0].max(self.half[1])
+    }
+
+    /// From one end of its bounds to the other, halfway between the longer sides.
+    pub(super) fn axis(&self) -> [[f64; 2]; 2] {
+        let along = if self.half[0] >= self.half[1] { [self.half[0], 0.0] } else { [0.0, self.half[1]] };
+        [-1.0, 1.0].map(|sign| [self.centre[0] + sign * along[0], self.centre[1] + sign * along[1]])
+    }
+}
+
 /// A straight line.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {

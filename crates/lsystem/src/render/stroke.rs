@@ -1,6 +1,6 @@
 //! A stroke with round caps, row by row.
 
-use super::canvas::{Canvas, GROUP, NOTHING};
+use super::canvas::{Canvas, GROUP, NOTHING, Spans};
 use core::ops::Range;
 
 /// A segment on the subsample lattice, y down, and half its width.
@@ -59,6 +59,25 @@ impl Side {
 impl Capsule {
     /// Paints every subsample whose centre is within the radius of the segment. Returns how many rows it took.
     pub(super) fn paint(&self, canvas: &mut Canvas, colour: u32) -> usize {
+        self.trace(canvas, |canvas, group, reach, spans| {
+            canvas.fill_group(group, reach, spans, colour);
+            true
+        })
+    }
+
+    /// Whether each of these subsamples is covered, as far as that can be told.
+    pub(super) fn is_covered(&self, canvas: &mut Canvas) -> bool {
+        let mut covered = self.is_finite();
+        self.trace(canvas, |canvas, group, reach, spans| {
+            covered = canvas.is_group_full(group, reach, spans);
+            covered
+        });
+        covered
+    }
+
+    /// As [`Canvas::trace`]. Returns how many rows it has.
+    #[inline(always)]
+    fn trace(&self, canvas: &mut Canvas, visit: impl FnMut(&mut Canvas, usize, [i64; 2], &Spans) -> bool) -> usize {
         let radius = self.radius;
         let height = canvas.rows as i64;
         let size = canvas.size();
@@ -87,7 +106,7 @@ impl Capsule {
         };
         // The rows in which both sides are edges.
         let edges = left.edge[0].max(right.edge[0])..left.edge[1].min(right.edge[1]);
-        canvas.fill(first as usize..last as usize + 1, colour, bounds, |rows, spans| {
+        let spans = |rows: Range<usize>, spans: &mut Spans| {
             // From the first to the last subsample centre between the sides.
             let between =
                 |left: i64, right: i64| [left.wrapping_add(HALF - 1) >> FRACTION, right.wrapping_sub(HALF) >> FRACTION];
@@ -107,19 +126,25 @@ impl Capsule {
                 reach = [reach[0].min(span[0]), reach[1].max(span[1])];
             }
             reach
-        });
+        };
+        canvas.trace(first as usize..last as usize + 1, bounds, spans, visit);
         (last - first + 1).max(0) as usize
+    }
+
+    fn is_finite(&self) -> bool {
+        let [dx, dy] = [0, 1].map(|axis| self.to[axis] - self.from[axis]);
+        ((dx * dx + dy * dy).sqrt() + self.from[0] + self.from[1] + self.radius).is_finite()
     }
 
     /// The upper and the lower end of the part that can be seen on a canvas of this size, and the direction from
     /// one to the other. Cutting off what is far outside keeps the numbers small.
     fn clipped(&self, size: [f64; 2]) -> Option<([[f64; 2]; 2], [f64; 2])> {
         let mut ends = if self.from[1] <= self.to[1] { [self.from, self.to] } else { [self.to, self.from] };
-        let delta = [ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]];
-        let length = (delta[0] * delta[0] + delta[1] * delta[1]).sqrt();
-        if !(length + ends[0][0] + ends[0][1] + self.radius).is_finite() {
+        if !self.is_finite() {
             return None;
         }
+        let delta = [ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]];
+        let length = (delta[0] * delta[0] + delta[1] * delta[1]).sqrt();
         let direction = if length > 0.0 { delta.map(|d| d / length) } else { [1.0, 0.0] };
         let margin = self.radius + 8.0;
         let near = |p: [f64; 2]| (0..2).all(|axis| p[axis] >= -margin && p[axis] <= size[axis] + margin);
@@ -188,6 +213,40 @@ mod tests {
                     }
                     prop_assert!(!covered || canvas.is_touched(column / 64, row / 64), "{} {}", column, row);
                 }
+            }
+        }
+
+        #[test]
+        fn a_stroke_is_covered_where_all_its_subsamples_are(
+            bare in proptest::collection::vec([0..256_usize, 0..200_usize], 0..3),
+            from in [-100.0..300.0_f64, -100.0..300.0],
+            to in [-100.0..300.0_f64, -100.0..300.0],
+            radius in 0.5..150.0_f64,
+        ) {
+            let mut canvas = Canvas::default();
+            canvas.reset(256, 200, 0);
+            // All rows but for a few subsamples.
+            for row in 0..200 {
+                let mut columns: Vec<_> = bare.iter().filter(|[_, y]| *y == row).map(|[x, _]| *x as i64).collect();
+                columns.extend([-1, 256]);
+                columns.sort_unstable();
+                for pair in columns.windows(2) {
+                    let reach = [pair[0] + 1, pair[1] - 1];
+                    canvas.fill(row..row + 1, 0, |_| reach, |rows, spans| {
+                        spans[rows.start % GROUP] = reach;
+                        reach
+                    });
+                }
+            }
+            let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+            let distance = |[x, y]: [usize; 2]| {
+                let (x, y) = (x as f64 + 0.5 - from[0], y as f64 + 0.5 - from[1]);
+                let t = ((x * dx + y * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
+                ((x - t * dx) * (x - t * dx) + (y - t * dy) * (y - t * dy)).sqrt()
+            };
+            let least = bare.into_iter().map(distance).fold(f64::INFINITY, f64::min);
+            if (least - radius).abs() > 1e-3 {
+                prop_assert_eq!(Capsule { from, to, radius }.is_covered(&mut canvas), least > radius);
             }
         }
     }

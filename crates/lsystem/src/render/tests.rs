@@ -182,6 +182,29 @@ fn a_stroke_broader_than_the_picture_is_found_first() {
     }
 }
 
+#[test]
+fn what_is_broad_and_in_one_colour_takes_few_of_its_strokes() {
+    let viewport = Viewport { width: 96, height: 64, ratio: 1.0 };
+    let sample = Sample::abop("F", &[('F', "F+F--F+F")], 86.0).wide(30.0);
+    let mut renderer = Renderer::new();
+    let drawing = Arc::new(sample.draw(6));
+    renderer.load(drawing.clone());
+    for zoom in [3.0, 4.0, 10.0] {
+        let view = close_up(&drawing, zoom);
+        let mut strokes = [0; 2];
+        for (strokes, colour_by) in strokes.iter_mut().zip([ColourBy::Single, ColourBy::Path]) {
+            let style = Style { colour_by, ..sample.0.style.clone() };
+            let truth = brute_force(&drawing, &style, viewport, view);
+            picture(&mut renderer, &style, viewport, view);
+            let (mean, worst) = difference(renderer.pixels(), &truth, 96);
+            println!("{colour_by:?} {zoom:5} mean {mean:.3} worst {worst:.2} {:?}", renderer.stats());
+            *strokes = renderer.stats().strokes;
+            assert!(mean <= 0.1 && worst <= 4.0, "{colour_by:?} {zoom}: mean {mean:.3} worst {worst:.2}");
+        }
+        assert!(strokes[0] * 4 < strokes[1], "{zoom}: {strokes:?}");
+    }
+}
+
 /// With branches that are shorter and thinner than what bears them.
 fn narrowing(mut sample: Sample) -> Sample {
     (sample.0.length_factor, sample.0.style.width_factor) = (0.7, 0.5);

@@ -25,8 +25,14 @@ const PANES: u64 = 4;
 const ROUGH: (f64, u64) = (16.0, 100_000);
 /// A stroke of so many rows takes as long as two steps.
 const MANY_ROWS: u64 = 256;
-/// Strokes wider than twice this, in subsamples, are not painted into tiles.
+/// Strokes wider than twice this, in subsamples, are broad: they are not painted into tiles.
 const BROAD: f64 = 64.0;
+/// From pass to pass the grain becomes finer by this.
+const FINER: f64 = 4.0;
+/// A grain of this, in subsamples, is fine enough.
+const FINE: f64 = 32.0;
+/// The part of a length that may be rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// The size of things in a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -92,8 +98,10 @@ pub(super) struct Walk {
     rough: f64,
     /// The steps after which it becomes more.
     patience: u64,
-    /// Whether the whole drawing is to be shown, and nothing has been painted yet.
-    fresh: bool,
+    /// The whole drawing, where it is painted in passes from coarse to fine.
+    root: Option<Node>,
+    /// The extent of blocks of which this pass paints one stroke only; 0 in the last pass.
+    grain: f64,
     /// What outlines and broad strokes took beyond a step each.
     extra: u64,
     pub stats: RenderStats,
@@ -116,7 +124,8 @@ impl Default for Walk {
             making: vec![],
             rough: 0.0,
             patience: PATIENCE,
-            fresh: false,
+            root: None,
+            grain: 0.0,
             extra: 0,
             stats: RenderStats::default(),
         }
@@ -127,6 +136,7 @@ impl Walk {
     /// Forgets everything about the drawing there was.
     pub(super) fn clear(&mut self) {
         self.stack.clear();
+        self.root = None;
         self.making.clear();
         self.tiles.clear();
         self.inks.clear();
@@ -167,51 +177,74 @@ impl Walk {
         let [width, height] = [pane.width, pane.height].map(|side| side as usize * detail.samples());
         self.canvases[0].reset(width, height, self.inks.picture_planes());
         self.canvases[0].holes = self.repeats;
+        self.grain = 0.0;
         let Some(root) = self.descent.root(drawing, camera) else { return };
+        let one = matches!(self.inks.of(root.block.0 as usize), Inks::One(_)) && !self.descent.path.counts();
+        if one && upto.is_none() && (BROAD..f64::INFINITY).contains(&self.widest(drawing, root)) {
+            (self.root, self.grain) = (Some(root), f64::INFINITY);
+            return;
+        }
         self.stack.push(root);
-        self.fresh = upto.is_none();
         if let Some(upto) = upto {
             self.descent.leave_out(drawing, self.inks.choice, &mut self.stack, upto);
         }
     }
 
-    /// Where all is in one colour, and strokes may be broader than the picture, looks for one that covers all of it:
-    /// those that come before would each be painted up to an edge that crosses the picture.
-    fn cover(&mut self, drawing: &Drawing, shapes: &[Shape]) {
-        let Some(&root) = self.stack.last() else { return };
-        let one = matches!(self.inks.of(root.block.0 as usize), Inks::One(_)) && !self.descent.path.counts();
-        let size = self.canvases[0].size();
-        let middle = size.map(|side| side / 2.0);
+    /// Half the width of a block's widest stroke, at most.
+    fn widest(&self, drawing: &Drawing, node: Node) -> f64 {
+        self.look.radius(drawing.blocks[node.block.0 as usize].widest.of(node.pen.width))
+    }
+
+    /// Starts the next pass, if there is one; what it took. Where all is in one colour, the order is free: of blocks that
+    /// are small beside the width of their strokes, one stroke each covers most of what the others would add slivers to.
+    fn refine(&mut self, drawing: &Drawing, shapes: &[Shape]) -> Option<i64> {
+        let root = self.root.filter(|_| self.grain > 0.0)?;
+        self.stack.push(root);
+        let first = self.grain.is_infinite();
+        self.grain = match self.grain {
+            // Without repeats each pass would go through all there is.
+            _ if first && self.repeats => self.widest(drawing, root),
+            grain if !first && grain > FINE => grain / FINER,
+            _ => 0.0,
+        };
+        Some(if first { self.sketch(drawing, shapes, root) } else { 1 })
+    }
+
+    /// Paints a stroke of a block: one that is near the middle of the picture, of which it may cover all.
+    fn sketch(&mut self, drawing: &Drawing, shapes: &[Shape], mut node: Node) -> i64 {
+        let middle = self.canvases[0].size().map(|side| side / 2.0);
         let away = |p: [f64; 2]| libm::hypot(p[0] - middle[0], p[1] - middle[1]);
-        let reach = away([0.0; 2]);
-        let mut next = Some(root).filter(|_| one);
-        // Always on into the block whose middle is nearest: what is near is near enough.
-        while let Some(node) = next.take() {
-            let widest = drawing.blocks[node.block.0 as usize].widest.of(node.pen.width);
-            if self.look.radius(widest) < reach {
-                return;
-            }
-            let mut least = f64::INFINITY;
+        loop {
+            // Always on into what is nearest.
+            let (mut least, mut next, mut nearest) = (f64::INFINITY, None, None);
             for item in drawing.items_of(node.block) {
                 match item {
                     Item::Stroke(stroke) => {
-                        let pen = node.pen.after(self.inks.choice, &drawing.styles[stroke.style.0 as usize]);
                         let ends = [stroke.from, stroke.to].map(|p| node.place.point(p));
-                        if ends.into_iter().any(|end| away(end) + reach <= self.look.radius(pen.width)) {
-                            self.stroke(0, ends, pen);
-                            return;
+                        let distance = ends.map(away).into_iter().fold(f64::INFINITY, f64::min);
+                        if distance < least {
+                            let pen = node.pen.after(self.inks.choice, &drawing.styles[stroke.style.0 as usize]);
+                            (least, next, nearest) = (distance, None, Some((ends, pen)));
                         }
                     }
                     Item::Block(placed) if shapes[placed.block.0 as usize].strokes > 0 => {
                         let child = self.descent.child(drawing, self.inks.choice, node, placed);
                         let distance = away(child.place.point(shapes[placed.block.0 as usize].centre));
                         if distance < least {
-                            (least, next) = (distance, Some(child));
+                            (least, next, nearest) = (distance, Some(child), None);
                         }
                     }
                     _ => {}
                 }
             }
+            if let Some((ends, pen)) = nearest {
+                return self.stroke(0, ends, pen);
+            }
+            let Some(child) = next else { return 1 };
+            if let Some(work) = self.straight(&shapes[child.block.0 as usize], child, true) {
+                return work;
+            }
+            node = child;
         }
     }
 
@@ -225,9 +258,6 @@ impl Walk {
     }
 
     pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], left: &mut i64) -> Progress {
-        if core::mem::take(&mut self.fresh) {
-            self.cover(drawing, shapes);
-        }
         while *left > 0 {
             if let Some(making) = self.making.pop_if(|making| making.height == self.stack.len()) {
                 self.canvases[1 + making.size].settle();
@@ -236,7 +266,11 @@ impl Walk {
                 *left -= self.stamp(&tile, making.inks, making.target);
                 continue;
             }
-            let Some(node) = self.stack.last_mut() else { return Progress::Done };
+            let Some(node) = self.stack.last_mut() else {
+                let Some(work) = self.refine(drawing, shapes) else { return Progress::Done };
+                *left -= work;
+                continue;
+            };
             if node.cursor <= drawing.blocks[node.block.0 as usize].items.start {
                 self.stack.pop();
                 continue;
@@ -270,8 +304,7 @@ impl Walk {
                     if let Some(node) = self.stack.last_mut() {
                         node.span.end -= child.span.size;
                     }
-                    let shape = &shapes[placed.block.0 as usize];
-                    *left -= self.block(drawing, shape, child);
+                    *left -= self.block(drawing, shapes, child);
                 }
             }
         }
@@ -333,9 +366,7 @@ impl Walk {
 
     /// Paints a stroke along a block, in the colour of what it draws last.
     fn axis(&mut self, shape: &Shape, node: Node) -> i64 {
-        let along = if shape.half[0] >= shape.half[1] { [shape.half[0], 0.0] } else { [0.0, shape.half[1]] };
-        let ends = [-1.0, 1.0]
-            .map(|sign| node.place.point([shape.centre[0] + sign * along[0], shape.centre[1] + sign * along[1]]));
+        let ends = shape.axis().map(|p| node.place.point(p));
         self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &shape.last))
     }
 
@@ -352,14 +383,28 @@ impl Walk {
         (tile.strips * tile.rows) as i64 / 64
     }
 
+    /// Paints a block that is a straight line in one colour, or too small to tell from one.
+    fn straight(&mut self, shape: &Shape, node: Node, plain: bool) -> Option<i64> {
+        let extent = shape.extent(node.place.scale);
+        if let Some(line) = &shape.line
+            && extent < LONG
+            && plain
+        {
+            let ends = [line.from, line.to].map(|p| node.place.point(p));
+            return Some(self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &line.style)));
+        }
+        (extent <= TINY).then(|| self.axis(shape, node))
+    }
+
     /// Paints a block, or puts it on the stack.
-    fn block(&mut self, drawing: &Drawing, shape: &Shape, mut node: Node) -> i64 {
+    fn block(&mut self, drawing: &Drawing, shapes: &[Shape], mut node: Node) -> i64 {
+        let shape = &shapes[node.block.0 as usize];
         if shape.strokes == 0 {
             return 0;
         }
         let block = &drawing.blocks[node.block.0 as usize];
         let place = node.place;
-        let radius = self.look.radius(block.widest.of(node.pen.width));
+        let radius = self.widest(drawing, node);
         let centre = place.point(shape.centre);
         let reach = [
             place.cos.abs() * shape.half[0] + place.sin.abs() * shape.half[1] + radius,
@@ -374,23 +419,32 @@ impl Walk {
         }
         // A part of the path that has one colour is like any other block.
         let plain = !self.descent.path.counts() || node.canvas != 0 || node.span.is_short();
-        let extent = 2.0 * place.scale * shape.half[0].max(shape.half[1]);
-        if self.repeats {
+        let extent = shape.extent(place.scale);
+        if radius > BROAD.max(extent) {
+            // Broad strokes leave out the corners of their bounds.
+            let [from, to] = shape.axis().map(|p| place.point(p));
+            let around = radius + place.scale * shape.half[0].min(shape.half[1]);
+            let capsule = Capsule { from, to, radius: around * (1.0 + ROUNDING) };
+            if capsule.is_covered(&mut self.canvases[node.canvas]) {
+                return 1;
+            }
+        }
+        // What is narrow is for a later pass.
+        if radius < self.grain {
+            return 1;
+        }
+        if self.repeats && self.grain == 0.0 {
             let block = u64::from(node.block.0) << 32 ^ place.heading.units();
             let sizes = [tile::scale(place.scale), node.pen.width.to_bits()];
             if !self.seen.paint([self.tag(node.canvas), block, sizes[0], sizes[1]], [place.origin]) {
                 return 1;
             }
         }
-        if let Some(line) = &shape.line
-            && extent < LONG
-            && plain
-        {
-            let ends = [line.from, line.to].map(|p| place.point(p));
-            return self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &line.style));
+        if let Some(work) = self.straight(shape, node, plain) {
+            return work;
         }
-        if extent <= TINY {
-            return self.axis(shape, node);
+        if extent <= self.grain {
+            return self.sketch(drawing, shapes, node);
         }
         self.grow_rough();
         if extent <= self.rough {
@@ -403,6 +457,7 @@ impl Walk {
             && size + 1 > node.canvas
             && radius <= BROAD
             && self.repeats
+            && self.grain == 0.0
             && plain
         {
             let fine = !self.tiles.crowded && tile::is_sparse(extent, shape.strokes);
