@@ -11,8 +11,11 @@ export const FRONT = Object.freeze({ azimuth: 25, elevation: 12, zoom: 1, x: 0, 
 /** Degrees for a CSS pixel of dragging. */
 const SPEED = 0.4;
 
+/** To a millionth, so that a link need not carry the rounding of many turns. @param {number} degrees */
+const rounded = (degrees) => Math.round(degrees * 1e6) / 1e6;
+
 /** @param {number} degrees @returns {number} from -180 up to 180 */
-const wrapped = (degrees) => ((((degrees + 180) % 360) + 360) % 360) - 180;
+const wrapped = (degrees) => rounded(((((degrees + 180) % 360) + 360) % 360) - 180);
 
 /**
  * The camera gone round the target, as if the drawing were turned by hand.
@@ -33,7 +36,7 @@ export function orbit(camera, dx, dy) {
  * @returns {Camera}
  */
 export function turned(camera, azimuth, elevation) {
-    return { ...camera, azimuth: wrapped(azimuth), elevation: Math.max(-90, Math.min(90, elevation)) };
+    return { ...camera, azimuth: wrapped(azimuth), elevation: rounded(Math.max(-90, Math.min(90, elevation))) };
 }
 
 /**

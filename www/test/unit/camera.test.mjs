@@ -12,8 +12,11 @@ function seen(camera, point, scale = 700) {
     return axes(camera).slice(0, 2).map((axis) => scale * camera.zoom * axis.reduce((sum, c, i) => sum + c * Number(away[i]), 0));
 }
 
+/** @param {number} degrees */
+const short = (degrees) => Math.round(degrees * 1e6) / 1e6;
+
 /** @param {() => number} roll @returns {Camera} */
-const random = (roll) => ({ azimuth: roll() * 360 - 180, elevation: roll() * 180 - 90, zoom: 10 ** (roll() * 4 - 1), x: roll() - 0.5, y: roll() - 0.5, z: roll() - 0.5, perspective: roll() < 0.5, fade: roll() });
+const random = (roll) => ({ azimuth: short(roll() * 360 - 180), elevation: short(roll() * 180 - 90), zoom: 10 ** (roll() * 4 - 1), x: roll() - 0.5, y: roll() - 0.5, z: roll() - 0.5, perspective: roll() < 0.5, fade: roll() });
 
 /** @param {number[]} a @param {number[]} b @param {number} within */
 const near = (a, b, within) => a.forEach((value, i) => assert.ok(Math.abs(value - Number(b[i])) <= within, `${a} is not ${b}`));
@@ -83,4 +86,11 @@ test('with perspective what is nearer to the eye lies farther from the middle', 
         const [qx, qy] = projected({ ...camera, perspective: true }, point, 700);
         assert.ok(Math.abs(qx * py - qy * px) <= 1e-9 * (px * px + py * py) + 1e-9 && qx * px + qy * py >= 0);
     }
+});
+
+test('however often it is turned, its angles stay short', () => {
+    let camera = { ...FRONT, azimuth: 30, elevation: 20 };
+    for (let round = 0; round < 1000; round++) camera = orbit(camera, 0.3, round % 2 ? 0.7 : -0.7);
+    near([camera.azimuth, camera.elevation], [30 - 120, 20], 1e-3);
+    for (const angle of [camera.azimuth, camera.elevation]) assert.ok(String(angle).length <= 11, String(angle));
 });
