@@ -19,11 +19,13 @@ const INKS = {
 export function opening(theme) {
     return clean({
         name: 'twig',
-        title: 'A twig by two rules',
+        title: 'A twig by three rules',
         source: 'After Prusinkiewicz and Lindenmayer, The Algorithmic Beauty of Plants (1990), figure 1.24 f',
-        // The width stands in the text: who writes rules over it gets the plain lines that other rules ask for.
-        axiom: '!(14)X',
-        rules: "X -> F'!-[[X]+X]+F![+FX]-X\nF -> FF",
+        // The trunk doubles its width as it doubles its length, whatever n is. That stands in the text: who writes rules
+        // over it gets the plain lines that other rules ask for.
+        axiom: 'WX',
+        rules: "X -> F'!-[[X]+X]+F![+FX]-X\nF -> FF\nW -> W##",
+        width: 0.055,
         iterations: 8,
         angle: 22.5,
         ...INKS[theme],
