@@ -48,8 +48,8 @@ import { same } from './state.js';
 /** @typedef {import('./reading/words.js').Filled} Filled */
 /** How the picture is to be shown; only the first `upto` segments unless it is null. @typedef {{canvas: Canvas, view: View, camera: Camera | null, upto: bigint | null}} Look */
 /**
- * A picture; `scale` is in device pixels per fitted extent at zoom 1, and `rough` tells that fine detail is left out for
- * good. `pose` is the turtle's where only the first segments are shown: `at` in model units, `fitted` as places of
+ * A picture; `scale` is in device pixels per fitted extent at zoom 1, and `rough` tells that not every line is in its
+ * place, for good. `pose` is the turtle's where only the first segments are shown: `at` in model units, `fitted` as places of
  * marks, `heading` in degrees, in space a vector.
  * @typedef {{id: number, viewId: number, complete: boolean, scale: number, rough: boolean, bitmap: ImageBitmap, pose: Pose | null} & Look} Drawn
  */

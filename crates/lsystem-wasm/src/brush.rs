@@ -2,8 +2,8 @@
 
 use crate::viewer::Scene;
 #[cfg(feature = "full")]
-use lsystem::{DensityRenderer, Ink, Pane, RenderStats, Spent};
-use lsystem::{Detail, Drawing, PlaneRenderer, Progress, Renderer};
+use lsystem::{DensityRenderer, Ink, Pane, Spent};
+use lsystem::{Detail, Drawing, PlaneRenderer, Progress, RenderStats, Renderer};
 use std::sync::Arc;
 
 /// A picture that needs more tiles than this is mostly made of them.
@@ -17,6 +17,11 @@ enum Maker {
 }
 
 impl Maker {
+    /// For ink that covers.
+    fn covering() -> Self {
+        Self::Covering(Box::new(if cfg!(feature = "full") { Renderer::new() } else { Renderer::light() }))
+    }
+
     fn of(&mut self) -> &mut dyn PlaneRenderer {
         match self {
             Self::Covering(renderer) => &mut **renderer,
@@ -44,7 +49,7 @@ pub(crate) struct Brush {
 
 impl Default for Brush {
     fn default() -> Self {
-        Self { maker: Maker::Covering(Box::new(Renderer::new())), drawing: None, loaded: false }
+        Self { maker: Maker::covering(), drawing: None, loaded: false }
     }
 }
 
@@ -79,7 +84,7 @@ impl Brush {
             (Ink::Solid, Maker::Covering(_)) | (Ink::Density, Maker::Adding(_)) => {}
             (ink, _) => {
                 self.maker = match ink {
-                    Ink::Solid => Maker::Covering(Box::new(Renderer::new())),
+                    Ink::Solid => Maker::covering(),
                     Ink::Density => Maker::Adding(Box::new(DensityRenderer::new())),
                 };
                 self.loaded = false;
@@ -96,14 +101,17 @@ impl Brush {
         self.maker.of().step(work)
     }
 
-    /// Whether outlines stand for fine detail.
+    /// Whether not every line is in its place: it is put together from pictures of its parts, or outlines stand for fine
+    /// detail.
     pub(crate) fn is_rough(&self) -> bool {
-        self.maker.get().stats().outlines > 0
+        let RenderStats { outlines, parts, .. } = self.maker.get().stats();
+        outlines + parts > 0
     }
 
-    /// Whether tiles were made for it, enough to tell.
+    /// Whether pictures of parts were made for it, enough to tell.
     pub(crate) fn has_tiles(&self) -> bool {
-        self.maker.get().stats().tiles > TILES
+        let RenderStats { tiles, parts, .. } = self.maker.get().stats();
+        tiles + parts > TILES
     }
 
     /// What it has taken: steps of any kind.

@@ -57,7 +57,7 @@ test('a first picture takes less than 250 KB as hosts send it, and the full wasm
     });
 });
 
-test('where fine detail is left out, that is told until it is there again', () =>
+test('where lines are not in their places, that is told until they are again', () =>
     withPage({ hash: '#v=1&axiom=A&rules=A%20-%3E%20F%5B+A%5D%5B-A%5D&n=40&angle=20' }, async (page) => {
         await until(() => page.isVisible('#rough'), 'it is told', 60_000);
         await page.fill('#iterations', '5');

@@ -23,7 +23,7 @@ const HOLES: u32 = 2;
 const GROUPS: usize = u64::BITS as usize;
 
 /// The words of a group.
-type Block = [u64; GROUP];
+pub(super) type Block = [u64; GROUP];
 
 /// The first and the last column of a shape in each row of a group.
 pub(super) type Spans = [[i64; 2]; GROUP];
@@ -252,6 +252,15 @@ impl Canvas {
                 {
                     self.dye(to * self.rows + group * GROUP, &new, tile, &words, dye);
                 }
+            }
+        }
+    }
+
+    /// Paints these subsamples of a group, in colours whose digits are given by plane.
+    pub(super) fn put(&mut self, strip: usize, group: usize, bits: Block, digit: impl Fn(usize) -> Block) {
+        if let Some(new) = self.cover(strip, group, bits) {
+            for plane in 0..self.planes {
+                self.add(plane, strip * self.rows + group * GROUP, &new, &digit(plane));
             }
         }
     }

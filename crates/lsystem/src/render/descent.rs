@@ -1,7 +1,9 @@
 //! The way down through a drawing's graph: where its blocks are on a canvas, and what the turtle carries there.
 
 use super::inks::{Choice, Shade};
+use super::parts::Part;
 use super::path::{Path, Span};
+use super::shape::Shape;
 use super::turns::Turns;
 use super::view::Camera;
 use super::wide::Wide;
@@ -68,6 +70,14 @@ impl Place {
         [self.origin[0] + self.cos * x - self.sin * y, self.origin[1] - self.sin * x - self.cos * y]
     }
 
+    /// The centre of a block on the canvas, and how far it reaches from there across and down, its strokes as well: half
+    /// their width is `radius`, at most.
+    pub(super) fn bounds(&self, shape: &Shape, radius: f64) -> ([f64; 2], [f64; 2]) {
+        let [along, aside] = shape.half;
+        let [cos, sin] = [self.cos.abs(), self.sin.abs()];
+        (self.point(shape.centre), [cos * along + sin * aside + radius, sin * along + cos * aside + radius])
+    }
+
     /// Which point of the block is at a place on the canvas.
     pub(super) fn within(&self, at: [f64; 2]) -> [f64; 2] {
         let [x, y] = [at[0] - self.origin[0], self.origin[1] - at[1]];
@@ -121,6 +131,17 @@ impl Descent {
         let pen = Pen { shade: Shade { number: 0, fixed: true }, width: drawing.width };
         self.camera = Some(camera);
         Some(Node { block, cursor, canvas: 0, place, far: Some(far), pen, span: Span::WHOLE })
+    }
+
+    /// A part by itself, with its origin at `origin`, so many times as large.
+    pub(super) fn alone(&mut self, drawing: &Drawing, part: &Part, origin: [f64; 2], times: f64) -> Node {
+        let Part { block, heading, width, .. } = *part;
+        let scale = part.scale * times;
+        let [cos, sin] = self.turns.cos_sin(heading).map(|v| v * scale);
+        let place = Place { origin, scale, heading, cos, sin };
+        let cursor = drawing.blocks[block.0 as usize].items.end;
+        let pen = Pen { shade: Shade::default(), width };
+        Node { block, cursor, canvas: 1, place, far: None, pen, span: Span::WHOLE }
     }
 
     /// The next item on the way, last items first; `None` when what is on the stack above `floor` is done. A block is

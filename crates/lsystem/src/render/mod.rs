@@ -2,15 +2,19 @@
 //!
 //! The picture is what stroking every segment in drawing order would show: round caps, 4x4 subsamples a pixel, each
 //! keeping the colour drawn last, no stroke thinner than a pixel. It is made in the opposite order, last drawn
-//! first, so that what is covered already need not be looked at again.
+//! first, so that what is covered already need not be looked at again. Where too much is left for that, it is put
+//! together from the pictures of its parts, a little off their places.
 
+mod ascent;
 mod canvas;
 mod density;
 mod descent;
 mod exact;
 mod inks;
+mod layout;
 mod mixer;
 mod pane;
+mod parts;
 mod path;
 mod pick;
 mod polygon;
@@ -59,6 +63,9 @@ pub struct RenderStats {
     /// Blocks of which only the outline was painted, because the picture took too long: where there are any, fine detail
     /// is left out.
     pub outlines: u64,
+    /// Pictures of parts that it was put together from, because it took too long to look for each of them: where there
+    /// are any, what is drawn is a little off its place, by some pixels where very much is inside each other.
+    pub parts: u64,
 }
 
 /// Makes pictures of a drawing in the plane, one after the other, in the same memory: [`Renderer`] where strokes cover
@@ -103,6 +110,13 @@ impl Renderer {
     #[must_use]
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// The same for a program that is to be small: where a picture takes too long, only outlines end it, and what else
+    /// could is not compiled in.
+    #[must_use]
+    pub fn light() -> Self {
+        Self { drawing: None, shapes: vec![], walk: Walk::new(None), output: resolve::Output::default() }
     }
 
     /// As [`PlaneRenderer::begin_with`], but only a pane of the fine picture: the pixels are those of the pane, as they

@@ -382,6 +382,7 @@ fn crowds_that_never_repeat_end() {
         narrowing(Sample::abop("X", &[('X', "F[+X][-X]'FX")], 25.7)),
     ] {
         let drawing = Arc::new(sample.draw(300));
+        renderer.walk.soon = u64::MAX;
         renderer.load(drawing.clone());
         renderer.begin(&sample.0.style, viewport, View::default());
         assert!(finishes(&mut renderer));
@@ -399,6 +400,116 @@ fn crowds_that_never_repeat_end() {
         }
         assert!(renderer.pixels() == fresh.pixels());
     }
+}
+
+/// A renderer that takes the way up at once.
+fn climbing() -> Renderer {
+    let mut renderer = Renderer::new();
+    renderer.walk.soon = 0;
+    renderer
+}
+
+#[test]
+fn the_way_up_leads_to_the_same_picture() {
+    let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+    let mut renderer = climbing();
+    let mut failures = vec![];
+    let crowds = [
+        ("bud", Sample::lowercase("A", &[('A', "g[+A][-A]")], 20.0), 10),
+        ("simple", Sample::lowercase("g", &[('g', "g[+g][-g]")], 20.0), 8),
+        ("fork", Sample::abop("X", &[('X', "F[+X][-X]")], 25.0), 10),
+    ];
+    for (name, sample, n) in samples().into_iter().chain(crowds) {
+        let drawing = Arc::new(sample.draw(n));
+        renderer.load(drawing.clone());
+        for (colour_by, zoom) in [(ColourBy::Symbol, 1.0), (ColourBy::Level, 1.0), (ColourBy::Symbol, 4.0)] {
+            let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
+            let style = Style { colour_by, ..sample.0.style.clone() };
+            picture(&mut renderer, &style, viewport, view);
+            let truth = brute_force(&drawing, &style, viewport, view);
+            // Each part is off by an eighth of a pixel at most, and all of them by half a pixel, which is a sixteenth of
+            // a tile: 16 levels where a tile is crossed by an edge, more where by several, and less in all others.
+            let (ours, theirs) = (tiles(renderer.pixels(), 320), tiles(&truth, 320));
+            let apart = ours.iter().zip(&theirs).map(|(a, b)| (a - b).abs());
+            let (mean, worst) = (apart.clone().sum::<f64>() / ours.len() as f64, apart.fold(0.0, f64::max));
+            let stats = renderer.stats();
+            println!("{name:12} {colour_by:?} {zoom} mean {mean:.2} worst {worst:.2} {stats:?}");
+            if mean > 3.0 || worst > 24.0 || stats.outlines > 0 || stats.parts == 0 {
+                failures.push((name, colour_by, zoom, mean, worst));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{failures:#?}");
+}
+
+#[test]
+fn the_way_up_is_exact_where_all_is_on_the_lattice() {
+    let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+    let mut renderer = climbing();
+    for (sample, n) in [
+        (Sample::abop("X", &[('X', "X+YF+"), ('Y', "-FX-Y")], 90.0), 9),
+        (Sample::lowercase("X", &[('X', "g-[[X]+X]+g[+gX]-X"), ('g', "gg")], 90.0), 4),
+        (Sample::lowercase("A", &[('A', "g[+A][-A]g")], 90.0), 9),
+    ] {
+        let drawing = Arc::new(sample.draw(n));
+        renderer.load(drawing.clone());
+        for steps in [12.0, 17.0] {
+            // So many subsamples to a step, and the origin between two of them.
+            let camera = |view| view::Camera::new(&drawing, viewport, view, 4.0);
+            let view = View { zoom: steps / camera(View::default()).step, ..View::default() };
+            let camera = camera(view);
+            let side = view::root_bounds(&drawing).1.longer_side() * camera.scale;
+            let [x, y] = camera.place(Default::default()).map(|v| (v - libm::round(v)) / side);
+            let view = View { x: x + view.x, y: view.y - y, ..view };
+            for colour_by in [ColourBy::Symbol, ColourBy::Level] {
+                let style = Style { colour_by, ..sample.0.style.clone() };
+                picture(&mut renderer, &style, viewport, view);
+                assert!(renderer.stats().parts > 1 && renderer.stats().stamps > 1);
+                let (mean, worst) = difference(renderer.pixels(), &brute_force(&drawing, &style, viewport, view), 320);
+                assert!(worst == 0.0, "{steps} {colour_by:?} mean {mean} worst {worst}");
+            }
+        }
+    }
+}
+
+#[test]
+fn crowds_that_never_repeat_are_made_upwards() {
+    let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+    let mut renderer = Renderer::new();
+    for (sample, n) in [
+        (Sample::lowercase("A", &[('A', "g[+A][-A]")], 20.0), 60),
+        (Sample::lowercase("g", &[('g', "g[+g][-g]")], 20.0), 60),
+        (Sample::abop("X", &[('X', "F[+X][-X]")], 25.0), 60),
+    ] {
+        let drawing = Arc::new(sample.draw(n));
+        renderer.load(drawing.clone());
+        picture(&mut renderer, &sample.0.style, viewport, View::default());
+        let RenderStats { blocks, strokes, stamps, outlines, parts, .. } = renderer.stats();
+        assert!(parts > 0 && outlines == 0 && blocks + strokes + stamps < 1_100_000, "{:?}", renderer.stats());
+        // They fill their hulls.
+        let hull = &drawing.blocks[drawing.root.unwrap().0 as usize].hull;
+        let corners = &drawing.corners[hull.start as usize..hull.end as usize];
+        let next = corners.iter().cycle().skip(1);
+        let twice: f64 = corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum();
+        let scale = view::Camera::new(&drawing, viewport, View::default(), 1.0).scale;
+        let inked = renderer.pixels().chunks(4).filter(|pixel| pixel[..3] != sample.0.style.background.rgb).count();
+        let filled = inked as f64 / (twice.abs() / 2.0 * scale * scale);
+        assert!((0.9..1.1).contains(&filled), "{filled}");
+        // Panes of it are pieces of the same picture.
+        let whole = renderer.pixels().to_vec();
+        let mut pixels = vec![0; whole.len()];
+        for pane in Pane::all(viewport, [208, 200]) {
+            renderer.begin_pane(&sample.0.style, viewport, View::default(), None, pane);
+            while renderer.step(10_000) == Progress::More {}
+            put(&mut pixels, 320, pane, renderer.pixels());
+        }
+        assert!(pixels == whole, "{n}");
+    }
+}
+
+#[test]
+fn the_way_up_in_small_steps_gives_the_same_picture() {
+    check_small_steps([climbing(), climbing()]);
 }
 
 #[test]

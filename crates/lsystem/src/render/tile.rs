@@ -267,18 +267,24 @@ impl Tiles {
         tile.chunk = self.chunk;
         let words = &mut self.chunks[self.chunk];
         words.resize(tile.first + tile.copies(), 0);
-        words.extend(canvas.covered.chunks_exact(canvas.rows).map(|strip| {
-            let strip = &strip[..rows];
-            let first = strip.iter().position(|&word| word != 0).unwrap_or(0);
-            let end = strip.iter().rposition(|&word| word != 0).map_or(first, |last| last + 1);
-            first as u64 | (end as u64) << 32
-        }));
-        for strip in [&canvas.covered, &canvas.colours].into_iter().flat_map(|bits| bits.chunks_exact(canvas.rows)) {
-            words.extend_from_slice(&strip[..rows]);
-        }
+        keep(canvas, words);
         words.resize(words.len() + GROUP, 0);
         self.places.insert(key, tile);
         tile
+    }
+}
+
+/// Adds what [`Bits`] tell to the words: the extents, then the planes of a canvas.
+pub(super) fn keep(canvas: &Canvas, words: &mut Vec<u64>) {
+    let rows = canvas.height;
+    words.extend(canvas.covered.chunks_exact(canvas.rows).map(|strip| {
+        let strip = &strip[..rows];
+        let first = strip.iter().position(|&word| word != 0).unwrap_or(0);
+        let end = strip.iter().rposition(|&word| word != 0).map_or(first, |last| last + 1);
+        first as u64 | (end as u64) << 32
+    }));
+    for strip in [&canvas.covered, &canvas.colours].into_iter().flat_map(|bits| bits.chunks_exact(canvas.rows)) {
+        words.extend_from_slice(&strip[..rows]);
     }
 }
 

@@ -138,6 +138,27 @@ impl Detail {
     }
 }
 
+/// The size of things in a picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Look {
+    /// Half the smallest stroke width, in subsamples.
+    pub hairline: f64,
+    /// Subsamples in one step length.
+    pub step: f64,
+    /// Subsamples in one unit of the root block.
+    pub scale: f64,
+}
+
+/// The largest extent, in subsamples, at which a block is painted as a line.
+pub(super) const TINY: f64 = 2.0;
+
+impl Look {
+    /// Half the width of a stroke, in subsamples, from its width in step lengths.
+    pub(super) fn radius(&self, width: f64) -> f64 {
+        (width * self.step / 2.0).max(self.hairline)
+    }
+}
+
 /// Empty space around a fitted drawing, as a part of the viewport's shorter side.
 const MARGIN: f64 = 0.04;
 

@@ -1,5 +1,6 @@
 //! The descent through a drawing's graph, last item first, on an explicit stack so that it can stop anywhere.
 
+use super::ascent::{Ascent, Climb, Scene, Start};
 use super::canvas::Canvas;
 use super::descent::{Descent, Node, Pen};
 use super::inks::{Dye, InkTable, Inks, Shade};
@@ -8,17 +9,18 @@ use super::seen::Seen;
 use super::shape::Shape;
 use super::stroke::Capsule;
 use super::tile::{self, Key, Tile, Tiles};
-use super::view::{Camera, Detail, View, Viewport};
+use super::view::{Camera, Detail, Look, TINY, View, Viewport};
 use super::{Pane, RenderStats};
 use crate::{Drawing, Item, Progress, Style};
 
-/// The largest extent, in subsamples, at which a block is painted as a line.
-const TINY: f64 = 2.0;
 /// A straight block longer than this is taken apart, so that rounding stays far below a subsample.
 const LONG: f64 = 1e6;
-/// A picture is true as long as it takes no more steps than this: blocks looked into, strokes and stamps. After a few
-/// seconds nobody waits for more, and what is left is painted as the outlines of ever larger blocks.
+/// Where the way up cannot be taken, a picture is true as long as it takes no more steps than this: blocks looked into,
+/// strokes and stamps. After a few seconds nobody waits for more, and what is left is painted as the outlines of ever
+/// larger blocks.
 const PATIENCE: u64 = 2_500_000;
+/// After so many steps the way up is tried: that takes as long as some of them at most, whatever is left.
+const SOON: u64 = 1_000_000;
 /// A pane of a picture has a part of them: there are about so many panes for each of those who make them.
 const PANES: u64 = 4;
 /// The largest extent, in subsamples, of the outlines at first, and the steps after which it doubles.
@@ -33,23 +35,6 @@ const FINER: f64 = 4.0;
 const FINE: f64 = 32.0;
 /// The part of a length that may be rounding.
 const ROUNDING: f64 = 1e-9;
-
-/// The size of things in a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Look {
-    /// Half the smallest stroke width, in subsamples.
-    pub hairline: f64,
-    /// Subsamples in one step length.
-    pub step: f64,
-    /// Subsamples in one unit of the root block.
-    pub scale: f64,
-}
-
-impl Look {
-    fn radius(&self, width: f64) -> f64 {
-        (width * self.step / 2.0).max(self.hairline)
-    }
-}
 
 /// A tile being made.
 #[derive(Clone, Copy, Debug)]
@@ -102,6 +87,14 @@ pub(super) struct Walk {
     root: Option<Node>,
     /// The extent of blocks of which this pass paints one stroke only; 0 in the last pass.
     grain: f64,
+    /// The steps after which the way up is tried.
+    pub soon: u64,
+    /// Where it has not been tried and may be: the whole drawing, and the upper left and the lower right corner of the
+    /// whole picture in subsamples, of which this may be a pane.
+    untried: Option<(Node, [[f64; 2]; 2])>,
+    /// How the way up is started, if it ever is.
+    start: Option<Start>,
+    ascent: Option<Box<dyn Climb>>,
     /// What outlines and broad strokes took beyond a step each.
     extra: u64,
     pub stats: RenderStats,
@@ -109,6 +102,13 @@ pub(super) struct Walk {
 
 impl Default for Walk {
     fn default() -> Self {
+        Self::new(Some(Ascent::start))
+    }
+}
+
+impl Walk {
+    /// One that may take the way up which is started like this.
+    pub(super) fn new(start: Option<Start>) -> Self {
         Self {
             simple: tile::SIMPLE_STROKES,
             painted: 0,
@@ -126,18 +126,22 @@ impl Default for Walk {
             patience: PATIENCE,
             root: None,
             grain: 0.0,
+            soon: SOON,
+            untried: None,
+            start,
+            ascent: None,
             extra: 0,
             stats: RenderStats::default(),
         }
     }
-}
 
-impl Walk {
     /// Forgets everything about the drawing there was.
     pub(super) fn clear(&mut self) {
         self.stack.clear();
         self.root = None;
         self.making.clear();
+        self.untried = None;
+        self.ascent = None;
         self.tiles.clear();
         self.inks.clear();
         self.descent.path.clear();
@@ -167,6 +171,8 @@ impl Walk {
         let hairline = viewport.least_width(style) * detail.samples() as f64 / 2.0;
         let look = Look { hairline, step: camera.step, scale: camera.scale };
         self.extra = 0;
+        self.ascent = None;
+        self.untried = None;
         // Rough tiles would spoil this picture.
         let rough = core::mem::take(&mut self.rough) > 0.0;
         if self.inks.prepare(drawing, style) || look != self.look || rough {
@@ -185,6 +191,11 @@ impl Walk {
             return;
         }
         self.stack.push(root);
+        if upto.is_none() && self.repeats && !self.descent.path.counts() {
+            let corner = [pane.x, pane.y].map(|v| -f64::from(v) * samples);
+            let [width, height] = [viewport.width, viewport.height].map(|v| f64::from(v) * samples);
+            self.untried = Some((root, [corner, [corner[0] + width, corner[1] + height]]));
+        }
         if let Some(upto) = upto {
             self.descent.leave_out(drawing, self.inks.choice, &mut self.stack, upto);
         }
@@ -259,6 +270,9 @@ impl Walk {
 
     pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], left: &mut i64) -> Progress {
         while *left > 0 {
+            if let Some(progress) = self.ascend(drawing, shapes, left) {
+                return progress;
+            }
             if let Some(making) = self.making.pop_if(|making| making.height == self.stack.len()) {
                 self.canvases[1 + making.size].settle();
                 let tile = self.tiles.insert(making.key, &self.canvases[1 + making.size], making.corner);
@@ -311,6 +325,38 @@ impl Walk {
         Progress::More
     }
 
+    /// Goes on with the way up, if that is to be taken.
+    fn ascend(&mut self, drawing: &Drawing, shapes: &[Shape], left: &mut i64) -> Option<Progress> {
+        let scene = Scene { drawing, shapes, inks: &self.inks };
+        if self.untried.is_some() && self.work() > self.soon {
+            let (root, seen) = self.untried.take()?;
+            self.ascent = self.start.and_then(|start| start(scene, self.look, root, seen));
+        }
+        let ascent = self.ascent.as_mut()?;
+        if !ascent.is_planned() {
+            match ascent.plan(scene, &mut self.descent, left) {
+                None => {
+                    self.ascent = None;
+                    return None;
+                }
+                Some(Progress::More) => return Some(Progress::More),
+                Some(Progress::Done) => {
+                    // Its picture is of one kind throughout, and its parts take the tiles' memory.
+                    self.stack.clear();
+                    self.making.clear();
+                    self.tiles = Tiles::default();
+                    let frame = &mut self.canvases[0];
+                    frame.reset(frame.strips * u64::BITS as usize, frame.height, frame.planes);
+                }
+            }
+        }
+        let progress = ascent.step(scene, &mut self.descent, &mut self.canvases[0], &mut self.stats, left);
+        if progress == Progress::Done {
+            self.ascent = None;
+        }
+        Some(progress)
+    }
+
     fn stroke(&mut self, canvas: usize, [from, to]: [[f64; 2]; 2], pen: Pen) -> i64 {
         let radius = self.look.radius(pen.width);
         if self.repeats && !self.seen.paint([self.tag(canvas), radius.to_bits()], [from, to]) {
@@ -337,9 +383,14 @@ impl Walk {
         polygon::paint(&mut self.canvases[node.canvas], &vertices, colour) as i64 / 4
     }
 
+    /// The steps so far.
+    fn work(&self) -> u64 {
+        self.stats.blocks + self.stats.strokes + self.stats.stamps + self.extra
+    }
+
     /// Lets outlines do for larger blocks, the longer the picture takes.
     fn grow_rough(&mut self) {
-        let work = self.stats.blocks + self.stats.strokes + self.stats.stamps + self.extra;
+        let work = self.work();
         if self.repeats && work > self.patience {
             self.rough = libm::scalbn(ROUGH.0, ((work - self.patience) / ROUGH.1).min(1000) as i32);
         }
@@ -366,7 +417,7 @@ impl Walk {
 
     /// Paints a stroke along a block, in the colour of what it draws last.
     fn axis(&mut self, shape: &Shape, node: Node) -> i64 {
-        let ends = shape.axis().map(|p| node.place.point(p));
+        let ends = shape.axis().map(|end| node.place.point(end));
         self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &shape.last))
     }
 
@@ -405,11 +456,7 @@ impl Walk {
         let block = &drawing.blocks[node.block.0 as usize];
         let place = node.place;
         let radius = self.widest(drawing, node);
-        let centre = place.point(shape.centre);
-        let reach = [
-            place.cos.abs() * shape.half[0] + place.sin.abs() * shape.half[1] + radius,
-            place.sin.abs() * shape.half[0] + place.cos.abs() * shape.half[1] + radius,
-        ];
+        let (centre, reach) = place.bounds(shape, radius);
         let [across, down] = [0, 1]
             .map(|axis| [(centre[axis] - reach[axis]).floor() as i64, (centre[axis] + reach[axis]).ceil() as i64]);
         let canvas = &mut self.canvases[node.canvas];
