@@ -480,10 +480,10 @@ impl Walk {
         if radius < self.grain {
             return 1;
         }
-        if self.repeats && self.grain == 0.0 {
+        if self.repeats {
             let block = u64::from(node.block.0) << 32 ^ place.heading.units();
-            let sizes = [tile::scale(place.scale), node.pen.width.to_bits()];
-            if !self.seen.paint([self.tag(node.canvas), block, sizes[0], sizes[1]], [place.origin]) {
+            let sizes = [tile::scale(place.scale), node.pen.width.to_bits(), self.grain.to_bits()];
+            if !self.seen.paint([self.tag(node.canvas), block, sizes[0], sizes[1], sizes[2]], [place.origin]) {
                 return 1;
             }
         }
