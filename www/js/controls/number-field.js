@@ -2,7 +2,7 @@
 
 import { plain, readNumber } from '../numerals.js';
 import { setValue } from '../dom.js';
-import { wanting, wordsOf } from './wanted.js';
+import { isBound, wanting, wordsOf } from './wanted.js';
 
 /** @typedef {{low: number, high: number, step: number | (() => number), whole?: boolean, change: (value: number) => void, settle: () => void}} Range */
 
@@ -15,9 +15,8 @@ export function numberField(field, { low, high, step, whole = false, change, set
     let shown = 0;
     const wrong = wanting(field, `${wordsOf({ low, high, whole })}.`);
     field.setAttribute('role', 'spinbutton');
-    // Bounds that only numbers as such have say nothing.
-    if (Math.abs(low) < 1e21) field.setAttribute('aria-valuemin', decimal(low));
-    if (Math.abs(high) < 1e21) field.setAttribute('aria-valuemax', decimal(high));
+    if (isBound(low)) field.setAttribute('aria-valuemin', decimal(low));
+    if (isBound(high)) field.setAttribute('aria-valuemax', decimal(high));
 
     /** @param {number} value */
     const fits = (value) => Math.min(high, Math.max(low, whole ? Math.round(value) : value));

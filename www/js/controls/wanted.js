@@ -29,8 +29,12 @@ export function wanting(field, words) {
 /** @param {{low: number, high: number, whole?: boolean}} range */
 export function wordsOf({ low, high, whole = false }) {
     const sort = whole ? 'a whole number' : 'a number';
-    // Bounds that only numbers as such have say nothing.
-    return Math.max(-low, high) < 1e21 ? `Write ${sort} from ${written(low)} to ${written(high)}` : `Write ${sort}`;
+    return isBound(low) && isBound(high) ? `Write ${sort} from ${written(low)} to ${written(high)}` : `Write ${sort}`;
+}
+
+/** Bounds that only numbers as such have say nothing. @param {number} bound */
+export function isBound(bound) {
+    return Math.abs(bound) < 1e21;
 }
 
 /** @param {number} value */

@@ -7,7 +7,7 @@
 use super::RenderStats;
 use super::canvas::{Block, Canvas, GROUP};
 use super::descent::{Descent, Node, Pen};
-use super::inks::{Dye, InkTable, Inks, Shade};
+use super::inks::{Dye, InkTable, Shade};
 use super::layout::{Layout, is_empty, size};
 use super::parts::{Part, Parts};
 use super::polygon;
@@ -76,6 +76,13 @@ pub(super) struct Scene<'a> {
     pub drawing: &'a Drawing,
     pub shapes: &'a [Shape],
     pub inks: &'a InkTable,
+}
+
+impl Scene<'_> {
+    /// The bit planes of a part's picture.
+    fn planes(&self, part: &Part) -> usize {
+        self.inks.planes(self.inks.of(part.block.0 as usize))
+    }
 }
 
 /// Starts a way up: a picture of a drawing, of which the part from one corner to the other is seen, in subsamples; `None`
@@ -155,7 +162,7 @@ impl Ascent {
         }
         let part = &self.parts.list[index];
         let [width, height] = size(area).map(|side| side as usize);
-        self.canvas.reset(width, height, scene.inks.planes(scene.inks.of(part.block.0 as usize)));
+        self.canvas.reset(width, height, scene.planes(part));
         let phase = self.layout.phases[index];
         let origin = [0, 1].map(|axis| phase[axis] - area[0][axis] as f64);
         let node = descent.alone(scene.drawing, part, origin, 1.0 / f64::from(self.layout.grain));
@@ -230,11 +237,7 @@ impl Ascent {
         stats.stamps += 1;
         let inner = self.parts.joints[joint].part;
         let Some(picture) = &self.pictures[inner] else { return 1 };
-        let entry = match inks.of(self.parts.list[inner].block.0 as usize) {
-            Inks::One(own) => inks.choice.then(shade, own),
-            _ => shade,
-        };
-        let dye = Dye { entry, choice: inks.choice, digits: inks.digits() };
+        let dye = inks.dye(inks.of(self.parts.list[inner].block.0 as usize), shade);
         let corners = [self.layout.areas[inner][0], self.layout.areas[index][0]];
         let at = [0, 1].map(|axis| corners[0][axis] + self.layout.shifts[joint][axis] - corners[1][axis]);
         self.canvas.stamp(&picture.bits(&dye), at, &dye);
@@ -271,8 +274,7 @@ impl Climb for Ascent {
         if self.parts.step(scene, self.look, descent, left)? == Progress::More {
             return Some(Progress::More);
         }
-        let planes = |part: &Part| scene.inks.planes(scene.inks.of(part.block.0 as usize));
-        self.layout = Layout::new(&self.parts, self.root.place.origin, self.seen, planes)?;
+        self.layout = Layout::new(&self.parts, self.root.place.origin, self.seen, |part| scene.planes(part))?;
         self.pictures.resize_with(self.parts.list.len(), || None);
         *left -= self.parts.joints.len() as i64;
         Some(Progress::Done)

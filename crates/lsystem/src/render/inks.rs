@@ -167,6 +167,15 @@ impl InkTable {
         if inks == Inks::Many { self.digits() + usize::from(self.fixes) } else { 0 }
     }
 
+    /// What becomes of a picture with these shades where it is entered with `shade`.
+    pub(super) fn dye(&self, inks: Inks, shade: Shade) -> Dye {
+        let entry = match inks {
+            Inks::One(own) => self.choice.then(shade, own),
+            _ => shade,
+        };
+        Dye { entry, choice: self.choice, digits: self.digits() }
+    }
+
     /// A shade as the bits of as many planes.
     pub(super) fn code(&self, shade: Shade) -> u32 {
         shade.code(self.digits())

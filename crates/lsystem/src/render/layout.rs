@@ -1,6 +1,6 @@
 //! Where the parts of a picture are, on a lattice that may be coarser than the picture's.
 
-use super::parts::{Part, Parts};
+use super::parts::{Joint, Part, Parts};
 
 /// Words that the pictures of parts may take at a time: 27 MiB, where tiles, which are dropped before, take 23.
 pub(super) const ROOM: u64 = 27 << 17;
@@ -72,19 +72,16 @@ impl Layout {
         // What each covers, with what it contains where that is put; and how many are inside each other there.
         for &index in parts.order.iter().rev() {
             let part = &parts.list[index];
-            let inner = parts.joints[part.joints.clone()].iter();
-            let height = inner.map(|joint| layout.heights[joint.part] + 1).max();
-            layout.heights[index] = height.unwrap_or(0);
-            let wanted = parts.joints[part.joints.clone()].iter();
-            let wanted =
-                wanted.map(|joint| [0, 1].map(|axis| layout.phases[joint.part][axis] - joint.at[axis] * scale));
+            let joints = &parts.joints[part.joints.clone()];
+            layout.heights[index] = joints.iter().map(|joint| layout.heights[joint.part] + 1).max().unwrap_or(0);
+            let wanted = |joint: &Joint| [0, 1].map(|axis| layout.phases[joint.part][axis] - joint.at[axis] * scale);
+            let wanted = joints.iter().map(wanted);
             let own = if Some(&index) == parts.order.first() { rest } else { middle(wanted) };
             layout.phases[index] = own;
             let [low, high] = part.bounds.map(|corner| [0, 1].map(|axis| corner[axis] * scale + own[axis]));
             let mut area = [low.map(|v| v.floor() as i64), high.map(|v| v.ceil() as i64 + 1)];
             area = area.map(|corner| corner.map(|v| v.clamp(-FAR, FAR)));
-            for joint in part.joints.clone() {
-                let inner = &parts.joints[joint];
+            for (joint, inner) in part.joints.clone().zip(joints) {
                 let other = layout.phases[inner.part];
                 let shift = [0, 1].map(|axis| (inner.at[axis] * scale + own[axis] - other[axis] + 0.5).floor() as i64);
                 layout.shifts[joint] = shift;

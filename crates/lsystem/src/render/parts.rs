@@ -90,8 +90,7 @@ impl Parts {
                 if let Item::Block(placed) = &drawing.items[item as usize] {
                     let child = descent.child(drawing, inks.choice, node, placed);
                     let shape = &shapes[placed.block.0 as usize];
-                    let large = 2.0 * child.place.scale * shape.half[0].max(shape.half[1]) > TINY;
-                    if shape.strokes > 0 && shape.line.is_none() && large {
+                    if shape.strokes > 0 && shape.line.is_none() && shape.extent(child.place.scale) > TINY {
                         let part = self.find(drawing, shapes, look, child);
                         self.joints.push(Joint { item, part, at: child.place.origin });
                     }

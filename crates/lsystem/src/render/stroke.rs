@@ -67,7 +67,7 @@ impl Capsule {
 
     /// Whether each of these subsamples is covered, as far as that can be told.
     pub(super) fn is_covered(&self, canvas: &mut Canvas) -> bool {
-        let mut covered = self.is_finite();
+        let mut covered = self.length().is_some();
         self.trace(canvas, |canvas, group, reach, spans| {
             covered = canvas.is_group_full(group, reach, spans);
             covered
@@ -131,20 +131,19 @@ impl Capsule {
         (last - first + 1).max(0) as usize
     }
 
-    fn is_finite(&self) -> bool {
+    /// Of its segment; `None` where numbers are not finite.
+    fn length(&self) -> Option<f64> {
         let [dx, dy] = [0, 1].map(|axis| self.to[axis] - self.from[axis]);
-        ((dx * dx + dy * dy).sqrt() + self.from[0] + self.from[1] + self.radius).is_finite()
+        let length = (dx * dx + dy * dy).sqrt();
+        (length + self.from[0] + self.from[1] + self.radius).is_finite().then_some(length)
     }
 
     /// The upper and the lower end of the part that can be seen on a canvas of this size, and the direction from
     /// one to the other. Cutting off what is far outside keeps the numbers small.
     fn clipped(&self, size: [f64; 2]) -> Option<([[f64; 2]; 2], [f64; 2])> {
         let mut ends = if self.from[1] <= self.to[1] { [self.from, self.to] } else { [self.to, self.from] };
-        if !self.is_finite() {
-            return None;
-        }
+        let length = self.length()?;
         let delta = [ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]];
-        let length = (delta[0] * delta[0] + delta[1] * delta[1]).sqrt();
         let direction = if length > 0.0 { delta.map(|d| d / length) } else { [1.0, 0.0] };
         let margin = self.radius + 8.0;
         let near = |p: [f64; 2]| (0..2).all(|axis| p[axis] >= -margin && p[axis] <= size[axis] + margin);

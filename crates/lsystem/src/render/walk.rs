@@ -3,7 +3,7 @@
 use super::ascent::{Ascent, Climb, Scene, Start};
 use super::canvas::Canvas;
 use super::descent::{Descent, Node, Pen};
-use super::inks::{Dye, InkTable, Inks, Shade};
+use super::inks::{InkTable, Inks, Shade};
 use super::polygon;
 use super::seen::Seen;
 use super::shape::Shape;
@@ -185,13 +185,14 @@ impl Walk {
         self.canvases[0].holes = self.repeats;
         self.grain = 0.0;
         let Some(root) = self.descent.root(drawing, camera) else { return };
-        let one = matches!(self.inks.of(root.block.0 as usize), Inks::One(_)) && !self.descent.path.counts();
-        if one && upto.is_none() && (BROAD..f64::INFINITY).contains(&self.widest(drawing, root)) {
+        let free = upto.is_none() && !self.descent.path.counts();
+        let one = matches!(self.inks.of(root.block.0 as usize), Inks::One(_));
+        if free && one && (BROAD..f64::INFINITY).contains(&self.widest(drawing, root)) {
             (self.root, self.grain) = (Some(root), f64::INFINITY);
             return;
         }
         self.stack.push(root);
-        if upto.is_none() && self.repeats && !self.descent.path.counts() {
+        if free && self.repeats {
             let corner = [pane.x, pane.y].map(|v| -f64::from(v) * samples);
             let [width, height] = [viewport.width, viewport.height].map(|v| f64::from(v) * samples);
             self.untried = Some((root, [corner, [corner[0] + width, corner[1] + height]]));
@@ -425,11 +426,7 @@ impl Walk {
     fn stamp(&mut self, tile: &Tile, inks: Inks, target: Target) -> i64 {
         self.stats.stamps += 1;
         let at = [0, 1].map(|axis| target.cell[axis] + tile.corner[axis]);
-        let entry = match inks {
-            Inks::One(shade) => self.inks.choice.then(target.shade, shade),
-            _ => target.shade,
-        };
-        let dye = Dye { entry, choice: self.inks.choice, digits: self.inks.digits() };
+        let dye = self.inks.dye(inks, target.shade);
         self.canvases[target.canvas].stamp(&self.tiles.bits(tile, &dye), at, &dye);
         (tile.strips * tile.rows) as i64 / 64
     }
