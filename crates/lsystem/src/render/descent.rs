@@ -209,6 +209,38 @@ impl Descent {
         Node { block: placed.block, cursor, canvas: node.canvas, place, far, pen, span }
     }
 
+    /// Which part of a picture is done, as the segments tell that are in blocks that `counts`.
+    pub(super) fn done(
+        &mut self,
+        drawing: &Drawing,
+        choice: Choice,
+        stack: &[Node],
+        counts: impl Fn(&Node) -> bool,
+    ) -> f64 {
+        let (mut done, mut share) = (0.0, 1.0);
+        for &node in stack.iter().take_while(|node| node.canvas == 0) {
+            let (mut all, mut after, mut own) = (0.0, 0.0, 0.0);
+            for index in drawing.blocks[node.block.0 as usize].items.clone() {
+                let weight = match &drawing.items[index as usize] {
+                    Item::Block(placed) if counts(&self.child(drawing, choice, node, placed)) => {
+                        drawing.blocks[placed.block.0 as usize].segments as f64
+                    }
+                    Item::Block(_) => 0.0,
+                    _ => 1.0,
+                };
+                all += weight;
+                after += if index > node.cursor { weight } else { 0.0 };
+                own += if index == node.cursor { weight } else { 0.0 };
+            }
+            if own == 0.0 {
+                break;
+            }
+            done += share * after / all;
+            share *= own / all;
+        }
+        done
+    }
+
     /// Leaves out everything from the segment `from` (0-based) on, of a picture that has just begun: along the way
     /// down to that segment, what comes after it counts as done.
     pub(super) fn leave_out(&mut self, drawing: &Drawing, choice: Choice, stack: &mut Vec<Node>, from: u128) {

@@ -2,8 +2,8 @@
 
 use super::parts::{Joint, Part, Parts};
 
-/// Words that the pictures of parts may take at a time: 27 MiB, where tiles, which are dropped before, take 23.
-pub(super) const ROOM: u64 = 27 << 17;
+/// Words that the pictures of parts may take at a time: 24 MiB, where tiles, which are dropped before, take 23.
+pub(super) const ROOM: u64 = 24 << 17;
 /// Words of such pictures that may be painted in all: some tenths of a second.
 const WORK: u64 = 400 << 20;
 /// How many subsamples of the picture a cell of the lattice has along its side: the finest that will do is taken.

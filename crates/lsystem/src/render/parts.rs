@@ -106,7 +106,7 @@ impl Parts {
     /// The part that a block is.
     fn find(&mut self, drawing: &Drawing, shapes: &[Shape], look: Look, node: Node) -> usize {
         let Node { block, place, pen, .. } = node;
-        let radius = look.radius(drawing.blocks[block.0 as usize].widest.of(pen.width));
+        let radius = look.widest(&drawing.blocks[block.0 as usize], pen.width);
         let width = (radius > look.hairline).then_some(pen.width.to_bits());
         let index = self.list.len();
         let found = *self.known.entry((block, place.heading, tile::scale(place.scale), width)).or_insert(index);

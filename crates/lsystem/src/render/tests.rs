@@ -402,6 +402,19 @@ fn crowds_that_never_repeat_end() {
     }
 }
 
+#[test]
+fn what_would_take_far_too_long_is_put_together_early() {
+    let viewport = Viewport { width: 1600, height: 1000, ratio: 1.0 };
+    let mut renderer = Renderer::new();
+    let sample = Sample::lowercase("A", &[('A', "g[+A][-A]")], 20.0);
+    for (n, early) in [(40, true), (24, false)] {
+        renderer.load(Arc::new(sample.draw(n)));
+        picture(&mut renderer, &sample.0.style, viewport, View::default());
+        let RenderStats { blocks, strokes, parts, .. } = renderer.stats();
+        assert_eq!((parts > 0, blocks + strokes > 120_000), (early, !early), "{n} {:?}", renderer.stats());
+    }
+}
+
 /// A renderer that takes the way up at once.
 fn climbing() -> Renderer {
     let mut renderer = Renderer::new();

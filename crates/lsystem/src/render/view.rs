@@ -3,7 +3,7 @@
 use super::Pane;
 use super::wide::Wide;
 use crate::limits::{MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
-use crate::{Drawing, Style};
+use crate::{Block, Drawing, Style};
 
 /// The size of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -156,6 +156,11 @@ impl Look {
     /// Half the width of a stroke, in subsamples, from its width in step lengths.
     pub(super) fn radius(&self, width: f64) -> f64 {
         (width * self.step / 2.0).max(self.hairline)
+    }
+
+    /// The same of a block's widest stroke, at most, from the width at its entry.
+    pub(super) fn widest(&self, block: &Block, width: f64) -> f64 {
+        self.radius(block.widest.of(width))
     }
 }
 

@@ -21,6 +21,8 @@ const LONG: f64 = 1e6;
 const PATIENCE: u64 = 2_500_000;
 /// After so many steps the way up is tried: that takes as long as some of them at most, whatever is left.
 const SOON: u64 = 1_000_000;
+/// It is tried after a tenth of them already where less than this part of the picture is done.
+const SLOW: f64 = 1e-5;
 /// A pane of a picture has a part of them: there are about so many panes for each of those who make them.
 const PANES: u64 = 4;
 /// The largest extent, in subsamples, of the outlines at first, and the steps after which it doubles.
@@ -89,6 +91,8 @@ pub(super) struct Walk {
     grain: f64,
     /// The steps after which the way up is tried.
     pub soon: u64,
+    /// The steps after which it is looked at whether it is to be tried.
+    due: u64,
     /// Where it has not been tried and may be: the whole drawing, and the upper left and the lower right corner of the
     /// whole picture in subsamples, of which this may be a pane.
     untried: Option<(Node, [[f64; 2]; 2])>,
@@ -127,6 +131,7 @@ impl Walk {
             root: None,
             grain: 0.0,
             soon: SOON,
+            due: 0,
             untried: None,
             start,
             ascent: None,
@@ -196,6 +201,7 @@ impl Walk {
             let corner = [pane.x, pane.y].map(|v| -f64::from(v) * samples);
             let [width, height] = [viewport.width, viewport.height].map(|v| f64::from(v) * samples);
             self.untried = Some((root, [corner, [corner[0] + width, corner[1] + height]]));
+            self.due = self.soon / 10;
         }
         if let Some(upto) = upto {
             self.descent.leave_out(drawing, self.inks.choice, &mut self.stack, upto);
@@ -204,7 +210,23 @@ impl Walk {
 
     /// Half the width of a block's widest stroke, at most.
     fn widest(&self, drawing: &Drawing, node: Node) -> f64 {
-        self.look.radius(drawing.blocks[node.block.0 as usize].widest.of(node.pen.width))
+        self.look.widest(&drawing.blocks[node.block.0 as usize], node.pen.width)
+    }
+
+    /// Whether the way up is to be tried now.
+    fn is_late(&mut self, drawing: &Drawing, shapes: &[Shape]) -> bool {
+        let work = self.work();
+        if self.untried.is_none() || work <= self.due {
+            return false;
+        }
+        self.due = self.soon;
+        let (look, size) = (self.look, self.canvases[0].size());
+        let is_seen = |node: &Node| {
+            let (block, shape) = (&drawing.blocks[node.block.0 as usize], &shapes[node.block.0 as usize]);
+            let centre = node.place.point(shape.centre);
+            !node.place.misses(size, centre, shape.half, look.widest(block, node.pen.width))
+        };
+        work > self.soon || self.descent.done(drawing, self.inks.choice, &self.stack, is_seen) < SLOW
     }
 
     /// Starts the next pass, if there is one; what it took. Where all is in one colour, the order is free: of blocks that
@@ -328,9 +350,9 @@ impl Walk {
 
     /// Goes on with the way up, if that is to be taken.
     fn ascend(&mut self, drawing: &Drawing, shapes: &[Shape], left: &mut i64) -> Option<Progress> {
+        let late = self.is_late(drawing, shapes);
         let scene = Scene { drawing, shapes, inks: &self.inks };
-        if self.untried.is_some() && self.work() > self.soon {
-            let (root, seen) = self.untried.take()?;
+        if late && let Some((root, seen)) = self.untried.take() {
             self.ascent = self.start.and_then(|start| start(scene, self.look, root, seen));
         }
         let ascent = self.ascent.as_mut()?;
