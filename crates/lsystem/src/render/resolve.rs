@@ -1,7 +1,6 @@
 //! From subsamples to pixels.
 
 use super::canvas::{Canvas, GROUP, Group};
-use super::inks::PLANES;
 use super::{Detail, Pane};
 use crate::Progress;
 use crate::Style;
@@ -122,13 +121,12 @@ impl Output {
     fn row(&mut self, frame: &Canvas, at: usize, pixels: Range<usize>) {
         let covered = rows(&frame.covered, at);
         let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
-        if covered == [0; 4] {
+        if any(covered) == 0 {
             out.fill(self.shades[0][0]);
             return;
         }
-        let planes = planes(frame, at);
-        let planes = &planes[..frame.planes.min(PLANES)];
-        let (ink, same) = first_ink(planes, covered);
+        let planes = || planes(frame, at);
+        let (ink, same) = first_ink(planes(), covered);
         let ink = ink.min(self.palette.len() - 1);
         if same == [u64::MAX; 4] {
             out.fill(self.shades[ink][16]);
@@ -161,7 +159,12 @@ impl Output {
     }
 
     /// A row of pixels in a cell where colours meet.
-    fn mixed(&mut self, planes: &[[u64; 4]], covered: [u64; 4], pixels: Range<usize>) {
+    fn mixed<'a, I: Iterator<Item = &'a [u64; 4]>>(
+        &mut self,
+        planes: impl Fn() -> I,
+        covered: [u64; 4],
+        pixels: Range<usize>,
+    ) {
         const BYTES: u64 = 0x00ff_00ff_00ff_00ff;
         // Of every fourth pixel, by the first of them and by channel: sixteenths, at most 16 * 255, in 16 bits each.
         let mut sums = [[0x0008_0008_0008_0008_u64; 3]; 4];
@@ -175,12 +178,12 @@ impl Output {
             }
         };
         let bare = covered.map(|word| !word);
-        if bare != [0; 4] {
+        if any(bare) != 0 {
             add(bare, self.background);
         }
         let mut rest = covered;
-        while rest != [0; 4] {
-            let (ink, same) = first_ink(planes, rest);
+        while any(rest) != 0 {
+            let (ink, same) = first_ink(planes(), rest);
             add(same, self.palette[ink.min(self.palette.len() - 1)]);
             rest = [0, 1, 2, 3].map(|row| rest[row] & !same[row]);
         }
@@ -202,23 +205,27 @@ fn rows(words: &[u64], at: usize) -> [u64; 4] {
     words[at..].first_chunk().copied().unwrap_or_default()
 }
 
-/// The same of all planes of colours.
+/// The same of each plane of colours, where they are: to copy them all takes longer than to look at some.
 #[inline(always)]
-fn planes(frame: &Canvas, at: usize) -> [[u64; 4]; PLANES] {
-    let mut planes = [[0; 4]; PLANES];
-    for (digit, plane) in planes.iter_mut().enumerate().take(frame.planes) {
-        *plane = rows(&frame.colours, digit * frame.covered.len() + at);
-    }
-    planes
+fn planes(frame: &Canvas, at: usize) -> impl Iterator<Item = &[u64; 4]> {
+    frame.colours.chunks_exact(frame.covered.len().max(1)).filter_map(move |plane| plane[at..].first_chunk())
 }
 
-/// The ink of the first subsample of `rest`, and all of `rest` that has the same, by the planes of a row of pixels.
+/// The columns in which any of the words has a bit.
 #[inline(always)]
-fn first_ink(planes: &[[u64; 4]], rest: [u64; 4]) -> (usize, [u64; 4]) {
-    let row = rest.iter().position(|&word| word != 0).unwrap_or(0);
-    let bit = rest[row].trailing_zeros() & 63;
+fn any([a, b, c, d]: [u64; 4]) -> u64 {
+    a | b | c | d
+}
+
+/// The ink of a subsample of `rest`, and all of `rest` that has the same, by the planes of a row of pixels.
+#[inline(always)]
+fn first_ink<'a>(planes: impl Iterator<Item = &'a [u64; 4]>, rest: [u64; 4]) -> (usize, [u64; 4]) {
+    let bit = any(rest).trailing_zeros() & 63;
+    // Its row, without a branch: nobody could foretell it.
+    let [a, b, c, _] = rest.map(|word| !(word >> bit) as usize & 1);
+    let row = a * (1 + b * (1 + c));
     let (mut ink, mut same) = (0, rest);
-    for (digit, plane) in planes.iter().enumerate() {
+    for (digit, plane) in planes.enumerate() {
         let one = plane[row] >> bit & 1;
         ink |= (one as usize) << digit;
         // All ones where the digit is 0, so that equal digits give ones.

@@ -218,6 +218,7 @@ impl Tiles {
         let first = self.room(size * dye.digits);
         self.chunks[self.chunk].resize(first + size * dye.digits + GROUP, 0);
         let from = tile.colours();
+        let mut numbers = [[0; GROUP]; PLANES];
         for start in (0..size).step_by(GROUP) {
             let count = GROUP.min(size - start);
             let words = |plane: usize| {
@@ -225,7 +226,6 @@ impl Tiles {
                 words[..count].copy_from_slice(&self.chunks[tile.chunk][from + plane * size + start..][..count]);
                 words
             };
-            let mut numbers = [[0; GROUP]; PLANES];
             numbers.iter_mut().take(dye.digits).enumerate().for_each(|(digit, number)| *number = words(digit));
             let fixed = if dye.digits < tile.planes { words(dye.digits) } else { [0; GROUP] };
             dye.apply(&mut numbers[..dye.digits], &fixed);
