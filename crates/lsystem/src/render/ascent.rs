@@ -202,7 +202,7 @@ impl Ascent {
                 polygon::paint(&mut self.canvas, &vertices, inks.code(style(polygon.style).shade)) as i64 / 4
             }
             Item::Block(placed) => {
-                let child = descent.child(drawing, inks.choice, node, placed);
+                let child = descent.child(drawing, inks.choice, &node, placed);
                 let shape = &shapes[placed.block.0 as usize];
                 let joint = self.parts.list[index].joints.start + joints;
                 if joint < self.parts.list[index].joints.end && self.parts.joints[joint].item == node.cursor {

@@ -166,7 +166,7 @@ impl Descent {
             Item::Stroke(stroke) => stroke.style,
             Item::Polygon(polygon) => polygon.style,
             Item::Block(placed) => {
-                let child = self.child(drawing, choice, node, placed);
+                let child = self.child(drawing, choice, &node, placed);
                 if let Some(node) = stack.last_mut() {
                     node.span.end -= child.span.size;
                 }
@@ -185,7 +185,7 @@ impl Descent {
     }
 
     /// A block inside another, none of it done.
-    pub(super) fn child(&mut self, drawing: &Drawing, choice: Choice, node: Node, placed: &Placed) -> Node {
+    pub(super) fn child(&mut self, drawing: &Drawing, choice: Choice, node: &Node, placed: &Placed) -> Node {
         let heading = node.place.heading + placed.heading;
         let scale = node.place.scale * placed.scale;
         let [c, s] = self.turns.cos_sin(heading);
@@ -218,7 +218,7 @@ impl Descent {
         counts: impl Fn(&Node) -> bool,
     ) -> f64 {
         let (mut done, mut share) = (0.0, 1.0);
-        for &node in stack.iter().take_while(|node| node.canvas == 0) {
+        for node in stack.iter().take_while(|node| node.canvas == 0) {
             let (mut all, mut after, mut own) = (0.0, 0.0, 0.0);
             for index in drawing.blocks[node.block.0 as usize].items.clone() {
                 let weight = match &drawing.items[index as usize] {
@@ -259,7 +259,7 @@ impl Descent {
                 Some(Item::Block(placed)) => {
                     let size = self.path.block(node.block, node.span, placed.block).size;
                     let around = Node { span: Span { end: node.span.end + size, ..node.span }, ..node };
-                    let child = self.child(drawing, choice, around, placed);
+                    let child = self.child(drawing, choice, &around, placed);
                     stack.push(child);
                 }
                 _ => return,

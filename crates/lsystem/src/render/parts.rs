@@ -88,7 +88,7 @@ impl Parts {
             let first = self.joints.len();
             for item in items.clone().rev() {
                 if let Item::Block(placed) = &drawing.items[item as usize] {
-                    let child = descent.child(drawing, inks.choice, node, placed);
+                    let child = descent.child(drawing, inks.choice, &node, placed);
                     let shape = &shapes[placed.block.0 as usize];
                     if shape.strokes > 0 && shape.line.is_none() && shape.extent(child.place.scale) > TINY {
                         let part = self.find(drawing, shapes, look, child);

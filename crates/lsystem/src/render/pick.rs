@@ -41,7 +41,7 @@ impl Sight<Plane> for Page<'_> {
     type Place = Node;
 
     fn inside(&mut self, node: &Node, placed: &Placed) -> Node {
-        self.descent.child(self.drawing, Choice::default(), *node, placed)
+        self.descent.child(self.drawing, Choice::default(), node, placed)
     }
 
     fn is_new(&mut self, id: BlockId, Node { place, pen, .. }: &Node) -> bool {

@@ -2,7 +2,7 @@
 
 use super::ascent::{Ascent, Climb, Scene, Start};
 use super::canvas::Canvas;
-use super::descent::{Descent, Node, Pen};
+use super::descent::{Descent, Node, Pen, Place};
 use super::inks::{InkTable, Inks, Shade};
 use super::polygon;
 use super::seen::Seen;
@@ -192,7 +192,7 @@ impl Walk {
         let Some(root) = self.descent.root(drawing, camera) else { return };
         let free = upto.is_none() && !self.descent.path.counts();
         let one = matches!(self.inks.of(root.block.0 as usize), Inks::One(_));
-        if free && one && (BROAD..f64::INFINITY).contains(&self.widest(drawing, root)) {
+        if free && one && (BROAD..f64::INFINITY).contains(&self.widest(drawing, &root)) {
             (self.root, self.grain) = (Some(root), f64::INFINITY);
             return;
         }
@@ -209,7 +209,7 @@ impl Walk {
     }
 
     /// Half the width of a block's widest stroke, at most.
-    fn widest(&self, drawing: &Drawing, node: Node) -> f64 {
+    fn widest(&self, drawing: &Drawing, node: &Node) -> f64 {
         self.look.widest(&drawing.blocks[node.block.0 as usize], node.pen.width)
     }
 
@@ -237,15 +237,16 @@ impl Walk {
         let first = self.grain.is_infinite();
         self.grain = match self.grain {
             // Without repeats each pass would go through all there is.
-            _ if first && self.repeats => self.widest(drawing, root),
+            _ if first && self.repeats => self.widest(drawing, &root),
             grain if !first && grain > FINE => grain / FINER,
             _ => 0.0,
         };
-        Some(if first { self.sketch(drawing, shapes, root) } else { 1 })
+        Some(if first { self.sketch(drawing, shapes, &root) } else { 1 })
     }
 
     /// Paints a stroke of a block: one that is near the middle of the picture, of which it may cover all.
-    fn sketch(&mut self, drawing: &Drawing, shapes: &[Shape], mut node: Node) -> i64 {
+    fn sketch(&mut self, drawing: &Drawing, shapes: &[Shape], node: &Node) -> i64 {
+        let mut node = *node;
         let middle = self.canvases[0].size().map(|side| side / 2.0);
         let away = |p: [f64; 2]| libm::hypot(p[0] - middle[0], p[1] - middle[1]);
         loop {
@@ -262,7 +263,7 @@ impl Walk {
                         }
                     }
                     Item::Block(placed) if shapes[placed.block.0 as usize].strokes > 0 => {
-                        let child = self.descent.child(drawing, self.inks.choice, node, placed);
+                        let child = self.descent.child(drawing, self.inks.choice, &node, placed);
                         let distance = away(child.place.point(shapes[placed.block.0 as usize].centre));
                         if distance < least {
                             (least, next, nearest) = (distance, Some(child), None);
@@ -275,7 +276,7 @@ impl Walk {
                 return self.stroke(0, ends, pen);
             }
             let Some(child) = next else { return 1 };
-            if let Some(work) = self.straight(&shapes[child.block.0 as usize], child, true) {
+            if let Some(work) = self.straight(&shapes[child.block.0 as usize], &child, true) {
                 return work;
             }
             node = child;
@@ -313,7 +314,6 @@ impl Walk {
                 continue;
             }
             node.cursor -= 1;
-            let node = *node;
             *left -= 1;
             match &drawing.items[node.cursor as usize] {
                 Item::Stroke(stroke) => {
@@ -321,12 +321,10 @@ impl Walk {
                     if self.descent.path.counts() && node.canvas == 0 {
                         let span = self.descent.path.stroke(node.block, node.span);
                         pen.shade = Shade { number: span.ink(), fixed: true };
-                        if let Some(node) = self.stack.last_mut() {
-                            node.span.end -= span.size;
-                        }
+                        node.span.end -= span.size;
                     }
-                    let ends = [stroke.from, stroke.to].map(|p| node.place.point(p));
-                    *left -= self.stroke(node.canvas, ends, pen);
+                    let (canvas, ends) = (node.canvas, [stroke.from, stroke.to].map(|p| node.place.point(p)));
+                    *left -= self.stroke(canvas, ends, pen);
                 }
                 Item::Polygon(polygon) => {
                     let mut pen = node.pen.after(self.inks.choice, &drawing.styles[polygon.style.0 as usize]);
@@ -334,14 +332,13 @@ impl Walk {
                         pen.shade =
                             Shade { number: self.descent.path.stroke(node.block, node.span).ink(), fixed: true };
                     }
-                    *left -= self.polygon(node, drawing.vertices_of(polygon), pen);
+                    let (canvas, place) = (node.canvas, node.place);
+                    *left -= self.polygon(canvas, &place, drawing.vertices_of(polygon), pen);
                 }
                 Item::Block(placed) => {
                     let child = self.descent.child(drawing, self.inks.choice, node, placed);
-                    if let Some(node) = self.stack.last_mut() {
-                        node.span.end -= child.span.size;
-                    }
-                    *left -= self.block(drawing, shapes, child);
+                    node.span.end -= child.span.size;
+                    *left -= self.block(drawing, shapes, &child);
                 }
             }
         }
@@ -398,12 +395,12 @@ impl Walk {
         self.serials[canvas] << 8 | canvas as u64
     }
 
-    fn polygon(&mut self, node: Node, vertices: &[[f64; 2]], pen: Pen) -> i64 {
+    fn polygon(&mut self, canvas: usize, place: &Place, vertices: &[[f64; 2]], pen: Pen) -> i64 {
         self.stats.strokes += 1;
-        self.painted += u64::from(node.canvas == 0);
+        self.painted += u64::from(canvas == 0);
         let colour = self.inks.code(pen.shade);
-        let vertices: Vec<_> = vertices.iter().map(|&vertex| node.place.point(vertex)).collect();
-        polygon::paint(&mut self.canvases[node.canvas], &vertices, colour) as i64 / 4
+        let vertices: Vec<_> = vertices.iter().map(|&vertex| place.point(vertex)).collect();
+        polygon::paint(&mut self.canvases[canvas], &vertices, colour) as i64 / 4
     }
 
     /// The steps so far.
@@ -421,7 +418,7 @@ impl Walk {
 
     /// Paints what a block's hull encloses, in the colour of what it draws last; where strokes are broader than the
     /// block, one of them.
-    fn outline(&mut self, drawing: &Drawing, shape: &Shape, node: Node, broad: bool) -> i64 {
+    fn outline(&mut self, drawing: &Drawing, shape: &Shape, node: &Node, broad: bool) -> i64 {
         self.stats.outlines += 1;
         if broad {
             return self.axis(shape, node);
@@ -431,7 +428,7 @@ impl Walk {
         match &drawing.corners[hull.start as usize..hull.end as usize] {
             [from, to] => self.stroke(node.canvas, [*from, *to].map(|p| node.place.point(p)), pen),
             corners => {
-                let work = self.polygon(node, corners, pen);
+                let work = self.polygon(node.canvas, &node.place, corners, pen);
                 self.extra += work.unsigned_abs();
                 work
             }
@@ -439,7 +436,7 @@ impl Walk {
     }
 
     /// Paints a stroke along a block, in the colour of what it draws last.
-    fn axis(&mut self, shape: &Shape, node: Node) -> i64 {
+    fn axis(&mut self, shape: &Shape, node: &Node) -> i64 {
         let ends = shape.axis().map(|end| node.place.point(end));
         self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &shape.last))
     }
@@ -454,7 +451,7 @@ impl Walk {
     }
 
     /// Paints a block that is a straight line in one colour, or too small to tell from one.
-    fn straight(&mut self, shape: &Shape, node: Node, plain: bool) -> Option<i64> {
+    fn straight(&mut self, shape: &Shape, node: &Node, plain: bool) -> Option<i64> {
         let extent = shape.extent(node.place.scale);
         if let Some(line) = &shape.line
             && extent < LONG
@@ -467,12 +464,11 @@ impl Walk {
     }
 
     /// Paints a block, or puts it on the stack.
-    fn block(&mut self, drawing: &Drawing, shapes: &[Shape], mut node: Node) -> i64 {
+    fn block(&mut self, drawing: &Drawing, shapes: &[Shape], node: &Node) -> i64 {
         let shape = &shapes[node.block.0 as usize];
         if shape.strokes == 0 {
             return 0;
         }
-        let block = &drawing.blocks[node.block.0 as usize];
         let place = node.place;
         let radius = self.widest(drawing, node);
         let (centre, reach) = place.bounds(shape, radius);
@@ -516,7 +512,7 @@ impl Walk {
         if extent <= self.rough {
             return self.outline(drawing, shape, node, 2.0 * radius > extent);
         }
-        node.cursor = block.items.end;
+        let mut node = *node;
         let simple = node.canvas == 0 && self.painted < self.simple;
         let inks = self.inks.of(node.block.0 as usize);
         if let Some(size) = tile::size(extent, shape.strokes, inks, simple)
