@@ -1,7 +1,7 @@
 //! The page's handle: keeps a system between edits and works in steps that end on time.
 
 use crate::clock::Clock;
-use crate::report::{Report, legend_of, problems};
+use crate::report::{Report, legend_of, problems, understood};
 use crate::surface::Surface;
 use crate::viewer::{Drawn, Realm, Scene, Views};
 use crate::{from_js, to_js};
@@ -99,8 +99,7 @@ impl Playground {
     /// Throws where the argument is not a definition at all.
     pub fn define(&mut self, definition: JsValue) -> Result<JsValue, JsValue> {
         let definition = from_js(definition)?;
-        let (system, diagnostics) = System::new(&definition);
-        let diagnostics = problems(&diagnostics, &definition, "");
+        let (system, diagnostics) = understood(&definition);
         let Some(system) = system else {
             return to_js(&Report { diagnostics, beyond: BEYOND, ..Report::default() });
         };

@@ -1,6 +1,6 @@
 //! Structured results for the page.
 
-use lsystem::{Definition, Diagnostic, legend};
+use lsystem::{Definition, Diagnostic, System, legend};
 #[cfg(feature = "full")]
 use lsystem::{Field, Severity};
 use serde::Serialize;
@@ -73,6 +73,16 @@ pub(crate) struct Failure {
     pub(crate) diagnostics: Vec<Problem>,
 }
 
+/// What `definition` means, and what there is to say about it.
+pub(crate) fn understood(definition: &Definition) -> (Option<System>, Vec<Problem>) {
+    if cfg!(feature = "full") {
+        let (system, diagnostics) = System::new(definition);
+        (system, problems(&diagnostics, definition, ""))
+    } else {
+        (System::undoubted(definition), vec![])
+    }
+}
+
 /// The words are left to the full wasm.
 #[cfg(not(feature = "full"))]
 pub(crate) fn problems(_: &[Diagnostic], _: &Definition, _: &str) -> Vec<Problem> {
@@ -106,7 +116,7 @@ pub(crate) fn problems(diagnostics: &[Diagnostic], definition: &Definition, file
     diagnostics.iter().map(problem).collect()
 }
 
-pub(crate) fn legend_of(system: &lsystem::System) -> Vec<Legend> {
+pub(crate) fn legend_of(system: &System) -> Vec<Legend> {
     (legend(system).into_iter())
         .map(|entry| Legend { symbol: entry.module, actions: entry.actions, rewritten: entry.rewritten })
         .collect()

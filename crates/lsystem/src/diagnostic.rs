@@ -143,6 +143,10 @@ pub enum Kind {
     ContextForCondition,
     /// A condition behind the successor, which is read as symbols.
     ConditionBehind,
+    /// A comment behind the successor, which is read as symbols.
+    CommentBehind,
+    /// A number in a successor that was meant as its weight.
+    WeightOfSymbols,
     /// A bracket in a left context.
     ContextBracketLeft,
     /// A bracket without its partner in a right context, or with parameters.
@@ -187,6 +191,11 @@ pub enum Kind {
     NumberExpected,
     /// Digits that are no number.
     NumberMalformed {
+        /// They.
+        text: String,
+    },
+    /// Digits that are a number too large to be held.
+    NumberRange {
         /// They.
         text: String,
     },
@@ -303,11 +312,18 @@ pub enum Kind {
     // The system as a whole.
     /// The axiom is empty.
     EmptyAxiom,
-    /// A `]` that closes no branch.
+    /// Symbols next to each other, as `]`, that close no branch.
     UnmatchedClose {
         /// The symbol.
         symbol: char,
     },
+    /// Symbols next to each other, as `[`, whose branches nothing closes in any generation.
+    UnmatchedOpen {
+        /// The symbol.
+        symbol: char,
+    },
+    /// `->` among symbols where nobody means symbols by it, as in `X->F,F->FF`.
+    ArrowOfSymbols,
     /// A production with a predecessor or a context that is in no generation.
     NeverOccurs {
         /// The predecessor, or the symbol in the context.
@@ -604,12 +620,16 @@ impl Diagnostic {
             | Kind::OverrideTwice { .. }
             | Kind::EmptyAxiom
             | Kind::UnmatchedClose { .. }
+            | Kind::UnmatchedOpen { .. }
+            | Kind::ArrowOfSymbols
             | Kind::NeverOccurs { .. }
             | Kind::OtherArity { .. }
             | Kind::NoRuleForArity { .. }
             | Kind::ContextUnseen { .. }
             | Kind::ContextForCondition
             | Kind::ConditionBehind
+            | Kind::CommentBehind
+            | Kind::WeightOfSymbols
             | Kind::ConditionConstant { .. }
             | Kind::UnknownKey { .. }
             | Kind::DuplicateKey { .. }

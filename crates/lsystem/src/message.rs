@@ -24,7 +24,9 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
             };
             (text, largest.map(|n| format!("Up to {n} iterations fit.")))
         }
-        Kind::NotText { line } => said(format!("Line {line} is not UTF-8 text")),
+        Kind::NotText { line } => {
+            said(format!("Line {line} is not UTF-8 text"))
+        }
         Kind::NoSystem { picture } => hinted(
             format!("This {picture} holds no L-system"),
             format!("Only {picture} files that were saved here carry the system they show."),
@@ -90,8 +92,10 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         Kind::LongPredecessor { text } => hinted(
             format!("A production replaces one symbol, not `{text}`"),
             match text.chars().next() {
-                Some(first) => format!("Write one production for each symbol, as in `{first} -> ...`."),
-                None => "Write one production for each symbol.".into(),
+                Some(first) if first.is_alphabetic() => {
+                    format!("Write one production for each symbol, as in `{first} -> ...`.")
+                }
+                _ => "Write one production for each symbol, without quotes, bullets or numbers.".into(),
             },
         ),
         Kind::ParameterName { text } => hinted(
@@ -124,6 +128,14 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         Kind::ConditionBehind => hinted(
             "`if` and what follows are read as symbols".into(),
             "A condition stands before the arrow, as in `A(x) : x < 3 -> B`.".into(),
+        ),
+        Kind::CommentBehind => hinted(
+            "This comment is read as symbols".into(),
+            "A comment needs a line of its own.".into(),
+        ),
+        Kind::WeightOfSymbols => hinted(
+            "This number is read as symbols".into(),
+            "A weight stands at the end of the line, as in `F -> FF : 0.5`.".into(),
         ),
         Kind::ContextBracketLeft => hinted(
             "A left context has no brackets: it is read along the way to the root".into(),
@@ -180,6 +192,9 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         Kind::NumberMalformed { text } => {
             hinted(format!("`{text}` is not a number"), "Write numbers as 2, 0.5 or 1e-3.".into())
         }
+        Kind::NumberRange { text } => {
+            hinted(format!("`{text}` is too large a number"), "Numbers can be up to 1e308.".into())
+        }
         Kind::ArithmeticUnexpected { found, role } => hinted(
             format!("{} has no place in arithmetic", named(*found)),
             match found {
@@ -193,6 +208,7 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
                     "Conditions are joined by `and`, `or` and `not` in small letters, or by `&&`, `||` and `!`.".into()
                 }
                 ',' => "Write decimals with a point, as in 0.33.".into(),
+                '#' => "A comment needs a line of its own.".into(),
                 '%' => "Write percentages as fractions, as in 0.33.".into(),
                 '[' | ']' | '{' | '}' => "Group with parentheses.".into(),
                 _ => match role {
@@ -341,6 +357,14 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
         Kind::UnmatchedClose { symbol } => hinted(
             format!("This {} closes no branch and is ignored in the drawing", named(*symbol)),
             "Remove it, or open the branch before it.".into(),
+        ),
+        Kind::UnmatchedOpen { symbol } => hinted(
+            format!("This {} is never closed", named(*symbol)),
+            "Close the branch where it ends.".into(),
+        ),
+        Kind::ArrowOfSymbols => hinted(
+            "This arrow is read as two symbols".into(),
+            "Write each production on a line of its own.".into(),
         ),
         Kind::NeverOccurs { symbol } => hinted(
             format!("{} never occurs, so this production never applies", named(*symbol)),

@@ -1,11 +1,11 @@
 //! A system ready for derivation and drawing.
 
-use crate::notation::{self, Reading};
+use crate::notation::{self, Places, Reading};
 use crate::notes::Notes;
 use crate::sorted::{set, sort};
 use crate::{
     Action, ColourBy, Colouring, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, LimitName,
-    MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, Production, Program, Quantity, Rules, Style, Tropism, Turtle,
+    MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, Module, Production, Program, Quantity, Rules, Style, Tropism, Turtle,
     parse_overrides,
 };
 use core::ops::Range;
@@ -32,9 +32,23 @@ impl System {
     /// unless a diagnostic is an error.
     #[must_use]
     pub fn new(definition: &Definition) -> (Option<Self>, Vec<Diagnostic>) {
+        Self::doubting(definition, doubts)
+    }
+
+    /// The same where nobody asks what is doubtful.
+    #[must_use]
+    pub fn undoubted(definition: &Definition) -> Option<Self> {
+        Self::doubting(definition, |_, _, _, _| Vec::new()).0
+    }
+
+    fn doubting(
+        definition: &Definition,
+        doubts: impl FnOnce(&Reading, &Program, Option<&Rules>, &Actions<'_>) -> Vec<Diagnostic>,
+    ) -> (Option<Self>, Vec<Diagnostic>) {
         let mut reading = notation::read(&definition.axiom, &definition.rules);
-        let (overrides, mut diagnostics) = parse_overrides(&definition.overrides);
-        diagnostics.splice(0..0, core::mem::take(&mut reading.diagnostics));
+        let (overrides, overrides_diagnostics) = parse_overrides(&definition.overrides);
+        let mut diagnostics = core::mem::take(&mut reading.diagnostics);
+        diagnostics.extend(overrides_diagnostics);
         diagnostics.extend(check_numbers(definition));
         if diagnostics.iter().any(Diagnostic::is_error) {
             return (None, diagnostics);
@@ -232,39 +246,79 @@ fn doubts(reading: &Reading, program: &Program, rules: Option<&Rules>, actions: 
         note_arities(reading, &mut axiom_notes, &mut notes);
     }
 
-    let words = || {
-        let productions = grammar.productions.iter().zip(&reading.productions);
-        let rest = productions.chain(grammar.images.iter().zip(&reading.images));
-        let rest = rest.map(|(p, places)| (false, &p.successor[..], &places.successor[..]));
-        core::iter::once((true, &grammar.axiom[..], &reading.axiom[..])).chain(rest)
-    };
-    let mut unmatched: Vec<(bool, char, Range<usize>)> = Vec::new();
-    let mut left_open = false;
-    for (is_axiom, word, spans) in words() {
-        let mut depth = 0_usize;
-        for (module, span) in word.iter().zip(spans) {
-            let symbol = module.symbol;
-            for action in actions.of(symbol) {
+    let mut words = vec![(&grammar.axiom, &reading.axiom)];
+    for (production, places) in productions(reading) {
+        words.push((&production.successor, &places.successor));
+    }
+    // By word, and by place in it.
+    let mut opened: Vec<(usize, usize)> = Vec::new();
+    let mut closed: Vec<(usize, usize)> = Vec::new();
+    for (number, (word, spans)) in words.iter().enumerate() {
+        let outside = opened.len();
+        for (at, module) in word.iter().enumerate() {
+            for action in actions.of(module.symbol) {
                 match action {
-                    Action::Push => depth += 1,
-                    Action::Pop if depth == 0 => unmatched.push((is_axiom, symbol, span.clone())),
-                    Action::Pop => depth -= 1,
+                    Action::Push => opened.push((number, at)),
+                    Action::Pop if opened.len() == outside => closed.push((number, at)),
+                    Action::Pop => opened.truncate(opened.len() - 1),
                     _ => {}
                 }
             }
+            if is_arrow(word, spans, at) && (is_second(word, at) || is_idle('>', reading, actions)) {
+                let notes = if number == 0 { &mut axiom_notes } else { &mut notes };
+                notes.add(Kind::ArrowOfSymbols, spans[at].start..spans[at + 1].end);
+            }
         }
-        left_open |= depth > 0;
     }
+    let is_open = closed.is_empty();
     // A branch that one word leaves open another may close.
-    if !left_open {
-        for (is_axiom, symbol, span) in unmatched {
-            let notes = if is_axiom { &mut axiom_notes } else { &mut notes };
-            notes.add(Kind::UnmatchedClose { symbol }, span);
+    let lone = match opened.is_empty() {
+        true => closed,
+        false if is_open => opened,
+        false => Vec::new(),
+    };
+    let mut rest = &lone[..];
+    while let Some(&(number, first)) = rest.first() {
+        let (word, spans) = words[number];
+        let symbol = word[first].symbol;
+        // Those side by side are told of together.
+        let same = |at: usize| rest.get(at) == Some(&(number, first + at)) && word[first + at].symbol == symbol;
+        let mut count = 1;
+        while same(count) {
+            count += 1;
         }
+        rest = &rest[count..];
+        let kind = if is_open { Kind::UnmatchedOpen { symbol } } else { Kind::UnmatchedClose { symbol } };
+        let notes = if number == 0 { &mut axiom_notes } else { &mut notes };
+        notes.add(kind, spans[first].start..spans[first + count - 1].end);
     }
     let mut all = axiom_notes.finish();
     all.extend(notes.finish());
     all
+}
+
+/// Productions and images, and where they stand.
+fn productions(reading: &Reading) -> impl Iterator<Item = (&Production, &Places)> {
+    let Reading { grammar, productions, images, .. } = reading;
+    grammar.productions.iter().zip(productions).chain(grammar.images.iter().zip(images))
+}
+
+/// Whether plain characters at `at` look like the arrow `->` or `=>`.
+fn is_arrow(word: &[Module], spans: &[Range<usize>], at: usize) -> bool {
+    matches!(word[at].symbol, '-' | '=')
+        && word.get(at + 1).is_some_and(|next| next.symbol == '>')
+        && spans[at].len() == 1
+        && spans[at].end == spans[at + 1].start
+}
+
+/// Whether one symbol and what separates productions elsewhere stand before the arrow at `at`.
+fn is_second(word: &[Module], at: usize) -> bool {
+    at >= 2 && matches!(word[at - 2].symbol, ',' | ';')
+}
+
+/// Whether `symbol` means nothing in a word.
+fn is_idle(symbol: char, reading: &Reading, actions: &Actions<'_>) -> bool {
+    actions.of(symbol).is_empty() && !productions(reading).any(|(p, _)| p.predecessor.symbol == symbol)
 }
 
 /// The symbols that may occur in some generation, with their numbers of parameters, sorted.
@@ -303,9 +357,7 @@ fn note_arities(reading: &Reading, axiom_notes: &mut Notes, notes: &mut Notes) {
 
 /// Notes productions that never apply because something in their predecessor or contexts is never there.
 fn note_idle(reading: &Reading, occurring: &[(char, usize)], notes: &mut Notes) {
-    let Reading { grammar, productions, images, .. } = reading;
-    let all = grammar.productions.iter().zip(productions).chain(grammar.images.iter().zip(images));
-    for (production, places) in all {
+    for (production, places) in productions(reading) {
         let spans = places.left.iter().chain([&places.predecessor]).chain(&places.right);
         for (at, (pattern, span)) in production.patterns().zip(spans).enumerate() {
             let (symbol, parameters) = (pattern.symbol, pattern.parameters.len());
@@ -313,7 +365,7 @@ fn note_idle(reading: &Reading, occurring: &[(char, usize)], notes: &mut Notes) 
             let bracket = context && matches!(symbol, '[' | ']');
             let from = occurring.partition_point(|letter| *letter < (symbol, 0));
             let found = || occurring.get(from).filter(|letter| letter.0 == symbol);
-            let kind = if context && !bracket && !grammar.seen.contains(symbol) {
+            let kind = if context && !bracket && !reading.grammar.seen.contains(symbol) {
                 Kind::ContextUnseen { symbol }
             } else if bracket || occurring.binary_search(&(symbol, parameters)).is_ok() {
                 continue;

@@ -291,6 +291,10 @@ impl Reader<'_> {
         let (digits, span): (String, _) = (run.iter().map(|t| t.ch).collect(), span_of(run, 0));
         // Rust also reads `inf` and `nan`, which cannot start with a digit or a point.
         match digits.parse::<f64>() {
+            Ok(value) if value.is_infinite() => {
+                self.notes.add(Kind::NumberRange { text: crate::notes::excerpt(&digits) }, span);
+                None
+            }
             Ok(value) => {
                 // In conditions and weights it has their class.
                 if matches!(self.role, Role::Constant | Role::Argument | Role::Axiom) {

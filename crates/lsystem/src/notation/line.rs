@@ -88,8 +88,13 @@ impl Rules<'_> {
                 self.drawing = true;
                 self.statement(&tokens[after..], end);
             }
-            "axiom" | "initial" | "start" | "omega" | "angle" | "delta" | "iterations" | "generations" | "depth"
-            | "step" | "seed"
+            // The names that books give to productions, as in `p1: F -> FF`.
+            _ if arrow::find(&tokens[after..]).is_some() && is_label(word) => {
+                self.notes.class(Class::Comment, place);
+                self.statement(&tokens[after..], end);
+            }
+            "axiom" | "initial" | "start" | "omega" | "ω" | "angle" | "delta" | "iterations" | "generations"
+            | "depth" | "step" | "seed"
                 if arrow::find(&tokens[after..]).is_none() =>
             {
                 self.notes.add(Kind::OtherField { word: word.to_owned() }, place);
@@ -244,6 +249,11 @@ fn heading(tokens: &[Token]) -> Option<(String, usize)> {
     let colon = tokens.iter().take(16).position(|t| t.is(':'))?;
     let word = tokens.get(from..colon)?;
     is_name(word).then(|| (word.iter().map(|t| t.ch.to_ascii_lowercase()).collect(), colon + 1))
+}
+
+/// Whether a name counts something: no symbol has two characters, so it is no predecessor.
+fn is_label(word: &str) -> bool {
+    word.chars().nth(1).is_some() && word.ends_with(char::is_numeric)
 }
 
 /// Whether a character may be part of what was meant as an arrow.

@@ -11,11 +11,11 @@
 //! // a comment                               also: # a comment
 //! ```
 //!
-//! One production a line. The arrow is `->`, `-->`, `=>` or `→`. White space is never a symbol. `*`, `ε` or nothing at
-//! all after the arrow deletes; `*` is an empty context or condition, too. A character in backquotes is a symbol,
-//! whatever it means otherwise; one that cannot be seen is written by its number, as in `` `U+0A` ``. Parentheses hold
-//! arguments where they follow their symbol directly. Everything after the last `:` of a line is the weight. An axiom
-//! may stand on several lines and has no comments.
+//! One production a line; a name that ends with a digit may stand before it, as in `p1: F -> FF`. The arrow is `->`,
+//! `-->`, `=>` or `→`. White space is never a symbol. `*`, `ε` or nothing at all after the arrow deletes; `*` is an empty
+//! context or condition, too. A character in backquotes is a symbol, whatever it means otherwise; one that cannot be seen
+//! is written by its number, as in `` `U+0A` ``. Parentheses hold arguments where they follow their symbol directly.
+//! Everything after the last `:` of a line is the weight. An axiom may stand on several lines and has no comments.
 //!
 //! Arithmetic, from loose to tight: `||` or `or`, `&&` or `and`, `not`, comparisons (`=` is `==`), `+ -`, `* / %`, signs
 //! and `!`, `^`; functions as in [`Function`](crate::Function), angles in degrees.

@@ -58,9 +58,7 @@ pub(super) fn read(line: &Line, constants: &mut Constants, reading: &mut Reading
         }
         condition
     });
-    if let Some(at) = condition_in(successor) {
-        notes.add(Kind::ConditionBehind, span_of(&successor[at..], *end));
-    }
+    note_slips(successor, *end, notes);
     let successor = word(successor, Role::Argument, &mut scope, notes);
     let weight = weight.map(|tokens| {
         let Some(weight) = expression::read(tokens, *end, Role::Weight, &mut scope, notes) else { return wrong() };
@@ -87,12 +85,48 @@ pub(super) fn read(line: &Line, constants: &mut Constants, reading: &mut Reading
     places_list.push(places);
 }
 
-/// Where `if` stands as a word of its own, with a comparison behind it.
-fn condition_in(tokens: &[Token]) -> Option<usize> {
-    let apart = |at: usize| tokens.get(at).is_some_and(|t| !t.joined);
-    let word = |at: usize| tokens[at].is('i') && tokens.get(at + 1).is_some_and(|t| t.joined && t.is('f'));
-    let compares = |t: &Token| ['<', '>', '=', '≤', '≥'].iter().any(|&mark| t.is(mark));
-    (1..tokens.len()).find(|&at| apart(at) && word(at) && apart(at + 2) && tokens[at..].iter().any(compares))
+/// Notes what stands apart in a successor and is read as symbols: a condition after `if`, a comment after `//` or `#`,
+/// and a weight at one of the ends.
+fn note_slips(tokens: &[Token], end: usize, notes: &mut Notes) {
+    let mut rest = tokens;
+    for part in tokens.chunk_by(|_, t| t.joined) {
+        let (start, behind) = (rest, &rest[part.len()..]);
+        rest = behind;
+        let (is_first, is_last) = (start.len() == tokens.len(), behind.is_empty());
+        if part.iter().any(|t| t.literal) || (is_first && is_last) {
+            continue;
+        }
+        let text = text_of(part);
+        let (kind, slip) = match text.as_str() {
+            "if" if !is_first && behind.iter().any(|t| matches!(t.ch, '<' | '>' | '=' | '≤' | '≥')) => {
+                (Kind::ConditionBehind, start)
+            }
+            "//" | "#" if !is_first && is_comment(behind) => (Kind::CommentBehind, start),
+            _ if (is_first || is_last) && is_weight(part) => (Kind::WeightOfSymbols, part),
+            _ => continue,
+        };
+        return notes.add(kind, span_of(slip, end));
+    }
+}
+
+/// Whether these are written like `0.5`, `(.5)` or `50%`.
+fn is_weight(tokens: &[Token]) -> bool {
+    let (mut digits, mut marks) = (false, false);
+    for token in tokens {
+        match token.ch {
+            '0'..='9' => digits = true,
+            '.' | '%' => marks = true,
+            '(' | ')' => {}
+            _ => return false,
+        }
+    }
+    digits && marks
+}
+
+/// Whether these are words: they begin with one, and nothing turns or branches.
+fn is_comment(tokens: &[Token]) -> bool {
+    let is_letter = |at: usize| tokens.get(at).is_some_and(|t| t.ch.is_alphabetic() && (at == 0 || t.joined));
+    (0..3).all(is_letter) && tokens.iter().all(|t| Class::of_symbol(t.ch) == Class::Plain)
 }
 
 /// Notes the classes of a colon and of what follows it, which is given back.
