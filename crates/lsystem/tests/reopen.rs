@@ -53,6 +53,25 @@ fn odd_characters() {
 }
 
 #[test]
+fn texts_of_windows() {
+    let definition = Definition { axiom: "F🌿".into(), title: "Blätter".into(), ..Definition::default() };
+    let little = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<_>>();
+    let big = |text: &str| text.encode_utf16().flat_map(u16::to_be_bytes).collect::<Vec<_>>();
+    let json = write_json(&definition).replace('\n', "\r\n");
+    for file in [[b"\xff\xfe", &little(&json)[..]].concat(), [b"\xfe\xff", &big(&json)[..]].concat()] {
+        let read = read_file(&file);
+        assert_eq!((read.definition.as_ref(), read.diagnostics, &read.json), (Some(&definition), vec![], &json));
+    }
+    // A mark alone, half a character, and a mistake's place.
+    for file in [&b"\xff\xfe"[..], b"\xfe\xff\xd8", b"\xff\xfe\x00\xd8\x7b"] {
+        assert_eq!(read_file(file).definition, None, "{file:?}");
+    }
+    for text in ["\u{feff}{x".as_bytes(), &[b"\xff\xfe", &little("{x")[..]].concat()] {
+        assert_eq!(read_file(text).diagnostics[0].span, 2..2);
+    }
+}
+
+#[test]
 fn what_holds_no_system() {
     let check = |bytes: &[u8], expected: &str| {
         let read = read_file(bytes);

@@ -16,6 +16,13 @@ const LARGEST_FILE = 64 << 20;
 /** @type {Record<string, string>} */
 const MIME = { svg: 'image/svg+xml', csv: 'text/csv', txt: 'text/plain', json: 'application/json', obj: 'model/obj', glb: 'model/gltf-binary' };
 
+/** A file as text: in UTF-8, or in UTF-16, as programs of Windows write it, by its byte order mark. @param {ArrayBuffer} bytes */
+function textOf(bytes) {
+    const [first, second] = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));
+    const mark = first === 0xff && second === 0xfe ? 'utf-16le' : first === 0xfe && second === 0xff ? 'utf-16be' : 'utf-8';
+    return new TextDecoder(mark).decode(bytes);
+}
+
 /**
  * @param {import('../store.js').Store} store
  * @param {Engine} engine
@@ -80,7 +87,7 @@ export function keepPanel(store, engine, page) {
         if (file.size > LARGEST_FILE) return toast('This file is too large to be an L-system.');
         try {
             const bytes = await file.arrayBuffer();
-            const text = new TextDecoder().decode(bytes);
+            const text = textOf(bytes);
             if (/\.json$/i.test(file.name) && isFavouritesFile(text)) return page.favourites(text);
             const { definition, diagnostics } = await engine.read(bytes);
             // What a picture carries is not to be read by people.

@@ -524,6 +524,11 @@ test('what was saved as JSON opens again, and other files are refused in words',
         assert.equal(await page.inputValue('#dialect'), 'every-letter');
         await page.setInputFiles('#file', { name: 'broken.json', mimeType: 'application/json', buffer: Buffer.from('{"initial": ') });
         await until(async () => (await text(page, '#toast')).includes('broken.json could not be read'), 'the refusal');
+        const wide = Buffer.from('\ufeff{"initial": "F",\r\n "angle_deg": "60"}', 'utf16le');
+        for (const [name, buffer] of /** @type {const} */ ([['little', wide], ['big', Buffer.from(wide).swap16()]])) {
+            await page.setInputFiles('#file', { name: `${name}.json`, mimeType: 'application/json', buffer });
+            await until(async () => (await text(page, '#toast')).startsWith(`${name}.json could not be read. Line 2, column 15: \`angle_deg\` must be a number`), 'the refusal of UTF-16 says where');
+        }
         await page.setInputFiles('#file', { name: 'words.json', mimeType: 'application/json', buffer: Buffer.from('{"initial": "F",\r\n "angle_deg": "60"}') });
         await until(async () => (await text(page, '#toast')).startsWith('words.json could not be read. Line 2, column 15: `angle_deg` must be a number'), 'the refusal says where');
         assert.match(await text(page, '#file-problems'), /Line 2, column 15/);

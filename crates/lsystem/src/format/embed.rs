@@ -22,6 +22,8 @@ pub struct FileContent {
 /// is cut off after the system is no worse for it.
 #[must_use]
 pub fn read_file(bytes: &[u8]) -> FileContent {
+    let plain = unmarked(bytes);
+    let bytes = &*plain;
     let found = if png::is_png(bytes) {
         png::system_in(bytes).ok_or(Kind::NoSystem { picture: "PNG" })
     } else if is_xml(bytes) {
@@ -46,7 +48,19 @@ pub fn read_file(bytes: &[u8]) -> FileContent {
 
 /// JSON never begins like this.
 fn is_xml(bytes: &[u8]) -> bool {
-    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start().starts_with(b"<")
+    bytes.trim_ascii_start().starts_with(b"<")
+}
+
+/// Without a byte order mark, and in UTF-8 where that tells of UTF-16, as programs of Windows write it.
+fn unmarked(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let read: fn([u8; 2]) -> u16 = match bytes {
+        [0xef, 0xbb, 0xbf, rest @ ..] => return rest.into(),
+        [0xff, 0xfe, ..] => u16::from_le_bytes,
+        [0xfe, 0xff, ..] => u16::from_be_bytes,
+        _ => return bytes.into(),
+    };
+    let units: Vec<u16> = bytes[2..].chunks_exact(2).map(|pair| read([pair[0], pair[1]])).collect();
+    String::from_utf16_lossy(&units).into_bytes().into()
 }
 
 /// How the element begins that holds the system.
