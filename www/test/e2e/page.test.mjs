@@ -584,6 +584,16 @@ test('a worker that fails is replaced, and the page goes on', () =>
         },
     ));
 
+test('on a phone on its side the middle of the drawing is free, and the panel keeps its edges', () =>
+    withPage({ options: { ...PHONE, viewport: { width: 844, height: 390 } } }, async (page) => {
+        const left = async (/** @type {string} */ part) => (await page.locator(part).boundingBox())?.x ?? 0;
+        const right = async (/** @type {string} */ part) => (await left(part)) + ((await page.locator(part).boundingBox())?.width ?? 0);
+        const middle = (await right('#stage')) / 2;
+        for (const tools of ['.tools-view', '.tools-read']) assert.ok((await left(tools)) > middle + 60, tools);
+        assert.ok(!(await page.isVisible('#undo')));
+        assert.ok(Math.abs((await right('#open-gallery')) - (await right('#axiom'))) <= 1);
+    }));
+
 test('on a phone everything is within reach', () =>
     withPage({ options: PHONE }, async (page) => {
         assert.ok((await picture(page)).ink > 0.002);
@@ -607,6 +617,7 @@ test('on a phone everything is within reach', () =>
         assert.ok(await page.isVisible('#fit'));
         // Nothing lies upon the drawing for want of anything to undo.
         assert.ok(!(await page.isVisible('#undo')));
+        assert.ok(((await page.locator('.tools-read').boundingBox())?.x ?? 0) > 260, 'the stem is in sight');
         const whole = await stillPicture(page);
         await page.tap('#tab-grow');
         await page.fill('#angle', '30');
