@@ -6,7 +6,7 @@
 use crate::counts::{drawn_by_letter, sum_of, sums_by_depth};
 use crate::program::{Rewrite, SymbolId};
 use crate::space::Space;
-use crate::{BlockId, Drawing, Item, Key, MAX_ITERATIONS, Rules, System};
+use crate::{BlockId, Code, Drawing, Item, Key, MAX_ITERATIONS, Rules, System};
 use core::ops::Range;
 
 /// Generation `n` of a system whose letters always have the same successors, read in place. Modules may have
@@ -96,6 +96,52 @@ struct Node {
     key: Key,
 }
 
+/// The modules of the axiom or of a successor, made one by one: of a long one most are only passed by.
+struct Nodes<'a> {
+    system: &'a System,
+    letters: &'a [SymbolId],
+    /// How the arguments of those to come are computed.
+    codes: &'a [Code],
+    /// What they replace; nothing for the axiom.
+    parent: Option<Node>,
+    /// The derivation step that makes them, 0 for the axiom.
+    step: u32,
+    /// How many have been passed.
+    passed: usize,
+}
+
+impl<'a> Nodes<'a> {
+    /// The letter of the next.
+    fn symbol(&self) -> Option<SymbolId> {
+        self.letters.get(self.passed).copied()
+    }
+
+    /// Passes the next by; how the arguments of that one are computed.
+    fn pass(&mut self) -> &'a [Code] {
+        let letter = self.letters.get(self.passed).zip(self.system.rules.as_ref());
+        let arity = letter.map_or(0, |(&symbol, rules)| usize::from(rules.letters[usize::from(symbol)].arity));
+        let (own, rest) = self.codes.split_at(arity.min(self.codes.len()));
+        self.codes = rest;
+        self.passed += 1;
+        own
+    }
+}
+
+impl Iterator for Nodes<'_> {
+    type Item = Node;
+
+    fn next(&mut self) -> Option<Node> {
+        let symbol = self.symbol()?;
+        let (place, step, seed) = (self.passed as u64, self.step, self.system.seed);
+        let key = self.parent.as_ref().map_or_else(|| Key::root(place), |parent| parent.key.child(step, place));
+        let maker = self.parent.as_ref().map_or(key, |parent| parent.key);
+        let random = |place| maker.number(seed, step, place);
+        let codes = self.pass();
+        let slots = self.parent.as_ref().map_or(&[][..], |parent| &parent.arguments);
+        Some(Node { symbol, arguments: codes.iter().map(|code| code.value(slots, &random)).collect(), key })
+    }
+}
+
 impl<'a> Word<'a> {
     /// Generation `n` of `system`; `None` where chance, conditions or neighbours decide what becomes of a symbol or how
     /// much it draws ([`History`](crate::History) reads such systems), where branches are cut, or where `n` is above
@@ -140,23 +186,27 @@ impl<'a> Word<'a> {
     /// Hands over the modules from position `start` (0-based) on, at most `length` of them, fewer at the end.
     pub fn modules(&self, start: u128, length: usize, visit: &mut dyn FnMut(char, &[f64])) {
         let mut left = length;
-        // What is still to be read, last first, with the steps to go.
-        let mut open: Vec<(Node, u32)> = self.axiom().into_iter().rev().map(|node| (node, self.n)).collect();
+        // What is still to be read, the innermost last, with the steps to go.
+        let mut open = vec![(self.axiom(), self.n)];
         let mut skip = start;
         while left > 0 {
-            let Some((node, depth)) = open.pop() else { break };
-            let count = self.symbols[depth as usize][usize::from(node.symbol)];
+            let Some((nodes, depth)) = open.last_mut() else { break };
+            let depth = *depth;
+            let Some(symbol) = nodes.symbol() else {
+                open.pop();
+                continue;
+            };
+            let count = self.symbols[depth as usize][usize::from(symbol)];
             if skip >= count {
                 skip -= count;
+                nodes.pass();
                 continue;
             }
-            match self.successor(node.symbol, depth) {
-                Some(word) => {
-                    let children = self.children(&node, word, self.n - depth + 1);
-                    open.extend(children.into_iter().rev().map(|child| (child, depth - 1)));
-                }
+            let Some(node) = nodes.next() else { break };
+            match self.successor(symbol, depth) {
+                Some(word) => open.push((self.children(node, word, self.n - depth + 1), depth - 1)),
                 None => {
-                    visit(self.letter(node.symbol), &node.arguments);
+                    visit(self.letter(symbol), &node.arguments);
                     left -= 1;
                 }
             }
@@ -266,38 +316,48 @@ impl<'a> Word<'a> {
         let mut chain: Vec<Ancestor> = Vec::new();
         // By generation: how many of its symbols stand before the current letter.
         let mut before = vec![0_u128; self.n as usize + 1];
-        let mut word = self.axiom();
-        let mut made_by = None;
+        // By letter: how often it has been passed by in a word.
+        let mut passed = vec![0_u32; self.system.program.alphabet.len()];
+        let (mut nodes, mut made_by) = (self.axiom(), None);
         let mut skip = place;
         for generation in 0..=self.n {
             let depth = self.n - generation;
-            let held = word.iter().position(|node| {
-                let count = counts[depth as usize][usize::from(node.symbol)];
+            loop {
+                let Some(symbol) = nodes.symbol().map(usize::from) else { return Vec::new() };
+                let count = counts[depth as usize][symbol];
                 if skip < count {
-                    return true;
+                    break;
                 }
                 skip -= count;
-                for later in generation..=self.n {
-                    let derived = self.symbols[(later - generation) as usize][usize::from(node.symbol)];
+                passed[symbol] += 1;
+                nodes.pass();
+            }
+            let position = nodes.passed;
+            for symbol in nodes.letters[..position].iter().copied().map(usize::from) {
+                let times = core::mem::take(&mut passed[symbol]);
+                for later in (generation..=self.n).filter(|_| times > 0) {
+                    let derived = self.symbols[(later - generation) as usize][symbol];
                     let slot = &mut before[later as usize];
-                    *slot = slot.saturating_add(derived);
+                    *slot = slot.saturating_add(derived.saturating_mul(times.into()));
                 }
-                false
-            });
-            let Some(position) = held else { return Vec::new() };
-            let node = word.swap_remove(position);
-            chain.push(Ancestor {
-                generation,
-                symbol: self.letter(node.symbol),
-                arguments: node.arguments.clone(),
-                index: before[generation as usize],
-                production: made_by,
-                position,
-            });
-            (word, made_by) = match self.successor(node.symbol, depth) {
-                Some(successor) => (self.children(&node, successor, generation + 1), self.production(node.symbol)),
-                None => (vec![node], None),
-            };
+            }
+            let Some(node) = nodes.next() else { return Vec::new() };
+            let successor = self.successor(node.symbol, depth);
+            // What stays does so to the end.
+            let last = if successor.is_some() { generation } else { self.n };
+            for at in generation..=last {
+                chain.push(Ancestor {
+                    generation: at,
+                    symbol: self.letter(node.symbol),
+                    arguments: node.arguments.clone(),
+                    index: before[at as usize],
+                    production: made_by.filter(|_| at == generation),
+                    position: if at == generation { position } else { 0 },
+                });
+            }
+            let Some(successor) = successor else { break };
+            made_by = self.production(node.symbol);
+            nodes = self.children(node, successor, generation + 1);
         }
         chain
     }
@@ -317,38 +377,17 @@ impl<'a> Word<'a> {
         }
     }
 
-    fn axiom(&self) -> Vec<Node> {
-        let keys = |index: usize| Key::root(index as u64);
-        let axiom = &self.system.program.axiom;
-        let mut nodes: Vec<Node> = (axiom.iter().enumerate())
-            .map(|(index, &symbol)| Node { symbol, arguments: vec![], key: keys(index) })
-            .collect();
-        if let Some(rules) = &self.system.rules {
-            let mut codes = rules.axiom.arguments.iter();
-            for node in &mut nodes {
-                let (key, arity) = (node.key, rules.letters[usize::from(node.symbol)].arity);
-                let random = |place| key.number(self.system.seed, 0, place);
-                node.arguments = codes.by_ref().take(usize::from(arity)).map(|code| code.value(&[], &random)).collect();
-            }
-        }
-        nodes
+    fn axiom(&self) -> Nodes<'a> {
+        let codes = self.system.rules.as_ref().map_or(&[][..], |rules| &rules.axiom.arguments);
+        Nodes { system: self.system, letters: &self.system.program.axiom, codes, parent: None, step: 0, passed: 0 }
     }
 
-    /// The modules that derivation step `step` makes of `parent`, whose letters are `word`.
-    fn children(&self, parent: &Node, word: &[SymbolId], step: u32) -> Vec<Node> {
-        let mut nodes: Vec<Node> = (word.iter().enumerate())
-            .map(|(index, &symbol)| Node { symbol, arguments: vec![], key: parent.key.child(step, index as u64) })
-            .collect();
+    /// The modules that derivation step `step` makes of `parent`, whose letters are `letters`.
+    fn children(&self, parent: Node, letters: &'a [SymbolId], step: u32) -> Nodes<'a> {
         let rules = self.system.rules.as_ref();
-        if let Some((rules, rule)) = rules.and_then(|r| Some((r, r.by_letter[usize::from(parent.symbol)].first()?))) {
-            let mut codes = rule.successor.arguments.iter();
-            let random = |place| parent.key.number(self.system.seed, step, place);
-            for node in &mut nodes {
-                let own = codes.by_ref().take(usize::from(rules.letters[usize::from(node.symbol)].arity));
-                node.arguments = own.map(|code| code.value(&parent.arguments, &random)).collect();
-            }
-        }
-        nodes
+        let rule = rules.and_then(|rules| rules.by_letter[usize::from(parent.symbol)].first());
+        let codes = rule.map_or(&[][..], |rule| &rule.successor.arguments);
+        Nodes { system: self.system, letters, codes, parent: Some(parent), step, passed: 0 }
     }
 
     /// What a letter with `depth` steps to go becomes in the next; `None` where it stays as it is to the end.
@@ -379,6 +418,29 @@ mod tests {
         let last = chain.last().unwrap();
         assert_eq!((last.symbol, last.production, last.position), ('X', Some(0), 11));
         assert_eq!(word.ancestry(word.symbols()), []);
+    }
+
+    #[test]
+    fn long_productions_are_read_in_place() {
+        // Modules that were all kept on the way down took gigabytes here.
+        let long = system("F", &[('F', &"F+".repeat(100_000), None)], 0);
+        let word = Word::new(&long, 1000).unwrap();
+        assert_eq!(word.slice(1, 4), "+F+F");
+        assert_eq!(word.ancestry(200_000).last().unwrap().index, 200_000);
+        assert_eq!(word.ancestry(200_000)[999].position, 1);
+    }
+
+    #[test]
+    fn what_was_made_one_by_one_is_found() {
+        let slow = system("A", &[('A', &("F".repeat(2000) + "A"), None)], 0);
+        let word = Word::new(&slow, 1000).unwrap();
+        assert_eq!(word.symbols(), 2_000_001);
+        let chain = word.ancestry(2_000_000);
+        assert!(chain.iter().all(|link| (link.symbol, link.index) == ('A', 2000 * u128::from(link.generation))));
+        let kept = word.ancestry(1_234_567);
+        assert_eq!((kept[1000].symbol, kept[1000].index, kept[1000].production), ('F', 1_234_567, None));
+        assert_eq!(kept[618], Ancestor { position: 567, index: 1_234_567, ..kept[618].clone() });
+        assert_eq!((kept[618].production, kept[617].symbol), (Some(0), 'A'));
     }
 
     proptest! {
