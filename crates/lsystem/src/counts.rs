@@ -98,15 +98,17 @@ pub(crate) struct Unknown;
 /// saturating. Letters with random choices count as themselves.
 pub(crate) fn sums_by_depth(program: &Program, n: u32, weight: impl Fn(SymbolId) -> u64) -> Vec<Vec<u128>> {
     let own = (0..program.alphabet.len()).map(|symbol| u128::from(weight(symbol as SymbolId))).collect();
+    let successors: Vec<Option<Multiset>> = (program.rewrites.iter())
+        .map(|rewrite| if let Rewrite::Always(word) = rewrite { Some(multiset(word)) } else { None })
+        .collect();
     let mut rows: Vec<Vec<u128>> = vec![own];
     for depth in 1..=n as usize {
         let below = &rows[depth - 1];
-        let row = (program.rewrites.iter().zip(below))
-            .map(|(rewrite, &own)| match rewrite {
-                Rewrite::Always(word) => sum_of(below, word),
-                Rewrite::Keep | Rewrite::Choose(_) => own,
-            })
-            .collect();
+        let of = |letters: &Multiset| {
+            let sums = letters.iter().map(|&(s, times)| below[usize::from(s)].saturating_mul(times.into()));
+            sums.fold(0, u128::saturating_add)
+        };
+        let row = successors.iter().zip(below).map(|(letters, &own)| letters.as_ref().map_or(own, of)).collect();
         rows.push(row);
     }
     rows
@@ -153,8 +155,11 @@ type Multiset = Vec<(SymbolId, u32)>;
 
 impl Sums {
     fn new(program: &Program) -> Self {
-        let alternatives = (program.rewrites.iter())
-            .map(|rewrite| match rewrite {
+        let reachable = program.reachable();
+        let alternatives = (program.rewrites.iter().zip(reachable))
+            .map(|(rewrite, reached)| match rewrite {
+                // What never occurs need not be counted, and may be very much.
+                _ if !reached => vec![],
                 Rewrite::Keep => vec![],
                 Rewrite::Always(successor) => vec![multiset(successor)],
                 Rewrite::Choose(choices) => {
