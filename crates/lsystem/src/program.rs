@@ -41,6 +41,13 @@ pub struct Choice {
     pub successor: Vec<SymbolId>,
 }
 
+impl Choice {
+    /// Which of `choices` a `roll` (uniform in `0.0..1.0`) selects; there may be very many.
+    pub(crate) fn of(choices: &[Self], roll: f64) -> usize {
+        choices.partition_point(|choice| choice.until <= roll).min(choices.len().saturating_sub(1))
+    }
+}
+
 impl Rewrite {
     /// The successor that `roll` (uniform in `0.0..1.0`) selects, or `None` where the letter stays.
     #[must_use]
@@ -48,11 +55,7 @@ impl Rewrite {
         match self {
             Self::Keep => None,
             Self::Always(successor) => Some(successor),
-            Self::Choose(choices) => {
-                let roll = roll();
-                let chosen = choices.iter().find(|choice| roll < choice.until).or(choices.last());
-                chosen.map(|choice| choice.successor.as_slice())
-            }
+            Self::Choose(choices) => choices.get(Choice::of(choices, roll())).map(|choice| choice.successor.as_slice()),
         }
     }
 }
@@ -156,5 +159,17 @@ impl Program {
             }
         }
         seen
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_roll_chooses_by_weight() {
+        let choices = [0.25, 0.25, 0.75, 1.0].map(|until| Choice { until, production: 0, successor: vec![] });
+        let chosen = [0.0, 0.2, 0.25, 0.7, 0.75, 0.99, 1.0].map(|roll| Choice::of(&choices, roll));
+        assert_eq!(chosen, [0, 0, 2, 2, 3, 3, 3]);
     }
 }

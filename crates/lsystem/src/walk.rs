@@ -2,7 +2,7 @@
 //! Whoever knows what becomes of some letters takes these as soon as they occur.
 
 use crate::turtle::Fate;
-use crate::{Key, Program, Rewrite, SymbolId};
+use crate::{Choice, Key, Program, Rewrite, SymbolId};
 
 /// Where a derivation stands. It holds no references, so it can rest between two calls.
 #[derive(Clone, Debug)]
@@ -75,10 +75,7 @@ impl Walk {
             let choice = match &program.rewrites[usize::from(symbol)] {
                 Rewrite::Keep => return Next::Letter(symbol, 0),
                 Rewrite::Always(_) => 0,
-                Rewrite::Choose(choices) => {
-                    let roll = key.choice(self.seed, step);
-                    choices.iter().position(|c| roll < c.until).unwrap_or(choices.len() - 1)
-                }
+                Rewrite::Choose(choices) => Choice::of(choices, key.choice(self.seed, step)),
             };
             self.open.push(Word { source: Source::Successor(symbol, choice), next: 0, key, since });
         }

@@ -5,9 +5,9 @@ mod naive;
 
 use cases::cases;
 use lsystem::{
-    Action, Diagnostic, Dialect, Drawer, Drawing, Fitted, Grammar, Heading, Kind, LimitName, Limits, Module, Pick,
-    Pointer, Production, Program, Progress, Segment, SegmentArrays, Style, System, Target, Turtle, View, Viewport,
-    draw, fit, fitted_ends, fitted_outline, fitted_scale, pick,
+    Action, Definition, Diagnostic, Dialect, Drawer, Drawing, Fitted, Grammar, Heading, Kind, LimitName, Limits,
+    Module, Pick, Pointer, Production, Program, Progress, Segment, SegmentArrays, Style, System, Target, Turtle, View,
+    Viewport, draw, fit, fitted_ends, fitted_outline, fitted_scale, pick,
 };
 use naive::systems::Features;
 use proptest::prelude::*;
@@ -471,4 +471,23 @@ proptest! {
         prop_assert!(system.rules.is_none());
         check(&system, affordable(&system, n))?;
     }
+}
+
+#[test]
+fn no_step_takes_long() {
+    let steps = |rules: &str, limits: Limits| {
+        let definition = Definition { axiom: "F".repeat(1000), rules: rules.into(), ..Definition::default() };
+        let (system, _) = System::new(&definition);
+        let mut drawer = Drawer::new(&system.unwrap(), 12, limits);
+        let steps = (0..).take_while(|_| drawer.step(1000) == Progress::More).count();
+        (drawer.finish().is_err(), steps)
+    };
+    // Beyond a limit all is derived once more, to find the largest n: 127,000 modules twice.
+    let limits = Limits { segments: 100_000, modules: 128_000, ..Limits::default() };
+    let (failed, beyond) = steps("F < F -> FF", limits);
+    assert!(failed && (300..1000).contains(&beyond), "{beyond}");
+    // Productions that do not apply have to be looked at, too.
+    let limits = Limits { work: 10_000_000, ..Limits::default() };
+    let (failed, many) = steps(&"FG < F -> FF\n".repeat(1000), limits);
+    assert!(failed && many > 200, "{failed} {many}");
 }

@@ -39,6 +39,8 @@ enum Stage<S: Space> {
     Recount {
         passed: LimitName,
         before: u32,
+        /// The generation that comes next.
+        next: u32,
         fits: Option<u32>,
         measure: Measure,
     },
@@ -147,10 +149,13 @@ impl<S: Space> Modular<S> {
                     Err(error) => Outcome::Failed(fault(rewriter.rules(), error, rewriter.generation(), limits, None)),
                 }
             }
-            Stage::Recount { passed, before, fits, measure } => {
+            Stage::Recount { passed, before, next, fits, measure } => {
                 let over = limit(*passed, limits.value(*passed), *fits);
-                if rewriter.generation() >= *before {
+                if next >= before {
                     return Outcome::Failed(over);
+                }
+                if rewriter.generation() < *next {
+                    return if derive(rewriter, left).is_ok() { Outcome::Paused } else { Outcome::Failed(over) };
                 }
                 let done = reader.read(rewriter, (turtle, score, *seed), left, &mut |_, ops| measure.add(ops));
                 let within = measure.passed(limits).is_none();
@@ -158,20 +163,11 @@ impl<S: Space> Modular<S> {
                     return Outcome::Paused;
                 }
                 if within && done == Ok(true) {
-                    *fits = Some(rewriter.generation());
+                    *fits = Some(*next);
                 }
-                // On to the next generation.
                 *measure = Measure::default();
                 *reader = Reader::default();
-                let next = rewriter.generation() + 1;
-                if next >= *before {
-                    return Outcome::Failed(limit(*passed, limits.value(*passed), *fits));
-                }
-                while rewriter.generation() < next {
-                    if derive(rewriter, left).is_err() {
-                        return Outcome::Failed(limit(*passed, limits.value(*passed), *fits));
-                    }
-                }
+                *next += 1;
                 Outcome::Paused
             }
         }
@@ -183,7 +179,7 @@ impl<S: Space> Modular<S> {
         let Ok(rewriter) = Rewriter::new(self.rewriter.rules().clone(), self.seed, *limits) else { return failed() };
         self.rewriter = rewriter;
         self.reader = Reader::default();
-        self.stage = Stage::Recount { passed, before, fits: None, measure: Measure::default() };
+        self.stage = Stage::Recount { passed, before, next: 0, fits: None, measure: Measure::default() };
         Outcome::Paused
     }
 }

@@ -90,6 +90,9 @@ struct Shears {
 /// Modules handled between two looks at the limits and the caller's budget.
 const PIECE: usize = 4_096;
 
+/// Productions that are looked at between two looks at the caller's budget, and those of one module more.
+const MUCH: u64 = 1 << 15;
+
 impl Rewriter {
     /// Ready to derive from the axiom (generation 0).
     ///
@@ -234,8 +237,8 @@ impl Rewriter {
                     return Ok(true);
                 }
                 Pass::Rightward(start, mut arguments) => {
-                    let end = (start + piece).min(length);
-                    self.work += (end - start) as u64;
+                    let mut end = (start + piece).min(length);
+                    let before = self.work;
                     if let Some(table) = &self.plan.table {
                         let letters = &self.word.letters[start..end];
                         if let Some(record) = &mut self.record {
@@ -244,12 +247,13 @@ impl Rewriter {
                         let next = &mut self.next.letters;
                         table.rightward(letters, start, self.plan.contexts, &mut self.sides, next);
                     } else {
-                        self.by_rules(start, end, &mut arguments)?;
+                        end = self.by_rules(start..end, &mut arguments)?;
                     }
+                    self.work += (end - start) as u64;
                     if self.work > self.plan.limits.work {
                         return Err(Fault::Limit(LimitName::Work));
                     }
-                    left -= end - start;
+                    left = left.saturating_sub((self.work - before) as usize);
                     self.pass = Pass::Rightward(end, arguments);
                 }
             }
@@ -320,12 +324,14 @@ impl Rewriter {
         done
     }
 
-    /// Rewrites modules one by one; `arguments` is where theirs are.
-    fn by_rules(&mut self, start: usize, end: usize, arguments: &mut usize) -> Result<(), Fault> {
+    /// Rewrites modules one by one, fewer of them where many productions have to be looked at; `arguments` is where
+    /// theirs are. Returns the place of the first that it has left.
+    fn by_rules(&mut self, Range { start, end }: Range<usize>, arguments: &mut usize) -> Result<usize, Fault> {
         let Self { plan, word, next, neighbours, scratch, generation, work, record, .. } = self;
         let step = *generation + 1;
+        let enough = *work + MUCH;
         let mut place = start;
-        while place < end {
+        while place < end && *work < enough {
             // What stays is copied in runs.
             let (run, run_arguments) = (place, *arguments);
             while place < end && plan.inert[usize::from(word.letters[place])] {
@@ -370,6 +376,6 @@ impl Rewriter {
             }
             place += 1;
         }
-        Ok(())
+        Ok(place)
     }
 }
