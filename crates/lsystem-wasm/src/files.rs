@@ -34,18 +34,8 @@ struct ExportReport {
     diagnostics: Vec<Problem>,
 }
 
-/// Reads a JSON file's text: `{definition, diagnostics}`, the definition null where the file cannot be used.
-///
-/// # Errors
-/// Throws only where the result cannot be translated.
-#[wasm_bindgen]
-pub fn read(text: &str) -> Result<JsValue, JsValue> {
-    let (definition, diagnostics) = lsystem::read_json(text);
-    let texts = definition.clone().unwrap_or_default();
-    to_js(&FileReport { definition, diagnostics: problems(&diagnostics, &texts, text) })
-}
-
-/// Reads a file's bytes, be it JSON or a PNG or SVG picture that carries its system: as [`read`].
+/// Reads a file's bytes, be it JSON or a PNG or SVG picture that carries its system: `{definition, diagnostics}`, the
+/// definition null where the file cannot be used.
 ///
 /// # Errors
 /// Throws only where the result cannot be translated.

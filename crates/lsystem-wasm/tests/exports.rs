@@ -2,7 +2,7 @@
 #![cfg(target_family = "wasm")]
 
 use js_sys::{Array, Float32Array, JSON, Reflect};
-use lsystem_wasm::{Playground, draw, expand, fresh_seed, notation, qr_code, read, read_file, tag_png};
+use lsystem_wasm::{Playground, draw, expand, fresh_seed, notation, qr_code, read_file, tag_png};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::OffscreenCanvas;
@@ -89,11 +89,12 @@ fn a_seed_decides_a_stochastic_system() {
 #[wasm_bindgen_test]
 fn course_files_are_read() {
     let file =
-        read(r#"{"name": "left", "initial": "F", "angle_deg": 60, "rules": {"F": "F[+F]F",}, /* old */ }"#).unwrap();
+        read_file(br#"{"name": "left", "initial": "F", "angle_deg": 60, "rules": {"F": "F[+F]F",}, /* old */ }"#)
+            .unwrap();
     let definition = get(&file, "definition");
     assert_eq!(text(&definition, "dialect"), "every-letter");
     assert_eq!(expand(definition, 1).unwrap(), "F[+F]F");
-    assert!(get(&read("{").unwrap(), "definition").is_null());
+    assert!(get(&read_file(b"{").unwrap(), "definition").is_null());
 }
 
 /// Works until there is nothing more to do; the last report.

@@ -1,6 +1,6 @@
 //! Headings as exact integers.
 
-use core::ops::{Add, AddAssign, Neg, Sub};
+use core::ops::{Add, Neg, Sub};
 
 /// Units in one degree: any decimal of up to nine places is exact, and so is any turn divided by 7, 11 or 13.
 const PER_DEGREE: u64 = 1_001_000_000_000;
@@ -47,25 +47,11 @@ impl Heading {
         self.0
     }
 
-    /// This heading `count` times over.
-    #[must_use]
-    pub fn times(self, count: i64) -> Self {
-        let product = i128::from(self.0) * i128::from(count);
-        Self(product.rem_euclid(i128::from(TURN)) as u64)
-    }
-
     /// The shorter way round to this heading, `factor` times as far: for factors from 0 on.
     #[must_use]
     pub(crate) fn part(self, factor: f64) -> Self {
         let degrees = if self.0 > TURN / 2 { -(-self).degrees() } else { self.degrees() };
         Self::from_degrees(degrees * factor)
-    }
-
-    /// How many different headings the multiples of `turns` reach: the size of the group they generate.
-    #[must_use]
-    pub fn order(turns: &[Self]) -> u64 {
-        let step = turns.iter().fold(TURN, |a, b| gcd(a, b.0));
-        TURN / step
     }
 
     /// Cosine and sine.
@@ -105,23 +91,10 @@ fn octant(units: u64) -> (f64, f64) {
     }
 }
 
-fn gcd(mut a: u64, mut b: u64) -> u64 {
-    while b != 0 {
-        (a, b) = (b, a % b);
-    }
-    a
-}
-
 impl Add for Heading {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Self((self.0 + other.0) % TURN)
-    }
-}
-
-impl AddAssign for Heading {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
     }
 }
 
@@ -147,11 +120,10 @@ mod tests {
     fn decimals_and_divided_turns_close() {
         for (degrees, count) in [(25.7, 3600), (22.5, 16), (360.0 / 7.0, 7), (360.0 / 13.0, 13), (0.001, 360_000)] {
             let turn = Heading::from_degrees(degrees);
-            assert_eq!(turn.times(count), Heading::EAST, "{degrees}");
+            let whole = (0..count).fold(Heading::EAST, |sum, _| sum + turn);
+            assert_eq!(whole, Heading::EAST, "{degrees}");
             assert_eq!(Heading::from_degrees(-degrees), -turn);
         }
-        assert_eq!(Heading::order(&[Heading::from_degrees(25.7)]), 3600);
-        assert_eq!(Heading::order(&[Heading::from_degrees(60.0), Heading::from_degrees(-90.0)]), 12);
     }
 
     #[test]

@@ -100,18 +100,6 @@ impl Walk {
         };
         Fate { key: word.key(generation, index as u64), since: word.since(generation, symbol), grows }
     }
-
-    /// How much of the derivation is done, 0 to 1, as if all letters of a word took the same time.
-    pub(crate) fn fraction(&self, program: &Program) -> f64 {
-        let (mut done, mut share) = (0.0, 1.0);
-        for (place, word) in self.open.iter().enumerate() {
-            share /= letters(program, word.source).len().max(1) as f64;
-            // The letter last read is the one that the word inside replaces: not done before that is.
-            let inside = usize::from(place + 1 < self.open.len());
-            done += share * (word.next - inside) as f64;
-        }
-        done
-    }
 }
 
 impl Word {

@@ -343,14 +343,12 @@ fn small_steps_lead_to_the_same_drawing() {
     let unbalanced = plain("F", &[('F', "F]F[+F")], 33.3);
     for (system, n) in [(plain("X", &PLANT, 25.7), 30), (random, 8), (unbalanced, 8), (plain("", &[], 1.0), 0)] {
         let mut drawer = Drawer::new(&system, n, Limits::default());
-        let (mut steps, mut fraction) = (0, 0.0);
+        let mut steps = 0;
         while drawer.step(1) == Progress::More {
-            assert!((fraction - 1e-12..=1.0 + 1e-12).contains(&drawer.fraction()), "{fraction} {}", drawer.fraction());
-            fraction = drawer.fraction();
             steps += 1;
         }
         assert!(steps > 100 || n == 0);
-        assert_eq!((drawer.step(1), drawer.fraction()), (Progress::Done, 1.0));
+        assert_eq!(drawer.step(1), Progress::Done);
         let (slow, fast) = (drawer.finish().unwrap(), drawn(&system, n));
         assert_eq!((slow.segment_count(), slow.block_count()), (fast.segment_count(), fast.block_count()));
         assert!(slow.segments().take(10_000).eq(fast.segments().take(10_000)));

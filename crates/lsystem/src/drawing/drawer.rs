@@ -136,19 +136,6 @@ impl<S: Space> Drawer<S> {
         Progress::More
     }
 
-    /// How much of the work is done, from 0 to 1; an estimate.
-    #[must_use]
-    pub fn fraction(&self) -> f64 {
-        match &self.state {
-            State::Plan(_) | State::Forecast(_) => 0.0,
-            State::Build { pieces, .. } => pieces.len() as f64 / (f64::from(self.n) + 2.0),
-            State::Materialise(materialiser) => materialiser.fraction(&self.program),
-            State::Parametric(parametric) => parametric.fraction(),
-            State::Modules(modular) => modular.fraction(self.n),
-            State::Search(_) | State::Done { .. } | State::Failed(_) => 1.0,
-        }
-    }
-
     /// Does all that is left, and returns the drawing.
     ///
     /// # Errors

@@ -32,10 +32,6 @@ impl Census {
         Self { walk: Walk::new(n, seed), symbols: 0, tally: Tally::default() }
     }
 
-    pub(crate) fn fraction(&self, program: &Program) -> f64 {
-        self.walk.fraction(program)
-    }
-
     /// Goes on for `left` letters, handing the actions of each of the last generation to `act`, with its place there.
     pub(crate) fn step<S: Space>(
         &mut self,
@@ -95,10 +91,6 @@ impl<S: Space> Materialiser<S> {
             seed,
             own: vec![],
         }
-    }
-
-    pub(crate) fn fraction(&self, program: &Program) -> f64 {
-        self.census.fraction(program)
     }
 
     /// The symbols met so far.

@@ -73,19 +73,6 @@ impl<S: Space> Modular<S> {
         Ok(Self { rewriter, seed, reader: Reader::default(), stage: Stage::Derive })
     }
 
-    /// How much of the work for generation `n` is done, 0 to 1.
-    pub(crate) fn fraction(&self, n: u32) -> f64 {
-        let read = self.reader.at as f64 / self.rewriter.word().letters.len().max(1) as f64;
-        match &self.stage {
-            Stage::Derive => {
-                0.6 * (f64::from(self.rewriter.generation()) + self.rewriter.fraction()) / f64::from(n.max(1))
-            }
-            Stage::Measure(_) => 0.6 + 0.1 * read,
-            Stage::Draw { .. } => 0.7 + 0.3 * read,
-            Stage::Recount { .. } => 1.0,
-        }
-    }
-
     /// The symbols of the last whole generation.
     pub(crate) fn symbols(&self) -> u64 {
         self.rewriter.word().letters.len() as u64

@@ -158,12 +158,6 @@ impl<S: Space> Parametric<S> {
         &self.rules
     }
 
-    /// How much of the work is done, 0 to 1.
-    pub(crate) fn fraction(&self) -> f64 {
-        let half = 0.5 * self.levels.len() as f64 / (f64::from(self.n) + 1.0);
-        if self.pieces.is_some() { 1.0 - half } else { half }
-    }
-
     /// Works on for about `left` letters.
     pub(crate) fn step(
         &mut self,

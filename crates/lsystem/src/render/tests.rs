@@ -624,7 +624,7 @@ fn deep_segment(drawing: &Drawing) -> ([Wide; 2], f64) {
         match item.or(items.first()) {
             Some(Item::Block(placed)) => {
                 at = place(placed.at);
-                heading += placed.heading;
+                heading = heading + placed.heading;
                 scale *= placed.scale;
                 block = placed.block;
             }

@@ -169,14 +169,6 @@ impl Rewriter {
         &self.word
     }
 
-    /// By how much it is spent, 0 to 1: how far the next generation has come.
-    pub(crate) fn fraction(&self) -> f64 {
-        match self.pass {
-            Pass::Rightward(at, _) => at as f64 / self.word.letters.len().max(1) as f64,
-            Pass::Start | Pass::Cut(_) | Pass::Leftward(..) => 0.0,
-        }
-    }
-
     /// The rules it derives by.
     #[must_use]
     pub fn rules(&self) -> &Rules {
