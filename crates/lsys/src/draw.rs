@@ -62,8 +62,7 @@ fn form(input: &Input, format: Format) -> Result<Vec<u8>, Failure> {
         false => lsystem::draw(system, n, limits).map_err(wrong),
     };
     let mesh = |drawing: &Drawing<Solid>| Mesh::new(drawing, style, MESH_SEGMENTS).map_err(wrong);
-    let title = [&input.definition.title, &input.definition.name].into_iter().find(|title| !title.is_empty());
-    let name = title.map_or("", String::as_str);
+    let name = input.definition.label();
     match format {
         Format::Png(size) if system.is_solid() => {
             picture::solid_png(solid()?, style, size, &write_json(&input.definition))

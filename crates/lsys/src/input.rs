@@ -2,7 +2,7 @@
 
 use crate::args::Changes;
 use crate::{Failure, say, settings};
-use lsystem::{Definition, Diagnostic, Field, FileContent, Limits, System, read_file, render_diagnostic};
+use lsystem::{Definition, Diagnostic, FileContent, Limits, System, read_file, render_diagnostic};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -88,11 +88,9 @@ fn bytes_of(file: &Path) -> io::Result<Vec<u8>> {
 }
 
 fn tell(diagnostic: &Diagnostic, text: &str, definition: Option<&Definition>, name: &str) {
-    let (source, field) = match (diagnostic.field, definition) {
-        (Field::Axiom, Some(definition)) => (definition.axiom.as_str(), ", axiom"),
-        (Field::Rules, Some(definition)) => (definition.rules.as_str(), ", rules"),
-        (Field::Overrides, Some(definition)) => (definition.overrides.as_str(), ", overrides"),
-        _ => (text, ""),
+    let shown = match definition.and_then(|definition| definition.text(diagnostic.field)) {
+        Some(source) => render_diagnostic(diagnostic, &format!("{name}, {}", diagnostic.field.name()), source),
+        None => render_diagnostic(diagnostic, name, text),
     };
-    say(&render_diagnostic(diagnostic, &format!("{name}{field}"), source));
+    say(&shown);
 }

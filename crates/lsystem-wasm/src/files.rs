@@ -79,7 +79,7 @@ impl Playground {
         let mesh = || Mesh::new(&*solid()?, &system.style, MESH_SEGMENTS);
         let Camera { azimuth, elevation, .. } = self.views.solid.camera;
         let seen = || solid()?.seen_from(&Outlook { azimuth, elevation }, TEXT_SEGMENTS);
-        let name = if definition.title.is_empty() { &definition.name } else { &definition.title };
+        let name = definition.label();
         let svg = |form| {
             let options = self.svg_options(form);
             let svg = match &self.views.plane.drawing {
@@ -134,8 +134,7 @@ impl Playground {
 
 impl Playground {
     fn svg_options(&self, form: SvgForm) -> SvgOptions {
-        let Definition { title, name, .. } = &self.definition;
-        let title = if title.is_empty() { name.clone() } else { title.clone() };
+        let title = self.definition.label().to_owned();
         let (description, system) = (self.report.description.clone(), write_json(&self.definition));
         SvgOptions { title, description, system, form, most: TEXT_SEGMENTS, ..SvgOptions::default() }
     }

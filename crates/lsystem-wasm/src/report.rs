@@ -1,8 +1,8 @@
 //! Structured results for the page.
 
-use lsystem::{Definition, Diagnostic, System, legend};
 #[cfg(feature = "full")]
-use lsystem::{Field, Severity};
+use lsystem::Severity;
+use lsystem::{Definition, Diagnostic, System, legend};
 use serde::Serialize;
 
 /// A diagnostic in words, with its place in UTF-16 units.
@@ -89,20 +89,13 @@ pub(crate) fn problems(_: &[Diagnostic], _: &Definition, _: &str) -> Vec<Problem
     vec![]
 }
 
-/// Diagnostics in words; `file` is the text that [`Field::File`] spans point into.
+/// Diagnostics in words; `file` is the text that [`lsystem::Field::File`] spans point into.
 #[cfg(feature = "full")]
 pub(crate) fn problems(diagnostics: &[Diagnostic], definition: &Definition, file: &str) -> Vec<Problem> {
     let problem = |diagnostic: &Diagnostic| {
-        let (field, text) = match diagnostic.field {
-            Field::Axiom => ("axiom", definition.axiom.as_str()),
-            Field::Rules => ("rules", definition.rules.as_str()),
-            Field::Overrides => ("overrides", definition.overrides.as_str()),
-            Field::File => ("file", file),
-            Field::Numbers => ("numbers", ""),
-        };
-        let span = lsystem::utf16_span(text, diagnostic.span.clone());
+        let span = lsystem::utf16_span(definition.text(diagnostic.field).unwrap_or(file), diagnostic.span.clone());
         Problem {
-            field,
+            field: diagnostic.field.name(),
             severity: match diagnostic.severity() {
                 Severity::Error => "error",
                 Severity::Warning => "warning",

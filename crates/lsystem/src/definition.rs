@@ -1,6 +1,6 @@
 //! An L-system as its author wrote it: the one flat value that files, links, controls and undo share.
 
-use crate::{Dialect, Style};
+use crate::{Dialect, Field, Style};
 use serde::{Deserialize, Serialize};
 
 /// Everything that decides the picture, as text and plain numbers. [`System::new`](crate::System::new) makes it
@@ -62,6 +62,25 @@ pub struct Definition {
     /// because reading flattened fields takes much code.
     #[serde(flatten, skip_deserializing)]
     pub style: Style,
+}
+
+impl Definition {
+    /// What people call it: its title, or its name where it has none.
+    #[must_use]
+    pub fn label(&self) -> &str {
+        if self.title.is_empty() { &self.name } else { &self.title }
+    }
+
+    /// The text that spans of a diagnostic's [`Field`] point into; `None` for what is no text of a definition.
+    #[must_use]
+    pub fn text(&self, field: Field) -> Option<&str> {
+        match field {
+            Field::Axiom => Some(&self.axiom),
+            Field::Rules => Some(&self.rules),
+            Field::Overrides => Some(&self.overrides),
+            Field::File | Field::Numbers => None,
+        }
+    }
 }
 
 impl Default for Definition {

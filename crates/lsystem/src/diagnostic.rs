@@ -38,6 +38,20 @@ pub enum Field {
     Numbers,
 }
 
+impl Field {
+    /// Its name, as in reports: `axiom`, `rules`, `overrides`, `file` or `numbers`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Axiom => "axiom",
+            Self::Rules => "rules",
+            Self::Overrides => "overrides",
+            Self::File => "file",
+            Self::Numbers => "numbers",
+        }
+    }
+}
+
 /// What a diagnostic is about. The words are in the message table (`message.rs`).
 ///
 /// Texts in it are excerpts: long ones are cut.

@@ -43,12 +43,7 @@ fn read(path: &str, text: &str) -> Result<(Definition, System)> {
     refuse(path, &diagnostics, |_| text)?;
     let definition = definition.with_context(|| format!("{path} holds no system"))?;
     let (system, diagnostics) = System::new(&definition);
-    refuse(path, &diagnostics, |field| match field {
-        Field::Axiom => &definition.axiom,
-        Field::Rules => &definition.rules,
-        Field::Overrides => &definition.overrides,
-        _ => "",
-    })?;
+    refuse(path, &diagnostics, |field| definition.text(field).unwrap_or_default())?;
     let system = system.with_context(|| format!("{path} holds no system that can be used"))?;
     Ok((definition, system))
 }
