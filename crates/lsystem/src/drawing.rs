@@ -42,8 +42,9 @@ pub use segments::Segments;
 pub(crate) use shape::{Line, Shape, shapes};
 pub use solid::draw_solid;
 
+use crate::derivation::limit;
 use crate::turtle::finite;
-use crate::{Plane, Space, SymbolId};
+use crate::{Diagnostic, LimitName, Plane, Space, SymbolId};
 use core::ops::Range;
 use std::sync::OnceLock;
 
@@ -113,6 +114,11 @@ impl Drawing {
         self.segments_from(number).heading()
     }
 
+    /// The corners of a block's hull.
+    pub(crate) fn corners_of(&self, block: &Block) -> &[[f64; 2]] {
+        &self.corners[block.hull.start as usize..block.hull.end as usize]
+    }
+
     /// The root's extent in its own units: min x, min y, max x, max y.
     pub(crate) fn extent(&self) -> Option<[f64; 4]> {
         *self.extent.get_or_init(|| extent::extent(self))
@@ -138,6 +144,15 @@ impl<S: Space> Drawing<S> {
     pub fn polygon_style(&self, number: u128) -> Option<StyleChange> {
         let (polygon, frame) = self.polygon(number)?;
         Some(frame.style.then(&self.styles[polygon.style.0 as usize]))
+    }
+
+    /// Looks whether there are at most so many segments.
+    ///
+    /// # Errors
+    /// [`Kind::Limit`](crate::Kind::Limit) otherwise.
+    pub(crate) fn check_segments(&self, most: u64) -> Result<(), Diagnostic> {
+        let fits = self.segment_count() <= u128::from(most);
+        if fits { Ok(()) } else { Err(limit(LimitName::Segments, most, None)) }
     }
 
     /// How many blocks the graph has.
@@ -185,8 +200,12 @@ impl<S: Space> Drawing<S> {
 
     /// A block's items.
     pub(crate) fn items_of(&self, block: BlockId) -> &[Item<S>] {
-        let items = &self.blocks[block.0 as usize].items;
-        &self.items[items.start as usize..items.end as usize]
+        self.contents(&self.blocks[block.0 as usize])
+    }
+
+    /// The same of a block at hand.
+    pub(crate) fn contents(&self, block: &Block<S>) -> &[Item<S>] {
+        &self.items[block.items.start as usize..block.items.end as usize]
     }
 
     /// How many polygons an item fills; `u128::MAX` stands for that many or more.
@@ -234,12 +253,13 @@ impl<S: Space> Drawing<S> {
     pub(crate) fn polygon(&self, number: u128) -> Option<(&Polygon, Frame<S>)> {
         let (mut block, mut left) = (self.root?, number);
         let mut frame = Frame::new(1.0, StyleChange::start(self.width));
+        let mut directions = S::directions();
         loop {
             let items = self.items_of(block);
             let (at, within) = self.before_by(items, left, Self::polygons_in);
             match items.get(at)? {
                 Item::Block(placed) => {
-                    frame = frame.place(placed, self, &mut S::directions());
+                    frame = frame.place(placed, self, &mut directions);
                     (block, left) = (placed.block, within);
                 }
                 Item::Polygon(polygon) => return Some((polygon, frame)),

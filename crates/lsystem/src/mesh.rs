@@ -3,10 +3,9 @@
 //! Strokes that follow each other end to end share a ring of corners on the plane that halves the angle between them,
 //! so that a bent path is one closed tube. Where widths differ a tube tapers to the width of the stroke that follows.
 
-use crate::derivation::limit;
-use crate::rotation::{Vector, cross, dot, norm};
+use crate::rotation::{Vector, cross, dot, minus, norm};
 use crate::triangulate::triangulate;
-use crate::{Diagnostic, Drawing, LimitName, Mark, Segment, Solid, Style};
+use crate::{Diagnostic, Drawing, Mark, Segment, Solid, Style};
 
 /// Triangles with colours, in model units.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -36,12 +35,9 @@ impl Mesh {
     /// # Errors
     /// [`Kind::Limit`](crate::Kind::Limit) where there are more than `most` segments.
     pub fn new(drawing: &Drawing<Solid>, style: &Style, most: u64) -> Result<Self, Diagnostic> {
-        let count = drawing.segment_count();
-        if count > u128::from(most) {
-            return Err(limit(LimitName::Segments, most, None));
-        }
+        drawing.check_segments(most)?;
         let extent = drawing.bounds().map_or(0.0, |[low, high]| (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max));
-        let sides = match count {
+        let sides = match drawing.segment_count() {
             0..=20_000 => 8,
             20_001..=100_000 => 6,
             _ => 4,
@@ -195,10 +191,6 @@ fn across(along: Vector) -> Vector {
     let mut axis = [0.0; 3];
     axis[least] = 1.0;
     unit(cross(along, axis))
-}
-
-fn minus(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|i| a[i] - b[i])
 }
 
 fn unit(vector: Vector) -> Vector {

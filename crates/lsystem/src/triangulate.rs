@@ -1,6 +1,6 @@
 //! Polygons in space as triangles, by cutting off ears.
 
-use crate::rotation::{Vector, cross, dot, norm};
+use crate::rotation::{Vector, cross, dot, minus, norm};
 
 /// Outlines of more vertices are cut as if they were convex: cutting ears takes the square of their number.
 const MOST: usize = 1_000;
@@ -48,10 +48,6 @@ pub(crate) fn facing(vertices: &[Vector]) -> Option<Vector> {
         return None;
     }
     Some(sum.map(|c| c / size))
-}
-
-fn minus(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|i| a[i] - b[i])
 }
 
 #[cfg(test)]

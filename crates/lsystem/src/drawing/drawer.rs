@@ -119,10 +119,10 @@ impl<S: Space> Drawer<S> {
         }
     }
 
-    // Twice in the wasm, once in `draw` and once by itself, it would be a tenth of what the page loads.
-    #[inline(never)]
     /// Works on, for about `work` letters (some hundred thousand take a few milliseconds), and says whether there is
     /// more to do.
+    // Twice in the wasm, once in `draw` and once by itself, it would be a tenth of what the page loads.
+    #[inline(never)]
     pub fn step(&mut self, work: u64) -> Progress {
         let mut left = work.max(1);
         while left > 0 {
@@ -282,8 +282,7 @@ fn whole<S: Space>(rules: &Rules, seed: u32, limits: &Limits, score: &Score<S>) 
 }
 
 fn failed<S: Space>(exceeded: &Exceeded, limits: &Limits) -> State<S> {
-    let value = if exceeded.limit == LimitName::Segments { limits.segments } else { limits.work };
-    State::Failed(limit(exceeded.limit, value, exceeded.largest))
+    State::Failed(limit(exceeded.limit, limits.value(exceeded.limit), exceeded.largest))
 }
 
 /// How the turtle starts.

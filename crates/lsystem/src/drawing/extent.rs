@@ -84,8 +84,7 @@ impl Search<'_> {
 
     fn reach_of_hull(&mut self, block: BlockId, direction: Heading) -> f64 {
         let (c, s) = self.directions.cos_sin(direction);
-        let hull = &self.drawing.blocks[block.0 as usize].hull;
-        let corners = &self.drawing.corners[hull.start as usize..hull.end as usize];
+        let corners = self.drawing.corners_of(&self.drawing.blocks[block.0 as usize]);
         corners.iter().map(|&[x, y]| c * x + s * y).fold(f64::NEG_INFINITY, f64::max)
     }
 }

@@ -26,7 +26,6 @@ impl<S: Space> Drawing<S> {
         let (all, unit) = (self.segment_count() as f64, self.unit());
         let mut number = 0_u64;
         let mut places = self.places.iter();
-        let model = move |point: S::Point| self.model(point, unit);
         core::iter::from_fn(move || {
             let (part, frame) = strokes.next_part()?;
             let change = |id: super::StyleId| frame.style.then(&self.styles[id.0 as usize]);
@@ -36,28 +35,17 @@ impl<S: Space> Drawing<S> {
             Some(match part {
                 Part::Stroke(stroke) => {
                     let style = change(stroke.style);
-                    let segment = Segment {
-                        from: model(frame.lie(stroke.from)),
-                        to: model(frame.lie(stroke.to)),
-                        colour: style.colour.of(0),
-                        level: style.level,
-                        width: style.width.of(0.0) * self.step.abs(),
-                    };
+                    let segment = self.segment([stroke.from, stroke.to].map(|end| frame.lie(end)), &style, unit);
                     number += 1;
                     Mark::Segment(segment, tint(&style))
                 }
                 Part::Polygon(polygon) => {
                     let style = change(polygon.style);
-                    let vertices = self.vertices_of(polygon).iter().map(|&vertex| model(frame.lie(vertex))).collect();
+                    let vertices =
+                        self.vertices_of(polygon).iter().map(|&vertex| self.model(frame.lie(vertex), unit)).collect();
                     Mark::Polygon(vertices, tint(&style))
                 }
             })
         })
-    }
-
-    /// Where a point of the root block lies; one unit there is `unit`.
-    fn model(&self, mut point: S::Point, unit: f64) -> S::Point {
-        point.as_mut().iter_mut().zip(self.start.as_ref()).for_each(|(c, start)| *c = start + unit * *c);
-        point
     }
 }

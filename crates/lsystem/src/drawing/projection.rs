@@ -4,11 +4,10 @@ use super::builder::Builder;
 use super::segments::{Frame, Part, Strokes};
 use super::tree::Tree;
 use super::{Drawing, StyleChange};
-use crate::derivation::limit;
 use crate::plane::Plane;
 use crate::rotation::dot;
 use crate::turtle::Paper;
-use crate::{Diagnostic, LimitName, Solid};
+use crate::{Diagnostic, Solid};
 use std::sync::OnceLock;
 
 /// From where a drawing in space is seen on paper. Lines that are parallel stay so, and +y is up.
@@ -55,9 +54,7 @@ impl Drawing<Solid> {
     /// # Errors
     /// [`Kind::Limit`](crate::Kind::Limit) where there are more than `most` segments.
     pub fn seen_from(&self, outlook: &Outlook, most: u64) -> Result<Drawing, Diagnostic> {
-        if self.segment_count() > u128::from(most) {
-            return Err(limit(LimitName::Segments, most, None));
-        }
+        self.check_segments(most)?;
         let [right, up, back] = outlook.axes();
         let paper = |point: [f64; 3]| [dot(right, point), dot(up, point)];
         let mut strokes = Strokes::new(self);

@@ -46,24 +46,31 @@ impl<S: Space> Iterator for Segments<'_, S> {
     fn next(&mut self) -> Option<Segment<S>> {
         let (from, to, style) = self.strokes.next()?;
         self.left = self.left.saturating_sub(1);
-        let Drawing { start, step, .. } = self.strokes.drawing;
-        let model = |mut point: S::Point| {
-            let unit = self.unit;
-            point.as_mut().iter_mut().zip(start.as_ref()).for_each(|(c, start)| *c = start + unit * *c);
-            point
-        };
-        Some(Segment {
-            from: model(from),
-            to: model(to),
-            colour: style.colour.of(0),
-            level: style.level,
-            width: style.width.of(0.0) * step.abs(),
-        })
+        Some(self.strokes.drawing.segment([from, to], &style, self.unit))
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
         let left = usize::try_from(self.left);
         (left.unwrap_or(usize::MAX), left.ok())
+    }
+}
+
+impl<S: Space> Drawing<S> {
+    /// A segment between two points of the root block, one unit of which is `unit`.
+    pub(super) fn segment(&self, [from, to]: [S::Point; 2], style: &StyleChange, unit: f64) -> Segment<S> {
+        Segment {
+            from: self.model(from, unit),
+            to: self.model(to, unit),
+            colour: style.colour.of(0),
+            level: style.level,
+            width: style.width.of(0.0) * self.step.abs(),
+        }
+    }
+
+    /// Where a point of the root block lies.
+    pub(super) fn model(&self, mut point: S::Point, unit: f64) -> S::Point {
+        point.as_mut().iter_mut().zip(self.start.as_ref()).for_each(|(c, start)| *c = start + unit * *c);
+        point
     }
 }
 

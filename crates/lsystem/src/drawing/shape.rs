@@ -36,7 +36,7 @@ pub(crate) fn shapes(drawing: &Drawing) -> Vec<Shape> {
         let mut straight: Option<Line> = None;
         let (mut bent, mut filled) = (false, false);
         let mut last = StyleChange::NONE;
-        for item in &drawing.items[block.items.start as usize..block.items.end as usize] {
+        for item in drawing.contents(block) {
             let line = match item {
                 Item::Stroke(stroke) => {
                     let line = Line::new(stroke, drawing);
@@ -64,7 +64,7 @@ pub(crate) fn shapes(drawing: &Drawing) -> Vec<Shape> {
             bent |= straight.is_none();
         }
         let straight = straight.filter(|_| !bent && !filled);
-        let corners = &drawing.corners[block.hull.start as usize..block.hull.end as usize];
+        let corners = drawing.corners_of(block);
         shapes.push(Shape { straight, filled, longest: Line { style: last, ..longest(corners) } });
     }
     shapes

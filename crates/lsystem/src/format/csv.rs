@@ -1,8 +1,7 @@
 //! Segments as comma-separated values.
 
 use super::number::write_exact;
-use crate::derivation::limit;
-use crate::{Diagnostic, Drawing, LimitName, Space};
+use crate::{Diagnostic, Drawing, Space};
 use core::fmt::Write;
 
 /// Writes all segments in drawing order, a line each, below the header `x0,y0,x1,y1,level,colour` in the plane and
@@ -12,9 +11,7 @@ use core::fmt::Write;
 /// # Errors
 /// [`Kind::Limit`](crate::Kind::Limit) where there are more than `most` segments.
 pub fn write_csv<S: Space>(drawing: &Drawing<S>, most: u64) -> Result<String, Diagnostic> {
-    if drawing.segment_count() > u128::from(most) {
-        return Err(limit(LimitName::Segments, most, None));
-    }
+    drawing.check_segments(most)?;
     let flat = S::Point::default().as_ref().len() == 2;
     let head = if flat { "x0,y0,x1,y1,level,colour\n" } else { "x0,y0,z0,x1,y1,z1,level,colour\n" };
     let mut text = String::from(head);

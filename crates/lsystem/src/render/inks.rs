@@ -185,7 +185,7 @@ impl InkTable {
 fn of_block(choice: Choice, drawing: &Drawing, block: &Block, blocks: &[Inks]) -> Inks {
     let mut inks = Inks::None;
     let mut last = None;
-    for item in &drawing.items[block.items.start as usize..block.items.end as usize] {
+    for item in drawing.contents(block) {
         let (style, inner) = match item {
             Item::Stroke(stroke) => (stroke.style, None),
             Item::Polygon(polygon) => (polygon.style, None),

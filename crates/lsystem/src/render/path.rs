@@ -47,7 +47,7 @@ impl Path {
         } else if self.counts.is_empty() {
             for block in &drawing.blocks {
                 let mut sum = (0.0, 0);
-                for item in &drawing.items[block.items.start as usize..block.items.end as usize] {
+                for item in drawing.contents(block) {
                     match item {
                         Item::Stroke(_) => sum = plus(sum, (1.0, 0)),
                         Item::Polygon(_) => {}

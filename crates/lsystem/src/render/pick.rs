@@ -59,7 +59,7 @@ impl Sight<Plane> for Page<'_> {
         /// In units of the block: what hulls and places on a canvas are rounded by.
         const ROUGH: f64 = 1e-11;
         let block = &self.drawing.blocks[id.0 as usize];
-        let corners = &self.drawing.corners[block.hull.start as usize..block.hull.end as usize];
+        let corners = self.drawing.corners_of(block);
         // In units of the block.
         let at = place.within(self.at);
         let (mut away, mut inside) = (f64::INFINITY, corners.len() > 2);

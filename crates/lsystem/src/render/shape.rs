@@ -56,7 +56,7 @@ pub(super) fn shapes(drawing: &Drawing) -> Vec<Shape> {
 
 fn bounds(drawing: &Drawing, block: &Block) -> [[f64; 2]; 2] {
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for corner in drawing.corners.get(block.hull.start as usize..block.hull.end as usize).unwrap_or_default() {
+    for corner in drawing.corners_of(block) {
         for axis in 0..2 {
             low[axis] = low[axis].min(corner[axis]);
             high[axis] = high[axis].max(corner[axis]);
@@ -72,7 +72,7 @@ fn contents(drawing: &Drawing, block: &Block, shapes: &[Shape]) -> (Option<Line>
     let mut joined: Option<Line> = None;
     let mut straight = true;
     let mut strokes = 0_u32;
-    for item in &drawing.items[block.items.start as usize..block.items.end as usize] {
+    for item in drawing.contents(block) {
         let line = match item {
             Item::Stroke(stroke) => {
                 strokes = strokes.saturating_add(1);
@@ -113,7 +113,7 @@ fn contents(drawing: &Drawing, block: &Block, shapes: &[Shape]) -> (Option<Line>
 }
 
 fn last_style(drawing: &Drawing, block: &Block, shapes: &[Shape]) -> StyleChange {
-    let items = &drawing.items[block.items.start as usize..block.items.end as usize];
+    let items = drawing.contents(block);
     let last = items.iter().rev().find_map(|item| match item {
         Item::Stroke(stroke) => Some(drawing.styles[stroke.style.0 as usize]),
         Item::Polygon(polygon) => Some(drawing.styles[polygon.style.0 as usize]),

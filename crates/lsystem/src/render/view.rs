@@ -100,10 +100,9 @@ pub(super) fn root_bounds(drawing: &Drawing) -> (f64, Rect) {
         return (unit, Rect { x: -0.5, y: -0.5, width: 1.0, height: 1.0 });
     };
     let unit = libm::scalbn(drawing.step, root.exponent);
-    let corners = &drawing.corners[root.hull.start as usize..root.hull.end as usize];
     let mut low = [f64::INFINITY; 2];
     let mut high = [f64::NEG_INFINITY; 2];
-    for corner in corners {
+    for corner in drawing.corners_of(root) {
         for axis in 0..2 {
             low[axis] = low[axis].min(corner[axis]);
             high[axis] = high[axis].max(corner[axis]);

@@ -4,7 +4,7 @@ use super::camera::{Camera, Lens, NEAR};
 use super::walk::before_eye;
 use crate::drawing::Frame;
 use crate::render::{Aim, Order, Sight, covers, nearest_on, search};
-use crate::rotation::{Vector, combine, cross, dot, norm};
+use crate::rotation::{Vector, combine, cross, dot, minus, norm};
 use crate::triangulate::facing;
 use crate::{BlockId, Drawing, Pick, Placed, Pointer, Polygon, Solid, Stroke, StyleChange, Viewport};
 
@@ -115,8 +115,4 @@ impl Sky<'_> {
         let shown = ends[0][2] + t * (ends[1][2] - ends[0][2]);
         (axis, shown / (1.0 - shown * self.lens.nearness))
     }
-}
-
-fn minus(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|i| a[i] - b[i])
 }

@@ -4,7 +4,7 @@
 use super::light::Bundle;
 use super::path::Stretch;
 use crate::render::{Choice, Shade, plus, ratio};
-use crate::rotation::{Vector, combine, cross, dot, norm};
+use crate::rotation::{Vector, combine, cross, dot, minus, norm};
 use crate::triangulate::triangulate;
 use crate::{BlockId, ColourBy, Drawing, Item, Placed, Solid, Style, StyleChange, WidthChange};
 
@@ -611,10 +611,6 @@ fn distance(limb: &Limb, point: Vector) -> f64 {
     let square = dot(way, way);
     let t = if square > 0.0 { (dot(way, to) / square).clamp(0.0, 1.0) } else { 0.0 };
     norm([0, 1, 2].map(|i| to[i] - t * way[i]))
-}
-
-pub(super) fn minus(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|i| a[i] - b[i])
 }
 
 /// What becomes a node.

@@ -6,11 +6,11 @@ use super::effort::{Effort, Spent};
 use super::face::Face;
 use super::light::{DIRECTIONS, LIGHT, Light};
 use super::path::Stretch;
-use super::scene::{Node, SAMPLES, Scene, WIDTH, direction, minus};
+use super::scene::{Node, SAMPLES, Scene, WIDTH, direction};
 use super::stroke::{Dot, Stick, span};
 use super::tile::Tile;
 use crate::render::{Pane, Shade};
-use crate::rotation::{Vector, combine, cross, dot, norm};
+use crate::rotation::{Vector, combine, cross, dot, minus, norm};
 use crate::{Drawing, Progress, RenderStats, Solid, Style, Viewport};
 
 /// Whole blocks are looked for behind others from this size on, in samples.

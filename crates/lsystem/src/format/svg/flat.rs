@@ -2,13 +2,10 @@
 
 use super::paths::{Ink, Paths};
 use super::{Decimals, Sheet, Svg, SvgOptions};
-use crate::derivation::limit;
-use crate::{Diagnostic, Drawing, LimitName, Mark, Style};
+use crate::{Diagnostic, Drawing, Mark, Style};
 
 pub(super) fn write(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Svg, Diagnostic> {
-    if drawing.segment_count() > u128::from(options.most) {
-        return Err(limit(LimitName::Segments, options.most, None));
-    }
+    drawing.check_segments(options.most)?;
     let [x, y] = drawing.start;
     let [x0, y0, x1, y1] = drawing.bounds().unwrap_or([x, y, x, y]).map(within);
     let margin = drawing.step.abs();

@@ -49,7 +49,7 @@ pub(super) fn inks(drawing: &Drawing, shapes: &[Shape]) -> Vec<Ink> {
 
 /// The ink of a block's items, in the block's frame.
 pub(super) fn parts<'a>(drawing: &'a Drawing, block: &Block, inks: &'a [Ink]) -> impl Iterator<Item = Ink> + 'a {
-    drawing.items[block.items.start as usize..block.items.end as usize].iter().map(|item| match item {
+    drawing.contents(block).iter().map(|item| match item {
         Item::Stroke(stroke) => {
             let [dx, dy] = [0, 1].map(|i| stroke.to[i] - stroke.from[i]);
             Ink {

@@ -89,7 +89,7 @@ impl Pigments {
         let (whole, block) = (&inks[block], &drawing.blocks[block]);
         let mut sum = [0.0; 3];
         let before = self.open.len();
-        let items = &drawing.items[block.items.start as usize..block.items.end as usize];
+        let items = drawing.contents(block);
         for (item, part) in items.iter().zip(parts(drawing, block, inks)) {
             let share = part.share_of(whole);
             if share == 0.0 {
