@@ -30,7 +30,7 @@ impl Space for Plane {
     const ITEM: u64 = 16;
 
     fn directions() -> Directions {
-        Directions::new()
+        Directions::default()
     }
 
     fn turn(about: Axis, by: Heading) -> Heading {
@@ -115,14 +115,17 @@ pub struct Directions {
     slots: Vec<(Heading, f64, f64)>,
 }
 
-impl Directions {
-    /// Enough for all multiples of most angles.
-    const BITS: u32 = 9;
-
-    pub(crate) fn new() -> Self {
+impl Default for Directions {
+    fn default() -> Self {
         Self { slots: vec![(Heading::EAST, 1.0, 0.0); 1 << Self::BITS] }
     }
+}
 
+impl Directions {
+    /// Enough for all multiples of most angles; systems with 3600 of them use few at a time.
+    const BITS: u32 = 10;
+
+    /// The same as [`Heading::cos_sin`].
     pub(crate) fn cos_sin(&mut self, heading: Heading) -> (f64, f64) {
         let hash = heading.units().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (64 - Self::BITS);
         let slot = &mut self.slots[hash as usize];

@@ -2,7 +2,6 @@
 
 use crate::drawing::{StyleChange, WidthChange};
 use crate::key::Purpose;
-pub(crate) use crate::plane::Directions;
 use crate::space::{Axis, Space};
 use crate::{Action, ColourChange, Heading, Key, Plane, SymbolId};
 

@@ -3,7 +3,7 @@
 use super::segments::{Frame, Strokes};
 use super::{BlockId, ColourChange, Drawing, Item, StyleChange};
 use crate::derivation::limit;
-use crate::turtle::Directions;
+use crate::plane::Directions;
 use crate::{Diagnostic, Heading, LimitName};
 
 /// Blocks of up to this many segments are copied whole: enough to make a copy's preparation cheap, few enough to
@@ -144,7 +144,7 @@ impl<'a> Emitter<'a> {
     fn new(drawing: &'a Drawing) -> Self {
         let copies = drawing.blocks.iter().map(|_| None).collect();
         let turned = (0..1 << TURNED).map(|_| None).collect();
-        Self { drawing, directions: Directions::new(), copies, turned }
+        Self { drawing, directions: Directions::default(), copies, turned }
     }
 
     fn run(&mut self, sink: Sink<'_>) {

@@ -2,8 +2,8 @@
 
 use super::{BlockId, Drawing, Item};
 use crate::Heading;
+use crate::plane::Directions;
 use crate::sorted::sort;
-use crate::turtle::Directions;
 use std::collections::HashMap;
 
 /// How exact the answer is, in units of the root block.
@@ -14,7 +14,7 @@ const EFFORT: u32 = 50_000;
 /// The extent of the root block in its own units: min x, min y, max x, max y.
 pub(super) fn extent(drawing: &Drawing) -> Option<[f64; 4]> {
     let root = drawing.root?;
-    let mut search = Search { drawing, directions: Directions::new(), known: HashMap::new(), effort: EFFORT };
+    let mut search = Search { drawing, directions: Directions::default(), known: HashMap::new(), effort: EFFORT };
     let mut reach = |degrees| search.reach(root, Heading::from_degrees(degrees), TOLERANCE);
     Some([-reach(180.0), -reach(270.0), reach(0.0), reach(90.0)])
 }

@@ -1,7 +1,7 @@
 //! What blocks look like from so far away that only their main features show.
 
 use super::{Drawing, Frame, Item, Stroke, StyleChange};
-use crate::turtle::Directions;
+use crate::plane::Directions;
 
 /// How far rounding may move the ends of strokes that meet, in block units, and bend strokes on a line, in radians.
 const EXACT: f64 = 1e-9;
@@ -30,7 +30,7 @@ pub(crate) struct Shape {
 /// The shapes of all blocks, in their order.
 pub(crate) fn shapes(drawing: &Drawing) -> Vec<Shape> {
     let mut shapes: Vec<Shape> = Vec::with_capacity(drawing.blocks.len());
-    let mut directions = Directions::new();
+    let mut directions = Directions::default();
     let home = Frame::new(1.0, StyleChange::NONE);
     for block in &drawing.blocks {
         let mut straight: Option<Line> = None;

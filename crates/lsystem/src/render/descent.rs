@@ -4,10 +4,10 @@ use super::inks::{Choice, Shade};
 use super::parts::Part;
 use super::path::{Path, Span};
 use super::shape::Shape;
-use super::turns::Turns;
 use super::view::Camera;
 use super::wide::Wide;
-use crate::{BlockId, Drawing, Heading, Item, Placed, StyleChange};
+use crate::plane::Directions;
+use crate::{BlockId, Drawing, Heading, Item, Placed, Plane, Space, StyleChange};
 
 /// What the turtle carries apart from its position.
 #[derive(Clone, Copy, Debug)]
@@ -111,7 +111,7 @@ pub(super) struct Met<'a> {
 #[derive(Default)]
 pub(super) struct Descent {
     camera: Option<Camera>,
-    turns: Turns,
+    directions: Directions,
     pub path: Path,
 }
 
@@ -137,7 +137,7 @@ impl Descent {
     pub(super) fn alone(&mut self, drawing: &Drawing, part: &Part, origin: [f64; 2], times: f64) -> Node {
         let Part { block, heading, width, .. } = *part;
         let scale = part.scale * times;
-        let [cos, sin] = self.turns.cos_sin(heading).map(|v| v * scale);
+        let (cos, sin) = Plane::scaled(self.directions.cos_sin(heading), scale);
         let place = Place { origin, scale, heading, cos, sin };
         let cursor = drawing.blocks[block.0 as usize].items.end;
         let pen = Pen { shade: Shade::default(), width };
@@ -188,9 +188,9 @@ impl Descent {
     pub(super) fn child(&mut self, drawing: &Drawing, choice: Choice, node: &Node, placed: &Placed) -> Node {
         let heading = node.place.heading + placed.heading;
         let scale = node.place.scale * placed.scale;
-        let [c, s] = self.turns.cos_sin(heading);
+        let (c, s) = self.directions.cos_sin(heading);
         let far = node.far.filter(|_| node.place.scale > FAR).map(|far| {
-            let [c, s] = self.turns.cos_sin(node.place.heading).map(|v| v * far.scale);
+            let (c, s) = Plane::scaled(self.directions.cos_sin(node.place.heading), far.scale);
             let [x, y] = placed.at;
             let at = [far.at[0].plus(c * x - s * y), far.at[1].plus(s * x + c * y)];
             Far { at, scale: far.scale * placed.scale }

@@ -1,12 +1,12 @@
 //! Where segments lie in the fitted view, as exactly as the deepest view can show.
 
-use super::turns::Turns;
 use super::view::root_bounds;
 use super::wide::Wide;
 use crate::drawing::hull;
+use crate::plane::Directions;
 use crate::space::times;
 use crate::turtle::exponent_of;
-use crate::{Block, BlockId, Drawing, Heading, Item, Placed};
+use crate::{Block, BlockId, Drawing, Heading, Item, Placed, Plane, Space};
 use core::ops::Range;
 
 /// A place relative to the fitted view: right of and above its centre, in fitted extents (the longer side of
@@ -45,7 +45,7 @@ pub fn fitted_polygon(drawing: &Drawing, number: u128) -> Vec<Fitted> {
     let mut search = Search::new(drawing, 0..0);
     let Some((Item::Polygon(polygon), spot)) = search.find(number, Drawing::polygons_in) else { return vec![] };
     let frame = FittedFrame::new(drawing);
-    drawing.vertices_of(polygon).iter().map(|&vertex| frame.see(spot.lie(&mut search.turns, vertex))).collect()
+    drawing.vertices_of(polygon).iter().map(|&vertex| frame.see(spot.lie(&mut search.directions, vertex))).collect()
 }
 
 /// Corners that are collected before they are joined to a hull.
@@ -89,13 +89,13 @@ struct Spot {
 impl Spot {
     const ROOT: Self = Self { at: [Wide::ZERO; 2], heading: Heading::EAST, scale: 1.0 };
 
-    fn lie(&self, turns: &mut Turns, [x, y]: [f64; 2]) -> [Wide; 2] {
-        let [c, s] = turns.cos_sin(self.heading).map(|v| v * self.scale);
+    fn lie(&self, directions: &mut Directions, [x, y]: [f64; 2]) -> [Wide; 2] {
+        let (c, s) = Plane::scaled(directions.cos_sin(self.heading), self.scale);
         [self.at[0].plus(c * x - s * y), self.at[1].plus(s * x + c * y)]
     }
 
-    fn inside(&self, turns: &mut Turns, placed: &Placed) -> Self {
-        let at = self.lie(turns, placed.at);
+    fn inside(&self, directions: &mut Directions, placed: &Placed) -> Self {
+        let at = self.lie(directions, placed.at);
         Self { at, heading: self.heading + placed.heading, scale: self.scale * placed.scale }
     }
 }
@@ -103,7 +103,7 @@ impl Spot {
 struct Search<'a> {
     drawing: &'a Drawing,
     segments: Range<u128>,
-    turns: Turns,
+    directions: Directions,
     /// What corners are relative to.
     base: [Wide; 2],
     corners: Vec<[f64; 2]>,
@@ -111,13 +111,13 @@ struct Search<'a> {
 
 impl<'a> Search<'a> {
     fn new(drawing: &'a Drawing, segments: Range<u128>) -> Self {
-        Self { drawing, segments, turns: Turns::default(), base: [Wide::ZERO; 2], corners: vec![] }
+        Self { drawing, segments, directions: Directions::default(), base: [Wide::ZERO; 2], corners: vec![] }
     }
 
     /// The ends of a segment.
     fn ends(&mut self, number: u128) -> Option<[[Wide; 2]; 2]> {
         let (Item::Stroke(stroke), spot) = self.find(number, Drawing::segments_in)? else { return None };
-        Some([stroke.from, stroke.to].map(|p| spot.lie(&mut self.turns, p)))
+        Some([stroke.from, stroke.to].map(|p| spot.lie(&mut self.directions, p)))
     }
 
     /// What is counted as `number`, and the place of the block that it is in.
@@ -128,7 +128,7 @@ impl<'a> Search<'a> {
             let (before, within) = self.drawing.before_by(items, number, count);
             match items.get(before)? {
                 Item::Block(placed) => {
-                    spot = spot.inside(&mut self.turns, placed);
+                    spot = spot.inside(&mut self.directions, placed);
                     (block, number) = (placed.block, within);
                 }
                 item => return Some((item, spot)),
@@ -137,7 +137,7 @@ impl<'a> Search<'a> {
     }
 
     fn hold(&mut self, spot: &Spot, point: [f64; 2]) {
-        let at = spot.lie(&mut self.turns, point);
+        let at = spot.lie(&mut self.directions, point);
         self.corners.push([0, 1].map(|axis| at[axis].minus(self.base[axis])));
     }
 
@@ -169,7 +169,7 @@ impl<'a> Search<'a> {
                     }
                     Item::Polygon(_) => {}
                     Item::Block(placed) => {
-                        let inside = spot.inside(&mut self.turns, placed);
+                        let inside = spot.inside(&mut self.directions, placed);
                         self.block(placed.block, &inside, next);
                     }
                 }

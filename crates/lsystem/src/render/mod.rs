@@ -5,6 +5,7 @@
 //! first, so that what is covered already need not be looked at again. Where too much is left for that, it is put
 //! together from the pictures of its parts, a little off their places.
 
+mod amount;
 mod ascent;
 mod canvas;
 mod density;
@@ -24,7 +25,6 @@ mod seen;
 mod shape;
 mod stroke;
 mod tile;
-mod turns;
 mod view;
 mod walk;
 mod wide;
@@ -34,11 +34,11 @@ mod sample;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use amount::Amount;
 pub use density::DensityRenderer;
 pub use exact::{Fitted, fitted_ends, fitted_outline, fitted_polygon};
 pub(crate) use inks::{Choice, Shade};
 pub use pane::Pane;
-pub(crate) use path::{plus, ratio};
 pub use pick::pick;
 pub(crate) use search::{Aim, Order, Sight, covers, nearest_on, search};
 pub use search::{Pick, Pointer, Target};

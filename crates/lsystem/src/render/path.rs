@@ -3,6 +3,7 @@
 //! A block recurs at many places of the path, so its tiles know nothing of them: on the picture every block that is
 //! shorter than a step of the gradient is in the colour of its middle, and longer ones are looked into.
 
+use super::amount::Amount;
 use crate::style::{gradient_step, is_one_step};
 use crate::{BlockId, ColourBy, Drawing, Item, Style};
 
@@ -29,9 +30,8 @@ impl Span {
 /// How many segments blocks have, beyond what integers hold.
 #[derive(Debug, Default)]
 pub(super) struct Path {
-    /// By block: a number and the exponent of a power of two that it is to be multiplied by; empty where colours follow
-    /// something else.
-    counts: Vec<(f64, i32)>,
+    /// By block; empty where colours follow something else.
+    counts: Vec<Amount>,
 }
 
 impl Path {
@@ -46,12 +46,12 @@ impl Path {
             self.counts.clear();
         } else if self.counts.is_empty() {
             for block in &drawing.blocks {
-                let mut sum = (0.0, 0);
+                let mut sum = Amount::default();
                 for item in drawing.contents(block) {
                     match item {
-                        Item::Stroke(_) => sum = plus(sum, (1.0, 0)),
+                        Item::Stroke(_) => sum = sum.plus(Amount::ONE),
                         Item::Polygon(_) => {}
-                        Item::Block(placed) => sum = plus(sum, self.counts[placed.block.0 as usize]),
+                        Item::Block(placed) => sum = sum.plus(self.counts[placed.block.0 as usize]),
                     }
                 }
                 self.counts.push(sum);
@@ -66,7 +66,7 @@ impl Path {
 
     /// The last segment of what is left of a block.
     pub(super) fn stroke(&self, block: BlockId, left: Span) -> Span {
-        Span { size: self.part(block, left, (1.0, 0)), ..left }
+        Span { size: self.part(block, left, Amount::ONE), ..left }
     }
 
     /// The last block of what is left of a block.
@@ -85,20 +85,8 @@ impl Path {
         items.iter().map(size).sum()
     }
 
-    fn part(&self, block: BlockId, span: Span, count: (f64, i32)) -> f64 {
+    fn part(&self, block: BlockId, span: Span, count: Amount) -> f64 {
         let all = self.counts.get(block.0 as usize).copied().unwrap_or_default();
-        span.size * ratio(count, all)
+        span.size * count.of(all)
     }
-}
-
-/// The sum of two numbers, each to be multiplied by a power of two with its exponent.
-pub(crate) fn plus(a: (f64, i32), b: (f64, i32)) -> (f64, i32) {
-    let (a, b) = if a.1 >= b.1 { (a, b) } else { (b, a) };
-    let (sum, exponent) = libm::frexp(a.0 + libm::scalbn(b.0, b.1 - a.1));
-    (sum, exponent + a.1)
-}
-
-/// One such number over another; 0 where that is 0.
-pub(crate) fn ratio(part: (f64, i32), all: (f64, i32)) -> f64 {
-    if all.0 > 0.0 { libm::scalbn(part.0 / all.0, part.1 - all.1) } else { 0.0 }
 }

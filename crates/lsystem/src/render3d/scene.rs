@@ -3,7 +3,7 @@
 
 use super::light::Bundle;
 use super::path::Stretch;
-use crate::render::{Choice, Shade, plus, ratio};
+use crate::render::{Amount, Choice, Shade};
 use crate::rotation::{Vector, combine, cross, dot, minus, norm};
 use crate::triangulate::triangulate;
 use crate::{BlockId, ColourBy, Drawing, Item, Placed, Solid, Style, StyleChange, WidthChange};
@@ -69,8 +69,8 @@ pub(super) struct Own {
     pub(super) need: f32,
     /// The mean length of its samples.
     pub(super) sampled: f32,
-    /// Its segments: a number, and the exponent of a power of two that it is to be multiplied by.
-    count: (f64, i32),
+    /// How many segments it has.
+    count: Amount,
 }
 
 /// A straight part of a node, all of it drawn in one style: the longest, which stands for the node where nothing else
@@ -204,7 +204,7 @@ impl Scene {
         self.means.truncate(nodes * self.entries as usize);
         self.root = drawing.root.and_then(|root| self.blocks.get(root.0 as usize).copied());
         let all = self.count(self.root);
-        self.one = ratio((1.0, 0), all);
+        self.one = Amount::ONE.of(all);
         let (Some(mut left), Some(mut block)) = (upto.filter(|&upto| upto < drawing.segment_count()), drawing.root)
         else {
             self.shown = Stretch { from: 0.0, size: 1.0 };
@@ -227,11 +227,11 @@ impl Scene {
             .into_iter()
             .rev()
             .fold(None, |inside, (before, placed)| self.contents(drawing, before, placed.zip(inside)));
-        self.shown = Stretch { from: 0.0, size: ratio(self.count(self.root), all) };
+        self.shown = Stretch { from: 0.0, size: self.count(self.root).of(all) };
     }
 
-    fn count(&self, node: Option<u32>) -> (f64, i32) {
-        node.and_then(|node| self.nodes.get(node as usize)).map_or((0.0, 0), |node| node.own.count)
+    fn count(&self, node: Option<u32>) -> Amount {
+        node.and_then(|node| self.nodes.get(node as usize)).map_or(Amount::default(), |node| node.own.count)
     }
 
     /// Makes nodes of a block's contents, the last of which may be placed where another block would be; the one that
@@ -327,11 +327,11 @@ impl Scene {
     fn node(&mut self, mut run: Run) -> u32 {
         let count = run.count;
         for (link, before) in run.links.iter_mut().zip(&run.before[0]) {
-            link.before = ratio(*before, count);
-            link.part = ratio(self.count(Some(link.node)), count);
+            link.before = before.of(count);
+            link.part = self.count(Some(link.node)).of(count);
         }
         for (line, before) in run.lines.iter_mut().zip(&run.before[1]) {
-            line.before = ratio(*before, count) as f32;
+            line.before = before.of(count) as f32;
         }
         let mut balls = [[0.0; WIDTH]; 4];
         let mut widest = WidthChange { factor: 0.0, offset: 0.0 };
@@ -619,22 +619,22 @@ struct Run {
     links: Vec<Link>,
     lines: Vec<Line>,
     /// Segments before each link, and before each line.
-    before: [Vec<(f64, i32)>; 2],
-    count: (f64, i32),
+    before: [Vec<Amount>; 2],
+    count: Amount,
 }
 
 impl Run {
     /// Goes on with a link to so many segments.
-    fn hold(&mut self, link: Link, count: (f64, i32)) {
+    fn hold(&mut self, link: Link, count: Amount) {
         self.links.push(link);
         self.before[0].push(self.count);
-        self.count = plus(self.count, count);
+        self.count = self.count.plus(count);
     }
 
     fn draw(&mut self, line: Line) {
         self.before[1].push(self.count);
         if line.corner.is_none() {
-            self.count = plus(self.count, (1.0, 0));
+            self.count = self.count.plus(Amount::ONE);
         }
         self.lines.push(line);
     }

@@ -2,7 +2,7 @@
 
 use super::paths::{Ink, PATH};
 use crate::drawing::{Frame, Line, Shape, shapes};
-use crate::turtle::Directions;
+use crate::plane::Directions;
 use crate::{BlockId, ColourBy, ColourChange, Drawing, Heading, Item, Style, StyleChange, WidthChange};
 use std::collections::{BinaryHeap, HashMap};
 
@@ -142,7 +142,7 @@ impl<'a> Plan<'a> {
             scene,
             small,
             left: most,
-            directions: Directions::new(),
+            directions: Directions::default(),
             symbols: vec![],
             known: HashMap::new(),
             pending: BinaryHeap::new(),

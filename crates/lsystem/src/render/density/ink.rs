@@ -1,6 +1,6 @@
 //! How much ink blocks lay down, and where: sums over all their strokes, which are sums over the blocks inside.
 
-use super::amount::Amount;
+use crate::render::Amount;
 use crate::render::shape::Shape;
 use crate::{Block, Drawing, Item};
 

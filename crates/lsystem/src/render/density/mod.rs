@@ -6,7 +6,6 @@
 //! pixels around it ([`sheet`]). A block smaller than a pixel adds all its ink at once, at its centre of gravity
 //! ([`ink`]); larger ones are put together from tiles. The order of drawing plays no part.
 
-mod amount;
 mod haze;
 mod ink;
 mod pigment;

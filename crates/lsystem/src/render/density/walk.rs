@@ -1,6 +1,5 @@
 //! The descent that adds ink up.
 
-use super::amount::Amount;
 use super::haze::Haze;
 use super::ink::Ink;
 use super::pigment::Pigments;
@@ -11,7 +10,7 @@ use crate::render::inks::{InkTable, Inks, Shade};
 use crate::render::shape::Shape;
 use crate::render::tile::Key;
 use crate::render::view::Camera;
-use crate::render::{RenderStats, View, Viewport};
+use crate::render::{Amount, RenderStats, View, Viewport};
 use crate::{Drawing, Item, Progress, Style};
 
 /// The largest extent, in pixels, at which all ink of a block is added at its centre of gravity.

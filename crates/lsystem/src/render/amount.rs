@@ -2,14 +2,16 @@
 
 /// A number, and the exponent of a power of two that it is to be multiplied by.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Amount {
+pub(crate) struct Amount {
     /// From 0.5 on and below 1, or 0.
     part: f64,
     exponent: i32,
 }
 
 impl Amount {
-    pub(super) fn new(value: f64) -> Self {
+    pub(crate) const ONE: Self = Self { part: 0.5, exponent: 1 };
+
+    pub(crate) fn new(value: f64) -> Self {
         if !value.is_finite() {
             return Self::default();
         }
@@ -17,11 +19,11 @@ impl Amount {
         Self { part, exponent }
     }
 
-    pub(super) fn is_zero(self) -> bool {
+    pub(crate) fn is_zero(self) -> bool {
         self.part == 0.0
     }
 
-    pub(super) fn plus(self, other: Self) -> Self {
+    pub(crate) fn plus(self, other: Self) -> Self {
         if self.is_zero() || other.is_zero() {
             return if self.is_zero() { other } else { self };
         }
@@ -29,23 +31,23 @@ impl Amount {
         Self { exponent: a.exponent, part: 1.0 }.times(a.part + libm::scalbn(b.part, b.exponent - a.exponent))
     }
 
-    pub(super) fn times(self, factor: f64) -> Self {
+    pub(crate) fn times(self, factor: f64) -> Self {
         let Self { part, exponent } = Self::new(self.part * factor);
         Self { part, exponent: exponent.saturating_add(self.exponent) }
     }
 
     /// The greatest power of two that is not greater, as its exponent; `None` of nothing.
-    pub(super) fn exponent(self) -> Option<i32> {
+    pub(crate) fn exponent(self) -> Option<i32> {
         (!self.is_zero()).then(|| self.exponent - 1)
     }
 
     /// In units of `2^exponent`.
-    pub(super) fn units(self, exponent: i32) -> f64 {
+    pub(crate) fn units(self, exponent: i32) -> f64 {
         libm::scalbn(self.part, self.exponent.saturating_sub(exponent))
     }
 
     /// Which part of `whole` it is.
-    pub(super) fn of(self, whole: Self) -> f64 {
+    pub(crate) fn of(self, whole: Self) -> f64 {
         if whole.is_zero() { 0.0 } else { self.units(whole.exponent) / whole.part }
     }
 }
