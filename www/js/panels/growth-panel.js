@@ -1,51 +1,32 @@
 /** Iterations, angles, seed, and how large the result is. */
 
 import { button, byId, html, input, make, setText } from '../dom.js';
-import { even, slider } from '../controls/slider.js';
-import { numberField } from '../controls/number-field.js';
+import { DEGREES, FACTOR, dial } from '../controls/dial.js';
 import { listProblems } from '../controls/editor.js';
+import { numberField } from '../controls/number-field.js';
+import { even } from '../controls/slider.js';
 import { grouped, plain, short, shortText } from '../numerals.js';
 import { MAX_ITERATIONS, definitionOf } from '../state.js';
-import { FACTORS } from './look-panel.js';
 
 /** @typedef {import('../engine.js').Report} Report */
 
 /** Fine where pictures differ most, up to what any system may ask for. */
 const ITERATIONS = [...even(0, 24, 1), ...even(26, 40, 2), ...even(45, 100, 5), 120, 150, 200, 300, 500, 700, MAX_ITERATIONS];
-const ANGLES = even(0, 180, 0.5);
 const PERCENT = [...even(0, 30, 1), ...even(35, 100, 5)];
-const DEGREES = { low: -3600, high: 3600, step: 1 };
 
 /**
  * @param {import('../store.js').Store} store
  * @param {{seed: () => Promise<number>}} source
  */
 export function growthPanel(store, source) {
-    const settle = () => store.settle();
-    /** @param {(value: number) => Partial<import('../state.js').State>} patch @param {string} label */
-    const changing = (patch, label) => ({ change: (/** @type {number} */ value, held = false) => store.change(patch(value), held ? `drag ${label}` : label), settle });
-    const iterations = changing((value) => ({ iterations: value }), 'iterations');
-    const angle = changing((value) => ({ angle: value }), 'angle');
-    const right = changing((value) => ({ rightAngle: value }), 'rightAngle');
-
-    const iterationsSlider = slider(input('iterations-slider'), { stops: ITERATIONS, text: (n) => `${n} iterations`, ...iterations });
-    const showIterations = numberField(input('iterations'), { low: 0, high: MAX_ITERATIONS, step: 1, whole: true, ...iterations });
-    const angleSlider = slider(input('angle-slider'), { stops: ANGLES, text: (value) => `${plain(value)} degrees`, ...angle });
-    const showAngle = numberField(input('angle'), { ...DEGREES, ...angle });
-    const rightSlider = slider(input('right-slider'), { stops: ANGLES, text: (value) => `${plain(value)} degrees`, ...right });
-    const showRight = numberField(input('right'), { ...DEGREES, ...right });
-    const showSeed = numberField(input('seed'), { low: 0, high: 2 ** 32 - 1, step: 1, whole: true, ...changing((value) => ({ seed: value }), 'seed') });
-
-    const lengths = changing((value) => ({ lengthFactor: value }), 'lengthFactor');
-    const lengthSlider = slider(input('length-factor-slider'), { stops: FACTORS, text: (value) => `times ${plain(value)}`, ...lengths });
-    const showLength = numberField(input('length-factor'), { low: 0, high: 10, step: 0.05, ...lengths });
-    const variations = /** @type {const} */ (['angleVariation', 'lengthVariation']).map((field) => {
-        const id = field === 'angleVariation' ? 'vary-angle' : 'vary-length';
-        const varying = changing((value) => ({ [field]: value }), field);
-        const show = numberField(input(id), { low: 0, high: 100, step: 1, ...varying });
-        const slide = slider(input(`${id}-slider`), { stops: PERCENT, text: (value) => `plus or minus ${plain(value)} percent`, ...varying });
-        return { field, show, slide };
-    });
+    const iterations = dial(store, 'iterations', 'iterations', { stops: ITERATIONS, text: (n) => `${n} iterations`, low: 0, high: MAX_ITERATIONS, step: 1, whole: true });
+    const angle = dial(store, 'angle', 'angle', DEGREES);
+    const right = dial(store, 'rightAngle', 'right', DEGREES);
+    const lengths = dial(store, 'lengthFactor', 'length-factor', FACTOR);
+    const percent = { stops: PERCENT, text: (/** @type {number} */ value) => `plus or minus ${plain(value)} percent`, low: 0, high: 100, step: 1 };
+    const angles = dial(store, 'angleVariation', 'vary-angle', percent);
+    const ways = dial(store, 'lengthVariation', 'vary-length', percent);
+    const showSeed = numberField(input('seed'), { low: 0, high: 2 ** 32 - 1, step: 1, whole: true, change: (seed) => store.change({ seed }, 'seed'), settle: () => store.settle() });
 
     const twoAngles = input('two-angles');
     twoAngles.addEventListener('change', () => {
@@ -75,25 +56,17 @@ export function growthPanel(store, source) {
     return {
         /** @param {import('../state.js').State} state */
         show(state) {
-            iterationsSlider.show(state.iterations);
-            showIterations(state.iterations);
-            angleSlider.show(state.angle);
-            showAngle(state.angle);
+            iterations.show(state.iterations);
+            angle.show(state.angle);
             const differs = state.rightAngle !== null;
             twoAngles.checked = differs;
             html('right-row').hidden = !differs;
             setText(html('angle-label'), differs ? 'Left turns' : 'Angle');
-            if (state.rightAngle !== null) {
-                rightSlider.show(state.rightAngle);
-                showRight(state.rightAngle);
-            }
+            if (state.rightAngle !== null) right.show(state.rightAngle);
             showSeed(state.seed);
-            lengthSlider.show(state.lengthFactor);
-            showLength(state.lengthFactor);
-            for (const { field, show, slide } of variations) {
-                show(state[field]);
-                slide.show(state[field]);
-            }
+            lengths.show(state.lengthFactor);
+            angles.show(state.angleVariation);
+            ways.show(state.lengthVariation);
             showAnglePicture(state.angle);
         },
 
@@ -110,7 +83,7 @@ export function growthPanel(store, source) {
                 const passed = report.diagnostics.find(({ field, severity }) => field === 'numbers' && severity === 'error');
                 bound = { system, largest: report.largest, why: passed?.message ?? '' };
             }
-            iterationsSlider.limit(bound && Math.max(bound.largest, state.iterations));
+            iterations.limit(bound && Math.max(bound.largest, state.iterations));
             button('seed-sheet').disabled = !report.stochastic;
             html('seed-row').classList.toggle('idle', !report.stochastic);
             setText(html('seed-note'), report.stochastic ? 'The same seed grows the same plant.' : 'Nothing is left to chance, so the seed changes nothing. Variation makes every seed another plant.');

@@ -1,15 +1,14 @@
 /** Colours and strokes. */
 
 import { button, byId, html, input, make, setChoice, setText } from '../dom.js';
-import { even, slider } from '../controls/slider.js';
+import { FACTOR, dial } from '../controls/dial.js';
 import { numberField } from '../controls/number-field.js';
+import { even } from '../controls/slider.js';
 import { INKS, hasInk, wearing } from '../inks.js';
 import { plain } from '../numerals.js';
 import { COLOUR_BY, INK, MAX_EXPOSURE, MAX_PALETTE } from '../state.js';
 
 const WIDTHS = [...even(0, 1, 0.05), ...even(1.1, 3, 0.1), ...even(3.25, 10, 0.25), ...even(10.5, 20, 0.5)];
-/** Of width and length, from branch to branch. */
-export const FACTORS = even(0, 2, 0.05);
 /** @type {Record<import('../state.js').ColourBy, string>} */
 const NOTES = {
     symbol: '',
@@ -47,9 +46,7 @@ export function lookPanel(store) {
         const chosen = INK.find((name) => name === inkKind.value);
         if (chosen) store.change({ ink: chosen }, '');
     });
-    const exposure = { settle, change: (/** @type {number} */ value, held = false) => store.change({ exposure: value }, held ? 'drag exposure' : 'exposure') };
-    const exposureSlider = slider(input('exposure-slider'), { stops: STOPS, text: (value) => `${plain(value)} stops`, ...exposure });
-    const showExposure = numberField(input('exposure'), { low: -MAX_EXPOSURE, high: MAX_EXPOSURE, step: 0.25, ...exposure });
+    const exposure = dial(store, 'exposure', 'exposure', { stops: STOPS, text: (value) => `${plain(value)} stops`, low: -MAX_EXPOSURE, high: MAX_EXPOSURE, step: 0.25 });
     let solid = false;
     /** @param {import('../state.js').State} state */
     const showInk = (state) => {
@@ -85,15 +82,9 @@ export function lookPanel(store) {
     background.addEventListener('input', () => store.change({ background: background.value }, 'background'));
     background.addEventListener('change', settle);
 
-    const width = { settle, change: (/** @type {number} */ value, held = false) => store.change({ width: value }, held ? 'drag width' : 'width') };
-    const thin = { settle, change: (/** @type {number} */ value, held = false) => store.change({ minWidth: value }, held ? 'drag minWidth' : 'minWidth') };
-    const widthSlider = slider(input('width-slider'), { stops: WIDTHS, text: (value) => `${plain(value)} steps`, ...width });
-    const showWidth = numberField(input('width'), { low: 0, high: 1000, step: 0.1, ...width });
-    const widthFactor = { settle, change: (/** @type {number} */ value) => store.change({ widthFactor: value }, 'widthFactor') };
-    const factorSlider = slider(input('width-factor-slider'), { stops: FACTORS, text: (value) => `times ${plain(value)}`, ...widthFactor });
-    const showFactor = numberField(input('width-factor'), { low: 0, high: 10, step: 0.05, ...widthFactor });
-    const thinSlider = slider(input('thin-slider'), { stops: THIN, text: (value) => `${plain(value)} pixels`, ...thin });
-    const showThin = numberField(input('thin'), { low: 0, high: 100, step: 0.5, ...thin });
+    const width = dial(store, 'width', 'width', { stops: WIDTHS, text: (value) => `${plain(value)} steps`, low: 0, high: 1000, step: 0.1 });
+    const widthFactor = dial(store, 'widthFactor', 'width-factor', FACTOR);
+    const thin = dial(store, 'minWidth', 'thin', { stops: THIN, text: (value) => `${plain(value)} pixels`, low: 0, high: 100, step: 0.5 });
 
     button('add-colour').addEventListener('click', () => {
         const { palette } = store.state;
@@ -122,8 +113,7 @@ export function lookPanel(store) {
         /** @param {import('../state.js').State} state */
         show(state) {
             showInk(state);
-            exposureSlider.show(state.exposure);
-            showExposure(state.exposure);
+            exposure.show(state.exposure);
             while (wells.childElementCount > state.palette.length) wells.lastElementChild?.remove();
             while (wells.childElementCount < state.palette.length) wells.append(newWell(wells.childElementCount));
             state.palette.forEach((colour, at) => {
@@ -140,12 +130,9 @@ export function lookPanel(store) {
             turnFields.forEach((field, side) => field(/** @type {number} */ (state.turnColours[side]) + 1));
             setText(html('colour-note'), NOTES[state.colourBy]);
             if (background.value !== state.background) background.value = state.background;
-            widthSlider.show(state.width);
-            showWidth(state.width);
-            factorSlider.show(state.widthFactor);
-            showFactor(state.widthFactor);
-            thinSlider.show(state.minWidth);
-            showThin(state.minWidth);
+            width.show(state.width);
+            widthFactor.show(state.widthFactor);
+            thin.show(state.minWidth);
         },
     };
 }
