@@ -1,4 +1,4 @@
-/** Small helpers for a page whose elements stand in index.html and are only ever updated. */
+/** Small helpers for a page whose elements stand in its HTML and are only ever updated. */
 
 /**
  * The element with this id, which must be of this type.
@@ -10,7 +10,7 @@
 export function byId(id, type) {
     const element = document.getElementById(id);
     if (element instanceof type) return element;
-    throw new Error(`index.html has no ${type.name} #${id}`);
+    throw new Error(`The page has no ${type.name} #${id}`);
 }
 
 /** @param {string} id */

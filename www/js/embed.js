@@ -78,7 +78,7 @@ addEventListener('hashchange', async () => {
     else say(NOTHING);
 });
 
-button('reset').addEventListener('click', () => store.change({ ...store.origin }, ''));
+button('reset').addEventListener('click', store.reset);
 html('drawing').addEventListener('keydown', (event) => {
     // Back to the page: its keys and its wheel are its own again.
     if (event.key === 'Escape') html('drawing').blur();
@@ -170,8 +170,7 @@ function show(state, before) {
     const title = state.title || state.name;
     document.title = title ? `${title} – L-system` : 'L-system';
     setText(html('caption-title'), title);
-    const edited = !sameSystem(state, store.origin);
-    button('reset').disabled = !edited && state.view === store.origin.view && state.camera === store.origin.camera;
+    button('reset').disabled = !store.canReset;
     html('stage').classList.toggle('on-dark', isDark(state.background));
     html('stage').style.setProperty('--sheet', state.background);
     showSheet(state, before);

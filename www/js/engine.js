@@ -37,7 +37,7 @@ import { same } from './state.js';
  * @property {string | null} segments exact decimal digits
  * @property {number | null} blocks of the drawing; null while unknown
  * @property {number | null} largest the most iterations within the limits, where one was passed
- * @property {{symbol: string, actions: string | string[], rewritten: boolean}[]} legend
+ * @property {{symbol: string, actions: string, rewritten: boolean}[]} legend
  * @property {string | null} empty why nothing draws
  * @property {string} description the text alternative of the picture
  */

@@ -62,12 +62,18 @@ export function createGrowing(store, engine, { begins, tell }) {
         frame = requestAnimationFrame(tick);
     }
 
-    /** Back to the state as it is. */
-    function stop() {
+    /** Somebody changed the state, which the engine has already been told of. */
+    function forget() {
         if (!running) return;
         running = false;
         cancelAnimationFrame(frame);
         toggle.setAttribute('aria-pressed', 'false');
+    }
+
+    /** Back to the state as it is. */
+    function stop() {
+        if (!running) return;
+        forget();
         engine.define(definitionOf(store.state));
     }
 
@@ -83,12 +89,6 @@ export function createGrowing(store, engine, { begins, tell }) {
             asked = 0;
         },
         stop,
-        /** Somebody changed the state, which the engine has already been told of. */
-        forget() {
-            if (!running) return;
-            running = false;
-            cancelAnimationFrame(frame);
-            toggle.setAttribute('aria-pressed', 'false');
-        },
+        forget,
     };
 }

@@ -2,7 +2,7 @@
 
 import { html, make } from './dom.js';
 import { latest } from './latest.js';
-import { grouped, shortText } from './numerals.js';
+import { placeText } from './reading/places.js';
 import { birth, birthOf, descent, filledText, strokeText, visible } from './reading/words.js';
 
 /** How near something must be, in CSS pixels. */
@@ -157,6 +157,5 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
 
 /** @param {string | null} digits counted from 0 */
 function number(digits) {
-    const one = String(BigInt(digits ?? 0) + 1n);
-    return one.length > 15 ? shortText(one) : grouped(one);
+    return placeText(BigInt(digits ?? 0) + 1n, 15);
 }

@@ -78,7 +78,7 @@ html('skip').addEventListener('click', (event) => {
 });
 button('undo').addEventListener('click', () => store.undo());
 button('redo').addEventListener('click', () => store.redo());
-button('reset').addEventListener('click', () => store.change({ ...store.origin }, ''));
+button('reset').addEventListener('click', store.reset);
 button('start-anew').addEventListener('click', () => {
     session.visit(blank(theme()));
     html('rules').focus();
@@ -132,8 +132,7 @@ function show(state, before) {
     showSheet(state, before);
     button('undo').disabled = !store.canUndo;
     button('redo').disabled = !store.canRedo;
-    const touched = !sameSystem(state, store.origin);
-    button('reset').disabled = !touched && state.view === store.origin.view && state.camera === store.origin.camera;
+    button('reset').disabled = !store.canReset;
     html('stage').classList.toggle('on-dark', isDark(state.background));
     html('stage').style.setProperty('--sheet', state.background);
 }

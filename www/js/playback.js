@@ -2,7 +2,7 @@
 
 import { button, calm, html, input, setText, setValue } from './dom.js';
 import { grouped, shortText } from './numerals.js';
-import { REACH, pace, paceText, portion, ratio, readPlace, within } from './reading/places.js';
+import { REACH, pace, paceText, placeText, portion, ratio, readPlace, within } from './reading/places.js';
 import { poseText } from './reading/words.js';
 
 /** Positions of the slider. */
@@ -14,9 +14,6 @@ const WHOLE = 10;
 const CALM_MS = 500;
 /** After a longer pause, such as a hidden page, playing goes on from where it was, in milliseconds. */
 const GAP = 1000;
-
-/** @param {bigint} count */
-const briefly = (count) => (count < 10n ** 12n ? grouped(String(count)) : shortText(String(count)));
 
 /**
  * @param {import('./engine.js').Engine} engine
@@ -62,7 +59,7 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         slider.style.setProperty('--at', String(part));
         slider.setAttribute('aria-valuetext', `${shortText(String(place))} of ${digits ? shortText(digits) : '…'} segments`);
         if (document.activeElement !== field) {
-            setValue(field, total === null ? '' : briefly(place));
+            setValue(field, total === null ? '' : placeText(place));
             field.title = `${grouped(String(place))} segments are drawn. Write a number, 10^12, 50 %`;
             field.removeAttribute('data-wrong');
         }

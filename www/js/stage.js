@@ -99,17 +99,9 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
 
     /** Moves to a view smoothly; null is the fitted one. @param {View | null} target */
     function glideTo(target) {
-        cancelAnimationFrame(glide);
         const from = view();
         const to = target ?? FITTED;
-        if (calm() || !drawn) return store.look(target);
-        const start = performance.now();
-        const tick = (/** @type {number} */ now) => {
-            const t = Math.min(1, Math.max(0, (now - start) / GLIDE_MS));
-            store.look(t < 1 ? between(from, to, 1 - (1 - t) ** 3) : target);
-            if (t < 1) glide = requestAnimationFrame(tick);
-        };
-        glide = requestAnimationFrame(tick);
+        glideBy((part) => store.look(part < 1 ? between(from, to, part) : target));
     }
 
     /** @param {Camera} next */
@@ -120,13 +112,18 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
 
     /** Moves the camera smoothly. @param {Camera} target */
     function glideRound(target) {
-        cancelAnimationFrame(glide);
         const from = camera();
-        if (calm() || !drawn) return store.aim(target);
+        glideBy((part) => store.aim(part < 1 ? midway(from, target, part) : target));
+    }
+
+    /** @param {(part: number) => void} move goes so much of its way, from 0 to 1 */
+    function glideBy(move) {
+        cancelAnimationFrame(glide);
+        if (calm() || !drawn) return move(1);
         const start = performance.now();
         const tick = (/** @type {number} */ now) => {
             const t = Math.min(1, Math.max(0, (now - start) / GLIDE_MS));
-            store.aim(t < 1 ? midway(from, target, 1 - (1 - t) ** 3) : target);
+            move(t < 1 ? 1 - (1 - t) ** 3 : 1);
             if (t < 1) glide = requestAnimationFrame(tick);
         };
         glide = requestAnimationFrame(tick);

@@ -1,7 +1,7 @@
 /** The one place where the state is kept and changed. */
 
 import { EMPTY, record, redo, settle, undo } from './history.js';
-import { FIELDS, clean, same } from './state.js';
+import { FIELDS, clean, same, sameSystem } from './state.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {ReturnType<typeof createStore>} Store */
@@ -24,6 +24,20 @@ export function createStore(initial, from = initial) {
         for (const listener of listeners) listener(state, before);
     }
 
+    /**
+     * Changes some fields; undo takes it back. Quick changes with the same label are one, and those of a drag, whose
+     * label starts with `drag `, until it is settled.
+     * @param {Partial<State>} patch
+     * @param {string} label
+     */
+    function change(patch, label) {
+        const next = clean({ ...state, ...patch }, state);
+        const changed = FIELDS.filter((field) => !same(state[field], next[field]));
+        if (changed.length === 0) return;
+        history = record(history, state, Object.fromEntries(changed.map((field) => [field, next[field]])), label, Date.now());
+        become(next);
+    }
+
     return {
         get state() {
             return state;
@@ -37,25 +51,18 @@ export function createStore(initial, from = initial) {
         get canRedo() {
             return history.future.length > 0;
         },
+        get canReset() {
+            return !sameSystem(state, origin) || state.view !== origin.view || state.camera !== origin.camera;
+        },
 
         /** @param {Listener} listener called after every change */
         subscribe(listener) {
             listeners.push(listener);
         },
 
-        /**
-         * Changes some fields; undo takes it back. Quick changes with the same label are one, and those of a drag, whose
-         * label starts with `drag `, until it is settled.
-         * @param {Partial<State>} patch
-         * @param {string} label
-         */
-        change(patch, label) {
-            const next = clean({ ...state, ...patch }, state);
-            const changed = FIELDS.filter((field) => !same(state[field], next[field]));
-            if (changed.length === 0) return;
-            history = record(history, state, Object.fromEntries(changed.map((field) => [field, next[field]])), label, Date.now());
-            become(next);
-        },
+        change,
+
+        reset: () => change({ ...origin }, ''),
 
         /**
          * Moves the view, which is no step to undo.

@@ -61,7 +61,7 @@ export function talk(store, { host, offer, play, facts }) {
             const problems = opened ? opened.problems : ['This link holds no drawing.'];
             if (problems.length > 0) say({ lsystem: 'error', message: problems.join(' '), problems: [] });
         },
-        reset: () => asHost(() => store.change({ ...store.origin }, '')),
+        reset: () => asHost(store.reset),
         controls: ({ controls }) => offer(readControls(Array.isArray(controls) ? controls.join() : String(controls ?? ''))),
         play: () => play(true),
         pause: () => play(false),

@@ -116,7 +116,7 @@ export function turtlePanel(store) {
 
 /** @param {Report['legend'][number]} entry */
 function legendRow({ symbol, actions, rewritten }) {
-    const words = (Array.isArray(actions) ? actions.join(', ') : actions) || 'draws nothing';
+    const words = actions || 'draws nothing';
     return make(
         'tr',
         {},

@@ -3,7 +3,7 @@
  * them. Pure functions.
  */
 
-import { raised, shortText } from '../numerals.js';
+import { grouped, raised, shortText } from '../numerals.js';
 
 /** The core counts in 128 bits: what lies behind this cannot be reached. */
 export const REACH = 2n ** 128n - 1n;
@@ -106,7 +106,6 @@ export function readPlace(text, length) {
  */
 export function marginText(place) {
     const digits = String(place + 1n);
-    const grouped = (/** @type {string} */ text) => text.replace(/\B(?=(\d{3})+$)/g, ',');
     return digits.length <= 7 ? grouped(digits) : `…${grouped(digits.slice(-6))}`;
 }
 
@@ -130,3 +129,13 @@ export function paceText(perSecond) {
 
 /** A count, short. @param {bigint} count */
 export const countText = (count) => shortText(String(count));
+
+/**
+ * A position: all digits as long as there are not too many.
+ * @param {bigint} place
+ * @param {number} [most]
+ */
+export function placeText(place, most = 12) {
+    const digits = String(place);
+    return digits.length > most ? shortText(digits) : grouped(digits);
+}

@@ -3,7 +3,7 @@
 import { button, html, input, make, setText } from '../dom.js';
 import { latest } from '../latest.js';
 import { grouped, shortText } from '../numerals.js';
-import { REACH, countText, lastTop, portion, ratio, readPlace, rowsOf, scrolled, within } from './places.js';
+import { REACH, countText, lastTop, placeText, portion, ratio, readPlace, rowsOf, scrolled, within } from './places.js';
 import { rowsView } from './rows.js';
 import { birth, birthOf, descent, modulesOf, origin, visible } from './words.js';
 
@@ -141,12 +141,9 @@ export function createReader(engine, { mark, opened }) {
         if (length === 0n) return setText(html('reader-where'), 'There are no symbols.');
         const last = within(first + BigInt(Math.ceil(rows.height / rows.rowHeight)) * BigInt(rows.columns), 0n, length);
         const beyond = length === REACH ? ', of which the first 3.4 × 10³⁸ can be read' : '';
-        setText(html('reader-where'), `${first < 10n ** 20n ? grouped(String(first + 1n)) : short(first + 1n)} to ${short(last)} of ${shortText(digits)}${beyond}`);
+        setText(html('reader-where'), `${placeText(first + 1n, 20)} to ${placeText(last)} of ${shortText(digits)}${beyond}`);
         html('reader-where').title = `From ${grouped(String(first + 1n))} to ${grouped(String(last))} of ${grouped(digits)} symbols`;
     }
-
-    /** @param {bigint} count */
-    const short = (count) => (String(count).length > 12 ? countText(count) : grouped(String(count)));
 
     /** @param {Top} next */
     function stand(next) {
@@ -194,7 +191,7 @@ export function createReader(engine, { mark, opened }) {
         const symbol = chosen === null ? undefined : page.symbols[Number(chosen - page.start)];
         const path = html('reader-path');
         if (chain.length === 0) {
-            path.replaceChildren(make('p', { class: 'path-head' }, make('kbd', {}, visible(symbol ?? '?')), `symbol ${short((chosen ?? 0n) + 1n)}`), make('p', { class: 'note' }, UNTRACED));
+            path.replaceChildren(make('p', { class: 'path-head' }, make('kbd', {}, visible(symbol ?? '?')), `symbol ${placeText((chosen ?? 0n) + 1n)}`), make('p', { class: 'note' }, UNTRACED));
             return;
         }
         const own = /** @type {Link} */ (chain.at(-1));
@@ -218,7 +215,7 @@ export function createReader(engine, { mark, opened }) {
         const now = generation();
         const grown = now === iterations ? '' : `${countText(BigInt(part.symbols[1]) - BigInt(part.symbols[0]))} symbols at n = ${iterations}: `;
         if (count === 0n) return `${grown}draws no segment itself${stroke ? ', marked where the turtle is' : ''}.`.replace(/^./, (letter) => letter.toUpperCase());
-        const place = count === 1n ? `segment ${short(/** @type {bigint} */ (from) + 1n)}` : `${countText(count)} segments`;
+        const place = count === 1n ? `segment ${placeText(/** @type {bigint} */ (from) + 1n)}` : `${countText(count)} segments`;
         return `${grown}${place}, marked in the drawing.`.replace(/^./, (letter) => letter.toUpperCase());
     }
 
