@@ -16,7 +16,7 @@
         ...['title', 'axiom', 'rules', 'n', 'angle', 'right', 'down', 'up', 'roll', 'rollright', 'heading', 'step', 'start', 'tropism', 'elasticity', 'shorter', 'vary', 'varylength', 'growth'],
         ...['turtle', 'do', 'seed', 'palette', 'colour', 'hold', 'turns', 'bg', 'width', 'thinner', 'thin', 'ink', 'exposure', 'name', 'source', 'notes', 'view', 'camera'],
     ];
-    /** Those by which an HTML element has another meaning of its own are written with a prefix, or as here. */
+    /** Those whose names mean something else on an HTML element are written as here. */
     const ATTRIBUTES = new Map(VALUES.map((key) => [{ title: 'caption', width: 'stroke' }[key] ?? key, key]));
     const PAUSE = 40;
 

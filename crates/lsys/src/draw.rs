@@ -64,24 +64,29 @@ fn form(input: &Input, format: Format) -> Result<Vec<u8>, Failure> {
     let mesh = |drawing: &Drawing<Solid>| Mesh::new(drawing, style, MESH_SEGMENTS).map_err(wrong);
     let name = input.definition.label();
     match format {
-        Format::Png(size) if system.is_solid() => {
-            picture::solid_png(solid()?, style, size, &write_json(&input.definition))
-                .map_err(|error| Failure::Words(format!("PNG: {error}")))
+        Format::Png(size) => {
+            let definition = write_json(&input.definition);
+            let picture = match system.is_solid() {
+                true => picture::solid_png(solid()?, style, size, &definition),
+                false => picture::png(drawing()?, style, size, &definition),
+            };
+            picture.map_err(|error| Failure::Words(format!("PNG: {error}")))
         }
-        Format::Png(size) => picture::png(drawing()?, style, size, &write_json(&input.definition))
-            .map_err(|error| Failure::Words(format!("PNG: {error}"))),
         Format::Obj => Ok(write_obj(&mesh(&solid()?)?, name).into_bytes()),
         Format::Glb => Ok(write_glb(&mesh(&solid()?)?, name)),
-        Format::Csv if system.is_solid() => {
-            write_csv(&solid()?, limits.segments).map(String::into_bytes).map_err(wrong)
+        Format::Csv => {
+            let table = match system.is_solid() {
+                true => write_csv(&solid()?, limits.segments),
+                false => write_csv(&drawing()?, limits.segments),
+            };
+            table.map(String::into_bytes).map_err(wrong)
         }
-        Format::Csv => write_csv(&drawing()?, input.limits.segments).map(String::into_bytes).map_err(wrong),
         Format::Svg(form) => {
             let options = SvgOptions {
                 title: name.to_owned(),
                 system: write_json(&input.definition),
                 form,
-                most: input.limits.segments,
+                most: limits.segments,
                 ..SvgOptions::default()
             };
             let svg = write_svg(&drawing()?, style, &options).map_err(wrong)?;

@@ -26,20 +26,15 @@ pub(crate) fn png(
     size: Option<Size>,
     system: &str,
 ) -> Result<Vec<u8>, png::EncodingError> {
-    let Size { width, height } = size.unwrap_or_else(|| usual_size(&drawing));
-    let ratio = (f64::from(width.max(height)) / f64::from(USUAL)).max(1.0);
-    let (drawing, viewport) = (Arc::new(drawing), Viewport { width, height, ratio });
-    let mut bar = Bar::new("picture", 0);
+    let size = size.unwrap_or_else(|| usual_size(&drawing));
     let mut renderer: Box<dyn PlaneRenderer> = match style.ink {
         Ink::Solid => Box::new(Renderer::new()),
         Ink::Density => Box::new(DensityRenderer::new()),
     };
-    renderer.load(drawing);
-    renderer.begin(style, viewport, View::default());
-    while renderer.step(WORK) == Progress::More {
-        bar.at(0);
-    }
-    encode(renderer.pixels(), Size { width, height }, system)
+    renderer.load(Arc::new(drawing));
+    renderer.begin(style, viewport(size), View::default());
+    finish(|| renderer.step(WORK));
+    encode(renderer.pixels(), size, system)
 }
 
 /// As [`png()`], of a drawing in space, seen from where the page looks at it first.
@@ -52,16 +47,24 @@ pub(crate) fn solid_png(
     size: Option<Size>,
     system: &str,
 ) -> Result<Vec<u8>, png::EncodingError> {
-    let Size { width, height } = size.unwrap_or(Size { width: USUAL, height: USUAL });
-    let ratio = (f64::from(width.max(height)) / f64::from(USUAL)).max(1.0);
+    let size = size.unwrap_or(Size { width: USUAL, height: USUAL });
     let mut renderer = SolidRenderer::new();
     renderer.load(Arc::new(drawing));
-    renderer.begin(style, Viewport { width, height, ratio }, &Camera::default(), Quality::BEST);
+    renderer.begin(style, viewport(size), &Camera::default(), Quality::BEST);
+    finish(|| renderer.step(WORK));
+    encode(renderer.pixels(), size, system)
+}
+
+fn viewport(Size { width, height }: Size) -> Viewport {
+    Viewport { width, height, ratio: (f64::from(width.max(height)) / f64::from(USUAL)).max(1.0) }
+}
+
+/// Takes all steps of a picture, and tells of them.
+fn finish(mut step: impl FnMut() -> Progress) {
     let mut bar = Bar::new("picture", 0);
-    while renderer.step(WORK) == Progress::More {
+    while step() == Progress::More {
         bar.at(0);
     }
-    encode(renderer.pixels(), Size { width, height }, system)
 }
 
 /// Opaque RGBA pixels as a file that carries its `system`.

@@ -174,7 +174,8 @@ impl Playground {
         self.building.is_none()
     }
 
-    /// Works for about `budget` milliseconds: `{report, drawn: {complete, scale, rough, slow}, idle}`, parts null without news.
+    /// Works for about `budget` milliseconds: `{report, drawn: {complete, scale, moving, rough, slow}, idle}`, parts null
+    /// without news.
     ///
     /// # Errors
     /// Throws where the canvas refuses the picture.

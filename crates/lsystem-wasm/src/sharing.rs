@@ -28,7 +28,7 @@ pub(crate) struct Sharing {
     /// Whether mates are not waited for any more.
     alone: bool,
     spent: Spent,
-    /// Whether fine detail is left out of any.
+    /// Whether not every line is in its place in any.
     rough: bool,
 }
 
@@ -135,7 +135,7 @@ impl Sharing {
         self.spent
     }
 
-    /// Whether fine detail is left out of any of those.
+    /// Whether not every line is in its place in any of those.
     pub(crate) fn is_rough(&self) -> bool {
         self.rough
     }

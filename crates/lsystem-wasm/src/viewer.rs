@@ -45,7 +45,7 @@ pub(crate) struct Drawn {
     pub(crate) scale: f64,
     /// Whether things move, so that the next picture is more likely to be of something else than a finer one.
     pub(crate) moving: bool,
-    /// Whether fine detail is left out for good, because it would take too long.
+    /// Whether not every line is in its place, for good, because that would take too long.
     pub(crate) rough: bool,
     /// Whether it took so long that mates would help.
     pub(crate) slow: bool,

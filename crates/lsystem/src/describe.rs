@@ -1,6 +1,7 @@
 //! Systems and drawings in words: the legend of symbols, why nothing is drawn, a picture's text alternative.
 
 use crate::counts::count_segments;
+use crate::message::grouped;
 use crate::program::Rewrite;
 use crate::{Action, Grammar, Heading, MAX_ITERATIONS, Pattern, Production, System, Tally};
 
@@ -181,14 +182,7 @@ pub fn short_count(count: &Tally) -> String {
     if digits.len() > 9 {
         return format!("{}.{} × 10^{}", &digits[..1], &digits[1..3], digits.len() - 1);
     }
-    let mut grouped = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            grouped.push(',');
-        }
-        grouped.push(digit);
-    }
-    grouped
+    grouped(&digits)
 }
 
 /// A picture's text alternative: how much is drawn, how large it is and of how many shared blocks it is made. `blocks` is

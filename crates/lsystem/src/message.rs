@@ -9,7 +9,7 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
     let hinted = |text: String, hint: String| (text, Some(hint));
     match kind {
         Kind::Limit { limit, value, largest } => {
-            let value = grouped(*value);
+            let value = grouped(&value.to_string());
             let text = match limit {
                 LimitName::Modules => format!("A generation would have more than {value} modules"),
                 LimitName::Symbols => format!("The string would be longer than {value} symbols"),
@@ -32,7 +32,7 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
             format!("Only {picture} files that were saved here carry the system they show."),
         ),
         Kind::Instances { count } => hinted(
-            format!("Whoever shows this picture has to make {} copies of blocks", grouped(*count)),
+            format!("Whoever shows this picture has to make {} copies of blocks", grouped(&count.to_string())),
             "That takes browsers seconds or minutes; fewer iterations or a smaller size make fewer.".into(),
         ),
         Kind::CoveringInk => hinted(
@@ -526,8 +526,7 @@ fn rounded(value: f64) -> String {
 }
 
 /// Digits in groups of three.
-fn grouped(value: impl Into<u128>) -> String {
-    let digits = value.into().to_string();
+pub(crate) fn grouped(digits: &str) -> String {
     let mut out = String::new();
     for (at, digit) in digits.chars().enumerate() {
         if at > 0 && (digits.len() - at).is_multiple_of(3) {

@@ -8,6 +8,9 @@ use std::ffi::OsStr;
 use std::process::Command;
 
 const PARTS: [&str; 7] = ["native", "web", "pictures", "page", "load", "space", "shares"];
+/// Those that measure the page that was built, and their scripts.
+const PAGE: [(&str, &str); 4] =
+    [("page", "drags.mjs"), ("load", "load.mjs"), ("space", "space.mjs"), ("shares", "shares.mjs")];
 
 /// Measures natively, in the browser, pictures, the page, what it costs to open it, drawings in space, pictures that
 /// several workers share, or all of it.
@@ -28,22 +31,11 @@ pub(crate) fn bench<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a s
     if has("pictures") {
         browser(workspace, "pictures".as_ref())?;
     }
-    if ["page", "load", "space", "shares"].into_iter().any(has) {
+    let mut scripts = PAGE.into_iter().filter(|(part, _)| has(part)).peekable();
+    if scripts.peek().is_some() {
         build::build(workspace)?;
     }
-    if has("page") {
-        page::bench(workspace, &["drags.mjs"])?;
-    }
-    if has("load") {
-        page::bench(workspace, &["load.mjs"])?;
-    }
-    if has("space") {
-        page::bench(workspace, &["space.mjs"])?;
-    }
-    if has("shares") {
-        page::bench(workspace, &["shares.mjs"])?;
-    }
-    Ok(())
+    scripts.try_for_each(|(_, script)| page::bench(workspace, script))
 }
 
 /// Runs the measurements in headless Chromium.

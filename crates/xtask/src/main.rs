@@ -36,7 +36,8 @@ usage: cargo xtask COMMAND
   lint                   formatting, clippy and documentation, warnings being errors
   bench [PART ...]       speed beside other implementations; PART is any of native, web, pictures,
                          page (how free it stays), load (what opening it and ten embedded drawings cost),
-                         space (times of pictures in space, moving and at rest)
+                         space (times of pictures in space, moving and at rest),
+                         shares (times of pictures that several workers share)
 
 Needs: Rust by rustup (the wasm target is added when missing); for test and bench also Node.js 20 or newer with
 npm, Chromium and ChromeDriver (installed when missing where this runs as root on Debian).

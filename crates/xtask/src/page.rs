@@ -52,14 +52,11 @@ fn end_to_end(workspace: &Workspace, www: &Path) -> Result<()> {
     with_page(workspace, |node| node.args(["--test", "--test-concurrency=1"]).args(tests).current_dir(www))
 }
 
-/// Runs measurements of the page that has just been built, by the names of their scripts.
-pub(crate) fn bench(workspace: &Workspace, scripts: &[&str]) -> Result<()> {
+/// Runs a script that measures the page that has just been built.
+pub(crate) fn bench(workspace: &Workspace, script: &str) -> Result<()> {
     let www = workspace.www();
     packages(&www)?;
-    for script in scripts {
-        with_page(workspace, |node| node.arg(format!("test/bench/{script}")).current_dir(&www))?;
-    }
-    Ok(())
+    with_page(workspace, |node| node.arg(format!("test/bench/{script}")).current_dir(&www))
 }
 
 /// Runs Node.js as `prepare` says, while the page is served.
