@@ -19,10 +19,15 @@ const LONG: f64 = 1e6;
 /// strokes and stamps. After a few seconds nobody waits for more, and what is left is painted as the outlines of ever
 /// larger blocks.
 const PATIENCE: u64 = 2_500_000;
-/// After so many steps the way up is tried: that takes as long as some of them at most, whatever is left.
+/// After so many steps the way up is tried where the picture is a crowd: that takes as long as some of them at most,
+/// whatever is left, and what is a little off shows least where all is covered.
 const SOON: u64 = 1_000_000;
-/// It is tried after a tenth of them already where less than this part of the picture is done.
+/// It is tried after a tenth of them already where less than this part of the picture is done, and after so many times
+/// as many where it is no crowd.
 const SLOW: f64 = 1e-5;
+const LATE: u64 = 2;
+/// In a crowd more of the steps than one in so many lead to what is covered already.
+const CROWD: u64 = 50;
 /// A pane of a picture has a part of them: there are about so many panes for each of those who make them.
 const PANES: u64 = 4;
 /// The largest extent, in subsamples, of the outlines at first, and the steps after which it doubles.
@@ -93,6 +98,8 @@ pub(super) struct Walk {
     pub soon: u64,
     /// The steps after which it is looked at whether it is to be tried.
     due: u64,
+    /// The steps that led to what was covered already.
+    covered: u64,
     /// Where it has not been tried and may be: the whole drawing, and the upper left and the lower right corner of the
     /// whole picture in subsamples, of which this may be a pane.
     untried: Option<(Node, [[f64; 2]; 2])>,
@@ -132,6 +139,7 @@ impl Walk {
             grain: 0.0,
             soon: SOON,
             due: 0,
+            covered: 0,
             untried: None,
             start,
             ascent: None,
@@ -201,7 +209,7 @@ impl Walk {
             let corner = [pane.x, pane.y].map(|v| -f64::from(v) * samples);
             let [width, height] = [viewport.width, viewport.height].map(|v| f64::from(v) * samples);
             self.untried = Some((root, [corner, [corner[0] + width, corner[1] + height]]));
-            self.due = self.soon / 10;
+            (self.due, self.covered) = (self.soon / 10, 0);
         }
         if let Some(upto) = upto {
             self.descent.leave_out(drawing, self.inks.choice, &mut self.stack, upto);
@@ -219,14 +227,18 @@ impl Walk {
         if self.untried.is_none() || work <= self.due {
             return false;
         }
-        self.due = self.soon;
+        if work > self.soon.saturating_mul(LATE) {
+            return true;
+        }
+        self.due = if work > self.soon { self.soon.saturating_mul(LATE) } else { self.soon };
         let (look, size) = (self.look, self.canvases[0].size());
         let is_seen = |node: &Node| {
             let (block, shape) = (&drawing.blocks[node.block.0 as usize], &shapes[node.block.0 as usize]);
             let centre = node.place.point(shape.centre);
             !node.place.misses(size, centre, shape.half, look.widest(block, node.pen.width))
         };
-        work > self.soon || self.descent.done(drawing, self.inks.choice, &self.stack, is_seen) < SLOW
+        self.covered * CROWD > work
+            && (work > self.soon || self.descent.done(drawing, self.inks.choice, &self.stack, is_seen) < SLOW)
     }
 
     /// Starts the next pass, if there is one; what it took. Where all is in one colour, the order is free: of blocks that
@@ -476,7 +488,11 @@ impl Walk {
             .map(|axis| [(centre[axis] - reach[axis]).floor() as i64, (centre[axis] + reach[axis]).ceil() as i64]);
         let canvas = &mut self.canvases[node.canvas];
         let size = canvas.size();
-        if canvas.is_full(across, down) || node.canvas == 0 && place.misses(size, centre, shape.half, radius) {
+        if canvas.is_full(across, down) {
+            self.covered += 1;
+            return 1;
+        }
+        if node.canvas == 0 && place.misses(size, centre, shape.half, radius) {
             return 1;
         }
         // A part of the path that has one colour is like any other block.
