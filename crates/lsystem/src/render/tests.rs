@@ -500,7 +500,7 @@ fn crowds_that_never_repeat_are_made_upwards() {
         renderer.load(drawing.clone());
         picture(&mut renderer, &sample.0.style, viewport, View::default());
         let RenderStats { blocks, strokes, stamps, outlines, parts, .. } = renderer.stats();
-        assert!(parts > 0 && outlines == 0 && blocks + strokes + stamps < 2_100_000, "{:?}", renderer.stats());
+        assert!(parts > 0 && outlines == 0 && blocks + strokes + stamps < 1_100_000, "{:?}", renderer.stats());
         // They fill their hulls.
         let hull = &drawing.blocks[drawing.root.unwrap().0 as usize].hull;
         let corners = &drawing.corners[hull.start as usize..hull.end as usize];

@@ -19,14 +19,11 @@ const LONG: f64 = 1e6;
 /// strokes and stamps. After a few seconds nobody waits for more, and what is left is painted as the outlines of ever
 /// larger blocks.
 const PATIENCE: u64 = 2_500_000;
-/// After so many steps the way up is tried where the picture is a crowd: that takes as long as some of them at most,
-/// whatever is left, and what is a little off shows least where all is covered.
+/// After so many steps the way up is tried: that takes as long as some of them at most, whatever is left.
 const SOON: u64 = 1_000_000;
-/// It is tried after a tenth of them already where less than this part of the picture is done, and after so many times
-/// as many where it is no crowd.
+/// It is tried after a tenth of them already where less than this part of the picture is done and more than one in so
+/// many steps led to what is covered: what is a little off shows least in a crowd.
 const SLOW: f64 = 1e-5;
-const LATE: u64 = 2;
-/// In a crowd more of the steps than one in so many lead to what is covered already.
 const CROWD: u64 = 50;
 /// A pane of a picture has a part of them: there are about so many panes for each of those who make them.
 const PANES: u64 = 4;
@@ -227,18 +224,17 @@ impl Walk {
         if self.untried.is_none() || work <= self.due {
             return false;
         }
-        if work > self.soon.saturating_mul(LATE) {
+        if work > self.soon {
             return true;
         }
-        self.due = if work > self.soon { self.soon.saturating_mul(LATE) } else { self.soon };
+        self.due = self.soon;
         let (look, size) = (self.look, self.canvases[0].size());
         let is_seen = |node: &Node| {
             let (block, shape) = (&drawing.blocks[node.block.0 as usize], &shapes[node.block.0 as usize]);
             let centre = node.place.point(shape.centre);
             !node.place.misses(size, centre, shape.half, look.widest(block, node.pen.width))
         };
-        self.covered * CROWD > work
-            && (work > self.soon || self.descent.done(drawing, self.inks.choice, &self.stack, is_seen) < SLOW)
+        self.covered * CROWD > work && self.descent.done(drawing, self.inks.choice, &self.stack, is_seen) < SLOW
     }
 
     /// Starts the next pass, if there is one; what it took. Where all is in one colour, the order is free: of blocks that
