@@ -16,6 +16,10 @@ const FRACTION: u32 = 24;
 /// Half a subsample, as a fixed point number.
 const HALF: i64 = 1 << (FRACTION - 1);
 
+/// A greater radius than this, in subsamples, is as good as endless beside any picture, and fixed point numbers end soon
+/// beyond it.
+const HUGE: f64 = (1_u64 << 34) as f64;
+
 /// The left or the right side of a stroke, from top to bottom: an arc around the upper end, an edge, an arc around
 /// the lower end.
 struct Side {
@@ -35,7 +39,7 @@ impl Side {
     fn new(sign: f64, [upper, lower]: [[f64; 2]; 2], [ux, uy]: [f64; 2], radius: f64, first: i64) -> Self {
         let start = [upper[0] + sign * radius * uy, upper[1] - sign * radius * ux];
         let end = start[1] + lower[1] - upper[1];
-        let edge = [(start[1] - 0.5).ceil() as i64, (end - 0.5).floor() as i64 + 1];
+        let edge = [(start[1] - 0.5).ceil() as i64, ((end - 0.5).floor() as i64).saturating_add(1)];
         let edge = [edge[0].max(first), edge[1]];
         let slope = if uy > 0.0 { ux / uy } else { 0.0 };
         let at = start[0] + (edge[0] as f64 + 0.5 - start[1]) * slope;
@@ -78,10 +82,11 @@ impl Capsule {
     /// As [`Canvas::trace`]. Returns how many rows it has.
     #[inline(always)]
     fn trace(&self, canvas: &mut Canvas, visit: impl FnMut(&mut Canvas, usize, [i64; 2], &Spans) -> bool) -> usize {
-        let radius = self.radius;
         let height = canvas.rows as i64;
         let size = canvas.size();
-        let Some((ends, direction)) = self.clipped(size) else { return 0 };
+        let near = if self.radius > HUGE { self.around(size) } else { *self };
+        let radius = near.radius;
+        let Some((ends, direction)) = near.clipped(size) else { return 0 };
         let first = ((ends[0][1] - radius - 0.5).ceil() as i64).max(0);
         let last = ((ends[1][1] + radius - 0.5).floor() as i64).min(height - 1);
         let left = Side::new(-1.0, ends, direction, radius, first);
@@ -129,6 +134,25 @@ impl Capsule {
         };
         canvas.trace(first as usize..last as usize + 1, bounds, spans, visit);
         (last - first + 1).max(0) as usize
+    }
+
+    /// What covers the same of a canvas of this size, as far as can be seen: a dot no larger than fixed point numbers can
+    /// tell, whose side is where the stroke's is.
+    fn around(&self, size: [f64; 2]) -> Self {
+        let middle = size.map(|side| side / 2.0);
+        let delta = [0, 1].map(|axis| self.to[axis] - self.from[axis]);
+        let away = [0, 1].map(|axis| middle[axis] - self.from[axis]);
+        let square = delta[0] * delta[0] + delta[1] * delta[1];
+        let part = if square > 0.0 { (delta[0] * away[0] + delta[1] * away[1]) / square } else { 0.0 };
+        let out = [0, 1].map(|axis| away[axis] - part.clamp(0.0, 1.0) * delta[axis]);
+        let distance = libm::hypot(out[0], out[1]);
+        // From the side inwards to the middle of the picture, or to that of the dot.
+        let inwards = (self.radius - distance).min(HUGE);
+        let dot = [0, 1].map(|axis| {
+            let towards = if distance > 0.0 { out[axis] / distance } else { 0.0 };
+            middle[axis] + towards * (inwards - HUGE)
+        });
+        Self { from: dot, to: dot, radius: HUGE }
     }
 
     /// Of its segment; `None` where numbers are not finite.
@@ -182,6 +206,32 @@ impl Capsule {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    #[test]
+    fn a_stroke_may_be_wider_than_numbers_can_tell() {
+        for radius in (9..150).step_by(3).map(|digits| libm::pow(10.0, f64::from(digits))) {
+            for degrees in [0.0, 1e-9, 30.0, 90.0, 135.0, 180.0] {
+                let (sin, cos) = libm::sincos(f64::to_radians(degrees));
+                // As long as it is wide, with the side `aside` of the middle of the canvas.
+                let covered = |aside: f64| {
+                    let away = radius - aside;
+                    let middle = [32.0 - sin * away, 32.0 + cos * away];
+                    let [from, to] = [-radius, radius].map(|l| [middle[0] + l * cos, middle[1] + l * sin]);
+                    let mut canvas = Canvas::default();
+                    canvas.reset(64, 64, 0);
+                    Capsule { from, to, radius }.paint(&mut canvas, 0);
+                    canvas.settle();
+                    canvas.covered.iter().map(|word| word.count_ones()).sum::<u32>()
+                };
+                assert_eq!(covered(radius), 64 * 64, "{radius} {degrees}");
+                assert_eq!(covered(radius / 2.0), 64 * 64, "{radius} {degrees}");
+                assert_eq!(covered(-radius), 0, "{radius} {degrees}");
+                if radius < 1e13 {
+                    assert!((1800..2300).contains(&covered(0.0)), "{radius} {degrees}: {}", covered(0.0));
+                }
+            }
+        }
+    }
 
     proptest! {
         #[test]
