@@ -218,7 +218,12 @@ impl Ascent {
                     None => (shape.axis(), &shape.last),
                 };
                 let ends = ends.map(|end| child.place.point(end));
-                self.stroke(inks, ends, child.pen.after(inks.choice, change))
+                let pen = child.pen.after(inks.choice, change);
+                let work = self.stroke(inks, ends, pen);
+                match self.look.wider(&drawing.blocks[placed.block.0 as usize], child.pen, pen) {
+                    Some(wider) => work + self.stroke(inks, ends, wider),
+                    None => work,
+                }
             }
         }
     }

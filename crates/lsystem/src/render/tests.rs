@@ -374,6 +374,22 @@ fn odd_views_and_sizes_do_no_harm() {
 }
 
 #[test]
+fn blocks_small_beside_their_strokes_are_as_wide_as_the_widest() {
+    let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+    // What is drawn last is a thousandth of the trunk's width.
+    let mut sample = Sample::abop("A", &[('A', "AILR"), ('I', "F"), ('L', "[+F]"), ('R', "[-F]")], 30.0);
+    (sample.0.style.width, sample.0.style.width_factor) = (1000.0, 0.001);
+    for (mut renderer, n) in [(Renderer::new(), 2), (Renderer::new(), 5), (climbing(), 5)] {
+        let drawing = Arc::new(sample.draw(n));
+        renderer.load(drawing.clone());
+        picture(&mut renderer, &sample.0.style, viewport, View::default());
+        let truth = brute_force(&drawing, &sample.0.style, viewport, View::default());
+        let (mean, worst) = difference(renderer.pixels(), &truth, 320);
+        assert!(mean < 2.0 && worst < 12.0, "{n}: {mean} {worst}");
+    }
+}
+
+#[test]
 fn crowds_that_never_repeat_end() {
     let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
     let [mut renderer, mut fresh] = [Renderer::new(), Renderer::new()];

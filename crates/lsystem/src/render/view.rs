@@ -1,6 +1,7 @@
 //! Where on the drawing a picture looks.
 
 use super::Pane;
+use super::descent::Pen;
 use super::wide::Wide;
 use crate::limits::{MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 use crate::{Block, Drawing, Style};
@@ -160,6 +161,12 @@ impl Look {
     /// The same of a block's widest stroke, at most, from the width at its entry.
     pub(super) fn widest(&self, block: &Block, width: f64) -> f64 {
         self.radius(block.widest.of(width))
+    }
+
+    /// The pen of a block's widest stroke, where that is much wider than `last`, given the pen at its entry.
+    pub(super) fn wider(&self, block: &Block, entry: Pen, last: Pen) -> Option<Pen> {
+        let pen = Pen { width: block.widest.of(entry.width), ..last };
+        (self.radius(pen.width) > self.radius(last.width) + TINY).then_some(pen)
     }
 }
 

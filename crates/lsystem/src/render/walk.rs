@@ -284,7 +284,7 @@ impl Walk {
                 return self.stroke(0, ends, pen);
             }
             let Some(child) = next else { return 1 };
-            if let Some(work) = self.straight(&shapes[child.block.0 as usize], &child, true) {
+            if let Some(work) = self.straight(drawing, &shapes[child.block.0 as usize], &child, true) {
                 return work;
             }
             node = child;
@@ -429,7 +429,7 @@ impl Walk {
     fn outline(&mut self, drawing: &Drawing, shape: &Shape, node: &Node, broad: bool) -> i64 {
         self.stats.outlines += 1;
         if broad {
-            return self.axis(shape, node);
+            return self.axis(drawing, shape, node);
         }
         let hull = &drawing.blocks[node.block.0 as usize].hull;
         let pen = node.pen.after(self.inks.choice, &shape.last);
@@ -443,10 +443,16 @@ impl Walk {
         }
     }
 
-    /// Paints a stroke along a block, in the colour of what it draws last.
-    fn axis(&mut self, shape: &Shape, node: &Node) -> i64 {
+    /// Paints a stroke along a block, in the colour of what it draws last; and below it one as wide as its widest, if that
+    /// is much wider.
+    fn axis(&mut self, drawing: &Drawing, shape: &Shape, node: &Node) -> i64 {
         let ends = shape.axis().map(|end| node.place.point(end));
-        self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &shape.last))
+        let pen = node.pen.after(self.inks.choice, &shape.last);
+        let work = self.stroke(node.canvas, ends, pen);
+        match self.look.wider(&drawing.blocks[node.block.0 as usize], node.pen, pen) {
+            Some(wider) => work + self.stroke(node.canvas, ends, wider),
+            None => work,
+        }
     }
 
     /// Stamps a tile whose block has these shades.
@@ -459,7 +465,7 @@ impl Walk {
     }
 
     /// Paints a block that is a straight line in one colour, or too small to tell from one.
-    fn straight(&mut self, shape: &Shape, node: &Node, plain: bool) -> Option<i64> {
+    fn straight(&mut self, drawing: &Drawing, shape: &Shape, node: &Node, plain: bool) -> Option<i64> {
         let extent = shape.extent(node.place.scale);
         if let Some(line) = &shape.line
             && extent < LONG
@@ -468,7 +474,7 @@ impl Walk {
             let ends = [line.from, line.to].map(|p| node.place.point(p));
             return Some(self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &line.style)));
         }
-        (extent <= TINY).then(|| self.axis(shape, node))
+        (extent <= TINY).then(|| self.axis(drawing, shape, node))
     }
 
     /// Paints a block, or puts it on the stack.
@@ -514,7 +520,7 @@ impl Walk {
                 return 1;
             }
         }
-        if let Some(work) = self.straight(shape, node, plain) {
+        if let Some(work) = self.straight(drawing, shape, node, plain) {
             return work;
         }
         if extent <= self.grain {
