@@ -128,7 +128,7 @@ fn nothing_reaches_the_terminal_as_a_command() {
           |
         1 | ␛[31mF -> �F
           |  ^^^^^
-          = help: Write one production for each symbol, as in `[ -> ...`.
+          = help: Write one production for each symbol, without quotes, bullets or numbers.
 
         warning: An invisible character (U+202E) is read as white space
          --> rules:1:11
