@@ -105,8 +105,9 @@ pub(crate) fn sums_by_depth(program: &Program, n: u32, weight: impl Fn(SymbolId)
     for depth in 1..=n as usize {
         let below = &rows[depth - 1];
         let of = |letters: &Multiset| {
-            let sums = letters.iter().map(|&(s, times)| below[usize::from(s)].saturating_mul(times.into()));
-            sums.fold(0, u128::saturating_add)
+            let mut sum = Saturating(0);
+            letters.iter().for_each(|&(s, times)| sum.add_times(times, &Saturating(below[usize::from(s)])));
+            sum.0
         };
         let row = successors.iter().zip(below).map(|(letters, &own)| letters.as_ref().map_or(own, of)).collect();
         rows.push(row);

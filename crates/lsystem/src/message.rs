@@ -24,9 +24,7 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
             };
             (text, largest.map(|n| format!("Up to {n} iterations fit.")))
         }
-        Kind::NotText { line } => {
-            said(format!("Line {line} is not UTF-8 text"))
-        }
+        Kind::NotText { line } => said(format!("Line {line} is not UTF-8 text")),
         Kind::NoSystem { picture } => hinted(
             format!("This {picture} holds no L-system"),
             format!("Only {picture} files that were saved here carry the system they show."),

@@ -219,11 +219,8 @@ impl Ascent {
                 };
                 let ends = ends.map(|end| child.place.point(end));
                 let pen = child.pen.after(inks.choice, change);
-                let work = self.stroke(inks, ends, pen);
-                match self.look.wider(&drawing.blocks[placed.block.0 as usize], child.pen, pen) {
-                    Some(wider) => work + self.stroke(inks, ends, wider),
-                    None => work,
-                }
+                let pens = self.look.pens(&drawing.blocks[placed.block.0 as usize], child.pen, pen);
+                pens.map(|pen| self.stroke(inks, ends, pen)).sum()
             }
         }
     }

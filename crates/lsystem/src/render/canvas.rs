@@ -152,6 +152,11 @@ impl Canvas {
         self.open[strip * self.words() + word] & columns(word, groups)
     }
 
+    /// The planes of colours, each laid out as what is covered.
+    pub(super) fn colour_planes(&self) -> impl Iterator<Item = &[u64]> {
+        self.colours.chunks_exact(self.covered.len().max(1))
+    }
+
     /// In subsamples, whole strips and groups.
     pub(super) fn size(&self) -> [f64; 2] {
         [self.strips * STRIP, self.rows].map(|side| side as f64)

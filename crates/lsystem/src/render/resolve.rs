@@ -151,7 +151,7 @@ impl Output {
         let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
         let covered = frame.covered[at];
         for (x, pixel) in out.iter_mut().enumerate() {
-            let digits = frame.colours.chunks_exact(frame.covered.len()).enumerate();
+            let digits = frame.colour_planes().enumerate();
             let ink: usize = digits.map(|(digit, plane)| ((plane[at] >> x & 1) as usize) << digit).sum();
             let count = if covered >> x & 1 != 0 { 16 } else { 0 };
             *pixel = self.shades[ink.min(self.palette.len() - 1)][count];
@@ -208,7 +208,7 @@ fn rows(words: &[u64], at: usize) -> [u64; 4] {
 /// The same of each plane of colours, where they are: to copy them all takes longer than to look at some.
 #[inline(always)]
 fn planes(frame: &Canvas, at: usize) -> impl Iterator<Item = &[u64; 4]> {
-    frame.colours.chunks_exact(frame.covered.len().max(1)).filter_map(move |plane| plane[at..].first_chunk())
+    frame.colour_planes().filter_map(move |plane| plane[at..].first_chunk())
 }
 
 /// The columns in which any of the words has a bit.

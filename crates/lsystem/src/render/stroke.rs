@@ -1,6 +1,7 @@
 //! A stroke with round caps, row by row.
 
 use super::canvas::{Canvas, GROUP, NOTHING, Spans};
+use super::search::nearest_on;
 use core::ops::Range;
 
 /// A segment on the subsample lattice, y down, and half its width.
@@ -140,11 +141,8 @@ impl Capsule {
     /// tell, whose side is where the stroke's is.
     fn around(&self, size: [f64; 2]) -> Self {
         let middle = size.map(|side| side / 2.0);
-        let delta = [0, 1].map(|axis| self.to[axis] - self.from[axis]);
-        let away = [0, 1].map(|axis| middle[axis] - self.from[axis]);
-        let square = delta[0] * delta[0] + delta[1] * delta[1];
-        let part = if square > 0.0 { (delta[0] * away[0] + delta[1] * away[1]) / square } else { 0.0 };
-        let out = [0, 1].map(|axis| away[axis] - part.clamp(0.0, 1.0) * delta[axis]);
+        let (_, part) = nearest_on(middle, [self.from, self.to]);
+        let out = [0, 1].map(|axis| middle[axis] - self.from[axis] - part * (self.to[axis] - self.from[axis]));
         let distance = libm::hypot(out[0], out[1]);
         // From the side inwards to the middle of the picture, or to that of the dot.
         let inwards = (self.radius - distance).min(HUGE);

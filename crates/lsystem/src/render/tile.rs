@@ -323,7 +323,7 @@ mod tests {
         let ink = |canvas: &Canvas, x: usize, y: usize| {
             let at = x / 64 * canvas.rows + y;
             let of = |words: &[u64]| words[at] >> (x % 64) & 1;
-            let planes = canvas.colours.chunks_exact(canvas.covered.len()).enumerate();
+            let planes = canvas.colour_planes().enumerate();
             (of(&canvas.covered) != 0).then(|| planes.map(|(digit, plane)| (of(plane) as u32) << digit).sum::<u32>())
         };
         for number in (0..5).cycle().take(20) {

@@ -163,10 +163,12 @@ impl Look {
         self.radius(block.widest.of(width))
     }
 
-    /// The pen of a block's widest stroke, where that is much wider than `last`, given the pen at its entry.
-    pub(super) fn wider(&self, block: &Block, entry: Pen, last: Pen) -> Option<Pen> {
+    /// With what one stroke after the other stands for all of a block, given the pen at its entry and that of its `last`
+    /// stroke: with this one and, if that is much wider, one as wide as its widest.
+    pub(super) fn pens(&self, block: &Block, entry: Pen, last: Pen) -> impl Iterator<Item = Pen> + use<> {
         let pen = Pen { width: block.widest.of(entry.width), ..last };
-        (self.radius(pen.width) > self.radius(last.width) + TINY).then_some(pen)
+        let wider = self.radius(pen.width) > self.radius(last.width) + TINY;
+        core::iter::once(last).chain(wider.then_some(pen))
     }
 }
 

@@ -448,11 +448,8 @@ impl Walk {
     fn axis(&mut self, drawing: &Drawing, shape: &Shape, node: &Node) -> i64 {
         let ends = shape.axis().map(|end| node.place.point(end));
         let pen = node.pen.after(self.inks.choice, &shape.last);
-        let work = self.stroke(node.canvas, ends, pen);
-        match self.look.wider(&drawing.blocks[node.block.0 as usize], node.pen, pen) {
-            Some(wider) => work + self.stroke(node.canvas, ends, wider),
-            None => work,
-        }
+        let pens = self.look.pens(&drawing.blocks[node.block.0 as usize], node.pen, pen);
+        pens.map(|pen| self.stroke(node.canvas, ends, pen)).sum()
     }
 
     /// Stamps a tile whose block has these shades.
