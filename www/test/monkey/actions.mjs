@@ -1,7 +1,7 @@
 /** What the monkey does wherever a drawing is: on the page, and in the frame of an embedded one. */
 
 import { ENDS, stopWorker } from './instrument.mjs';
-import { NOTHING, click, drag, enter, leave, set, valueOf } from './hands.mjs';
+import { NOTHING, click, drag, enter, leave, open, set, valueOf } from './hands.mjs';
 import { axiomText, numberText, overridesText, pick, rulesText, whole } from './texts.mjs';
 
 /** @typedef {import('./hands.mjs').Place} Place */
@@ -99,8 +99,10 @@ export const COMMON = [
     {
         kind: 'slider',
         weight: 8,
-        async act({ frame }, roll) {
+        async act(place, roll) {
+            const { frame } = place;
             const selector = pick(roll, SLIDERS);
+            await open(place, selector);
             const most = Number(await frame.evaluate((name) => /** @type {HTMLInputElement | null} */ (document.querySelector(name))?.max ?? 0, selector));
             const positions = Array.from({ length: 1 + whole(roll, 20) }, () => Math.floor(roll() * REACH * most));
             return (await set(frame, selector, positions)) ? `${selector} to ${positions.at(-1)} of ${most}` : NOTHING;

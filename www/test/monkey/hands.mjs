@@ -48,9 +48,22 @@ export async function click({ page, frame }, selector, which = 0) {
 export async function enter(place, selector) {
     // What was written elsewhere is a change of its own, as it is when a reader goes from field to field.
     await leave(place.frame);
+    await open(place, selector);
     const done = await click(place, selector);
     if (done === NOTHING) return false;
     return place.frame.evaluate((name) => document.activeElement === document.querySelector(name), selector);
+}
+
+/** Opens the panel and the fold that an element stands in, where it has any. @param {Place} place @param {string} selector */
+export async function open(place, selector) {
+    const tab = await place.frame.evaluate((name) => {
+        const element = document.querySelector(name);
+        const fold = element?.closest('details');
+        if (fold) fold.open = true;
+        const section = element?.closest('[data-section]');
+        return section && !section.checkVisibility() ? section.getAttribute('data-section') : null;
+    }, selector);
+    if (tab) await click(place, `#tab-${tab}`);
 }
 
 /** Takes the caret out of whatever field it is in. @param {Frame} frame */

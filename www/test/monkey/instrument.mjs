@@ -34,12 +34,21 @@ export function instrument() {
         if (order === 'fatal') self.postMessage({ type: 'fatal', message: 'the monkey' });
         else throw new Error('the monkey');
     });`;
+    // A page in a single file starts its worker from a blob, which the policy of the page lets no other script import.
+    /** @type {Map<string, Blob>} */
+    const blobs = new Map();
+    const addressOf = URL.createObjectURL;
+    URL.createObjectURL = (source) => {
+        const address = addressOf.call(URL, source);
+        if (source instanceof Blob && source.type === 'text/javascript') blobs.set(address, source);
+        return address;
+    };
     const Real = window.Worker;
     window.Worker = class extends Real {
         /** @param {string | URL} address @param {WorkerOptions} [options] */
         constructor(address, options) {
-            const script = `${head}\nimportScripts(${JSON.stringify(new URL(address, document.baseURI).href)});`;
-            super(URL.createObjectURL(new Blob([script], { type: 'text/javascript' })), options);
+            const script = blobs.get(String(address)) ?? `importScripts(${JSON.stringify(new URL(address, document.baseURI).href)});`;
+            super(addressOf.call(URL, new Blob([`${head}\n`, script], { type: 'text/javascript' })), options);
             workers.push(this);
         }
 

@@ -1,7 +1,7 @@
 /** What the monkey does on the page alone: history, links, panels, dialogs, files, and the machine around it. */
 
 import { Fault, COMMON } from './actions.mjs';
-import { NOTHING, click, drop, enter, set, valueOf } from './hands.mjs';
+import { NOTHING, click, drop, enter, open, set, valueOf } from './hands.mjs';
 import { file, hash, pick, whole } from './texts.mjs';
 
 /** @typedef {import('./actions.mjs').Action} Action */
@@ -33,16 +33,25 @@ export async function texts(frame) {
     return found;
 }
 
+/** @type {Action['act']} */
+async function pressButton(place, roll) {
+    const [selector, which] = [pick(roll, BUTTONS), whole(roll, 8)];
+    await open(place, selector);
+    return click(place, selector, which);
+}
+
 /** @type {readonly Action[]} */
 export const PAGE = [
     ...COMMON,
-    { kind: 'button', weight: 8, act: (place, roll) => click(place, pick(roll, BUTTONS), whole(roll, 8)) },
+    { kind: 'button', weight: 8, act: pressButton },
     { kind: 'panel', weight: 8, act: (place, roll) => click(place, `#tab-${pick(roll, TABS)}`) },
     {
         kind: 'choice',
         weight: 4,
-        async act({ frame }, roll) {
+        async act(place, roll) {
+            const { frame } = place;
             const [selector, values] = pick(roll, CHOICES);
+            await open(place, selector);
             const value = pick(roll, /** @type {readonly string[]} */ (values));
             return (await set(frame, selector, [value])) ? `${selector} ${value}` : NOTHING;
         },
@@ -111,7 +120,7 @@ export const PAGE = [
         weight: 2,
         async act(place, roll) {
             const format = pick(roll, SAVES);
-            await click(place, '#tab-keep');
+            await open(place, `[data-save=${format}]`);
             return click(place, `[data-save=${format}]`);
         },
     },

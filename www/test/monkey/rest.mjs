@@ -53,7 +53,7 @@ export async function atRest(frame, whose) {
         if (now !== last) since = Date.now();
         last = now;
         if (!busy && Date.now() - since >= STILL) return inked ? picture : null;
-        if (Date.now() > end) throw new Fault(`${whose} does not come to rest in ${PATIENCE} ms${busy ? ', it is busy' : ''}`);
+        if (Date.now() > end) throw new Fault(`${whose} does not come to rest in ${PATIENCE} ms${busy ? `: ${busy}` : ''}`);
         await new Promise((resolve) => setTimeout(resolve, 100));
     }
 }
@@ -70,7 +70,7 @@ function look() {
     context.drawImage(source, 0, 0);
     let digest = 0;
     for (const word of new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer)) digest = (Math.imul(digest, 31) + word) | 0;
-    const busy = stage.getAttribute('aria-busy') === 'true' || document.querySelector('#busy')?.checkVisibility() === true;
+    const busy = [stage.getAttribute('aria-busy') === 'true' && 'a newer drawing is under way', document.querySelector('#busy')?.checkVisibility() && 'a finer one is'].filter(Boolean).join(', ');
     const picture = { width: source.width, height: source.height, stage: { width: stage.clientWidth, height: stage.clientHeight }, ratio: Math.min(3, devicePixelRatio), digest };
     /** @type {any} */ (window).monkey?.reads.push([began, performance.timeOrigin + performance.now()]);
     return { busy, inked: stage.classList.contains('inked'), picture };

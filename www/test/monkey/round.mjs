@@ -46,26 +46,30 @@ export async function playRound(browser, round) {
     const [options, calm, element, controls] = [seed % 3 === 1 ? PHONE : DESKTOP, roll() < 0.5, roll() < 0.5, pick(roll, ['all', 'rules,n,angle', ''])];
     log.round(`--seed ${seed}`);
     const motion = /** @type {const} */ ({ reducedMotion: calm ? 'reduce' : 'no-preference' });
+    /** @type {Page | undefined} */
+    let page;
     const context = await browser.newContext({ ...options, ...motion, acceptDownloads: true });
     const other = await browser.newContext({ ...options, reducedMotion: 'reduce' });
     try {
         await context.addInitScript(instrument);
-        const page = await context.newPage();
+        page = await context.newPage();
         const fresh = await other.newPage();
         const wrong = listen(page, roll);
         await page.goto(embedded ? round.host.address(element, controls) : address);
         if (!embedded) await page.waitForSelector('[data-later]', { state: 'detached' });
         const place = placeOf(page, embedded);
+        const shown = page;
         const check = async () => {
-            await page.context().setOffline(false);
-            await page.evaluate(() => window.scrollTo(0, 0));
+            await context.setOffline(false);
+            await shown.evaluate(() => window.scrollTo(0, 0));
             const where = await place();
             await leaveAll(where);
             log.picture(await compare(where, fresh, address, embedded));
         };
         await act(round, place, embedded ? EMBEDDED : PAGE, wrong, check);
     } catch (error) {
-        log.fault(error instanceof Fault ? error.message : `the monkey failed: ${error instanceof Error ? error.stack : error}`);
+        const message = error instanceof Fault ? error.message : `the monkey failed: ${error instanceof Error ? error.stack : error}`;
+        log.fault(`${message}\n    at ${page?.url().slice(0, 500)}`);
     } finally {
         // A worker that never comes back is ended with its page.
         await Promise.all([context.close(), other.close()]);
