@@ -25,6 +25,8 @@
 
     /** @type {any} */
     let playground = null;
+    /** Of the wasm. @type {WebAssembly.Memory | null} */
+    let memory = null;
     /** A second one, for the gallery's small pictures. @type {any} */
     let easel = null;
     /** @type {any} the newest message of each kind that was not yet acted on */
@@ -65,7 +67,7 @@
     const sharing =
         typeof createSharing === 'undefined'
             ? null
-            : createSharing({ canvas, playground: () => playground, guard, wake, lookAt, state: () => ({ ...state, upto, number: stateNumber }), stepMs: STEP_MS });
+            : createSharing({ canvas, playground: () => playground, guard, wake, lookAt, memory: () => memory?.buffer.byteLength ?? 0, state: () => ({ ...state, upto, number: stateNumber }), stepMs: STEP_MS });
 
     /** Questions about what the newest definition derives and draws. @type {Record<string, (question: any) => object>} */
     const READERS = {
@@ -112,7 +114,7 @@
     function start(bytes, port) {
         guard(() => {
             if (port) sharing?.serve(port);
-            wasm.initSync({ module: bytes });
+            ({ memory } = wasm.initSync({ module: bytes }));
             playground = new wasm.Playground(canvas);
             self.postMessage({ type: 'ready' });
             wake();
@@ -287,7 +289,14 @@
     /** A PNG file that carries its system, so that it can be opened again. @param {any} question */
     async function tagged({ id, width, height, definition }) {
         const sheet = new OffscreenCanvas(1, 1);
-        playground.snapshot(sheet, width, height);
+        const picture = playground.snapshot(width, height);
+        while (!picture.step(STEP_MS)) {
+            await new Promise((resolve) => setTimeout(resolve));
+            tellAt(id);
+        }
+        picture.paint(sheet);
+        // Its pixels are on the sheet: there is no need to have them twice.
+        picture.free();
         const plain = await sheet.convertToBlob({ type: 'image/png' });
         const bytes = new Uint8Array(await plain.arrayBuffer());
         tellAt(id);

@@ -9,75 +9,32 @@
  */
 
 import { DELAYS, forgetWasm, hire, readyWorker, wasmOf } from './kit.js';
-import { READING, Stopped, createQuestions } from './questions.js';
+import { READING, Stopped, asking, createQuestions } from './questions.js';
 import { same } from './state.js';
 import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
 
-/** @typedef {import('./state.js').Definition} Definition */
-/** @typedef {import('./state.js').View} View */
-/** @typedef {import('./state.js').Camera} Camera */
-/** @typedef {'axiom' | 'rules' | 'overrides' | 'file' | 'numbers'} Field */
-
-/**
- * @typedef {object} Diagnostic
- * @property {Field} field
- * @property {'warning' | 'error'} severity
- * @property {string} message
- * @property {string | null} hint
- * @property {number} start UTF-16 offset into the field
- * @property {number} end
- */
-
-/**
- * What a definition means, or what is wrong with it.
- * @typedef {object} Report
- * @property {boolean} ok when false, the last good drawing stays
- * @property {Diagnostic[]} diagnostics
- * @property {string} kind `deterministic`, or those of `stochastic`, `context-sensitive`, `parametric` that hold, separated by commas
- * @property {boolean} beyond whether only the full kit can draw it, or say what is wrong with it
- * @property {boolean} stochastic
- * @property {boolean} solid whether the drawing leaves the plane
- * @property {boolean | null} memoised whether the drawing shares its blocks; null while unknown
- * @property {string | null} symbols exact decimal digits
- * @property {string | null} segments exact decimal digits
- * @property {number | null} blocks of the drawing; null while unknown
- * @property {number | null} largest the most iterations within the limits, where one was passed
- * @property {{symbol: string, actions: string, rewritten: boolean}[]} legend
- * @property {string | null} empty why nothing draws
- * @property {string} description the text alternative of the picture
- * @property {boolean} [past] whether it is of the last good state, because the newest was given up
- */
-
-/** @typedef {{width: number, height: number, ratio: number}} Canvas width and height in device pixels */
-/** @typedef {import('./reading/words.js').Link} Link */
-/** @typedef {import('./reading/words.js').Stroke} Stroke */
-/** @typedef {import('./reading/words.js').Filled} Filled */
-/** How the picture is to be shown; only the first `upto` segments unless it is null. @typedef {{canvas: Canvas, view: View, camera: Camera | null, upto: bigint | null}} Look */
-/**
- * A picture; `scale` is in device pixels per fitted extent at zoom 1, and `rough` tells that not every line is in its
- * place, for good. `pose` is the turtle's where only the first segments are shown: `at` in model units, `fitted` as places of
- * marks, `heading` in degrees, in space a vector.
- * @typedef {{id: number, viewId: number, complete: boolean, scale: number, rough: boolean, bitmap: ImageBitmap, pose: Pose | null} & Look} Drawn
- */
-/** @typedef {{at: number[], fitted: number[], heading: number | number[], level: number}} Pose */
-/** Symbols of a generation from `start` on, and how many it has, null where it is too long to be derived; `apart` tells that each ends with a line end. @typedef {{length: string | null, text: string | null, apart: boolean}} StringPage */
-/** What a symbol has become: half-open ranges in decimal digits, the outline as places of marks. @typedef {{symbols: [string, string], segments: [string, string], outline: number[][]}} Part */
-/** `ancestry` is empty and `part` null where neither is known; `stroke` is where its drawing begins. @typedef {{ancestry: Link[], part: Part | null, stroke: Stroke | null}} SymbolFacts */
-/** One of `segment` and `polygon`, with `stroke` or `filled`, or nothing. @typedef {{segment: string | null, polygon: string | null, symbol: string | null, ancestry: Link[], stroke: Stroke | null, filled: Filled | null}} Picked */
-/**
- * How texts read, be they right or wrong: the letter of its class for each UTF-16 unit, and the named constants of the rules.
- * @typedef {{axiom: string, rules: string, overrides: string, constants: Constant[]}} Notation
- */
-/** `value` is null where it is wrong; it stands from `start` to `end` in the rules, and another number may take its place if it is one `number`. @typedef {{name: string, value: number | null, start: number, end: number, number: boolean}} Constant */
-/** `text` is what the file says where it is readable and short. @typedef {{definition: Definition | null, diagnostics: Diagnostic[], text: string | null}} FileRead */
-/** @typedef {{text: string | null, bytes?: Uint8Array<ArrayBuffer>, diagnostics: Diagnostic[]}} Exported */
-/** A system and how it is looked at. @typedef {{definition: Definition | null, look: Look | null}} Shown */
-/**
- * What went wrong. `silent` and `crashed`: the worker stopped over the drawing, or over a `question` about it, and was
- * replaced; `loading`: its files could not be loaded, and are tried again; `unloadable`: they are not; `lost`: fresh workers
- * stopped as well.
- * @typedef {{how: 'silent' | 'crashed' | 'loading' | 'unloadable' | 'lost', question: boolean, message: string}} Trouble
- */
+/** @typedef {import('./protocol.js').Definition} Definition */
+/** @typedef {import('./protocol.js').View} View */
+/** @typedef {import('./protocol.js').Camera} Camera */
+/** @typedef {import('./protocol.js').Diagnostic} Diagnostic */
+/** @typedef {import('./protocol.js').Report} Report */
+/** @typedef {import('./protocol.js').Canvas} Canvas */
+/** @typedef {import('./protocol.js').Link} Link */
+/** @typedef {import('./protocol.js').Stroke} Stroke */
+/** @typedef {import('./protocol.js').Filled} Filled */
+/** @typedef {import('./protocol.js').Look} Look */
+/** @typedef {import('./protocol.js').Drawn} Drawn */
+/** @typedef {import('./protocol.js').Pose} Pose */
+/** @typedef {import('./protocol.js').StringPage} StringPage */
+/** @typedef {import('./protocol.js').Part} Part */
+/** @typedef {import('./protocol.js').SymbolFacts} SymbolFacts */
+/** @typedef {import('./protocol.js').Picked} Picked */
+/** @typedef {import('./protocol.js').Notation} Notation */
+/** @typedef {import('./protocol.js').Constant} Constant */
+/** @typedef {import('./protocol.js').FileRead} FileRead */
+/** @typedef {import('./protocol.js').Exported} Exported */
+/** @typedef {import('./protocol.js').Shown} Shown */
+/** @typedef {import('./protocol.js').Trouble} Trouble */
 /** @typedef {ReturnType<typeof createEngine>} Engine */
 
 /**
@@ -550,42 +507,7 @@ export function createEngine(kits, events) {
             if (slow) help();
         },
 
-        /** @param {number} generation @param {bigint} start @param {number} count @returns {Promise<StringPage>} */
-        string: (generation, start, count) => askFull({ type: 'string', generation, start, count }),
-
-        /** A symbol of a generation, and what it has become in the one that is drawn. @param {number} generation @param {bigint} index @returns {Promise<SymbolFacts>} */
-        symbol: (generation, index) => askFull({ type: 'symbol', generation, index }),
-
-        /** Where the symbols derived from another begin, in decimal digits. @param {number} generation @param {bigint} index @param {number} later @returns {Promise<string | null>} */
-        descendant: async (generation, index, later) => (await askFull({ type: 'descendant', generation, index, later })).start,
-
-        /** What is drawn near a place, in device pixels. @param {number} x @param {number} y @param {number} tolerance @returns {Promise<Picked>} */
-        pick: (x, y, tolerance) => askFull({ type: 'pick', x, y, tolerance }),
-
-        /** @param {{axiom: string, rules: string, overrides: string}} texts @returns {Promise<Notation>} */
-        notation: (texts) => ask({ type: 'notation', texts }),
-
-        /** @param {Blob} file in JSON, or a picture saved here @returns {Promise<FileRead>} */
-        read: (file) => askFull({ type: 'read', file }),
-
-        /** @param {'svg' | 'svg-compact' | 'csv' | 'txt' | 'json' | 'obj' | 'glb'} format @returns {Promise<Exported>} */
-        export: (format) => askFull({ type: 'export', format }),
-
-        /** @param {number} width @param {number} height @param {Definition} carried in the file, to open it again @returns {Promise<Blob | null>} */
-        png: async (width, height, carried) => (await askFull({ type: 'png', width, height, definition: carried })).blob,
-
-        /** The modules of a text's QR code, row by row, 1 for dark; null where it is too long. @param {string} text @returns {Promise<Uint8Array | null>} */
-        qr: async (text) => (await askFull({ type: 'qr', text })).modules,
-
-        /** @returns {Promise<number>} */
-        seed: async () => (await ask({ type: 'seed' })).seed,
-
-        /** @param {Definition} small @param {number} width @param {number} height @returns {Promise<ImageBitmap | null>} */
-        thumb: async (small, width, height) => {
-            const request = { type: 'thumb', definition: small, width, height };
-            const { bitmap, beyond } = await ask(request);
-            return beyond ? (await askFull(request)).bitmap : bitmap;
-        },
+        ...asking(ask, askFull),
     };
 }
 
