@@ -9,6 +9,7 @@ mod gallery;
 mod include;
 mod joined;
 mod lint;
+mod monkey;
 mod offline;
 mod one_file;
 mod page;
@@ -38,9 +39,11 @@ usage: cargo xtask COMMAND
                          page (how free it stays), load (what opening it and ten embedded drawings cost),
                          space (times of pictures in space, moving and at rest),
                          shares (times of pictures that several workers share)
+  monkey [--minutes M] [--seed S [--actions N]] [--verbose]
+                         random actions on the page and on embedded drawings for a minute; a seed decides them
 
-Needs: Rust by rustup (the wasm target is added when missing); for test and bench also Node.js 20 or newer with
-npm, Chromium and ChromeDriver (installed when missing where this runs as root on Debian).
+Needs: Rust by rustup (the wasm target is added when missing); for test, bench and monkey also Node.js 20 or newer
+with npm, Chromium and ChromeDriver (installed when missing where this runs as root on Debian).
 ";
 
 fn main() -> ExitCode {
@@ -85,6 +88,7 @@ fn run(program: &OsString, command: &str, rest: Vec<OsString>) -> Result<()> {
             test::test(&Workspace::find()?, &test::Options::read(["lint"].into_iter())?)
         }
         "bench" => bench::bench(&Workspace::find()?, words),
+        "monkey" => monkey::monkey(&Workspace::find()?, &monkey::Options::read(words)?),
         "help" | "--help" | "-h" => {
             print!("{USAGE}");
             Ok(())
