@@ -58,6 +58,21 @@ export async function atRest(frame, whose) {
     }
 }
 
+/**
+ * The picture at rest, of a page that draws. What was given up when a worker was stopped is tried again, as the page offers
+ * it: the drawing was not to blame.
+ * @param {Frame} frame
+ */
+async function recovered(frame) {
+    for (let times = 0; ; times++) {
+        const picture = await atRest(frame, 'the page');
+        const words = await frame.evaluate(() => (document.querySelector('#trouble')?.checkVisibility() ? document.querySelector('#trouble-words')?.textContent : null));
+        if (!words) return picture;
+        if (times === RETRIES) throw new Fault(`the drawing stays given up: ${words}`);
+        await frame.evaluate(() => /** @type {HTMLElement | null} */ (document.querySelector('#trouble-again'))?.click());
+    }
+}
+
 /** Runs in the page: what is on the canvas, as a digest. */
 function look() {
     const began = performance.timeOrigin + performance.now();
@@ -105,6 +120,9 @@ export async function difference(one, other) {
     return different / (a.length / 4);
 }
 
+/** So often is "Try again" pressed. */
+const RETRIES = 2;
+
 /**
  * Pictures are the same to the last bit, whoever makes them, unless there is too much to draw every line: then what
  * stands for the rest depends on how the picture was shared between workers, in a few pixels.
@@ -119,7 +137,7 @@ const ROUGH = 0.1;
  * @param {string} link
  */
 export async function comparePicture({ page, frame }, fresh, link) {
-    const mine = await atRest(frame, 'the page');
+    const mine = await recovered(frame);
     await fresh.setViewportSize(page.viewportSize() ?? { width: 800, height: 600 });
     await fresh.goto('about:blank');
     await fresh.goto(link);
