@@ -9,6 +9,7 @@ mod gallery;
 mod include;
 mod joined;
 mod lint;
+mod mutants;
 mod offline;
 mod one_file;
 mod page;
@@ -38,6 +39,8 @@ usage: cargo xtask COMMAND
                          page (how free it stays), load (what opening it and ten embedded drawings cost),
                          space (times of pictures in space, moving and at rest),
                          shares (times of pictures that several workers share)
+  mutants [--all] [ARGS] whether tests notice changes of the core's code: a fixed sample of mutants, or all of them, or
+                         what ARGS of cargo-mutants choose, such as --shard 3/40 or --file drawing/hull.rs
 
 Needs: Rust by rustup (the wasm target is added when missing); for test and bench also Node.js 20 or newer with
 npm, Chromium and ChromeDriver (installed when missing where this runs as root on Debian).
@@ -84,6 +87,7 @@ fn run(program: &OsString, command: &str, rest: Vec<OsString>) -> Result<()> {
             no_more(words)?;
             test::test(&Workspace::find()?, &test::Options::read(["lint"].into_iter())?)
         }
+        "mutants" => mutants::mutants(&Workspace::find()?, words),
         "bench" => bench::bench(&Workspace::find()?, words),
         "help" | "--help" | "-h" => {
             print!("{USAGE}");
