@@ -604,6 +604,8 @@ pub enum LimitName {
     Segments,
     /// Derivation work of a system that does not memoise ([`Limits::work`](crate::Limits::work)).
     Work,
+    /// Bytes of a drawing in the making ([`Limits::memory`](crate::Limits::memory)).
+    Memory,
     /// Iterations (1,000).
     Iterations,
     /// Bytes of a text to be read ([`MAX_TEXT`](crate::MAX_TEXT)).

@@ -15,11 +15,13 @@ pub struct Limits {
     /// Symbols derived, in all generations together, for a drawing that does not memoise. A symbol that nothing
     /// rewrites counts once; each branch that is open at the same time counts 32 more.
     pub work: u64,
+    /// Bytes that a drawing may take while it is made, with what it is derived from.
+    pub memory: u64,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { symbols: 256 << 20, modules: 32 << 20, segments: 2_000_000, work: 100_000_000 }
+        Self { symbols: 256 << 20, modules: 32 << 20, segments: 2_000_000, work: 100_000_000, memory: 1 << 30 }
     }
 }
 
@@ -32,6 +34,7 @@ impl Limits {
             LimitName::Modules => self.modules,
             LimitName::Segments => self.segments,
             LimitName::Work => self.work,
+            LimitName::Memory => self.memory,
             LimitName::Iterations => u64::from(MAX_ITERATIONS),
             LimitName::Text => MAX_TEXT as u64,
             LimitName::Letters => MAX_LETTERS as u64,

@@ -9,12 +9,14 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
     let hinted = |text: String, hint: String| (text, Some(hint));
     match kind {
         Kind::Limit { limit, value, largest } => {
+            let mebibytes = grouped(&(value >> 20).to_string());
             let value = grouped(&value.to_string());
             let text = match limit {
                 LimitName::Modules => format!("A generation would have more than {value} modules"),
                 LimitName::Symbols => format!("The string would be longer than {value} symbols"),
                 LimitName::Segments => format!("The drawing would have more than {value} segments"),
                 LimitName::Work => format!("Deriving it would pass through more than {value} symbols"),
+                LimitName::Memory => format!("The drawing would take more than {mebibytes} MiB of memory"),
                 LimitName::Iterations => format!("There can be at most {value} iterations"),
                 LimitName::Text => format!("The text is longer than {value} bytes"),
                 LimitName::Letters => format!("There can be at most {value} different symbols"),

@@ -3,7 +3,7 @@
 use super::materialise::{Census, Outcome};
 use crate::space::Space;
 use crate::turtle::{Op, Score};
-use crate::{LimitName, Limits, Program, Rewrite, SymbolId};
+use crate::{LimitName, Limits, Meter, Program, Rewrite, SymbolId};
 
 /// What a limit was passed by, and the largest n within.
 pub(crate) struct Exceeded {
@@ -33,9 +33,9 @@ impl Forecast {
         program: &Program,
         limits: &Limits,
         n: u32,
-        left: &mut u64,
+        meter: &mut Meter,
     ) -> Option<Result<(), Exceeded>> {
-        let (segments, work) = self.of(&program.axiom, left);
+        let (segments, work) = self.of(&program.axiom, meter);
         let over = [(segments, limits.segments, LimitName::Segments), (work, limits.work, LimitName::Work)];
         let passed = over.into_iter().find(|&(count, limit, _)| count > u128::from(limit)).map(|(.., name)| name);
         match passed {
@@ -49,7 +49,7 @@ impl Forecast {
         }
         self.sums = (program.rewrites.iter().zip(&self.sums))
             .map(|(rewrite, own)| match rewrite {
-                Rewrite::Always(word) => self.of(word, left),
+                Rewrite::Always(word) => self.of(word, meter),
                 Rewrite::Keep | Rewrite::Choose(_) => *own,
             })
             .collect();
@@ -57,8 +57,8 @@ impl Forecast {
         None
     }
 
-    fn of(&self, word: &[SymbolId], left: &mut u64) -> (u128, u128) {
-        *left = left.saturating_sub(1 + word.len() as u64);
+    fn of(&self, word: &[SymbolId], meter: &mut Meter) -> (u128, u128) {
+        meter.charge(1 + word.len() as u64);
         word.iter().fold((0, 0), |sum: (u128, u128), &symbol| {
             let (segments, work) = self.sums[usize::from(symbol)];
             (sum.0.saturating_add(segments), sum.1.saturating_add(work).saturating_add(1))
@@ -82,20 +82,20 @@ impl Search {
         Self { limit, fits: None, exceeds: n, trial: 0, census: Census::new(0, seed) }
     }
 
-    /// Works on for `left` letters; `Some` at the end.
+    /// Works on for as many letters as the meter allows; `Some` at the end.
     pub(crate) fn step<S: Space>(
         &mut self,
         program: &Program,
         score: &Score<S>,
         limits: &Limits,
         seed: u32,
-        left: &mut u64,
+        meter: &mut Meter,
     ) -> Option<Exceeded> {
         let first = self.fits.map_or(0, |fits| fits + 1);
         if first >= self.exceeds {
             return Some(Exceeded { limit: self.limit, largest: self.fits });
         }
-        match self.census.step(program, score, limits, left, |_, _, _| {}) {
+        match self.census.step(program, score, limits, meter, |_, _, _| {}) {
             Outcome::Paused => return None,
             Outcome::Ended(()) => self.fits = Some(self.trial),
             Outcome::Passed(limit) => (self.exceeds, self.limit) = (self.trial, limit),

@@ -11,8 +11,8 @@ use crate::derivation::limit;
 use crate::space::Axis;
 use crate::turtle::Score;
 use crate::{
-    Diagnostic, Kind, LimitName, Limits, MAX_ITERATIONS, Plane, Program, Progress, Rewrite, Rules, Space, SymbolId,
-    System, Turtle,
+    Diagnostic, Kind, LimitName, Limits, MAX_ITERATIONS, Meter, Plane, Program, Progress, Rewrite, Rules, Space,
+    SymbolId, System, Turtle,
 };
 use std::sync::OnceLock;
 
@@ -42,6 +42,8 @@ pub struct Drawer<S: Space = Plane> {
     /// The symbols of the generation, where it has been gone through.
     symbols: Option<u64>,
     state: State<S>,
+    /// The units of work of all steps.
+    spent: u64,
 }
 
 #[derive(Clone, Debug)]
@@ -116,6 +118,7 @@ impl<S: Space> Drawer<S> {
             memoised: None,
             symbols: None,
             state,
+            spent: 0,
         }
     }
 
@@ -124,16 +127,24 @@ impl<S: Space> Drawer<S> {
     // Twice in the wasm, once in `draw` and once by itself, it would be a tenth of what the page loads.
     #[inline(never)]
     pub fn step(&mut self, work: u64) -> Progress {
-        let mut left = work.max(1);
-        while left > 0 {
-            if matches!(self.state, State::Done { .. } | State::Failed(_)) {
-                return Progress::Done;
-            }
-            if let Some(next) = self.advance(&mut left) {
+        let mut meter = Meter::new(work);
+        let mut progress = Progress::More;
+        while progress == Progress::More && !meter.is_spent() {
+            if let Some(next) = self.advance(&mut meter) {
                 self.state = next;
             }
+            if matches!(self.state, State::Done { .. } | State::Failed(_)) {
+                progress = Progress::Done;
+            }
         }
-        Progress::More
+        self.spent = self.spent.saturating_add(meter.spent());
+        progress
+    }
+
+    /// The units of work of all steps so far, as [`Meter`] counts them.
+    #[must_use]
+    pub fn spent(&self) -> u64 {
+        self.spent
     }
 
     /// Does all that is left, and returns the drawing.
@@ -168,7 +179,7 @@ impl<S: Space> Drawer<S> {
     /// Works on in the present state; returns the next one when this one is over.
     // Once is enough in the wasm.
     #[inline(never)]
-    fn advance(&mut self, left: &mut u64) -> Option<State<S>> {
+    fn advance(&mut self, meter: &mut Meter) -> Option<State<S>> {
         let Self { program, turtle, score, memoises, seed, n, limits, builder, memoised, symbols, .. } = self;
         match &mut self.state {
             State::Plan(plan) => {
@@ -178,7 +189,7 @@ impl<S: Space> Drawer<S> {
                     return Some(State::Failed(limit(LimitName::Segments, limits.segments, largest)));
                 }
                 if depths < *n {
-                    plan.step(program, left);
+                    plan.step(program, meter);
                     return None;
                 }
                 Some(State::Build { needed: plan.levels(), pieces: vec![] })
@@ -195,7 +206,7 @@ impl<S: Space> Drawer<S> {
                         let below = depth.checked_sub(1).map(|below| &pieces[below]);
                         let origin = Origin { former: Some(symbol), step: n.saturating_sub(depth as u32) };
                         let piece = graph::piece(builder, score, below, word, origin, S::AHEAD);
-                        *left = left.saturating_sub(S::ITEM * (1 + word.len() as u64));
+                        meter.charge(S::ITEM * (1 + word.len() as u64));
                         if pieces.is_empty() {
                             pieces.push(vec![]);
                         }
@@ -204,23 +215,23 @@ impl<S: Space> Drawer<S> {
                     }
                     None if pieces.len() < needed.len() => {
                         pieces.push(vec![]);
-                        *left = left.saturating_sub(S::ITEM);
+                        meter.charge(S::ITEM);
                         None
                     }
                     None => {
                         let axiom = &program.axiom;
                         let origin = Origin { former: None, step: 0 };
                         let root = graph::piece(builder, score, pieces.last(), axiom, origin, start::<S>(turtle)).block;
-                        *left = left.saturating_sub(S::ITEM * (1 + axiom.len() as u64));
+                        meter.charge(S::ITEM * (1 + axiom.len() as u64));
                         Some(State::Done { root, pieces: core::mem::take(pieces) })
                     }
                 }
             }
-            State::Forecast(forecast) => match forecast.step(program, limits, *n, left)? {
+            State::Forecast(forecast) => match forecast.step(program, limits, *n, meter)? {
                 Ok(()) => Some(State::Materialise(Box::new(Materialiser::new(start::<S>(turtle), score, *seed, *n)))),
                 Err(exceeded) => Some(failed(&exceeded, limits)),
             },
-            State::Materialise(materialiser) => match materialiser.step(program, score, builder, limits, left) {
+            State::Materialise(materialiser) => match materialiser.step(program, score, builder, limits, meter) {
                 Outcome::Paused => None,
                 Outcome::Ended(root) => {
                     *symbols = Some(materialiser.symbols());
@@ -231,7 +242,7 @@ impl<S: Space> Drawer<S> {
                     Some(State::Search(Search::new(name, *n, *seed)))
                 }
             },
-            State::Parametric(memo) => match memo.step((turtle, score), builder, limits, left) {
+            State::Parametric(memo) => match memo.step((turtle, score), builder, limits, meter) {
                 parametric::Outcome::Paused => None,
                 parametric::Outcome::Ended(root, count) => {
                     *symbols = u64::try_from(count).ok();
@@ -243,7 +254,7 @@ impl<S: Space> Drawer<S> {
                 }
                 parametric::Outcome::Failed(diagnostic) => Some(State::Failed(diagnostic)),
             },
-            State::Modules(modular) => match modular.step((turtle, score), builder, limits, *n, left) {
+            State::Modules(modular) => match modular.step((turtle, score), builder, limits, *n, meter) {
                 modules::Outcome::Paused => None,
                 modules::Outcome::Ended(root) => {
                     *symbols = Some(modular.symbols());
@@ -257,7 +268,7 @@ impl<S: Space> Drawer<S> {
                 }
             },
             State::Search(search) => {
-                let exceeded = search.step(program, score, limits, *seed, left)?;
+                let exceeded = search.step(program, score, limits, *seed, meter)?;
                 Some(failed(&exceeded, limits))
             }
             State::Done { .. } | State::Failed(_) => None,

@@ -100,7 +100,7 @@ impl Plan {
     }
 
     /// Plans one depth more.
-    pub(crate) fn step(&mut self, program: &Program, left: &mut u64) {
+    pub(crate) fn step(&mut self, program: &Program, meter: &mut crate::Meter) {
         let mut next = Vec::new();
         let before = self.cost;
         for &symbol in &self.next {
@@ -110,7 +110,7 @@ impl Plan {
             }
         }
         self.levels.push(core::mem::replace(&mut self.next, set(next)));
-        *left = left.saturating_sub(1 + self.cost - before);
+        meter.charge(1 + self.cost - before);
     }
 
     /// By depth from 1: the letters to make the pieces of.

@@ -7,7 +7,7 @@ use super::{BlockId, StyleChange};
 use crate::space::Space;
 use crate::turtle::{Op, Pen, Score};
 use crate::walk::{Next, Walk};
-use crate::{LimitName, Limits, Program, SymbolId};
+use crate::{LimitName, Limits, Meter, Program, SymbolId};
 
 /// What a derivation has cost so far.
 #[derive(Clone, Debug)]
@@ -32,17 +32,17 @@ impl Census {
         Self { walk: Walk::new(n, seed), symbols: 0, tally: Tally::default() }
     }
 
-    /// Goes on for `left` letters, handing the actions of each of the last generation to `act`, with its place there.
+    /// Goes on for as many letters as the meter allows, handing the actions of each of the last generation to `act`, with its place there.
     pub(crate) fn step<S: Space>(
         &mut self,
         program: &Program,
         score: &Score<S>,
         limits: &Limits,
-        left: &mut u64,
+        meter: &mut Meter,
         mut act: impl FnMut(&Walk, (u64, SymbolId), &[Op<S>]),
     ) -> Outcome<()> {
         let began = self.walk.work;
-        let until = began.saturating_add(*left).min(limits.work);
+        let until = began.saturating_add(meter.left()).min(limits.work);
         let outcome = loop {
             match self.walk.next(program, |_| false, until) {
                 Next::Letter(symbol, _) => {
@@ -62,7 +62,7 @@ impl Census {
                 Next::Pause => break Outcome::Paused,
             }
         };
-        *left = left.saturating_sub((self.walk.work - began).max(1));
+        meter.charge((self.walk.work - began).max(1));
         outcome
     }
 }
@@ -98,17 +98,17 @@ impl<S: Space> Materialiser<S> {
         self.census.symbols
     }
 
-    /// Goes on for `left` letters.
+    /// Goes on for as many letters as the meter allows.
     pub(crate) fn step(
         &mut self,
         program: &Program,
         score: &Score<S>,
         builder: &mut Builder<S>,
         limits: &Limits,
-        left: &mut u64,
+        meter: &mut Meter,
     ) -> Outcome<Option<BlockId>> {
         let Self { census, pen, saved, tree, directions, seed, own } = self;
-        let outcome = census.step(program, score, limits, left, |walk, (place, symbol), ops| {
+        let outcome = census.step(program, score, limits, meter, |walk, (place, symbol), ops| {
             let mut ops = ops;
             if score.is_personal() {
                 let fate = walk.fate(program, symbol, |former, successor| score.heir(former, successor));

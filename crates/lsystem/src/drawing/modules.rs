@@ -9,7 +9,7 @@ use crate::derivation::{fault, limit};
 use crate::rewriting::{Age, LetterId};
 use crate::space::Space;
 use crate::turtle::{Fate, Op, Pen, Score, exponent_of};
-use crate::{Diagnostic, Fault, Image, LimitName, Limits, Rewriter, Rules, Turtle};
+use crate::{Diagnostic, Fault, Image, LimitName, Limits, Meter, Rewriter, Rules, Turtle};
 
 /// Modules read between two looks at the caller's budget.
 const PIECE: usize = 1 << 12;
@@ -78,19 +78,19 @@ impl<S: Space> Modular<S> {
         self.rewriter.word().letters.len() as u64
     }
 
-    /// Works on for `left` modules.
+    /// Works on for as many modules as the meter allows.
     pub(crate) fn step(
         &mut self,
         (turtle, score): (&Turtle, &Score<S>),
         builder: &mut Builder<S>,
         limits: &Limits,
         n: u32,
-        left: &mut u64,
+        meter: &mut Meter,
     ) -> Outcome {
         let Self { rewriter, seed, reader, stage } = self;
         match stage {
             Stage::Derive if rewriter.generation() < n => {
-                if let Err(passed) = derive(rewriter, left) {
+                if let Err(passed) = derive(rewriter, meter) {
                     let reached = rewriter.generation();
                     let Fault::Limit(passed) = passed else {
                         return Outcome::Failed(fault(rewriter.rules(), passed, reached, limits, None));
@@ -104,7 +104,7 @@ impl<S: Space> Modular<S> {
                 Outcome::Paused
             }
             Stage::Measure(measure) => {
-                let done = reader.read(rewriter, (turtle, score, *seed), left, &mut |_, ops| measure.add(ops));
+                let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| measure.add(ops));
                 let generation = rewriter.generation();
                 match (measure.passed(limits), done) {
                     (Some(passed), _) => return self.recount(passed, n, limits),
@@ -130,7 +130,7 @@ impl<S: Space> Modular<S> {
                 let mut act = |place: usize, ops: &[Op<S>]| {
                     tree.draw(builder, place as u64, |desk| pen.act(ops, saved, *scale, directions, desk));
                 };
-                match reader.read(rewriter, (turtle, score, *seed), left, &mut act) {
+                match reader.read(rewriter, (turtle, score, *seed), meter, &mut act) {
                     Ok(false) => Outcome::Paused,
                     Ok(true) => Outcome::Ended(tree.finish(builder)),
                     Err(error) => Outcome::Failed(fault(rewriter.rules(), error, rewriter.generation(), limits, None)),
@@ -142,9 +142,9 @@ impl<S: Space> Modular<S> {
                     return Outcome::Failed(over);
                 }
                 if rewriter.generation() < *next {
-                    return if derive(rewriter, left).is_ok() { Outcome::Paused } else { Outcome::Failed(over) };
+                    return if derive(rewriter, meter).is_ok() { Outcome::Paused } else { Outcome::Failed(over) };
                 }
-                let done = reader.read(rewriter, (turtle, score, *seed), left, &mut |_, ops| measure.add(ops));
+                let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| measure.add(ops));
                 let within = measure.passed(limits).is_none();
                 if within && done == Ok(false) {
                     return Outcome::Paused;
@@ -172,10 +172,10 @@ impl<S: Space> Modular<S> {
 }
 
 /// Works towards the next generation.
-fn derive(rewriter: &mut Rewriter, left: &mut u64) -> Result<(), Fault> {
-    let budget = usize::try_from(*left).unwrap_or(usize::MAX).min(rewriter.word().letters.len().max(PIECE));
+fn derive(rewriter: &mut Rewriter, meter: &mut Meter) -> Result<(), Fault> {
+    let budget = usize::try_from(meter.left()).unwrap_or(usize::MAX).min(rewriter.word().letters.len().max(PIECE));
     rewriter.step(budget)?;
-    *left = left.saturating_sub(budget as u64);
+    meter.charge(budget as u64);
     Ok(())
 }
 
@@ -228,18 +228,18 @@ impl<S: Space> Default for Reader<S> {
 }
 
 impl<S: Space> Reader<S> {
-    /// Hands over what `left` modules do, with their places; says whether the generation is at its end.
+    /// Hands over what some thousand modules do, with their places; says whether the generation is at its end.
     fn read(
         &mut self,
         rewriter: &Rewriter,
         (turtle, score, seed): (&Turtle, &Score<S>, u32),
-        left: &mut u64,
+        meter: &mut Meter,
         act: &mut dyn FnMut(usize, &[Op<S>]),
     ) -> Result<bool, Fault> {
         let Self { at, argument, image, ops, own } = self;
         let (word, rules) = (rewriter.word(), rewriter.rules());
         let end = (*at + PIECE).min(word.letters.len());
-        *left = left.saturating_sub(2 * (end - *at) as u64 + 1);
+        meter.charge(2 * (end - *at) as u64 + 1);
         let mut one = |place: usize, letter: u16, arguments: &[f64], fate: Option<&Fate>| {
             let mut plain = score.ops[usize::from(letter)].as_slice();
             if let ([number, ..], [_, ..]) = (arguments, plain) {

@@ -17,7 +17,7 @@ use crate::rewriting::{Keys, Scales, applying};
 use crate::sorted::sort;
 use crate::space::Space;
 use crate::turtle::{Op, Pen, Score, exponent_of};
-use crate::{Diagnostic, Fault, LetterId, Limits, Rule, Rules, Template, Turtle};
+use crate::{Diagnostic, Fault, LetterId, Limits, Meter, Rule, Rules, Template, Turtle};
 use core::ops::Range;
 
 /// The most states: some hundred bytes each. More of them than this hardly ever come together.
@@ -158,16 +158,16 @@ impl<S: Space> Parametric<S> {
         &self.rules
     }
 
-    /// Works on for about `left` letters.
+    /// Works on for as many letters as the meter allows.
     pub(crate) fn step(
         &mut self,
         (turtle, score): (&Turtle, &Score<S>),
         builder: &mut Builder<S>,
         limits: &Limits,
-        left: &mut u64,
+        meter: &mut Meter,
     ) -> Outcome {
         if self.pieces.is_none() {
-            return self.plan((turtle, score), limits, left);
+            return self.plan((turtle, score), limits, meter);
         }
         let Some(level) = self.levels.last() else {
             return match self.piece((turtle, score), builder, self.top.clone(), (start::<S>(turtle), S::UPWARDS)) {
@@ -178,7 +178,7 @@ impl<S: Space> Parametric<S> {
         match level.get(self.done) {
             Some(state) => {
                 let (parts, vertical) = (state.parts.clone(), vertical_of(&state.tilt));
-                *left = left.saturating_sub(S::ITEM * (1 + parts.len() as u64));
+                meter.charge(S::ITEM * (1 + parts.len() as u64));
                 match (self.piece((turtle, score), builder, parts, (S::AHEAD, vertical)), &mut self.pieces) {
                     (Ok(made), Some([_, here])) => here.push(made),
                     (Err(diagnostic), _) => return Outcome::Failed(diagnostic),
@@ -187,7 +187,7 @@ impl<S: Space> Parametric<S> {
                 self.done += 1;
             }
             None => {
-                *left = left.saturating_sub(1);
+                meter.charge(1);
                 self.levels.pop();
                 self.done = 0;
                 if let Some([below, here]) = &mut self.pieces {
@@ -199,10 +199,10 @@ impl<S: Space> Parametric<S> {
     }
 
     /// Goes on with the plan.
-    fn plan(&mut self, with: (&Turtle, &Score<S>), limits: &Limits, left: &mut u64) -> Outcome {
+    fn plan(&mut self, with: (&Turtle, &Score<S>), limits: &Limits, meter: &mut Meter) -> Outcome {
         let steps = self.levels.len() as u32;
         let Some(state) = self.levels.last().and_then(|level| level.get(self.done)) else {
-            *left = left.saturating_sub(1 + self.open.len() as u64);
+            meter.charge(1 + self.open.len() as u64);
             // All states of the axiom are in the first level.
             if steps == 0 || steps >= self.n || self.open.is_empty() {
                 self.done = 0;
@@ -231,7 +231,7 @@ impl<S: Space> Parametric<S> {
                 self.place(with, &letters, made, self.n - steps, course)
             }
         };
-        *left = left.saturating_sub(1 + parts.len() as u64);
+        meter.charge(1 + parts.len() as u64);
         if let Some(state) = self.levels.last_mut().and_then(|level| level.get_mut(self.done)) {
             state.parts = parts;
         }
