@@ -5,8 +5,8 @@ use crate::make;
 use crate::naive::{self, Module};
 use crate::{Gauge, Source};
 use lsystem::{
-    Ancestor, Definition, Dialect, History, Limits, Part, System, Tally, Word, count_segments, count_symbols, describe, expand, expand_once,
-    expand_symbol, kind, legend, print_module, why_empty,
+    Ancestor, Definition, Dialect, History, Limits, Part, System, Tally, Word, count_segments, count_symbols, describe,
+    expand, expand_once, expand_symbol, kind, legend, print_module, why_empty,
 };
 
 /// Words longer than this are not compared: the naive way is quadratic here and there.

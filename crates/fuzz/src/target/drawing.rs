@@ -4,8 +4,8 @@ use super::derive::{is_judged, words};
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make, naive};
 use lsystem::{
-    Definition, Drawer, Drawing, Heading, Limits, Outlook, Segment, SegmentArrays, Solid, Space, System, fit, fitted_ends,
-    fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, symbol_of_polygon,
+    Definition, Drawer, Drawing, Heading, Limits, Outlook, Segment, SegmentArrays, Solid, Space, System, fit,
+    fitted_ends, fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, symbol_of_polygon,
 };
 use std::sync::Arc;
 
@@ -130,6 +130,9 @@ fn is_comparable(definition: &Definition, system: &System, n: u32) -> bool {
     // Who turns by 180 degrees goes straight back, whatever varies.
     let turns = [turtle.left, turtle.right, turtle.pitch_down, turtle.pitch_up, turtle.roll_left, turtle.roll_right];
     let varies = turtle.angle_variation != 0.0 && turns.contains(&Heading::HALF);
+    // A letter that is drawn as others is one letter with more to do, where nothing is computed.
+    let images = system.rules.is_none() && !system.grammar.images.is_empty();
+    let varies = varies || images && (turtle.angle_variation != 0.0 || turtle.length_variation != 0.0);
     // The naive turtle sums its headings up.
     words.len() as u64 == u64::from(n) + 1
         && words.last().is_some_and(arguments)
