@@ -5,6 +5,7 @@ mod bindgen;
 mod build;
 mod bundle;
 mod files;
+mod fuzz;
 mod gallery;
 mod include;
 mod joined;
@@ -34,8 +35,13 @@ usage: cargo xtask COMMAND
   serve [--port N]       build, then serve dist/ on this machine (port 8080 or the next free one)
   test [--thorough] [PART ...]
                          everything that must hold before a change is merged; PART is any of
-                         lint, native, wasm, size, page; --thorough makes the property tests long
+                         lint, native, fuzz, wasm, size, page; --thorough makes the property tests long
   lint                   formatting, clippy and documentation, warnings being errors
+  fuzz [TARGET ...] [--minutes M] [--seed N] [--guided]
+                         inputs that nobody would write, M minutes (1) for all targets together; --guided lets
+                         libFuzzer choose them by the code they reach (needs a C++ compiler)
+  fuzz TARGET --input FILE [--shrink]
+                         tries one input again; --shrink makes it smaller first
   bench [PART ...]       speed beside other implementations; PART is any of native, web, pictures,
                          page (how free it stays), load (what opening it and ten embedded drawings cost),
                          space (times of pictures in space, moving and at rest),
@@ -91,6 +97,7 @@ fn run(program: &OsString, command: &str, rest: Vec<OsString>) -> Result<()> {
             test::test(&Workspace::find()?, &test::Options::read(["lint"].into_iter())?)
         }
         "mutants" => mutants::mutants(&Workspace::find()?, words),
+        "fuzz" => fuzz::fuzz(&Workspace::find()?, words),
         "bench" => bench::bench(&Workspace::find()?, words),
         "monkey" => monkey::monkey(&Workspace::find()?, &monkey::Options::read(words)?),
         "help" | "--help" | "-h" => {

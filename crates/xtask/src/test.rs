@@ -2,12 +2,12 @@
 
 use crate::report::Report;
 use crate::workspace::{Workspace, run};
-use crate::{build, files, lint, monkey, page, size, tools};
+use crate::{build, files, fuzz, lint, monkey, page, size, tools};
 use anyhow::{Result, bail};
 use serde_json::Value;
 
 /// The parts of the test, in their order.
-const PARTS: [&str; 5] = ["lint", "native", "wasm", "size", "page"];
+const PARTS: [&str; 6] = ["lint", "native", "fuzz", "wasm", "size", "page"];
 
 /// What to test, and how hard.
 pub(crate) struct Options {
@@ -58,6 +58,9 @@ pub(crate) fn test(workspace: &Workspace, options: &Options) -> Result<()> {
         // On its own: together with the others Cargo would choose other features for the libraries below, and compile
         // all of them a second time.
         report.step("native tests of xtask", || run(&mut workspace.cargo(["test", "--package=xtask"])));
+    }
+    if has("fuzz") {
+        report.step("fuzzing, always the same inputs", || fuzz::short(workspace));
     }
     if has("wasm") {
         report.step("wasm tests in the browser", || wasm(workspace));

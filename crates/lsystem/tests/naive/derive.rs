@@ -1,6 +1,6 @@
 //! Derivation as the book defines it: the word as a tree of branches, expressions evaluated as they are written.
 
-use lsystem::{Expr, Function, Grammar, Key, Operator, Pattern, Production};
+use lsystem::{Expr, Function, Grammar, Heading, Key, Operator, Pattern, Production};
 
 /// A module of a word.
 #[derive(Clone, Debug, PartialEq)]
@@ -300,6 +300,10 @@ impl<'a> Tree<'a> {
     }
 }
 
+fn degrees(radians: f64) -> f64 {
+    radians * (180.0 / core::f64::consts::PI)
+}
+
 /// The patterns up to a `]` or the end.
 fn wanted<'p>(patterns: &mut core::slice::Iter<'p, Pattern>) -> Vec<Wanted<'p>> {
     let mut all = Vec::new();
@@ -368,7 +372,20 @@ impl Scope<'_> {
                     (Function::Floor, [a]) => a.floor(),
                     (Function::Ceil, [a]) => a.ceil(),
                     (Function::Sqrt, [a]) => a.sqrt(),
-                    _ => unreachable!("the tests use no other function"),
+                    (Function::Exp, [a]) => libm::exp(*a),
+                    (Function::Ln, [a]) => libm::log(*a),
+                    (Function::Asin, [a]) => degrees(libm::asin(*a)),
+                    (Function::Acos, [a]) => degrees(libm::acos(*a)),
+                    (Function::Atan, [a]) => degrees(libm::atan(*a)),
+                    (Function::Atan2, [a, b]) => degrees(libm::atan2(*a, *b)),
+                    // Exact for round angles, which no plain way is; nothing of what is not finite.
+                    (Function::Sin, [a]) if a.is_finite() => Heading::from_degrees(*a).cos_sin().1,
+                    (Function::Cos, [a]) if a.is_finite() => Heading::from_degrees(*a).cos_sin().0,
+                    (Function::Tan, [a]) if a.is_finite() => {
+                        let (c, s) = Heading::from_degrees(*a).cos_sin();
+                        s / c
+                    }
+                    _ => f64::NAN,
                 }
             }
         }

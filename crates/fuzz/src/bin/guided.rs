@@ -1,0 +1,22 @@
+//! Feeds inputs to a target that are led by the code they reach. The environment variable `LSYSTEM_FUZZ` names the target;
+//! the arguments are libFuzzer's.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use lsystem_fuzz::{Target, guided};
+use std::sync::OnceLock;
+
+static TARGET: OnceLock<&Target> = OnceLock::new();
+
+fuzz_target!(
+    init: {
+        let name = std::env::var("LSYSTEM_FUZZ").unwrap_or_default();
+        let target = Target::named(&name).unwrap_or_else(|| panic!("LSYSTEM_FUZZ names no target: `{name}`"));
+        let _ = TARGET.set(target);
+    },
+    |bytes: &[u8]| {
+        if let Some(target) = TARGET.get() {
+            guided(target, bytes);
+        }
+    }
+);

@@ -1,0 +1,332 @@
+//! Texts in the notation, mostly right, and texts that only look like it.
+
+use crate::Source;
+use core::fmt::Write;
+
+/// All that a dialect or the notation gives a meaning, and letters.
+const SYMBOLS: &str = "FGfgABXYLPQabcxyz+-|[]{}.!#',;%&^\\/$<>v*:=()~@é木🌱01";
+/// Of these, the ones that draw in the plane, of which words mostly are made.
+const COMMON: &str = "FFFFABX++--fG";
+/// What fills polygons and leads out of the plane.
+const SPECIAL: &str = "&^\\/$|!#'{}.%;,f";
+/// What has no place in a text, look-alikes and things that cannot be seen.
+const STRANGE: &str =
+    "`:->=#/*()<ε→.,;{}|\\^&$!'\"% \t\n\r_−–—’“ˆ（）＞⇒\u{feff}\u{200b}\u{a0}\u{2028}\u{0}\u{301}é木🌱";
+
+/// What a system may have beside plain letters.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Features {
+    pub(super) contexts: bool,
+    pub(super) parameters: bool,
+    pub(super) weights: bool,
+    pub(super) images: bool,
+    pub(super) special: bool,
+    pub(super) unbalanced: bool,
+    pub(super) long: bool,
+}
+
+impl Features {
+    pub(super) fn make(source: &mut Source<'_>) -> Self {
+        Self {
+            contexts: source.once_in(5),
+            parameters: source.once_in(3),
+            weights: source.once_in(5),
+            images: source.once_in(8),
+            special: source.once_in(3),
+            unbalanced: source.once_in(6),
+            long: source.once_in(16),
+        }
+    }
+}
+
+/// A symbol as it stands in a text.
+fn symbol(source: &mut Source<'_>, features: Features) -> String {
+    match source.below(12) {
+        0..8 => source.pick_char(COMMON).to_string(),
+        8 | 9 if features.special => match source.pick_char(SPECIAL) {
+            // Alone they leave a word open, which seldom memoises.
+            '{' | '}' if !features.unbalanced => ".".to_owned(),
+            special => special.to_string(),
+        },
+        10 => quoted(source.pick_char(SYMBOLS), features),
+        11 if source.once_in(8) => quoted(source.pick_char(STRANGE), features),
+        _ => source.pick_char("FABX+-").to_string(),
+    }
+}
+
+/// A character in backquotes where it has another meaning in the notation.
+fn quoted(symbol: char, features: Features) -> String {
+    match symbol {
+        '[' | ']' | '{' | '}' if !features.unbalanced => "F".to_owned(),
+        '`' => "U+60".to_owned(),
+        c if c.is_control() || c.is_whitespace() => format!("`U+{:02X}`", u32::from(c)),
+        c if c.is_ascii_alphanumeric() || "+-|&^'!,.".contains(c) => c.to_string(),
+        c => format!("`{c}`"),
+    }
+}
+
+/// A word; arguments of its modules use `names`.
+pub(super) fn word(source: &mut Source<'_>, features: Features, names: &[&str], depth: u32) -> String {
+    let mut text = String::new();
+    for _ in 0..source.between(1, 6) {
+        let piece = match source.below(10) {
+            0..5 => symbol(source, features),
+            5 if depth > 0 => format!("[{}]", word(source, features, names, depth - 1)),
+            6 if depth > 0 && features.special => format!("{{{}}}", word(source, features, names, depth - 1)),
+            7 if features.parameters => module(source, names),
+            8 if features.unbalanced => source.pick(&["[", "]", "{", "}", "%"]).to_owned(),
+            9 if features.long && depth > 0 => {
+                let times = source.pick(&[2, 3, 5, 10, 30, 100, 300, 1000, 2048, 8192]);
+                // Repeats inside repeats would be texts beyond the limit.
+                let few = Features { long: false, ..features };
+                word(source, few, names, 0).repeat(times)
+            }
+            _ => symbol(source, features),
+        };
+        text.push_str(&piece);
+    }
+    text
+}
+
+/// A module with arguments.
+fn module(source: &mut Source<'_>, names: &[&str]) -> String {
+    let symbol = source.pick(&["A", "B", "P", "Q", "F", "f", "+", "-", "!", "&", "/", "'"]);
+    let count = source.pick(&[1, 1, 1, 2, 2, 3, 8]);
+    let arguments: Vec<String> = (0..count).map(|_| expression(source, names, 2)).collect();
+    format!("{symbol}({})", arguments.join(","))
+}
+
+/// An expression over these names.
+pub(crate) fn expression(source: &mut Source<'_>, names: &[&str], depth: u32) -> String {
+    const OPERATORS: [&str; 16] =
+        ["+", "-", "*", "/", "%", "^", "<", "<=", ">", ">=", "==", "!=", "&&", "||", " and ", " or "];
+    const FUNCTIONS: [(&str, usize); 16] = [
+        ("sin", 1),
+        ("cos", 1),
+        ("tan", 1),
+        ("asin", 1),
+        ("acos", 1),
+        ("atan", 1),
+        ("atan2", 2),
+        ("sqrt", 1),
+        ("exp", 1),
+        ("ln", 1),
+        ("abs", 1),
+        ("floor", 1),
+        ("ceil", 1),
+        ("min", 2),
+        ("max", 2),
+        ("random", 2),
+    ];
+    match source.below(if depth == 0 { 4 } else { 10 }) {
+        0 | 1 if !names.is_empty() => source.pick(names).to_owned(),
+        0..=2 => source.pick(&["1", "0.5", "2", "0", "-1", "3", "0.9", "10", "r"]).to_owned(),
+        3 => match source.number() {
+            number if number.is_finite() && number.abs() < 1e15 => format!("{number}"),
+            number if number.is_finite() => format!("{number:e}"),
+            _ => "1e308".to_owned(),
+        },
+        4..=6 => {
+            let operator = source.pick(&OPERATORS);
+            let (a, b) = (expression(source, names, depth - 1), expression(source, names, depth - 1));
+            if source.once_in(2) { format!("({a}){operator}({b})") } else { format!("{a}{operator}{b}") }
+        }
+        7 => {
+            let (name, arity) = source.pick(&FUNCTIONS);
+            let arguments: Vec<String> = (0..arity).map(|_| expression(source, names, depth - 1)).collect();
+            format!("{name}({})", arguments.join(", "))
+        }
+        8 => {
+            let sign = source.pick(&["-", "!", "not "]);
+            // Printed in parentheses, more than 32 signs are nested too deeply to be read again.
+            let times = source.pick(&[1, 1, 1, 2, 8]);
+            format!("{}{}", sign.repeat(times), expression(source, names, depth - 1))
+        }
+        _ => format!("({})", expression(source, names, depth - 1)),
+    }
+}
+
+/// A predecessor or a part of a context, and the names that it brings.
+fn pattern(source: &mut Source<'_>, features: Features, names: &mut Vec<&'static str>) -> String {
+    const NAMES: [&str; 8] = ["x", "y", "a", "b", "l", "w", "s", "t"];
+    let symbol = if source.once_in(6) { symbol(source, features) } else { source.pick_char("FABXPQ").to_string() };
+    if !features.parameters || source.once_in(2) {
+        return symbol;
+    }
+    let count = source.pick(&[1, 1, 2, 3]);
+    let own: Vec<&str> = NAMES.into_iter().filter(|name| !names.contains(name)).take(count).collect();
+    names.extend(&own);
+    if own.is_empty() { symbol } else { format!("{symbol}({})", own.join(",")) }
+}
+
+/// A production.
+fn production(source: &mut Source<'_>, features: Features, image: bool) -> String {
+    let mut names = vec![];
+    let mut text = String::new();
+    let context = features.contexts && !image;
+    if context && source.once_in(2) {
+        for _ in 0..source.pick(&[1, 1, 1, 2, 3, 64]) {
+            text += &pattern(source, features, &mut names);
+        }
+        text += " < ";
+    }
+    text += &pattern(source, features, &mut names);
+    if context && source.once_in(2) {
+        text += " > ";
+        for _ in 0..source.pick(&[1, 1, 1, 2, 3, 64]) {
+            let one = pattern(source, features, &mut names);
+            text += &if source.once_in(3) { format!("[{one}]") } else { one };
+        }
+    }
+    if features.parameters && source.once_in(3) {
+        let _ = write!(text, " : {}", expression(source, &names, 2));
+    }
+    text += " -> ";
+    text += &if source.once_in(12) { "*".to_owned() } else { word(source, features, &names, 2) };
+    if features.weights {
+        let weight = if features.parameters && source.once_in(4) {
+            expression(source, &names, 1)
+        } else {
+            source.pick(&["1", "0.5", "2", "0.33", "0", "1e-300", "1e300"]).to_owned()
+        };
+        let _ = write!(text, " : {weight}");
+    }
+    text
+}
+
+/// Rules, a line each.
+pub(super) fn rules(source: &mut Source<'_>, features: Features) -> String {
+    let mut lines = vec![];
+    if features.parameters || source.once_in(10) {
+        lines.push(format!("r = {}", source.pick(&["0.75", "0.9", "1", "2", "-1", "1.5*2", "1e300"])));
+    }
+    if features.contexts && source.once_in(2) {
+        lines.push(source.pick(&["ignore: +-F", "consider: ABX", "ignore: +-&^/\\", "ignore:"]).to_owned());
+    }
+    for _ in 0..source.pick(&[1, 1, 2, 2, 3, 4, 6]) {
+        lines.push(production(source, features, false));
+    }
+    if features.images {
+        lines.push("draw:".to_owned());
+        for _ in 0..source.between(1, 3) {
+            let image = Features { weights: false, ..features };
+            lines.push(production(source, image, true));
+        }
+    }
+    lines.join("\n")
+}
+
+/// Exceptions from a dialect.
+pub(crate) fn overrides(source: &mut Source<'_>) -> String {
+    const ACTIONS: [&str; 34] = [
+        "draw",
+        "move",
+        "draw N",
+        "move N",
+        "draw unmarked",
+        "draw unmarked N",
+        "move unmarked N",
+        "open polygon",
+        "vertex",
+        "close polygon",
+        "turn left",
+        "turn right",
+        "turn left N",
+        "turn right N",
+        "turn round",
+        "pitch down",
+        "pitch up N",
+        "pitch down N",
+        "roll left",
+        "roll right N",
+        "roll upright",
+        "open branch",
+        "close branch",
+        "colour I",
+        "next colour",
+        "next colour I",
+        "previous colour I",
+        "width N",
+        "width times N",
+        "thicker",
+        "thinner",
+        "cut branch",
+        "nothing",
+        "move unmarked",
+    ];
+    let mut lines = vec![];
+    for _ in 0..source.between(1, 4) {
+        let symbol = if source.once_in(8) { source.pick_char(SYMBOLS) } else { source.pick_char("FABXfG+-") };
+        let symbol = quoted(symbol, Features { unbalanced: true, ..Features::default() });
+        let mut actions = vec![];
+        for _ in 0..source.pick(&[1, 1, 1, 2, 3, 6, 40]) {
+            let number = if source.once_in(4) { source.number() } else { source.pick(&[0.0, 1.0, 90.0, 0.5, 17.3]) };
+            let index = source.pick(&[0, 1, 2, 7, 255, i32::MAX]);
+            let action = source.pick(&ACTIONS);
+            actions.push(action.replace('N', &format!("{number}")).replace('I', &index.to_string()));
+        }
+        lines.push(format!("{symbol}: {}", actions.join(", ")));
+    }
+    lines.join("\n")
+}
+
+/// A text of pieces of the notation in any order, and of any characters.
+pub(crate) fn soup(source: &mut Source<'_>) -> String {
+    const PIECES: [&str; 40] = [
+        " -> ",
+        "->",
+        "→",
+        "-->",
+        "=>",
+        " < ",
+        " > ",
+        " : ",
+        "\n",
+        "\r\n",
+        "\t",
+        "draw:",
+        "ignore:",
+        "consider:",
+        "r = 2",
+        "p1: ",
+        "//",
+        "# ",
+        "`",
+        "`+`",
+        "`U+0A`",
+        "U+",
+        "F(",
+        "A(x)",
+        "A(x, y)",
+        ")",
+        "(",
+        "1e",
+        "0.5",
+        "1e400",
+        "random(",
+        "*",
+        ",",
+        "and",
+        "or",
+        "not ",
+        "sin(",
+        "draw 10",
+        "turn left",
+        "width times",
+    ];
+    let mut text = String::new();
+    for _ in 0..source.between(0, 40) {
+        match source.below(8) {
+            0..3 => text.push_str(source.pick(&PIECES)),
+            3 | 4 => text.push(source.pick_char(SYMBOLS)),
+            5 => text.push(source.pick_char(STRANGE)),
+            6 => text.push(char::from_u32(source.word() % 0x11_0000).unwrap_or('\u{fffd}')),
+            _ if source.once_in(8) => {
+                let piece = source.pick(&PIECES);
+                text.push_str(&piece.repeat(source.between(1, 300)));
+            }
+            _ => text.push_str(&expression(source, &["x", "r"], 3)),
+        }
+    }
+    text
+}

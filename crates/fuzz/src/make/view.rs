@@ -1,0 +1,100 @@
+//! How pictures look, and where they look at.
+
+use crate::Source;
+use lsystem::{Camera, Colour, ColourBy, Ink, Style, View, Viewport};
+
+/// A style.
+pub(crate) fn style(source: &mut Source<'_>) -> Style {
+    let colours = source.pick(&[1, 1, 2, 3, 5, 17, 256]);
+    let mut style = Style {
+        palette: (0..colours).map(|_| colour(source)).collect(),
+        palette_holds: source.once_in(2),
+        turn_colours: [0, 1].map(|_| source.pick(&[0, 1, 2, 7, 1000, i32::MAX])),
+        colour_by: source.pick(&ColourBy::ALL),
+        background: colour(source),
+        ink: if source.once_in(4) { Ink::Density } else { Ink::Solid },
+        ..Style::default()
+    };
+    style.width = usual(source, &[0.0, 0.0, 0.5, 2.0, 50.0]);
+    style.width_factor = usual(source, &[1.0, 0.7, 1.5, 0.1]);
+    style.min_width = usual(source, &[1.0, 0.0, 3.0, 10.0, 10_000.0]);
+    style.exposure = usual(source, &[0.0, 2.0, -5.0, 10.0]);
+    style
+}
+
+fn usual(source: &mut Source<'_>, usual: &[f64]) -> f64 {
+    if source.once_in(12) { source.number() } else { source.pick(usual) }
+}
+
+fn colour(source: &mut Source<'_>) -> Colour {
+    let [red, green, blue, _] = source.word().to_le_bytes();
+    Colour { rgb: [red, green, blue] }
+}
+
+/// The size of a picture: seldom large, because that takes long.
+pub(crate) fn viewport(source: &mut Source<'_>) -> Viewport {
+    let ratio = if source.once_in(10) { source.number() } else { source.pick(&[1.0, 2.0, 0.5, 3.0]) };
+    let side = |source: &mut Source<'_>| source.pick(&[64, 100, 1, 2, 3, 17, 33, 160, 255, 320]);
+    let [width, height] = match source.below(64) {
+        63 => [1920, 1080],
+        62 => [32_768, source.between(1, 4) as u32],
+        61 => [source.between(1, 4) as u32, 32_768],
+        60 => [source.pick(&[0, 1, 64, u32::MAX]), source.pick(&[0, 1, 2])],
+        _ => [side(source), side(source)],
+    };
+    Viewport { width, height, ratio }
+}
+
+/// Where a picture in the plane looks.
+pub(crate) fn view(source: &mut Source<'_>) -> View {
+    if source.once_in(2) {
+        return View::default();
+    }
+    let place = |source: &mut Source<'_>| match source.below(12) {
+        0 => source.number(),
+        1 => source.pick(&[0.5, -0.5]),
+        2..6 => 0.0,
+        _ => source.part() - 0.5,
+    };
+    let zoom = match source.below(10) {
+        0 => source.number(),
+        1..6 => source.pick(&[1.0, 2.0, 10.0, 0.1, 1.5]),
+        // Up to 1e25.
+        _ => libm::pow(10.0, source.part() * 25.0),
+    };
+    let fine = if source.once_in(3) { [source.number(), source.part() * 1e-17] } else { [0.0; 2] };
+    View { x: place(source), y: place(source), zoom, fine }
+}
+
+/// From where a drawing in space is seen.
+pub(crate) fn camera(source: &mut Source<'_>) -> Camera {
+    if source.once_in(3) {
+        return Camera::default();
+    }
+    let any = |source: &mut Source<'_>, usual: &[f64]| usual_or_any(source, usual);
+    Camera {
+        azimuth: any(source, &[0.0, 25.0, 90.0, 180.0, -360.0]),
+        elevation: any(source, &[0.0, 12.0, 90.0, -90.0]),
+        zoom: match source.below(4) {
+            0 => libm::pow(10.0, source.part() * 25.0),
+            _ => any(source, &[1.0, 3.0, 0.2, 50.0]),
+        },
+        target: [0, 1, 2].map(|_| any(source, &[0.0, 0.0, 0.3, -0.5])),
+        perspective: source.once_in(2),
+        fade: any(source, &[0.0, 0.5, 1.0]),
+    }
+}
+
+fn usual_or_any(source: &mut Source<'_>, usual: &[f64]) -> f64 {
+    if source.once_in(10) { source.number() } else { source.pick(usual) }
+}
+
+/// How many segments are shown.
+pub(crate) fn upto(source: &mut Source<'_>) -> Option<u128> {
+    match source.below(8) {
+        0..5 => None,
+        5 => Some(source.between(0, 100) as u128),
+        6 => Some(u128::from(source.word())),
+        _ => Some(source.pick(&[0, 1, u128::MAX, u128::MAX - 1, 1 << 64])),
+    }
+}

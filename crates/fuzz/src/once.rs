@@ -1,0 +1,67 @@
+//! One execution of a target.
+
+use crate::{Gauge, Source, Target};
+use anyhow::{Context, Result, bail};
+use std::cell::RefCell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+use std::sync::Once;
+
+thread_local! {
+    /// What the last panic said, and where.
+    static PANIC: RefCell<String> = const { RefCell::new(String::new()) };
+}
+
+/// Runs a target with an input. What it took, and what was wrong, if anything was.
+pub fn once(target: &Target, source: &mut Source<'_>) -> (Gauge, Result<(), String>) {
+    static HOOK: Once = Once::new();
+    HOOK.call_once(|| {
+        std::panic::set_hook(Box::new(|info| {
+            let place = info.location().map(|place| format!("{}:{}", place.file(), place.line())).unwrap_or_default();
+            let payload = info.payload();
+            let text = payload.downcast_ref::<String>().map(String::as_str);
+            let text = text.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("?");
+            PANIC.with_borrow_mut(|message| *message = format!("{place}: {text}"));
+        }));
+    });
+    let mut gauge = Gauge::new();
+    let outcome = catch_unwind(AssertUnwindSafe(|| (target.run)(source, &mut gauge)));
+    let outcome = match outcome {
+        Ok(()) => gauge.check(),
+        Err(_) => Err(PANIC.take()),
+    };
+    (gauge, outcome)
+}
+
+/// One input for the program that is led by coverage: aborts where something is wrong.
+///
+/// # Panics
+/// Where something is wrong.
+pub fn guided(target: &Target, bytes: &[u8]) {
+    let mut gauge = Gauge::new();
+    (target.run)(&mut Source::new(bytes), &mut gauge);
+    if let Err(message) = gauge.check() {
+        panic!("{message}");
+    }
+}
+
+/// Tries the input in a file: bytes, or, where its name ends in `.json`, a system.
+///
+/// # Errors
+/// Where something is wrong.
+pub fn replay(target: &Target, path: &Path) -> Result<()> {
+    let bytes = std::fs::read(path).with_context(|| format!("reading {}", path.display()))?;
+    let is_system = path.extension().is_some_and(|ending| ending == "json");
+    let mut source = Source::new(if is_system { &[] } else { &bytes });
+    source.is_shown = true;
+    if is_system {
+        source.given = lsystem::read_file(&bytes).definition;
+        if source.given.is_none() {
+            bail!("{} holds no system", path.display());
+        }
+    }
+    let (gauge, outcome) = once(target, &mut source);
+    let (name, time) = gauge.slowest();
+    println!("{}: peak {} KiB, slowest call {name} {time:?}", target.name, gauge.peak() >> 10);
+    outcome.map_err(|message| anyhow::anyhow!("{message}"))
+}

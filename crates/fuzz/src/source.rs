@@ -1,0 +1,105 @@
+//! A row of bytes as a source of choices.
+
+use arbitrary::Unstructured;
+use lsystem::Definition;
+
+/// Choices that are read from bytes. Where the bytes end every choice is the first, so that every row of bytes is an input
+/// and short ones are simple.
+#[derive(Debug)]
+pub struct Source<'a> {
+    bytes: Unstructured<'a>,
+    /// A system that targets take in the place of one made of the bytes.
+    pub(crate) given: Option<Definition>,
+    /// Whether to tell what is made.
+    pub(crate) is_shown: bool,
+}
+
+impl<'a> Source<'a> {
+    /// Reads from `bytes`.
+    #[must_use]
+    pub fn new(bytes: &'a [u8]) -> Self {
+        Self { bytes: Unstructured::new(bytes), given: None, is_shown: false }
+    }
+
+    /// A number below `n`, which is at least 1.
+    pub(crate) fn below(&mut self, n: usize) -> usize {
+        self.bytes.int_in_range(0..=n - 1).unwrap_or(0)
+    }
+
+    /// A number in `low..=high`.
+    pub(crate) fn between(&mut self, low: usize, high: usize) -> usize {
+        low + self.below(high - low + 1)
+    }
+
+    /// True once in `n` times; false where the bytes have ended.
+    pub(crate) fn once_in(&mut self, n: usize) -> bool {
+        self.below(n) == n - 1
+    }
+
+    /// One of these.
+    pub(crate) fn pick<T: Copy>(&mut self, these: &[T]) -> T {
+        these[self.below(these.len())]
+    }
+
+    /// One of a text's characters.
+    pub(crate) fn pick_char(&mut self, text: &str) -> char {
+        let number = self.below(text.chars().count());
+        text.chars().nth(number).unwrap_or('F')
+    }
+
+    /// Any 32 bits.
+    pub(crate) fn word(&mut self) -> u32 {
+        self.bytes.int_in_range(0..=u32::MAX).unwrap_or(0)
+    }
+
+    /// Uniform in `0.0..1.0`.
+    pub(crate) fn part(&mut self) -> f64 {
+        f64::from(self.word()) / (f64::from(u32::MAX) + 1.0)
+    }
+
+    /// Any number there is, NaN and infinities as well, mostly one at which something changes.
+    pub(crate) fn number(&mut self) -> f64 {
+        match self.below(8) {
+            0 => self.pick(&ROUND),
+            1..=3 => self.pick(&EXTREME),
+            4 => f64::from_bits(u64::from(self.word()) << 32 | u64::from(self.word())),
+            5 => self.between(0, 2000) as f64 - 1000.0,
+            6 => self.part(),
+            _ => (self.part() - 0.5) * libm::pow(10.0, self.between(0, 60) as f64 - 30.0),
+        }
+    }
+
+    /// So many bytes, or as many as are left.
+    pub(crate) fn bytes(&mut self, most: usize) -> &'a [u8] {
+        let count = most.min(self.bytes.len());
+        self.bytes.bytes(count).unwrap_or_default()
+    }
+}
+
+const ROUND: [f64; 8] = [0.0, 1.0, 2.0, 0.5, -1.0, 10.0, 100.0, 3.0];
+const EXTREME: [f64; 24] = [
+    -0.0,
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::MAX,
+    f64::MIN,
+    f64::MIN_POSITIVE,
+    5e-324,
+    f64::EPSILON,
+    1e-9,
+    -1e-9,
+    1e9,
+    -1e9,
+    1e-300,
+    1e300,
+    1e18,
+    1e25,
+    4_294_967_296.0,
+    9_007_199_254_740_993.0,
+    1e6,
+    -1e6,
+    0.999_999,
+    1.000_001,
+    255.5,
+];

@@ -1,0 +1,66 @@
+//! The targets: parts of the core, what they are given, and what must hold.
+
+mod derive;
+mod drawing;
+mod export;
+mod expressions;
+mod files;
+mod notation;
+mod pick;
+mod render;
+mod solid;
+
+use crate::{Gauge, Source};
+
+/// A part of the core, and what must hold for it.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// Its name.
+    pub name: &'static str,
+    /// Reads an input and tries it; panics where something does not hold.
+    pub(crate) run: fn(&mut Source<'_>, &mut Gauge),
+    /// Executions in the short run that the tests have.
+    pub(crate) short: u64,
+}
+
+const fn target(name: &'static str, short: u64, run: fn(&mut Source<'_>, &mut Gauge)) -> Target {
+    Target { name, run, short }
+}
+
+const TARGETS: [Target; 16] = [
+    target("notation", 1_500, notation::notation),
+    target("overrides", 8_000, notation::overrides),
+    target("expressions", 15_000, expressions::expressions),
+    target("json", 4_000, files::json),
+    target("pictures", 4_000, files::pictures),
+    target("bytes", 8_000, files::bytes),
+    target("derive", 3_000, derive::derive),
+    target("access", 1_500, derive::access),
+    target("drawing", 3_000, drawing::plane),
+    target("space", 2_000, drawing::space),
+    target("render", 800, render::render),
+    target("views", 40, render::views),
+    target("density", 500, render::density),
+    target("solid", 100, solid::solid),
+    target("pick", 3_000, pick::pick),
+    target("export", 2_000, export::export),
+];
+
+impl Target {
+    /// All of them.
+    pub fn all() -> impl Iterator<Item = &'static Self> {
+        TARGETS.iter()
+    }
+
+    /// Their names.
+    #[must_use]
+    pub fn names() -> Vec<&'static str> {
+        Self::all().map(|target| target.name).collect()
+    }
+
+    /// The one of that name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<&'static Self> {
+        Self::all().find(|target| target.name == name)
+    }
+}

@@ -1,0 +1,187 @@
+//! Derivation: strings, counts and reading in place against the naive reference.
+
+use crate::gauge::WORK;
+use crate::make;
+use crate::naive::{self, Module};
+use crate::{Gauge, Source};
+use lsystem::{
+    Ancestor, Definition, Dialect, History, Limits, Part, System, Tally, Word, count_segments, count_symbols, describe,
+    expand, expand_once, expand_symbol, kind, legend, print_module, why_empty,
+};
+
+/// Words longer than this are not compared: the naive way is quadratic here and there.
+const FEW: usize = 400;
+
+/// Whether the naive reference knows all that a system does: it cuts at `%` alone, and knows symbols that are drawn as
+/// others in one dialect.
+pub(super) fn is_judged(definition: &Definition, system: &System) -> bool {
+    let Definition { dialect, overrides, .. } = definition;
+    let abop = *dialect == Dialect::Abop;
+    let images = system.rules.is_none() && !system.grammar.images.is_empty();
+    let others_cut = overrides.contains("cut") || overrides.contains('%') || !abop;
+    !(others_cut && (overrides.contains("cut") || system.program.alphabet.contains(&'%')))
+        && (!images || abop && overrides.is_empty())
+}
+
+/// The words of the generations up to `n` by the naive reference, as far as they are short and their numbers finite.
+pub(super) fn words(system: &System, n: u32) -> Vec<Vec<Module>> {
+    let limits = Limits { symbols: 8 * FEW as u64, modules: FEW as u64, ..Limits::default() };
+    let short = |n: u32| expand(system, n, &limits).is_ok_and(|text| text.chars().count() < 8 * FEW);
+    let word = |n: u32| short(n).then(|| naive::modules(&system.grammar, system.seed, n)).flatten();
+    (0..=n.min(12)).map_while(word).take_while(|word| word.len() < FEW).collect()
+}
+
+/// Strings and counts.
+pub(super) fn derive(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let Some((definition, system)) = make::system(source) else { return };
+    gauge.reach("system");
+    let n = definition.iterations;
+    let limits = make::limits(source);
+    let text = gauge.call("expand", || expand(&system, n, &limits));
+    let symbols = gauge.call("count_symbols", || count_symbols(&system, n));
+    let segments = gauge.call("count_segments", || count_segments(&system, n));
+    gauge.call("words", || {
+        (legend(&system).len(), kind(&system), why_empty(&system, n));
+        if let Some(segments) = &segments {
+            let _ = describe(&system, n, segments, Some(7), Some([0.0, 0.0, 1.0, 1.0]));
+        }
+    });
+    if let Ok(text) = &text {
+        assert!(text.chars().count() as u64 <= limits.symbols, "longer than the limit");
+        gauge.reach("expanded");
+    }
+    let symbol = source.pick_char("FABX+[é");
+    let _ = gauge.call("expand_symbol", || expand_symbol(&system, symbol, 0.5));
+    let line = make::soup(source);
+    let _ = gauge.call("expand_once", || expand_once(&system, &line, n));
+    let words = words(&system, n);
+    if !is_judged(&definition, &system) {
+        return;
+    }
+    let Some(word) = words.last().filter(|_| words.len() as u64 == u64::from(n) + 1) else { return };
+    gauge.reach("compared");
+    if let Ok(text) = text {
+        assert_eq!(text, printed(&system, word), "the string of generation {n}");
+    }
+    if let Some(symbols) = symbols {
+        assert_eq!(symbols, Tally::from(word.len() as u64), "the symbols of generation {n}");
+    }
+    if let Some(segments) = segments {
+        let drawn: usize = naive::segments_of_each(&system, word).iter().sum();
+        assert_eq!(segments, Tally::from(drawn as u64), "the segments of generation {n}");
+    }
+}
+
+/// A word as text.
+fn printed(system: &System, word: &[Module]) -> String {
+    let mut text = String::new();
+    for module in word {
+        if system.rules.is_none() {
+            text.push(module.symbol);
+        } else {
+            print_module(module.symbol, &module.arguments, &mut text);
+        }
+    }
+    text
+}
+
+/// What reads generations in place.
+enum Reader<'a> {
+    Counted(&'a System, u32),
+    Remembered(History, u32),
+}
+
+impl Reader<'_> {
+    fn modules(&self, generation: u32, start: u128) -> Vec<(char, Vec<f64>)> {
+        let mut found = vec![];
+        let mut visit = |symbol: char, arguments: &[f64]| found.push((symbol, arguments.to_vec()));
+        match self {
+            Self::Counted(system, _) => {
+                if let Some(word) = Word::new(system, generation) {
+                    word.modules(start, 17, &mut visit);
+                }
+            }
+            Self::Remembered(history, _) => history.modules(generation, start, 17, &mut visit),
+        }
+        found
+    }
+
+    fn ancestry(&self, generation: u32, index: u128) -> Vec<Ancestor> {
+        match self {
+            Self::Counted(system, _) => {
+                Word::new(system, generation).map_or_else(Vec::new, |word| word.ancestry(index))
+            }
+            Self::Remembered(history, _) => history.ancestry(generation, index),
+        }
+    }
+
+    fn part(&self, generation: u32, index: u128) -> Option<Part> {
+        match self {
+            Self::Counted(system, n) => Word::new(system, *n)?.part(generation, index),
+            Self::Remembered(history, n) => history.part(generation, index, *n),
+        }
+    }
+
+    fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
+        match self {
+            Self::Counted(system, n) => Word::new(system, *n)?.symbol_of_segment(segment),
+            Self::Remembered(history, _) => history.symbol_of_segment(segment),
+        }
+    }
+
+    fn segments_before(&self, index: u128) -> Option<u128> {
+        match self {
+            Self::Counted(system, n) => Some(Word::new(system, *n)?.segments_before(index)),
+            Self::Remembered(history, _) => history.segments_before(index),
+        }
+    }
+}
+
+/// Pages, ancestors and parts.
+pub(super) fn access(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let Some((definition, system)) = make::system(source) else { return };
+    let n = definition.iterations;
+    let mut limits = make::limits(source);
+    limits.modules = limits.modules.min(200_000);
+    let mut readers = vec![];
+    if gauge.call("word", || Word::new(&system, n)).is_some() {
+        gauge.reach("counted");
+        readers.push(Reader::Counted(&system, n));
+    }
+    if let Some(mut history) = gauge.call("history", || History::new(&system, n, &limits)) {
+        gauge.steps("history step", || history.step(WORK));
+        if history.is_complete() {
+            gauge.reach("remembered");
+            readers.push(Reader::Remembered(history, n));
+        }
+    }
+    let words = if is_judged(&definition, &system) { words(&system, n) } else { vec![] };
+    let is_whole = words.len() as u64 == u64::from(n) + 1;
+    let index = [u128::from(source.word() % 500), source.pick(&[0, 1, u128::MAX, 1 << 64, 12_345])];
+    for reader in &readers {
+        for (place, index) in index.into_iter().enumerate() {
+            let generation = source.below(n as usize + 1) as u32;
+            let name = if place == 0 { "near" } else { "far" };
+            let page = gauge.call("page", || reader.modules(generation, index));
+            let ancestry = gauge.call("ancestry", || reader.ancestry(generation, index));
+            let part = gauge.call("part", || reader.part(generation, index));
+            gauge.call("symbol_of_segment", || reader.symbol_of_segment(index));
+            gauge.call("segments_before", || reader.segments_before(index));
+            let Some(word) = words.get(generation as usize) else { continue };
+            gauge.reach(name);
+            let start = usize::try_from(index).unwrap_or(usize::MAX);
+            let expected = word.iter().skip(start).take(17).map(|m| (m.symbol, m.arguments.clone()));
+            assert_eq!(page, expected.collect::<Vec<_>>(), "a page of generation {generation} from {index}");
+            assert_eq!(ancestry.len(), if start < word.len() { generation as usize + 1 } else { 0 });
+            if is_whole && start < word.len() {
+                let mut own = vec![start];
+                for later in &words[generation as usize + 1..] {
+                    let from = later.iter().filter(|module| own.contains(&module.parent));
+                    own = from.map(|module| module.index).collect();
+                }
+                let part = part.expect("the symbol is there");
+                assert_eq!(part.symbols.end - part.symbols.start, own.len() as u128, "what became of {index}");
+            }
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! Drawings: made in the page's steps, read in every way, and compared with the naive turtle where they are small.
+
+use super::derive::{is_judged, words};
+use crate::gauge::WORK;
+use crate::{Gauge, Source, make, naive};
+use lsystem::{
+    Definition, Drawer, Drawing, Heading, Limits, Outlook, Segment, SegmentArrays, Solid, Space, System, fit,
+    fitted_ends, fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, symbol_of_polygon,
+};
+use std::sync::Arc;
+
+/// A drawing in the plane, made in steps.
+pub(super) fn drawn(system: &System, n: u32, limits: &Limits, gauge: &mut Gauge) -> Option<Arc<Drawing>> {
+    build(Drawer::new(system, n, *limits), gauge)
+}
+
+/// A drawing in space, made in steps.
+pub(super) fn drawn_in_space(
+    system: &System,
+    n: u32,
+    limits: &Limits,
+    gauge: &mut Gauge,
+) -> Option<Arc<Drawing<Solid>>> {
+    build(Drawer::solid(system, n, *limits), gauge)
+}
+
+fn build<S: Space>(mut drawer: Drawer<S>, gauge: &mut Gauge) -> Option<Arc<Drawing<S>>> {
+    gauge.steps("draw", || drawer.step(WORK as u64));
+    match gauge.call("finish", || drawer.finish()) {
+        Ok(drawing) => {
+            gauge.reach("drawn");
+            Some(Arc::new(drawing))
+        }
+        Err(limit) => {
+            gauge.reach("refused");
+            assert!(!limit.message().is_empty());
+            None
+        }
+    }
+}
+
+/// A system with everything in the plane.
+pub(super) fn plane(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let Some((definition, system)) = make::system(source) else { return };
+    let n = definition.iterations;
+    let limits = make::limits(source);
+    let Some(drawing) = drawn(&system, n, &limits, gauge) else { return };
+    let bounds = gauge.call("bounds", || drawing.bounds());
+    assert_eq!(bounds.is_some(), drawing.segment_count() > 0 || drawing.polygon_count() > 0, "bounds of something");
+    if let Some([x0, y0, x1, y1]) = bounds {
+        assert!(x0 <= x1 && y0 <= y1, "{bounds:?}");
+    }
+    gauge.call("fit", || fit(&drawing));
+    let number = place(source, drawing.segment_count());
+    gauge.call("fitted_ends", || fitted_ends(&drawing, number));
+    gauge.call("heading_at", || drawing.heading_at(number));
+    let end = number.saturating_add(u128::from(source.word()));
+    gauge.call("fitted_outline", || fitted_outline(&drawing, number..end));
+    let number = place(source, drawing.polygon_count());
+    let polygon = gauge.call("fitted_polygon", || fitted_polygon(&drawing, number));
+    assert_eq!(polygon.is_empty(), number >= drawing.polygon_count());
+    gauge.call("symbol_of_polygon", || symbol_of_polygon(&system, n, &drawing, number));
+    let mut arrays = SegmentArrays::default();
+    let _ = gauge.call("write_segments", || drawing.write_segments(5_000, &mut arrays));
+    read(&drawing, gauge);
+    if is_comparable(&definition, &system, n) {
+        let naive = gauge.call("naive", || naive::segments(&system, n));
+        gauge.reach("compared");
+        compare(&drawing, &naive);
+    }
+}
+
+/// The same in space.
+pub(super) fn space(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let Some((definition, system)) = make::system(source) else { return };
+    let n = definition.iterations;
+    let limits = make::limits(source);
+    let Some(drawing) = drawn_in_space(&system, n, &limits, gauge) else { return };
+    let bounds = gauge.call("bounds", || drawing.bounds());
+    if let Some([low, high]) = bounds {
+        assert!((0..3).all(|i| low[i] <= high[i]), "{bounds:?}");
+    }
+    let number = place(source, drawing.segment_count());
+    gauge.call("fitted_ends", || fitted_solid_ends(&drawing, number));
+    let number = place(source, drawing.polygon_count());
+    gauge.call("fitted_polygon", || fitted_solid_polygon(&drawing, number));
+    gauge.call("symbol_of_polygon", || symbol_of_polygon(&system, n, &drawing, number));
+    let outlook = Outlook { azimuth: source.number(), elevation: source.number() };
+    let _ = gauge.call("seen_from", || drawing.seen_from(&outlook, 5_000));
+    read(&drawing, gauge);
+    if system.is_solid() && is_comparable(&definition, &system, n) {
+        let naive = gauge.call("naive", || naive::solid_segments(&system, n));
+        gauge.reach("compared");
+        compare(&drawing, &naive);
+    }
+}
+
+/// A number below `count`, or a little beyond it.
+fn place(source: &mut Source<'_>, count: u128) -> u128 {
+    match source.below(4) {
+        0 => count,
+        1 => count.saturating_sub(1),
+        2 => 0,
+        _ => u128::from(source.word()) % count.max(1),
+    }
+}
+
+/// Reads some segments in two ways.
+fn read<S: Space>(drawing: &Drawing<S>, gauge: &mut Gauge) {
+    let count = drawing.segment_count();
+    for start in [0, 1, count / 3, count.saturating_sub(1), count] {
+        let few = gauge.call("segments_from", || drawing.segments_from(start).take(3).count());
+        // As many as a count can tell, or more.
+        if count == u128::MAX {
+            continue;
+        }
+        assert_eq!(few as u128, (count.saturating_sub(start)).min(3), "segments from {start} on of {count}");
+    }
+}
+
+/// Whether the naive turtle is meant to do the same: numbers of usual sizes, and a short word.
+fn is_comparable(definition: &Definition, system: &System, n: u32) -> bool {
+    let turtle = &system.turtle;
+    let usual = |number: f64| number == 0.0 || (1e-6..1e6).contains(&number.abs());
+    let style = &definition.style;
+    let numbers = [definition.step, definition.start[0], definition.start[1], style.width, style.width_factor];
+    let more = [definition.length_factor, definition.elasticity, definition.growth];
+    let arguments = |word: &Vec<naive::Module>| word.iter().flat_map(|module| &module.arguments).all(|&a| usual(a));
+    let words = words(system, n);
+    // Who turns by 180 degrees goes straight back, whatever varies.
+    let turns = [turtle.left, turtle.right, turtle.pitch_down, turtle.pitch_up, turtle.roll_left, turtle.roll_right];
+    let varies = turtle.angle_variation != 0.0 && turns.contains(&Heading::HALF);
+    // A letter that is drawn as others is one letter with more to do, where nothing is computed.
+    let images = system.rules.is_none() && !system.grammar.images.is_empty();
+    let varies = varies || images && (turtle.angle_variation != 0.0 || turtle.length_variation != 0.0);
+    // The naive turtle sums its headings up.
+    words.len() as u64 == u64::from(n) + 1
+        && words.last().is_some_and(arguments)
+        && numbers.into_iter().chain(more).chain(definition.tropism).all(usual)
+        && is_judged(definition, system)
+        && !varies
+        && turtle.actions.iter().flatten().all(|&action| is_usual(action))
+        && naive::images(&system.grammar, system.seed, &words[n as usize]).is_some()
+}
+
+/// Whether an action has a number of usual size, if any.
+fn is_usual(action: lsystem::Action) -> bool {
+    use lsystem::Action::{
+        Draw, DrawUnmarked, Move, MoveUnmarked, PitchDown, PitchUp, RollLeft, RollRight, ScaleWidth, SetWidth,
+        TurnLeft, TurnRight,
+    };
+    let usual = |number: f64| number == 0.0 || (1e-4..1e4).contains(&number.abs());
+    match action {
+        Draw(number) | DrawUnmarked(number) | Move(number) | MoveUnmarked(number) => number.is_none_or(usual),
+        TurnLeft(number) | TurnRight(number) | PitchDown(number) | PitchUp(number) => number.is_none_or(usual),
+        RollLeft(number) | RollRight(number) => number.is_none_or(usual),
+        SetWidth(number) | ScaleWidth(number) => usual(number),
+        _ => true,
+    }
+}
+
+/// The same segments, to 1e-6 of the extent: rounding adds up along hundreds of branches that shrink and grow.
+fn compare<S: Space>(drawing: &Drawing<S>, naive: &[Segment<S>]) {
+    assert_eq!(drawing.segment_count(), naive.len() as u128, "how many segments there are");
+    let ends = naive.iter().flat_map(|segment| [segment.from, segment.to]);
+    let extent = ends.flat_map(|end| end.as_ref().to_vec()).fold(0.0_f64, |most, c| most.max(c.abs()));
+    let tolerance = 1e-6 * extent + 1e-9;
+    for (number, (fast, plain)) in drawing.segments().zip(naive).enumerate() {
+        for (a, b) in [(fast.from, plain.from), (fast.to, plain.to)] {
+            let near = a.as_ref().iter().zip(b.as_ref()).all(|(a, b)| (a - b).abs() <= tolerance);
+            assert!(near, "segment {number}: {fast:?}, but {plain:?}");
+        }
+        assert_eq!((fast.colour, fast.level), (plain.colour, plain.level), "segment {number}");
+        let width = (fast.width - plain.width).abs() <= 1e-6 * plain.width.abs();
+        assert!(width, "segment {number}: {} wide, but {}", fast.width, plain.width);
+    }
+}

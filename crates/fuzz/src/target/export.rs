@@ -1,0 +1,76 @@
+//! Files that are written: bounded, well formed, with finite numbers, and with the system in them.
+
+use super::drawing::{drawn, drawn_in_space};
+use crate::{Gauge, Source, make};
+use lsystem::{
+    Definition, Diagnostic, Drawing, Mesh, Outlook, Style, SvgForm, SvgOptions, read_file, write_csv, write_glb,
+    write_json, write_obj, write_svg,
+};
+
+/// The most segments of a file here.
+const MOST: u64 = 20_000;
+
+/// Every format.
+pub(super) fn export(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let Some((definition, system)) = make::system(source) else { return };
+    let (n, limits) = (definition.iterations, make::limits(source));
+    if !system.is_solid() {
+        let Some(drawing) = drawn(&system, n, &limits, gauge) else { return };
+        svg(source, &definition, &drawing, &system.style, gauge);
+        table(gauge.call("csv", || write_csv(&drawing, MOST)), drawing.segment_count(), 6);
+    }
+    if system.is_solid() || source.once_in(3) {
+        let Some(drawing) = drawn_in_space(&system, n, &limits, gauge) else { return };
+        table(gauge.call("csv", || write_csv(&*drawing, MOST)), drawing.segment_count(), 8);
+        let outlook = Outlook { azimuth: source.part() * 360.0, elevation: source.pick(&[12.0, 0.0, 90.0, 300.0]) };
+        if let Ok(seen) = gauge.call("seen_from", || drawing.seen_from(&outlook, MOST)) {
+            svg(source, &definition, &seen, &system.style, gauge);
+        }
+        let Ok(mesh) = gauge.call("mesh", || Mesh::new(&drawing, &system.style, MOST)) else { return };
+        check(&mesh);
+        let obj = gauge.call("obj", || write_obj(&mesh, definition.label()));
+        assert!(!obj.contains("NaN") && !obj.contains("inf"), "a number that is not finite in OBJ");
+        let glb = gauge.call("glb", || write_glb(&mesh, definition.label()));
+        assert!(glb.starts_with(b"glTF"));
+        let length = glb[8..12].iter().rev().fold(0, |length, &byte| length << 8 | usize::from(byte));
+        assert_eq!(length, glb.len(), "the length that the file tells");
+        gauge.reach("mesh");
+    }
+}
+
+/// Both forms, with the system in them.
+fn svg(source: &mut Source<'_>, definition: &Definition, drawing: &Drawing, style: &Style, gauge: &mut Gauge) {
+    let form = source.pick(&[SvgForm::Flat, SvgForm::Compact]);
+    let system = write_json(definition);
+    let options = SvgOptions { title: "<&>".into(), system: system.clone(), form, most: MOST, ..SvgOptions::default() };
+    let Ok(svg) = gauge.call("svg", || write_svg(drawing, style, &options)) else { return };
+    let _ = svg.warning();
+    gauge.reach("svg");
+    assert!(svg.text.starts_with("<svg") && svg.text.trim_end().ends_with("</svg>"));
+    let picture = svg.text.replace(&*escaped(&system), "");
+    assert!(!picture.contains("NaN") && !picture.contains("inf"), "a number that is not finite in SVG");
+    let found = read_file(svg.text.as_bytes()).definition.map(|definition| write_json(&definition));
+    assert_eq!(found, Some(system), "the system in the file");
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+/// One line for each segment, each with so many numbers.
+fn table(text: Result<String, Diagnostic>, segments: u128, columns: usize) {
+    let Ok(text) = text else { return };
+    assert_eq!(text.lines().count() as u128, segments + 1, "a line for each segment");
+    for line in text.lines().skip(1) {
+        let numbers = line.split(',').filter_map(|word| word.parse::<f64>().ok()).filter(|number| number.is_finite());
+        assert_eq!(numbers.count(), columns, "{line}");
+    }
+}
+
+/// Corners that are there, and finite.
+fn check(mesh: &Mesh) {
+    let corners = mesh.positions.len();
+    assert!(mesh.normals.len() == corners && mesh.colours.len() == corners);
+    assert!(mesh.triangles.iter().flatten().all(|&corner| (corner as usize) < corners));
+    assert!(mesh.positions.iter().chain(&mesh.normals).flatten().all(|c| c.is_finite()), "a corner that is not finite");
+}

@@ -1,0 +1,180 @@
+//! Readers of files: any bytes are read without a panic, and what is written reads back.
+
+use crate::make::{self, soup};
+use crate::{Gauge, Source};
+use lsystem::{
+    Definition, Diagnostic, Field, Limits, SvgOptions, System, draw, read_file, read_json, render_diagnostic, tag_png,
+    write_json, write_svg,
+};
+
+/// JSON that is right, and JSON with something wrong in it.
+pub(super) fn json(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let definition = make::definition(source);
+    let written = gauge.call("write", || write_json(&definition));
+    if System::new(&definition).0.is_some() {
+        gauge.reach("right");
+        let (read, diagnostics) = gauge.call("read", || read_json(&written));
+        assert!(!diagnostics.iter().any(Diagnostic::is_error), "{written}: {diagnostics:?}");
+        let again = read.map(|read| write_json(&read));
+        assert_eq!(again.as_ref(), Some(&written), "what is read is written as it was");
+    }
+    let text = if source.once_in(8) { tokens(source) } else { written };
+    let damaged = damaged(source, text.into_bytes());
+    read(&damaged, gauge);
+}
+
+/// Pieces of JSON in any order.
+fn tokens(source: &mut Source<'_>) -> String {
+    const PIECES: [&str; 36] = [
+        "{",
+        "}",
+        "[",
+        "]",
+        ",",
+        ":",
+        "\"rules\"",
+        "\"initial\"",
+        "\"turtle\"",
+        "\"style\"",
+        "\"palette\"",
+        "\"F\"",
+        "\"p\"",
+        "\"e\"",
+        "0.5",
+        "-1e400",
+        "1e999999",
+        "true",
+        "null",
+        "\"\\u12\"",
+        "\"\\ud800\"",
+        "//",
+        "/*",
+        "*/",
+        "\n",
+        "'a'",
+        "num_iters",
+        "\"seed\"",
+        "99999999999999999999",
+        "\"overrides\"",
+        "\"start\"",
+        "[1,2]",
+        "\"#fff\"",
+        "\u{feff}",
+        "\"",
+        "\"angle_deg\": 5",
+    ];
+    let mut text = String::new();
+    for _ in 0..source.between(1, 60) {
+        let piece = source.pick(&PIECES);
+        let times = if source.once_in(40) { source.pick(&[10, 600, 20_000]) } else { 1 };
+        text.push_str(&piece.repeat(times));
+    }
+    text
+}
+
+/// The same with some bytes changed, cut out or put in.
+fn damaged(source: &mut Source<'_>, mut bytes: Vec<u8>) -> Vec<u8> {
+    for _ in 0..source.between(0, 5) {
+        let at = source.below(bytes.len() + 1);
+        match source.below(5) {
+            0 => bytes.truncate(at),
+            1 => {
+                let end = (at + source.between(0, 30)).min(bytes.len());
+                bytes.drain(at..end);
+            }
+            2 => {
+                let text = soup(source).into_bytes();
+                bytes.splice(at..at, text);
+            }
+            3 => {
+                let other = source.bytes(8);
+                bytes.splice(at..at, other.iter().copied());
+            }
+            _ => {
+                if let Some(byte) = bytes.get_mut(at) {
+                    *byte ^= 1 << source.below(8);
+                }
+            }
+        }
+    }
+    bytes
+}
+
+/// Reads a file; its diagnostics point into the text that it holds.
+fn read(bytes: &[u8], gauge: &mut Gauge) -> Option<Definition> {
+    let content = gauge.call("read_file", || read_file(bytes));
+    if content.definition.is_some() {
+        gauge.reach("read");
+    }
+    assert_eq!(content.definition.is_none(), content.diagnostics.iter().any(Diagnostic::is_error));
+    for diagnostic in &content.diagnostics {
+        assert!(!diagnostic.message().is_empty());
+        let _ = diagnostic.hint();
+        if diagnostic.field == Field::File {
+            assert!(content.json.get(diagnostic.span.clone()).is_some(), "{diagnostic:?} points out of the file");
+            let _ = render_diagnostic(diagnostic, "file", &content.json);
+        }
+    }
+    content.definition
+}
+
+/// The smallest PNG file: a pixel.
+const PNG: &[u8] =
+    b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x01\0\0\0\x01\x08\x06\0\0\0\x1f\x15\xc4\x89\0\0\0\rIDATx\xdac\xfc\xcf\xc0\
+\xf0\x1f\0\x05\0\x01\xff\x89\x99=\x1d\0\0\0\0IEND\xaeB`\x82";
+
+/// Pictures that carry a system, whole and damaged.
+pub(super) fn pictures(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let Some((definition, system)) = make::system(source) else { return };
+    let written = write_json(&definition);
+    let bytes = if source.once_in(2) {
+        let limits = Limits { segments: 200, work: 2_000, modules: 1_000, symbols: 1_000, ..Limits::default() };
+        let Ok(drawing) = draw(&system, definition.iterations.min(3), &limits) else { return };
+        let options = SvgOptions {
+            title: soup(source),
+            description: soup(source),
+            system: written.clone(),
+            most: 1_000,
+            ..SvgOptions::default()
+        };
+        let Ok(svg) = write_svg(&drawing, &system.style, &options) else { return };
+        svg.text.into_bytes()
+    } else {
+        let tagged = tag_png(PNG, &written);
+        tagged.expect("it is a PNG file")
+    };
+    gauge.reach("made");
+    let read_back = read(&bytes, gauge).map(|read| write_json(&read));
+    assert_eq!(read_back, Some(written), "a picture's system is the one put into it");
+    let broken = damaged(source, bytes);
+    read(&broken, gauge);
+    if let Some(tagged) = tag_png(&broken, "{}") {
+        read(&tagged, gauge);
+    }
+}
+
+/// Any bytes, behind the beginning of some sort of file.
+pub(super) fn bytes(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let head: &[u8] = source.pick(&[
+        &b""[..],
+        b"\x89PNG\r\n\x1a\n",
+        b"\x89PNG\r\n\x1a\n\0\0\0\x08iTXt",
+        b"\x89PNG\r\n\x1a\n\xff\xff\xff\xffzTXtL-system\0\0",
+        b"<svg><metadata>",
+        b"<?xml version='1.0'?><!--",
+        b"\xff\xfe",
+        b"\xfe\xff",
+        b"\xef\xbb\xbf{",
+        b"{",
+        b"{\"rules\": [",
+        b"[[[[",
+    ]);
+    let mut bytes = head.to_vec();
+    if source.once_in(2) {
+        let tail = source.bytes(4096);
+        bytes.extend(tail);
+    } else {
+        bytes.extend(tokens(source).bytes());
+    }
+    read(&bytes, gauge);
+}

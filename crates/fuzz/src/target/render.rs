@@ -1,0 +1,167 @@
+//! Pictures in the plane: in other steps and pane by pane they are the same, wherever they look.
+
+use super::drawing::drawn;
+use crate::gauge::WORK;
+use crate::{Gauge, Source, make};
+use lsystem::{
+    Definition, DensityRenderer, Detail, Dialect, Drawing, Pane, PlaneRenderer, Progress, Renderer, Style, System,
+    View, Viewport, fit, fitted_scale,
+};
+use std::sync::Arc;
+
+/// What a picture shows.
+struct Scene {
+    style: Style,
+    viewport: Viewport,
+    view: View,
+    upto: Option<u128>,
+}
+
+impl Scene {
+    fn make(source: &mut Source<'_>, system: &System) -> Self {
+        let style = if source.once_in(3) { make::style(source) } else { system.style.clone() };
+        let upto = make::upto(source);
+        let scene = Self { style, viewport: make::viewport(source).within_limits(), view: make::view(source), upto };
+        if source.is_shown {
+            println!("{:?} {:?} upto {:?}\n{:?}", scene.viewport, scene.view, scene.upto, scene.style);
+        }
+        scene
+    }
+
+    /// Bytes for all pixels: subsamples, sums of ink and the picture itself.
+    fn memory(&self) -> usize {
+        64 * self.viewport.width as usize * self.viewport.height as usize
+    }
+
+    fn picture(&self, renderer: &mut dyn PlaneRenderer, detail: Detail, work: usize, gauge: &mut Gauge) {
+        let Self { style, viewport, view, upto } = self;
+        gauge.call("begin", || renderer.begin_with(style, *viewport, *view, detail, *upto));
+        gauge.steps("picture", || renderer.step(work));
+        assert_eq!(renderer.pixels().len(), 4 * (viewport.width * viewport.height) as usize);
+    }
+}
+
+/// A drawing and how it is to be shown.
+fn made(source: &mut Source<'_>, gauge: &mut Gauge) -> Option<(Arc<Drawing>, Scene)> {
+    let (definition, system) = make::system(source)?;
+    let limits = make::limits(source);
+    let drawing = drawn(&system, definition.iterations, &limits, gauge)?;
+    let scene = Scene::make(source, &system);
+    gauge.allow(scene.memory());
+    Some((drawing, scene))
+}
+
+/// Strokes that cover each other.
+pub(super) fn render(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let Some((drawing, scene)) = made(source, gauge) else { return };
+    cover(source, &drawing, &scene, gauge);
+}
+
+/// The same with systems that are known to be good, and views of all sorts.
+pub(super) fn views(source: &mut Source<'_>, gauge: &mut Gauge) {
+    const GOOD: [(&str, &str, f64); 6] = [
+        ("F", "F -> F+F--F+F", 60.0),
+        ("X", "X -> X+YF+\nY -> -FX-Y", 90.0),
+        ("X", "X -> F-[[X]+X]+F[+FX]-X\nF -> FF", 22.5),
+        ("F", "F -> FF-[-F+F+F]+[+F-F-F]", 22.5),
+        ("X", "X -> F[+X]F[-X]+X\nF -> FF", 20.0),
+        ("L", "L -> [{.-f.+f.+f.}]FL[+L]!-L", 40.0),
+    ];
+    let (axiom, rules, angle) = source.pick(&GOOD);
+    let n = source.pick(&[0, 1, 4, 8, 20, 40, 100, 1000]);
+    let definition = Definition {
+        axiom: axiom.into(),
+        rules: rules.into(),
+        angle,
+        iterations: n,
+        dialect: Dialect::Abop,
+        ..Definition::default()
+    };
+    if source.is_shown {
+        println!("{axiom} {rules} {angle} {n}");
+    }
+    let Some(system) = System::new(&definition).0 else { return };
+    let Some(drawing) = drawn(&system, n, &make::limits(source), gauge) else { return };
+    let scene = Scene::make(source, &system);
+    gauge.allow(scene.memory());
+    let _ = (fit(&drawing), fitted_scale(&drawing, scene.viewport));
+    cover(source, &drawing, &scene, gauge);
+}
+
+fn cover(source: &mut Source<'_>, drawing: &Arc<Drawing>, scene: &Scene, gauge: &mut Gauge) {
+    let mut renderer = if source.once_in(6) { Renderer::light() } else { Renderer::new() };
+    gauge.call("load", || renderer.load(drawing.clone()));
+    if source.once_in(3) {
+        scene.picture(&mut renderer, Detail::Coarse, WORK, gauge);
+        gauge.reach("coarse");
+    }
+    scene.picture(&mut renderer, Detail::Fine, WORK, gauge);
+    gauge.reach("fine");
+    let (pixels, stats) = (renderer.pixels().to_vec(), renderer.stats());
+    if source.once_in(2) {
+        let mut other = Renderer::new();
+        other.load(drawing.clone());
+        scene.picture(&mut other, Detail::Fine, source.pick(&[1_000_000, 100, 3]), &mut Gauge::new());
+        if stats.outlines + stats.parts == 0 && other.stats().outlines + other.stats().parts == 0 {
+            gauge.reach("other steps");
+            assert!(other.pixels() == pixels, "the picture depends on the size of steps");
+        }
+    }
+    // A light renderer, tiles and outlines differ between panes by design.
+    if stats.tiles + stats.outlines + stats.parts == 0 && source.once_in(2) {
+        panes(source, drawing, scene, &pixels, gauge);
+    }
+}
+
+/// Looks whether the picture in panes is the whole.
+fn panes(source: &mut Source<'_>, drawing: &Arc<Drawing>, scene: &Scene, whole: &[u8], gauge: &mut Gauge) {
+    let Scene { style, viewport, view, upto } = scene;
+    let size = [source.pick(&[64, 16, 144, 48]), source.pick(&[16, 48, 64])];
+    let mut renderer = Renderer::new();
+    renderer.load(drawing.clone());
+    let (mut apart, mut rough) = (0, false);
+    for pane in Pane::all(*viewport, size).into_iter().take(64) {
+        gauge.call("begin pane", || renderer.begin_pane(style, *viewport, *view, *upto, pane));
+        gauge.steps("pane", || renderer.step(WORK));
+        let stats = renderer.stats();
+        rough |= stats.tiles + stats.outlines + stats.parts > 0;
+        apart += differing(renderer.pixels(), whole, pane, viewport.width);
+    }
+    if !rough {
+        gauge.reach("panes");
+        // Where the edge of a stroke meets a subsample, rounding decides.
+        let most = 1 + whole.len() / 4 / 500;
+        assert!(apart <= most, "{apart} of {} pixels differ when made in panes of {size:?}", whole.len() / 4);
+    }
+}
+
+/// How many pixels of a pane differ from the whole by more than one subsample shows.
+pub(super) fn differing(own: &[u8], whole: &[u8], pane: Pane, width: u32) -> usize {
+    assert_eq!(own.len(), 4 * (pane.width * pane.height) as usize);
+    let mut apart = 0;
+    for (y, row) in own.chunks_exact((4 * pane.width).max(1) as usize).enumerate() {
+        let at = 4 * ((pane.y as usize + y) * width as usize + pane.x as usize);
+        let pairs = row.chunks_exact(4).zip(whole[at..at + row.len()].chunks_exact(4));
+        apart += pairs.filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 20)).count();
+    }
+    apart
+}
+
+/// Ink that adds up.
+pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let Some((drawing, scene)) = made(source, gauge) else { return };
+    let mut renderer = DensityRenderer::new();
+    gauge.call("load", || renderer.load(drawing.clone()));
+    let detail = if source.once_in(3) { Detail::Coarse } else { Detail::Fine };
+    scene.picture(&mut renderer, detail, WORK, gauge);
+    gauge.reach("picture");
+    if source.once_in(2) {
+        let mut other = DensityRenderer::new();
+        other.load(drawing);
+        let work = source.pick(&[1_000_000, 100, 3]);
+        let Scene { style, viewport, view, upto } = &scene;
+        other.begin_with(style, *viewport, *view, detail, *upto);
+        while other.step(work) == Progress::More {}
+        assert!(other.pixels() == renderer.pixels(), "the picture depends on the size of steps");
+    }
+}

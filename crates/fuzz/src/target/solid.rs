@@ -1,0 +1,64 @@
+//! Pictures of drawings in space.
+
+use super::drawing::drawn_in_space;
+use crate::gauge::WORK;
+use crate::{Gauge, Source, make};
+use lsystem::{Effort, Pane, Quality, SolidRenderer, Spent, Style, camera_axes, solid_scale};
+
+/// Drawings in space, still, moving and in panes.
+pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let Some((definition, system)) = make::system(source) else { return };
+    let limits = make::limits(source);
+    let Some(drawing) = drawn_in_space(&system, definition.iterations, &limits, gauge) else { return };
+    let style: Style = if source.once_in(3) { make::style(source) } else { system.style.clone() };
+    let (viewport, camera) = (make::viewport(source).within_limits(), make::camera(source));
+    let quality = if source.once_in(2) { Quality::FINEST } else { Quality(source.between(0, 17) as u8) };
+    let upto = make::upto(source);
+    if source.is_shown {
+        println!("{viewport:?} {camera:?} {quality:?} upto {upto:?}\n{style:?}");
+    }
+    gauge.allow(64 * viewport.width as usize * viewport.height as usize);
+    let _ = (camera_axes(&camera), solid_scale(&drawing, viewport, &camera));
+    let mut renderer = SolidRenderer::new();
+    gauge.call("load", || renderer.load(drawing.clone()));
+    gauge.call("play", || renderer.play(upto));
+    gauge.call("begin", || renderer.begin(&style, viewport, &camera, quality));
+    if source.once_in(6) {
+        renderer.hurry(source.part() as f32);
+    }
+    gauge.steps("picture", || renderer.step(WORK));
+    assert_eq!(renderer.pixels().len(), 4 * (viewport.width * viewport.height) as usize);
+    gauge.reach("picture");
+    if quality != Quality::FINEST || source.once_in(2) {
+        return;
+    }
+    let mut whole = SolidRenderer::new();
+    whole.load(drawing.clone());
+    whole.play(upto);
+    whole.begin(&style, viewport, &camera, quality);
+    gauge.steps("large steps", || whole.step(1_000_000));
+    let whole = whole.pixels();
+    let mut effort = Effort::new(quality, viewport);
+    loop {
+        let (mut spent, mut same) = (Spent::default(), true);
+        for pane in SolidRenderer::panes(viewport) {
+            gauge.call("begin pane", || renderer.begin_pane(&style, viewport, &camera, pane, effort.budget()));
+            gauge.steps("pane", || renderer.step(WORK));
+            spent.add(renderer.spent());
+            same &= is_part(renderer.pixels(), whole, pane, viewport.width);
+        }
+        if !effort.is_too_small(spent) {
+            gauge.reach("panes");
+            assert!(same, "the picture in panes is another");
+            return;
+        }
+    }
+}
+
+/// Whether a pane's pixels are those of the whole.
+fn is_part(own: &[u8], whole: &[u8], pane: Pane, width: u32) -> bool {
+    own.chunks_exact((4 * pane.width).max(1) as usize).enumerate().all(|(y, row)| {
+        let at = 4 * ((pane.y as usize + y) * width as usize + pane.x as usize);
+        &whole[at..at + row.len()] == row
+    })
+}

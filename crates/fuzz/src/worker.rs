@@ -1,0 +1,145 @@
+//! Tries one input after the other, and tells the supervisor what came of it.
+
+use crate::input::{Current, Input, Inputs};
+use crate::shrink::place;
+use crate::{ALLOCATOR, Options, Target, once};
+use anyhow::{Context, Result};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+/// An input that takes longer is taken to hang.
+const HANG: Duration = Duration::from_secs(10);
+/// A step or call that takes longer is told of.
+const SLOW: Duration = Duration::from_secs(1);
+/// Bytes at which the program ends itself, before the machine runs out of memory.
+const TOO_MUCH: usize = 3 << 30;
+/// How the program ends when an input hangs, or holds too much.
+pub(crate) const HUNG: i32 = 3;
+pub(crate) const SWOLLEN: i32 = 4;
+
+/// Tries inputs as long as it may. Lines on standard output tell of findings, and at the end what it took.
+///
+/// # Errors
+/// Where files cannot be written.
+pub fn work(options: &Options) -> Result<()> {
+    for target in &options.targets {
+        Worker::new(options, target).run()?;
+    }
+    Ok(())
+}
+
+struct Worker<'a> {
+    options: &'a Options,
+    target: &'static Target,
+    /// By place of the fault: how short the shortest input is.
+    found: BTreeMap<String, usize>,
+    /// The slowest inputs: time, number, and the slowest call of each.
+    slowest: Vec<(Duration, u64, &'static str)>,
+    reached: BTreeMap<&'static str, u64>,
+    peak: usize,
+}
+
+impl<'a> Worker<'a> {
+    fn new(options: &'a Options, target: &'static Target) -> Self {
+        Self { options, target, found: BTreeMap::new(), slowest: vec![], reached: BTreeMap::new(), peak: 0 }
+    }
+
+    fn run(&mut self) -> Result<()> {
+        let Options { seed, from, executions, findings, .. } = self.options;
+        let mut current = Current::new(findings, self.target)?;
+        let start = Instant::now();
+        if !self.options.patient {
+            watch(start);
+        }
+        let inputs = Inputs::of(self.target, *seed)?;
+        let mut input = Input::default();
+        let mut number = *from;
+        while number - from < *executions && self.options.time.is_none_or(|time| start.elapsed() < time) {
+            inputs.fill(number, &mut input);
+            current.note(number)?;
+            SINCE.store(start.elapsed().as_millis() as u64, Ordering::Relaxed);
+            let before = Instant::now();
+            let (gauge, outcome) = once(self.target, &mut input.source());
+            let time = before.elapsed();
+            self.peak = self.peak.max(gauge.peak());
+            for &name in gauge.reached() {
+                *self.reached.entry(name).or_default() += 1;
+            }
+            let (name, slowest) = gauge.slowest();
+            self.rank(time, number, name);
+            if let Err(message) = outcome {
+                self.keep(&message, &input, number)?;
+            } else if slowest > SLOW {
+                self.keep(&format!("slow {name}: {slowest:?}"), &input, number)?;
+            }
+            number += 1;
+        }
+        SINCE.store(u64::MAX, Ordering::Relaxed);
+        println!("done {} {} {}", number - from, start.elapsed().as_millis(), self.peak >> 10);
+        for (name, count) in &self.reached {
+            println!("reached {count} {name}");
+        }
+        for (time, number, name) in &self.slowest {
+            println!("slowest {} {number} {name}", time.as_millis());
+        }
+        Ok(())
+    }
+
+    /// Keeps the slowest three.
+    fn rank(&mut self, time: Duration, number: u64, name: &'static str) {
+        self.slowest.push((time, number, name));
+        self.slowest.sort_by_key(|entry| core::cmp::Reverse(entry.0));
+        self.slowest.truncate(3);
+    }
+
+    /// Keeps the shortest input of every fault.
+    fn keep(&mut self, message: &str, input: &Input, number: u64) -> Result<()> {
+        let place = place(message).to_owned();
+        let size = input.bytes.len();
+        let shortest = self.found.get(&place).copied().unwrap_or(usize::MAX);
+        if size < shortest {
+            let path = keep(self.options, self.target, &place, input)?;
+            if shortest == usize::MAX {
+                let first = message.lines().next().unwrap_or_default();
+                println!("finding {number} {} {first}", path.display());
+            }
+            self.found.insert(place, size);
+        }
+        Ok(())
+    }
+}
+
+/// Keeps an input of a fault in a file; where that is.
+pub(crate) fn keep(options: &Options, target: &Target, place: &str, input: &Input) -> Result<PathBuf> {
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
+    let name: String = place.rsplit("src/").next().unwrap_or(place).chars().map(plain).take(60).collect();
+    // A system that is committed fails with some bytes; alone it may not, but it says more.
+    let (ending, bytes) = match &input.system {
+        Some(system) => ("json", lsystem::write_json(system).into_bytes()),
+        None => ("bin", input.bytes.clone()),
+    };
+    let path = options.findings.join(format!("{}-{name}.{ending}", target.name));
+    std::fs::write(&path, bytes).with_context(|| format!("writing {}", path.display()))?;
+    Ok(path)
+}
+
+/// When the execution at hand began, in milliseconds since the start.
+static SINCE: AtomicU64 = AtomicU64::new(u64::MAX);
+
+/// Ends the process when an input hangs or holds too much memory. The supervisor knows which it was, and goes on after it.
+fn watch(start: Instant) {
+    std::thread::spawn(move || {
+        loop {
+            std::thread::sleep(Duration::from_millis(20));
+            let since = Duration::from_millis(SINCE.load(Ordering::Relaxed));
+            if start.elapsed().saturating_sub(since) > HANG {
+                std::process::exit(HUNG);
+            }
+            if ALLOCATOR.current_usage() > TOO_MUCH {
+                std::process::exit(SWOLLEN);
+            }
+        }
+    });
+}

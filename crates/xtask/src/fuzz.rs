@@ -1,0 +1,133 @@
+//! `cargo xtask fuzz`: inputs that nobody would write.
+
+use crate::workspace::{Workspace, output, run};
+use anyhow::{Context, Result, bail};
+use std::path::PathBuf;
+use std::process::Command;
+
+/// What is asked for.
+#[derive(Debug, Default, PartialEq)]
+struct Options<'a> {
+    targets: Vec<&'a str>,
+    /// For all targets together.
+    minutes: Option<f64>,
+    seed: Option<&'a str>,
+    input: Option<&'a str>,
+    shrink: bool,
+    guided: bool,
+}
+
+impl<'a> Options<'a> {
+    fn read(mut words: impl Iterator<Item = &'a str>) -> Result<Self> {
+        let mut options = Self::default();
+        while let Some(word) = words.next() {
+            let mut value = || words.next().with_context(|| format!("`{word}` needs a value"));
+            match word {
+                "--minutes" => options.minutes = Some(value()?.parse().context("how many minutes?")?),
+                "--seed" => options.seed = Some(value()?),
+                "--input" => options.input = Some(value()?),
+                "--shrink" => options.shrink = true,
+                "--guided" => options.guided = true,
+                word if word.starts_with('-') => bail!("what does `{word}` mean here?"),
+                target => options.targets.push(target),
+            }
+        }
+        Ok(options)
+    }
+}
+
+/// Fuzzes some targets or all, or tries a single input.
+pub(crate) fn fuzz<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a str>) -> Result<()> {
+    let mut options = Options::read(words)?;
+    let program = build(workspace)?;
+    if let Some(input) = options.input {
+        let mut command = Command::new(&program);
+        command.args(&options.targets).args(["--input", input]).args(options.shrink.then_some("--shrink"));
+        return run(&mut command);
+    }
+    let names = output(Command::new(&program).arg("--list"))?;
+    if options.targets.is_empty() {
+        options.targets = names.lines().collect();
+    }
+    let seconds = 60.0 * options.minutes.unwrap_or(1.0) / options.targets.len() as f64;
+    if options.guided {
+        return guided(workspace, &options.targets, seconds);
+    }
+    let mut command = Command::new(&program);
+    command.args(&options.targets).args(["--seconds", &seconds.to_string()]);
+    command.args(options.seed.map(|seed| ["--seed", seed]).into_iter().flatten());
+    command.arg("--findings").arg(workspace.target.join("fuzz/findings"));
+    run(&mut command)
+}
+
+/// The short run that is part of the tests: always the same inputs.
+pub(crate) fn short(workspace: &Workspace) -> Result<()> {
+    let mut command = Command::new(build(workspace)?);
+    run(command.args(["--short", "--patient", "--findings"]).arg(workspace.target.join("fuzz/findings")))
+}
+
+/// Builds the program and says where it is.
+fn build(workspace: &Workspace) -> Result<PathBuf> {
+    run(&mut workspace.cargo(["build", "--quiet", "--profile=fuzz", "--package=lsystem-fuzz"]))?;
+    Ok(workspace.target.join("fuzz/lsystem-fuzz").with_extension(std::env::consts::EXE_EXTENSION))
+}
+
+/// LLVM's counters for every edge and comparison, which libFuzzer reads: stable options of the compiler.
+const COVERAGE: [&str; 6] = [
+    "-Cpasses=sancov-module",
+    "-Cllvm-args=-sanitizer-coverage-level=4",
+    "-Cllvm-args=-sanitizer-coverage-inline-8bit-counters",
+    "-Cllvm-args=-sanitizer-coverage-pc-table",
+    "-Cllvm-args=-sanitizer-coverage-trace-compares",
+    // The counters of one module must not be torn apart.
+    "-Ccodegen-units=1",
+];
+
+/// Lets libFuzzer choose the inputs, each target for some seconds. It keeps those that reach something new for the next
+/// time, and writes the one that fails to a file.
+fn guided(workspace: &Workspace, targets: &[&str], seconds: f64) -> Result<()> {
+    let host = output(Command::new("rustc").args(["--print=host-tuple"]))?;
+    let host = host.trim();
+    // With a target named, build scripts are compiled without the counters, which they could not link.
+    let what = ["build", "--quiet", "--profile=fuzz", "--package=lsystem-fuzz", "--bin=guided", "--features=guided"];
+    let folder = workspace.target.join("fuzz/guided");
+    run(workspace
+        .cargo(what)
+        .args(["--target", host])
+        .arg("--target-dir")
+        .arg(&folder)
+        .env("CARGO_ENCODED_RUSTFLAGS", COVERAGE.join("\u{1f}")))?;
+    let program = folder.join(host).join("fuzz/guided");
+    let findings = workspace.target.join("fuzz/findings");
+    let mut failed = vec![];
+    for &target in targets {
+        println!("\n=== {target}");
+        let corpus = workspace.target.join("fuzz/corpus").join(target);
+        std::fs::create_dir_all(&corpus).with_context(|| format!("creating {}", corpus.display()))?;
+        std::fs::create_dir_all(&findings).with_context(|| format!("creating {}", findings.display()))?;
+        let mut command = Command::new(&program);
+        command.arg(&corpus).arg(format!("-artifact_prefix={}/{target}-", findings.display()));
+        command.arg(format!("-max_total_time={}", seconds.ceil()));
+        command.args(["-max_len=4096", "-timeout=10", "-rss_limit_mb=3072", "-print_final_stats=1", "-verbosity=0"]);
+        if run(command.env("LSYSTEM_FUZZ", target)).is_err() {
+            failed.push(target);
+        }
+    }
+    if failed.is_empty() {
+        return Ok(());
+    }
+    bail!("failed: {}; to see one again: `cargo xtask fuzz TARGET --input FILE`", failed.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn options() {
+        let read = |words: &'static [&'static str]| Options::read(words.iter().copied());
+        let options = read(&["json", "--minutes", "2.5", "--guided"]).unwrap();
+        assert_eq!((options.targets, options.minutes, options.guided), (vec!["json"], Some(2.5), true));
+        assert!(read(&["--minutes"]).is_err() && read(&["--minutes", "x"]).is_err() && read(&["--what"]).is_err());
+    }
+}
