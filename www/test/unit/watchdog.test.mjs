@@ -14,7 +14,7 @@ test('silence is counted while the page is visible, and anew after sleep', () =>
     assert.equal(silenceAfter(3600, 400, false), 0);
     assert.equal(silenceAfter(3600, 3_600_000, true), 0);
     // A page that was busy for a while heard nothing for that long, whoever spoke.
-    assert.equal(silenceAfter(0, 3000, true), 800);
+    assert.equal(silenceAfter(0, 3000, true), 500);
 });
 
 test('a fresh worker is asked what is open, and not what stopped the one before', async () => {
