@@ -21,7 +21,9 @@ pub(crate) fn parse(text: &str) -> Result<u64, String> {
     match bytes {
         Some(bytes) if bytes >= LEAST => Ok(bytes),
         Some(_) => Err(format!("--memory takes 1M or more, not `{text}`")),
-        None if number.is_empty() => Err(format!("--memory takes a number before the unit, such as 512M, not `{text}`")),
+        None if number.is_empty() => {
+            Err(format!("--memory takes a number before the unit, such as 512M, not `{text}`"))
+        }
         None => Err(format!("--memory: `{text}` is more than any machine has")),
     }
 }
@@ -36,7 +38,9 @@ mod tests {
         assert_eq!(parse("2G"), Ok(2 << 30));
         assert_eq!(parse("2gib"), Ok(2 << 30));
         assert_eq!(parse("1024KB"), Ok(1 << 20));
-        for wrong in ["", "2", "M", "-1M", "1.5G", "2 G", "2X", "0M", "1023K", "99999999999T", "99999999999999999999G", "٣M"] {
+        for wrong in
+            ["", "2", "M", "-1M", "1.5G", "2 G", "2X", "0M", "1023K", "99999999999T", "99999999999999999999G", "٣M"]
+        {
             assert!(parse(wrong).is_err_and(|words| words.starts_with("--memory")), "{wrong}");
         }
     }

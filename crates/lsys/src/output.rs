@@ -2,6 +2,7 @@
 
 use lsystem::visible;
 use std::io::{self, BufWriter, IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Writes to standard output what `write` produces, buffered. A terminal gets it without characters that it would
 /// obey; a file or a pipe gets every byte.
@@ -9,7 +10,7 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 /// # Errors
 /// As the writer; [`io::ErrorKind::BrokenPipe`] where the reader has gone, and an error where standard output is closed.
 pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    if is_closed() {
+    if CLOSED.load(Ordering::Relaxed) {
         return Err(io::Error::other("it is closed"));
     }
     let stdout = io::stdout();
@@ -61,26 +62,15 @@ pub(crate) fn escape_json(json: &str) -> String {
 }
 
 /// Whether the program was started with standard output closed (`>&-`).
-///
-/// Rust opens `/dev/null` in its place, for reading and writing, before `main`. Others who choose `/dev/null` open it
-/// for writing only (a shell) or close it for the programs they start (Python, Node.js), which the kernel remembers;
-/// a daemon has it as standard error too.
-#[cfg(target_os = "linux")]
-fn is_closed() -> bool {
-    use rustix::fs::{OFlags, fcntl_getfl, fstat, major, minor};
-    use std::os::fd::AsFd;
-    let replaced = |stream: &dyn AsFd| {
-        let null = fstat(stream.as_fd()).is_ok_and(|stat| (major(stat.st_rdev), minor(stat.st_rdev)) == (1, 3));
-        let flags = fcntl_getfl(stream.as_fd()).unwrap_or(OFlags::empty());
-        null && flags & OFlags::ACCMODE == OFlags::RDWR && !flags.contains(OFlags::CLOEXEC)
-    };
-    replaced(&io::stdout()) && !replaced(&io::stderr())
-}
+static CLOSED: AtomicBool = AtomicBool::new(false);
 
-/// Not to be found out here.
-#[cfg(not(target_os = "linux"))]
-fn is_closed() -> bool {
-    false
+/// Finds out whether standard output is closed. Rust opens `/dev/null` in its place before `main`, and what is written
+/// there would seem to have arrived; so this is asked earlier. It does nothing but two system calls.
+#[cfg(unix)]
+#[ctor::ctor]
+fn look_at_output() {
+    use std::os::fd::AsFd;
+    CLOSED.store(io::stdout().as_fd().try_clone_to_owned().is_err(), Ordering::Relaxed);
 }
 
 #[cfg(test)]

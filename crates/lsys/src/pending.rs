@@ -77,9 +77,10 @@ fn create(folder: &Path) -> io::Result<(File, PathBuf)> {
 
 /// The error of the system itself: whoever reports it names the file that was asked for.
 fn without_path(error: io::Error) -> io::Error {
-    let code = error.get_ref().and_then(std::error::Error::source).and_then(|source| {
-        source.downcast_ref::<io::Error>().and_then(io::Error::raw_os_error)
-    });
+    let code = error
+        .get_ref()
+        .and_then(std::error::Error::source)
+        .and_then(|source| source.downcast_ref::<io::Error>().and_then(io::Error::raw_os_error));
     code.map_or(error, io::Error::from_raw_os_error)
 }
 

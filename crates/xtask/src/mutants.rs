@@ -41,7 +41,8 @@ pub(crate) fn mutants<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a
 fn arguments<'a>(words: impl Iterator<Item = &'a str>) -> Vec<String> {
     let mut words: Vec<String> = words.map(str::to_owned).collect();
     let chooses = |word: &String| {
-        let names = ["--shard", "--file", "-f", "--re", "-F", "--in-diff", "-D", "--list", "--all", "--iterate", "--help"];
+        let names =
+            ["--shard", "--file", "-f", "--re", "-F", "--in-diff", "-D", "--list", "--all", "--iterate", "--help"];
         names.iter().any(|name| word == name || word.starts_with(&format!("{name}=")))
     };
     if !words.iter().any(chooses) {
@@ -108,7 +109,10 @@ mod tests {
     fn the_share_counts_what_compiles() {
         let outcomes = json!({"caught": 6, "timeout": 1, "missed": 3, "unviable": 5});
         let words = summary(&outcomes).unwrap();
-        assert!(words.starts_with("10 mutants that compile: 6 caught") && words.contains("70.0 % killed (5 "), "{words}");
+        assert!(
+            words.starts_with("10 mutants that compile: 6 caught") && words.contains("70.0 % killed (5 "),
+            "{words}"
+        );
         assert!(summary(&json!({})).is_err());
     }
 }
