@@ -46,7 +46,7 @@ const left = session.start(location.hash, link && link.state);
 const store = createStore(left?.state ?? link?.state ?? opening(theme()), left?.origin);
 const engine = createEngine(kits(), { report: reported, drawn, busy, troubled, recovered, doubted });
 /** Whether what is shown first stopped the drawing on an earlier visit: it waits for the reader. */
-const held = session.isSuspect(store.state);
+let held = session.isSuspect(store.state);
 if (!held) engine.define(definitionOf(store.state));
 const marks = createMarks();
 const stage = createStage(store, engine, marks);
@@ -107,6 +107,8 @@ addEventListener('beforeinput', (event) => {
 store.subscribe((state, before) => {
     if (!sameSystem(state, before)) {
         growing.forget();
+        if (held) trouble.hide();
+        held = false;
         engine.define(definitionOf(state));
     }
     show(state, before);

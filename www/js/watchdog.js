@@ -8,7 +8,7 @@ export const SILENCE = 4000;
 /** The same before its first word: its script may come from a slow server. */
 export const STARTUP = 15_000;
 /** Between two pings. */
-const BEAT = 400;
+const BEAT = 250;
 /** Beats that are farther apart than this: the machine has slept in between. */
 const SLEEP = 5000;
 
