@@ -7,6 +7,22 @@
  * @typedef {{page: Page, frame: Frame}} Place
  */
 
+/** What a network that was off leaves behind may be told for so long after it is back, in milliseconds. */
+const ECHO = 5000;
+
+/** When the network was last off: Infinity while it is. @type {WeakMap<import('playwright-core').BrowserContext, number>} */
+const offline = new WeakMap();
+
+/** Switches the network off or on. @param {import('playwright-core').BrowserContext} context @param {boolean} off */
+export async function setOffline(context, off) {
+    if (off) offline.set(context, Infinity);
+    else if (offline.get(context) === Infinity) offline.set(context, Date.now());
+    await context.setOffline(off);
+}
+
+/** Whether the network is off, or was a moment ago. @param {import('playwright-core').BrowserContext} context */
+export const wasOffline = (context) => Date.now() - (offline.get(context) ?? 0) < ECHO;
+
 /** Told of an action that found nothing to act on. */
 export const NOTHING = 'nothing there';
 
