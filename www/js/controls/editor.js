@@ -19,6 +19,8 @@ import { carried, spansOf } from '../tint.js';
 
 /** Longer lines are not tinted, in UTF-16 units. */
 const TINTED = 4000;
+/** Texts of more lines stand in the area itself, without tints and marks: browsers take long to lay out thousands of lines twice. */
+const MOST_LINES = 1000;
 /** More problems are only counted. */
 const MOST_LISTED = 50;
 /** Columns farther right are counted in UTF-16 units. */
@@ -47,7 +49,9 @@ export function editor(area, problems, kind, { change, settle }) {
             letters = carried(letters, text, area.value);
             text = area.value;
         }
-        const lines = linesOf(text, marks, letters);
+        const plain = hasMoreLines(text, MOST_LINES);
+        area.parentElement?.classList.toggle('plain', plain);
+        const lines = plain ? [] : linesOf(text, marks, letters);
         const keys = lines.map((line) => JSON.stringify(line));
         const most = Math.min(keys.length, shown.length);
         let head = 0;
@@ -161,6 +165,13 @@ function lineOf(starts, offset) {
         else high = middle;
     }
     return low;
+}
+
+/** @param {string} text @param {number} most */
+function hasMoreLines(text, most) {
+    let lines = 1;
+    for (let at = text.indexOf('\n'); at >= 0 && lines <= most; at = text.indexOf('\n', at + 1)) lines += 1;
+    return lines > most;
 }
 
 /** @typedef {{start: number, end: number, severity: 'warning' | 'error'}} Mark */

@@ -27,8 +27,10 @@ const FAULTS = `
         if (text.includes(hang)) for (;;);
         if (text.includes(crash)) throw new WebAssembly.RuntimeError('unreachable');
         if (!text.includes(gone)) return;
+        // Nothing is said any more, not even that it fails.
         self.postMessage = () => {};
         self.close();
+        throw new Error('gone');
     };
     prototype.define = function (definition) {
         axiom = definition.axiom;
