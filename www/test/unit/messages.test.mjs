@@ -34,6 +34,11 @@ test('messages of any kind leave a valid drawing that still answers', async (con
     const { talk } = await import('../../js/embed/messages.js');
     const store = createStore(clean({ axiom: 'F', rules: 'F -> F+F', iterations: 3 }));
     talk(store, { host: null, offer: (controls) => assert.ok(controls.every((one) => CONTROLS.includes(one))), play: (on) => assert.equal(typeof on, 'boolean'), facts: () => ({ description: '', symbols: null, segments: null }) });
+    // An object without a form as text was an exception.
+    for (const name of [{ toString: 7 }, [{ toString: 7 }]]) {
+        hear({ source: holder, origin: 'null', data: { lsystem: name } });
+        hear({ source: holder, origin: 'null', data: { lsystem: 'controls', controls: name } });
+    }
     for (let round = 0; round < ROUNDS; round++) {
         const roll = dice(round * 7919);
         try {
