@@ -16,7 +16,7 @@ const WORDS = {
     loading: 'The drawing engine could not be loaded. Trying again…',
     unloadable: 'The drawing engine could not be loaded. Check the connection, then try again.',
     lost: 'Drawing failed several times in a row. Change the system, or try again.',
-    held: 'This drawing stopped answering before, so it was not started. Change it, or draw it anyway.',
+    held: 'This system could not be drawn before, so it was not started. Change it, or draw it anyway.',
 };
 
 /** What a question that stopped the worker is told of as. */
