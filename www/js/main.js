@@ -26,7 +26,7 @@ import { createSession } from './session.js';
 import { openSession } from './sessions.js';
 import { showSheet } from './sheet.js';
 import { createStage } from './stage.js';
-import { clean, definitionOf, sameDrawing, sameSystem } from './state.js';
+import { clean, definitionOf, same, sameDrawing, sameSystem } from './state.js';
 import { createStorage } from './storage.js';
 import { QUESTION, createTrouble } from './trouble.js';
 import { createStore } from './store.js';
@@ -115,7 +115,8 @@ store.subscribe((state, before) => {
 });
 session.follow(store);
 // The first plant has the plain address; what somebody made has its own.
-if (left && !link) showAddress();
+// After a quick reload the address is that of a moment before.
+if (left && !(link && same(left.state, link.state))) showAddress();
 show(store.state, null);
 greet();
 if (held) hold();

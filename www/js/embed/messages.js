@@ -62,7 +62,8 @@ export function talk(store, { host, offer, play, facts }) {
             if (problems.length > 0) say({ lsystem: 'error', message: problems.join(' '), problems: [] });
         },
         reset: () => asHost(store.reset),
-        controls: ({ controls }) => offer(readControls(Array.isArray(controls) ? controls.join() : String(controls ?? ''))),
+        // Objects of the host may have no form as text.
+        controls: ({ controls }) => offer(readControls([controls].flat().filter((one) => typeof one === 'string').join())),
         play: () => play(true),
         pause: () => play(false),
     };
@@ -70,7 +71,7 @@ export function talk(store, { host, offer, play, facts }) {
     addEventListener('message', (event) => {
         if (!holder || event.source !== holder) return;
         const { data, origin } = event;
-        if (typeof data !== 'object' || data === null || !Object.hasOwn(REQUESTS, data.lsystem)) return;
+        if (typeof data !== 'object' || data === null || typeof data.lsystem !== 'string' || !Object.hasOwn(REQUESTS, data.lsystem)) return;
         if (host !== null && origin !== host) return;
         // A page without an origin of its own, such as a file, can only be addressed as whoever is there.
         listener = origin === 'null' ? '*' : origin;

@@ -122,3 +122,20 @@ test('a bomb of a link leaves the page at work', async () => {
         await until(async () => (await picture(page)).ink > 0, 'it draws');
     });
 });
+
+test('the address holds what is shown, even after a reload that came before it was written', () =>
+    withPage({ hash: '#v=1&axiom=F&rules=F%20-%3E%20F+F&n=3&angle=60' }, async (page) => {
+        await page.fill('#angle', '39');
+        await until(async () => (await hash(page)).includes('angle=39'), 'the address follows');
+        await Promise.all([
+            page.waitForEvent('load'),
+            page.evaluate(() => {
+                const field = /** @type {HTMLInputElement} */ (document.querySelector('#angle'));
+                field.value = '22.5';
+                field.dispatchEvent(new Event('input', { bubbles: true }));
+                location.reload();
+            }),
+        ]);
+        await until(async () => (await page.inputValue('#angle')) === '22.5', 'the last change is there');
+        await until(async () => (await hash(page)).includes('angle=22.5'), 'the address says so');
+    }));

@@ -1,7 +1,7 @@
 /** What the monkey does wherever a drawing is: on the page, and in the frame of an embedded one. */
 
 import { ENDS, stopWorker } from './instrument.mjs';
-import { NOTHING, click, drag, enter, leave, open, set, valueOf } from './hands.mjs';
+import { NOTHING, click, drag, enter, leave, open, paste, set, valueOf } from './hands.mjs';
 import { axiomText, numberText, overridesText, pick, rulesText, whole } from './texts.mjs';
 
 /** @typedef {import('./hands.mjs').Place} Place */
@@ -53,8 +53,7 @@ async function write(place, roll) {
     } else if (way < 0.3) {
         for (let at = 0; at < 6; at++) await page.keyboard.press('Backspace');
     } else {
-        await page.keyboard.press('Control+a');
-        await (text === '' ? page.keyboard.press('Delete') : page.keyboard.insertText(text));
+        await paste(place, selector, text);
     }
     const after = await valueOf(frame, selector);
     const one = selector === '#rules' || selector === '#overrides';

@@ -63,7 +63,7 @@ export async function ask(page) {
 const say = (page, message) => page.evaluate((words) => void /** @type {any} */ (window).say(words), message);
 
 /** Messages that mean nothing, or should not. @type {readonly unknown[]} */
-const JUNK = [null, 7, 'set', [], {}, { lsystem: 7 }, { lsystem: '__proto__' }, { lsystem: 'toString' }, { lsystem: 'set' }, { lsystem: 'set', values: 7 }, { lsystem: 'set', values: { n: 'x', __proto__: 1, constructor: 2 } }, { lsystem: 'open' }, { lsystem: 'open', link: 7 }, { lsystem: 'controls', controls: { a: 1 } }, { lsystem: 'get', id: { deep: [1] } }, { lsystem: 'hello' }];
+const JUNK = [null, 7, 'set', [], {}, { lsystem: 7 }, { lsystem: '__proto__' }, { lsystem: 'toString' }, { lsystem: { toString: 7 } }, { lsystem: 'controls', controls: { toString: 7 } }, { lsystem: 'set' }, { lsystem: 'set', values: 7 }, { lsystem: 'set', values: { n: 'x', __proto__: 1, constructor: 2 } }, { lsystem: 'open' }, { lsystem: 'open', link: 7 }, { lsystem: 'controls', controls: { a: 1 } }, { lsystem: 'get', id: { deep: [1] } }, { lsystem: 'hello' }];
 const CONTROLS = ['', 'all', 'n', 'angle,rules', 'string play', 'nothing', 'rules'];
 
 /** @type {readonly Action[]} */

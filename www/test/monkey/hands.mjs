@@ -7,6 +7,22 @@
  * @typedef {{page: Page, frame: Frame}} Place
  */
 
+/** What a network that was off leaves behind may be told for so long after it is back, in milliseconds. */
+const ECHO = 5000;
+
+/** When the network was last off: Infinity while it is. @type {WeakMap<import('playwright-core').BrowserContext, number>} */
+const offline = new WeakMap();
+
+/** Switches the network off or on. @param {import('playwright-core').BrowserContext} context @param {boolean} off */
+export async function setOffline(context, off) {
+    if (off) offline.set(context, Infinity);
+    else if (offline.get(context) === Infinity) offline.set(context, Date.now());
+    await context.setOffline(off);
+}
+
+/** Whether the network is off, or was a moment ago. @param {import('playwright-core').BrowserContext} context */
+export const wasOffline = (context) => Date.now() - (offline.get(context) ?? 0) < ECHO;
+
 /** Told of an action that found nothing to act on. */
 export const NOTHING = 'nothing there';
 
@@ -68,6 +84,25 @@ export async function open(place, selector) {
 
 /** Takes the caret out of whatever field it is in. @param {Frame} frame */
 export const leave = (frame) => frame.evaluate(() => document.activeElement instanceof HTMLElement && document.activeElement.blur());
+
+/** Longer texts, in UTF-16 units, are not typed: Chromium takes a minute over some thousand lines that it is handed as typed. */
+const TYPED = 200;
+
+/** Puts a text in the place of what is in the field that holds the caret. @param {Place} place @param {string} selector @param {string} text */
+export async function paste({ page, frame }, selector, text) {
+    if (text.length > TYPED) {
+        return frame.evaluate(
+            ([name, all]) => {
+                const field = /** @type {HTMLTextAreaElement} */ (document.querySelector(String(name)));
+                field.setRangeText(String(all), 0, field.value.length, 'end');
+                field.dispatchEvent(new InputEvent('input', { bubbles: true, inputType: 'insertFromPaste' }));
+            },
+            [selector, text],
+        );
+    }
+    await page.keyboard.press('Control+a');
+    await (text === '' ? page.keyboard.press('Delete') : page.keyboard.insertText(text));
+}
 
 /** The text of a field. @param {Frame} frame @param {string} selector @returns {Promise<string>} */
 export const valueOf = (frame, selector) => frame.evaluate((name) => /** @type {HTMLInputElement | null} */ (document.querySelector(name))?.value ?? '', selector);

@@ -1,7 +1,7 @@
 /** What the monkey does on the page alone: history, links, panels, dialogs, files, and the machine around it. */
 
 import { Fault, COMMON } from './actions.mjs';
-import { NOTHING, click, drop, enter, open, set, valueOf } from './hands.mjs';
+import { NOTHING, click, drop, enter, open, set, setOffline, valueOf } from './hands.mjs';
 import { file, hash, pick, whole } from './texts.mjs';
 
 /** @typedef {import('./actions.mjs').Action} Action */
@@ -148,7 +148,7 @@ export const PAGE = [
         weight: 2,
         async act({ page }, roll) {
             const off = roll() < 0.5;
-            await page.context().setOffline(off);
+            await setOffline(page.context(), off);
             return off ? 'off' : 'on';
         },
     },

@@ -2,7 +2,7 @@
 
 import { Fault } from './actions.mjs';
 import { EMBEDDED, ask } from './embedded.mjs';
-import { NOTHING } from './hands.mjs';
+import { NOTHING, setOffline, wasOffline } from './hands.mjs';
 import { instrument, longTasks } from './instrument.mjs';
 import { PAGE } from './page-actions.mjs';
 import { comparePicture, compareTexts, leaveAll, within } from './rest.mjs';
@@ -60,7 +60,7 @@ export async function playRound(browser, round) {
         const place = placeOf(page, embedded);
         const shown = page;
         const check = async () => {
-            await context.setOffline(false);
+            await setOffline(context, false);
             await shown.evaluate(() => window.scrollTo(0, 0));
             const where = await place();
             await leaveAll(where);
@@ -145,7 +145,7 @@ async function compare(place, fresh, address, embedded) {
 function listen(page, roll) {
     /** @type {string[]} */
     const wrong = [];
-    const note = (/** @type {string} */ words) => void (OWN.test(words) || OFFLINE.test(words) || wrong.push(words));
+    const note = (/** @type {string} */ words) => void (OWN.test(words) || (OFFLINE.test(words) && wasOffline(page.context())) || wrong.push(words));
     page.on('console', (message) => ['error', 'warning'].includes(message.type()) && note(`console: ${message.text()}`));
     page.on('pageerror', (error) => note(`uncaught: ${error.stack ?? error}`));
     page.on('crash', () => wrong.push('the page crashed'));

@@ -1,0 +1,68 @@
+/** The talk of an embedded drawing with its host, by messages that nobody should send. */
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { CONTROLS } from '../../js/embed/options.js';
+import { readLink, writeLink } from '../../js/link.js';
+import { clean } from '../../js/state.js';
+import { createStore } from '../../js/store.js';
+import { damaged, junk, junkLink, junkObject, pick, whole } from './junk.mjs';
+import { dice, randomState } from './random.mjs';
+
+const ROUNDS = Number(process.env.LSYSTEM_CASES ?? 500);
+
+/** A message as a host may send it. @param {() => number} roll @param {number} id */
+function message(roll, id) {
+    return pick(roll, [
+        () => junk(roll),
+        () => ({ lsystem: junk(roll, 1), ...junkObject(roll, 2) }),
+        () => ({ lsystem: 'set', values: pick(roll, [junk(roll), junkObject(roll), { angle: roll() * 90, n: whole(roll, 9) }]) }),
+        () => ({ lsystem: 'open', link: pick(roll, [junkLink(roll), junk(roll, 1), damaged(roll, writeLink(randomState(roll)))]) }),
+        () => ({ lsystem: pick(roll, ['reset', 'play', 'pause', 'hello']), id: junk(roll, 1) }),
+        () => ({ lsystem: 'controls', controls: junk(roll, 2) }),
+        () => ({ lsystem: 'get', id }),
+    ])();
+}
+
+test('messages of any kind leave a valid drawing that still answers', async (context) => {
+    /** @type {any[]} */
+    const said = [];
+    /** @type {(event: any) => void} */
+    let hear = () => {};
+    const holder = { postMessage: (/** @type {any} */ words) => void said.push(structuredClone(words)) };
+    Object.assign(globalThis, { window: globalThis, parent: holder, addEventListener: (/** @type {string} */ _, /** @type {typeof hear} */ listener) => (hear = listener) });
+    const { talk } = await import('../../js/embed/messages.js');
+    const store = createStore(clean({ axiom: 'F', rules: 'F -> F+F', iterations: 3 }));
+    talk(store, { host: null, offer: (controls) => assert.ok(controls.every((one) => CONTROLS.includes(one))), play: (on) => assert.equal(typeof on, 'boolean'), facts: () => ({ description: '', symbols: null, segments: null }) });
+    // An object without a form as text was an exception.
+    for (const name of [{ toString: 7 }, [{ toString: 7 }]]) {
+        hear({ source: holder, origin: 'null', data: { lsystem: name } });
+        hear({ source: holder, origin: 'null', data: { lsystem: 'controls', controls: name } });
+    }
+    for (let round = 0; round < ROUNDS; round++) {
+        const roll = dice(round * 7919);
+        try {
+            hear({ source: holder, origin: pick(roll, ['https://example.org', 'null']), data: message(roll, round) });
+            if (round % 20 !== 19) continue;
+            said.length = 0;
+            hear({ source: holder, origin: 'null', data: { lsystem: 'get', id: `${round}` } });
+            await until(() => said.some((words) => words.lsystem === 'state' && words.id === `${round}`));
+            assert.deepEqual(clean(store.state), store.state);
+            assert.deepEqual(readLink(writeLink(store.state))?.state, store.state);
+        } catch (error) {
+            throw new Error(`message ${round}`, { cause: error });
+        }
+    }
+    // Others than the one that holds the frame are not heard.
+    said.length = 0;
+    hear({ source: {}, origin: 'https://example.org', data: { lsystem: 'get', id: 'another' } });
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    assert.ok(said.every(({ id }) => id !== 'another'));
+    context.diagnostic(`${ROUNDS} messages`);
+});
+
+/** @param {() => boolean} check */
+async function until(check) {
+    for (let times = 0; times < 1000 && !check(); times++) await new Promise((resolve) => setTimeout(resolve, 1));
+    assert.ok(check(), 'it answers');
+}
