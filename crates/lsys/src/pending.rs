@@ -66,22 +66,12 @@ fn create(folder: &Path) -> io::Result<(File, PathBuf)> {
     }
     let mut builder = tempfile::Builder::new();
     builder.prefix(".lsys.").suffix(".tmp");
-    #[cfg(unix)]
-    // As any other new file, and not for its owner alone.
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let (file, path) = builder.tempfile_in(folder).map_err(without_path)?.into_parts();
+    // Opened here, so that it has the permissions of any other new file, and errors do not name it.
+    let open = |path: &Path| File::options().write(true).create_new(true).open(path);
+    let (file, path) = builder.make_in(folder, open)?.into_parts();
     let name = path.to_path_buf();
     all.push(path);
     Ok((file, name))
-}
-
-/// The error of the system itself: whoever reports it names the file that was asked for.
-fn without_path(error: io::Error) -> io::Error {
-    let code = error
-        .get_ref()
-        .and_then(std::error::Error::source)
-        .and_then(|source| source.downcast_ref::<io::Error>().and_then(io::Error::raw_os_error));
-    code.map_or(error, io::Error::from_raw_os_error)
 }
 
 /// Makes signals that end the program remove the temporary files first. What was ignored when the program was started,

@@ -223,12 +223,3 @@ fn files_have_the_usual_permissions() {
     let mode = fs::metadata(format!("{base}.csv")).expect("is there").permissions().mode();
     assert_eq!(mode & 0o777, 0o640);
 }
-
-#[test]
-fn drawings_keep_to_the_memory_they_are_given() {
-    let output = run("draw data_in/abop/1.27.json --format svg -n 9 --memory 1M");
-    assert_eq!(output.status.code(), Some(1));
-    assert!(text(&output.stderr).contains("memory"), "{}", text(&output.stderr));
-    assert!(output.stdout.is_empty());
-    assert_eq!(run("draw data_in/abop/1.27.json --format svg -n 9 --memory 1G").status.code(), Some(0));
-}
