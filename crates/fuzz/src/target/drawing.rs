@@ -4,7 +4,7 @@ use super::derive::{is_judged, words};
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make, naive};
 use lsystem::{
-    Definition, Drawer, Drawing, Heading, Limits, Outlook, Segment, SegmentArrays, Solid, Space, System, fit,
+    Definition, Drawer, Drawing, Heading, Limits, Outlook, Progress, Segment, SegmentArrays, Solid, Space, System, fit,
     fitted_ends, fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, symbol_of_polygon,
 };
 use std::sync::Arc;
@@ -25,7 +25,14 @@ pub(super) fn drawn_in_space(
 }
 
 fn build<S: Space>(mut drawer: Drawer<S>, gauge: &mut Gauge) -> Option<Arc<Drawing<S>>> {
-    gauge.steps("draw", || drawer.step(WORK as u64));
+    loop {
+        let before = drawer.spent();
+        let progress = gauge.call("draw", || drawer.step(WORK as u64));
+        gauge.charge("draw", WORK as u64, drawer.spent() - before);
+        if progress == Progress::Done {
+            break;
+        }
+    }
     match gauge.call("finish", || drawer.finish()) {
         Ok(drawing) => {
             gauge.reach("drawn");
