@@ -139,7 +139,9 @@ fn is_comparable(definition: &Definition, system: &System, n: u32) -> bool {
     let varies = turtle.angle_variation != 0.0 && turns.contains(&Heading::HALF);
     // A letter that is drawn as others is one letter with more to do, where nothing is computed.
     let images = system.rules.is_none() && !system.grammar.images.is_empty();
-    let varies = varies || images && (turtle.angle_variation != 0.0 || turtle.length_variation != 0.0);
+    // Who overshoots when bending swings ever wider, from rounding alone.
+    let swings = turtle.tropism.is_some_and(|tropism| tropism.elasticity.abs() > 1.0);
+    let varies = varies || swings || images && (turtle.angle_variation != 0.0 || turtle.length_variation != 0.0);
     // The naive turtle sums its headings up.
     words.len() as u64 == u64::from(n) + 1
         && words.last().is_some_and(arguments)
