@@ -1,7 +1,7 @@
 //! What an execution takes, and whether that is too much.
 
 use crate::ALLOCATOR;
-use lsystem::Progress;
+use lsystem::{Meter, Progress};
 use std::time::{Duration, Instant};
 
 /// Bytes that one instance in the page may hold.
@@ -14,9 +14,11 @@ pub struct Gauge {
     before: usize,
     /// Bytes that may be held at most.
     memory: usize,
-    /// Work units of the page between two looks at the clock.
+    /// The most units of work that a step spent.
+    work: u64,
+    /// The slowest step or call.
     slowest: (&'static str, Duration),
-    /// Whether a system was made, drawn and so on, by name: what fuzzing reaches.
+    /// How far the execution came, by name.
     reached: Vec<&'static str>,
 }
 
@@ -27,7 +29,7 @@ impl Gauge {
     pub(crate) fn new() -> Self {
         ALLOCATOR.reset_peak_usage();
         let before = ALLOCATOR.current_usage();
-        Self { before, memory: MEMORY, slowest: ("", Duration::ZERO), reached: vec![] }
+        Self { before, memory: MEMORY, work: 0, slowest: ("", Duration::ZERO), reached: vec![] }
     }
 
     /// Allows so many bytes more, for pixels.
@@ -44,6 +46,12 @@ impl Gauge {
             self.slowest = (name, time);
         }
         value
+    }
+
+    /// A step with a share of work: what it spends is at most one piece more.
+    pub(crate) fn charge(&mut self, name: &'static str, share: u64, spent: u64) {
+        self.work = self.work.max(spent);
+        assert!(spent <= share.max(1) + Meter::PIECE, "work: a step of {name} with {share} units spent {spent}");
     }
 
     /// Goes on to the end in steps of the page's size.
@@ -67,6 +75,12 @@ impl Gauge {
     #[must_use]
     pub fn slowest(&self) -> (&'static str, Duration) {
         self.slowest
+    }
+
+    /// The most units of work that a step spent.
+    #[must_use]
+    pub fn work(&self) -> u64 {
+        self.work
     }
 
     /// Bytes held at most, beyond those before.

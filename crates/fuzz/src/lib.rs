@@ -15,6 +15,7 @@
 //!
 //! Nothing here is shipped, and the core knows nothing of it.
 
+mod clock;
 mod gauge;
 mod input;
 mod make;

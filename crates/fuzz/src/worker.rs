@@ -1,5 +1,6 @@
 //! Tries one input after the other, and tells the supervisor what came of it.
 
+use crate::clock::processor_time;
 use crate::input::{Current, Input, Inputs};
 use crate::shrink::place;
 use crate::{ALLOCATOR, Options, Target, once};
@@ -9,7 +10,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-/// An input that takes longer is taken to hang.
+/// An input that takes longer, in processor time, is taken to hang.
 const HANG: Duration = Duration::from_secs(10);
 /// A step or call that takes longer is told of.
 const SLOW: Duration = Duration::from_secs(1);
@@ -39,11 +40,13 @@ struct Worker<'a> {
     slowest: Vec<(Duration, u64, &'static str)>,
     reached: BTreeMap<&'static str, u64>,
     peak: usize,
+    /// The most units of work that a step spent.
+    work: u64,
 }
 
 impl<'a> Worker<'a> {
     fn new(options: &'a Options, target: &'static Target) -> Self {
-        Self { options, target, found: BTreeMap::new(), slowest: vec![], reached: BTreeMap::new(), peak: 0 }
+        Self { options, target, found: BTreeMap::new(), slowest: vec![], reached: BTreeMap::new(), peak: 0, work: 0 }
     }
 
     fn run(&mut self) -> Result<()> {
@@ -51,7 +54,7 @@ impl<'a> Worker<'a> {
         let mut current = Current::new(findings, self.target)?;
         let start = Instant::now();
         if !self.options.patient {
-            watch(start);
+            watch();
         }
         let inputs = Inputs::of(self.target, *seed)?;
         let mut input = Input::default();
@@ -59,15 +62,20 @@ impl<'a> Worker<'a> {
         while number - from < *executions && self.options.time.is_none_or(|time| start.elapsed() < time) {
             inputs.fill(number, &mut input);
             current.note(number)?;
-            SINCE.store(start.elapsed().as_millis() as u64, Ordering::Relaxed);
+            let began = processor_time();
+            SINCE.store(began.as_millis() as u64, Ordering::Relaxed);
             let before = Instant::now();
             let (gauge, outcome) = once(self.target, &mut input.source());
             let time = before.elapsed();
             self.peak = self.peak.max(gauge.peak());
+            self.work = self.work.max(gauge.work());
             for &name in gauge.reached() {
                 *self.reached.entry(name).or_default() += 1;
             }
             let (name, slowest) = gauge.slowest();
+            // Of the time that passed the processor was here for a part only.
+            let used = processor_time().saturating_sub(began);
+            let slowest = slowest.min(used);
             self.rank(time, number, name);
             if let Err(message) = outcome {
                 self.keep(&message, &input, number)?;
@@ -77,7 +85,7 @@ impl<'a> Worker<'a> {
             number += 1;
         }
         SINCE.store(u64::MAX, Ordering::Relaxed);
-        println!("done {} {} {}", number - from, start.elapsed().as_millis(), self.peak >> 10);
+        println!("done {} {} {}", number - from, self.peak >> 10, self.work);
         for (name, count) in &self.reached {
             println!("reached {count} {name}");
         }
@@ -125,16 +133,16 @@ pub(crate) fn keep(options: &Options, target: &Target, place: &str, input: &Inpu
     Ok(path)
 }
 
-/// When the execution at hand began, in milliseconds since the start.
+/// When the execution at hand began, in milliseconds of processor time.
 static SINCE: AtomicU64 = AtomicU64::new(u64::MAX);
 
 /// Ends the process when an input hangs or holds too much memory. The supervisor knows which it was, and goes on after it.
-fn watch(start: Instant) {
+fn watch() {
     std::thread::spawn(move || {
         loop {
             std::thread::sleep(Duration::from_millis(20));
             let since = Duration::from_millis(SINCE.load(Ordering::Relaxed));
-            if start.elapsed().saturating_sub(since) > HANG {
+            if processor_time().saturating_sub(since) > HANG {
                 std::process::exit(HUNG);
             }
             if ALLOCATOR.current_usage() > TOO_MUCH {

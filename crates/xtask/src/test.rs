@@ -60,6 +60,9 @@ pub(crate) fn test(workspace: &Workspace, options: &Options) -> Result<()> {
         report.step("native tests of xtask", || run(&mut workspace.cargo(["test", "--package=xtask"])));
     }
     if has("fuzz") {
+        report.step("native tests of the fuzz targets", || {
+            run(&mut workspace.cargo(["test", "--package=lsystem-fuzz", "--lib"]))
+        });
         report.step("fuzzing, always the same inputs", || fuzz::short(workspace));
     }
     if has("wasm") {

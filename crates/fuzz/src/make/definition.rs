@@ -114,3 +114,18 @@ fn twist(source: &mut Source<'_>, definition: &mut Definition) {
         _ => definition.angle = near(source, &DEGREES),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    /// Both crates write the limits down, because the one for the page cannot be compiled here.
+    #[test]
+    fn the_limits_are_those_of_the_page() {
+        let text = |path: &str| {
+            let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+            let text = std::fs::read_to_string(folder.join(path)).unwrap();
+            let limits = text.split("Limits { symbols: 64 << 20").nth(1).unwrap();
+            limits.split('}').next().unwrap().to_owned()
+        };
+        assert_eq!(text("fuzz/src/make/definition.rs"), text("lsystem-wasm/src/lib.rs"));
+    }
+}

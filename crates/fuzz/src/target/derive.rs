@@ -41,7 +41,7 @@ pub(super) fn derive(source: &mut Source<'_>, gauge: &mut Gauge) {
     let symbols = gauge.call("count_symbols", || count_symbols(&system, n));
     let segments = gauge.call("count_segments", || count_segments(&system, n));
     gauge.call("words", || {
-        (legend(&system).len(), kind(&system), why_empty(&system, n));
+        let _ = (legend(&system), kind(&system), why_empty(&system, n));
         if let Some(segments) = &segments {
             let _ = describe(&system, n, segments, Some(7), Some([0.0, 0.0, 1.0, 1.0]));
         }
@@ -88,7 +88,7 @@ fn printed(system: &System, word: &[Module]) -> String {
 /// What reads generations in place.
 enum Reader<'a> {
     Counted(&'a System, u32),
-    Remembered(History, u32),
+    Remembered(Box<History>, u32),
 }
 
 impl Reader<'_> {
@@ -152,7 +152,7 @@ pub(super) fn access(source: &mut Source<'_>, gauge: &mut Gauge) {
         gauge.steps("history step", || history.step(WORK));
         if history.is_complete() {
             gauge.reach("remembered");
-            readers.push(Reader::Remembered(history, n));
+            readers.push(Reader::Remembered(Box::new(history), n));
         }
     }
     let words = if is_judged(&definition, &system) { words(&system, n) } else { vec![] };

@@ -4,7 +4,7 @@ use super::derive::{is_judged, words};
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make, naive};
 use lsystem::{
-    Definition, Drawer, Drawing, Heading, Limits, Outlook, Segment, SegmentArrays, Solid, Space, System, fit,
+    Definition, Drawer, Drawing, Heading, Limits, Outlook, Progress, Segment, SegmentArrays, Solid, Space, System, fit,
     fitted_ends, fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, symbol_of_polygon,
 };
 use std::sync::Arc;
@@ -25,7 +25,14 @@ pub(super) fn drawn_in_space(
 }
 
 fn build<S: Space>(mut drawer: Drawer<S>, gauge: &mut Gauge) -> Option<Arc<Drawing<S>>> {
-    gauge.steps("draw", || drawer.step(WORK as u64));
+    loop {
+        let before = drawer.spent();
+        let progress = gauge.call("draw", || drawer.step(WORK as u64));
+        gauge.charge("draw", WORK as u64, drawer.spent() - before);
+        if progress == Progress::Done {
+            break;
+        }
+    }
     match gauge.call("finish", || drawer.finish()) {
         Ok(drawing) => {
             gauge.reach("drawn");
@@ -132,7 +139,9 @@ fn is_comparable(definition: &Definition, system: &System, n: u32) -> bool {
     let varies = turtle.angle_variation != 0.0 && turns.contains(&Heading::HALF);
     // A letter that is drawn as others is one letter with more to do, where nothing is computed.
     let images = system.rules.is_none() && !system.grammar.images.is_empty();
-    let varies = varies || images && (turtle.angle_variation != 0.0 || turtle.length_variation != 0.0);
+    // Who overshoots when bending swings ever wider, from rounding alone.
+    let swings = turtle.tropism.is_some_and(|tropism| tropism.elasticity.abs() > 1.0);
+    let varies = varies || swings || images && (turtle.angle_variation != 0.0 || turtle.length_variation != 0.0);
     // The naive turtle sums its headings up.
     words.len() as u64 == u64::from(n) + 1
         && words.last().is_some_and(arguments)

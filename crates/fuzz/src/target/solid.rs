@@ -3,7 +3,7 @@
 use super::drawing::drawn_in_space;
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
-use lsystem::{Effort, Pane, Quality, SolidRenderer, Spent, Style, camera_axes, solid_scale};
+use lsystem::{Effort, Pane, Progress, Quality, SolidRenderer, Spent, Style, camera_axes, solid_scale};
 
 /// Drawings in space, still, moving and in panes.
 pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
@@ -36,7 +36,7 @@ pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
     whole.load(drawing.clone());
     whole.play(upto);
     whole.begin(&style, viewport, &camera, quality);
-    gauge.steps("large steps", || whole.step(1_000_000));
+    while whole.step(1_000_000) == Progress::More {}
     let whole = whole.pixels();
     let mut effort = Effort::new(quality, viewport);
     loop {
