@@ -8,7 +8,7 @@ use crate::report::Report;
 use crate::sharing::{Sharing, Turn};
 use crate::surface::Surface;
 use crate::viewer::{Drawn, SLOW, Scene, Viewer, WORK, describe_drawing, go_on};
-use lsystem::{Detail, Diagnostic, Drawer, Drawing, Ink, Progress, System, fitted_scale};
+use lsystem::{Counter, Detail, Diagnostic, Drawer, Drawing, Ink, Progress, System, fitted_scale};
 #[cfg(feature = "full")]
 use lsystem::{Pane, Spent, Viewport};
 use std::sync::Arc;
@@ -95,9 +95,9 @@ impl Viewer for PlaneView {
         self.drawing = None;
     }
 
-    fn describe(&self, report: &mut Report, system: &System, n: u32) {
+    fn describe(&self, report: &mut Report, system: &System, n: u32, counted: Option<&Counter>) {
         if let Some(drawing) = &self.drawing {
-            describe_drawing(report, system, n, drawing, drawing.bounds());
+            describe_drawing(report, system, n, drawing, drawing.bounds(), counted);
         }
     }
 
