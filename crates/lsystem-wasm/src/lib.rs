@@ -47,8 +47,17 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 /// What a page may spend: a string that a browser can still hold, a drawing that fits 32-bit memory.
+///
+/// An instance may take 256 megabytes. Of these the drawing in the making takes at most 96 ([`LIMITS`]), a derivation
+/// that is remembered with the counts that a string is read by 40 ([`HISTORY`]), counts of any size 16
+/// ([`lsystem::MAX_COUNTING`]) and a picture in the making 64. The rest is for the texts, the compiled system and the
+/// drawing that is shown.
 const LIMITS: Limits =
     Limits { symbols: 64 << 20, modules: 16 << 20, segments: 1_000_000, work: 100_000_000, memory: 96 << 20 };
+
+/// The same for a derivation that is remembered; a string that is read by counts takes 16 megabytes at most.
+#[cfg(feature = "full")]
+const HISTORY: Limits = Limits { memory: 24 << 20, ..LIMITS };
 
 /// A fresh seed.
 ///

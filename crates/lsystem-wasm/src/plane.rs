@@ -10,7 +10,7 @@ use crate::surface::Surface;
 #[cfg(feature = "full")]
 use crate::viewer::Snapshot;
 use crate::viewer::{Drawn, SLOW, Scene, Viewer, WORK, describe_drawing, go_on};
-use lsystem::{Detail, Diagnostic, Drawer, Drawing, Ink, Progress, System, fitted_scale};
+use lsystem::{Counter, Detail, Diagnostic, Drawer, Drawing, Ink, Progress, System, fitted_scale};
 #[cfg(feature = "full")]
 use lsystem::{Pane, Spent, Viewport};
 use std::sync::Arc;
@@ -97,9 +97,9 @@ impl Viewer for PlaneView {
         self.drawing = None;
     }
 
-    fn describe(&self, report: &mut Report, system: &System, n: u32) {
+    fn describe(&self, report: &mut Report, system: &System, n: u32, counted: Option<&Counter>) {
         if let Some(drawing) = &self.drawing {
-            describe_drawing(report, system, n, drawing, drawing.bounds());
+            describe_drawing(report, system, n, drawing, drawing.bounds(), counted);
         }
     }
 

@@ -3,9 +3,9 @@
 use crate::clock::Clock;
 use crate::report::{Report, legend_of, problems, understood};
 use crate::surface::Surface;
-use crate::viewer::{Drawn, Realm, Scene, Views};
+use crate::viewer::{Drawn, Realm, Scene, Views, WORK};
 use crate::{from_js, to_js};
-use lsystem::{Definition, Diagnostic, Kind, System, View, Viewport, count_segments, count_symbols, kind, why_empty};
+use lsystem::{Counter, Definition, Diagnostic, Kind, Progress, System, View, Viewport, kind, why_empty};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
@@ -29,6 +29,8 @@ pub struct Playground {
     /// Where what is shown has been drawn.
     pub(crate) shown: Option<Realm>,
     pub(crate) report: Report,
+    /// The symbols and segments of the system, counted when there is nothing else to do where that takes long.
+    counters: Option<[Counter; 2]>,
     /// Whether the page has not seen the report yet.
     news: bool,
     pub(crate) viewport: Viewport,
@@ -50,6 +52,9 @@ pub struct Playground {
 
 /// While a picture is refined newer input is listened for after so many milliseconds.
 const REFINING: f64 = 3.0;
+
+/// Work units of a count that are spent before the first report: some milliseconds.
+const COUNTING: u64 = 1 << 17;
 
 /// The answer of [`Playground::step`].
 #[derive(Serialize)]
@@ -78,6 +83,7 @@ impl Playground {
             building: None,
             shown: None,
             report: Report::default(),
+            counters: None,
             news: false,
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
             view: View::default(),
@@ -117,8 +123,6 @@ impl Playground {
             kind: kind(&system),
             stochastic: system.is_stochastic(),
             solid: system.is_solid(),
-            symbols: count_symbols(&system, n).map(|count| count.to_string()),
-            segments: count_segments(&system, n).map(|count| count.to_string()),
             legend: legend_of(&system),
             empty: why_empty(&system, n),
             ..Report::default()
@@ -134,6 +138,12 @@ impl Playground {
         } else {
             self.upto = None;
             self.report = known;
+            let mut counters = [Counter::symbols(&system, n), Counter::segments(&system, n)];
+            counters.iter_mut().for_each(|counter| {
+                counter.step(COUNTING);
+            });
+            self.counters = Some(counters);
+            self.tell_counts();
             self.start(&system, n);
         }
         self.report.beyond = Realm::of(&system).is_none();
@@ -186,6 +196,8 @@ impl Playground {
         while drawn.is_none() && !self.is_idle() {
             if let Some(realm) = self.building {
                 self.build(realm);
+            } else if !self.is_painting() {
+                self.count();
             } else {
                 drawn = self.paint()?;
                 #[cfg(feature = "full")]
@@ -220,7 +232,45 @@ impl Playground {
     }
 
     fn is_idle(&self) -> bool {
-        self.built() && !self.is_painting()
+        self.built() && !self.is_painting() && !self.is_counting()
+    }
+
+    fn is_counting(&self) -> bool {
+        self.counters.as_ref().is_some_and(|counters| counters.iter().any(|counter| !counter.is_done()))
+    }
+
+    /// Goes on with the first count that is not known yet.
+    fn count(&mut self) {
+        let counter = self.counters.iter_mut().flatten().find(|counter| !counter.is_done());
+        if counter.is_some_and(|counter| counter.step(WORK as u64) == Progress::Done) {
+            self.tell_counts();
+            self.describe();
+            self.news = true;
+        }
+    }
+
+    /// Puts what has been counted into the report.
+    fn tell_counts(&mut self) {
+        let Some([symbols, segments]) = &self.counters else { return };
+        for (counter, told) in [(symbols, &mut self.report.symbols), (segments, &mut self.report.segments)] {
+            if let Some(count) = counter.count() {
+                *told = Some(count.to_string());
+            }
+        }
+    }
+
+    /// Completes the report with what the drawing that is shown tells.
+    fn describe(&mut self) {
+        let (Some(realm), Some(system)) = (self.shown, &self.system) else { return };
+        if self.building.is_none() && !self.is_refused() {
+            let counted = self.counters.as_ref().map(|[_, segments]| segments);
+            self.views.at(realm).describe(&mut self.report, system, self.definition.iterations, counted);
+        }
+    }
+
+    /// Whether an older drawing is shown than that of the definition.
+    fn is_refused(&self) -> bool {
+        self.report.memoised.is_none()
     }
 
     /// Whether a picture is being made, or has to be.
@@ -275,7 +325,8 @@ impl Playground {
             self.views.at(former).forget();
         }
         if let Some(system) = &self.system {
-            self.views.at(realm).describe(&mut self.report, system, self.definition.iterations);
+            let counted = self.counters.as_ref().map(|[_, segments]| segments);
+            self.views.at(realm).describe(&mut self.report, system, self.definition.iterations, counted);
         }
     }
 

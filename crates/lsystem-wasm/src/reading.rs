@@ -2,12 +2,12 @@
 
 use crate::playground::Playground;
 use crate::viewer::{Views, WORK};
-use crate::{LIMITS, to_js};
+use crate::{HISTORY, to_js};
 use core::ops::Range;
 use lsystem::{
-    Ancestor, Drawing, History, Pointer, Progress, Segment, Space, StyleChange, Target, Word, count_symbols,
-    fitted_ends, fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, pick, pick_solid,
-    print_module, symbol_of_polygon,
+    Ancestor, Counter, Drawing, History, Pointer, Progress, Segment, Space, StyleChange, Target, Word, fitted_ends,
+    fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, pick, pick_solid, print_module,
+    symbol_of_polygon,
 };
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -84,6 +84,9 @@ struct Picked {
 /// A budget for one look at what is under the pointer: some milliseconds at most.
 const VISITS: usize = 20_000;
 
+/// Work units for the length of a string: some ten milliseconds at most.
+const COUNTING: u64 = 1 << 20;
+
 #[wasm_bindgen]
 impl Playground {
     /// Works towards what [`Playground::slice`] and others need to read generation `generation`, for about `budget`
@@ -96,7 +99,7 @@ impl Playground {
         }
         let n = self.shown_iterations();
         if self.history.is_none() {
-            self.history = History::new(system, n, &LIMITS);
+            self.history = History::new(system, n, &HISTORY);
         }
         let Some(history) = &mut self.history else { return true };
         loop {
@@ -122,7 +125,16 @@ impl Playground {
     #[wasm_bindgen(js_name = stringLength)]
     pub fn string_length(&self, generation: u32) -> Option<String> {
         match self.reader(generation)? {
-            Reader::Counted(_) => count_symbols(self.system.as_ref()?, generation).map(|count| count.to_string()),
+            Reader::Counted(word) => {
+                let symbols = word.symbols();
+                if symbols < u128::MAX {
+                    return Some(symbols.to_string());
+                }
+                let mut counter = Counter::symbols(self.system.as_ref()?, generation);
+                counter.step(COUNTING);
+                // All that can be reached is told where the rest takes too long to count.
+                Some(counter.count().map_or_else(|| symbols.to_string(), ToString::to_string))
+            }
             Reader::Remembered(history) => history.symbols(generation).map(|count| count.to_string()),
         }
     }

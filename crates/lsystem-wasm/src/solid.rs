@@ -8,7 +8,7 @@ use crate::sharing::{Sharing, Turn};
 use crate::surface::Surface;
 use crate::viewer::{Drawn, SLOW, Scene, Snapshot, Viewer, WORK, describe_drawing, go_on};
 use lsystem::{
-    Camera, Diagnostic, Drawer, Drawing, Effort, Pane, Progress, Quality, Solid, SolidRenderer, Spent, System,
+    Camera, Counter, Diagnostic, Drawer, Drawing, Effort, Pane, Progress, Quality, Solid, SolidRenderer, Spent, System,
     Viewport, solid_scale,
 };
 use std::sync::Arc;
@@ -113,10 +113,10 @@ impl Viewer for SolidView {
         self.renderer = SolidRenderer::new();
     }
 
-    fn describe(&self, report: &mut Report, system: &System, n: u32) {
+    fn describe(&self, report: &mut Report, system: &System, n: u32, counted: Option<&Counter>) {
         if let Some(drawing) = &self.drawing {
             let bounds = drawing.bounds().map(|[low, high]| [low[0], low[1], high[0], high[1]]);
-            describe_drawing(report, system, n, drawing, bounds);
+            describe_drawing(report, system, n, drawing, bounds, counted);
         }
     }
 

@@ -9,7 +9,7 @@ use crate::sharing::Sharing;
 use crate::solid::SolidView;
 use crate::surface::Surface;
 use lsystem::{
-    Diagnostic, Drawer, Drawing, Ink, Progress, Space, Style, System, View, Viewport, count_segments, describe,
+    Counter, Diagnostic, Drawer, Drawing, Ink, Progress, Space, Style, System, Tally, View, Viewport, describe,
 };
 #[cfg(feature = "full")]
 use lsystem::{Pane, Spent};
@@ -65,8 +65,8 @@ pub(crate) trait Viewer {
     /// Shows nothing any more.
     fn forget(&mut self);
 
-    /// Completes a report with what the drawing tells.
-    fn describe(&self, report: &mut Report, system: &System, n: u32);
+    /// Completes a report with what the drawing tells; its segments are exactly as `counted`, once that is known.
+    fn describe(&self, report: &mut Report, system: &System, n: u32, counted: Option<&Counter>);
 
     /// Starts a picture; one that is under way is given up.
     fn begin(&mut self, scene: Scene);
@@ -176,15 +176,19 @@ pub(crate) fn describe_drawing<S: Space>(
     n: u32,
     drawing: &Drawing<S>,
     bounds: Option<[f64; 4]>,
+    counted: Option<&Counter>,
 ) {
     // Where counts depend on chance the drawing has been materialised, and its count is exact.
-    let segments = count_segments(system, n).unwrap_or_else(|| drawing.segment_count().into());
+    let exact = || Some(drawing.segment_count()).filter(|&count| count < u128::MAX).map(Tally::from);
+    let segments = counted.and_then(Counter::count).cloned().or_else(exact);
     if let Some(symbols) = drawing.symbol_count() {
         report.symbols = Some(symbols.to_string());
     }
     report.memoised = Some(drawing.is_memoised());
     report.blocks = Some(drawing.block_count());
     let shared = drawing.is_memoised().then(|| drawing.block_count());
-    report.description = describe(system, n, &segments, shared, bounds);
-    report.segments = Some(segments.to_string());
+    if let Some(segments) = segments {
+        report.description = describe(system, n, &segments, shared, bounds);
+        report.segments = Some(segments.to_string());
+    }
 }

@@ -3,10 +3,10 @@
 //! The counts of every letter's derivation say which letter holds a given position, so a position is found by going
 //! down from the axiom, once per generation, however long the string is.
 
-use crate::counts::{drawn_by_letter, sum_of, sums_by_depth};
+use crate::counts::{Depths, drawn_by_letter};
 use crate::program::{Rewrite, SymbolId};
 use crate::space::Space;
-use crate::{BlockId, Code, Drawing, Item, Key, MAX_ITERATIONS, Rules, System};
+use crate::{BlockId, Code, Drawing, Item, Key, MAX_ITERATIONS, Meter, Rules, System};
 use core::ops::Range;
 
 /// Generation `n` of a system whose letters always have the same successors, read in place. Modules may have
@@ -15,11 +15,14 @@ use core::ops::Range;
 pub struct Word<'a> {
     system: &'a System,
     n: u32,
-    /// By depth, then letter: symbols derived; `u128::MAX` stands for that many or more.
-    symbols: Vec<Vec<u128>>,
-    /// By depth, then letter: segments drawn; `u128::MAX` stands for that many or more.
-    segments: Vec<Vec<u128>>,
+    /// Symbols derived; `u128::MAX` stands for that many or more.
+    symbols: Depths,
+    /// Segments drawn; `u128::MAX` stands for that many or more.
+    segments: Depths,
 }
+
+/// The units of work that the counts may take: some ten milliseconds.
+const MOST: u64 = 1 << 20;
 
 /// One link of the chain from the axiom to a symbol: where it stood in a generation, and what put it there.
 #[derive(Clone, Debug, PartialEq)]
@@ -144,31 +147,43 @@ impl Iterator for Nodes<'_> {
 
 impl<'a> Word<'a> {
     /// Generation `n` of `system`; `None` where chance, conditions or neighbours decide what becomes of a symbol or how
-    /// much it draws ([`History`](crate::History) reads such systems), where branches are cut, or where `n` is above
-    /// [`MAX_ITERATIONS`].
+    /// much it draws ([`History`](crate::History) reads such systems), where branches are cut, where `n` is above
+    /// [`MAX_ITERATIONS`], or where there are so many letters and steps that the counts of all would take more than 16
+    /// megabytes.
     #[must_use]
     pub fn new(system: &'a System, n: u32) -> Option<Self> {
+        Self::counted(system, n).0
+    }
+
+    /// The same, with the units of work that it takes.
+    #[must_use]
+    pub fn counted(system: &'a System, n: u32) -> (Option<Self>, u64) {
+        let mut meter = Meter::new(MOST);
+        (Self::within(system, n, &mut meter), meter.spent())
+    }
+
+    fn within(system: &'a System, n: u32, meter: &mut Meter) -> Option<Self> {
         let program = &system.program;
         let cutting = system.rules.as_ref().is_some_and(Rules::is_cutting);
         if n > MAX_ITERATIONS || cutting || !program.is_deterministic() {
             return None;
         }
         let drawn = drawn_by_letter(system)?;
-        let symbols = sums_by_depth(program, n, |_| 1);
-        let segments = sums_by_depth(program, n, |symbol| drawn[usize::from(symbol)]);
+        let symbols = Depths::new(program, n, |_| 1, meter)?;
+        let segments = Depths::new(program, n, |symbol| drawn[usize::from(symbol)], meter)?;
         Some(Self { system, n, symbols, segments })
     }
 
     /// How many symbols it has; `u128::MAX` stands for that many or more, of which only the first can be reached.
     #[must_use]
     pub fn symbols(&self) -> u128 {
-        sum_of(&self.symbols[self.n as usize], &self.system.program.axiom)
+        self.symbols.sum(self.n as usize, &self.system.program.axiom)
     }
 
     /// How many segments it draws; `u128::MAX` stands for that many or more.
     #[must_use]
     pub fn segments(&self) -> u128 {
-        sum_of(&self.segments[self.n as usize], &self.system.program.axiom)
+        self.segments.sum(self.n as usize, &self.system.program.axiom)
     }
 
     /// The symbols from position `start` (0-based) on, at most `length` of them, fewer at the end; with their arguments
@@ -196,7 +211,7 @@ impl<'a> Word<'a> {
                 open.pop();
                 continue;
             };
-            let count = self.symbols[depth as usize][usize::from(symbol)];
+            let count = self.symbols.get(depth as usize, symbol);
             if skip >= count {
                 skip -= count;
                 nodes.pass();
@@ -248,7 +263,7 @@ impl<'a> Word<'a> {
                     return true;
                 }
                 left -= count;
-                before = before.saturating_add(self.symbols[depth as usize][usize::from(symbol)]);
+                before = before.saturating_add(self.symbols.get(depth as usize, symbol));
                 false
             });
             let (_, &symbol) = held?;
@@ -265,10 +280,10 @@ impl<'a> Word<'a> {
         let (mut word, mut depth, mut skip) = (self.system.program.axiom.as_slice(), self.n as usize, index);
         loop {
             let inside = word.iter().find(|&&s| {
-                let count = self.symbols[depth][usize::from(s)];
+                let count = self.symbols.get(depth, s);
                 if skip >= count {
                     skip -= count;
-                    segments = segments.saturating_add(self.segments[depth][usize::from(s)]);
+                    segments = segments.saturating_add(self.segments.get(depth, s));
                     return false;
                 }
                 true
@@ -290,20 +305,20 @@ impl<'a> Word<'a> {
         for steps in (0..=generation).rev() {
             let depth = (self.n.checked_sub(generation)? + steps) as usize;
             let held = word.iter().find(|&&s| {
-                let count = self.symbols[steps as usize][usize::from(s)];
+                let count = self.symbols.get(steps as usize, s);
                 if skip < count {
                     return true;
                 }
                 skip -= count;
-                symbols = symbols.saturating_add(self.symbols[depth][usize::from(s)]);
-                segments = segments.saturating_add(self.segments[depth][usize::from(s)]);
+                symbols = symbols.saturating_add(self.symbols.get(depth, s));
+                segments = segments.saturating_add(self.segments.get(depth, s));
                 false
             })?;
             if steps == 0 {
-                let letter = usize::from(*held);
+                let letter = *held;
                 return Some(Part {
-                    symbols: symbols..symbols.saturating_add(self.symbols[depth][letter]),
-                    segments: segments..segments.saturating_add(self.segments[depth][letter]),
+                    symbols: symbols..symbols.saturating_add(self.symbols.get(depth, letter)),
+                    segments: segments..segments.saturating_add(self.segments.get(depth, letter)),
                 });
             }
             word = self.successor(*held, depth as u32).unwrap_or(core::slice::from_ref(held));
@@ -312,7 +327,7 @@ impl<'a> Word<'a> {
     }
 
     /// Goes down to the letter that holds place `place` when letters are counted by `counts`.
-    fn descend(&self, place: u128, counts: &[Vec<u128>]) -> Vec<Ancestor> {
+    fn descend(&self, place: u128, counts: &Depths) -> Vec<Ancestor> {
         let mut chain: Vec<Ancestor> = Vec::new();
         // By generation: how many of its symbols stand before the current letter.
         let mut before = vec![0_u128; self.n as usize + 1];
@@ -323,20 +338,20 @@ impl<'a> Word<'a> {
         for generation in 0..=self.n {
             let depth = self.n - generation;
             loop {
-                let Some(symbol) = nodes.symbol().map(usize::from) else { return Vec::new() };
-                let count = counts[depth as usize][symbol];
+                let Some(symbol) = nodes.symbol() else { return Vec::new() };
+                let count = counts.get(depth as usize, symbol);
                 if skip < count {
                     break;
                 }
                 skip -= count;
-                passed[symbol] += 1;
+                passed[usize::from(symbol)] += 1;
                 nodes.pass();
             }
             let position = nodes.passed;
-            for symbol in nodes.letters[..position].iter().copied().map(usize::from) {
-                let times = core::mem::take(&mut passed[symbol]);
+            for &symbol in &nodes.letters[..position] {
+                let times = core::mem::take(&mut passed[usize::from(symbol)]);
                 for later in (generation..=self.n).filter(|_| times > 0) {
-                    let derived = self.symbols[(later - generation) as usize][symbol];
+                    let derived = self.symbols.get((later - generation) as usize, symbol);
                     let slot = &mut before[later as usize];
                     *slot = slot.saturating_add(derived.saturating_mul(times.into()));
                 }

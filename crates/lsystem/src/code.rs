@@ -92,6 +92,12 @@ impl Code {
         }
     }
 
+    /// How many operations it is.
+    #[must_use]
+    pub fn length(&self) -> u64 {
+        if let Self::Postfix(ops) = self { ops.len() as u64 } else { 1 }
+    }
+
     /// Whether chance plays a part.
     #[must_use]
     pub fn is_random(&self) -> bool {

@@ -4,11 +4,13 @@
 //! ever after: expansion runs near the speed of memory. Random choices are keyed by place (`key.rs`), so letters can
 //! be derived one after the other, depth first, and no generation in between is ever held.
 
-use crate::counts::{counts_until, sum_of, sums_by_depth};
+use crate::counts::{Depths, counts_until};
 use crate::diagnostic::{Diagnostic, Kind, LimitName};
 use crate::program::{Program, Rewrite, SymbolId};
 use crate::walk::{Next, Walk};
-use crate::{Fault, Field, Grammar, Key, Letter, LetterId, Limits, MAX_ITERATIONS, Rewriter, Rule, Rules, System};
+use crate::{
+    Fault, Field, Grammar, Key, Letter, LetterId, Limits, MAX_ITERATIONS, Meter, Rewriter, Rule, Rules, System,
+};
 
 /// Texts up to this many bytes are copied whole; longer ones are composed of them. The source of a copy then stays
 /// in the processor's nearest cache, and only the writing costs.
@@ -32,15 +34,21 @@ pub fn expand_symbol(system: &System, symbol: char, roll: f64) -> String {
 
 /// What derivation step `step` (1-based) makes of `word`, which is read as an axiom: its symbols have the keys of an
 /// axiom's symbols. Where productions look around themselves or compute, it is a word of modules in the notation, with
-/// arguments in parentheses; one that cannot be read, or from which no finite numbers come, stays.
+/// arguments in parentheses; one that cannot be read, or from which no finite numbers come, stays, and so does one of
+/// which more would come than [`Limits::default`] allows.
 #[must_use]
 pub fn expand_once(system: &System, word: &str, step: u32) -> String {
     if let Some(rules) = &system.rules {
         return once(system, rules, word, step).unwrap_or_else(|| word.to_owned());
     }
-    (word.chars().enumerate())
-        .map(|(index, symbol)| expand_symbol(system, symbol, Key::root(index as u64).choice(system.seed, step)))
-        .collect()
+    let mut text = String::new();
+    for (index, symbol) in word.chars().enumerate() {
+        text += &expand_symbol(system, symbol, Key::root(index as u64).choice(system.seed, step));
+        if text.len() as u64 > Limits::default().symbols {
+            return word.to_owned();
+        }
+    }
+    text
 }
 
 /// What a symbol without parameters or surroundings becomes.
@@ -110,45 +118,73 @@ pub fn expand(system: &System, n: u32, limits: &Limits) -> Result<String, Diagno
 /// # Errors
 /// As [`expand`]; `text` is then empty.
 pub fn expand_into(system: &System, n: u32, limits: &Limits, text: &mut String) -> Result<(), Diagnostic> {
+    expand_by(system, n, limits, text, &mut Meter::new(u64::MAX))
+}
+
+/// The same, with the units of work that it takes: about [`Limits::symbols`] and some times [`Limits::work`] at most.
+pub fn expand_counted(system: &System, n: u32, limits: &Limits) -> (Result<String, Diagnostic>, u64) {
+    let (mut text, mut meter) = (String::new(), Meter::new(u64::MAX));
+    let outcome = expand_by(system, n, limits, &mut text, &mut meter);
+    (outcome.map(|()| text), meter.spent())
+}
+
+fn expand_by(system: &System, n: u32, limits: &Limits, text: &mut String, meter: &mut Meter) -> Result<(), Diagnostic> {
     text.clear();
     if n > MAX_ITERATIONS {
         return Err(limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)));
     }
     if let Some(rules) = &system.rules {
-        return write_modules(rules, system.seed, n, limits, text);
+        return write_modules(rules, system.seed, n, limits, text, meter);
     }
     let too_long = |largest| limit(LimitName::Symbols, limits.symbols, largest);
-    let known = counts_until(&system.program, n, limits.symbols, |_| 1);
+    let mut own = Meter::new(limits.work);
+    let known = counts_until(&system.program, n, limits.symbols, |_| 1, &mut own);
+    meter.charge(own.spent());
     if let Ok(generations) = &known
         && generations.last().is_some_and(|&symbols| symbols > u128::from(limits.symbols))
     {
         return Err(too_long((generations.len() as u32).checked_sub(2)));
     }
-    let mut writer = Writer::new(&system.program, n, text);
-    if known.is_ok() && !writer.reserve(&system.program.axiom) {
+    let bytes = |symbol: SymbolId| system.program.alphabet[usize::from(symbol)].len_utf8() as u64;
+    let lengths = Depths::new(&system.program, n, bytes, &mut Meter::new(limits.work));
+    let mut writer = Writer::new(&system.program, lengths, text);
+    if known.is_ok() && !writer.reserve(n, &system.program.axiom) {
         return Err(too_long(None));
     }
-    let outcome = derive(system, n, limits, |symbol, depth| writer.write(symbol, depth));
+    let mut derivation = Derivation::new(system);
+    let outcome = derivation.run(n, limits, limits.work, |symbol, depth| writer.write(symbol, depth));
+    meter.charge(derivation.spent + writer.text.len() as u64 / 64);
     outcome.map_err(|stopped| {
         text.clear();
-        limit(stopped, limits.value(stopped), largest_within(system, n, limits))
+        let largest = derivation.largest_within(n, limits);
+        meter.charge(derivation.spent);
+        limit(stopped, limits.value(stopped), largest)
     })
 }
 
 /// Derives whole generations, and writes the last: symbols, with their arguments in parentheses.
-fn write_modules(rules: &Rules, seed: u32, n: u32, limits: &Limits, text: &mut String) -> Result<(), Diagnostic> {
+fn write_modules(
+    rules: &Rules,
+    seed: u32,
+    n: u32,
+    limits: &Limits,
+    text: &mut String,
+    meter: &mut Meter,
+) -> Result<(), Diagnostic> {
     let started = Rewriter::new(rules.clone(), seed, *limits);
     let mut rewriter = started.map_err(|error| fault(rules, error, 0, limits, None))?;
     while rewriter.generation() < n {
         let reached = rewriter.generation();
-        rewriter.step(usize::MAX).map_err(|error| fault(rules, error, reached, limits, Some(reached)))?;
+        rewriter.advance(meter).map_err(|error| fault(rules, error, reached, limits, Some(reached)))?;
     }
     let word = rewriter.word();
-    if write_word(rules, &word.letters, &word.arguments, limits.symbols, text) {
+    let written = write_word(rules, &word.letters, &word.arguments, limits.symbols, text);
+    meter.charge(text.len() as u64);
+    if written {
         return Ok(());
     }
     text.clear();
-    Err(limit(LimitName::Symbols, limits.symbols, longest_within(rules, seed, n, limits)))
+    Err(limit(LimitName::Symbols, limits.symbols, longest_within(rules, seed, n, limits, meter)))
 }
 
 /// Appends modules with their arguments in parentheses; false once the text is longer than `most` bytes.
@@ -163,17 +199,26 @@ fn write_word(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: u64,
     })
 }
 
-/// The last generation before `n` whose text, and those of all before it, is within the limits.
-fn longest_within(rules: &Rules, seed: u32, n: u32, limits: &Limits) -> Option<u32> {
+/// The last generation before `n` whose text, and those of all before it, is within the limits; an earlier one where it
+/// takes too long to find that.
+fn longest_within(rules: &Rules, seed: u32, n: u32, limits: &Limits, meter: &mut Meter) -> Option<u32> {
+    /// Texts as long as the longest allowed that are written at most.
+    const TEXTS: u64 = 4;
     let mut rewriter = Rewriter::new(rules.clone(), seed, *limits).ok()?;
     let mut text = String::new();
+    let mut left = limits.symbols.saturating_mul(TEXTS);
     loop {
         let (word, generation) = (rewriter.word(), rewriter.generation());
         text.clear();
         if generation >= n || !write_word(rules, &word.letters, &word.arguments, limits.symbols, &mut text) {
             return generation.checked_sub(1);
         }
-        rewriter.step(usize::MAX).ok()?;
+        meter.charge(text.len() as u64);
+        left = left.saturating_sub(text.len() as u64);
+        while left > 0 && !rewriter.advance(meter).ok()? {}
+        if left == 0 {
+            return Some(generation);
+        }
     }
 }
 
@@ -189,27 +234,70 @@ pub(crate) fn fault(rules: &Rules, fault: Fault, reached: u32, limits: &Limits, 
     }
 }
 
-/// The last generation before `n` that is within the limits, by deriving them one after the other.
-fn largest_within(system: &System, n: u32, limits: &Limits) -> Option<u32> {
-    (0..n).take_while(|&generation| derive(system, generation, limits, |_, _| ()).is_ok()).last()
+/// Goes through generations depth first.
+struct Derivation<'a> {
+    system: &'a System,
+    /// By letter: whether no random choice is ever made below it.
+    fixed: Vec<bool>,
+    /// The letters met so far, in all that was gone through.
+    spent: u64,
 }
 
-/// Goes through generation `n` depth first and hands over its letters: those that need no choices as soon as they
-/// occur, with the steps they have yet to go.
-fn derive(system: &System, n: u32, limits: &Limits, mut visit: impl FnMut(SymbolId, u32)) -> Result<(), LimitName> {
-    let fixed = fixed(&system.program);
-    let symbols = sums_by_depth(&system.program, n, |_| 1);
-    let mut walk = Walk::new(n, system.seed);
-    let mut left = limits.symbols;
-    loop {
-        match walk.next(&system.program, |symbol| fixed[usize::from(symbol)], limits.work) {
-            Next::Letter(symbol, depth) => {
-                let derived = u64::try_from(symbols[depth as usize][usize::from(symbol)]).ok();
-                left = derived.and_then(|derived| left.checked_sub(derived)).ok_or(LimitName::Symbols)?;
-                visit(symbol, depth);
+impl<'a> Derivation<'a> {
+    fn new(system: &'a System) -> Self {
+        Self { system, fixed: fixed(&system.program), spent: 0 }
+    }
+
+    /// Goes through generation `n` and hands over its letters, `work` of all generations at most: those that need no
+    /// choices as soon as they occur, with the steps they have yet to go.
+    fn run(
+        &mut self,
+        n: u32,
+        limits: &Limits,
+        work: u64,
+        mut visit: impl FnMut(SymbolId, u32),
+    ) -> Result<(), LimitName> {
+        let Self { system, fixed, .. } = self;
+        let mut meter = Meter::new(limits.work);
+        let symbols = Depths::new(&system.program, n, |_| 1, &mut meter);
+        let mut walk = Walk::new(n, system.seed);
+        let mut left = limits.symbols;
+        let outcome = loop {
+            // Without the sums every letter is gone to by itself.
+            match walk.next(&system.program, |symbol| symbols.is_some() && fixed[usize::from(symbol)], work) {
+                Next::Letter(symbol, depth) => {
+                    let derived = symbols.as_ref().map_or(1, |symbols| symbols.get(depth as usize, symbol));
+                    let derived = u64::try_from(derived).ok();
+                    let Some(rest) = derived.and_then(|derived| left.checked_sub(derived)) else {
+                        break Err(LimitName::Symbols);
+                    };
+                    left = rest;
+                    visit(symbol, depth);
+                }
+                Next::Pause => break Err(LimitName::Work),
+                Next::End => break Ok(()),
             }
-            Next::Pause => return Err(LimitName::Work),
-            Next::End => return Ok(()),
+        };
+        self.spent = self.spent.saturating_add(walk.work + meter.spent());
+        outcome
+    }
+
+    /// The last generation before `n` that is within the limits, or an earlier one where it takes too long to find that:
+    /// tried twice as far while nothing stops it, then halfway.
+    fn largest_within(&mut self, n: u32, limits: &Limits) -> Option<u32> {
+        let (mut fits, mut exceeds) = (None, n);
+        // As much as some derivations that fail.
+        let most = self.spent.saturating_add(limits.work.saturating_mul(8));
+        loop {
+            let first = fits.map_or(0, |fits: u32| fits + 1);
+            if first >= exceeds || self.spent >= most {
+                return fits;
+            }
+            let trial = first + first.min((exceeds - first) / 2);
+            match self.run(trial, limits, limits.work.min(most - self.spent), |_, _| ()) {
+                Ok(()) => fits = Some(trial),
+                Err(_) => exceeds = trial,
+            }
         }
     }
 }
@@ -222,64 +310,84 @@ pub(crate) fn limit(limit: LimitName, value: u64, largest: Option<u32>) -> Diagn
 struct Writer<'a> {
     program: &'a Program,
     text: &'a mut String,
-    /// By depth, then letter: bytes.
-    lengths: Vec<Vec<u128>>,
-    /// By depth, then letter: where in `text` its text already stands.
-    written: Vec<Vec<Option<usize>>>,
+    /// Bytes; unknown where there are too many letters and depths.
+    lengths: Option<Depths>,
+    /// By cell of these: where in `text` its text already stands.
+    written: Vec<Option<usize>>,
 }
 
 impl<'a> Writer<'a> {
-    fn new(program: &'a Program, n: u32, text: &'a mut String) -> Self {
-        let lengths = sums_by_depth(program, n, |symbol| program.alphabet[usize::from(symbol)].len_utf8() as u64);
-        let written = lengths.iter().map(|row| vec![None; row.len()]).collect();
+    fn new(program: &'a Program, lengths: Option<Depths>, text: &'a mut String) -> Self {
+        let written = vec![None; lengths.as_ref().map_or(0, Depths::len)];
         Self { program, text, lengths, written }
     }
 
-    /// Makes room for what is known of the text of `word`; false where there is none.
-    fn reserve(&mut self, word: &[SymbolId]) -> bool {
-        let bytes = self.lengths.last().map_or(0, |row| sum_of(row, word));
+    /// Makes room for what is known of the text of `word` after `n` steps; false where there is none.
+    fn reserve(&mut self, n: u32, word: &[SymbolId]) -> bool {
+        let bytes = self.lengths.as_ref().map_or(0, |lengths| lengths.sum(n as usize, word));
         usize::try_from(bytes).is_ok_and(|bytes| self.text.try_reserve_exact(bytes).is_ok())
     }
 
     /// Appends the text of a letter after `depth` steps. Recursion is as deep as `depth`, at most 1,000.
     fn write(&mut self, symbol: SymbolId, depth: u32) {
-        let (row, column) = (depth as usize, usize::from(symbol));
+        let column = usize::from(symbol);
         let successor = match &self.program.rewrites[column] {
             Rewrite::Always(successor) if depth > 0 => successor,
             _ => return self.text.push(self.program.alphabet[column]),
         };
-        let length = self.lengths[row][column];
-        if let Some(start) = self.written[row][column] {
+        let cell = self.lengths.as_ref().and_then(|lengths| lengths.cell(depth as usize, symbol));
+        let length = self.lengths.as_ref().map_or(0, |lengths| lengths.get(depth as usize, symbol));
+        if let Some(start) = cell.and_then(|cell| self.written[cell]) {
             return self.text.extend_from_within(start..start + length as usize);
         }
         let start = self.text.len();
         for &child in successor {
             self.write(child, depth - 1);
         }
-        if length <= COPIED {
-            self.written[row][column] = Some(start);
+        if let Some(cell) = cell.filter(|_| length <= COPIED) {
+            self.written[cell] = Some(start);
         }
     }
 }
 
 /// By letter: whether no random choice is ever made below it.
 pub(crate) fn fixed(program: &Program) -> Vec<bool> {
-    let mut fixed: Vec<bool> = program.rewrites.iter().map(|r| !matches!(r, Rewrite::Choose(_))).collect();
-    loop {
-        let mut changed = false;
-        for (symbol, rewrite) in program.rewrites.iter().enumerate() {
-            if let Rewrite::Always(successor) = rewrite
-                && fixed[symbol]
-                && successor.iter().any(|&s| !fixed[usize::from(s)])
-            {
-                fixed[symbol] = false;
-                changed = true;
+    // Pairs of letters, the second made of the first, in the order of what is made.
+    let mut makers: Vec<(SymbolId, SymbolId)> = Vec::new();
+    let mut open: Vec<SymbolId> = Vec::new();
+    let mut fixed = vec![true; program.rewrites.len()];
+    let mut seen = vec![SymbolId::MAX; program.rewrites.len()];
+    for (maker, rewrite) in program.rewrites.iter().enumerate() {
+        let maker = maker as SymbolId;
+        match rewrite {
+            Rewrite::Keep => {}
+            Rewrite::Choose(_) => {
+                fixed[usize::from(maker)] = false;
+                open.push(maker);
+            }
+            Rewrite::Always(word) => {
+                // Each pair once, or nearly so.
+                for &made in word {
+                    if maker == SymbolId::MAX || core::mem::replace(&mut seen[usize::from(made)], maker) != maker {
+                        makers.push((made, maker));
+                    }
+                }
             }
         }
-        if !changed {
-            return fixed;
+    }
+    if open.is_empty() {
+        return fixed;
+    }
+    crate::sorted::sort(&mut makers);
+    while let Some(letter) = open.pop() {
+        let from = makers.partition_point(|&(made, _)| made < letter);
+        for &(_, maker) in makers[from..].iter().take_while(|&&(made, _)| made == letter) {
+            if core::mem::replace(&mut fixed[usize::from(maker)], false) {
+                open.push(maker);
+            }
         }
     }
+    fixed
 }
 
 #[cfg(test)]

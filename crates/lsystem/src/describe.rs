@@ -1,9 +1,10 @@
 //! Systems and drawings in words: the legend of symbols, why nothing is drawn, a picture's text alternative.
 
-use crate::counts::count_segments;
+use crate::counts::{drawn_by_letter, weigh_until};
 use crate::message::grouped;
 use crate::program::Rewrite;
-use crate::{Action, Grammar, Heading, MAX_ITERATIONS, Pattern, Production, System, Tally};
+use crate::sorted::set;
+use crate::{Action, Grammar, Heading, MAX_ITERATIONS, Meter, Pattern, Production, System, Tally};
 
 /// What one symbol of a system does, for people.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,13 +29,19 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
             images(id).iter().flat_map(|image| &image.successor.letters).for_each(|&l| shown[usize::from(l)] = true);
         }
     }
+    let Grammar { productions, images: drawn, .. } = &system.grammar;
+    let by_predecessor = set(productions.iter().chain(drawn).enumerate().map(|(at, p)| (place_of(&p.predecessor), at)));
     (0..program.alphabet.len())
         .filter(|&id| shown[id])
         .map(|id| {
             let symbol = program.alphabet[id];
             let arity = system.rules.as_ref().map_or(0, |rules| usize::from(rules.letters[id].arity));
             let own = &system.turtle.actions[id];
-            let names = parameters(system, symbol, arity, own.first());
+            let from = by_predecessor.partition_point(|&(place, _)| place < (symbol, arity));
+            let mine = by_predecessor[from..].iter().take_while(|&&(place, _)| place == (symbol, arity));
+            let mine = mine
+                .map(|&(_, at)| at.checked_sub(productions.len()).map_or_else(|| &productions[at], |at| &drawn[at]));
+            let names = parameters(mine.clone().next().map(|p| &p.predecessor), arity, own.first());
             let actions = if images(id).is_empty() {
                 let words = own.iter().enumerate().map(|(at, &action)| match names.first() {
                     Some(name) if at == 0 => numbered_words(system, action, name),
@@ -42,8 +49,10 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
                 });
                 words.collect::<Vec<_>>().join(", then ")
             } else {
-                let productions = system.grammar.images.iter().filter(|image| is_of(&image.predecessor, symbol, arity));
-                let words: Vec<String> = productions.map(crate::print::successor).collect();
+                let words: Vec<String> = images(id)
+                    .iter()
+                    .map(|image| crate::print::successor(&drawn[image.production - productions.len()]))
+                    .collect();
                 format!("is drawn as {}", words.join(" or "))
             };
             let names = if names.is_empty() { String::new() } else { format!("({})", names.join(",")) };
@@ -56,15 +65,13 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
         .collect()
 }
 
-fn is_of(pattern: &Pattern, symbol: char, arity: usize) -> bool {
-    pattern.symbol == symbol && pattern.parameters.len() == arity
+fn place_of(pattern: &Pattern) -> (char, usize) {
+    (pattern.symbol, pattern.parameters.len())
 }
 
 /// What the parameters of a symbol are called: as in the first production for it, or else for what they do.
-fn parameters(system: &System, symbol: char, arity: usize, action: Option<&Action>) -> Vec<String> {
-    let Grammar { productions, images, .. } = &system.grammar;
-    let own = productions.iter().chain(images).map(|p| &p.predecessor).find(|p| is_of(p, symbol, arity));
-    own.map_or_else(
+fn parameters(first: Option<&Pattern>, arity: usize, action: Option<&Action>) -> Vec<String> {
+    first.map_or_else(
         || {
             let first = match action.map(|action| action.with(1.0)) {
                 Some(Action::SetWidth(_)) => "w",
@@ -146,26 +153,48 @@ fn action_words(system: &System, action: Action) -> String {
     }
 }
 
-/// Why generation `n` draws nothing, or `None` when it draws something or that is up to random choices.
+/// Why generation `n` draws nothing, or `None` when it draws something, when that is up to random choices, or when it
+/// takes too long to find out.
 #[must_use]
 pub fn why_empty(system: &System, n: u32) -> Option<String> {
-    let drawn_at = |n: u32| count_segments(system, n);
-    if drawn_at(n)? != Tally::ZERO {
+    /// The units of work that are worth an explanation.
+    const MOST: u64 = 1 << 20;
+    if system.rules.as_ref().is_some_and(crate::Rules::is_cutting) {
+        return None;
+    }
+    let drawn = drawn_by_letter(system)?;
+    // A letter that can be reached at all is reached within as many steps as there are letters.
+    let far = (n + 1 + system.program.alphabet.len() as u32).min(MAX_ITERATIONS);
+    let (mut at_first, mut here, mut later) = (false, None, None);
+    let none = drawn.iter().all(|&segments| segments == 0);
+    let known = none
+        || weigh_until(
+            &system.program,
+            far.max(n),
+            |symbol| drawn[usize::from(symbol)],
+            &mut Meter::new(MOST),
+            |generation, drawn| {
+                let draws = drawn == Some(true);
+                at_first |= generation == 0 && draws;
+                if generation == n {
+                    here = drawn;
+                }
+                later = (generation > n && draws).then_some(generation);
+                later.is_some() || (generation == n && drawn != Some(false))
+            },
+        );
+    if !known || !none && here != Some(false) {
         return None;
     }
     if system.program.axiom.is_empty() {
         return Some("The axiom is empty: type a symbol to start from, for example F.".to_owned());
     }
-    // A letter that can be reached at all is reached within as many steps as there are letters.
-    let far = (n + 1 + system.program.alphabet.len() as u32).min(MAX_ITERATIONS);
     let first: String = system.program.axiom.iter().take(8).map(|&s| system.program.alphabet[usize::from(s)]).collect();
-    for later in n + 1..=far {
-        if drawn_at(later).is_some_and(|segments| segments != Tally::ZERO) {
-            let subject = if n == 0 { first } else { format!("Generation {n}") };
-            return Some(format!("{subject} draws nothing yet: try n = {later}."));
-        }
+    if let Some(later) = later {
+        let subject = if n == 0 { first } else { format!("Generation {n}") };
+        return Some(format!("{subject} draws nothing yet: try n = {later}."));
     }
-    if n > 0 && drawn_at(0).is_some_and(|segments| segments != Tally::ZERO) {
+    if n > 0 && at_first {
         return Some("Every symbol that draws has been rewritten away: try fewer iterations.".to_owned());
     }
     Some(

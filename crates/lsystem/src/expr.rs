@@ -100,7 +100,7 @@ impl Operator {
     /// Whether it compares two numbers.
     #[must_use]
     pub fn is_comparison(self) -> bool {
-        self.precedence() == 3
+        self.precedence() == COMPARISON
     }
 
     pub(crate) fn apply(self, a: f64, b: f64) -> f64 {
@@ -126,6 +126,9 @@ impl Operator {
 
 /// How tightly `-a` and `!a` bind: `-2^2` is -4.
 pub const SIGN: u8 = 6;
+
+/// How tightly comparisons bind, and `not`, which may stand before one.
+const COMPARISON: u8 = 3;
 
 /// A function by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -250,8 +253,25 @@ impl Expr {
         }
     }
 
-    /// Writes it, in parentheses where it binds less tightly than `outer`.
+    /// Whether it denies a comparison, once or several times.
+    fn denies_comparison(&self) -> bool {
+        let mut denied = self;
+        while let Self::Not(inner) = denied {
+            denied = inner;
+        }
+        matches!(denied, Self::Binary(operator, ..) if operator.is_comparison())
+    }
+
+    /// Writes it, in parentheses where it binds less tightly than `outer`. What is written is nowhere deeper than what it
+    /// was read from, so that it can be read again.
     pub(crate) fn write(&self, f: &mut impl fmt::Write, outer: u8) -> fmt::Result {
+        if let Self::Not(denied) = self
+            && outer <= COMPARISON
+            && self.denies_comparison()
+        {
+            f.write_str("not ")?;
+            return denied.write(f, COMPARISON);
+        }
         if self.precedence() < outer {
             f.write_str("(")?;
             self.write(f, 0)?;
@@ -262,11 +282,11 @@ impl Expr {
             Self::Name(name) => f.write_str(name),
             Self::Negative(a) => {
                 f.write_str("-")?;
-                a.write(f, SIGN + 1)
+                a.write(f, SIGN)
             }
             Self::Not(a) => {
                 f.write_str("!")?;
-                a.write(f, SIGN + 1)
+                a.write(f, SIGN)
             }
             Self::Binary(operator, a, b) => {
                 let inner = operator.precedence();
@@ -311,5 +331,24 @@ mod tests {
         let power = Expr::Binary(Operator::Power, Box::new(Expr::Negative(name("a"))), name("b"));
         assert_eq!(power.to_string(), "(-a)^b");
         assert_eq!(Expr::Negative(Box::new(sum)).to_string(), "-(a + b)");
+    }
+
+    #[test]
+    fn deep_denials_read_back() {
+        let read = |condition: &str| {
+            let (grammar, diagnostics) = crate::parse("F(1)", &format!("F(x) : {condition} -> F(x)"));
+            (!diagnostics.iter().any(crate::Diagnostic::is_error)).then(|| grammar.productions[0].condition.clone())
+        };
+        for denial in ["!", "-", "not ", "!-", "not !", "not (", "!(", "not (not "] {
+            for depth in 1..70 {
+                for inner in ["x", "x > 1", "x^-x", "x > 1 && x < 2"] {
+                    let closed = ")".repeat(denial.matches('(').count() * depth);
+                    let Some(condition) = read(&format!("{}{inner}{closed}", denial.repeat(depth))) else { continue };
+                    let printed = condition.as_ref().map(ToString::to_string).unwrap_or_default();
+                    assert_eq!(read(&printed), Some(condition), "{printed}");
+                }
+            }
+        }
+        assert!(read(&format!("{}x", "!".repeat(64))).is_some());
     }
 }

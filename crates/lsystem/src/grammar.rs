@@ -2,6 +2,7 @@
 
 use crate::code::{Code, Meaning};
 use crate::expr::Expr;
+use crate::sorted::{set, sort};
 
 /// An L-system's grammar: axiom, productions and named constants, in the order of the text.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -39,6 +40,51 @@ impl Seen {
             Self::All => true,
             Self::Except(list) => !list.contains(&symbol),
             Self::Only(list) => list.contains(&symbol),
+        }
+    }
+}
+
+/// A list of symbols, or none, ready to be looked into often.
+pub(crate) struct SeenSymbols {
+    listed: Vec<char>,
+    /// What it says of those that are not in the list.
+    others: bool,
+}
+
+impl Seen {
+    /// The same, ready to be looked into often.
+    pub(crate) fn ready(&self) -> SeenSymbols {
+        let (list, others) = match self {
+            Self::All => (&[][..], true),
+            Self::Except(list) => (&list[..], true),
+            Self::Only(list) => (&list[..], false),
+        };
+        SeenSymbols { listed: set(list.iter().copied()), others }
+    }
+}
+
+impl SeenSymbols {
+    /// As [`Seen::contains`].
+    pub(crate) fn contains(&self, symbol: char) -> bool {
+        self.listed.binary_search(&symbol).is_ok() != self.others
+    }
+}
+
+/// Values by name, ready to be looked into often.
+pub(crate) struct Values<'a>(Vec<(&'a str, usize, f64)>);
+
+impl Values<'_> {
+    /// The value of a constant.
+    pub(crate) fn of(&self, name: &str) -> Option<f64> {
+        let at = self.0.partition_point(|&(known, ..)| known < name);
+        self.0.get(at).filter(|&&(known, ..)| known == name).map(|&(.., value)| value)
+    }
+
+    /// The value of an expression of constants; `None` where parameters or chance play a part.
+    pub(crate) fn value(&self, expr: &Expr) -> Option<f64> {
+        match Code::new(expr, &|name: &str| self.of(name).map(Meaning::Constant), &mut 0) {
+            Ok(Code::Constant(value)) => Some(value),
+            _ => None,
         }
     }
 }
@@ -147,13 +193,19 @@ impl Grammar {
         self.constants.iter().find(|constant| constant.name == name).map(|constant| constant.value)
     }
 
+    /// The constants, ready to be looked up often.
+    pub(crate) fn values(&self) -> Values<'_> {
+        let constants = self.constants.iter().enumerate();
+        // Names and places order them; values need not.
+        let mut order: Vec<(&str, usize)> = constants.map(|(at, constant)| (constant.name.as_str(), at)).collect();
+        sort(&mut order);
+        Values(order.into_iter().map(|(name, at)| (name, at, self.constants[at].value)).collect())
+    }
+
     /// The value of an expression of constants; `None` where parameters or chance play a part.
     #[must_use]
     pub fn value(&self, expr: &Expr) -> Option<f64> {
-        match Code::new(expr, &|name: &str| self.constant(name).map(Meaning::Constant), &mut 0) {
-            Ok(Code::Constant(value)) => Some(value),
-            _ => None,
-        }
+        self.values().value(expr)
     }
 
     /// The modules of the axiom and of all successors but those for drawing.
@@ -165,11 +217,12 @@ impl Grammar {
     /// nowhere, weights that are numbers, and each symbol drawn in one way only.
     #[must_use]
     pub fn is_plain(&self) -> bool {
+        let values = self.values();
         self.axiom.iter().all(|module| module.arguments.is_empty())
             && self
                 .productions
                 .iter()
-                .all(|p| p.is_plain() && p.weight.as_ref().is_none_or(|w| self.value(w).is_some()))
+                .all(|p| p.is_plain() && p.weight.as_ref().is_none_or(|w| values.value(w).is_some()))
             && self.images.iter().all(|p| p.is_plain() && p.weight.is_none())
     }
 }

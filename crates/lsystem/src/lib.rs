@@ -79,9 +79,9 @@ mod walk;
 pub use access::{Ancestor, Part, Word, symbol_of_polygon};
 pub use action::Action;
 pub use code::{Code, Meaning, Op, STACK, Unusable};
-pub use counts::{count, count_segments, count_symbols};
+pub use counts::{Counter, count, count_segments, count_symbols};
 pub use definition::Definition;
-pub use derivation::{expand, expand_into, expand_once, expand_symbol};
+pub use derivation::{expand, expand_counted, expand_into, expand_once, expand_symbol};
 pub use describe::{LegendEntry, describe, kind, legend, short_count, why_empty};
 pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Quantity, Role, Severity};
 pub use dialect::Dialect;
@@ -98,7 +98,7 @@ pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
 pub use heading::Heading;
 pub use key::{Key, Purpose};
 pub use limits::{
-    Limits, MAX_CONTEXT, MAX_HISTORY, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS, MAX_PICTURE_PIXELS,
+    Limits, MAX_CONTEXT, MAX_COUNTING, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS, MAX_PICTURE_PIXELS,
     MAX_PICTURE_SIDE, MAX_TEXT,
 };
 pub use mesh::Mesh;

@@ -15,7 +15,8 @@ pub struct Limits {
     /// Symbols derived, in all generations together, for a drawing that does not memoise. A symbol that nothing
     /// rewrites counts once; each branch that is open at the same time counts 32 more.
     pub work: u64,
-    /// Bytes that a drawing may take while it is made, with what it is derived from.
+    /// Bytes that a drawing may take while it is made, with what it is derived from; or a derivation, with what is
+    /// remembered of it.
     pub memory: u64,
 }
 
@@ -54,8 +55,8 @@ pub const MAX_TEXT: usize = 1 << 20;
 /// The most colours in a palette.
 pub const MAX_PALETTE: usize = 256;
 
-/// The bytes that a remembered derivation may take, about.
-pub const MAX_HISTORY: u64 = 192 << 20;
+/// The bytes that the numbers of a count may take on the way.
+pub const MAX_COUNTING: u64 = 16 << 20;
 
 /// The most pixels along a side of a picture.
 pub const MAX_PICTURE_SIDE: u32 = 1 << 15;

@@ -97,11 +97,15 @@ pub(crate) fn excerpt(text: &str) -> String {
     }
 }
 
-/// The candidate most similar to `word`, if any is similar enough to be what was meant.
+/// The candidate most similar to `word`, if any is similar enough to be what was meant; of very many the first are looked
+/// at.
 pub(crate) fn similar<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word: Vec<char> = word.chars().map(|c| c.to_ascii_lowercase()).take(64).collect();
+    /// Names of other lengths are passed by.
+    const MOST: usize = 256;
     let enough = (word.len() / 3).max(1);
-    (candidates.into_iter().map(|c| (distance(&word, c), c)))
+    let like = candidates.into_iter().filter(|c| c.chars().take(64).count().abs_diff(word.len()) <= enough);
+    (like.take(MOST).map(|c| (distance(&word, c), c)))
         .filter(|(d, c)| *d <= enough && *d < c.chars().count())
         .min_by_key(|(d, _)| *d)
         .map(|(_, c)| c)

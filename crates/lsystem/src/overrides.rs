@@ -179,7 +179,7 @@ fn head(tokens: &[Token], end: usize, notes: &mut Notes) -> Option<(char, Range<
     let rest = tokens[1..].iter().position(|t| !matches!(t.ch, '=' | '-' | '>' | '→'));
     let suggestion = rest.and_then(|from| {
         let phrase = phrase(&tokens[1 + from..]).to_ascii_lowercase();
-        let known = action(&phrase).is_ok() && !tokens[1 + from].joined;
+        let known = action(&phrase, false).is_ok() && !tokens[1 + from].joined;
         known.then(|| format!("{}: {phrase}", first.ch))
     });
     let after = first.span().end;
@@ -201,7 +201,7 @@ fn actions(tokens: &[Token], end: usize, notes: &mut Notes) -> Vec<Action> {
             nothing = Some(span);
             continue;
         }
-        match action(&phrase) {
+        match action(&phrase, !notes.is_full()) {
             Ok(action) => found.push(action),
             Err(kind) => notes.add(kind, span),
         }
@@ -284,13 +284,16 @@ fn form(words: &str) -> Option<Form> {
     FORMS.iter().find(|(name, _)| name.eq_ignore_ascii_case(words)).map(|&(_, form)| form)
 }
 
-/// Reads one action: words, then perhaps a number.
-fn action(phrase: &str) -> Result<Action, Kind> {
+/// Reads one action: words, then perhaps a number. What is like unknown words is looked for where a `hint` is wanted.
+fn action(phrase: &str, hint: bool) -> Result<Action, Kind> {
     let number_at = phrase.find(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.')).unwrap_or(phrase.len());
     let (words, digits) = (phrase[..number_at].trim_end(), &phrase[number_at..]);
     let Some(form) = form(words) else {
         let known = FORMS.iter().map(|&(name, _)| name).chain(["nothing"]);
-        return Err(Kind::UnknownAction { text: crate::notes::excerpt(phrase), similar: similar(words, known) });
+        return Err(Kind::UnknownAction {
+            text: crate::notes::excerpt(phrase),
+            similar: if hint { similar(words, known) } else { None },
+        });
     };
     let wrong = |expected| Err(Kind::ActionNumber { expected });
     // Rust reads `inf` and `nan` too; the range excludes what is not finite.

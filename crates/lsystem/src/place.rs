@@ -9,7 +9,9 @@ use core::ops::Range;
 pub fn utf16_span(text: &str, span: Range<usize>) -> Range<usize> {
     let start = floor(text, span.start);
     let end = floor(text, span.end).max(start);
-    let units = |part: &str| part.chars().map(char::len_utf16).sum::<usize>();
+    // Every character begins with one byte, and those from four bytes on are two units.
+    let units =
+        |part: &str| part.bytes().map(|b| usize::from(b & 0xc0 != 0x80) + usize::from(b >= 0xf0)).sum::<usize>();
     let before = units(&text[..start]);
     before..before + units(&text[start..end])
 }

@@ -72,11 +72,12 @@ impl Program {
         let id = |symbol: char| alphabet.binary_search(&symbol).unwrap_or(0) as SymbolId;
         let ids = |modules: &[crate::grammar::Module]| modules.iter().map(|m| id(m.symbol)).collect::<Vec<_>>();
 
+        let values = grammar.values();
         let mut rewrites = vec![Rewrite::Keep; alphabet.len()];
         for (index, production) in grammar.productions.iter().enumerate() {
             let rewrite = &mut rewrites[usize::from(id(production.predecessor.symbol))];
             let successor = ids(&production.successor);
-            let weight = production.weight.as_ref().map(|weight| grammar.value(weight).unwrap_or(0.0));
+            let weight = production.weight.as_ref().map(|weight| values.value(weight).unwrap_or(0.0));
             match (&mut *rewrite, weight) {
                 (Rewrite::Keep, None) => *rewrite = Rewrite::Always(successor),
                 (Rewrite::Keep, Some(until)) => {

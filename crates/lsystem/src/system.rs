@@ -62,6 +62,7 @@ impl System {
         let mut order: Vec<(char, usize)> = overrides.iter().enumerate().map(|(at, o)| (o.symbol, at)).collect();
         sort(&mut order);
         let overrides = order.iter().map(|&(symbol, at)| (symbol, overrides[at].actions.as_slice())).collect();
+        let images = first_images(&reading.grammar);
         let mut actions = Actions { dialect: definition.dialect, overrides, polygons: false };
         let cuts = |symbol: char| actions.of(symbol).contains(&Action::Cut);
         let grammar = &reading.grammar;
@@ -73,8 +74,7 @@ impl System {
         let rules = rules.and_then(Result::ok);
         let program = rules.as_ref().map_or_else(|| Program::new(grammar), Program::outline);
         actions.polygons = program.alphabet.iter().any(|&symbol| {
-            let image = reading.grammar.images.iter().find(|image| image.predecessor.symbol == symbol);
-            let drawn = image.map_or(&[][..], |image| &image.successor);
+            let drawn = image_of(&reading.grammar, &images, symbol).map_or(&[][..], |image| &image.successor);
             let opens = |symbol: char| actions.of(symbol).contains(&Action::OpenPolygon);
             opens(symbol) || drawn.iter().any(|module| opens(module.symbol))
         });
@@ -85,7 +85,11 @@ impl System {
         let tropism = Tropism { vector: definition.tropism, elasticity: definition.elasticity };
         let style = &definition.style;
         let turtle = Turtle {
-            actions: program.alphabet.iter().map(|&symbol| actions.drawn(symbol, grammar, rules.is_some())).collect(),
+            actions: program
+                .alphabet
+                .iter()
+                .map(|&symbol| actions.drawn(symbol, image_of(grammar, &images, symbol), rules.is_some()))
+                .collect(),
             left: Heading::from_degrees(definition.angle),
             right: angle([right_angle, None]),
             pitch_down: angle([pitch_down, None]),
@@ -140,6 +144,19 @@ impl System {
     }
 }
 
+/// By symbol, sorted: the first of its images.
+fn first_images(grammar: &Grammar) -> Vec<(char, usize)> {
+    let mut images = set(grammar.images.iter().enumerate().map(|(at, image)| (image.predecessor.symbol, at)));
+    images.dedup_by_key(|(symbol, _)| *symbol);
+    images
+}
+
+/// The first image of a symbol.
+fn image_of<'a>(grammar: &'a Grammar, images: &[(char, usize)], symbol: char) -> Option<&'a Production> {
+    let at = images.binary_search_by_key(&symbol, |&(symbol, _)| symbol).ok()?;
+    grammar.images.get(images[at].1)
+}
+
 /// How many letters there are: symbols with a number of parameters.
 fn letters(grammar: &Grammar) -> usize {
     let productions = || grammar.productions.iter().chain(&grammar.images);
@@ -169,8 +186,8 @@ impl Actions<'_> {
     }
 
     /// What `symbol` does when it is drawn: all that its image does, unless images are `apart`.
-    fn drawn(&self, symbol: char, grammar: &Grammar, apart: bool) -> Vec<Action> {
-        match grammar.images.iter().find(|image| image.predecessor.symbol == symbol) {
+    fn drawn(&self, symbol: char, image: Option<&Production>, apart: bool) -> Vec<Action> {
+        match image {
             Some(image) if !apart => image.successor.iter().flat_map(|m| self.marked(m.symbol)).collect(),
             _ => self.marked(symbol).collect(),
         }
@@ -253,6 +270,7 @@ fn doubts(reading: &Reading, program: &Program, rules: Option<&Rules>, actions: 
     // By word, and by place in it.
     let mut opened: Vec<(usize, usize)> = Vec::new();
     let mut closed: Vec<(usize, usize)> = Vec::new();
+    let arrow_is_idle = is_idle('>', reading, actions);
     for (number, (word, spans)) in words.iter().enumerate() {
         let outside = opened.len();
         for (at, module) in word.iter().enumerate() {
@@ -264,7 +282,7 @@ fn doubts(reading: &Reading, program: &Program, rules: Option<&Rules>, actions: 
                     _ => {}
                 }
             }
-            if is_arrow(word, spans, at) && (is_second(word, at) || is_idle('>', reading, actions)) {
+            if is_arrow(word, spans, at) && (is_second(word, at) || arrow_is_idle) {
                 let notes = if number == 0 { &mut axiom_notes } else { &mut notes };
                 notes.add(Kind::ArrowOfSymbols, spans[at].start..spans[at + 1].end);
             }
@@ -357,6 +375,7 @@ fn note_arities(reading: &Reading, axiom_notes: &mut Notes, notes: &mut Notes) {
 
 /// Notes productions that never apply because something in their predecessor or contexts is never there.
 fn note_idle(reading: &Reading, occurring: &[(char, usize)], notes: &mut Notes) {
+    let seen = reading.grammar.seen.ready();
     for (production, places) in productions(reading) {
         let spans = places.left.iter().chain([&places.predecessor]).chain(&places.right);
         for (at, (pattern, span)) in production.patterns().zip(spans).enumerate() {
@@ -365,7 +384,7 @@ fn note_idle(reading: &Reading, occurring: &[(char, usize)], notes: &mut Notes) 
             let bracket = context && matches!(symbol, '[' | ']');
             let from = occurring.partition_point(|letter| *letter < (symbol, 0));
             let found = || occurring.get(from).filter(|letter| letter.0 == symbol);
-            let kind = if context && !bracket && !reading.grammar.seen.contains(symbol) {
+            let kind = if context && !bracket && !seen.contains(symbol) {
                 Kind::ContextUnseen { symbol }
             } else if bracket || occurring.binary_search(&(symbol, parameters)).is_ok() {
                 continue;

@@ -18,6 +18,11 @@ impl Tally {
     /// Nothing counted.
     pub const ZERO: Self = Self { limbs: Vec::new() };
 
+    /// How many limbs of nine digits it has.
+    pub(crate) fn limbs(&self) -> usize {
+        self.limbs.len()
+    }
+
     /// Adds `other`, `times` over.
     pub fn add_times(&mut self, times: u32, other: &Self) {
         if times == 0 {

@@ -90,7 +90,7 @@ impl<S: Space> Modular<S> {
         let Self { rewriter, seed, reader, stage } = self;
         match stage {
             Stage::Derive if rewriter.generation() < n => {
-                if let Err(passed) = derive(rewriter, meter) {
+                if let Err(passed) = rewriter.advance(meter) {
                     let reached = rewriter.generation();
                     let Fault::Limit(passed) = passed else {
                         return Outcome::Failed(fault(rewriter.rules(), passed, reached, limits, None));
@@ -142,7 +142,7 @@ impl<S: Space> Modular<S> {
                     return Outcome::Failed(over);
                 }
                 if rewriter.generation() < *next {
-                    return if derive(rewriter, meter).is_ok() { Outcome::Paused } else { Outcome::Failed(over) };
+                    return if rewriter.advance(meter).is_ok() { Outcome::Paused } else { Outcome::Failed(over) };
                 }
                 let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| measure.add(ops));
                 let within = measure.passed(limits).is_none();
@@ -169,14 +169,6 @@ impl<S: Space> Modular<S> {
         self.stage = Stage::Recount { passed, before, next: 0, fits: None, measure: Measure::default() };
         Outcome::Paused
     }
-}
-
-/// Works towards the next generation.
-fn derive(rewriter: &mut Rewriter, meter: &mut Meter) -> Result<(), Fault> {
-    let budget = usize::try_from(meter.left()).unwrap_or(usize::MAX).min(rewriter.word().letters.len().max(PIECE));
-    rewriter.step(budget)?;
-    meter.charge(budget as u64);
-    Ok(())
 }
 
 /// What a generation will cost to draw.

@@ -338,7 +338,8 @@ impl Reader<'_> {
             let kind = if self.names.meaning(name).is_some() {
                 Kind::NotAFunction { name: crate::notes::excerpt(name) }
             } else {
-                Kind::UnknownFunction { name: crate::notes::excerpt(name), similar: similar(name, known) }
+                let similar = if self.notes.is_full() { None } else { similar(name, known) };
+                Kind::UnknownFunction { name: crate::notes::excerpt(name), similar }
             };
             self.notes.add(kind, span);
             return None;

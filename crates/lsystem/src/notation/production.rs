@@ -88,6 +88,9 @@ pub(super) fn read(line: &Line, constants: &mut Constants, reading: &mut Reading
 /// Notes what stands apart in a successor and is read as symbols: a condition after `if`, a comment after `//` or `#`,
 /// and a weight at one of the ends.
 fn note_slips(tokens: &[Token], end: usize, notes: &mut Notes) {
+    let after = |found: Option<usize>| found.map_or(0, |at| at + 1);
+    let compared = after(tokens.iter().rposition(|t| matches!(t.ch, '<' | '>' | '=' | '≤' | '≥')));
+    let active = after(tokens.iter().rposition(|t| Class::of_symbol(t.ch) != Class::Plain));
     let mut rest = tokens;
     for part in tokens.chunk_by(|_, t| t.joined) {
         let (start, behind) = (rest, &rest[part.len()..]);
@@ -96,12 +99,11 @@ fn note_slips(tokens: &[Token], end: usize, notes: &mut Notes) {
         if part.iter().any(|t| t.literal) || (is_first && is_last) {
             continue;
         }
+        let from = tokens.len() - behind.len();
         let text = text_of(part);
         let (kind, slip) = match text.as_str() {
-            "if" if !is_first && behind.iter().any(|t| matches!(t.ch, '<' | '>' | '=' | '≤' | '≥')) => {
-                (Kind::ConditionBehind, start)
-            }
-            "//" | "#" if !is_first && is_comment(behind) => (Kind::CommentBehind, start),
+            "if" if !is_first && from < compared => (Kind::ConditionBehind, start),
+            "//" | "#" if !is_first && from >= active && is_word(behind) => (Kind::CommentBehind, start),
             _ if (is_first || is_last) && is_weight(part) => (Kind::WeightOfSymbols, part),
             _ => continue,
         };
@@ -123,10 +125,9 @@ fn is_weight(tokens: &[Token]) -> bool {
     digits && marks
 }
 
-/// Whether these are words: they begin with one, and nothing turns or branches.
-fn is_comment(tokens: &[Token]) -> bool {
-    let is_letter = |at: usize| tokens.get(at).is_some_and(|t| t.ch.is_alphabetic() && (at == 0 || t.joined));
-    (0..3).all(is_letter) && tokens.iter().all(|t| Class::of_symbol(t.ch) == Class::Plain)
+/// Whether these begin with a word.
+fn is_word(tokens: &[Token]) -> bool {
+    (0..3).all(|at| tokens.get(at).is_some_and(|t| t.ch.is_alphabetic() && (at == 0 || t.joined)))
 }
 
 /// Notes the classes of a colon and of what follows it, which is given back.

@@ -1,7 +1,5 @@
 //! What a derivation step did with each module of a word, in as little memory as can be.
 
-use core::ops::Range;
-
 /// By module: what became of it.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Choices {
@@ -70,19 +68,34 @@ impl Choices {
         }
     }
 
-    /// Takes what was noted for that of the modules in `runs`; others of the `length` modules were cut off.
-    pub(super) fn spread(&mut self, runs: &[Range<usize>], length: usize) {
-        let noted = core::mem::replace(self, self.emptied());
-        let mut places = 0..;
-        for run in runs {
-            (self.low.len()..run.start).for_each(|_| self.push(Choice::Cut));
-            places.by_ref().take(run.len()).for_each(|place| self.push(noted.get(place)));
+    /// Notes `count` modules that were cut off.
+    pub(super) fn cut(&mut self, count: usize) {
+        self.low.resize(self.low.len() + count, Choice::Cut.code() as u8);
+        if self.wide {
+            self.high.resize(self.low.len(), 0);
         }
-        (self.low.len()..length).for_each(|_| self.push(Choice::Cut));
+    }
+
+    /// How many modules have been noted.
+    pub(super) fn len(&self) -> usize {
+        self.low.len()
+    }
+
+    /// The bytes that the choices of so many modules take.
+    pub(super) fn bytes_of(&self, modules: usize) -> u64 {
+        modules as u64 * if self.wide { 3 } else { 1 }
+    }
+
+    /// Makes room for the choices of so many modules.
+    pub(super) fn reserve(&mut self, modules: usize) {
+        self.low.reserve_exact(modules);
+        if self.wide {
+            self.high.reserve_exact(modules);
+        }
     }
 
     /// The bytes that it takes.
     pub(super) fn bytes(&self) -> u64 {
-        (self.low.len() + 2 * self.high.len()) as u64
+        (self.low.capacity() + 2 * self.high.capacity()) as u64
     }
 }

@@ -14,7 +14,12 @@ pub(super) struct Scratch {
     slots: Vec<f64>,
     /// The weighted rules that apply, with the sum of the weights up to and with each.
     choices: Vec<(usize, f64)>,
+    /// The work at which the search for a production of one module is given up.
+    pub(super) until: u64,
 }
+
+/// The most productions, and modules around it, that are looked at for one module: more take too long for one step.
+pub(super) const MOST_LOOKS: u64 = 3 << 16;
 
 /// A module in its surroundings.
 pub(super) struct Place<'a> {
@@ -49,6 +54,9 @@ impl<'a> Place<'a> {
         let mut total = 0.0;
         let mut class = None;
         for (index, rule) in rules.iter().enumerate() {
+            if *work > scratch.until {
+                return None;
+            }
             // Once a weighted one applies, only weighted ones of its class do.
             if class.is_some_and(|class| rule.weight.is_none() || class != rule.is_context_sensitive()) {
                 continue;
@@ -66,8 +74,8 @@ impl<'a> Place<'a> {
         }
         // Computed as where weights are known beforehand, so that the choice is the same.
         let roll = self.chance.key.choice(self.chance.seed, self.chance.step);
-        let chosen = scratch.choices.iter().find(|(_, until)| roll < until / total);
-        let &(index, _) = chosen.or(scratch.choices.last())?;
+        let chosen = scratch.choices.partition_point(|(_, until)| roll >= until / total);
+        let &(index, _) = scratch.choices.get(chosen).or(scratch.choices.last())?;
         // Others have been looked at since: its parameters are bound once more.
         self.applies(&rules[index], scratch, work).then_some(&rules[index])
     }
@@ -80,6 +88,7 @@ impl<'a> Place<'a> {
             return false;
         }
         let Some(condition) = &rule.condition else { return true };
+        *work += condition.length() / 8;
         let value = condition.value(self.slots(rule, scratch), &|at| self.chance.number(at));
         value != 0.0 && !value.is_nan()
     }
@@ -87,10 +96,11 @@ impl<'a> Place<'a> {
     /// Whether the contexts of a production match; its parameters are then in the scratch.
     fn surrounded(&self, rule: &Rule, scratch: &mut Scratch, work: &mut u64) -> bool {
         let Self { plan, word, neighbours, place, .. } = *self;
-        let Scratch { found, slots, .. } = scratch;
+        let Scratch { found, slots, until, .. } = scratch;
+        *work += (rule.left.len() + rule.right.len()) as u64 / 8;
         found.clear();
         if !neighbours.match_left(&word.letters, place, &rule.left, found)
-            || !neighbours.match_right(&word.letters, &plan.roles, place, &rule.right, found, work)
+            || !neighbours.match_right(&word.letters, &plan.roles, place, &rule.right, found, (work, *until))
         {
             return false;
         }

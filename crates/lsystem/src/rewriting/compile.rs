@@ -3,7 +3,8 @@
 use super::rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
 use crate::code::{Code, Meaning, Unusable};
 use crate::expr::Expr;
-use crate::sorted::set;
+use crate::grammar::Values;
+use crate::sorted::{set, sort};
 use crate::{Grammar, Module, Pattern, Production};
 use core::ops::Range;
 
@@ -22,10 +23,11 @@ impl Rules {
         let matched = productions().flat_map(Production::patterns).map(letter_of_pattern);
         let made = grammar.axiom.iter().chain(productions().flat_map(|p| &p.successor)).map(letter_of_module);
         let letters: Vec<Letter> = set(matched.chain(made));
-        let considered = letters.iter().map(|letter| grammar.seen.contains(letter.symbol)).collect();
+        let seen = grammar.seen.ready();
+        let considered = letters.iter().map(|letter| seen.contains(letter.symbol)).collect();
         let cuts = letters.iter().map(|letter| cuts(letter.symbol)).collect();
         let (mut by_letter, mut images) = (vec![Vec::new(); letters.len()], vec![Vec::new(); letters.len()]);
-        let compiler = Compiler { grammar, letters: &letters };
+        let compiler = Compiler { constants: grammar.values(), letters: &letters };
         for (index, production) in productions().enumerate() {
             let letter = compiler.id(letter_of_pattern(&production.predecessor));
             let list = if index < grammar.productions.len() { &mut by_letter } else { &mut images };
@@ -49,7 +51,7 @@ fn letter_of_module(module: &Module) -> Letter {
 }
 
 struct Compiler<'a> {
-    grammar: &'a Grammar,
+    constants: Values<'a>,
     /// Sorted.
     letters: &'a [Letter],
 }
@@ -60,7 +62,9 @@ impl Compiler<'_> {
     }
 
     fn rule(&self, production: &Production, index: usize) -> Result<Rule, Unusable> {
-        let names: Vec<&str> = production.patterns().flat_map(|p| &p.parameters).map(String::as_str).collect();
+        let parameters = production.patterns().flat_map(|p| &p.parameters);
+        let mut names: Vec<(&str, usize)> = parameters.enumerate().map(|(slot, name)| (name.as_str(), slot)).collect();
+        sort(&mut names);
         let mut randoms = 0;
         let mut code = |expr: &Expr| self.code(expr, &names, &mut randoms);
         let condition = production.condition.as_ref().map(&mut code).transpose()?;
@@ -81,7 +85,7 @@ impl Compiler<'_> {
         })
     }
 
-    fn word(&self, modules: &[Module], names: &[&str], randoms: &mut u16) -> Result<Template, Unusable> {
+    fn word(&self, modules: &[Module], names: &[(&str, usize)], randoms: &mut u16) -> Result<Template, Unusable> {
         let arguments = modules.iter().flat_map(|module| &module.arguments);
         Ok(Template {
             letters: modules.iter().map(|module| self.id(letter_of_module(module))).collect(),
@@ -89,10 +93,13 @@ impl Compiler<'_> {
         })
     }
 
-    fn code(&self, expr: &Expr, names: &[&str], randoms: &mut u16) -> Result<Code, Unusable> {
-        let meaning = |name: &str| match names.iter().position(|own| *own == name) {
-            Some(slot) => Some(Meaning::Slot(slot as u16)),
-            None => self.grammar.constant(name).map(Meaning::Constant),
+    fn code(&self, expr: &Expr, names: &[(&str, usize)], randoms: &mut u16) -> Result<Code, Unusable> {
+        let meaning = |name: &str| {
+            let at = names.partition_point(|&(own, _)| own < name);
+            match names.get(at).filter(|(own, _)| *own == name) {
+                Some(&(_, slot)) => Some(Meaning::Slot(slot as u16)),
+                None => self.constants.of(name).map(Meaning::Constant),
+            }
         };
         Code::new(expr, &meaning, randoms)
     }

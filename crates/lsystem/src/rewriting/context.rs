@@ -4,6 +4,7 @@
 //! left through its `[`. The right neighbour is the next module of the same axis: branches that start in between
 //! are skipped, and the axis ends at the `]` of its own branch.
 
+use super::room::{held, renew, room_for};
 use super::rules::{ContextPattern, LetterId, Rules};
 
 /// No neighbour.
@@ -50,13 +51,33 @@ pub(super) struct Neighbours {
 }
 
 impl Neighbours {
-    /// Forgets everything and makes room for a word of `length` modules.
-    pub(super) fn reset(&mut self, length: usize) {
+    /// The bytes that it takes for a word of `length` modules with so many brackets of a kind.
+    pub(super) fn bytes_for(&self, length: usize, brackets: usize) -> u64 {
+        let places = 4 * size_of::<u32>() * self.left.capacity().max(room_for(length));
+        let open = size_of::<(u32, u32)>() * self.open.capacity().max(room_for(brackets));
+        (places + open) as u64
+    }
+
+    /// The bytes that it holds.
+    pub(super) fn bytes(&self) -> u64 {
+        let places = [&self.left, &self.right, &self.after, &self.arguments];
+        places.iter().map(|places| held(places)).sum::<u64>() + held(&self.open)
+    }
+
+    /// Forgets everything and takes the memory for a word of `length` modules with so many brackets of a kind.
+    pub(super) fn reset(&mut self, length: usize, brackets: usize) {
         for places in [&mut self.left, &mut self.right, &mut self.after, &mut self.arguments] {
-            places.clear();
-            places.resize(length, NONE);
+            renew(places, length);
         }
+        renew(&mut self.open, brackets);
         self.turn();
+    }
+
+    /// Makes the next `count` places, which the passes fill.
+    pub(super) fn extend(&mut self, count: usize) {
+        for places in [&mut self.left, &mut self.right, &mut self.after, &mut self.arguments] {
+            places.resize(places.len() + count, NONE);
+        }
     }
 
     /// Starts a pass.
@@ -117,7 +138,8 @@ impl Neighbours {
     }
 
     /// Whether what follows `place` is `pattern`; the places of its letters go to `found`. A branch in the pattern
-    /// is the first of the branches that start there and match. `work` counts the modules looked at.
+    /// is the first of the branches that start there and match. `work` counts the modules looked at; the search is given
+    /// up where it passes `until`, for there may be more ways to match than anybody can try.
     pub(super) fn match_right(
         &self,
         word: &[LetterId],
@@ -125,7 +147,7 @@ impl Neighbours {
         place: usize,
         pattern: &[ContextPattern],
         found: &mut Vec<u32>,
-        work: &mut u64,
+        (work, until): (&mut u64, u64),
     ) -> bool {
         let mut place = place;
         let mut pattern = pattern;
@@ -144,11 +166,14 @@ impl Neighbours {
                     let mut at = place + 1;
                     while let Some(&letter) = word.get(at) {
                         *work += 1;
+                        if *work > until {
+                            return false;
+                        }
                         match roles[usize::from(letter)] {
                             Role::Ignored => at += 1,
                             Role::Open => {
                                 let start = found.len();
-                                if self.match_right(word, roles, at, rest, found, work) {
+                                if self.match_right(word, roles, at, rest, found, (work, until)) {
                                     return true;
                                 }
                                 found.truncate(start);
@@ -164,6 +189,9 @@ impl Neighbours {
                     let mut at = place + 1;
                     loop {
                         *work += 1;
+                        if *work > until {
+                            return false;
+                        }
                         match word.get(at).map(|&letter| roles[usize::from(letter)]) {
                             // The end of the word closes every branch.
                             None => return rest.iter().all(|piece| *piece == ContextPattern::Close),

@@ -4,14 +4,15 @@
 //! numbers of a page are computed from these choices, from the axiom on. Only where productions take numbers from
 //! their contexts are whole generations kept.
 
+mod making;
+
 use super::choices::{Choice, Choices};
-use super::image::Image;
 use super::modules::{Chance, Modules, NotFinite};
 use super::rules::{Letter, Rule, Rules};
 use super::step::Rewriter;
 use crate::access::{Ancestor, Part};
 use crate::counts::segments_of;
-use crate::{Limits, MAX_HISTORY, MAX_ITERATIONS, Progress, System};
+use crate::{Limits, MAX_ITERATIONS, Meter, Progress, System};
 use core::ops::Range;
 
 /// Modules between two sums: a place is found by one sum and a look at fewer modules than this.
@@ -22,6 +23,9 @@ const PAGE: usize = 4096;
 
 /// Modules looked at between two looks at the caller's budget.
 const PIECE: usize = 1 << 12;
+
+/// Bytes beside what is remembered: a step that is being counted.
+const SPARE: u64 = 1 << 16;
 
 /// The generations of a system, for those that [`Word`](crate::Word) cannot read: where chance, conditions or
 /// neighbours decide what becomes of a module, or branches are cut. It is made in resumable steps; what is derived
@@ -44,8 +48,12 @@ pub struct History {
     words: Option<Vec<Kept>>,
     /// What the modules of generation `n` are drawn as.
     images: Option<Step>,
+    /// What is remembered takes so many bytes, and may take so many together with the generations in the making.
     bytes: u64,
+    memory: u64,
     state: State,
+    /// The units of work of all steps.
+    spent: u64,
 }
 
 #[derive(Clone, Debug)]
@@ -53,6 +61,8 @@ enum State {
     Derive(Box<Rewriter>),
     /// Counting what a step made.
     Sum(Box<Rewriter>, Step),
+    /// Copying a generation: with arguments before the next module.
+    Keep(Box<Rewriter>, Kept, usize),
     /// Counting the segments of the last generation.
     Count {
         rewriter: Box<Rewriter>,
@@ -99,6 +109,21 @@ struct Sums {
 }
 
 impl Sums {
+    /// Those of so many modules, without memory so far.
+    fn of(count: usize) -> Self {
+        Self { count, ..Self::default() }
+    }
+
+    /// The bytes that they will take.
+    fn bytes(&self) -> u64 {
+        8 * self.count.div_ceil(BLOCK) as u64
+    }
+
+    /// The same with the memory taken, ready to add up.
+    fn ready(self) -> Self {
+        Self { before: Vec::with_capacity(self.count.div_ceil(BLOCK)), ..Self::default() }
+    }
+
     fn add(&mut self, amount: u64) {
         if self.count.is_multiple_of(BLOCK) {
             self.before.push(self.total);
@@ -170,105 +195,33 @@ impl History {
             steps: vec![],
             lengths: vec![axiom.letters.len()],
             images: None,
-            bytes: 0,
+            bytes: axiom.bytes(),
+            memory: limits.memory,
             state: State::Done,
             axiom,
+            spent: 0,
         };
-        history.keep(rewriter.word());
-        history.state = State::Derive(Box::new(rewriter));
+        history.begin_keep(Box::new(rewriter))?;
         Some(history)
     }
 
-    /// Works on, for about `budget` modules, and says whether there is more to do. It ends early where a limit
-    /// ([`MAX_HISTORY`]; [`Limits::modules`]; eight times [`Limits::work`]) or a number that is not finite stops it.
+    /// The units of work of all steps so far.
+    #[must_use]
+    pub fn spent(&self) -> u64 {
+        self.spent
+    }
+
+    /// Works on, for about `budget` units of work, and says whether there is more to do. It ends early where a limit
+    /// ([`Limits::memory`], of all that is remembered and in the making; [`Limits::modules`]; eight times
+    /// [`Limits::work`]) or a number that is not finite stops it.
     pub fn step(&mut self, budget: usize) -> Progress {
-        let outcome = match &mut self.state {
-            State::Done => return Progress::Done,
-            State::Derive(rewriter) if rewriter.generation() < self.n => match rewriter.step(budget) {
-                Ok(false) => return Progress::More,
-                Ok(true) => self.begin_sum(),
-                Err(_) => None,
-            },
-            State::Derive(_) => self.begin_count(),
-            State::Sum(..) => self.sum(budget),
-            State::Count { .. } => self.count(budget),
-        };
-        if outcome.is_none() || self.bytes > MAX_HISTORY {
-            self.state = State::Done;
-            return Progress::Done;
+        let mut meter = Meter::new(budget as u64);
+        let mut progress = Progress::More;
+        while progress == Progress::More && !meter.is_spent() {
+            progress = self.piece(&mut meter);
         }
-        Progress::More
-    }
-
-    fn begin_sum(&mut self) -> Option<()> {
-        let State::Derive(mut rewriter) = core::mem::replace(&mut self.state, State::Done) else { return None };
-        let choices = rewriter.noted()?;
-        self.state = State::Sum(rewriter, Step { choices, sums: Sums::default() });
-        Some(())
-    }
-
-    /// Counts what the step that ended made, and takes it down.
-    fn sum(&mut self, budget: usize) -> Option<()> {
-        let State::Sum(_, Step { choices, sums }) = &mut self.state else { return None };
-        let former = *self.lengths.last()?;
-        let end = (sums.count + budget.max(1)).min(former);
-        for place in sums.count..end {
-            sums.add(made_of(&self.productions, choices.get(place)));
-        }
-        if end < former {
-            return Some(());
-        }
-        let State::Sum(rewriter, step) = core::mem::replace(&mut self.state, State::Done) else { return None };
-        self.bytes += step.choices.bytes() + 8 * step.sums.before.len() as u64;
-        self.lengths.push(rewriter.word().letters.len());
-        self.steps.push(step);
-        self.keep(rewriter.word());
-        self.state = State::Derive(rewriter);
-        Some(())
-    }
-
-    /// Keeps a generation, where that is needed.
-    fn keep(&mut self, word: &Modules) {
-        let Some(words) = &mut self.words else { return };
-        let mut arguments = Sums::default();
-        for &letter in &word.letters {
-            arguments.add(u64::from(self.rules.letters[usize::from(letter)].arity));
-        }
-        self.bytes += 2 * word.letters.len() as u64 + 8 * (word.arguments.len() + arguments.before.len()) as u64;
-        words.push(Kept { word: word.bare(), arguments });
-    }
-
-    fn begin_count(&mut self) -> Option<()> {
-        let State::Derive(rewriter) = core::mem::replace(&mut self.state, State::Done) else { return None };
-        let choices = Choices::new(self.productions.len());
-        self.state = State::Count { rewriter, sums: Sums::default(), choices, argument: 0 };
-        Some(())
-    }
-
-    /// Counts what the last generation draws; nothing more to do at its end.
-    fn count(&mut self, budget: usize) -> Option<()> {
-        let State::Count { rewriter, sums, choices, argument } = &mut self.state else { return None };
-        let imagined = self.rules.images.iter().any(|images| !images.is_empty());
-        let letters = &rewriter.word().letters;
-        let mut image = Image::default();
-        let end = (sums.count + budget.clamp(1, PIECE)).min(letters.len());
-        for (place, &letter) in letters.iter().enumerate().take(end).skip(sums.count) {
-            let letter = usize::from(letter);
-            let own = if imagined { rewriter.image_rule(place, *argument, &mut image) } else { None };
-            let source = own.and_then(|production| self.productions.get(production).copied().flatten());
-            if imagined {
-                choices.push(own.map_or(Choice::Stayed, Choice::Made));
-            }
-            sums.add(source.map_or(self.drawn[letter], |source| source.segments));
-            *argument += usize::from(self.rules.letters[letter].arity);
-        }
-        if end < letters.len() {
-            return Some(());
-        }
-        let step = Step { choices: core::mem::take(choices), sums: core::mem::take(sums) };
-        self.bytes += step.choices.bytes() + 8 * step.sums.before.len() as u64;
-        self.images = Some(step);
-        None
+        self.spent += meter.spent();
+        progress
     }
 
     /// How many modules generation `generation` has; `None` where it has not been derived.

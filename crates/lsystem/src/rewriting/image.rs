@@ -1,6 +1,6 @@
 //! What the modules of a generation are drawn as: productions below `draw:`, applied once (a homomorphism).
 
-use super::choose::{Place, Scratch};
+use super::choose::{MOST_LOOKS, Place, Scratch};
 use super::modules::{Chance, Modules, NotFinite};
 use super::rules::Rule;
 use super::step::{Fault, Rewriter};
@@ -14,6 +14,15 @@ const STEP: u32 = u32::MAX;
 pub struct Image {
     modules: Modules,
     scratch: Scratch,
+    /// The productions looked at, and letters made, since somebody asked.
+    work: u64,
+}
+
+impl Image {
+    /// What has been done since the last call, in units of a [`Meter`](crate::Meter).
+    pub(crate) fn take_spent(&mut self) -> u64 {
+        core::mem::take(&mut self.work) / 4
+    }
 }
 
 impl Rewriter {
@@ -23,21 +32,25 @@ impl Rewriter {
     /// # Errors
     /// A number that is not finite.
     pub fn image<'a>(&self, place: usize, argument: usize, image: &'a mut Image) -> Result<&'a Modules, Fault> {
-        let Image { modules, scratch } = image;
+        let Image { modules, scratch, work } = image;
         modules.clear();
         let at = self.pictured(place, argument);
-        match self.choose_image(&at, scratch) {
+        match self.choose_image(&at, scratch, work) {
             None => modules.keep(&self.word, place..place + 1, argument..argument + at.own.len()),
-            Some(rule) => modules
-                .make(&rule.successor, at.slots(rule, scratch), &at.chance, false)
-                .map_err(|NotFinite| Fault::NotFinite(Some(rule.production)))?,
+            Some(rule) => {
+                *work += 4 * self.plan.costs[rule.production];
+                modules
+                    .make(&rule.successor, at.slots(rule, scratch), &at.chance, false)
+                    .map_err(|NotFinite| Fault::NotFinite(Some(rule.production)))?;
+            }
         }
         Ok(modules)
     }
 
     /// The production of its image, where it has one.
     pub(super) fn image_rule(&self, place: usize, argument: usize, image: &mut Image) -> Option<usize> {
-        self.choose_image(&self.pictured(place, argument), &mut image.scratch).map(|rule| rule.production)
+        let Image { scratch, work, .. } = image;
+        self.choose_image(&self.pictured(place, argument), scratch, work).map(|rule| rule.production)
     }
 
     fn pictured(&self, place: usize, argument: usize) -> Place<'_> {
@@ -49,8 +62,9 @@ impl Rewriter {
 
     // Twice it would be a part of what the page loads for nothing.
     #[inline(never)]
-    fn choose_image<'a>(&'a self, at: &Place<'a>, scratch: &mut Scratch) -> Option<&'a Rule> {
+    fn choose_image<'a>(&'a self, at: &Place<'a>, scratch: &mut Scratch, work: &mut u64) -> Option<&'a Rule> {
         let letter = usize::from(self.word.letters[at.place]);
-        at.choose(&self.plan.rules.images[letter], scratch, &mut 0)
+        scratch.until = *work + MOST_LOOKS;
+        at.choose(&self.plan.rules.images[letter], scratch, work)
     }
 }

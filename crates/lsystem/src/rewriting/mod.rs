@@ -10,6 +10,7 @@ mod context;
 mod history;
 mod image;
 mod modules;
+mod room;
 mod rules;
 mod scales;
 mod step;

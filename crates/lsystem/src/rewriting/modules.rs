@@ -1,5 +1,6 @@
 //! Words of modules.
 
+use super::room::{held, room_for, while_growing};
 use super::rules::{LetterId, Template};
 use crate::Key;
 use core::ops::Range;
@@ -92,9 +93,50 @@ impl Modules {
         !self.keys.is_empty()
     }
 
-    /// The same without keys and ages.
-    pub(super) fn bare(&self) -> Self {
-        Self { letters: self.letters.clone(), arguments: self.arguments.clone(), ..Self::default() }
+    /// The bytes that it holds.
+    pub(super) fn bytes(&self) -> u64 {
+        held(&self.letters) + held(&self.arguments) + held(&self.keys) + held(&self.ages)
+    }
+
+    /// Whether there is room for so many more modules and arguments, without having more than `most` of either.
+    #[inline]
+    pub(super) fn fits(&self, modules: usize, arguments: usize, most: u64) -> bool {
+        let fits = |len: usize, more: usize, room: usize| len + more <= room && (len + more) as u64 <= most;
+        fits(self.letters.len(), modules, self.letters.capacity())
+            && fits(self.arguments.len(), arguments, self.arguments.capacity())
+    }
+
+    /// How many modules, and arguments, there is room for.
+    pub(super) fn room(&self) -> [usize; 2] {
+        [self.letters.capacity(), self.arguments.capacity()]
+    }
+
+    /// The bytes that it will hold at most while it makes room for so many modules and arguments in all; `keys` and
+    /// `ages` tell which of these are kept.
+    pub(super) fn bytes_with(&self, modules: usize, arguments: usize, keys: bool, ages: bool) -> u64 {
+        let [modules, arguments] = self.wanted(modules, arguments);
+        let each =
+            size_of::<LetterId>() + if keys { size_of::<Key>() } else { 0 } + if ages { size_of::<Age>() } else { 0 };
+        while_growing((modules * each + arguments * size_of::<f64>()) as u64)
+    }
+
+    /// Makes room for so many modules and arguments in all.
+    pub(super) fn make_room(&mut self, modules: usize, arguments: usize, keys: bool, ages: bool) {
+        let [modules, arguments] = self.wanted(modules, arguments);
+        let grow = |list: usize, wanted: usize| wanted.saturating_sub(list);
+        self.letters.reserve_exact(grow(self.letters.len(), modules));
+        self.arguments.reserve_exact(grow(self.arguments.len(), arguments));
+        if keys {
+            self.keys.reserve_exact(grow(self.keys.len(), modules));
+        }
+        if ages {
+            self.ages.reserve_exact(grow(self.ages.len(), modules));
+        }
+    }
+
+    fn wanted(&self, modules: usize, arguments: usize) -> [usize; 2] {
+        let size = |room: usize, needed: usize| if needed > room { room_for(needed) } else { room };
+        [size(self.letters.capacity(), modules), size(self.arguments.capacity(), arguments)]
     }
 
     /// Appends modules of another word that stay as they are, and their arguments.

@@ -89,6 +89,13 @@ pub struct Template {
     pub arguments: Vec<Code>,
 }
 
+impl Template {
+    /// How many modules, and arguments, it makes.
+    pub(super) fn size(&self) -> [usize; 2] {
+        [self.letters.len(), self.arguments.len()]
+    }
+}
+
 impl Rules {
     /// The letter for a symbol with `arity` parameters.
     #[must_use]

@@ -1,12 +1,17 @@
 //! One derivation step after the other, in pieces of bounded work.
 
-use super::choices::{Choice, Choices};
-use super::choose::{Place, Scratch};
+mod apply;
+mod cut;
+
+use super::choices::Choices;
+use super::choose::Scratch;
 use super::context::{Neighbours, Role, roles};
-use super::modules::{Chance, Modules, NotFinite};
+use super::modules::{Modules, NotFinite};
+use super::room::held;
 use super::rules::{Rule, Rules};
 use super::table::{Sides, Table};
-use crate::{LimitName, Limits};
+use crate::code::Code;
+use crate::{LimitName, Limits, Meter};
 use core::ops::Range;
 
 /// Why a derivation cannot go on.
@@ -30,6 +35,8 @@ pub struct Rewriter {
     generation: u32,
     pass: Pass,
     work: u64,
+    /// The units of work of all steps.
+    spent: u64,
     /// What the present step does with every module, where that is noted.
     record: Option<Record>,
 }
@@ -41,6 +48,8 @@ struct Record {
     length: usize,
     /// Those that are not cut off.
     kept: Vec<Range<usize>>,
+    /// The first of those that are not noted yet, and how many have been noted before it.
+    run: (usize, usize),
 }
 
 /// What does not change from step to step.
@@ -53,7 +62,9 @@ pub(super) struct Plan {
     /// By letter: whether no production rewrites it.
     inert: Vec<bool>,
     pub(super) seed: u32,
-    limits: Limits,
+    pub(super) limits: Limits,
+    /// By production: what its successor costs, in units.
+    pub(super) costs: Vec<u64>,
     pub(super) random: bool,
     /// By letter: whether it draws; empty where ages are not kept.
     draws: Vec<bool>,
@@ -70,6 +81,10 @@ enum Pass {
     Start,
     /// From the start to the end: what is cut off is left out.
     Cut(Shears),
+    /// Counting brackets: the next module, and how many begin and end branches so far.
+    Count(usize, [usize; 2]),
+    /// Making so many more places for what surrounds modules.
+    Room(usize),
     /// From the end to the start; this many modules, and arguments, are left.
     Leftward(usize, usize),
     /// From the start to the end; the next module, and its arguments.
@@ -87,11 +102,14 @@ struct Shears {
     cut: Option<usize>,
 }
 
-/// Modules handled between two looks at the limits and the caller's budget.
+/// Modules handled between two looks at the caller's budget.
 const PIECE: usize = 4_096;
 
-/// Productions that are looked at between two looks at the caller's budget, and those of one module more.
-const MUCH: u64 = 1 << 15;
+/// Modules in one unit of work where they are only counted, or memory is made for them.
+const QUICK: usize = 16;
+
+/// Productions, and modules around a module, that are looked at in one unit of work.
+const LOOKS: u64 = 4;
 
 impl Rewriter {
     /// Ready to derive from the axiom (generation 0).
@@ -112,6 +130,7 @@ impl Rewriter {
             seed,
             limits,
             random,
+            costs: costs(&rules),
             draws: vec![],
             arities,
             roles,
@@ -127,6 +146,7 @@ impl Rewriter {
             generation: 0,
             pass: Pass::Start,
             work: 0,
+            spent: 0,
             record: None,
         })
     }
@@ -147,7 +167,7 @@ impl Rewriter {
 
     /// Notes what every step does, among so many productions. Nothing must have been derived yet.
     pub(super) fn note(&mut self, productions: usize) {
-        self.record = Some(Record { choices: Choices::new(productions), length: 0, kept: vec![] });
+        self.record = Some(Record { choices: Choices::new(productions), length: 0, kept: vec![], run: (0, 0) });
     }
 
     /// What the step that ended last did with every module, where that is noted.
@@ -175,199 +195,208 @@ impl Rewriter {
         &self.plan.rules
     }
 
-    /// Works towards the next generation until it is reached (true) or about `budget` modules have been handled.
+    /// The bytes that it may hold from now on, beside others of its owner.
+    pub(super) fn allow(&mut self, memory: u64) {
+        self.plan.limits.memory = memory;
+    }
+
+    /// The bytes that it holds.
+    pub(super) fn bytes(&self) -> u64 {
+        self.others() + self.next.bytes()
+    }
+
+    /// The units of work of all steps so far.
+    #[must_use]
+    pub fn spent(&self) -> u64 {
+        self.spent
+    }
+
+    /// Works towards the next generation until it is reached (true) or about `budget` units of work are done.
     ///
     /// # Errors
-    /// A limit, or a number that is not finite.
+    /// A limit, or a number that is not finite; where, does not depend on the budgets.
     pub fn step(&mut self, budget: usize) -> Result<bool, Fault> {
-        let mut left = budget.max(1);
-        loop {
-            let length = self.word.letters.len();
-            let piece = left.min(PIECE);
-            match self.pass {
-                Pass::Start => {
-                    self.next.clear();
-                    if let Some(record) = &mut self.record {
-                        record.choices = record.choices.emptied();
-                        record.length = length;
-                        record.kept.clear();
-                    }
-                    self.pass = if self.plan.cutting { Pass::Cut(Shears::default()) } else { self.look_around() };
-                }
-                Pass::Cut(mut shears) => {
-                    let start = shears.at.0;
-                    let done = self.cut(&mut shears, piece);
-                    left -= (shears.at.0 - start).min(left);
-                    self.pass = if done { self.look_around() } else { Pass::Cut(shears) };
-                }
-                Pass::Leftward(0, _) => {
-                    self.neighbours.turn();
-                    self.sides.turn();
-                    self.pass = Pass::Rightward(0, 0);
-                }
-                Pass::Leftward(end, mut arguments) => {
-                    let start = end.saturating_sub(piece);
-                    let letters = &self.word.letters[start..end];
-                    if let Some(table) = &self.plan.table {
-                        table.leftward(letters, start, &mut self.sides);
-                    } else {
-                        for (place, &letter) in (start..end).zip(letters).rev() {
-                            arguments -= usize::from(self.plan.arities[usize::from(letter)]);
-                            self.neighbours.leftward(place, arguments, self.plan.roles[usize::from(letter)]);
-                        }
-                    }
-                    left -= end - start;
-                    self.pass = Pass::Leftward(start, arguments);
-                }
-                Pass::Rightward(start, _) if start == length => {
-                    if let Some(record) = self.record.as_mut().filter(|_| self.plan.cutting) {
-                        record.choices.spread(&record.kept, record.length);
-                    }
-                    core::mem::swap(&mut self.word, &mut self.next);
-                    self.generation += 1;
-                    self.pass = Pass::Start;
-                    return Ok(true);
-                }
-                Pass::Rightward(start, mut arguments) => {
-                    let mut end = (start + piece).min(length);
-                    let before = self.work;
-                    if let Some(table) = &self.plan.table {
-                        let letters = &self.word.letters[start..end];
-                        if let Some(record) = &mut self.record {
-                            table.note(letters, start, self.plan.contexts, &self.sides, &mut record.choices);
-                        }
-                        let next = &mut self.next.letters;
-                        table.rightward(letters, start, self.plan.contexts, &mut self.sides, next);
-                    } else {
-                        end = self.by_rules(start..end, &mut arguments)?;
-                    }
-                    self.work += (end - start) as u64;
-                    if self.work > self.plan.limits.work {
-                        return Err(Fault::Limit(LimitName::Work));
-                    }
-                    left = left.saturating_sub((self.work - before) as usize);
-                    self.pass = Pass::Rightward(end, arguments);
-                }
-            }
-            if left == 0 {
-                return Ok(false);
-            }
-            let size = self.next.letters.len().max(self.next.arguments.len());
-            if size as u64 > self.plan.limits.modules {
-                return Err(Fault::Limit(LimitName::Modules));
-            }
-        }
+        self.advance(&mut Meter::new(budget as u64))
     }
 
-    /// Makes room for what surrounds the modules of the word, and says which pass comes first.
+    /// The same until the meter is spent.
+    ///
+    /// # Errors
+    /// As [`Rewriter::step`].
+    pub fn advance(&mut self, meter: &mut Meter) -> Result<bool, Fault> {
+        let before = meter.spent();
+        let mut outcome = Ok(false);
+        while outcome == Ok(false) && !meter.is_spent() {
+            outcome = self.pass(meter);
+        }
+        self.spent += meter.spent() - before;
+        outcome
+    }
+
+    /// A piece of a pass.
+    fn pass(&mut self, meter: &mut Meter) -> Result<bool, Fault> {
+        meter.charge(1);
+        let length = self.word.letters.len();
+        let piece = usize::try_from(meter.left()).unwrap_or(usize::MAX).clamp(1, PIECE);
+        match self.pass {
+            Pass::Start => self.begin()?,
+            Pass::Cut(mut shears) => {
+                let (start, kept) = (shears.at.0, shears.kept.0);
+                let done = self.cut(&mut shears, piece)?;
+                let passed = shears.at.0 - start;
+                meter.charge(passed as u64);
+                // What is kept counts when it is rewritten.
+                self.work += (passed - (shears.kept.0 - kept)) as u64;
+                self.pass = if done { self.look_around() } else { Pass::Cut(shears) };
+            }
+            Pass::Count(start, mut brackets) => {
+                let end = (start + piece * QUICK).min(length);
+                for &letter in &self.word.letters[start..end] {
+                    let role = self.plan.roles[usize::from(letter)];
+                    brackets[0] += usize::from(role == Role::Open);
+                    brackets[1] += usize::from(role == Role::Close);
+                }
+                meter.charge(((end - start) / QUICK) as u64 + 1);
+                self.pass = Pass::Count(end, brackets);
+                if end == length {
+                    self.make_places(brackets[0].max(brackets[1]))?;
+                }
+            }
+            Pass::Room(left) => {
+                let count = left.min(piece * QUICK);
+                match &self.plan.table {
+                    Some(_) => self.sides.extend(count),
+                    None => self.neighbours.extend(count),
+                }
+                meter.charge((count / QUICK) as u64 + 1);
+                let whole = (length, self.word.arguments.len());
+                self.pass = if count == left { Pass::Leftward(whole.0, whole.1) } else { Pass::Room(left - count) };
+            }
+            Pass::Leftward(0, _) => {
+                self.neighbours.turn();
+                self.sides.turn();
+                self.pass = Pass::Rightward(0, 0);
+            }
+            Pass::Leftward(end, arguments) => self.leftward(end, arguments, piece, meter),
+            Pass::Rightward(start, _) if start == length => {
+                if let Some(record) = &mut self.record {
+                    record.choices.cut(record.length - record.choices.len());
+                }
+                core::mem::swap(&mut self.word, &mut self.next);
+                self.generation += 1;
+                self.pass = Pass::Start;
+                return Ok(true);
+            }
+            Pass::Rightward(start, arguments) => self.rightward(start, arguments, piece, meter)?,
+        }
+        Ok(false)
+    }
+
+    fn begin(&mut self) -> Result<(), Fault> {
+        self.next.clear();
+        if let Some(record) = &mut self.record {
+            record.choices = record.choices.emptied();
+            record.length = self.word.letters.len();
+            record.kept.clear();
+            record.run = (0, 0);
+            let wanted = record.choices.bytes_of(record.length);
+            self.afford(self.next.bytes() + wanted)?;
+            if let Some(record) = &mut self.record {
+                record.choices.reserve(record.length);
+            }
+        }
+        self.pass = if self.plan.cutting { Pass::Cut(Shears::default()) } else { self.look_around() };
+        Ok(())
+    }
+
+    fn leftward(&mut self, end: usize, mut arguments: usize, piece: usize, meter: &mut Meter) {
+        let start = end.saturating_sub(piece);
+        let letters = &self.word.letters[start..end];
+        if let Some(table) = &self.plan.table {
+            table.leftward(letters, start, &mut self.sides);
+        } else {
+            for (place, &letter) in (start..end).zip(letters).rev() {
+                arguments -= usize::from(self.plan.arities[usize::from(letter)]);
+                self.neighbours.leftward(place, arguments, self.plan.roles[usize::from(letter)]);
+            }
+        }
+        meter.charge((end - start) as u64);
+        self.pass = Pass::Leftward(start, arguments);
+    }
+
+    /// Makes room in the next generation for more modules and arguments, where there is too little.
+    #[inline]
+    fn fit(&mut self, modules: usize, arguments: usize) -> Result<(), Fault> {
+        if !self.next.fits(modules, arguments, self.plan.limits.modules) {
+            let others = self.others();
+            make_room(&self.plan, &mut self.next, others, modules, arguments)?;
+        }
+        Ok(())
+    }
+
+    /// The bytes that are held beside the next generation.
+    fn others(&self) -> u64 {
+        others(&self.word, &self.neighbours, &self.sides, self.record.as_ref())
+    }
+
+    /// Whether so many bytes may be held, beside all but the next generation.
+    fn afford(&self, bytes: u64) -> Result<(), Fault> {
+        within(self.others().saturating_add(bytes), &self.plan.limits)
+    }
+
+    /// Says which pass comes first where nothing is cut off any more.
     fn look_around(&mut self) -> Pass {
-        let (modules, arguments) = (self.word.letters.len(), self.word.arguments.len());
-        if !self.plan.contexts {
-            return Pass::Rightward(0, 0);
-        }
-        match &self.plan.table {
-            Some(_) => self.sides.reset(modules),
-            None => self.neighbours.reset(modules),
-        }
-        Pass::Leftward(modules, arguments)
+        if self.plan.contexts { Pass::Count(0, [0, 0]) } else { Pass::Rightward(0, 0) }
     }
 
-    /// Goes on for `budget` modules leaving out of the word what its symbols cut off: each, and all that follows it up to
-    /// the end of its branch (ABOP's `%`). Says whether the end is reached.
-    fn cut(&mut self, shears: &mut Shears, budget: usize) -> bool {
-        let Self { plan, word, record, .. } = self;
-        let Shears { at: (at, argument), kept: (kept, kept_arguments), cut } = shears;
-        let end = (*at + budget).min(word.letters.len());
-        let (from, from_argument) = (*at, *argument);
-        // Modules are kept in runs.
-        let (mut run, mut run_arguments) = (from, from_argument);
-        let mut keep = |word: &mut Modules, run: usize, run_arguments: usize, at: usize, argument: usize| {
-            if let Some(record) = record.as_mut().filter(|_| run < at) {
-                record.kept.push(run..at);
-            }
-            word.move_down(run..at, *kept, run_arguments..argument, *kept_arguments);
-            *kept += at - run;
-            *kept_arguments += argument - run_arguments;
+    /// Takes the memory for what surrounds the modules of the word, in which there are at most so many brackets of a kind.
+    fn make_places(&mut self, brackets: usize) -> Result<(), Fault> {
+        let length = self.word.letters.len();
+        let (wanted, held) = match &self.plan.table {
+            Some(_) => (self.sides.bytes_for(length, brackets), self.sides.bytes()),
+            None => (self.neighbours.bytes_for(length, brackets), self.neighbours.bytes()),
         };
-        while *at < end {
-            let letter = usize::from(word.letters[*at]);
-            match (*cut, plan.roles[letter]) {
-                (Some(0), Role::Close) => {
-                    (*cut, run, run_arguments) = (None, *at, *argument);
-                }
-                (Some(deep), Role::Open) => *cut = Some(deep + 1),
-                (Some(deep), Role::Close) => *cut = Some(deep - 1),
-                (None, _) if plan.rules.cuts[letter] => {
-                    keep(word, run, run_arguments, *at, *argument);
-                    *cut = Some(0);
-                }
-                _ => {}
-            }
-            *at += 1;
-            *argument += usize::from(plan.arities[letter]);
+        self.afford((self.next.bytes() + wanted).saturating_sub(held))?;
+        match &self.plan.table {
+            Some(_) => self.sides.reset(length, brackets),
+            None => self.neighbours.reset(length, brackets),
         }
-        if cut.is_none() {
-            keep(word, run, run_arguments, *at, *argument);
-        }
-        let done = *at == word.letters.len();
-        if done {
-            word.truncate(*kept, *kept_arguments);
-        }
-        done
+        self.pass = Pass::Room(length);
+        Ok(())
     }
+}
 
-    /// Rewrites modules one by one, fewer of them where many productions have to be looked at; `arguments` is where
-    /// theirs are. Returns the place of the first that it has left.
-    fn by_rules(&mut self, Range { start, end }: Range<usize>, arguments: &mut usize) -> Result<usize, Fault> {
-        let Self { plan, word, next, neighbours, scratch, generation, work, record, .. } = self;
-        let step = *generation + 1;
-        let enough = *work + MUCH;
-        let mut place = start;
-        while place < end && *work < enough {
-            // What stays is copied in runs.
-            let (run, run_arguments) = (place, *arguments);
-            while place < end && plan.inert[usize::from(word.letters[place])] {
-                let letter = usize::from(word.letters[place]);
-                if plan.contexts {
-                    neighbours.rightward(place, plan.roles[letter]);
-                }
-                *arguments += usize::from(plan.arities[letter]);
-                place += 1;
-            }
-            if place > run {
-                if let Some(record) = record {
-                    record.choices.keep(place - run);
-                }
-                next.keep(word, run..place, run_arguments..*arguments);
-            }
-            if place == end {
-                break;
-            }
-            let letter = usize::from(word.letters[place]);
-            if plan.contexts {
-                neighbours.rightward(place, plan.roles[letter]);
-            }
-            let own = *arguments..*arguments + usize::from(plan.arities[letter]);
-            *arguments = own.end;
-            let chance = Chance { key: word.key_of(place), seed: plan.seed, step };
-            let at = Place { plan, word, neighbours, place, own: &word.arguments[own.clone()], chance };
-            let chosen = at.choose(&plan.rules.by_letter[letter], scratch, work);
-            if let Some(record) = record {
-                record.choices.push(chosen.map_or(Choice::Stayed, |rule| Choice::Made(rule.production)));
-            }
-            match chosen {
-                None => next.keep(word, place..place + 1, own),
-                Some(rule) => {
-                    let from = next.letters.len();
-                    next.make(&rule.successor, at.slots(rule, scratch), &chance, plan.random)
-                        .map_err(|NotFinite| Fault::NotFinite(Some(rule.production)))?;
-                    if let Some(age) = word.age_of(place).filter(|_| !plan.draws.is_empty()) {
-                        next.grow(from, (word.letters[place], age), step, &plan.draws);
-                    }
-                }
-            }
-            place += 1;
-        }
-        Ok(place)
+/// Makes room in a generation for more modules and arguments, within the limits; `others` are the bytes that are held
+/// beside it.
+#[cold]
+fn make_room(plan: &Plan, next: &mut Modules, others: u64, modules: usize, arguments: usize) -> Result<(), Fault> {
+    let (modules, arguments) = (next.letters.len() + modules, next.arguments.len() + arguments);
+    if modules.max(arguments) as u64 > plan.limits.modules {
+        return Err(Fault::Limit(LimitName::Modules));
     }
+    let (keys, ages) = (plan.random, !plan.draws.is_empty());
+    within(others.saturating_add(next.bytes_with(modules, arguments, keys, ages)), &plan.limits)?;
+    next.make_room(modules, arguments, keys, ages);
+    Ok(())
+}
+
+fn others(word: &Modules, neighbours: &Neighbours, sides: &Sides, record: Option<&Record>) -> u64 {
+    let record = record.map_or(0, |record| record.choices.bytes() + held(&record.kept));
+    word.bytes() + neighbours.bytes() + sides.bytes() + record
+}
+
+fn within(bytes: u64, limits: &Limits) -> Result<(), Fault> {
+    if bytes > limits.memory { Err(Fault::Limit(LimitName::Memory)) } else { Ok(()) }
+}
+
+/// By production: what it costs to make its successor once, in units. Even the longest that a text can hold costs no more
+/// than half of [`Meter::PIECE`].
+fn costs(rules: &Rules) -> Vec<u64> {
+    let all = || rules.by_letter.iter().chain(&rules.images).flatten();
+    let mut costs = vec![0; all().map(|rule| rule.production + 1).max().unwrap_or(0)];
+    for rule in all() {
+        let computed: u64 = rule.successor.arguments.iter().map(Code::length).sum();
+        costs[rule.production] = rule.successor.letters.len() as u64 / 16 + computed / 8;
+    }
+    costs
 }

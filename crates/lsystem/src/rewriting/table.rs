@@ -3,6 +3,7 @@
 
 use super::choices::{Choice, Choices};
 use super::context::Role;
+use super::room::{held, renew, room_for};
 use super::rules::{ContextPattern, LetterId, Rules};
 
 /// By letter, left neighbour and right neighbour: the successor.
@@ -24,7 +25,7 @@ pub(super) struct Table {
 const MAX_LETTERS: usize = 32;
 
 /// The most letters of a successor: all are copied as if they were as many, which is quicker than to count.
-const LONGEST: usize = 8;
+pub(super) const LONGEST: usize = 8;
 
 /// Modules whose successors are put together before they are appended: they stay in the nearest cache.
 const BATCH: usize = 512;
@@ -53,21 +54,42 @@ pub(super) struct Sides {
     nearest: u8,
     /// What waits for the ends of open branches.
     open: Vec<u8>,
+    /// The same two for whoever notes what is chosen, which goes ahead.
+    noted: (u8, Vec<u8>),
     /// Room for successors.
     made: Vec<LetterId>,
 }
 
 impl Sides {
-    /// Makes room for a word of `length` modules.
-    pub(super) fn reset(&mut self, length: usize) {
-        self.right.resize(length, 0);
+    /// The bytes that it takes for a word of `length` modules with so many brackets of a kind.
+    pub(super) fn bytes_for(&self, length: usize, brackets: usize) -> u64 {
+        (self.right.capacity().max(room_for(length)) + 2 * self.open.capacity().max(room_for(brackets))) as u64
+    }
+
+    /// The bytes that it holds.
+    pub(super) fn bytes(&self) -> u64 {
+        held(&self.right) + held(&self.open) + held(&self.noted.1) + held(&self.made)
+    }
+
+    /// Takes the memory for a word of `length` modules with so many brackets of a kind.
+    pub(super) fn reset(&mut self, length: usize, brackets: usize) {
+        renew(&mut self.right, length);
+        renew(&mut self.open, brackets);
+        renew(&mut self.noted.1, brackets);
         self.turn();
+    }
+
+    /// Makes the next `count` places, which the passes fill.
+    pub(super) fn extend(&mut self, count: usize) {
+        self.right.resize(self.right.len() + count, 0);
     }
 
     /// Starts a pass.
     pub(super) fn turn(&mut self) {
         self.nearest = 0;
         self.open.clear();
+        self.noted.0 = 0;
+        self.noted.1.clear();
     }
 }
 
@@ -162,16 +184,23 @@ impl Table {
         letters: &[LetterId],
         start: usize,
         contexts: bool,
-        sides: &Sides,
+        sides: &mut Sides,
         choices: &mut Choices,
     ) {
-        let (mut near, mut open) = (sides.nearest, sides.open.clone());
+        let Sides { right, noted: (near, open), .. } = sides;
         for (place, &letter) in (start..).zip(letters) {
-            let around = if contexts { usize::from(near) << self.bits | usize::from(sides.right[place]) } else { 0 };
+            let around = if contexts { usize::from(*near) << self.bits | usize::from(right[place]) } else { 0 };
             let (successor, _) = self.chosen[usize::from(letter) << (2 * self.bits) | around];
             choices.push(self.productions[usize::from(successor)]);
-            near = self.rightward.pass(near, letter, &mut open);
+            *near = self.rightward.pass(*near, letter, open);
         }
+    }
+
+    /// How many letters come of `letter`, which is the next in the pass to the right.
+    pub(super) fn length_at(&self, letter: LetterId, place: usize, contexts: bool, sides: &Sides) -> usize {
+        let around =
+            if contexts { usize::from(sides.nearest) << self.bits | usize::from(sides.right[place]) } else { 0 };
+        usize::from(self.chosen[usize::from(letter) << (2 * self.bits) | around].1)
     }
 
     /// Goes through `letters`, the first of which is at `start`, and appends what they become to `next`. Without
@@ -191,7 +220,7 @@ impl Table {
             }
             return;
         }
-        let Sides { right, open, nearest, made } = sides;
+        let Sides { right, open, nearest, made, .. } = sides;
         made.resize((BATCH + 1) * LONGEST, 0);
         let made = made.as_mut_slice();
         let (bits, chosen, successors) = (self.bits, self.chosen.as_slice(), self.successors.as_slice());

@@ -2,4 +2,7 @@
 //!
 //! `cargo test -p lsystem --test cost -- --nocapture` prints the largest step of each entry point.
 
+mod derivation;
+mod record;
+mod syntax;
 mod systems;

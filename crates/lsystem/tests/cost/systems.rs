@@ -146,6 +146,7 @@ pub(crate) fn texts(length: usize) -> Vec<(&'static str, Definition)> {
         ("letters", rules(numbered_lines(&|at| format!("{} -> {}\n", symbol(at % 20_000), symbol((at + 1) % 20_000))))),
         ("constants", rules(numbered_lines(&|at| format!("c{} = c{} + 1\n", at + 1, at)))),
         ("unknown", rules(numbered_lines(&|at| format!("d{at} = e{at}\n")))),
+        ("slips", rules(format!("F -> {}+", word(" if # abc", length)))),
         ("conditions", rules(numbered_lines(&|at| format!("F(x) : x > {at} -> F\n")))),
         ("idle", rules(numbered_lines(&|at| format!("A{} < B -> F\n", symbol(at % 20_000))))),
         ("arities", axiom(numbered_lines(&|at| format!("{}(1)", symbol(at % 20_000))))),

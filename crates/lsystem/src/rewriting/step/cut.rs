@@ -1,0 +1,78 @@
+//! The pass that cuts off branches.
+
+use super::super::context::Role;
+use super::super::modules::Modules;
+use super::super::room::{room_for, while_growing};
+use super::{Fault, Record, Rewriter, Shears};
+use core::ops::Range;
+
+impl Rewriter {
+    /// Goes on for `budget` modules leaving out of the word what its symbols cut off: each, and all that follows it up to
+    /// the end of its branch (ABOP's `%`). Says whether the end is reached.
+    pub(super) fn cut(&mut self, shears: &mut Shears, budget: usize) -> Result<bool, Fault> {
+        if let Some(record) = self.record.as_ref().filter(|record| record.kept.capacity() - record.kept.len() < budget)
+        {
+            let more = room_for(record.kept.len() + budget) - record.kept.len();
+            self.afford(self.next.bytes() + while_growing((more * size_of::<Range<usize>>()) as u64))?;
+            if let Some(record) = &mut self.record {
+                record.kept.reserve_exact(more);
+            }
+        }
+        let Self { plan, word, record, .. } = self;
+        let Shears { at: (at, argument), kept: (kept, kept_arguments), cut } = shears;
+        let end = (*at + budget).min(word.letters.len());
+        let (from, from_argument) = (*at, *argument);
+        // Modules are kept in runs.
+        let (mut run, mut run_arguments) = (from, from_argument);
+        let mut keep = |word: &mut Modules, run: usize, run_arguments: usize, at: usize, argument: usize| {
+            if let Some(record) = record.as_mut().filter(|_| run < at) {
+                record.kept.push(run..at);
+            }
+            word.move_down(run..at, *kept, run_arguments..argument, *kept_arguments);
+            *kept += at - run;
+            *kept_arguments += argument - run_arguments;
+        };
+        while *at < end {
+            let letter = usize::from(word.letters[*at]);
+            match (*cut, plan.roles[letter]) {
+                (Some(0), Role::Close) => {
+                    (*cut, run, run_arguments) = (None, *at, *argument);
+                }
+                (Some(deep), Role::Open) => *cut = Some(deep + 1),
+                (Some(deep), Role::Close) => *cut = Some(deep - 1),
+                (None, _) if plan.rules.cuts[letter] => {
+                    keep(word, run, run_arguments, *at, *argument);
+                    *cut = Some(0);
+                }
+                _ => {}
+            }
+            *at += 1;
+            *argument += usize::from(plan.arities[letter]);
+        }
+        if cut.is_none() {
+            keep(word, run, run_arguments, *at, *argument);
+        }
+        let done = *at == word.letters.len();
+        if done {
+            word.truncate(*kept, *kept_arguments);
+        }
+        Ok(done)
+    }
+}
+
+impl Record {
+    /// Notes what is cut off before the module at `place` of those that are kept; up to which of these nothing more is.
+    pub(super) fn note_cut(&mut self, place: usize) -> usize {
+        let (run, before) = &mut self.run;
+        while let Some(kept) = self.kept.get(*run) {
+            if place < *before + kept.len() {
+                let start = kept.start + place - *before;
+                self.choices.cut(start - self.choices.len());
+                return *before + kept.len();
+            }
+            *before += kept.len();
+            *run += 1;
+        }
+        usize::MAX
+    }
+}

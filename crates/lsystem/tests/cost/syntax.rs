@@ -1,0 +1,38 @@
+//! The cost of reading texts. Where reading took the square of a text's length, the longest of these would never end.
+
+use crate::systems::{LONGEST, texts};
+use lsystem::{System, classify, kind, legend};
+
+/// Diagnostics of one text at most, and one that tells how many more there are.
+const MOST: usize = 101;
+
+#[test]
+fn the_longest_texts_are_read_and_told_about_in_few_words() {
+    for length in [100, LONGEST] {
+        for (name, definition) in texts(length) {
+            let (system, diagnostics) = System::new(&definition);
+            assert!(diagnostics.len() <= 4 * MOST, "{name}: {} diagnostics", diagnostics.len());
+            let text = diagnostics.iter().map(|d| d.message().len()).max().unwrap_or(0);
+            assert!(text < 1_000, "{name}: a message of {text} bytes");
+            let classes = classify(&definition);
+            assert_eq!(classes.rules.len(), definition.rules.len());
+            if let Some(system) = system {
+                assert!(!kind(&system).is_empty());
+                assert!(legend(&system).len() <= system.program.alphabet.len());
+            }
+        }
+    }
+}
+
+#[test]
+#[ignore = "a measurement"]
+fn reading_takes() {
+    for (name, definition) in texts(LONGEST) {
+        let began = std::time::Instant::now();
+        let (system, diagnostics) = System::new(&definition);
+        let read = began.elapsed();
+        let told = system.map_or(0, |system| legend(&system).len());
+        let told_in = began.elapsed() - read;
+        println!("{name:20} {read:8.1?}, {} diagnostics, legend of {told} in {told_in:.1?}", diagnostics.len());
+    }
+}
