@@ -19,13 +19,17 @@ type Cell = [i64; 2];
 
 /// Replaces `points`, with coordinates from -1 to 1, by the corners of their convex hull, counter-clockwise. One or
 /// two corners remain of points that coincide or lie on a line. The hull may be smaller than the truth by half a
-/// [`GRID`]; returns how far it may be larger.
-pub(crate) fn hull(points: &mut Vec<Point>) -> f64 {
+/// [`GRID`]; returns how far it may be larger, and the units of work that this has taken.
+pub(crate) fn hull(points: &mut Vec<Point>) -> (f64, u64) {
+    let all = points.len() as u64;
     if points.len() > 48 {
         drop_inner(points);
     }
+    // Sorting is the most of it.
+    let sorted = 2 * points.len() as u64;
     snap(points);
-    prune(points)
+    let (slack, pruned) = prune(points);
+    (slack, all + sorted + pruned)
 }
 
 /// Replaces `points` by the corners of their hull on the grid.
@@ -83,12 +87,13 @@ fn drop_inner(points: &mut Vec<Point>) {
 }
 
 /// Replaces edges by the meeting point of their neighbours' lines where that moves the hull outwards by next to
-/// nothing, and by more where there are too many corners. Returns by how much at most.
-fn prune(corners: &mut Vec<Point>) -> f64 {
-    let (mut tolerance, mut moved) = (TOLERANCE, 0.0);
+/// nothing, and by more where there are too many corners. Returns by how much at most, and the units of work.
+fn prune(corners: &mut Vec<Point>) -> (f64, u64) {
+    let (mut tolerance, mut moved, mut work) = (TOLERANCE, 0.0, 0);
     let exact = if corners.len() > MOST { corners.clone() } else { vec![] };
     loop {
         let before = corners.len();
+        work += before as u64 / 2;
         prune_once(corners, tolerance);
         if corners.len() < before {
             // New corners of one pass lie next to edges that were there before it.
@@ -97,12 +102,13 @@ fn prune(corners: &mut Vec<Point>) -> f64 {
         if corners.len() > MOST {
             // No edge is worth keeping at this tolerance: rounding has bent the outline, and more passes change nothing.
             if tolerance > 1.0 {
+                work += (exact.len() * MOST) as u64 / 4;
                 *corners = exact;
-                return cap(corners);
+                return (cap(corners), work);
             }
             tolerance *= if corners.len() > MANY { 256.0 } else { 4.0 };
         } else if corners.len() == before {
-            return moved;
+            return (moved, work);
         }
     }
 }
@@ -249,7 +255,7 @@ mod tests {
                 })
                 .collect();
             let mut corners = points.clone();
-            let slack = hull(&mut corners);
+            let (slack, _) = hull(&mut corners);
             assert!(corners.len() <= MOST && slack < 0.1, "{degrees} {slack}");
             contains(&corners, &points, 1e-13).unwrap();
         }
@@ -286,7 +292,7 @@ mod tests {
             let points: Vec<Point> = points.iter().map(|&(x, y)| [c * x - s * y * flat, s * x + c * y * flat])
                 .map(|p| p.map(|c| c * 0.7)).collect();
             let mut corners = points.clone();
-            let slack = hull(&mut corners);
+            let (slack, _) = hull(&mut corners);
             prop_assert!(slack < 1e-11 && corners.len() <= MOST);
             contains(&corners, &points, 1e-14)?;
             // In every direction it reaches no farther than the points do.
