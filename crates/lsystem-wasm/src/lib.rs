@@ -48,7 +48,7 @@ use wasm_bindgen::prelude::*;
 
 /// What a page may spend: a string that a browser can still hold, a drawing that fits 32-bit memory.
 const LIMITS: Limits =
-    Limits { symbols: 64 << 20, modules: 16 << 20, segments: 1_000_000, work: 100_000_000, memory: 96 << 20 };
+    Limits { symbols: 64 << 20, modules: 16 << 20, segments: 1_000_000, work: 100_000_000, memory: 112 << 20 };
 
 /// A fresh seed.
 ///

@@ -9,6 +9,7 @@ mod body;
 mod budget;
 mod builder;
 mod bulk;
+mod contents;
 mod drawer;
 mod extent;
 mod girth;
@@ -32,6 +33,7 @@ pub use body::Body;
 pub(crate) use body::{Extent as SolidExtent, Survey as SolidSurvey};
 pub(crate) use builder::{Builder, Enclosed, reserve};
 pub use bulk::{SegmentArrays, SegmentChunk};
+pub(crate) use contents::Contents;
 pub use drawer::{Drawer, draw};
 pub(crate) use extent::Survey as PlaneSurvey;
 pub use graph::Effect;
@@ -124,23 +126,6 @@ impl Drawing {
     /// The root's extent in its own units: min x, min y, max x, max y.
     pub(crate) fn extent(&self) -> Option<[f64; 4]> {
         self.surveyed()
-    }
-}
-
-/// What blocks hold, while they are made and when they are.
-#[derive(Clone, Copy, Debug)]
-pub struct Contents<'a, S: Space> {
-    pub(crate) blocks: &'a [Block<S>],
-    pub(crate) items: &'a [Item<S>],
-    pub(crate) corners: &'a [S::Point],
-    pub(crate) vertices: &'a [S::Point],
-}
-
-impl<'a, S: Space> Contents<'a, S> {
-    /// A block's items.
-    pub(crate) fn items_of(&self, block: BlockId) -> &'a [Item<S>] {
-        let range = &self.blocks[block.0 as usize].items;
-        &self.items[range.start as usize..range.end as usize]
     }
 }
 

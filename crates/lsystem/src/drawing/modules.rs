@@ -226,6 +226,9 @@ impl Measure {
     }
 }
 
+/// Is handed what a module does, with its place; says how much work that was.
+type Act<'a, S> = &'a mut dyn FnMut(usize, &[Op<S>]) -> Option<u64>;
+
 /// Goes through the modules of a generation as the turtle reads them.
 #[derive(Clone, Debug)]
 struct Reader<S: Space> {
@@ -233,6 +236,8 @@ struct Reader<S: Space> {
     /// Where its arguments start.
     argument: usize,
     image: Image,
+    /// While an image is read: its modules and arguments read so far.
+    inside: Option<(usize, usize)>,
     /// What a letter does with its number.
     ops: Vec<Op<S>>,
     /// What a module does that is not like the others of its letter.
@@ -241,7 +246,7 @@ struct Reader<S: Space> {
 
 impl<S: Space> Default for Reader<S> {
     fn default() -> Self {
-        Self { at: 0, argument: 0, image: Image::default(), ops: vec![], own: vec![] }
+        Self { at: 0, argument: 0, image: Image::default(), inside: None, ops: vec![], own: vec![] }
     }
 }
 
@@ -253,9 +258,9 @@ impl<S: Space> Reader<S> {
         rewriter: &Rewriter,
         (turtle, score, seed): (&Turtle, &Score<S>, u32),
         meter: &mut Meter,
-        act: &mut dyn FnMut(usize, &[Op<S>]) -> Option<u64>,
+        act: Act<'_, S>,
     ) -> Result<bool, Fault> {
-        let Self { at, argument, image, ops, own } = self;
+        let Self { at, argument, image, inside, ops, own } = self;
         let (word, rules) = (rewriter.word(), rewriter.rules());
         let end = (*at + PIECE).min(word.letters.len());
         meter.charge(1);
@@ -292,18 +297,26 @@ impl<S: Space> Reader<S> {
                 };
                 meter.charge(work);
             } else {
-                let modules = rewriter.image(*at, *argument, image)?;
-                let mut arguments = modules.arguments.as_slice();
-                let key = word.key_of(*at);
-                for (index, &letter) in modules.letters.iter().enumerate() {
-                    let (own, rest) = arguments.split_at(arity(letter));
-                    arguments = rest;
+                if inside.is_none() {
+                    let made = rewriter.image(*at, *argument, image)?;
+                    // Copying takes little of what drawing does.
+                    meter.charge(made.letters.len() as u64 / 8);
+                }
+                let (modules, key) = (image.modules(), word.key_of(*at));
+                let (done, read) = inside.get_or_insert((0, 0));
+                while let Some(&letter) = modules.letters.get(*done) {
+                    if meter.spent() >= until {
+                        return Ok(false);
+                    }
+                    let own = &modules.arguments[*read..*read + arity(letter)];
                     if let Some(fate) = &mut fate {
-                        fate.key = key.child(u32::MAX, index as u64);
+                        fate.key = key.child(u32::MAX, *done as u64);
                     }
                     let Some(work) = one(*at, letter, own, fate.as_ref()) else { return Ok(false) };
                     meter.charge(1 + work);
+                    (*done, *read) = (*done + 1, *read + own.len());
                 }
+                *inside = None;
             }
             *argument = after;
             *at += 1;

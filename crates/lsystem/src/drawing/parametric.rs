@@ -6,19 +6,21 @@
 //! the vertical (`$`), that is part of its state as the turtle has it (ABOP figure 2.6 has 4,096 apices in step 12, and few
 //! ways in which the vertical lies).
 
+mod write;
+
 use super::builder::{Builder, bytes_of, reserve};
 use super::drawer::start;
-use super::graph::{effect, exponent, follow, is_balanced, place};
-use super::tree::{Tree, WORD};
+use super::graph::is_balanced;
 use super::vertical::{self, Course, Tilt, vertical_of};
-use super::{BlockId, Piece, StyleChange};
+use super::{BlockId, Piece};
 use crate::derivation::fault;
 use crate::rewriting::{Keys, Scales, applying};
-use crate::space::{Space, unit_of};
-use crate::turtle::{Op, Pen, Score};
+use crate::space::Space;
+use crate::turtle::{Op, Score};
 use crate::{Diagnostic, Fault, LetterId, Limits, Meter, Rules, Template, Turtle};
 use core::ops::Range;
 use std::collections::HashMap;
+use write::Writing;
 
 /// The most states: some hundred bytes each. More of them than this hardly ever come together.
 const STATES: usize = 1 << 16;
@@ -41,7 +43,7 @@ pub(crate) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     let decided_elsewhere = special || rules.is_random() || rules.is_cutting() || score.ops.iter().flatten().any(bends);
     !decided_elsewhere
         && rules.by_letter.iter().flatten().all(|rule| !rule.is_context_sensitive() && inside(&rule.successor))
-        && rules.images.iter().flatten().all(|image| shown(&image.successor))
+        && rules.images.iter().flatten().all(|image| image.successor.letters.len() <= IMAGE && shown(&image.successor))
         && (0..letters).all(|letter| !apart(letter) || is_balanced(ops(letter)))
         && vertical::is_known(rules, score)
 }
@@ -120,23 +122,8 @@ struct Planning<S: Space> {
     course: Course<S>,
 }
 
-/// A piece in the making.
-#[derive(Clone, Debug)]
-struct Writing<S: Space> {
-    parts: Range<u32>,
-    /// The parts done: measured while there is no tree, then drawn.
-    done: u32,
-    unit: Option<i32>,
-    symbols: u128,
-    /// What the parts do at most, in items.
-    weight: usize,
-    pen: Pen<S>,
-    saved: Vec<Pen<S>>,
-    tree: Option<Tree<S>>,
-}
-
-/// Parts whose deeds are held at a time.
-const HELD: u32 = 256;
+/// Images of more letters are not shared: one of them has more deeds than can be held.
+const IMAGE: usize = 4096;
 
 /// A state's piece, and how many symbols it is made of.
 type Made<S> = (Piece<S>, u128);
@@ -208,10 +195,7 @@ impl<S: Space> Parametric<S> {
     /// The bytes that it takes.
     pub(crate) fn bytes(&self) -> u64 {
         let planning = self.planning.as_ref().map_or(0, |planning| bytes_of(&planning.letters));
-        let writing = self
-            .writing
-            .as_ref()
-            .map_or(0, |writing| bytes_of(&writing.saved) + writing.tree.as_ref().map_or(0, Tree::bytes));
+        let writing = self.writing.as_ref().map_or(0, |writing| writing.bytes());
         // A hash map leaves an eighth of its places free.
         let met = self.met.capacity() / 7 * 8 * size_of::<(Keyed, u32)>();
         let states = self.states * size_of::<State>();
@@ -422,101 +406,6 @@ impl<S: Space> Parametric<S> {
         self.done = 0;
     }
 
-    /// Goes on with a piece until the meter is spent; the piece when it is made.
-    fn write(
-        &mut self,
-        writing: &mut Writing<S>,
-        (turtle, score): (&Turtle, &Score<S>),
-        builder: &mut Builder<S>,
-        meter: &mut Meter,
-    ) -> Result<Option<Made<S>>, Diagnostic> {
-        let end = writing.parts.end;
-        let is_held = end - writing.parts.start <= HELD;
-        let mut deeds = core::mem::take(&mut self.deeds);
-        while writing.tree.is_none() && (writing.done < end || writing.weight == 0) {
-            let chunk = writing.done..end.min(writing.done + HELD);
-            self.collect((turtle, score), chunk.clone(), &mut deeds)?;
-            writing.measure(builder, score, &deeds);
-            let symbols = chunk.clone().map(|part| self.symbols_of(part)).fold(0, u128::saturating_add);
-            writing.symbols = writing.symbols.saturating_add(symbols);
-            meter.charge(4 + 2 * chunk.len() as u64 + deeds.len() as u64);
-            writing.done = chunk.end;
-            if meter.is_spent() && !is_held {
-                self.deeds = deeds;
-                return Ok(None);
-            }
-        }
-        let unit = writing.unit.unwrap_or(0);
-        let scale = libm::scalbn(1.0, score.exponent.saturating_sub(unit));
-        let mut tree = writing.tree.take().unwrap_or_else(|| {
-            writing.done = writing.parts.start;
-            Tree::of_word(unit, writing.weight > WORD)
-        });
-        while writing.done < end {
-            let chunk = writing.done..end.min(writing.done + HELD);
-            if !is_held {
-                self.collect((turtle, score), chunk.clone(), &mut deeds)?;
-            }
-            for deed in &deeds {
-                writing.draw(builder, deed, (&mut tree, unit, scale));
-            }
-            meter.charge(2 * deeds.len() as u64 + builder.take_work());
-            writing.done = chunk.end;
-            if meter.is_spent() || builder.is_full {
-                break;
-            }
-        }
-        self.deeds = deeds;
-        while writing.done == end && !builder.is_full {
-            let finished = tree.finish_one(builder);
-            meter.charge(1 + builder.take_work());
-            if let Some(block) = finished {
-                let piece = Piece { block, effect: effect(&writing.pen, unit) };
-                return Ok(Some((piece, writing.symbols)));
-            }
-            if meter.is_spent() {
-                break;
-            }
-        }
-        writing.tree = Some(tree);
-        Ok(None)
-    }
-
-    /// Puts what some parts do in the place of `deeds`.
-    fn collect(
-        &self,
-        with: (&Turtle, &Score<S>),
-        parts: Range<u32>,
-        deeds: &mut Vec<Deed<S>>,
-    ) -> Result<(), Diagnostic> {
-        deeds.clear();
-        for part in &self.parts[parts.start as usize..parts.end as usize] {
-            match *part {
-                Part::Module(letter, argument) => {
-                    let acted = self.act(with, letter, argument as usize, deeds);
-                    // Images count as a step of their own.
-                    acted.map_err(|error| fault(&self.rules, error, self.n, &Limits::default(), None))?;
-                }
-                Part::State(state, scale) => {
-                    deeds.extend(self.below(state).map(|(piece, _)| Deed::Piece(*piece, scale)));
-                }
-            }
-        }
-        Ok(())
-    }
-
-    fn below(&self, state: u32) -> Option<&Made<S>> {
-        self.pieces.as_ref().and_then(|[below, _]| below.get(state as usize))
-    }
-
-    /// How many symbols a part is made of.
-    fn symbols_of(&self, part: u32) -> u128 {
-        match self.parts[part as usize] {
-            Part::Module(..) => 1,
-            Part::State(state, _) => self.below(state).map_or(0, |(_, symbols)| *symbols),
-        }
-    }
-
     /// Appends what a module, or its image, does.
     fn act(
         &self,
@@ -546,48 +435,5 @@ impl<S: Space> Parametric<S> {
             }
         }
         Ok(())
-    }
-}
-
-impl<S: Space> Writing<S> {
-    /// Of these parts; the turtle enters with this heading, in a frame with that vertical.
-    fn new((parts, (heading, vertical)): (Range<u32>, (S::Turn, S::Point))) -> Self {
-        Self {
-            done: parts.start,
-            parts,
-            unit: None,
-            symbols: 0,
-            weight: 0,
-            pen: Pen { vertical, ..Pen::new(heading, StyleChange::NONE) },
-            saved: vec![],
-            tree: None,
-        }
-    }
-
-    /// Looks how far some deeds go.
-    fn measure(&mut self, builder: &Builder<S>, score: &Score<S>, deeds: &[Deed<S>]) {
-        let unit = |deed: &Deed<S>| match deed {
-            Deed::Op(Op::Draw(length) | Op::Move(length)) if *length != 0.0 => {
-                Some(score.exponent.saturating_add(unit_of(*length)))
-            }
-            Deed::Op(_) => None,
-            Deed::Piece(piece, scale) => exponent(builder, piece).map(|own| own.saturating_add(unit_of(*scale))),
-        };
-        self.unit = self.unit.max(deeds.iter().filter_map(unit).max());
-        self.weight += 1 + deeds.len();
-    }
-
-    fn draw(&mut self, builder: &mut Builder<S>, deed: &Deed<S>, (tree, unit, scale): (&mut Tree<S>, i32, f64)) {
-        let Self { pen, saved, .. } = self;
-        match deed {
-            Deed::Op(op) => tree.draw(builder, 0, |desk, directions| pen.act(&[*op], saved, scale, directions, desk)),
-            Deed::Piece(piece, scale) => {
-                if let Some(block) = piece.block {
-                    let placed = place(builder, block, pen, unit, *scale);
-                    tree.place(builder, placed);
-                }
-                follow(builder, pen, &piece.effect, unit, *scale);
-            }
-        }
     }
 }
