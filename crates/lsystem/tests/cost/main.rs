@@ -2,4 +2,6 @@
 //!
 //! `cargo test -p lsystem --test cost -- --nocapture` prints the largest step of each entry point.
 
+mod drawing;
+mod files;
 mod systems;
