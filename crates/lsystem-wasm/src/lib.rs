@@ -53,7 +53,7 @@ use wasm_bindgen::prelude::*;
 /// ([`lsystem::MAX_COUNTING`]) and a picture in the making 64. The rest is for the texts, the compiled system and the
 /// drawing that is shown.
 const LIMITS: Limits =
-    Limits { symbols: 64 << 20, modules: 16 << 20, segments: 1_000_000, work: 100_000_000, memory: 96 << 20 };
+    Limits { symbols: 64 << 20, modules: 16 << 20, segments: 1_000_000, work: 100_000_000, memory: 112 << 20 };
 
 /// The same for a derivation that is remembered; a string that is read by counts takes 16 megabytes at most.
 #[cfg(feature = "full")]

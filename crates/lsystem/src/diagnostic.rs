@@ -507,7 +507,7 @@ impl Quantity {
             Self::WidthFactor | Self::LengthFactor => Expected::Between(0.0, 10.0),
             Self::AngleVariation | Self::LengthVariation => Expected::Between(0.0, 100.0),
             Self::Growth => Expected::Between(0.0, 1.0),
-            Self::TurnColour => Expected::Whole(0, i32::MAX as i64),
+            Self::TurnColour => Expected::Whole(i32::MIN as i64, i32::MAX as i64),
             Self::Width => Expected::Between(0.0, 1e9),
             Self::MinWidth => Expected::Between(0.0, 1e4),
             Self::Exposure => Expected::Between(-10.0, 10.0),

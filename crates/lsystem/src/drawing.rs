@@ -9,6 +9,7 @@ mod body;
 mod budget;
 mod builder;
 mod bulk;
+mod contents;
 mod drawer;
 mod extent;
 mod girth;
@@ -29,13 +30,16 @@ mod tree;
 mod vertical;
 
 pub use body::Body;
-pub(crate) use body::Extent as SolidExtent;
-pub(crate) use builder::{Builder, Enclosed};
+pub(crate) use body::{Extent as SolidExtent, Survey as SolidSurvey};
+pub(crate) use builder::{Builder, Enclosed, reserve};
 pub use bulk::{SegmentArrays, SegmentChunk};
+pub(crate) use contents::Contents;
 pub use drawer::{Drawer, draw};
+pub(crate) use extent::Survey as PlaneSurvey;
 pub use graph::Effect;
 pub(crate) use hull::hull;
 pub use marks::Mark;
+pub(crate) use marks::MarkReader;
 pub use projection::Outlook;
 pub(crate) use segments::Frame;
 pub use segments::Segments;
@@ -44,7 +48,7 @@ pub use solid::draw_solid;
 
 use crate::derivation::limit;
 use crate::turtle::finite;
-use crate::{Diagnostic, LimitName, Plane, Space, SymbolId};
+use crate::{Diagnostic, LimitName, Meter, Plane, Space, SymbolId};
 use core::ops::Range;
 use std::sync::OnceLock;
 
@@ -121,11 +125,41 @@ impl Drawing {
 
     /// The root's extent in its own units: min x, min y, max x, max y.
     pub(crate) fn extent(&self) -> Option<[f64; 4]> {
-        *self.extent.get_or_init(|| extent::extent(self))
+        self.surveyed()
     }
 }
 
 impl<S: Space> Drawing<S> {
+    /// The root's extent in its own units, found by whoever asks first where it was not when the drawing was made: after
+    /// a bounded effort.
+    pub(crate) fn surveyed(&self) -> Option<S::Extent> {
+        *self.extent.get_or_init(|| {
+            let mut survey = S::survey(self.root?);
+            loop {
+                if let Some(extent) = S::advance(&mut survey, self.all(), &mut Meter::new(u64::MAX)) {
+                    return Some(extent);
+                }
+            }
+        })
+    }
+
+    pub(crate) fn all(&self) -> Contents<'_, S> {
+        Contents { blocks: &self.blocks, items: &self.items, corners: &self.corners, vertices: &self.vertices }
+    }
+
+    /// The bytes that the drawing takes.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        let pieces: u64 = self.pieces.iter().map(builder::bytes_of).sum();
+        builder::bytes_of(&self.blocks)
+            + builder::bytes_of(&self.items)
+            + builder::bytes_of(&self.corners)
+            + builder::bytes_of(&self.vertices)
+            + builder::bytes_of(&self.styles)
+            + builder::bytes_of(&self.places)
+            + pieces
+    }
+
     /// How many segments there are; `u128::MAX` stands for that many or more.
     #[must_use]
     pub fn segment_count(&self) -> u128 {
@@ -146,13 +180,28 @@ impl<S: Space> Drawing<S> {
         Some(frame.style.then(&self.styles[polygon.style.0 as usize]))
     }
 
-    /// Looks whether there are at most so many segments.
+    /// Looks whether there are at most so many segments and vertices of polygons.
     ///
     /// # Errors
     /// [`Kind::Limit`](crate::Kind::Limit) otherwise.
-    pub(crate) fn check_segments(&self, most: u64) -> Result<(), Diagnostic> {
-        let fits = self.segment_count() <= u128::from(most);
+    pub(crate) fn check_size(&self, most: u64) -> Result<(), Diagnostic> {
+        let fits = self.size() <= u128::from(most);
         if fits { Ok(()) } else { Err(limit(LimitName::Segments, most, None)) }
+    }
+
+    /// How many segments and vertices of polygons there are; `u128::MAX` stands for that many or more.
+    fn size(&self) -> u128 {
+        let Some(root) = self.root.filter(|_| self.polygon_count() > 0) else { return self.segment_count() };
+        let mut sizes: Vec<u128> = Vec::with_capacity(self.blocks.len());
+        for block in &self.blocks {
+            let own = self.contents(block).iter().map(|item| match item {
+                Item::Stroke(_) => 1,
+                Item::Polygon(polygon) => u128::from(polygon.count),
+                Item::Block(placed) => sizes[placed.block.0 as usize],
+            });
+            sizes.push(own.fold(0, u128::saturating_add));
+        }
+        sizes[root.0 as usize]
     }
 
     /// How many blocks the graph has.

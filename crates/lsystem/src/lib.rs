@@ -91,8 +91,8 @@ pub use drawing::{
 };
 pub use expr::{Expr, Function, Operator, SIGN};
 pub use format::{
-    FileContent, Svg, SvgForm, SvgOptions, read_file, read_json, tag_png, write_csv, write_glb, write_json, write_obj,
-    write_svg,
+    CsvWriter, FileContent, Svg, SvgForm, SvgOptions, SvgWriter, read_file, read_json, tag_png, write_csv, write_glb,
+    write_json, write_obj, write_svg,
 };
 pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
 pub use heading::Heading;

@@ -33,9 +33,9 @@ impl Mesh {
     /// length give nothing, and coordinates beyond the range of `f32` are the farthest there.
     ///
     /// # Errors
-    /// [`Kind::Limit`](crate::Kind::Limit) where there are more than `most` segments.
+    /// [`Kind::Limit`](crate::Kind::Limit) where there are more than `most` segments and vertices of polygons.
     pub fn new(drawing: &Drawing<Solid>, style: &Style, most: u64) -> Result<Self, Diagnostic> {
-        drawing.check_segments(most)?;
+        drawing.check_size(most)?;
         let extent = drawing.bounds().map_or(0.0, |[low, high]| (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max));
         let sides = match drawing.segment_count() {
             0..=20_000 => 8,

@@ -1,9 +1,8 @@
 //! The plane: headings are integers, hulls are polygons.
 
-use crate::drawing::{Builder, Enclosed, Item, hull};
-use crate::space::{Axis, Space, times};
-use crate::turtle::exponent_of;
-use crate::{Heading, Tropism};
+use crate::drawing::{BlockId, Builder, Contents, Enclosed, Item, PlaneSurvey as Survey, hull};
+use crate::space::{Axis, Space, times, unit_of};
+use crate::{Heading, Meter, Tropism};
 use core::ops::Range;
 
 /// Drawings in the plane, x to the right and y up.
@@ -22,12 +21,12 @@ impl Space for Plane {
     type Hull = Range<u32>;
     /// Min x, min y, max x, max y.
     type Extent = [f64; 4];
+    type Survey = Survey;
 
     const AHEAD: Heading = Heading::EAST;
     const AXES: (f64, f64) = (1.0, 0.0);
     const UPWARDS: [f64; 2] = [0.0, 1.0];
     const LEVEL: bool = true;
-    const ITEM: u64 = 16;
 
     fn directions() -> Directions {
         Directions::default()
@@ -78,7 +77,7 @@ impl Space for Plane {
     fn enclose(builder: &mut Builder, items: &[Item]) -> Enclosed<Self> {
         let Builder { blocks, corners, vertices, directions, points, .. } = builder;
         points.clear();
-        let mut slack = 0.0_f64;
+        let (mut slack, mut work, mut boxed) = (0.0_f64, 0, 0.0_f64);
         for item in items {
             match item {
                 Item::Stroke(stroke) => {
@@ -87,6 +86,12 @@ impl Space for Plane {
                         points.push(stroke.from);
                     }
                     points.push(stroke.to);
+                }
+                Item::Polygon(polygon) if polygon.count > LONG => {
+                    let [low, high] = around(&vertices[polygon.range()]);
+                    points.extend([low, [high[0], low[1]], high, [low[0], high[1]]]);
+                    boxed = boxed.max(high[0] - low[0]).max(high[1] - low[1]);
+                    work += u64::from(polygon.count) / 8;
                 }
                 Item::Polygon(polygon) => points.extend(&vertices[polygon.range()]),
                 Item::Block(placed) => {
@@ -99,14 +104,34 @@ impl Space for Plane {
             }
         }
         let reach = points.iter().flatten().fold(0.0_f64, |reach, c| reach.max(c.abs()));
-        let shift = exponent_of(reach);
+        let shift = unit_of(reach);
         let unit = libm::scalbn(1.0, -shift);
         points.iter_mut().for_each(|point| *point = times(*point, unit));
-        let slack = slack * unit + hull(points);
+        let (outside, hulled) = hull(points);
+        // Nothing in a box is farther from its sides than the longer one is long.
+        let slack = slack.max(boxed) * unit + outside;
         let first = corners.len() as u32;
         corners.extend(&*points);
-        Enclosed { hull: first..corners.len() as u32, slack, shift }
+        Enclosed { hull: first..corners.len() as u32, slack, shift, work: work + hulled }
     }
+
+    fn survey(root: BlockId) -> Survey {
+        Survey::new(root)
+    }
+
+    fn advance(survey: &mut Survey, contents: Contents<'_, Self>, meter: &mut Meter) -> Option<[f64; 4]> {
+        survey.step(contents, meter)
+    }
+}
+
+/// Polygons of more vertices than this count for their boxes, where hulls are made: their own hulls would take too long.
+const LONG: u32 = 1 << 14;
+
+/// The least and the greatest coordinates.
+fn around(points: &[[f64; 2]]) -> [[f64; 2]; 2] {
+    points.iter().fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], p| {
+        [[low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])]]
+    })
 }
 
 /// Cosines and sines of the headings met last: a turtle has few, and meets them again at once.

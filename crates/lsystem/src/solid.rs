@@ -1,9 +1,9 @@
 //! Space of three dimensions: frames are rotation matrices, hulls are boxes and balls.
 
-use crate::drawing::{Body, Builder, Enclosed, Item, SolidExtent};
+use crate::drawing::{BlockId, Body, Builder, Contents, Enclosed, Item, SolidExtent, SolidSurvey as Survey};
 use crate::rotation::{Rotation, Vector, combine};
 use crate::space::{Axis, Space};
-use crate::{Heading, Tropism};
+use crate::{Heading, Meter, Tropism};
 
 /// Drawings in space: x to the right, y up, z towards the viewer. A turtle with the usual heading of 90 degrees starts
 /// with its heading up, its left along -x and its own up towards the viewer.
@@ -18,13 +18,12 @@ impl Space for Solid {
     type Directions = ();
     type Hull = Body;
     type Extent = SolidExtent;
+    type Survey = Survey;
 
     const AHEAD: Rotation = Rotation::NONE;
     const AXES: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     const UPWARDS: Vector = [0.0, 1.0, 0.0];
-    // Bodies take ten times as long as hulls of polygons.
     const LEVEL: bool = false;
-    const ITEM: u64 = 160;
 
     fn directions() {}
 
@@ -70,6 +69,14 @@ impl Space for Solid {
     }
 
     fn enclose(builder: &mut Builder<Self>, items: &[Item<Self>]) -> Enclosed<Self> {
-        Body::enclose((&builder.blocks, &builder.items, &builder.vertices), items)
+        Body::enclose(builder.contents(), items)
+    }
+
+    fn survey(root: BlockId) -> Survey {
+        Survey::new(root)
+    }
+
+    fn advance(survey: &mut Survey, contents: Contents<'_, Self>, meter: &mut Meter) -> Option<SolidExtent> {
+        survey.step(contents, meter)
     }
 }

@@ -1,7 +1,8 @@
 //! The spaces that a turtle moves in: one drawing, one builder and one reader serve all of them.
 
-use crate::drawing::{Builder, Enclosed, Item};
-use crate::{Heading, Tropism};
+use crate::drawing::{BlockId, Builder, Contents, Enclosed, Item};
+use crate::turtle::exponent_of;
+use crate::{Heading, Meter, Tropism};
 use core::fmt::Debug;
 
 /// What a drawing needs to know of its space. In every space a block's frame is the turtle's at its entry: at the
@@ -19,6 +20,8 @@ pub trait Space: Copy + Debug + PartialEq + 'static {
     type Hull: Clone + Debug;
     /// The smallest box around a drawing.
     type Extent: Copy + Debug;
+    /// Looks for that box.
+    type Survey: Clone + Debug;
 
     /// Straight ahead.
     const AHEAD: Self::Turn;
@@ -28,8 +31,6 @@ pub trait Space: Copy + Debug + PartialEq + 'static {
     const UPWARDS: Self::Point;
     /// Whether the turtle's left is always level, so that to roll upright is nothing.
     const LEVEL: bool;
-    /// What making one item of a block costs, in letters derived.
-    const ITEM: u64;
 
     /// A memory of directions with nothing in it.
     fn directions() -> Self::Directions;
@@ -67,6 +68,13 @@ pub trait Space: Copy + Debug + PartialEq + 'static {
 
     /// What contains all `items`, which may place blocks that the builder has made.
     fn enclose(builder: &mut Builder<Self>, items: &[Item<Self>]) -> Enclosed<Self>;
+
+    /// Ready to look for the extent of a block in its own units.
+    fn survey(root: BlockId) -> Self::Survey;
+
+    /// Looks on until the meter is spent; the extent when it is found, after a bounded number of calls. It does not
+    /// depend on how much each of them may do.
+    fn advance(survey: &mut Self::Survey, contents: Contents<'_, Self>, meter: &mut Meter) -> Option<Self::Extent>;
 }
 
 /// One of the turtle's own axes.
@@ -79,6 +87,15 @@ pub enum Axis {
     /// Upwards: a positive turn about it turns the heading to the left.
     Up,
 }
+
+/// The exponent of the unit in which something that reaches this far is at least 0.5 and less than 1 long. What is
+/// next to nothing stays so: the factor that makes it as long would be beyond `f64`.
+pub(crate) fn unit_of(reach: f64) -> i32 {
+    exponent_of(reach).max(SMALLEST)
+}
+
+/// `2^-SMALLEST` is well within `f64`.
+const SMALLEST: i32 = -1000;
 
 /// Every coordinate times `factor`.
 pub(crate) fn times<P: AsMut<[f64]>>(mut point: P, factor: f64) -> P {

@@ -5,6 +5,10 @@ use crate::rotation::{Vector, cross, dot, minus, norm};
 /// Outlines of more vertices are cut as if they were convex: cutting ears takes the square of their number.
 const MOST: usize = 1_000;
 
+/// Vertices looked at while the ears of a polygon are cut: enough for most outlines. What is left then is cut as if it were
+/// convex.
+const LOOKS: usize = 1 << 21;
+
 /// The direction in which a polygon faces, seen from where it goes counter-clockwise (Newell's method), and triangles
 /// of its vertices that go the same way round; `None` where it has no area. Exact for outlines in a plane that do not
 /// cross themselves.
@@ -15,12 +19,14 @@ pub(crate) fn triangulate(vertices: &[Vector]) -> Option<(Vector, Vec<[usize; 3]
     };
     let mut left: Vec<usize> = (0..vertices.len()).collect();
     let mut triangles = Vec::with_capacity(vertices.len());
-    while left.len() > 3 && vertices.len() <= MOST {
+    let looks = core::cell::Cell::new(0);
+    while left.len() > 3 && vertices.len() <= MOST && looks.get() < LOOKS {
         let count = left.len();
         let corner = |at: usize| [left[(at + count - 1) % count], left[at], left[(at + 1) % count]];
         let is_ear = |&at: &usize| {
             let [a, b, c] = corner(at);
             let inside = |&p: &usize| {
+                looks.set(looks.get() + 1);
                 ![a, b, c].contains(&p) && turn(a, b, p) > 0.0 && turn(b, c, p) > 0.0 && turn(c, a, p) > 0.0
             };
             turn(a, b, c) > 0.0 && !left.iter().any(inside)

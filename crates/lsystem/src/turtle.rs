@@ -1,6 +1,6 @@
 //! The turtle: what each letter of a program does, and from where it starts.
 
-use crate::drawing::{StyleChange, WidthChange};
+use crate::drawing::{StyleChange, WidthChange, reserve};
 use crate::key::Purpose;
 use crate::space::{Axis, Space};
 use crate::{Action, ColourChange, Heading, Key, Plane, SymbolId};
@@ -431,6 +431,7 @@ impl<S: Space> Pen<S> {
                 Op::Upright => self.heading = S::upright(self.heading, &self.vertical),
                 Op::Bend(tropism) => self.heading = S::bent(self.heading, &tropism),
                 Op::Push(Deeper { width, length }) => {
+                    reserve(saved, 1);
                     saved.push(*self);
                     self.style.level = self.style.level.saturating_add(1);
                     self.style.width = self.style.width.then(WidthChange { factor: width, offset: 0.0 });

@@ -87,7 +87,7 @@ impl Walk {
         &self,
         program: &Program,
         symbol: SymbolId,
-        heir: impl Fn(SymbolId, &[SymbolId]) -> Option<usize>,
+        mut heir: impl FnMut(SymbolId, &[SymbolId]) -> Option<usize>,
     ) -> Fate {
         let generation = self.open.len().saturating_sub(1) as u32;
         let Some(word) = self.open.last() else { return Fate { key: Key::root(0), since: 0, grows: false } };

@@ -3,11 +3,11 @@
 //! A body is made tight by looking into the blocks that it contains, best first, until it is as exact as wanted; so
 //! slack does not add up from block to block, as it would where bodies were made from bodies alone.
 
-use super::girth::{Girth, girth};
-use super::{Block, BlockId, Drawing, Enclosed, Item, Placed};
-use crate::Solid;
+use super::girth::{self, Girth, Outwards};
+use super::{Block, BlockId, Contents, Enclosed, Item, Placed};
 use crate::rotation::{Vector, dot, norm};
-use crate::turtle::exponent_of;
+use crate::space::unit_of;
+use crate::{Meter, Solid};
 use core::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -29,6 +29,8 @@ const TOLERANCE: f64 = 0.01;
 const SPECK: f64 = 1e-30;
 /// Blocks looked into at most for one side of a box or for a ball.
 const EFFORT: usize = 48;
+/// Units of work spent at most on looking into them.
+const WORK: u64 = 1 << 13;
 
 impl Body {
     /// The centre of the box and the ball.
@@ -44,11 +46,9 @@ impl Body {
     }
 
     /// What contains `items`, in their units, and how far it may be too large.
-    pub(crate) fn enclose(
-        (blocks, all, vertices): (&[Block<Solid>], &[Item<Solid>], &[Vector]),
-        items: &[Item<Solid>],
-    ) -> Enclosed<Solid> {
-        let contents = Contents { blocks, items: all, vertices };
+    pub(crate) fn enclose(contents: Contents<'_, Solid>, items: &[Item<Solid>]) -> Enclosed<Solid> {
+        let vertices = contents.vertices;
+        let mut work = 0;
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         let mut hold = |point: &Vector| {
             for i in 0..3 {
@@ -66,13 +66,15 @@ impl Body {
         let mut slack = 0.0_f64;
         // Where there are no blocks, that was the box.
         if items.iter().any(|item| matches!(item, Item::Block(_))) {
-            let (size, _) = contents.farthest(items, Away { from: [0.0; 3], scale: 1.0 }, f64::INFINITY, 0);
+            let probe = Away { from: [0.0; 3], scale: 1.0 };
+            let (size, _) = Hunt::new((contents, items), probe, f64::INFINITY, (0, 0)).finish(contents, &mut work);
             for i in 0..3 {
                 for (side, sign) in [(&mut low[i], -1.0), (&mut high[i], 1.0)] {
                     let mut direction = [0.0; 3];
                     direction[i] = sign;
                     let probe = Along { base: 0.0, direction, scale: 1.0 };
-                    let (most, gap) = contents.farthest(items, probe, TOLERANCE * size, EFFORT);
+                    let hunt = Hunt::new((contents, items), probe, TOLERANCE * size, (EFFORT, WORK));
+                    let (most, gap) = hunt.finish(contents, &mut work);
                     *side = sign * most;
                     slack = slack.max(gap);
                 }
@@ -81,13 +83,14 @@ impl Body {
         let reach = low.iter().chain(&high).fold(0.0_f64, |reach, c| reach.max(c.abs()));
         let centre = [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]));
         let probe = Away { from: centre, scale: 1.0 };
-        let (radius, gap) = contents.farthest(items, probe, TOLERANCE * reach, EFFORT);
+        let hunt = Hunt::new((contents, items), probe, TOLERANCE * reach, (EFFORT, WORK));
+        let (radius, gap) = hunt.finish(contents, &mut work);
         // The ball need not be larger than the box.
         let radius = radius.min(norm(Self { low, high, radius }.half()));
-        let shift = exponent_of(reach);
+        let shift = unit_of(reach);
         let unit = libm::scalbn(1.0, -shift);
         let hull = Self { low: low.map(|c| c * unit), high: high.map(|c| c * unit), radius: radius * unit };
-        Enclosed { hull, slack: slack.max(gap) * unit, shift }
+        Enclosed { hull, slack: slack.max(gap) * unit, shift, work }
     }
 }
 
@@ -99,21 +102,50 @@ pub struct Extent {
     pub(crate) girth: Option<Girth>,
 }
 
-/// The smallest box around what a block draws as exactly as some effort can tell, and the drawing's girth.
-pub(super) fn extent(drawing: &Drawing<Solid>, root: BlockId) -> Extent {
-    const EXACT: f64 = 1e-11;
-    const PATIENCE: usize = 3_000;
-    let Drawing { blocks, items, vertices, .. } = drawing;
-    let contents = Contents { blocks, items, vertices };
-    let items = drawing.items_of(root);
-    let sides = [-1.0, 1.0].map(|sign| {
-        [0, 1, 2].map(|i| {
-            let mut direction = [0.0; 3];
-            direction[i] = sign;
-            sign * contents.farthest(items, Along { base: 0.0, direction, scale: 1.0 }, EXACT, PATIENCE).0
-        })
-    });
-    Extent { sides, girth: girth(drawing) }
+/// A search for the smallest box around what a block draws, as exactly as some effort can tell, and for its girth.
+#[derive(Clone, Debug)]
+pub struct Survey {
+    root: BlockId,
+    /// The sides found so far: the least coordinates, then the greatest.
+    sides: Vec<f64>,
+    side: Option<Hunt<Along>>,
+    /// As in [`girth`](super::girth).
+    reach: Vec<f64>,
+    ring: Option<Hunt<Outwards>>,
+}
+
+impl Survey {
+    pub(crate) fn new(root: BlockId) -> Self {
+        Self { root, sides: vec![], side: None, reach: vec![], ring: None }
+    }
+
+    /// Looks on until the meter is spent; the extent when all is known.
+    pub(crate) fn step(&mut self, contents: Contents<'_, Solid>, meter: &mut Meter) -> Option<Extent> {
+        const EXACT: f64 = 1e-11;
+        const PATIENCE: (usize, u64) = (3_000, 1 << 18);
+        let items = contents.items_of(self.root);
+        while self.sides.len() < 6 {
+            let (i, sign) = (self.sides.len() % 3, if self.sides.len() < 3 { -1.0 } else { 1.0 });
+            let hunt = self.side.get_or_insert_with(|| {
+                let mut direction = [0.0; 3];
+                direction[i] = sign;
+                Hunt::new((contents, items), Along { base: 0.0, direction, scale: 1.0 }, EXACT, PATIENCE)
+            });
+            let (most, _) = hunt.step(contents, meter)?;
+            self.sides.push(sign * most);
+            self.side = None;
+        }
+        let from = contents.blocks[self.root.0 as usize].hull.centre();
+        while let Some(probe) = Outwards::new(from, self.reach.len()) {
+            let effort = (girth::EFFORT, 1 << 18);
+            let hunt = self.ring.get_or_insert_with(|| Hunt::new((contents, items), probe, girth::EXACT, effort));
+            let (most, _) = hunt.step(contents, meter)?;
+            self.reach.push(most);
+            self.ring = None;
+        }
+        let side = |i: usize| self.sides[i];
+        Some(Extent { sides: [[0, 1, 2].map(side), [3, 4, 5].map(side)], girth: girth::girth(&self.reach) })
+    }
 }
 
 /// A quantity that points have, and what is known of it where only a body is known.
@@ -129,7 +161,7 @@ pub(super) trait Probe: Copy {
 }
 
 /// How far a point lies in a direction.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Along {
     base: f64,
     direction: Vector,
@@ -166,7 +198,7 @@ impl Probe for Along {
 }
 
 /// How far a point is from another.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Away {
     from: Vector,
     scale: f64,
@@ -193,14 +225,8 @@ impl Probe for Away {
     }
 }
 
-/// What a search looks into.
-pub(super) struct Contents<'a> {
-    pub(super) blocks: &'a [Block<Solid>],
-    pub(super) items: &'a [Item<Solid>],
-    pub(super) vertices: &'a [Vector],
-}
-
 /// A block that may have the most; the one that may have more comes first.
+#[derive(Clone, Debug)]
 struct Open<P> {
     most: f64,
     block: BlockId,
@@ -227,41 +253,74 @@ impl<P> PartialEq for Open<P> {
 
 impl<P> Eq for Open<P> {}
 
-impl Contents<'_> {
-    /// The most that `items` have of a quantity, and how much less it may be: at most `tolerance`, unless `effort`
-    /// blocks are too few to tell.
-    pub(super) fn farthest<P: Probe>(
-        &self,
-        items: &[Item<Solid>],
+/// A search for the most that some items have of a quantity.
+#[derive(Clone, Debug)]
+pub(super) struct Hunt<P> {
+    open: BinaryHeap<Open<P>>,
+    /// That some have at least.
+    least: f64,
+    tolerance: f64,
+    /// Blocks to look into, and units of work to spend on them, at most.
+    effort: (usize, u64),
+    /// Units of work that are not yet told.
+    work: u64,
+}
+
+impl<P: Probe> Hunt<P> {
+    pub(super) fn new(
+        (contents, items): (Contents<'_, Solid>, &[Item<Solid>]),
         probe: P,
         tolerance: f64,
-        effort: usize,
-    ) -> (f64, f64) {
-        let (mut open, mut least) = (BinaryHeap::new(), f64::NEG_INFINITY);
-        self.look(items, probe, &mut open, &mut least);
-        for _ in 0..effort {
-            if open.peek().is_none_or(|top| top.most <= least + tolerance) {
-                break;
-            }
-            let Some(Open { block, probe, .. }) = open.pop() else { break };
-            let range = &self.blocks[block.0 as usize].items;
-            self.look(&self.items[range.start as usize..range.end as usize], probe, &mut open, &mut least);
-        }
-        let most = open.peek().map_or(least, |top| top.most.max(least));
-        (most, most - least)
+        effort: (usize, u64),
+    ) -> Self {
+        let mut hunt = Self { open: BinaryHeap::new(), least: f64::NEG_INFINITY, tolerance, effort, work: 0 };
+        hunt.look(contents, items, probe);
+        hunt
     }
 
-    fn look<P: Probe>(&self, items: &[Item<Solid>], probe: P, open: &mut BinaryHeap<Open<P>>, least: &mut f64) {
+    /// Looks on until the meter is spent. In the end: the most, and how much less it may be: at most the tolerance, unless
+    /// the effort is too little to tell.
+    fn step(&mut self, contents: Contents<'_, Solid>, meter: &mut Meter) -> Option<(f64, f64)> {
+        loop {
+            meter.charge(core::mem::take(&mut self.work));
+            let is_known = self.open.peek().is_none_or(|top| top.most <= self.least + self.tolerance);
+            if is_known || self.effort.0 == 0 || self.effort.1 == 0 {
+                let most = self.open.peek().map_or(self.least, |top| top.most.max(self.least));
+                return Some((most, most - self.least));
+            }
+            if meter.is_spent() {
+                return None;
+            }
+            let Open { block, probe, .. } = self.open.pop()?;
+            self.look(contents, contents.items_of(block), probe);
+            self.effort = (self.effort.0 - 1, self.effort.1.saturating_sub(self.work));
+        }
+    }
+
+    /// The same to the end; adds the units of work.
+    fn finish(mut self, contents: Contents<'_, Solid>, work: &mut u64) -> (f64, f64) {
+        let mut meter = Meter::new(u64::MAX);
+        let found = self.step(contents, &mut meter).unwrap_or((f64::INFINITY, f64::INFINITY));
+        *work += meter.spent();
+        found
+    }
+
+    fn look(&mut self, contents: Contents<'_, Solid>, items: &[Item<Solid>], probe: P) {
+        let Self { open, least, work, .. } = self;
+        // Ends of strokes take little.
+        *work += 4 + items.len() as u64 / 8;
         for item in items {
             match item {
                 Item::Stroke(stroke) => *least = least.max(probe.of(stroke.from)).max(probe.of(stroke.to)),
                 Item::Polygon(polygon) => {
-                    let all = self.vertices[polygon.range()].iter().map(|&vertex| probe.of(vertex));
+                    let all = contents.vertices[polygon.range()].iter().map(|&vertex| probe.of(vertex));
+                    *work += u64::from(polygon.count) / 16;
                     *least = all.fold(*least, f64::max);
                 }
                 Item::Block(placed) if placed.scale < SPECK => *least = least.max(probe.of(placed.at)),
                 Item::Block(placed) => {
-                    let Block { hull, slack, .. } = &self.blocks[placed.block.0 as usize];
+                    let Block { hull, slack, .. } = &contents.blocks[placed.block.0 as usize];
+                    *work += 1;
                     let probe = probe.within(placed);
                     *least = least.max(probe.least(hull, *slack));
                     let most = probe.most(hull);

@@ -1,9 +1,13 @@
 //! Whether a drawing stays within its limits, and up to which n it would.
 
+use super::Item;
 use super::materialise::{Census, Outcome};
 use crate::space::Space;
 use crate::turtle::{Op, Score};
 use crate::{LimitName, Limits, Meter, Program, Rewrite, SymbolId};
+
+/// Letters added up between two looks at the meter.
+const READ: usize = 256;
 
 /// What a limit was passed by, and the largest n within.
 pub(crate) struct Exceeded {
@@ -16,7 +20,16 @@ pub(crate) struct Exceeded {
 pub(crate) struct Forecast {
     /// By letter: segments of what it derives, and letters derived on the way.
     sums: Vec<(u128, u128)>,
+    /// The same one generation later, as far as it is known.
+    next: Vec<(u128, u128)>,
+    /// Of the axiom, and whether that has been looked at.
+    axiom: Option<(u128, u128)>,
+    is_looked_at: bool,
+    /// The letters of a word that are added up, and their sums.
+    part: (usize, (u128, u128)),
     generation: u32,
+    /// Of a segment in memory.
+    bytes: u128,
     /// The last generation within the limits.
     largest: Option<u32>,
 }
@@ -24,22 +37,61 @@ pub(crate) struct Forecast {
 impl Forecast {
     pub(crate) fn new<S: Space>(score: &Score<S>) -> Self {
         let draws = |ops: &Vec<Op<S>>| ops.iter().filter(|op| matches!(op, Op::Draw(_))).count() as u128;
-        Self { sums: score.ops.iter().map(|ops| (draws(ops), 0)).collect(), generation: 0, largest: None }
+        let sums = score.ops.iter().map(|ops| (draws(ops), 0)).collect();
+        Self {
+            sums,
+            next: vec![],
+            axiom: None,
+            is_looked_at: false,
+            part: (0, (0, 0)),
+            generation: 0,
+            bytes: size_of::<Item<S>>() as u128,
+            largest: None,
+        }
     }
 
-    /// Looks at one generation; `Some` when it is known whether generation `n` fits.
+    /// Looks at generations until the meter is spent; `Some` when it is known whether generation `n` fits, and how many segments it
+    /// then has.
     pub(crate) fn step(
         &mut self,
         program: &Program,
         limits: &Limits,
         n: u32,
         meter: &mut Meter,
-    ) -> Option<Result<(), Exceeded>> {
-        let (segments, work) = self.of(&program.axiom, meter);
-        let over = [(segments, limits.segments, LimitName::Segments), (work, limits.work, LimitName::Work)];
+    ) -> Option<Result<usize, Exceeded>> {
+        let Some(axiom) = self.axiom else {
+            self.axiom = self.of(&program.axiom, meter);
+            return None;
+        };
+        if self.next.is_empty() && !self.is_looked_at {
+            if let Some(known) = self.look(axiom, limits, n) {
+                return Some(known);
+            }
+            self.is_looked_at = true;
+        }
+        while let Some(rewrite) = program.rewrites.get(self.next.len()) {
+            let sum = match rewrite {
+                Rewrite::Always(word) => self.of(word, meter)?,
+                Rewrite::Keep | Rewrite::Choose(_) => self.sums[self.next.len()],
+            };
+            self.next.push(sum);
+        }
+        self.sums = core::mem::take(&mut self.next);
+        (self.axiom, self.is_looked_at) = (None, false);
+        self.generation += 1;
+        None
+    }
+
+    /// Looks at a generation that has so many segments after so much work.
+    fn look(&mut self, (segments, work): (u128, u128), limits: &Limits, n: u32) -> Option<Result<usize, Exceeded>> {
+        let over = [
+            (segments, limits.segments, LimitName::Segments),
+            (work, limits.work, LimitName::Work),
+            (segments.saturating_mul(self.bytes), limits.memory, LimitName::Memory),
+        ];
         let passed = over.into_iter().find(|&(count, limit, _)| count > u128::from(limit)).map(|(.., name)| name);
         match passed {
-            None if self.generation == n => return Some(Ok(())),
+            None if self.generation == n => return Some(Ok(usize::try_from(segments).unwrap_or(usize::MAX))),
             None => self.largest = Some(self.generation),
             // Work never shrinks; segments may.
             Some(limit) if self.generation == n || work > u128::from(limits.work) => {
@@ -47,22 +99,29 @@ impl Forecast {
             }
             Some(_) => {}
         }
-        self.sums = (program.rewrites.iter().zip(&self.sums))
-            .map(|(rewrite, own)| match rewrite {
-                Rewrite::Always(word) => self.of(word, meter),
-                Rewrite::Keep | Rewrite::Choose(_) => *own,
-            })
-            .collect();
-        self.generation += 1;
         None
     }
 
-    fn of(&self, word: &[SymbolId], meter: &mut Meter) -> (u128, u128) {
-        meter.charge(1 + word.len() as u64);
-        word.iter().fold((0, 0), |sum: (u128, u128), &symbol| {
-            let (segments, work) = self.sums[usize::from(symbol)];
-            (sum.0.saturating_add(segments), sum.1.saturating_add(work).saturating_add(1))
-        })
+    /// Of what a word derives; `None` where the meter is spent before its end, which is where this goes on.
+    fn of(&mut self, word: &[SymbolId], meter: &mut Meter) -> Option<(u128, u128)> {
+        loop {
+            let (done, mut sum) = self.part;
+            let run = &word[done..word.len().min(done + READ)];
+            for &symbol in run {
+                let (segments, work) = self.sums[usize::from(symbol)];
+                sum = (sum.0.saturating_add(segments), sum.1.saturating_add(work).saturating_add(1));
+            }
+            self.part = (done + run.len(), sum);
+            // Adding takes a quarter of what handling a symbol does.
+            meter.charge(1 + run.len() as u64 / 4);
+            if self.part.0 == word.len() {
+                self.part = (0, (0, 0));
+                return Some(sum);
+            }
+            if meter.is_spent() {
+                return None;
+            }
+        }
     }
 }
 
@@ -95,7 +154,7 @@ impl Search {
         if first >= self.exceeds {
             return Some(Exceeded { limit: self.limit, largest: self.fits });
         }
-        match self.census.step(program, score, limits, meter, |_, _, _| {}) {
+        match self.census.step(program, score, limits, meter, |_, _, _| Some(0)) {
             Outcome::Paused => return None,
             Outcome::Ended(()) => self.fits = Some(self.trial),
             Outcome::Passed(limit) => (self.exceeds, self.limit) = (self.trial, limit),

@@ -1,7 +1,7 @@
 //! Blocks in the making: every block gets its exponent, hull, count and widest stroke here.
 
 use super::style::Styles;
-use super::{Block, BlockId, Item, Placed, Stroke, StyleChange, StyleId, WidthChange};
+use super::{Block, BlockId, Contents, Item, Placed, Stroke, StyleChange, StyleId, WidthChange};
 use crate::Plane;
 use crate::space::{Space, times};
 
@@ -17,6 +17,12 @@ pub struct Builder<S: Space = Plane> {
     pub(crate) directions: S::Directions,
     /// Where a hull's points are collected.
     pub(crate) points: Vec<S::Point>,
+    /// Units of work since [`Builder::take_work`] was called.
+    work: u64,
+    /// The bytes that all of this may take.
+    memory: u64,
+    /// Whether a block was left out because there was no memory for it.
+    pub(crate) is_full: bool,
 }
 
 /// What contains some items.
@@ -28,11 +34,21 @@ pub struct Enclosed<S: Space> {
     pub slack: f64,
     /// The exponent that is added to the items'.
     pub shift: i32,
+    /// The units of work that finding it has taken.
+    pub work: u64,
 }
 
 impl<S: Space> Builder<S> {
     pub(crate) fn new() -> Self {
+        Self::within(u64::MAX)
+    }
+
+    /// A builder that takes at most so many bytes.
+    pub(crate) fn within(memory: u64) -> Self {
         Self {
+            work: 0,
+            memory,
+            is_full: false,
             blocks: vec![],
             items: vec![],
             corners: vec![],
@@ -43,13 +59,64 @@ impl<S: Space> Builder<S> {
         }
     }
 
+    pub(crate) fn contents(&self) -> Contents<'_, S> {
+        Contents { blocks: &self.blocks, items: &self.items, corners: &self.corners, vertices: &self.vertices }
+    }
+
+    /// The units of work since this was called last.
+    pub(crate) fn take_work(&mut self) -> u64 {
+        core::mem::take(&mut self.work)
+    }
+
+    /// The bytes that it takes.
+    pub(crate) fn bytes(&self) -> u64 {
+        bytes_of(&self.blocks)
+            + bytes_of(&self.items)
+            + bytes_of(&self.corners)
+            + bytes_of(&self.vertices)
+            + bytes_of(&self.points)
+            + self.styles.bytes()
+    }
+
+    /// Makes room for so many strokes and the blocks of a tree of them, where there is memory for that.
+    pub(crate) fn expect(&mut self, strokes: usize) {
+        let items = strokes.saturating_add(strokes / 256);
+        if bytes_for(&self.items, items).saturating_add(self.bytes()) <= self.memory {
+            self.items.reserve_exact(items);
+        }
+    }
+
+    /// Gives back what no list needs any more.
+    pub(crate) fn shrink(&mut self) {
+        self.blocks.shrink_to_fit();
+        self.items.shrink_to_fit();
+        self.corners.shrink_to_fit();
+        self.vertices.shrink_to_fit();
+    }
+
+    /// Makes room for a block with so many items, where there is memory for it. While a list grows it is there twice.
+    fn has_room(&mut self, items: usize) -> bool {
+        let more = bytes_for(&self.blocks, 1) + bytes_for(&self.items, items) + bytes_for(&self.corners, 64);
+        self.is_full |= more > 0 && self.bytes() + more > self.memory;
+        if !self.is_full {
+            reserve(&mut self.blocks, 1);
+            reserve(&mut self.items, items);
+            reserve(&mut self.corners, 64);
+        }
+        !self.is_full
+    }
+
     /// Makes a block of `items`, whose coordinates are in units of `2^exponent` steps; `None` without items.
-    /// A block that would hold nothing but another one as it is, is that other one.
+    /// A block that would hold nothing but another one as it is, is that other one. `None`, too, where there is no memory
+    /// for it; the builder is then full.
     pub(crate) fn block(&mut self, items: &[Item<S>], exponent: i32) -> Option<BlockId> {
         match *items {
             [] => return None,
             [Item::Block(only)] if only.is_plain(self, exponent) => return Some(only.block),
             _ => {}
+        }
+        if !self.has_room(items.len()) {
+            return None;
         }
         let (mut segments, mut polygons) = (0_u128, 0_u128);
         let mut widest = WidthChange { factor: 0.0, offset: 0.0 };
@@ -68,7 +135,8 @@ impl<S: Space> Builder<S> {
                 }
             }
         }
-        let Enclosed { hull, slack, shift } = S::enclose(self, items);
+        let Enclosed { hull, slack, shift, work } = S::enclose(self, items);
+        self.work += work + 2 * (1 + items.len() as u64);
         let unit = libm::scalbn(1.0, -shift);
         let first = self.items.len() as u32;
         self.items.extend(items.iter().map(|item| item.scaled(unit)));
@@ -91,6 +159,32 @@ impl<S: Space> Builder<S> {
 
     fn width(&self, style: StyleId) -> WidthChange {
         self.styles.list[style.0 as usize].width
+    }
+}
+
+/// The bytes that a list takes.
+pub(super) fn bytes_of<T>(list: &Vec<T>) -> u64 {
+    (list.capacity() * size_of::<T>()) as u64
+}
+
+/// How many elements a list has after it has got room for `more`; `None` where it has that already. Short lists
+/// double; long ones grow by an eighth, so that little stays unused.
+fn grown<T>(list: &Vec<T>, more: usize) -> Option<usize> {
+    const SHORT: usize = 1 << 14;
+    let len = list.len();
+    let more_than_asked = if len < SHORT { len } else { len / 8 };
+    (list.capacity() - len < more).then(|| len.saturating_add(more.max(more_than_asked)))
+}
+
+/// The bytes that are taken when a list gets room for `more` elements; 0 where it has that already.
+fn bytes_for<T>(list: &Vec<T>, more: usize) -> u64 {
+    grown(list, more).map_or(0, |elements| elements.saturating_mul(size_of::<T>()) as u64)
+}
+
+/// Makes room for `more` elements.
+pub(crate) fn reserve<T>(list: &mut Vec<T>, more: usize) {
+    if let Some(elements) = grown(list, more) {
+        list.reserve_exact(elements - list.len());
     }
 }
 

@@ -1,8 +1,8 @@
 //! Drawing in resumable steps: planned and shared where blocks memoise, derived letter by letter otherwise.
 
 use super::budget::{Exceeded, Forecast, Search};
-use super::builder::Builder;
-use super::graph::{self, Level, Origin, Plan};
+use super::builder::{Builder, bytes_of};
+use super::graph::{self, Level, Origin, Plan, Word, Writing};
 use super::materialise::{Materialiser, Outcome};
 use super::modules::{self, Modular};
 use super::parametric::{self, Parametric};
@@ -44,6 +44,8 @@ pub struct Drawer<S: Space = Plane> {
     state: State<S>,
     /// The units of work of all steps.
     spent: u64,
+    /// The bytes of complete levels of pieces.
+    held: u64,
 }
 
 #[derive(Clone, Debug)]
@@ -54,6 +56,8 @@ enum State<S: Space> {
     Build {
         needed: Vec<Vec<SymbolId>>,
         pieces: Vec<Level<S>>,
+        /// The next piece.
+        writing: Option<Box<Writing<S>>>,
     },
     /// Counting whether it will fit.
     Forecast(Forecast),
@@ -65,9 +69,16 @@ enum State<S: Space> {
     Modules(Box<Modular<S>>),
     /// A limit was passed: finding the largest n that is within.
     Search(Search),
+    /// Finding the extent of what is made.
+    Survey {
+        survey: Box<S::Survey>,
+        root: BlockId,
+        pieces: Vec<Level<S>>,
+    },
     Done {
         root: Option<BlockId>,
         pieces: Vec<Level<S>>,
+        extent: Option<S::Extent>,
     },
     Failed(Diagnostic),
 }
@@ -114,11 +125,12 @@ impl<S: Space> Drawer<S> {
             seed,
             n,
             limits,
-            builder: Builder::new(),
+            builder: Builder::within(limits.memory),
             memoised: None,
             symbols: None,
             state,
             spent: 0,
+            held: 0,
         }
     }
 
@@ -132,6 +144,10 @@ impl<S: Space> Drawer<S> {
         while progress == Progress::More && !meter.is_spent() {
             if let Some(next) = self.advance(&mut meter) {
                 self.state = next;
+            }
+            if self.builder.is_full || self.bytes() > self.limits.memory {
+                self.builder = Builder::new();
+                self.state = State::Failed(limit(LimitName::Memory, self.limits.memory, None));
             }
             if matches!(self.state, State::Done { .. } | State::Failed(_)) {
                 progress = Progress::Done;
@@ -147,17 +163,31 @@ impl<S: Space> Drawer<S> {
         self.spent
     }
 
+    /// The bytes that the drawing in the making takes, as [`Limits::memory`] counts them.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        let state = match &self.state {
+            State::Build { writing, .. } => writing.as_ref().map_or(0, |writing| writing.bytes()),
+            State::Materialise(materialiser) => materialiser.bytes(),
+            State::Parametric(memo) => memo.bytes(),
+            State::Modules(modular) => modular.bytes(),
+            _ => 0,
+        };
+        self.builder.bytes() + self.held + state
+    }
+
     /// Does all that is left, and returns the drawing.
     ///
     /// # Errors
     /// As [`draw`].
     pub fn finish(mut self) -> Result<Drawing<S>, Diagnostic> {
         while self.step(1 << 20) == Progress::More {}
-        let (root, pieces) = match self.state {
+        let (root, pieces, extent) = match self.state {
             State::Failed(diagnostic) => return Err(diagnostic),
-            State::Done { root, pieces } => (root, pieces),
-            _ => (None, vec![]),
+            State::Done { root, pieces, extent } => (root, pieces, extent),
+            _ => (None, vec![], None),
         };
+        self.builder.shrink();
         Ok(Drawing {
             blocks: self.builder.blocks,
             items: self.builder.items,
@@ -172,7 +202,7 @@ impl<S: Space> Drawer<S> {
             memoised: self.memoises,
             places: vec![],
             symbols: self.symbols,
-            extent: OnceLock::new(),
+            extent: extent.map_or_else(OnceLock::new, |extent| OnceLock::from(Some(extent))),
         })
     }
 
@@ -180,10 +210,13 @@ impl<S: Space> Drawer<S> {
     // Once is enough in the wasm.
     #[inline(never)]
     fn advance(&mut self, meter: &mut Meter) -> Option<State<S>> {
-        let Self { program, turtle, score, memoises, seed, n, limits, builder, memoised, symbols, .. } = self;
+        let Self { program, turtle, score, memoises, seed, n, limits, builder, memoised, symbols, held, .. } = self;
         match &mut self.state {
             State::Plan(plan) => {
-                let depths = plan.depths();
+                let Some(depths) = plan.depths() else {
+                    plan.step(program, meter);
+                    return None;
+                };
                 if plan.cost > limits.segments {
                     let largest = depths.checked_sub(1);
                     return Some(State::Failed(limit(LimitName::Segments, limits.segments, largest)));
@@ -192,21 +225,27 @@ impl<S: Space> Drawer<S> {
                     plan.step(program, meter);
                     return None;
                 }
-                Some(State::Build { needed: plan.levels(), pieces: vec![] })
+                Some(State::Build { needed: plan.levels(), pieces: vec![], writing: None })
             }
-            State::Build { needed, pieces } => {
+            State::Build { needed, pieces, writing } => {
                 let depth = pieces.len().saturating_sub(1);
                 let done = pieces.last().map_or(0, Vec::len);
+                let mut write = |word: Word<'_, S>| {
+                    let piece =
+                        writing.get_or_insert_with(|| Box::new(Writing::new(&word))).step(builder, &word, meter)?;
+                    *writing = None;
+                    meter.charge(8);
+                    Some(piece)
+                };
                 match needed.get(depth).and_then(|letters| letters.get(done)) {
                     Some(&symbol) => {
-                        let word: &[SymbolId] = match &program.rewrites[usize::from(symbol)] {
+                        let letters: &[SymbolId] = match &program.rewrites[usize::from(symbol)] {
                             Rewrite::Always(word) => word,
                             Rewrite::Keep | Rewrite::Choose(_) => &[],
                         };
                         let below = depth.checked_sub(1).map(|below| &pieces[below]);
                         let origin = Origin { former: Some(symbol), step: n.saturating_sub(depth as u32) };
-                        let piece = graph::piece(builder, score, below, word, origin, S::AHEAD);
-                        meter.charge(S::ITEM * (1 + word.len() as u64));
+                        let piece = write(Word { score, below, letters, origin, heading: S::AHEAD })?;
                         if pieces.is_empty() {
                             pieces.push(vec![]);
                         }
@@ -214,31 +253,34 @@ impl<S: Space> Drawer<S> {
                         None
                     }
                     None if pieces.len() < needed.len() => {
+                        *held += pieces.last().map_or(0, bytes_of);
                         pieces.push(vec![]);
-                        meter.charge(S::ITEM);
+                        meter.charge(8);
                         None
                     }
                     None => {
-                        let axiom = &program.axiom;
-                        let origin = Origin { former: None, step: 0 };
-                        let root = graph::piece(builder, score, pieces.last(), axiom, origin, start::<S>(turtle)).block;
-                        meter.charge(S::ITEM * (1 + axiom.len() as u64));
-                        Some(State::Done { root, pieces: core::mem::take(pieces) })
+                        let (letters, origin) = (program.axiom.as_slice(), Origin { former: None, step: 0 });
+                        let heading = start::<S>(turtle);
+                        let root = write(Word { score, below: pieces.last(), letters, origin, heading })?.block;
+                        Some(made(root, core::mem::take(pieces)))
                     }
                 }
             }
             State::Forecast(forecast) => match forecast.step(program, limits, *n, meter)? {
-                Ok(()) => Some(State::Materialise(Box::new(Materialiser::new(start::<S>(turtle), score, *seed, *n)))),
+                Ok(segments) => {
+                    builder.expect(segments);
+                    Some(State::Materialise(Box::new(Materialiser::new(start::<S>(turtle), score, *seed, *n))))
+                }
                 Err(exceeded) => Some(failed(&exceeded, limits)),
             },
             State::Materialise(materialiser) => match materialiser.step(program, score, builder, limits, meter) {
                 Outcome::Paused => None,
                 Outcome::Ended(root) => {
                     *symbols = Some(materialiser.symbols());
-                    Some(State::Done { root, pieces: vec![] })
+                    Some(made(root, vec![]))
                 }
                 Outcome::Passed(name) => {
-                    *builder = Builder::new();
+                    *builder = Builder::within(limits.memory);
                     Some(State::Search(Search::new(name, *n, *seed)))
                 }
             },
@@ -246,7 +288,7 @@ impl<S: Space> Drawer<S> {
                 parametric::Outcome::Paused => None,
                 parametric::Outcome::Ended(root, count) => {
                     *symbols = u64::try_from(count).ok();
-                    Some(State::Done { root, pieces: vec![] })
+                    Some(made(root, vec![]))
                 }
                 parametric::Outcome::TooMany(largest) => {
                     (*memoises, *memoised) = (false, largest);
@@ -258,7 +300,7 @@ impl<S: Space> Drawer<S> {
                 modules::Outcome::Paused => None,
                 modules::Outcome::Ended(root) => {
                     *symbols = Some(modular.symbols());
-                    Some(State::Done { root, pieces: vec![] })
+                    Some(made(root, vec![]))
                 }
                 modules::Outcome::Failed(mut diagnostic) => {
                     if let Kind::Limit { largest, .. } = &mut diagnostic.kind {
@@ -271,8 +313,20 @@ impl<S: Space> Drawer<S> {
                 let exceeded = search.step(program, score, limits, *seed, meter)?;
                 Some(failed(&exceeded, limits))
             }
+            State::Survey { survey, root, pieces } => {
+                let extent = S::advance(survey, builder.contents(), meter)?;
+                Some(State::Done { root: Some(*root), pieces: core::mem::take(pieces), extent: Some(extent) })
+            }
             State::Done { .. } | State::Failed(_) => None,
         }
+    }
+}
+
+/// What comes when all blocks are made.
+fn made<S: Space>(root: Option<BlockId>, pieces: Vec<Level<S>>) -> State<S> {
+    match root {
+        None => State::Done { root, pieces, extent: None },
+        Some(root) => State::Survey { survey: Box::new(S::survey(root)), root, pieces },
     }
 }
 

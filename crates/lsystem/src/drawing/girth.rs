@@ -1,35 +1,24 @@
 //! How far a drawing in space reaches from its upright axis, at every height: what it needs of a picture, however it is
 //! turned about that axis.
 
-use super::body::{Body, Contents, Probe};
-use super::{Drawing, Placed};
+use super::Placed;
+use super::body::{Body, Probe};
 use crate::Solid;
 use crate::rotation::{Vector, dot, norm};
 
 /// Directions in which a drawing is measured, from straight down to straight up.
 const DIRECTIONS: usize = 9;
 /// Blocks looked into at most for one of them, and how exact it is then, in units of the root block.
-const EFFORT: usize = 400;
-const EXACT: f64 = 1e-3;
+pub(super) const EFFORT: usize = 400;
+pub(super) const EXACT: f64 = 1e-3;
 
 /// Points, as distances from the axis and heights above the middle, whose rings about the axis hold a whole drawing in
 /// their convex hull. In units of the root block.
 pub(crate) type Girth = [[f64; 2]; DIRECTIONS - 1];
 
-/// Measures a drawing about the upright axis through the middle of its root block; `None` where nothing is drawn.
-pub(super) fn girth(drawing: &Drawing<Solid>) -> Option<Girth> {
-    let root = drawing.root?;
-    let from = drawing.blocks[root.0 as usize].hull.centre();
-    let Drawing { blocks, items, vertices, .. } = drawing;
-    let contents = Contents { blocks, items, vertices };
-    let steep = |number: usize| {
-        let angle = (number as f64 / (DIRECTIONS - 1) as f64 - 0.5) * core::f64::consts::PI;
-        [libm::cos(angle).max(0.0), libm::sin(angle)]
-    };
-    let reach: [f64; DIRECTIONS] = core::array::from_fn(|number| {
-        let probe = Outwards { from, up: [0.0, 1.0, 0.0], by: steep(number), scale: 1.0 };
-        contents.farthest(drawing.items_of(root), probe, EXACT, EFFORT).0
-    });
+/// The girth of a drawing that reaches this far in each of the directions of [`Outwards::new`].
+pub(super) fn girth(reach: &[f64]) -> Option<Girth> {
+    let reach: [f64; DIRECTIONS] = reach.try_into().ok()?;
     // Where the bounds in two directions next to each other meet.
     Some(core::array::from_fn(|number| {
         let ([a, b], [c, d]) = (steep(number), steep(number + 1));
@@ -39,14 +28,27 @@ pub(super) fn girth(drawing: &Drawing<Solid>) -> Option<Girth> {
     }))
 }
 
+/// A direction by its number: of the way from the axis, and along it.
+fn steep(number: usize) -> [f64; 2] {
+    let angle = (number as f64 / (DIRECTIONS - 1) as f64 - 0.5) * core::f64::consts::PI;
+    [libm::cos(angle).max(0.0), libm::sin(angle)]
+}
+
 /// How far a point lies in a direction that leads away from an axis and along it.
-#[derive(Clone, Copy)]
-struct Outwards {
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Outwards {
     from: Vector,
     up: Vector,
     /// Of the way from the axis, and along it: a unit vector.
     by: [f64; 2],
     scale: f64,
+}
+
+impl Outwards {
+    /// In the direction with this number, about the upright axis through `from`; `None` where there is none.
+    pub(super) fn new(from: Vector, number: usize) -> Option<Self> {
+        (number < DIRECTIONS).then(|| Self { from, up: [0.0, 1.0, 0.0], by: steep(number), scale: 1.0 })
+    }
 }
 
 impl Probe for Outwards {

@@ -1,12 +1,11 @@
 //! The graph of shared blocks: what each letter draws in each number of steps, built once, from the last step back.
 
-use super::builder::Builder;
-use super::sheet::{Desk, Sheet};
-use super::{BlockId, ColourChange, Item, Piece, Placed, StyleChange};
-use crate::sorted::set;
-use crate::space::{Space, reach, times};
-use crate::turtle::{LARGEST, Op, Pen, Score, exponent_of};
-use crate::{Plane, Program, Rewrite, SymbolId};
+use super::builder::{Builder, bytes_of};
+use super::tree::{Tree, WORD};
+use super::{BlockId, ColourChange, Piece, Placed, StyleChange};
+use crate::space::{Space, reach, times, unit_of};
+use crate::turtle::{LARGEST, Op, Pen, Score};
+use crate::{Meter, Plane, Program, Rewrite, SymbolId};
 
 /// How a piece of a drawing leaves the turtle, in the frame in which it entered: at the origin heading along +x.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,34 +82,64 @@ fn is_filled_at_once<S: Space>(word: &[SymbolId], score: &Score<S>, stays: impl 
 pub(crate) struct Plan {
     /// By depth from `n` down to 1: the rewritten letters, sorted.
     levels: Vec<Vec<SymbolId>>,
-    /// The letters that the next level needs.
-    next: Vec<SymbolId>,
+    /// The letters that the next level needs; `None` while the axiom is read.
+    next: Option<Vec<SymbolId>>,
+    /// Which of them is read, and how many letters of its successor have been.
+    at: (usize, usize),
+    /// By letter: whether one that has been read makes it.
+    made: Vec<bool>,
     /// The letters of the axiom and of the successors in all levels.
     pub(crate) cost: u64,
 }
 
+/// Letters read between two looks at the meter.
+const READ: usize = 256;
+
 impl Plan {
     pub(crate) fn new(program: &Program) -> Self {
-        Self { levels: vec![], next: rewritten(program, &program.axiom), cost: program.axiom.len() as u64 }
+        let (made, cost) = (vec![false; program.rewrites.len()], program.axiom.len() as u64);
+        Self { levels: vec![], next: None, at: (0, 0), made, cost }
     }
 
-    /// The depths planned.
-    pub(crate) fn depths(&self) -> u32 {
-        self.levels.len() as u32
+    /// The depths planned; `None` while the axiom is read.
+    pub(crate) fn depths(&self) -> Option<u32> {
+        self.next.is_some().then_some(self.levels.len() as u32)
     }
 
-    /// Plans one depth more.
-    pub(crate) fn step(&mut self, program: &Program, meter: &mut crate::Meter) {
-        let mut next = Vec::new();
-        let before = self.cost;
-        for &symbol in &self.next {
-            if let Rewrite::Always(word) = &program.rewrites[usize::from(symbol)] {
+    /// Plans one depth more, or goes on with that until the meter is spent.
+    pub(crate) fn step(&mut self, program: &Program, meter: &mut Meter) {
+        loop {
+            let word = match &self.next {
+                None if self.at.0 == 0 => program.axiom.as_slice(),
+                None => break,
+                Some(next) => match next.get(self.at.0) {
+                    Some(&symbol) => successor(program, symbol),
+                    None => break,
+                },
+            };
+            let run = &word[self.at.1..word.len().min(self.at.1 + READ)];
+            if self.at.1 == 0 && self.next.is_some() {
                 self.cost += word.len() as u64;
-                next.extend(rewritten(program, word));
+            }
+            for &symbol in run {
+                self.made[usize::from(symbol)] |= is_rewritten(program, symbol);
+            }
+            self.at.1 += run.len();
+            if self.at.1 == word.len() {
+                self.at = (self.at.0 + 1, 0);
+            }
+            // Reading takes a quarter of what handling a symbol does.
+            meter.charge(1 + run.len() as u64 / 4);
+            if meter.is_spent() {
+                return;
             }
         }
-        self.levels.push(core::mem::replace(&mut self.next, set(next)));
-        meter.charge(1 + self.cost - before);
+        let is_made = |letter: &usize| self.made[*letter];
+        let needed = (0..self.made.len()).filter(is_made).map(|letter| letter as SymbolId).collect();
+        meter.charge(1 + self.made.len() as u64 / 8);
+        self.levels.extend(self.next.replace(needed));
+        self.made.fill(false);
+        self.at = (0, 0);
     }
 
     /// By depth from 1: the letters to make the pieces of.
@@ -121,10 +150,16 @@ impl Plan {
     }
 }
 
-/// The letters of `word` that a production rewrites, each once.
-fn rewritten(program: &Program, word: &[SymbolId]) -> Vec<SymbolId> {
-    let is_rewritten = |s: &SymbolId| !matches!(program.rewrites[usize::from(*s)], Rewrite::Keep);
-    set(word.iter().copied().filter(is_rewritten))
+fn is_rewritten(program: &Program, symbol: SymbolId) -> bool {
+    !matches!(program.rewrites[usize::from(symbol)], Rewrite::Keep)
+}
+
+/// What always replaces a letter.
+fn successor(program: &Program, symbol: SymbolId) -> &[SymbolId] {
+    match &program.rewrites[usize::from(symbol)] {
+        Rewrite::Always(word) => word,
+        Rewrite::Keep | Rewrite::Choose(_) => &[],
+    }
 }
 
 /// The pieces of one depth, sorted by letter.
@@ -139,76 +174,163 @@ pub(crate) struct Origin {
     pub(crate) step: u32,
 }
 
-/// Makes the piece of a `word` whose rewritten letters have the pieces of the level `below`; at depth 0, where there
-/// is none, every letter acts by itself. The turtle enters with `heading`.
-pub(crate) fn piece<S: Space>(
-    builder: &mut Builder<S>,
-    score: &Score<S>,
-    below: Option<&Level<S>>,
-    word: &[SymbolId],
-    origin: Origin,
-    heading: S::Turn,
-) -> Piece<S> {
-    let lower = |symbol: SymbolId| -> Option<&Piece<S>> {
-        let below = below?;
+/// What a piece is made of.
+#[derive(Clone, Copy)]
+pub(crate) struct Word<'a, S: Space> {
+    pub(crate) score: &'a Score<S>,
+    /// The pieces of its rewritten letters; at depth 0, where there are none, every letter acts by itself.
+    pub(crate) below: Option<&'a Level<S>>,
+    pub(crate) letters: &'a [SymbolId],
+    pub(crate) origin: Origin,
+    /// With which the turtle enters.
+    pub(crate) heading: S::Turn,
+}
+
+impl<'a, S: Space> Word<'a, S> {
+    fn lower(&self, symbol: SymbolId) -> Option<&'a Piece<S>> {
+        let below = self.below?;
         below.binary_search_by_key(&symbol, |(s, _)| *s).ok().map(|place| &below[place].1)
-    };
-    let mut level = 0_i32;
-    let exponent = word.iter().filter_map(|&s| {
-        let below = lower(s);
+    }
+
+    fn ops(&self, symbol: SymbolId) -> &'a [Op<S>] {
+        &self.score.ops[usize::from(symbol)]
+    }
+}
+
+/// A piece in the making, letter by letter.
+#[derive(Clone, Debug)]
+pub(crate) struct Writing<S: Space> {
+    /// The letters done: measured while there is no tree, then drawn.
+    done: usize,
+    /// How many branches are open there.
+    level: i32,
+    exponent: Option<i32>,
+    /// What the letters do at most, in items.
+    weight: usize,
+    /// In the last step all but one of the letters that replace another are new: whether that is so, and which is not.
+    young: Option<Option<usize>>,
+    pen: Pen<S>,
+    saved: Vec<Pen<S>>,
+    tree: Option<Tree<S>>,
+}
+
+impl<S: Space> Writing<S> {
+    pub(crate) fn new(word: &Word<'_, S>) -> Self {
+        let Word { score, below, letters, origin, heading } = *word;
+        let youngest = origin.former.filter(|_| below.is_none() && score.growth < 1.0);
+        Self {
+            done: 0,
+            level: 0,
+            exponent: None,
+            weight: 0,
+            young: youngest.map(|former| score.heir(former, letters)),
+            pen: Pen::new(heading, StyleChange::NONE),
+            saved: vec![],
+            tree: None,
+        }
+    }
+
+    /// The bytes that it takes.
+    pub(crate) fn bytes(&self) -> u64 {
+        bytes_of(&self.saved) + self.tree.as_ref().map_or(0, Tree::bytes)
+    }
+
+    /// Goes on until the meter is spent; the piece when it is made.
+    pub(crate) fn step(&mut self, builder: &mut Builder<S>, word: &Word<'_, S>, meter: &mut Meter) -> Option<Piece<S>> {
+        if self.tree.is_none() {
+            while let Some(&symbol) = word.letters.get(self.done) {
+                if meter.is_spent() {
+                    return None;
+                }
+                meter.charge(1);
+                self.measure(builder, word, symbol);
+                self.done += 1;
+            }
+            self.done = 0;
+        }
+        let exponent = self.exponent.unwrap_or(0);
+        let mut tree = self.tree.take().unwrap_or_else(|| Tree::of_word(exponent, self.weight > WORD));
+        while let Some(&symbol) = word.letters.get(self.done) {
+            if meter.is_spent() || builder.is_full {
+                self.tree = Some(tree);
+                return None;
+            }
+            self.draw(builder, word, symbol, (&mut tree, exponent));
+            meter.charge(2 + word.ops(symbol).len() as u64 + builder.take_work());
+            self.done += 1;
+        }
+        loop {
+            // What is left open returns where it began only in the axiom, where nothing follows.
+            let finished = tree.finish_one(builder);
+            meter.charge(1 + builder.take_work());
+            match finished {
+                Some(block) => return Some(Piece { block, effect: effect(&self.pen, exponent) }),
+                None if meter.is_spent() || builder.is_full => {
+                    self.tree = Some(tree);
+                    return None;
+                }
+                None => {}
+            }
+        }
+    }
+
+    /// Looks how far a letter goes.
+    fn measure(&mut self, builder: &Builder<S>, word: &Word<'_, S>, symbol: SymbolId) {
+        let score = word.score;
+        let below = word.lower(symbol);
         let own = match below {
-            None => score.goes(s).then_some(score.exponent),
+            None => score.goes(symbol).then_some(score.exponent),
             Some(piece) => exponent(builder, piece),
         };
-        let own = own.map(|own| own.saturating_add(smaller(score, level)));
+        self.exponent = self.exponent.max(own.map(|own| own.saturating_add(smaller(score, self.level))));
+        self.weight += 1;
         if below.is_none() {
-            let depths = score.ops[usize::from(s)].iter().map(|op| match op {
+            self.weight += word.ops(symbol).len();
+            let depths = word.ops(symbol).iter().map(|op| match op {
                 Op::Push(_) => 1,
                 Op::Pop => -1,
                 _ => 0,
             });
-            level = level.saturating_add(depths.sum::<i32>()).max(0);
+            self.level = self.level.saturating_add(depths.sum::<i32>()).max(0);
         }
-        own
-    });
-    let exponent = exponent.max().unwrap_or(0);
-    // In the last step all but one of the letters that replace another are new.
-    let youngest = origin.former.filter(|_| below.is_none() && score.growth < 1.0);
-    let heir = youngest.and_then(|former| score.heir(former, word));
-    let mut pen = Pen::new(heading, StyleChange::NONE);
-    let (mut saved, mut sheet) = (Vec::new(), Sheet::new());
-    for (index, &symbol) in word.iter().enumerate() {
+    }
+
+    fn draw(
+        &mut self,
+        builder: &mut Builder<S>,
+        word: &Word<'_, S>,
+        symbol: SymbolId,
+        (tree, exponent): (&mut Tree<S>, i32),
+    ) {
+        let Self { done, young, pen, saved, .. } = self;
+        let score = word.score;
         if score.dated {
-            let goes_on = origin.former == Some(symbol);
-            let step = origin.step.cast_signed();
+            let goes_on = word.origin.former == Some(symbol);
+            let step = word.origin.step.cast_signed();
             pen.style.colour = if goes_on { ColourChange::Add(0) } else { ColourChange::Set(step) };
         }
-        match lower(symbol) {
+        match word.lower(symbol) {
             None => {
                 let scale = libm::scalbn(1.0, score.exponent - exponent);
-                sheet.symbol = index as u32;
-                let Builder { styles, directions, vertices, .. } = builder;
-                let mut desk = Desk { sheet: &mut sheet, styles, vertices };
-                let ops = &score.ops[usize::from(symbol)];
-                if youngest.is_some() && heir != Some(index) {
-                    pen.act(&score.growing(ops), &mut saved, scale, directions, &mut desk);
-                } else {
-                    pen.act(ops, &mut saved, scale, directions, &mut desk);
-                }
+                let grown;
+                let ops = match young {
+                    Some(heir) if *heir != Some(*done) => {
+                        grown = score.growing(word.ops(symbol));
+                        grown.as_slice()
+                    }
+                    _ => word.ops(symbol),
+                };
+                tree.draw(builder, *done as u64, |desk, directions| pen.act(ops, saved, scale, directions, desk));
             }
             Some(piece) => {
                 if let Some(block) = piece.block {
-                    let placed = place(builder, block, &pen, exponent, 1.0);
-                    sheet.items.push(Item::Block(placed));
+                    let placed = place(builder, block, pen, exponent, 1.0);
+                    tree.place(builder, placed);
                 }
-                follow(builder, &mut pen, &piece.effect, exponent, 1.0);
+                follow(builder, pen, &piece.effect, exponent, 1.0);
             }
         }
     }
-    // What is left open returns where it began only in the axiom, where nothing follows.
-    sheet.finish();
-    let block = builder.block(&sheet.items, exponent);
-    Piece { block, effect: effect(&pen, exponent) }
 }
 
 /// The exponent of what lengths are multiplied by on a branch so many levels deep.
@@ -216,7 +338,7 @@ fn smaller<S: Space>(score: &Score<S>, level: i32) -> i32 {
     if score.shrinking == 1.0 || level == 0 {
         return 0;
     }
-    exponent_of(libm::pow(score.shrinking, f64::from(level)).min(LARGEST))
+    unit_of(libm::pow(score.shrinking, f64::from(level)).min(LARGEST))
 }
 
 /// The exponent of the longest way in a piece; `None` if it goes nowhere.
@@ -260,7 +382,7 @@ pub(super) fn follow<S: Space>(
 
 /// What has happened to the pen, in units of `2^exponent` steps.
 pub(super) fn effect<S: Space>(pen: &Pen<S>, exponent: i32) -> Effect<S> {
-    let shift = exponent_of(reach(&pen.at));
+    let shift = unit_of(reach(&pen.at));
     let at = shifted(pen.at, -shift);
     Effect { at, exponent: exponent.saturating_add(shift), heading: pen.heading, style: pen.style }
 }

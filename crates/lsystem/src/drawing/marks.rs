@@ -1,6 +1,6 @@
 //! What is drawn, segments and polygons, one by one.
 
-use super::segments::{Part, Strokes};
+use super::segments::{Part, Standing};
 use super::{Drawing, Frame, Segment, StyleChange};
 use crate::Tint;
 use crate::space::Space;
@@ -15,37 +15,67 @@ pub enum Mark<S: Space> {
     Polygon(Vec<S::Point>, Tint),
 }
 
+/// Reads what is drawn; it holds no drawing, so it can rest between two calls.
+#[derive(Clone, Debug)]
+pub(crate) struct MarkReader<S: Space> {
+    standing: Standing<S>,
+    /// The segments, and the segments and polygons, read so far.
+    segments: u64,
+    marks: usize,
+    /// How many segments there are.
+    all: f64,
+    unit: f64,
+}
+
+impl<S: Space> MarkReader<S> {
+    pub(crate) fn new(drawing: &Drawing<S>) -> Self {
+        let mut standing = Standing::new();
+        if let Some(root) = drawing.root {
+            standing.enter(drawing, root, &Frame::new(1.0, StyleChange::start(drawing.width)));
+        }
+        Self { standing, segments: 0, marks: 0, all: drawing.segment_count() as f64, unit: drawing.unit() }
+    }
+
+    /// The next mark; of the same drawing each time.
+    pub(crate) fn next(&mut self, drawing: &Drawing<S>) -> Option<Mark<S>> {
+        let (part, frame) = self.standing.next_part(drawing)?;
+        let change = |id: super::StyleId| frame.style.then(&drawing.styles[id.0 as usize]);
+        let own = if self.all > 0.0 { (self.segments as f64 + 0.5) / self.all } else { 0.0 };
+        let place = drawing.places.get(self.marks).copied().unwrap_or(own);
+        self.marks += 1;
+        let tint = |style: &StyleChange| Tint { index: style.colour.of(0), level: style.level, place };
+        Some(match part {
+            Part::Stroke(stroke) => {
+                let style = change(stroke.style);
+                let ends = [stroke.from, stroke.to].map(|end| frame.lie(end));
+                self.segments += 1;
+                Mark::Segment(drawing.segment(ends, &style, self.unit), tint(&style))
+            }
+            Part::Polygon(polygon) => {
+                let style = change(polygon.style);
+                let vertices = drawing.vertices_of(polygon).iter();
+                let vertices = vertices.map(|&vertex| drawing.model(frame.lie(vertex), self.unit)).collect();
+                Mark::Polygon(vertices, tint(&style))
+            }
+        })
+    }
+}
+
+impl<S: Space> Mark<S> {
+    /// The units of work that writing it takes.
+    pub(crate) fn work(&self) -> u64 {
+        match self {
+            Self::Segment(..) => 8,
+            Self::Polygon(vertices, _) => 8 + 4 * vertices.len() as u64,
+        }
+    }
+}
+
 impl<S: Space> Drawing<S> {
     /// Everything drawn, in drawing order; a polygon comes before what is drawn while it is open. A drawing that memoises
     /// may have more than anybody can wait for.
     pub fn marks(&self) -> impl Iterator<Item = Mark<S>> {
-        let mut strokes = Strokes::new(self);
-        if let Some(root) = self.root {
-            strokes.enter(root, &Frame::new(1.0, StyleChange::start(self.width)));
-        }
-        let (all, unit) = (self.segment_count() as f64, self.unit());
-        let mut number = 0_u64;
-        let mut places = self.places.iter();
-        core::iter::from_fn(move || {
-            let (part, frame) = strokes.next_part()?;
-            let change = |id: super::StyleId| frame.style.then(&self.styles[id.0 as usize]);
-            let own = if all > 0.0 { (number as f64 + 0.5) / all } else { 0.0 };
-            let place = places.next().copied().unwrap_or(own);
-            let tint = |style: &StyleChange| Tint { index: style.colour.of(0), level: style.level, place };
-            Some(match part {
-                Part::Stroke(stroke) => {
-                    let style = change(stroke.style);
-                    let segment = self.segment([stroke.from, stroke.to].map(|end| frame.lie(end)), &style, unit);
-                    number += 1;
-                    Mark::Segment(segment, tint(&style))
-                }
-                Part::Polygon(polygon) => {
-                    let style = change(polygon.style);
-                    let vertices =
-                        self.vertices_of(polygon).iter().map(|&vertex| self.model(frame.lie(vertex), unit)).collect();
-                    Mark::Polygon(vertices, tint(&style))
-                }
-            })
-        })
+        let mut reader = MarkReader::new(self);
+        core::iter::from_fn(move || reader.next(self))
     }
 }

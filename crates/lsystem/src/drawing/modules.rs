@@ -1,14 +1,14 @@
 //! Drawing a whole generation, for productions that look around themselves or compute.
 
-use super::builder::Builder;
+use super::builder::{Builder, bytes_of};
 use super::drawer::start;
 use super::tally::Tally;
 use super::tree::Tree;
 use super::{BlockId, StyleChange};
 use crate::derivation::{fault, limit};
 use crate::rewriting::{Age, LetterId};
-use crate::space::Space;
-use crate::turtle::{Fate, Op, Pen, Score, exponent_of};
+use crate::space::{Space, unit_of};
+use crate::turtle::{Fate, Op, Pen, Score};
 use crate::{Diagnostic, Fault, Image, LimitName, Limits, Meter, Rewriter, Rules, Turtle};
 
 /// Modules read between two looks at the caller's budget.
@@ -31,7 +31,6 @@ enum Stage<S: Space> {
         pen: Pen<S>,
         saved: Vec<Pen<S>>,
         tree: Tree<S>,
-        directions: S::Directions,
         /// Of lengths, to the unit of the tree.
         scale: f64,
     },
@@ -78,6 +77,14 @@ impl<S: Space> Modular<S> {
         self.rewriter.word().letters.len() as u64
     }
 
+    /// The bytes that the drawing in the making takes.
+    pub(crate) fn bytes(&self) -> u64 {
+        match &self.stage {
+            Stage::Draw { saved, tree, .. } => bytes_of(saved) + tree.bytes(),
+            _ => 0,
+        }
+    }
+
     /// Works on for as many modules as the meter allows.
     pub(crate) fn step(
         &mut self,
@@ -104,7 +111,10 @@ impl<S: Space> Modular<S> {
                 Outcome::Paused
             }
             Stage::Measure(measure) => {
-                let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| measure.add(ops));
+                let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| {
+                    measure.add(ops);
+                    Some(0)
+                });
                 let generation = rewriter.generation();
                 match (measure.passed(limits), done) {
                     (Some(passed), _) => return self.recount(passed, n, limits),
@@ -113,26 +123,31 @@ impl<S: Space> Modular<S> {
                     }
                     (None, Ok(false)) => {}
                     (None, Ok(true)) => {
-                        let shift = exponent_of(measure.longest);
+                        let shift = unit_of(measure.longest);
                         *reader = Reader::default();
                         *stage = Stage::Draw {
                             pen: Pen::new(start::<S>(turtle), StyleChange::start(score.width)),
                             saved: Vec::new(),
                             tree: Tree::new(score.exponent.saturating_add(shift)),
-                            directions: S::directions(),
                             scale: libm::scalbn(1.0, -shift),
                         };
                     }
                 }
                 Outcome::Paused
             }
-            Stage::Draw { pen, saved, tree, directions, scale } => {
+            Stage::Draw { pen, saved, tree, scale } => {
                 let mut act = |place: usize, ops: &[Op<S>]| {
-                    tree.draw(builder, place as u64, |desk| pen.act(ops, saved, *scale, directions, desk));
+                    tree.draw(builder, place as u64, |desk, directions| pen.act(ops, saved, *scale, directions, desk));
+                    let is_full = builder.is_full || builder.bytes() + bytes_of(saved) + tree.bytes() > limits.memory;
+                    (!is_full).then(|| builder.take_work())
                 };
                 match reader.read(rewriter, (turtle, score, *seed), meter, &mut act) {
                     Ok(false) => Outcome::Paused,
-                    Ok(true) => Outcome::Ended(tree.finish(builder)),
+                    Ok(true) => {
+                        let finished = tree.finish_one(builder);
+                        meter.charge(builder.take_work());
+                        finished.map_or(Outcome::Paused, Outcome::Ended)
+                    }
                     Err(error) => Outcome::Failed(fault(rewriter.rules(), error, rewriter.generation(), limits, None)),
                 }
             }
@@ -144,7 +159,10 @@ impl<S: Space> Modular<S> {
                 if rewriter.generation() < *next {
                     return if rewriter.advance(meter).is_ok() { Outcome::Paused } else { Outcome::Failed(over) };
                 }
-                let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| measure.add(ops));
+                let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| {
+                    measure.add(ops);
+                    Some(0)
+                });
                 let within = measure.passed(limits).is_none();
                 if within && done == Ok(false) {
                     return Outcome::Paused;
@@ -200,6 +218,9 @@ impl Measure {
     }
 }
 
+/// Is handed what a module does, with its place; says how much work that was.
+type Act<'a, S> = &'a mut dyn FnMut(usize, &[Op<S>]) -> Option<u64>;
+
 /// Goes through the modules of a generation as the turtle reads them.
 #[derive(Clone, Debug)]
 struct Reader<S: Space> {
@@ -207,6 +228,8 @@ struct Reader<S: Space> {
     /// Where its arguments start.
     argument: usize,
     image: Image,
+    /// While an image is read: its modules and arguments read so far.
+    inside: Option<(usize, usize)>,
     /// What a letter does with its number.
     ops: Vec<Op<S>>,
     /// What a module does that is not like the others of its letter.
@@ -215,23 +238,24 @@ struct Reader<S: Space> {
 
 impl<S: Space> Default for Reader<S> {
     fn default() -> Self {
-        Self { at: 0, argument: 0, image: Image::default(), ops: vec![], own: vec![] }
+        Self { at: 0, argument: 0, image: Image::default(), inside: None, ops: vec![], own: vec![] }
     }
 }
 
 impl<S: Space> Reader<S> {
-    /// Hands over what some thousand modules do, with their places; says whether the generation is at its end.
+    /// Hands over what some thousand modules do, with their places, or fewer where they do much; `act` says how much
+    /// work that is, and nothing where it cannot go on. Says whether the generation is at its end.
     fn read(
         &mut self,
         rewriter: &Rewriter,
         (turtle, score, seed): (&Turtle, &Score<S>, u32),
         meter: &mut Meter,
-        act: &mut dyn FnMut(usize, &[Op<S>]),
+        act: Act<'_, S>,
     ) -> Result<bool, Fault> {
-        let Self { at, argument, image, ops, own } = self;
+        let Self { at, argument, image, inside, ops, own } = self;
         let (word, rules) = (rewriter.word(), rewriter.rules());
         let end = (*at + PIECE).min(word.letters.len());
-        meter.charge(2 * (end - *at) as u64 + 1);
+        meter.charge(1);
         let mut one = |place: usize, letter: u16, arguments: &[f64], fate: Option<&Fate>| {
             let mut plain = score.ops[usize::from(letter)].as_slice();
             if let ([number, ..], [_, ..]) = (arguments, plain) {
@@ -239,15 +263,18 @@ impl<S: Space> Reader<S> {
                 plain = ops;
             }
             match fate {
-                _ if plain.is_empty() => {}
-                None => act(place, plain),
+                _ if plain.is_empty() => Some(0),
+                None => Some(plain.len() as u64 + act(place, plain)?),
                 Some(fate) => {
                     score.own(plain, fate, seed, own);
-                    act(place, own);
+                    Some(own.len() as u64 + act(place, own)?)
                 }
             }
         };
-        while *at < end {
+        // Where modules do much, fewer of them are enough.
+        let until = meter.spent() + 4 * PIECE as u64;
+        while *at < end && meter.spent() < until {
+            meter.charge(2);
             let letter = word.letters[*at];
             let arity = |letter: u16| usize::from(rules.letters[usize::from(letter)].arity);
             let after = *argument + arity(letter);
@@ -257,19 +284,31 @@ impl<S: Space> Reader<S> {
                 Fate { key: word.key_of(*at), since: u32::from(age.since), grows }
             });
             if rules.images[usize::from(letter)].is_empty() {
-                one(*at, letter, &word.arguments[*argument..after], fate.as_ref());
+                let Some(work) = one(*at, letter, &word.arguments[*argument..after], fate.as_ref()) else {
+                    return Ok(false);
+                };
+                meter.charge(work);
             } else {
-                let modules = rewriter.image(*at, *argument, image)?;
-                let mut arguments = modules.arguments.as_slice();
-                let key = word.key_of(*at);
-                for (index, &letter) in modules.letters.iter().enumerate() {
-                    let (own, rest) = arguments.split_at(arity(letter));
-                    arguments = rest;
-                    if let Some(fate) = &mut fate {
-                        fate.key = key.child(u32::MAX, index as u64);
-                    }
-                    one(*at, letter, own, fate.as_ref());
+                if inside.is_none() {
+                    let made = rewriter.image(*at, *argument, image)?;
+                    // Copying takes little of what drawing does.
+                    meter.charge(made.letters.len() as u64 / 8);
                 }
+                let (modules, key) = (image.modules(), word.key_of(*at));
+                let (done, read) = inside.get_or_insert((0, 0));
+                while let Some(&letter) = modules.letters.get(*done) {
+                    if meter.spent() >= until {
+                        return Ok(false);
+                    }
+                    let own = &modules.arguments[*read..*read + arity(letter)];
+                    if let Some(fate) = &mut fate {
+                        fate.key = key.child(u32::MAX, *done as u64);
+                    }
+                    let Some(work) = one(*at, letter, own, fate.as_ref()) else { return Ok(false) };
+                    meter.charge(1 + work);
+                    (*done, *read) = (*done + 1, *read + own.len());
+                }
+                *inside = None;
             }
             *argument = after;
             *at += 1;

@@ -6,19 +6,21 @@
 //! the vertical (`$`), that is part of its state as the turtle has it (ABOP figure 2.6 has 4,096 apices in step 12, and few
 //! ways in which the vertical lies).
 
-use super::builder::Builder;
+mod write;
+
+use super::builder::{Builder, bytes_of, reserve};
 use super::drawer::start;
-use super::graph::{effect, exponent, follow, is_balanced, place};
-use super::sheet::{Desk, Sheet};
+use super::graph::is_balanced;
 use super::vertical::{self, Course, Tilt, vertical_of};
-use super::{BlockId, Item, Piece, StyleChange};
+use super::{BlockId, Piece};
 use crate::derivation::fault;
 use crate::rewriting::{Keys, Scales, applying};
-use crate::sorted::sort;
 use crate::space::Space;
-use crate::turtle::{Op, Pen, Score, exponent_of};
-use crate::{Diagnostic, Fault, LetterId, Limits, Meter, Rule, Rules, Template, Turtle};
+use crate::turtle::{Op, Score};
+use crate::{Diagnostic, Fault, LetterId, Limits, Meter, Rules, Template, Turtle};
 use core::ops::Range;
+use std::collections::HashMap;
+use write::Writing;
 
 /// The most states: some hundred bytes each. More of them than this hardly ever come together.
 const STATES: usize = 1 << 16;
@@ -41,7 +43,7 @@ pub(crate) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     let decided_elsewhere = special || rules.is_random() || rules.is_cutting() || score.ops.iter().flatten().any(bends);
     !decided_elsewhere
         && rules.by_letter.iter().flatten().all(|rule| !rule.is_context_sensitive() && inside(&rule.successor))
-        && rules.images.iter().flatten().all(|image| shown(&image.successor))
+        && rules.images.iter().flatten().all(|image| image.successor.letters.len() <= IMAGE && shown(&image.successor))
         && (0..letters).all(|letter| !apart(letter) || is_balanced(ops(letter)))
         && vertical::is_known(rules, score)
 }
@@ -62,12 +64,19 @@ pub(crate) struct Parametric<S: Space> {
     parts: Vec<Part>,
     arguments: Vec<f64>,
     states: usize,
-    /// Of the level in the making: its parts that will be states of the next.
-    open: Vec<Open>,
+    /// Of the level in the making: the states of the next, and where those with some keys are.
+    next: Vec<State>,
+    met: HashMap<Keyed, u32>,
+    /// Whether there are too many states; no more of them are kept then.
+    is_crowded: bool,
     /// What is done of the level in the making.
     done: usize,
+    /// The word whose parts are being found.
+    planning: Option<Planning<S>>,
     /// While pieces are made: those of the level below, and of this one.
     pieces: Option<[Vec<Made<S>>; 2]>,
+    /// The piece that is being made.
+    writing: Option<Box<Writing<S>>>,
     deeds: Vec<Deed<S>>,
 }
 
@@ -92,8 +101,29 @@ enum Part {
     State(u32, f64),
 }
 
-/// A module that waits for its state: letter, the keys of its arguments, the vertical, its part.
-type Open = (LetterId, [u64; crate::MAX_PARAMETERS], Tilt, u32);
+/// What tells states apart: letter, the keys of the arguments, the vertical.
+type Keyed = (LetterId, [u64; crate::MAX_PARAMETERS], Tilt);
+
+/// A word whose parts are being found.
+#[derive(Clone, Debug)]
+struct Planning<S: Space> {
+    letters: Vec<LetterId>,
+    /// The letters done.
+    done: usize,
+    /// Where the arguments of the next letter start.
+    argument: usize,
+    /// Where they must be computed yet: the letter that is rewritten and which of its rules does that, where the
+    /// arguments of that letter are, and which of the successor's comes next.
+    made: Option<(LetterId, usize, Range<usize>, usize)>,
+    /// The first of the parts.
+    first: u32,
+    /// The steps to go.
+    depth: u32,
+    course: Course<S>,
+}
+
+/// Images of more letters are not shared: one of them has more deeds than can be held.
+const IMAGE: usize = 4096;
 
 /// A state's piece, and how many symbols it is made of.
 type Made<S> = (Piece<S>, u128);
@@ -137,9 +167,13 @@ impl<S: Space> Parametric<S> {
             parts: vec![],
             arguments: vec![],
             states: 0,
-            open: vec![],
+            next: vec![],
+            met: HashMap::new(),
+            is_crowded: false,
             done: 0,
+            planning: None,
             pieces: None,
+            writing: None,
             deeds: vec![],
         };
         // The axiom's arguments are computed as everywhere.
@@ -147,9 +181,9 @@ impl<S: Space> Parametric<S> {
         let started = started.map_err(|error| fault(rules, error, 0, limits, None))?;
         let word = started.word();
         new.arguments.extend_from_slice(&word.arguments);
-        let course = Course::new(start::<S>(turtle), S::UPWARDS);
-        new.top = new.place((turtle, score), &word.letters, 0, n, course);
-        new.close();
+        let (letters, course) = (word.letters.clone(), Course::new(start::<S>(turtle), S::UPWARDS));
+        let planning = Planning { letters, done: 0, argument: 0, made: None, first: 0, depth: n, course };
+        new.planning = Some(planning);
         Ok(new)
     }
 
@@ -158,7 +192,24 @@ impl<S: Space> Parametric<S> {
         &self.rules
     }
 
-    /// Works on for as many letters as the meter allows.
+    /// The bytes that it takes.
+    pub(crate) fn bytes(&self) -> u64 {
+        let planning = self.planning.as_ref().map_or(0, |planning| bytes_of(&planning.letters));
+        let writing = self.writing.as_ref().map_or(0, |writing| writing.bytes());
+        // A hash map leaves an eighth of its places free.
+        let met = self.met.capacity() / 7 * 8 * size_of::<(Keyed, u32)>();
+        let states = self.states * size_of::<State>();
+        let pieces = self.pieces.iter().flatten().map(bytes_of).sum::<u64>();
+        planning
+            + writing
+            + pieces
+            + (met + states) as u64
+            + bytes_of(&self.parts)
+            + bytes_of(&self.arguments)
+            + bytes_of(&self.deeds)
+    }
+
+    /// Works on until the meter is spent.
     pub(crate) fn step(
         &mut self,
         (turtle, score): (&Turtle, &Score<S>),
@@ -169,30 +220,30 @@ impl<S: Space> Parametric<S> {
         if self.pieces.is_none() {
             return self.plan((turtle, score), limits, meter);
         }
-        let Some(level) = self.levels.last() else {
-            return match self.piece((turtle, score), builder, self.top.clone(), (start::<S>(turtle), S::UPWARDS)) {
-                Ok((piece, symbols)) => Outcome::Ended(piece.block, symbols),
-                Err(diagnostic) => Outcome::Failed(diagnostic),
-            };
-        };
-        match level.get(self.done) {
-            Some(state) => {
-                let (parts, vertical) = (state.parts.clone(), vertical_of(&state.tilt));
-                meter.charge(S::ITEM * (1 + parts.len() as u64));
-                match (self.piece((turtle, score), builder, parts, (S::AHEAD, vertical)), &mut self.pieces) {
-                    (Ok(made), Some([_, here])) => here.push(made),
-                    (Err(diagnostic), _) => return Outcome::Failed(diagnostic),
-                    (Ok(_), None) => {}
-                }
-                self.done += 1;
-            }
-            None => {
+        let is_top = self.levels.is_empty();
+        let begun = match self.levels.last().map(|level| level.get(self.done)) {
+            None => (self.top.clone(), (start::<S>(turtle), S::UPWARDS)),
+            Some(Some(state)) => (state.parts.clone(), (S::AHEAD, vertical_of(&state.tilt))),
+            Some(None) => {
                 meter.charge(1);
                 self.levels.pop();
                 self.done = 0;
                 if let Some([below, here]) = &mut self.pieces {
                     *below = core::mem::take(here);
                 }
+                return Outcome::Paused;
+            }
+        };
+        let mut writing = self.writing.take().unwrap_or_else(|| Box::new(Writing::new(begun)));
+        match self.write(&mut writing, (turtle, score), builder, meter) {
+            Err(diagnostic) => return Outcome::Failed(diagnostic),
+            Ok(None) => self.writing = Some(writing),
+            Ok(Some(made)) if is_top => return Outcome::Ended(made.0.block, made.1),
+            Ok(Some(made)) => {
+                if let Some([_, here]) = &mut self.pieces {
+                    here.push(made);
+                }
+                self.done += 1;
             }
         }
         Outcome::Paused
@@ -201,159 +252,158 @@ impl<S: Space> Parametric<S> {
     /// Goes on with the plan.
     fn plan(&mut self, with: (&Turtle, &Score<S>), limits: &Limits, meter: &mut Meter) -> Outcome {
         let steps = self.levels.len() as u32;
-        let Some(state) = self.levels.last().and_then(|level| level.get(self.done)) else {
-            meter.charge(1 + self.open.len() as u64);
-            // All states of the axiom are in the first level.
-            if steps == 0 || steps >= self.n || self.open.is_empty() {
-                self.done = 0;
-                self.pieces = Some([vec![], vec![]]);
-            } else {
-                self.close();
+        if self.planning.is_none() {
+            meter.charge(1);
+            let Some(state) = self.levels.last().and_then(|level| level.get(self.done)) else {
+                // All states of the axiom are in the first level.
+                if steps >= self.n || self.next.is_empty() {
+                    self.done = 0;
+                    self.pieces = Some([vec![], vec![]]);
+                } else {
+                    self.close();
+                }
+                return Outcome::Paused;
+            };
+            if self.is_crowded {
+                return Outcome::TooMany(steps.checked_sub(1));
             }
+            let (letter, from) = (state.letter, state.argument as usize);
+            let course = Course::new(S::AHEAD, vertical_of(&state.tilt));
+            self.planning = Some(self.planned(letter, from, self.n - steps, course));
+        }
+        match self.find((with, limits), meter) {
+            Err(()) => return Outcome::TooMany(steps.checked_sub(1)),
+            Ok(Some(diagnostic)) => return Outcome::Failed(diagnostic),
+            Ok(None) => {}
+        }
+        let Some(planning) = self.planning.take_if(|planning| planning.done == planning.letters.len()) else {
             return Outcome::Paused;
         };
-        if self.states > STATES || self.parts.len() as u64 > limits.segments {
-            return Outcome::TooMany(steps.checked_sub(1));
-        }
-        let Self { rules, arguments, .. } = self;
-        let (letter, from) = (state.letter, state.argument as usize);
-        let course = Course::new(S::AHEAD, vertical_of(&state.tilt));
-        let own = from..from + usize::from(rules.letters[usize::from(letter)].arity);
-        let parts = match applying(&rules.by_letter[usize::from(letter)], &arguments[own.clone()]) {
-            None => self.place(with, &[letter], from, self.n - steps, course),
-            Some(rule) => {
-                let (made, production) = (make(rule, own, arguments), rule.production);
-                let letters = rule.successor.letters.clone();
-                if arguments[made..].iter().any(|number| !number.is_finite()) {
-                    let error = Fault::NotFinite(Some(production));
-                    return Outcome::Failed(fault(rules, error, steps - 1, limits, None));
-                }
-                self.place(with, &letters, made, self.n - steps, course)
+        let parts = planning.first..self.parts.len() as u32;
+        match self.levels.last_mut() {
+            None => {
+                self.top = parts;
+                self.close();
             }
-        };
-        meter.charge(1 + parts.len() as u64);
-        if let Some(state) = self.levels.last_mut().and_then(|level| level.get_mut(self.done)) {
-            state.parts = parts;
+            Some(level) => {
+                if let Some(state) = level.get_mut(self.done) {
+                    state.parts = parts;
+                }
+                self.done += 1;
+            }
         }
-        self.done += 1;
         Outcome::Paused
     }
 
-    /// Appends parts: modules whose arguments start at `argument`, with `depth` steps to go.
-    fn place(
+    /// What becomes of a letter whose arguments start at `from`, with `depth` steps to go.
+    fn planned(&self, letter: LetterId, from: usize, depth: u32, course: Course<S>) -> Planning<S> {
+        let Self { rules, arguments, parts, .. } = self;
+        let own = from..from + usize::from(rules.letters[usize::from(letter)].arity);
+        let first = parts.len() as u32;
+        let productions = &rules.by_letter[usize::from(letter)];
+        let rule = applying(productions, &arguments[own.clone()]);
+        let at = rule.and_then(|rule| productions.iter().position(|production| core::ptr::eq(production, rule)));
+        let (letters, argument, made) = match (rule, at) {
+            (Some(rule), Some(at)) => (rule.successor.letters.clone(), arguments.len(), Some((letter, at, own, 0))),
+            _ => (vec![letter], from, None),
+        };
+        Planning { letters, done: 0, argument, made, first, depth, course }
+    }
+
+    /// Appends parts of the word that is being planned, until the meter is spent; an error where there are too many. Where
+    /// a number cannot be computed, what there is to say.
+    fn find(
+        &mut self,
+        (with, limits): ((&Turtle, &Score<S>), &Limits),
+        meter: &mut Meter,
+    ) -> Result<Option<Diagnostic>, ()> {
+        let Some(mut planning) = self.planning.take() else { return Ok(None) };
+        let mut deeds = core::mem::take(&mut self.deeds);
+        while let Some(&letter) = planning.letters.get(planning.done) {
+            if meter.is_spent() {
+                break;
+            }
+            if self.parts.len() as u64 > limits.segments {
+                return Err(());
+            }
+            let arity = usize::from(self.rules.letters[usize::from(letter)].arity);
+            meter.charge(2 + arity as u64);
+            if let Some((former, rule, own, code)) = &mut planning.made {
+                let rule = &self.rules.by_letter[usize::from(*former)][*rule];
+                for made in &rule.successor.arguments[*code..*code + arity] {
+                    let value = made.value(&self.arguments[own.clone()], &|_| 0.0);
+                    if !value.is_finite() {
+                        let error = Fault::NotFinite(Some(rule.production));
+                        let steps = self.levels.len() as u32;
+                        return Ok(Some(fault(&self.rules, error, steps.saturating_sub(1), limits, None)));
+                    }
+                    reserve(&mut self.arguments, 1);
+                    self.arguments.push(value);
+                }
+                *code += arity;
+            }
+            reserve(&mut self.parts, 1);
+            let part = self.part(with, letter, &mut planning, &mut deeds);
+            self.parts.push(part);
+            planning.argument += arity;
+            planning.done += 1;
+        }
+        self.deeds = deeds;
+        self.planning = Some(planning);
+        Ok(None)
+    }
+
+    /// The next part of a word that is being planned.
+    fn part(
         &mut self,
         with: (&Turtle, &Score<S>),
-        letters: &[LetterId],
-        mut argument: usize,
-        depth: u32,
-        mut course: Course<S>,
-    ) -> Range<u32> {
-        let mut deeds = core::mem::take(&mut self.deeds);
-        let first = self.parts.len() as u32;
-        for &letter in letters {
-            let arity = usize::from(self.rules.letters[usize::from(letter)].arity);
-            if depth > 0 && !self.rules.by_letter[usize::from(letter)].is_empty() {
-                let Self { keys, scales, lookers, parts, arguments, open, .. } = self;
-                let own = &mut arguments[argument..argument + arity];
-                let scale = scales.take(letter, own);
-                let looks = lookers.get(usize::from(letter)).is_some_and(|&looks| looks);
-                let tilt = if looks { course.tilt() } else { Tilt::default() };
-                open.push((letter, keys.of(letter, own, scales), tilt, parts.len() as u32));
-                parts.push(Part::State(argument as u32, scale));
-            } else {
-                if !self.lookers.is_empty() {
-                    deeds.clear();
-                    // What cannot be computed is told of when pieces are made.
-                    let _ = self.act(with, letter, argument, &mut deeds);
-                    for deed in &deeds {
-                        if let Deed::Op(op) = deed {
-                            course.follow(op);
-                        }
-                    }
-                }
-                self.parts.push(Part::Module(letter, argument as u32));
-            }
-            argument += arity;
-        }
-        self.deeds = deeds;
-        first..self.parts.len() as u32
-    }
-
-    /// Makes a level of what is open: of those with equal keys the first in the order of the word stands for all.
-    fn close(&mut self) {
-        sort(&mut self.open);
-        let mut level: Vec<State> = Vec::new();
-        let mut last = None;
-        for &(letter, key, tilt, part) in &self.open {
-            let Part::State(argument, scale) = self.parts[part as usize] else { continue };
-            if last.replace((letter, key, tilt)) != Some((letter, key, tilt)) {
-                level.push(State { letter, tilt, argument, parts: 0..0 });
-            }
-            self.parts[part as usize] = Part::State(level.len() as u32 - 1, scale);
-        }
-        self.open.clear();
-        self.states += level.len();
-        self.levels.push(level);
-        self.done = 0;
-    }
-
-    /// Makes the piece of some parts. The turtle enters with `heading`, in a frame with that `vertical`.
-    fn piece(
-        &mut self,
-        (turtle, score): (&Turtle, &Score<S>),
-        builder: &mut Builder<S>,
-        parts: Range<u32>,
-        (heading, vertical): (S::Turn, S::Point),
-    ) -> Result<Made<S>, Diagnostic> {
-        let mut symbols = 0_u128;
-        let mut deeds = core::mem::take(&mut self.deeds);
-        deeds.clear();
-        for part in &self.parts[parts.start as usize..parts.end as usize] {
-            match *part {
-                Part::Module(letter, argument) => {
-                    symbols = symbols.saturating_add(1);
-                    let acted = self.act((turtle, score), letter, argument as usize, &mut deeds);
-                    // Images count as a step of their own.
-                    acted.map_err(|error| fault(&self.rules, error, self.n, &Limits::default(), None))?;
-                }
-                Part::State(state, scale) => {
-                    let below = self.pieces.as_ref().and_then(|[below, _]| below.get(state as usize));
-                    if let Some((piece, inside)) = below {
-                        symbols = symbols.saturating_add(*inside);
-                        deeds.push(Deed::Piece(*piece, scale));
+        letter: LetterId,
+        Planning { argument, depth, course, .. }: &mut Planning<S>,
+        deeds: &mut Vec<Deed<S>>,
+    ) -> Part {
+        if *depth == 0 || self.rules.by_letter[usize::from(letter)].is_empty() {
+            if !self.lookers.is_empty() {
+                deeds.clear();
+                // What cannot be computed is told of when pieces are made.
+                let _ = self.act(with, letter, *argument, deeds);
+                for deed in deeds {
+                    if let Deed::Op(op) = deed {
+                        course.follow(op);
                     }
                 }
             }
+            return Part::Module(letter, *argument as u32);
         }
-        let unit = |deed: &Deed<S>| match deed {
-            Deed::Op(Op::Draw(length) | Op::Move(length)) if *length != 0.0 => {
-                Some(score.exponent.saturating_add(exponent_of(*length)))
+        let Self { rules, keys, scales, lookers, arguments, next, met, states, is_crowded, .. } = self;
+        let arity = usize::from(rules.letters[usize::from(letter)].arity);
+        let own = &mut arguments[*argument..*argument + arity];
+        let scale = scales.take(letter, own);
+        let looks = lookers.get(usize::from(letter)).is_some_and(|&looks| looks);
+        let tilt = if looks { course.tilt() } else { Tilt::default() };
+        let key = (letter, keys.of(letter, own, scales), tilt);
+        // Of those with equal keys the first in the order of the word stands for all.
+        let state = match met.get(&key) {
+            Some(&state) => state,
+            None if *states >= STATES => {
+                *is_crowded = true;
+                0
             }
-            Deed::Op(_) => None,
-            Deed::Piece(piece, scale) => exponent(builder, piece).map(|own| own.saturating_add(exponent_of(*scale))),
+            None => {
+                let state = next.len() as u32;
+                met.insert(key, state);
+                next.push(State { letter, tilt, argument: *argument as u32, parts: 0..0 });
+                *states += 1;
+                state
+            }
         };
-        let unit = deeds.iter().filter_map(unit).max().unwrap_or(0);
-        let scale = libm::scalbn(1.0, score.exponent.saturating_sub(unit));
-        let mut pen = Pen { vertical, ..Pen::new(heading, StyleChange::NONE) };
-        let (mut saved, mut sheet) = (Vec::new(), Sheet::new());
-        for deed in &deeds {
-            match deed {
-                Deed::Op(op) => {
-                    let Builder { styles, directions, vertices, .. } = builder;
-                    let mut desk = Desk { sheet: &mut sheet, styles, vertices };
-                    pen.act(&[*op], &mut saved, scale, directions, &mut desk);
-                }
-                Deed::Piece(piece, scale) => {
-                    if let Some(block) = piece.block {
-                        sheet.items.push(Item::Block(place(builder, block, &pen, unit, *scale)));
-                    }
-                    follow(builder, &mut pen, &piece.effect, unit, *scale);
-                }
-            }
-        }
-        self.deeds = deeds;
-        let block = builder.block(&sheet.items, unit);
-        Ok((Piece { block, effect: effect(&pen, unit) }, symbols))
+        Part::State(state, scale)
+    }
+
+    /// Begins a level with the states that were found.
+    fn close(&mut self) {
+        self.met.clear();
+        self.levels.push(core::mem::take(&mut self.next));
+        self.done = 0;
     }
 
     /// Appends what a module, or its image, does.
@@ -386,14 +436,4 @@ impl<S: Space> Parametric<S> {
         }
         Ok(())
     }
-}
-
-/// Appends the arguments of what `rule` makes with the parameters at `own`; where they start.
-fn make(rule: &Rule, own: Range<usize>, arguments: &mut Vec<f64>) -> usize {
-    let made = arguments.len();
-    for code in &rule.successor.arguments {
-        let value = code.value(&arguments[own.clone()], &|_| 0.0);
-        arguments.push(value);
-    }
-    made
 }

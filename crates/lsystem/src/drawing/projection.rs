@@ -52,9 +52,9 @@ impl Drawing<Solid> {
     /// farther away before those that are nearer, so that these cover them. Depths apart, coordinates are exact to 1e-9 of the extent.
     ///
     /// # Errors
-    /// [`Kind::Limit`](crate::Kind::Limit) where there are more than `most` segments.
+    /// [`Kind::Limit`](crate::Kind::Limit) where there are more than `most` segments and vertices of polygons.
     pub fn seen_from(&self, outlook: &Outlook, most: u64) -> Result<Drawing, Diagnostic> {
-        self.check_segments(most)?;
+        self.check_size(most)?;
         let [right, up, back] = outlook.axes();
         let paper = |point: [f64; 3]| [dot(right, point), dot(up, point)];
         let mut strokes = Strokes::new(self);
@@ -83,7 +83,7 @@ impl Drawing<Solid> {
         // Coordinates in space are within 1, those on paper within √3 then.
         let mut tree = Tree::new(self.root.map_or(0, |root| self.blocks[root.0 as usize].exponent));
         for Seen { points, filled, style, .. } in &seen {
-            tree.draw(&mut builder, 0, |desk| match points.as_slice() {
+            tree.draw(&mut builder, 0, |desk, _| match points.as_slice() {
                 [from, to] if !filled => desk.stroke(*from, *to, style),
                 points => {
                     desk.open(style);

@@ -116,24 +116,62 @@ pub(super) enum Part<'a, S: Space> {
     Polygon(&'a Polygon),
 }
 
-/// The strokes of a block in some frame, in drawing order: from, to, style.
+/// Where a reader of strokes stands. It holds no drawing, so it can rest between two calls.
 #[derive(Clone, Debug)]
-pub(super) struct Strokes<'a, S: Space = Plane> {
-    drawing: &'a Drawing<S>,
+pub(super) struct Standing<S: Space> {
     /// The blocks that are being read, outermost first: the items still to be read, and where.
     open: Vec<(u32, u32, Frame<S>)>,
     directions: S::Directions,
 }
 
+impl<S: Space> Standing<S> {
+    pub(super) fn new() -> Self {
+        Self { open: vec![], directions: S::directions() }
+    }
+
+    /// Reads `block` before anything else.
+    pub(super) fn enter(&mut self, drawing: &Drawing<S>, block: BlockId, frame: &Frame<S>) {
+        let items = &drawing.blocks[block.0 as usize].items;
+        self.open.push((items.start, items.end, *frame));
+    }
+
+    /// The next stroke or polygon and the frame it lies in.
+    pub(super) fn next_part<'a>(&mut self, drawing: &'a Drawing<S>) -> Option<(Part<'a, S>, Frame<S>)> {
+        loop {
+            let (next, end, frame) = self.open.last_mut()?;
+            if next == end {
+                self.open.pop();
+                continue;
+            }
+            let item = &drawing.items[*next as usize];
+            *next += 1;
+            match item {
+                Item::Stroke(stroke) => return Some((Part::Stroke(stroke), *frame)),
+                Item::Polygon(polygon) => return Some((Part::Polygon(polygon), *frame)),
+                Item::Block(placed) => {
+                    let inner = frame.place(placed, drawing, &mut self.directions);
+                    self.enter(drawing, placed.block, &inner);
+                }
+            }
+        }
+    }
+}
+
+/// The strokes of a block in some frame, in drawing order: from, to, style.
+#[derive(Clone, Debug)]
+pub(super) struct Strokes<'a, S: Space = Plane> {
+    drawing: &'a Drawing<S>,
+    standing: Standing<S>,
+}
+
 impl<'a, S: Space> Strokes<'a, S> {
     pub(super) fn new(drawing: &'a Drawing<S>) -> Self {
-        Self { drawing, open: vec![], directions: S::directions() }
+        Self { drawing, standing: Standing::new() }
     }
 
     /// Reads `block` before anything else.
     pub(super) fn enter(&mut self, block: BlockId, frame: &Frame<S>) {
-        let items = &self.drawing.blocks[block.0 as usize].items;
-        self.open.push((items.start, items.end, *frame));
+        self.standing.enter(self.drawing, block, frame);
     }
 
     /// The next stroke and the frame it lies in.
@@ -147,29 +185,13 @@ impl<'a, S: Space> Strokes<'a, S> {
 
     /// The next stroke or polygon and the frame it lies in.
     pub(super) fn next_part(&mut self) -> Option<(Part<'a, S>, Frame<S>)> {
-        loop {
-            let (next, end, frame) = self.open.last_mut()?;
-            if next == end {
-                self.open.pop();
-                continue;
-            }
-            let item = &self.drawing.items[*next as usize];
-            *next += 1;
-            match item {
-                Item::Stroke(stroke) => return Some((Part::Stroke(stroke), *frame)),
-                Item::Polygon(polygon) => return Some((Part::Polygon(polygon), *frame)),
-                Item::Block(placed) => {
-                    let inner = frame.place(placed, self.drawing, &mut self.directions);
-                    self.enter(placed.block, &inner);
-                }
-            }
-        }
+        self.standing.next_part(self.drawing)
     }
 
     /// Passes over the next `count` strokes.
     fn pass(&mut self, mut count: u128) {
         while count > 0 {
-            let Some((next, end, frame)) = self.open.last_mut() else { return };
+            let Some((next, end, frame)) = self.standing.open.last_mut() else { return };
             let items = &self.drawing.items[*next as usize..*end as usize];
             let (passed, left) = self.drawing.before(items, count);
             *next += passed as u32;
@@ -177,12 +199,12 @@ impl<'a, S: Space> Strokes<'a, S> {
             match items.get(passed) {
                 Some(Item::Block(placed)) => {
                     *next += 1;
-                    let inner = frame.place(placed, self.drawing, &mut self.directions);
+                    let inner = frame.place(placed, self.drawing, &mut self.standing.directions);
                     self.enter(placed.block, &inner);
                 }
                 Some(_) => return,
                 None => {
-                    self.open.pop();
+                    self.standing.open.pop();
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! Strokes and polygons on their way into a block.
 
-use super::builder::Builder;
+use super::builder::{Builder, bytes_of, reserve};
 use super::style::Styles;
 use super::{Item, Polygon, Stroke, StyleChange};
 use crate::space::{Space, minus};
@@ -12,13 +12,15 @@ pub(crate) struct Sheet<S: Space> {
     pub(crate) items: Vec<Item<S>>,
     /// Polygons that are not closed, innermost last: the places of their items, and their vertices so far.
     open: Vec<(usize, Vec<S::Point>)>,
+    /// How many vertices they have.
+    held: usize,
     /// The place of the symbol that is being drawn, as in [`Polygon::symbol`].
     pub(crate) symbol: u32,
 }
 
 impl<S: Space> Sheet<S> {
     pub(crate) fn new() -> Self {
-        Self { items: vec![], open: vec![], symbol: 0 }
+        Self { items: vec![], open: vec![], held: 0, symbol: 0 }
     }
 
     /// Whether no polygon is open.
@@ -29,32 +31,42 @@ impl<S: Space> Sheet<S> {
     /// Leaves out polygons that were never closed, or have no inside.
     pub(crate) fn finish(&mut self) {
         self.open.clear();
-        self.items.retain(|item| !matches!(item, Item::Polygon(Polygon { count: 0, .. })));
+        self.items.retain(|item| !is_hollow(item));
     }
 
-    /// The place where it begins.
-    pub(crate) fn origin(&self, builder: &Builder<S>) -> Option<S::Point> {
-        Some(match self.items.first()? {
-            Item::Stroke(stroke) => stroke.from,
-            Item::Polygon(polygon) => builder.vertices[polygon.first as usize],
-            Item::Block(placed) => placed.at,
-        })
+    /// The bytes that it takes. A list of vertices may have room for as many again.
+    pub(crate) fn bytes(&self) -> u64 {
+        bytes_of(&self.items) + bytes_of(&self.open) + (2 * self.held * size_of::<S::Point>()) as u64
     }
+}
 
-    /// Counts all coordinates from `origin`.
-    pub(crate) fn shift(&mut self, builder: &mut Builder<S>, origin: &S::Point) {
-        for item in &mut self.items {
-            match item {
-                Item::Stroke(stroke) => {
-                    stroke.from = minus(stroke.from, origin);
-                    stroke.to = minus(stroke.to, origin);
-                }
-                Item::Polygon(polygon) => {
-                    let vertices = &mut builder.vertices[polygon.range()];
-                    vertices.iter_mut().for_each(|vertex| *vertex = minus(*vertex, origin));
-                }
-                Item::Block(placed) => placed.at = minus(placed.at, origin),
+/// Whether an item is a polygon that is not closed, or has no inside.
+pub(super) fn is_hollow<S: Space>(item: &Item<S>) -> bool {
+    matches!(item, Item::Polygon(Polygon { count: 0, .. }))
+}
+
+/// The place where an item begins.
+pub(super) fn origin<S: Space>(builder: &Builder<S>, item: &Item<S>) -> S::Point {
+    match item {
+        Item::Stroke(stroke) => stroke.from,
+        Item::Polygon(polygon) => builder.vertices[polygon.first as usize],
+        Item::Block(placed) => placed.at,
+    }
+}
+
+/// Counts all coordinates from `origin`.
+pub(super) fn shift<S: Space>(builder: &mut Builder<S>, items: &mut [Item<S>], origin: &S::Point) {
+    for item in items {
+        match item {
+            Item::Stroke(stroke) => {
+                stroke.from = minus(stroke.from, origin);
+                stroke.to = minus(stroke.to, origin);
             }
+            Item::Polygon(polygon) => {
+                let vertices = &mut builder.vertices[polygon.range()];
+                vertices.iter_mut().for_each(|vertex| *vertex = minus(*vertex, origin));
+            }
+            Item::Block(placed) => placed.at = minus(placed.at, origin),
         }
     }
 }
@@ -68,6 +80,7 @@ pub(crate) struct Desk<'a, S: Space> {
 
 impl<S: Space> Paper<S> for Desk<'_, S> {
     fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange) {
+        reserve(&mut self.sheet.items, 1);
         self.sheet.items.push(Item::Stroke(Stroke { from, to, style: self.styles.id(style) }));
     }
 
@@ -83,15 +96,18 @@ impl<S: Space> Paper<S> for Desk<'_, S> {
             && vertices.last() != Some(&at)
         {
             vertices.push(at);
+            self.sheet.held += 1;
         }
     }
 
     fn close(&mut self) {
-        if let Some((place, vertices)) = self.sheet.open.pop()
-            && vertices.len() > 2
+        let Some((place, vertices)) = self.sheet.open.pop() else { return };
+        self.sheet.held -= vertices.len();
+        if vertices.len() > 2
             && let Some(Item::Polygon(polygon)) = self.sheet.items.get_mut(place)
         {
             (polygon.first, polygon.count) = (self.vertices.len() as u32, vertices.len() as u32);
+            reserve(self.vertices, vertices.len());
             self.vertices.extend(vertices);
         }
     }

@@ -35,6 +35,6 @@ impl Drawing<Solid> {
 
     /// The root's extent in its own units.
     pub(crate) fn extent(&self) -> Option<body::Extent> {
-        *self.extent.get_or_init(|| Some(body::extent(self, self.root?)))
+        self.surveyed()
     }
 }

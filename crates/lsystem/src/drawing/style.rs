@@ -95,6 +95,13 @@ impl Styles {
         Self { list: vec![], ids: HashMap::new(), recent: [(StyleChange::NONE, None); 32] }
     }
 
+    /// The bytes that they take.
+    pub(crate) fn bytes(&self) -> u64 {
+        let each = size_of::<(ColourChange, u64, u64, u32)>() + size_of::<StyleId>() + 1;
+        // A hash map leaves an eighth of its places free.
+        (self.list.capacity() * size_of::<StyleChange>() + self.ids.capacity() / 7 * 8 * each) as u64
+    }
+
     pub(crate) fn id(&mut self, style: &StyleChange) -> StyleId {
         let place =
             style.level.wrapping_add(style.colour.of(0).cast_unsigned().wrapping_mul(8)) as usize % self.recent.len();

@@ -76,31 +76,42 @@ fn spread<S: Space>(rules: &Rules, score: &Score<S>, is: &dyn Fn(&Op<S>) -> bool
             acts(letter as LetterId) || images.iter().flat_map(|image| &image.successor.letters).any(|&made| acts(made))
         })
         .collect();
-    loop {
-        let mut grew = false;
-        for (letter, productions) in rules.by_letter.iter().enumerate() {
-            let reaches = productions.iter().any(|rule| {
-                let mut level = 0_i64;
-                rule.successor.letters.iter().any(|&made| {
-                    let made = usize::from(made);
-                    let reached = holds[made] && (level == 0 || !outside);
-                    for op in &score.ops[made] {
-                        level += i64::from(matches!(op, Op::Push(_))) - i64::from(matches!(op, Op::Pop));
-                    }
-                    reached
-                })
-            });
-            if reaches && !holds[letter] {
-                (holds[letter], grew) = (true, true);
+    // By letter that is made: the letters that make it, each list after the one before.
+    let mut makers = vec![];
+    for (letter, productions) in rules.by_letter.iter().enumerate() {
+        for rule in productions {
+            let mut level = 0_i64;
+            for &made in &rule.successor.letters {
+                if level == 0 || !outside {
+                    makers.push((made, letter as LetterId));
+                }
+                for op in &score.ops[usize::from(made)] {
+                    level += i64::from(matches!(op, Op::Push(_))) - i64::from(matches!(op, Op::Pop));
+                }
             }
         }
-        if !grew {
-            return holds;
+    }
+    let mut starts = vec![0; holds.len() + 1];
+    makers.iter().for_each(|&(made, _)| starts[usize::from(made) + 1] += 1);
+    (1..starts.len()).for_each(|at| starts[at] += starts[at - 1]);
+    let (mut sorted, mut ends) = (vec![0; makers.len()], starts.clone());
+    for (made, letter) in makers {
+        sorted[ends[usize::from(made)]] = letter;
+        ends[usize::from(made)] += 1;
+    }
+    let mut open: Vec<usize> = (0..holds.len()).filter(|&letter| holds[letter]).collect();
+    while let Some(made) = open.pop() {
+        for &letter in &sorted[starts[made]..starts[made + 1]] {
+            if !core::mem::replace(&mut holds[usize::from(letter)], true) {
+                open.push(usize::from(letter));
+            }
         }
     }
+    holds
 }
 
 /// How the turtle is turned on its way, against the frame in which the vertical is this one.
+#[derive(Clone, Debug)]
 pub(super) struct Course<S: Space> {
     heading: S::Turn,
     vertical: S::Point,

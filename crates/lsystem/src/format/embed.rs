@@ -1,7 +1,7 @@
 //! Pictures that carry the system they show, and reading it from any of our files.
 
 use super::{png, read_json, xml};
-use crate::{Definition, Diagnostic, Field, Kind};
+use crate::{Definition, Diagnostic, Field, Kind, LimitName, MAX_TEXT};
 use std::borrow::Cow;
 
 /// What a system is called in a picture's metadata.
@@ -24,10 +24,13 @@ pub struct FileContent {
 pub fn read_file(bytes: &[u8]) -> FileContent {
     let plain = unmarked(bytes);
     let bytes = &*plain;
+    let too_long = || Kind::Limit { limit: LimitName::Text, value: MAX_TEXT as u64, largest: None };
     let found = if png::is_png(bytes) {
         png::system_in(bytes).ok_or(Kind::NoSystem { picture: "PNG" })
     } else if is_xml(bytes) {
         metadata_in(bytes).ok_or(Kind::NoSystem { picture: "SVG" })
+    } else if bytes.len() > MAX_TEXT {
+        Err(too_long())
     } else {
         str::from_utf8(bytes).map(Cow::Borrowed).map_err(|error| {
             let lines = bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
@@ -35,15 +38,20 @@ pub fn read_file(bytes: &[u8]) -> FileContent {
         })
     };
     match found {
+        // Nothing of a long text is read or kept.
+        Ok(json) if json.len() > MAX_TEXT => refused(too_long()),
         Ok(json) => {
             let (definition, diagnostics) = read_json(&json);
             FileContent { definition, diagnostics, json: json.into_owned() }
         }
-        Err(kind) => {
-            let diagnostics = vec![Diagnostic { kind, field: Field::File, span: 0..0 }];
-            FileContent { definition: None, diagnostics, json: String::new() }
-        }
+        Err(kind) => refused(kind),
     }
+}
+
+/// What is said of a file that is not read.
+fn refused(kind: Kind) -> FileContent {
+    let diagnostics = vec![Diagnostic { kind, field: Field::File, span: 0..0 }];
+    FileContent { definition: None, diagnostics, json: String::new() }
 }
 
 /// JSON never begins like this.
@@ -53,10 +61,12 @@ fn is_xml(bytes: &[u8]) -> bool {
 
 /// Without a byte order mark, and in UTF-8 where that tells of UTF-16, as programs of Windows write it.
 fn unmarked(bytes: &[u8]) -> Cow<'_, [u8]> {
+    // Nobody keeps pictures larger than this in UTF-16.
+    const LONGEST: usize = 32 * MAX_TEXT;
     let read: fn([u8; 2]) -> u16 = match bytes {
         [0xef, 0xbb, 0xbf, rest @ ..] => return rest.into(),
-        [0xff, 0xfe, ..] => u16::from_le_bytes,
-        [0xfe, 0xff, ..] => u16::from_be_bytes,
+        [0xff, 0xfe, ..] if bytes.len() <= LONGEST => u16::from_le_bytes,
+        [0xfe, 0xff, ..] if bytes.len() <= LONGEST => u16::from_be_bytes,
         _ => return bytes.into(),
     };
     let units: Vec<u16> = bytes[2..].chunks_exact(2).map(|pair| read([pair[0], pair[1]])).collect();
@@ -90,6 +100,8 @@ fn metadata_in(svg: &[u8]) -> Option<Cow<'_, str>> {
     let start = find(svg, OPEN)? + OPEN.len();
     let content = &svg[start..];
     let content = &content[..find(content, CLOSE)?];
+    // A character takes ten bytes at most in XML; more of them than a text may have need not be translated.
+    let content = &content[..content.len().min(10 * MAX_TEXT + 10)];
     Some(xml::unescape(&String::from_utf8_lossy(content)).into())
 }
 

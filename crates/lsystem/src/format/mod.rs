@@ -11,11 +11,11 @@ mod png;
 mod svg;
 mod xml;
 
-pub use csv::write_csv;
+pub use csv::{CsvWriter, write_csv};
 pub use embed::{FileContent, read_file};
 pub use gltf::write_glb;
 pub use json::read_json;
 pub use json_write::write_json;
 pub use obj::write_obj;
 pub use png::tag_png;
-pub use svg::{Svg, SvgForm, SvgOptions, write_svg};
+pub use svg::{Svg, SvgForm, SvgOptions, SvgWriter, write_svg};

@@ -25,6 +25,13 @@ impl Image {
     }
 }
 
+impl Image {
+    /// The modules that were asked for last.
+    pub(crate) fn modules(&self) -> &Modules {
+        &self.modules
+    }
+}
+
 impl Rewriter {
     /// What the module at `place` of the last whole generation, whose arguments start at `argument`, is drawn as: its
     /// image, or itself where it has none.

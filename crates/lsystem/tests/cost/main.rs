@@ -5,4 +5,6 @@
 mod derivation;
 mod record;
 mod syntax;
+mod drawing;
+mod files;
 mod systems;

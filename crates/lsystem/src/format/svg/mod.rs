@@ -8,6 +8,7 @@ mod plan;
 use super::number::Decimals;
 use crate::{ColourBy, Diagnostic, Drawing, Field, Ink, Kind, Style};
 use core::fmt::Write;
+pub use flat::SvgWriter;
 use paths::attribute;
 
 /// How a drawing becomes an SVG picture.
@@ -24,7 +25,7 @@ pub struct SvgOptions {
     pub form: SvgForm,
     /// The longer side of the picture, in CSS pixels.
     pub size: f64,
-    /// The most segments to write; of the compact form, strokes and placed blocks.
+    /// The most segments and vertices of polygons to write; of the compact form, placed blocks too.
     pub most: u64,
 }
 

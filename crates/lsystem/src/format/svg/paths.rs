@@ -47,11 +47,12 @@ pub(super) struct Paths<'a> {
     /// What the next path is called.
     pub(super) id: Option<String>,
     /// The open path.
-    pen: Option<Pen>,
+    pub(super) pen: Option<Pen>,
 }
 
-#[derive(Clone, Copy)]
-struct Pen {
+/// A path that is open.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pen {
     ink: Ink,
     /// Where it ended, in units of the last decimal place.
     at: [f64; 2],

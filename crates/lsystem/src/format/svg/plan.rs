@@ -184,6 +184,7 @@ impl<'a> Plan<'a> {
             let part = match item {
                 Item::Stroke(stroke) => scene.stroke(&Line::new(stroke, drawing), &frame),
                 Item::Polygon(polygon) => {
+                    self.left = self.left.checked_sub(u64::from(polygon.count) - 1)?;
                     let vertices = drawing.vertices_of(polygon).iter().map(|&vertex| frame.lie(vertex)).collect();
                     let style = frame.style.then(&drawing.styles[polygon.style.0 as usize]);
                     Part::Polygon(vertices, scene.ink(&style).rgb)

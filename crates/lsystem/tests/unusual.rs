@@ -1,0 +1,163 @@
+//! Drawings and files of unusual systems: what once did not end, or was no picture.
+
+use lsystem::{
+    Definition, Drawer, Expected, Kind, LimitName, Limits, MAX_TEXT, Mesh, Meter, Outlook, Progress, Style, SvgForm,
+    SvgOptions, System, draw, draw_solid, read_file, read_json, write_csv, write_json, write_svg,
+};
+
+fn system(definition: &Definition) -> System {
+    let (system, diagnostics) = System::new(definition);
+    system.unwrap_or_else(|| panic!("{diagnostics:?}"))
+}
+
+fn turning(count: usize, angle: f64) -> Definition {
+    Definition { axiom: "F".into(), rules: format!("F -> {}", "F+".repeat(count)), angle, ..Definition::default() }
+}
+
+#[test]
+fn crowded_hulls_end() {
+    for (count, angle, n) in
+        [(8192, 89.999_999, 1), (8192, 30.000_000_246, 1), (12_000, 60.000_000_083, 1), (2000, 180.000_001_189, 2)]
+    {
+        let drawing = draw(&system(&turning(count, angle)), n, &Limits::default()).unwrap();
+        assert_eq!(drawing.segment_count(), (count as u128).pow(n));
+        let bounds = drawing.bounds().unwrap();
+        let ends = drawing.segments().take(100_000).flat_map(|segment| [segment.from, segment.to]);
+        for [x, y] in ends {
+            assert!(bounds[0] - 1e-6 <= x && x <= bounds[2] + 1e-6 && bounds[1] - 1e-6 <= y && y <= bounds[3] + 1e-6);
+        }
+    }
+}
+
+/// The same extent, whatever a step may do; and no more than a bounded number of steps.
+#[test]
+fn extents_take_a_bounded_effort() {
+    let definition = Definition { growth: 0.999_999, angle: -90.0, ..turning(2048, 90.0) };
+    let system = system(&definition);
+    let mut all = vec![];
+    for share in [10_000, 1 << 20] {
+        let mut drawer = Drawer::new(&system, 8, Limits::default());
+        let mut before = 0;
+        while drawer.step(share) == Progress::More {
+            assert!(drawer.spent() - before <= share + Meter::PIECE);
+            before = drawer.spent();
+        }
+        assert!(drawer.spent() < 20_000_000, "{}", drawer.spent());
+        all.push(drawer.finish().unwrap().bounds().unwrap().map(f64::to_bits));
+    }
+    assert_eq!(all[0], all[1]);
+}
+
+#[test]
+fn long_words_are_drawn_in_parts() {
+    let plain = Definition { axiom: "F+".repeat(100_000), angle: 0.01, ..Definition::default() };
+    let drawing = draw(&system(&plain), 0, &Limits::default()).unwrap();
+    assert_eq!(drawing.segment_count(), 100_000);
+    // The same strokes as letter by letter.
+    let apart = Definition { rules: "F -> F : 1\nF -> F : 1".into(), ..plain };
+    let expected = draw(&system(&apart), 0, &Limits::default()).unwrap();
+    for (a, b) in drawing.segments().zip(expected.segments()) {
+        for (a, b) in a.from.iter().chain(&a.to).zip(b.from.iter().chain(&b.to)) {
+            assert!((a - b).abs() < 1e-6, "{a} {b}");
+        }
+    }
+    // Whatever a step may do.
+    let parametric = Definition {
+        axiom: "A(1)".into(),
+        rules: format!("A(x) -> {}", "F(x)[+A(x/2)]-".repeat(3000)),
+        angle: 7.0,
+        ..Definition::default()
+    };
+    let system = system(&parametric);
+    let whole = draw(&system, 2, &Limits::default()).unwrap();
+    let mut drawer = Drawer::new(&system, 2, Limits::default());
+    while drawer.step(100) == Progress::More {}
+    let slow = drawer.finish().unwrap();
+    assert_eq!(whole.bounds().map(|b| b.map(f64::to_bits)), slow.bounds().map(|b| b.map(f64::to_bits)));
+    assert_eq!((whole.segment_count(), whole.block_count()), (slow.segment_count(), slow.block_count()));
+    assert!(whole.segments().take(100_000).eq(slow.segments().take(100_000)));
+}
+
+#[test]
+fn drawings_stay_within_their_memory() {
+    let rules = "F -> F[+F]F[-F]F : 0.33\nF -> F[+F]F : 0.33\nF -> F[-F]F : 0.34";
+    let random = Definition { axiom: "F".into(), rules: rules.into(), angle: 25.7, ..Definition::default() };
+    let long = turning(300_000, 0.01);
+    let open = Definition { axiom: "[".repeat(1_000_000), ..Definition::default() };
+    for (definition, n) in [(random, 12), (long, 2), (open, 0)] {
+        let limits = Limits { memory: 4 << 20, ..Limits::default() };
+        let mut drawer = Drawer::new(&system(&definition), n, limits);
+        while drawer.step(50_000) == Progress::More {
+            assert!(drawer.bytes() <= limits.memory);
+        }
+        let kind = drawer.finish().unwrap_err().kind;
+        assert!(matches!(kind, Kind::Limit { limit: LimitName::Memory, .. }), "{kind:?}");
+    }
+}
+
+#[test]
+fn polygons_count_where_everything_is_written() {
+    let rules = "A -> AA{G.+G.+G.}";
+    let leaves = Definition {
+        axiom: "A".into(),
+        rules: rules.into(),
+        overrides: "G: move unmarked".into(),
+        angle: 60.0,
+        ..Definition::default()
+    };
+    let system = system(&leaves);
+    let drawing = draw(&system, 100, &Limits::default()).unwrap();
+    assert_eq!((drawing.segment_count(), drawing.polygon_count()), (0, (1 << 100) - 1));
+    let refused = |kind: Kind| matches!(kind, Kind::Limit { limit: LimitName::Segments, .. });
+    assert!(refused(write_csv(&drawing, 1000).unwrap_err().kind));
+    let options = SvgOptions { most: 1000, ..SvgOptions::default() };
+    assert!(refused(write_svg(&drawing, &leaves.style, &options).unwrap_err().kind));
+    let solid = draw_solid(&system, 100, &Limits::default()).unwrap();
+    assert!(refused(Mesh::new(&solid, &leaves.style, 1000).unwrap_err().kind));
+    assert!(refused(solid.seen_from(&Outlook::default(), 1000).unwrap_err().kind));
+}
+
+#[test]
+fn pictures_hold_numbers() {
+    for axiom in ["F(1e-300)", "F(1e300)", "F(1e-300)+F(1e300)", "F(0)", "F(1e-300)F(1)"] {
+        for step in [1e-9, 1.0, 1e9] {
+            for min_width in [0.0, 1.0, 10_000.0] {
+                let style = Style { min_width, width: 1.0, ..Style::default() };
+                let definition = Definition { axiom: axiom.into(), step, style, angle: 90.0, ..Definition::default() };
+                let drawing = draw(&system(&definition), 0, &Limits::default()).unwrap();
+                for form in [SvgForm::Flat, SvgForm::Compact] {
+                    let options = SvgOptions { form, ..SvgOptions::default() };
+                    let text = write_svg(&drawing, &definition.style, &options).unwrap().text;
+                    let wrong = text.contains("NaN") || text.contains("inf");
+                    assert!(!wrong, "{axiom} step {step} min_width {min_width} {form:?}\n{text}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn long_files_are_refused_by_their_size() {
+    for bytes in [vec![b'\n'; 50 << 20], [b"[".repeat(8 << 20), b"]".repeat(8 << 20)].concat()] {
+        let content = read_file(&bytes);
+        assert!(content.json.is_empty() && content.definition.is_none());
+        assert!(matches!(content.diagnostics[0].kind, Kind::Limit { limit: LimitName::Text, .. }));
+    }
+    let svg = format!("<svg><metadata id=\"L-system\">{}</metadata></svg>", "&amp;".repeat(20 << 20));
+    let content = read_file(svg.as_bytes());
+    assert!(content.json.is_empty());
+    assert!(matches!(content.diagnostics[0].kind, Kind::Limit { limit: LimitName::Text, .. }));
+    // Within the size, nesting is bounded.
+    let (definition, diagnostics) = read_json(&"[".repeat(MAX_TEXT));
+    assert!(definition.is_none() && diagnostics.len() == 1);
+}
+
+#[test]
+fn colours_of_turns_read_back() {
+    let style = Style { turn_colours: [-1, i32::MIN], ..Style::default() };
+    let definition = Definition { axiom: "F".into(), style, ..Definition::default() };
+    let _ = system(&definition);
+    let (read, diagnostics) = read_json(&write_json(&definition));
+    assert_eq!((read, diagnostics.as_slice()), (Some(definition), &[][..]));
+    assert!(Expected::Whole(i64::from(i32::MIN), i64::from(i32::MAX)).admits(-1.0));
+}
