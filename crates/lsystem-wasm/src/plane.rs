@@ -21,6 +21,15 @@ const PATIENCE: f64 = 8.0;
 /// slow may have been the moment.
 const SKETCHES: u8 = 4;
 
+/// The most pixels of a picture for a file that are painted at a time: with their subsamples they take up to 24 bytes each,
+/// or 50 MB.
+#[cfg(feature = "full")]
+const BAND: u32 = 1 << 21;
+
+/// Pixels along the side of a cell: panes that begin at multiples of it have the same subsamples.
+#[cfg(feature = "full")]
+const CELL: u32 = 16;
+
 /// A drawing in the plane and its picture.
 pub(crate) struct PlaneView {
     pub(crate) drawing: Option<Arc<Drawing>>,
@@ -213,11 +222,22 @@ impl Viewer for PlaneView {
     fn snapshot(&self, scene: Scene, surface: &Surface) -> Result<(), JsValue> {
         let Some(drawing) = &self.drawing else { return Ok(()) };
         let viewport = scene.viewport.within_limits();
+        let scene = Scene { viewport, ..scene };
         let mut brush = Brush::default();
         brush.load(drawing.clone());
-        brush.begin(&Scene { viewport, ..scene }, Detail::Fine);
-        while brush.step(WORK) == Progress::More {}
-        surface.show(brush.pixels(), viewport)
+        // The tone of ink that adds up depends on the whole.
+        if scene.style.ink == Ink::Density || viewport.width * viewport.height <= BAND {
+            brush.begin(&scene, Detail::Fine);
+            while brush.step(WORK) == Progress::More {}
+            return surface.show(brush.pixels(), viewport);
+        }
+        let rows = (BAND / viewport.width.max(1) / CELL).max(1) * CELL;
+        for band in Pane::all(viewport, [viewport.width, rows]) {
+            brush.begin_pane(&scene, band);
+            while brush.step(WORK) == Progress::More {}
+            surface.put(brush.pixels(), viewport, band)?;
+        }
+        Ok(())
     }
 }
 
@@ -232,7 +252,6 @@ fn can_share(drawing: &Drawing, scene: &Scene) -> bool {
 #[cfg(feature = "full")]
 fn bands(viewport: Viewport, workers: u32) -> [u32; 2] {
     const EACH: u32 = 4;
-    const CELL: u32 = 16;
     [viewport.width, viewport.height.div_ceil(EACH * workers).next_multiple_of(CELL)]
 }
 

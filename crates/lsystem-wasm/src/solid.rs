@@ -183,7 +183,7 @@ impl Viewer for SolidView {
     }
 
     fn step_pane(&mut self) -> Option<(Spent, bool)> {
-        (self.renderer.step(WORK) == Progress::Done).then(|| (self.renderer.spent(), false))
+        (self.renderer.step(WORK) == Progress::Done).then(|| (self.renderer.effort_spent(), false))
     }
 
     fn pane_pixels(&self) -> &[u8] {
@@ -221,7 +221,7 @@ impl SolidView {
             }
             Turn::GoOn => {
                 if self.renderer.step(WORK) == Progress::Done
-                    && let Some(pane) = self.sharing.finish(self.renderer.spent(), false)
+                    && let Some(pane) = self.sharing.finish(self.renderer.effort_spent(), false)
                 {
                     surface.put(self.renderer.pixels(), viewport, pane)?;
                 }
