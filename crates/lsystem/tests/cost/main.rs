@@ -2,4 +2,5 @@
 //!
 //! `cargo test -p lsystem --test cost -- --nocapture` prints the largest step of each entry point.
 
+mod pictures;
 mod systems;
