@@ -289,13 +289,12 @@
     /** A PNG file that carries its system, so that it can be opened again. @param {any} question */
     async function tagged({ id, width, height, definition }) {
         const sheet = new OffscreenCanvas(1, 1);
-        const picture = playground.snapshot(width, height);
+        const picture = playground.snapshot(sheet, width, height);
         while (!picture.step(STEP_MS)) {
             await new Promise((resolve) => setTimeout(resolve));
             tellAt(id);
         }
-        picture.paint(sheet);
-        // Its pixels are on the sheet: there is no need to have them twice.
+        // Its pixels are on the sheet.
         picture.free();
         const plain = await sheet.convertToBlob({ type: 'image/png' });
         const bytes = new Uint8Array(await plain.arrayBuffer());

@@ -3,9 +3,10 @@
 use crate::args::Size;
 use crate::progress::Progress as Bar;
 use lsystem::{
-    Camera, DensityRenderer, Drawing, Ink, PlaneRenderer, Progress, Quality, Renderer, Solid, SolidRenderer, Style,
-    View, Viewport, fit, tag_png,
+    Camera, DensityRenderer, Drawing, Ink, Pane, PlaneRenderer, Progress, Quality, Renderer, Solid, SolidRenderer,
+    Style, View, Viewport, fit, tag_png,
 };
+use std::io::Write;
 use std::sync::Arc;
 
 /// The longer side where no size is asked for, and the one at which a stroke's least width is in pixels.
@@ -14,6 +15,10 @@ const USUAL: u32 = 1024;
 const LEAST: u32 = 128;
 /// The renderer's units of work between two looks at the clock.
 const WORK: usize = 1_000_000;
+/// The most pixels that are painted at a time: with their subsamples they take up to 24 bytes each, or 100 MB.
+const BAND: u32 = 1 << 22;
+/// Pixels along the side of a cell: panes that begin at multiples of it have the same subsamples.
+const CELL: u32 = 16;
 
 /// `drawing`, whole and centred, in a file that carries its `system`. Strokes are as thin, compared with the picture,
 /// as at the usual size.
@@ -27,14 +32,36 @@ pub(crate) fn png(
     system: &str,
 ) -> Result<Vec<u8>, png::EncodingError> {
     let size = size.unwrap_or_else(|| usual_size(&drawing));
-    let mut renderer: Box<dyn PlaneRenderer> = match style.ink {
-        Ink::Solid => Box::new(Renderer::new()),
-        Ink::Density => Box::new(DensityRenderer::new()),
-    };
-    renderer.load(Arc::new(drawing));
-    renderer.begin(style, viewport(size), View::default());
-    finish(|| renderer.step(WORK));
-    encode(renderer.pixels(), size, system)
+    let viewport = viewport(size);
+    let drawing = Arc::new(drawing);
+    if style.ink == Ink::Density {
+        // Its tone depends on the whole picture.
+        let mut renderer = DensityRenderer::new();
+        renderer.load(drawing);
+        renderer.begin(style, viewport, View::default());
+        finish(|| renderer.step(WORK));
+        return encode(size, system, |write| write(renderer.pixels()));
+    }
+    let mut renderer = Renderer::new();
+    renderer.load(drawing);
+    encode(size, system, |write| {
+        for band in Pane::all(viewport, [size.width, band_rows(size)]) {
+            if band == Pane::whole(viewport) {
+                renderer.begin(style, viewport, View::default());
+            } else {
+                renderer.begin_pane(style, viewport, View::default(), None, band);
+            }
+            finish(|| renderer.step(WORK));
+            write(renderer.pixels())?;
+        }
+        Ok(())
+    })
+}
+
+/// Rows of a picture that are made at a time: all of an ordinary one, and otherwise whole cells of the renderer.
+fn band_rows(Size { width, height }: Size) -> u32 {
+    let rows = BAND / width.max(1) / CELL * CELL;
+    if width.saturating_mul(height) <= BAND { height } else { rows.max(CELL) }
 }
 
 /// As [`png()`], of a drawing in space, seen from where the page looks at it first.
@@ -52,7 +79,7 @@ pub(crate) fn solid_png(
     renderer.load(Arc::new(drawing));
     renderer.begin(style, viewport(size), &Camera::default(), Quality::BEST);
     finish(|| renderer.step(WORK));
-    encode(renderer.pixels(), size, system)
+    encode(size, system, |write| write(renderer.pixels()))
 }
 
 fn viewport(Size { width, height }: Size) -> Viewport {
@@ -67,17 +94,30 @@ fn finish(mut step: impl FnMut() -> Progress) {
     }
 }
 
-/// Opaque RGBA pixels as a file that carries its `system`.
-fn encode(pixels: &[u8], Size { width, height }: Size, system: &str) -> Result<Vec<u8>, png::EncodingError> {
+/// A file that carries its `system`, of opaque RGBA pixels that `paint` writes row by row, any number of rows at a time.
+fn encode(
+    Size { width, height }: Size,
+    system: &str,
+    paint: impl FnOnce(&mut dyn FnMut(&[u8]) -> Result<(), png::EncodingError>) -> Result<(), png::EncodingError>,
+) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     let mut writer = encoder.write_header()?;
-    // The renderer's pixels are opaque.
-    let rgb: Vec<u8> = pixels.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
-    writer.write_image_data(&rgb)?;
+    let mut rows = writer.stream_writer()?;
+    let mut rgb = Vec::new();
+    paint(&mut |pixels| {
+        // The renderer's pixels are opaque.
+        for row in pixels.chunks(4 * width.max(1) as usize) {
+            rgb.clear();
+            rgb.extend(row.as_chunks::<4>().0.iter().flat_map(|&[r, g, b, _]| [r, g, b]));
+            rows.write_all(&rgb)?;
+        }
+        Ok(())
+    })?;
+    rows.finish()?;
     writer.finish()?;
     Ok(tag_png(&bytes, system).unwrap_or(bytes))
 }
@@ -92,4 +132,44 @@ fn usual_size(drawing: &Drawing) -> Size {
         if share.is_finite() { ((share * f64::from(USUAL)).round() as u32).clamp(LEAST, USUAL) } else { USUAL }
     };
     Size { width: side(extent.width), height: side(extent.height) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lsystem::{Definition, Limits, System, draw};
+
+    #[test]
+    fn pictures_in_bands_are_those_of_the_whole() {
+        let definition = Definition {
+            axiom: "X".into(),
+            rules: "X -> F-[[X]+X]+F[+FX]-X\nF -> FF".into(),
+            angle: 22.5,
+            ..Definition::default()
+        };
+        let drawing = Arc::new(draw(&System::new(&definition).0.unwrap(), 5, &Limits::default()).unwrap());
+        let viewport = viewport(Size { width: 300, height: 200 });
+        let mut renderer = Renderer::new();
+        renderer.load(drawing);
+        renderer.begin(&definition.style, viewport, View::default());
+        finish(|| renderer.step(WORK));
+        let whole = renderer.pixels().to_vec();
+        let mut banded = vec![];
+        for band in Pane::all(viewport, [300, 3 * CELL]) {
+            renderer.begin_pane(&definition.style, viewport, View::default(), None, band);
+            finish(|| renderer.step(WORK));
+            banded.extend_from_slice(renderer.pixels());
+        }
+        let differ = whole.iter().zip(&banded).filter(|(a, b)| a.abs_diff(**b) > 1).count();
+        assert!(whole.len() == banded.len() && differ * 1000 < whole.len(), "{differ}");
+    }
+
+    #[test]
+    fn bands_are_small_and_whole_cells_high() {
+        assert_eq!(band_rows(Size { width: 2048, height: 2048 }), 2048);
+        for (width, height) in [(4096, 4096), (10_000, 10_000), (32_768, 3_000), (300, 32_768)] {
+            let rows = band_rows(Size { width, height });
+            assert!(rows.is_multiple_of(CELL) && rows > 0 && rows * width <= BAND, "{width} {height} {rows}");
+        }
+    }
 }

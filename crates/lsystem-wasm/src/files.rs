@@ -119,11 +119,11 @@ impl Playground {
         to_js(&ExportReport { text, diagnostics: problems(diagnostic.as_slice(), definition, "") })
     }
 
-    /// Starts a picture of the current view at another size.
+    /// Starts a picture of the current view on `canvas`, at another size.
     ///
     /// # Errors
-    /// Throws where nothing has been drawn.
-    pub fn snapshot(&self, width: u32, height: u32) -> Result<Picture, JsValue> {
+    /// Throws where nothing has been drawn, or where the canvas has no 2D context.
+    pub fn snapshot(&self, canvas: OffscreenCanvas, width: u32, height: u32) -> Result<Picture, JsValue> {
         let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
         let viewport = Viewport { width, height, ratio };
         let snapshot = self
@@ -131,7 +131,7 @@ impl Playground {
             .zip(self.scene())
             .and_then(|(realm, scene)| self.views.get(realm).snapshot(Scene { viewport, ..scene }));
         let snapshot = snapshot.ok_or("nothing has been drawn yet")?;
-        Ok(Picture { snapshot, clock: Clock::new() })
+        Ok(Picture { snapshot, surface: Surface::new(canvas)?, clock: Clock::new() })
     }
 }
 
@@ -139,29 +139,30 @@ impl Playground {
 #[wasm_bindgen]
 pub struct Picture {
     snapshot: Box<dyn Snapshot>,
+    surface: Surface,
     clock: Clock,
 }
 
 #[wasm_bindgen]
 impl Picture {
-    /// Works for about `budget` milliseconds; whether the picture is there.
-    pub fn step(&mut self, budget: f64) -> bool {
-        let end = self.clock.now() + budget;
-        loop {
-            let done = self.snapshot.step() == Progress::Done;
-            if done || self.clock.now() >= end {
-                return done;
-            }
-        }
-    }
-
-    /// Paints it onto a canvas, which gets its size.
+    /// Works for about `budget` milliseconds, and puts what is finished on the canvas; whether all of it is.
     ///
     /// # Errors
     /// Throws where the canvas refuses the picture.
-    pub fn paint(&self, canvas: OffscreenCanvas) -> Result<(), JsValue> {
-        let (pixels, viewport) = self.snapshot.picture();
-        Surface::new(canvas)?.show(pixels, viewport)
+    pub fn step(&mut self, budget: f64) -> Result<bool, JsValue> {
+        let end = self.clock.now() + budget;
+        loop {
+            if self.snapshot.step() == Progress::Done {
+                let (pixels, viewport, band) = self.snapshot.band();
+                self.surface.put(pixels, viewport, band)?;
+                if !self.snapshot.next() {
+                    return Ok(true);
+                }
+            }
+            if self.clock.now() >= end {
+                return Ok(false);
+            }
+        }
     }
 }
 

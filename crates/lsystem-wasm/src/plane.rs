@@ -23,6 +23,15 @@ const PATIENCE: f64 = 8.0;
 /// slow may have been the moment.
 const SKETCHES: u8 = 4;
 
+/// The most pixels of a picture for a file that are painted at a time: with their subsamples they take up to 24 bytes each,
+/// or 50 MB.
+#[cfg(feature = "full")]
+const BAND: u32 = 1 << 21;
+
+/// Pixels along the side of a cell: panes that begin at multiples of it have the same subsamples.
+#[cfg(feature = "full")]
+const CELL: u32 = 16;
+
 /// A drawing in the plane and its picture.
 pub(crate) struct PlaneView {
     pub(crate) drawing: Option<Arc<Drawing>>,
@@ -214,28 +223,51 @@ impl Viewer for PlaneView {
     #[cfg(feature = "full")]
     fn snapshot(&self, scene: Scene) -> Option<Box<dyn Snapshot>> {
         let viewport = scene.viewport.within_limits();
+        let scene = Scene { viewport, ..scene };
         let mut brush = Brush::default();
         brush.load(self.drawing.clone()?);
-        brush.begin(&Scene { viewport, ..scene }, Detail::Fine);
-        Some(Box::new(PlaneSnapshot { brush, viewport }))
+        // The tone of ink that adds up depends on the whole.
+        let whole = scene.style.ink == Ink::Density || viewport.width * viewport.height <= BAND;
+        let rows = if whole { viewport.height } else { (BAND / viewport.width.max(1) / CELL).max(1) * CELL };
+        let mut bands = Pane::all(viewport, [viewport.width, rows]);
+        bands.reverse();
+        let mut snapshot = PlaneSnapshot { brush, scene, bands, band: Pane::whole(viewport), whole };
+        snapshot.next();
+        Some(Box::new(snapshot))
     }
 }
 
-/// A picture for a file.
+/// A picture for a file, made band by band.
 #[cfg(feature = "full")]
 struct PlaneSnapshot {
     brush: Brush,
-    viewport: Viewport,
+    scene: Scene,
+    /// The bands to come, the next one last.
+    bands: Vec<Pane>,
+    band: Pane,
+    /// Whether the only band is made as a whole picture.
+    whole: bool,
 }
 
 #[cfg(feature = "full")]
 impl Snapshot for PlaneSnapshot {
+    fn next(&mut self) -> bool {
+        let Some(band) = self.bands.pop() else { return false };
+        self.band = band;
+        if self.whole {
+            self.brush.begin(&self.scene, Detail::Fine);
+        } else {
+            self.brush.begin_pane(&self.scene, band);
+        }
+        true
+    }
+
     fn step(&mut self) -> Progress {
         self.brush.step(WORK)
     }
 
-    fn picture(&self) -> (&[u8], Viewport) {
-        (self.brush.pixels(), self.viewport)
+    fn band(&self) -> (&[u8], Viewport, Pane) {
+        (self.brush.pixels(), self.scene.viewport, self.band)
     }
 }
 
@@ -250,7 +282,6 @@ fn can_share(drawing: &Drawing, scene: &Scene) -> bool {
 #[cfg(feature = "full")]
 fn bands(viewport: Viewport, workers: u32) -> [u32; 2] {
     const EACH: u32 = 4;
-    const CELL: u32 = 16;
     [viewport.width, viewport.height.div_ceil(EACH * workers).next_multiple_of(CELL)]
 }
 

@@ -183,7 +183,7 @@ impl Viewer for SolidView {
     }
 
     fn step_pane(&mut self) -> Option<(Spent, bool)> {
-        (self.renderer.step(WORK) == Progress::Done).then(|| (self.renderer.spent(), false))
+        (self.renderer.step(WORK) == Progress::Done).then(|| (self.renderer.effort_spent(), false))
     }
 
     fn pane_pixels(&self) -> &[u8] {
@@ -199,19 +199,23 @@ impl Viewer for SolidView {
     }
 }
 
-/// A picture for a file.
+/// A picture for a file, in one band.
 struct SolidSnapshot {
     renderer: SolidRenderer,
     viewport: Viewport,
 }
 
 impl Snapshot for SolidSnapshot {
+    fn next(&mut self) -> bool {
+        false
+    }
+
     fn step(&mut self) -> Progress {
         self.renderer.step(WORK)
     }
 
-    fn picture(&self) -> (&[u8], Viewport) {
-        (self.renderer.pixels(), self.viewport)
+    fn band(&self) -> (&[u8], Viewport, Pane) {
+        (self.renderer.pixels(), self.viewport, Pane::whole(self.viewport))
     }
 }
 
@@ -235,7 +239,7 @@ impl SolidView {
             }
             Turn::GoOn => {
                 if self.renderer.step(WORK) == Progress::Done
-                    && let Some(pane) = self.sharing.finish(self.renderer.spent(), false)
+                    && let Some(pane) = self.sharing.finish(self.renderer.effort_spent(), false)
                 {
                     surface.put(self.renderer.pixels(), viewport, pane)?;
                 }

@@ -103,14 +103,18 @@ pub(crate) trait Viewer {
     fn snapshot(&self, scene: Scene) -> Option<Box<dyn Snapshot>>;
 }
 
-/// A picture for a file, made in steps, so that the worker answers the page meanwhile.
+/// A picture for a file, made band by band to save memory, and in steps, so that the worker answers the page meanwhile.
+/// The first band is begun already.
 #[cfg(feature = "full")]
 pub(crate) trait Snapshot {
-    /// Goes on with the picture.
+    /// Begins the next band; false where there is none.
+    fn next(&mut self) -> bool;
+
+    /// Goes on with the band.
     fn step(&mut self) -> Progress;
 
-    /// Its pixels, RGBA, and its size.
-    fn picture(&self) -> (&[u8], Viewport);
+    /// The pixels of the band, RGBA, the size of the picture, and where the band is in it.
+    fn band(&self) -> (&[u8], Viewport, Pane);
 }
 
 /// Goes on with the drawing that is being built; it itself when it is there, or what went wrong.

@@ -230,7 +230,7 @@ mod tests {
     fn a_circle_is_capped_from_outside() {
         let circle: Vec<Point> = (0..3600)
             .map(|tenth| {
-                let (c, s) = crate::Heading::from_degrees(f64::from(tenth) / 10.0).cos_sin();
+                let (c, s) = Heading::from_degrees(f64::from(tenth) / 10.0).cos_sin();
                 [c * 0.9, s * 0.9]
             })
             .collect();
@@ -244,8 +244,8 @@ mod tests {
     #[test]
     fn crowded_corners_end() {
         for (degrees, count) in [(89.999_999, 8192), (30.000_000_246, 8192), (60.000_000_083, 12_000)] {
-            let turn = crate::Heading::from_degrees(degrees);
-            let (mut at, mut heading) = ([0.0; 2], crate::Heading::EAST);
+            let turn = Heading::from_degrees(degrees);
+            let (mut at, mut heading) = ([0.0; 2], Heading::EAST);
             let points: Vec<Point> = (0..count)
                 .map(|_| {
                     let (c, s) = heading.cos_sin();
@@ -288,7 +288,7 @@ mod tests {
         fn hulls_contain_and_fit(points in prop::collection::vec((-0.9..0.9, -0.9..0.9), 1..200),
                                  flat in prop_oneof![Just(1.0), Just(0.0), Just(1e-15), Just(1e-9)], turn in 0.0..360.0) {
             // Flattened and turned, so that all is near a line in any direction.
-            let (c, s) = crate::Heading::from_degrees(turn).cos_sin();
+            let (c, s) = Heading::from_degrees(turn).cos_sin();
             let points: Vec<Point> = points.iter().map(|&(x, y)| [c * x - s * y * flat, s * x + c * y * flat])
                 .map(|p| p.map(|c| c * 0.7)).collect();
             let mut corners = points.clone();
@@ -297,7 +297,7 @@ mod tests {
             contains(&corners, &points, 1e-14)?;
             // In every direction it reaches no farther than the points do.
             for direction in 0..36 {
-                let (c, s) = crate::Heading::from_degrees(f64::from(direction) * 10.0 + turn).cos_sin();
+                let (c, s) = Heading::from_degrees(f64::from(direction) * 10.0 + turn).cos_sin();
                 let reach = |points: &[Point]| points.iter().map(|p| c * p[0] + s * p[1]).fold(f64::MIN, f64::max);
                 prop_assert!((reach(&corners) - reach(&points)).abs() <= slack + 1e-14, "{:?}", corners);
             }

@@ -8,14 +8,14 @@ use super::RenderStats;
 use super::canvas::{Block, Canvas, GROUP};
 use super::descent::{Descent, Node, Pen};
 use super::inks::{Dye, InkTable, Shade};
-use super::layout::{Layout, is_empty, size};
+use super::layout::{Layout, Trials, is_empty, size};
 use super::parts::{Part, Parts};
-use super::polygon;
+use super::polygon::Filling;
 use super::shape::Shape;
 use super::stroke::Capsule;
 use super::tile::{self, Bits, Planes};
 use super::view::Look;
-use crate::{Drawing, Item, Progress, StyleId};
+use crate::{Drawing, Item, Meter, Progress, StyleId};
 
 /// The finished picture of a part.
 #[derive(Debug, Default)]
@@ -92,7 +92,7 @@ pub(super) type Start = fn(Scene<'_>, Look, Node, [[f64; 2]; 2]) -> Option<Box<d
 /// A way up.
 pub(super) trait Climb {
     /// Finds out what there is to be done; `None` where it is too much.
-    fn plan(&mut self, scene: Scene<'_>, descent: &mut Descent, left: &mut i64) -> Option<Progress>;
+    fn plan(&mut self, scene: Scene<'_>, descent: &mut Descent, meter: &mut Meter) -> Option<Progress>;
 
     /// Whether it is known what there is to be done.
     fn is_planned(&self) -> bool;
@@ -104,7 +104,7 @@ pub(super) trait Climb {
         descent: &mut Descent,
         frame: &mut Canvas,
         stats: &mut RenderStats,
-        left: &mut i64,
+        meter: &mut Meter,
     ) -> Progress;
 }
 
@@ -116,9 +116,13 @@ pub(super) struct Ascent {
     seen: [[f64; 2]; 2],
     parts: Parts,
     layout: Layout,
+    /// The lattices that have been tried, and the last of them until it is known what it takes.
+    trials: Trials,
     /// By part, as long as they are needed.
     pictures: Vec<Option<Picture>>,
     canvas: Canvas,
+    /// The polygon in hand.
+    filling: Filling,
     /// How many parts, from the last on, have been begun.
     begun: usize,
     /// The part on the canvas, and how many of its joints are done.
@@ -140,8 +144,10 @@ impl Ascent {
             seen,
             parts: Parts::new(scene.drawing, scene.shapes, look, root)?,
             layout: Layout::default(),
+            trials: Trials::default(),
             pictures: vec![],
             canvas: Canvas::default(),
+            filling: Filling::default(),
             begun: 0,
             making: None,
             strips: 0,
@@ -177,7 +183,7 @@ impl Ascent {
         mut node: Node,
         joints: usize,
         stats: &mut RenderStats,
-    ) -> i64 {
+    ) -> u64 {
         let Scene { drawing, shapes, inks } = scene;
         let index = self.index();
         if node.cursor == drawing.blocks[node.block.0 as usize].items.start {
@@ -185,7 +191,8 @@ impl Ascent {
             self.pictures[index] = Some(Picture::new(&self.canvas));
             self.making = None;
             stats.parts += 1;
-            return self.canvas.covered.len() as i64 / 64;
+            // As much again to keep it.
+            return 1 + 2 * self.canvas.take_work();
         }
         node.cursor -= 1;
         self.making = Some((node, joints));
@@ -198,8 +205,8 @@ impl Ascent {
             }
             Item::Polygon(polygon) => {
                 stats.strokes += 1;
-                let vertices: Vec<_> = drawing.vertices_of(polygon).iter().map(|&v| node.place.point(v)).collect();
-                polygon::paint(&mut self.canvas, &vertices, inks.code(style(polygon.style).shade)) as i64 / 4
+                let vertices = drawing.vertices_of(polygon).iter().map(|&v| node.place.point(v));
+                self.filling.begin(&self.canvas, vertices, inks.code(style(polygon.style).shade))
             }
             Item::Block(placed) => {
                 let child = descent.child(drawing, inks.choice, &node, placed);
@@ -225,14 +232,14 @@ impl Ascent {
         }
     }
 
-    fn stroke(&mut self, inks: &InkTable, [from, to]: [[f64; 2]; 2], pen: Pen) -> i64 {
+    fn stroke(&mut self, inks: &InkTable, [from, to]: [[f64; 2]; 2], pen: Pen) -> u64 {
         // What is thinner than a cell would be torn.
         let radius = (self.look.radius(pen.width) / f64::from(self.layout.grain)).max(0.5);
-        Capsule { from, to, radius }.paint(&mut self.canvas, inks.code(pen.shade)) as i64 / 4 + 1
+        Capsule { from, to, radius }.paint(&mut self.canvas, inks.code(pen.shade)) as u64 / 4 + 1
     }
 
     /// Stamps what a joint joins, which is entered with a shade.
-    fn stamp(&mut self, inks: &InkTable, index: usize, joint: usize, shade: Shade, stats: &mut RenderStats) -> i64 {
+    fn stamp(&mut self, inks: &InkTable, index: usize, joint: usize, shade: Shade, stats: &mut RenderStats) -> u64 {
         if !self.layout.is_used(&self.parts, index, joint) {
             return 1;
         }
@@ -243,7 +250,7 @@ impl Ascent {
         let corners = [self.layout.areas[inner][0], self.layout.areas[index][0]];
         let at = [0, 1].map(|axis| corners[0][axis] + self.layout.shifts[joint][axis] - corners[1][axis]);
         self.canvas.stamp(&picture.bits(&dye), at, &dye);
-        let took = picture.words.len() as i64 / 64 + 1;
+        let took = picture.words.len() as u64 / 32 + 1;
         self.layout.uses[inner] -= 1;
         if self.layout.uses[inner] == 0 {
             self.pictures[inner] = None;
@@ -252,7 +259,7 @@ impl Ascent {
     }
 
     /// Puts a strip of the finished picture where it belongs; what that took.
-    fn put(&mut self, frame: &mut Canvas) -> i64 {
+    fn put(&mut self, frame: &mut Canvas) -> u64 {
         let Some(root) = self.parts.order.first().copied() else { return 1 };
         let Some(picture) = &self.pictures[root] else { return 1 };
         let grain = i64::from(self.layout.grain);
@@ -267,19 +274,25 @@ impl Ascent {
             };
             frame.put(self.strips, group, block(0), |plane| block(1 + plane));
         }
-        (frame.rows * (1 + picture.planes)) as i64 / 8
+        (frame.rows * (1 + picture.planes)) as u64 / 8
     }
 }
 
 impl Climb for Ascent {
-    fn plan(&mut self, scene: Scene<'_>, descent: &mut Descent, left: &mut i64) -> Option<Progress> {
-        if self.parts.step(scene, self.look, descent, left)? == Progress::More {
+    fn plan(&mut self, scene: Scene<'_>, descent: &mut Descent, meter: &mut Meter) -> Option<Progress> {
+        if self.parts.step(scene, self.look, descent, meter)? == Progress::More {
             return Some(Progress::More);
         }
-        self.layout = Layout::new(&self.parts, self.root.place.origin, self.seen, |part| scene.planes(part))?;
-        self.pictures.resize_with(self.parts.list.len(), || None);
-        *left -= self.parts.joints.len() as i64;
-        Some(Progress::Done)
+        while !meter.is_spent() {
+            let found = self.trials.step(&self.parts, self.root.place.origin, self.seen, |part| scene.planes(part))?;
+            meter.charge(1 + (self.parts.joints.len() + self.parts.list.len()) as u64 / 4);
+            if let Some(layout) = found {
+                self.layout = layout;
+                self.pictures.resize_with(self.parts.list.len(), || None);
+                return Some(Progress::Done);
+            }
+        }
+        Some(Progress::More)
     }
 
     fn is_planned(&self) -> bool {
@@ -292,17 +305,20 @@ impl Climb for Ascent {
         descent: &mut Descent,
         frame: &mut Canvas,
         stats: &mut RenderStats,
-        left: &mut i64,
+        meter: &mut Meter,
     ) -> Progress {
-        while *left > 0 {
-            if let Some((node, joints)) = self.making {
-                *left -= self.item(scene, descent, node, joints, stats);
+        while !meter.is_spent() {
+            if !self.filling.is_done() {
+                self.filling.step(&mut self.canvas, meter);
+            } else if let Some((node, joints)) = self.making {
+                meter.charge(self.item(scene, descent, node, joints, stats));
+                meter.charge(self.canvas.take_work());
             } else if self.begun < self.parts.order.len() {
                 self.begun += 1;
                 self.begin(scene, descent);
-                *left -= 1;
+                meter.charge(1);
             } else if self.strips < frame.strips {
-                *left -= self.put(frame);
+                meter.charge(self.put(frame));
                 self.strips += 1;
             } else {
                 return Progress::Done;
@@ -357,18 +373,19 @@ mod tests {
         ] {
             let drawing = sample.draw(40);
             let (shapes, mut inks, mut descent) = (shapes(&drawing), InkTable::default(), Descent::default());
-            inks.prepare(&drawing, &sample.0.style);
+            inks.choose(&drawing, &sample.0.style);
+            inks.prepare(&drawing, &mut Meter::new(u64::MAX));
             let scene = Scene { drawing: &drawing, shapes: &shapes, inks: &inks };
             let camera = Camera::new(&drawing, viewport, View { zoom, ..View::default() }, 4.0);
             let look = Look { hairline: 2.0, step: camera.step, scale: camera.scale };
             let root = descent.root(&drawing, camera).unwrap();
             let mut ascent = Ascent::new(scene, look, root, [[0.0; 2], [6400.0, 4000.0]]).unwrap();
-            while ascent.plan(scene, &mut descent, &mut 1000).unwrap() == Progress::More {}
+            while ascent.plan(scene, &mut descent, &mut Meter::new(1000)).unwrap() == Progress::More {}
             let mut frame = Canvas::default();
             frame.reset(6400, 4000, inks.picture_planes());
             let mut stats = RenderStats::default();
             let mut most = 0;
-            while ascent.step(scene, &mut descent, &mut frame, &mut stats, &mut 1000) == Progress::More {
+            while ascent.step(scene, &mut descent, &mut frame, &mut stats, &mut Meter::new(1000)) == Progress::More {
                 // The pictures and the canvas; the words around them, and extents, are few.
                 let kept: usize = ascent.pictures.iter().flatten().map(|p| p.strips * p.rows * (1 + p.planes)).sum();
                 most = most.max(kept + ascent.canvas.covered.len() + ascent.canvas.colours.len());
@@ -385,7 +402,8 @@ mod tests {
         let sample = Sample::abop("X", &[('X', "F[+X][-X]")], 20.0);
         let drawing = sample.draw(20);
         let (shapes, mut inks, mut descent) = (shapes(&drawing), InkTable::default(), Descent::default());
-        inks.prepare(&drawing, &sample.0.style);
+        inks.choose(&drawing, &sample.0.style);
+        inks.prepare(&drawing, &mut Meter::new(u64::MAX));
         let scene = Scene { drawing: &drawing, shapes: &shapes, inks: &inks };
         let camera = Camera::new(&drawing, viewport, View::default(), 1.0);
         // One sample a pixel, and four pixels to a cell: an eighth of a cell is half as wide as a stroke.

@@ -54,7 +54,16 @@ pub(super) struct Canvas {
     mixed: Vec<u64>,
     /// By strip, then group: the colour of one that is neither open nor mixed.
     plain: Vec<u16>,
+    /// Units of work done since it was asked last, beside what painters count.
+    work: u64,
 }
+
+/// Strips, or words of bits, that are looked at in a unit of work.
+const LOOKS: usize = 16;
+/// Groups that are painted in a unit of work.
+const PAINTED: usize = 4;
+/// Words that are cleared or copied in a unit of work.
+const COPIED: usize = 128;
 
 /// What a group holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,6 +91,12 @@ impl Canvas {
         self.open.resize(words, u64::MAX);
         self.mixed.clear();
         self.mixed.resize(words, 0);
+        self.work += ((words + size * (1 + planes)) / COPIED) as u64;
+    }
+
+    /// The units of work done since this was asked last, beside what painters count.
+    pub(super) fn take_work(&mut self) -> u64 {
+        core::mem::take(&mut self.work)
     }
 
     /// What a group of a strip holds.
@@ -112,6 +127,7 @@ impl Canvas {
 
     /// Lets the words of every group tell what it holds.
     pub(super) fn settle(&mut self) {
+        self.work += (self.covered.len() * (1 + self.planes) / COPIED) as u64;
         for strip in 0..self.strips {
             for group in 0..self.rows / GROUP {
                 let at = strip * self.rows + group * GROUP;
@@ -167,7 +183,14 @@ impl Canvas {
     pub(super) fn is_full(&mut self, x: [i64; 2], y: [i64; 2]) -> bool {
         let Some((x, y)) = self.clip(x, y) else { return true };
         let groups = y.map(|row| row / GROUP);
+        let words = groups[1] / GROUPS - groups[0] / GROUPS + 1;
+        let mut looks = 0;
         for strip in x[0] / STRIP..=x[1] / STRIP {
+            looks += words;
+            if looks >= LOOKS {
+                self.work += (looks / LOOKS) as u64;
+                looks %= LOOKS;
+            }
             let outside = !columns(strip, x);
             let column = &self.covered[strip * self.rows..][..self.rows];
             for word in groups[0] / GROUPS..=groups[1] / GROUPS {
@@ -384,6 +407,9 @@ impl Canvas {
             let reach = [reach[0].max(0), reach[1].min(right)];
             let strips =
                 if reach[0] <= reach[1] { reach[0] as usize / STRIP..reach[1] as usize / STRIP + 1 } else { 0..0 };
+            if strips.len() > LOOKS {
+                self.work += (strips.len() / LOOKS) as u64;
+            }
             let mut open = strips.fold(0, |open, strip| open | self.open(strip, groups));
             while open != 0 {
                 let group = groups[0] / GROUPS * GROUPS + open.trailing_zeros() as usize;
@@ -400,12 +426,13 @@ impl Canvas {
     }
 
     /// Whether some rows of a group are covered; `reach` is from the first to the last of all their columns.
-    pub(super) fn is_group_full(&self, group: usize, reach: [i64; 2], spans: &Spans) -> bool {
+    pub(super) fn is_group_full(&mut self, group: usize, reach: [i64; 2], spans: &Spans) -> bool {
         let right = (self.strips * STRIP) as i64 - 1;
         if reach[0] > right || reach[1] < 0 {
             return true;
         }
         let strips = reach.map(|column| column.clamp(0, right) as usize / STRIP);
+        self.work += (strips[1].saturating_sub(strips[0]) / PAINTED) as u64;
         (strips[0]..=strips[1]).filter(|&strip| self.open(strip, [group; 2]) != 0).all(|strip| {
             let bits = within(strip, spans);
             let mixed = self.group(strip, group) == Group::Mixed;
@@ -429,6 +456,7 @@ impl Canvas {
         if reach[0] > right || reach[1] < 0 {
             return;
         }
+        self.work += (strips[1].saturating_sub(strips[0]) / PAINTED) as u64;
         // Columns that all rows have: most of what is broad.
         let inner = spans.iter().fold([i64::MIN, i64::MAX], |[a, b], &[first, last]| [a.max(first), b.min(last)]);
         for strip in strips[0]..=strips[1] {

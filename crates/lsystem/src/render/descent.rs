@@ -7,7 +7,7 @@ use super::shape::Shape;
 use super::view::Camera;
 use super::wide::Wide;
 use crate::plane::Directions;
-use crate::{BlockId, Drawing, Heading, Item, Placed, Plane, Space, StyleChange};
+use crate::{BlockId, Drawing, Heading, Item, Meter, Placed, Plane, Progress, Space, StyleChange};
 
 /// What the turtle carries apart from its position.
 #[derive(Clone, Copy, Debug)]
@@ -105,6 +105,29 @@ pub(super) struct Met<'a> {
     pub item: &'a Item,
     /// Where it is: a block itself, or the block that a stroke or a polygon is in, with the pen it is drawn with.
     pub node: Node,
+}
+
+/// Items that are looked at to tell how much is done, at most.
+const LOOKED_AT: usize = 1 << 14;
+
+/// How far segments have been left out: the place in the block on top of the stack.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cut {
+    /// How many segments are still to be kept.
+    left: u128,
+    /// How many items of the block are kept, and whether the next is known to be the first that is not.
+    kept: usize,
+    found: bool,
+    /// How large those are that are not kept, of which so many have been measured.
+    rest: f64,
+    measured: usize,
+}
+
+impl Cut {
+    /// Everything from the segment `from` (0-based) on is left out.
+    pub(super) fn new(from: u128) -> Self {
+        Self { left: from, kept: 0, found: false, rest: 0.0, measured: 0 }
+    }
 }
 
 /// What leads from a block to those inside.
@@ -209,17 +232,23 @@ impl Descent {
         Node { block: placed.block, cursor, canvas: node.canvas, place, far, pen, span }
     }
 
-    /// Which part of a picture is done, as the segments tell that are in blocks that `counts`.
+    /// Which part of a picture is done, as the segments tell that are in blocks that `counts`; `None` where too many items
+    /// would have to be looked at.
     pub(super) fn done(
         &mut self,
         drawing: &Drawing,
         choice: Choice,
         stack: &[Node],
         counts: impl Fn(&Node) -> bool,
-    ) -> f64 {
+    ) -> Option<f64> {
         let (mut done, mut share) = (0.0, 1.0);
+        let mut looked_at = 0;
         for node in stack.iter().take_while(|node| node.canvas == 0) {
             let (mut all, mut after, mut own) = (0.0, 0.0, 0.0);
+            looked_at += drawing.items_of(node.block).len();
+            if looked_at > LOOKED_AT {
+                return None;
+            }
             for index in drawing.blocks[node.block.0 as usize].items.clone() {
                 let weight = match &drawing.items[index as usize] {
                     Item::Block(placed) if counts(&self.child(drawing, choice, node, placed)) => {
@@ -238,32 +267,63 @@ impl Descent {
             done += share * after / all;
             share *= own / all;
         }
-        done
+        Some(done)
     }
 
-    /// Leaves out everything from the segment `from` (0-based) on, of a picture that has just begun: along the way
-    /// down to that segment, what comes after it counts as done.
-    pub(super) fn leave_out(&mut self, drawing: &Drawing, choice: Choice, stack: &mut Vec<Node>, from: u128) {
-        let mut left = from;
+    /// Leaves out everything from a segment on, of a picture that has just begun: along the way down to that segment, what
+    /// comes after it counts as done.
+    pub(super) fn leave_out(
+        &mut self,
+        drawing: &Drawing,
+        choice: Choice,
+        stack: &mut Vec<Node>,
+        cut: &mut Cut,
+        meter: &mut Meter,
+    ) -> Progress {
         while let Some(node) = stack.last().copied() {
             let items = drawing.items_of(node.block);
             // Polygons before the first segment that is left out are there.
-            let (kept, within) = drawing.before(items, left);
-            left = within;
-            if let Some(top) = stack.last_mut() {
-                top.cursor -= (items.len() - kept) as u32;
-                top.span.end -= self.path.rest(top.block, top.span, &items[kept..]);
+            while let Some(count) = items.get(cut.kept).map(|item| drawing.segments_in(item)).filter(|_| !cut.found) {
+                if meter.is_spent() {
+                    return Progress::More;
+                }
+                meter.charge(1);
+                cut.found = count > cut.left;
+                if !cut.found {
+                    cut.left -= count;
+                    cut.kept += 1;
+                }
             }
-            let node = stack.last().copied().unwrap_or(node);
-            match items.get(kept) {
+            cut.found = true;
+            if self.path.counts() {
+                while let Some(item) = items.get(cut.kept + cut.measured) {
+                    if meter.is_spent() {
+                        return Progress::More;
+                    }
+                    meter.charge(1);
+                    cut.rest += self.path.size(node.block, node.span, item);
+                    cut.measured += 1;
+                }
+            }
+            let node = Node {
+                cursor: node.cursor - (items.len() - cut.kept) as u32,
+                span: Span { end: node.span.end - cut.rest, ..node.span },
+                ..node
+            };
+            if let Some(top) = stack.last_mut() {
+                *top = node;
+            }
+            match items.get(cut.kept) {
                 Some(Item::Block(placed)) => {
                     let size = self.path.block(node.block, node.span, placed.block).size;
                     let around = Node { span: Span { end: node.span.end + size, ..node.span }, ..node };
                     let child = self.child(drawing, choice, &around, placed);
                     stack.push(child);
+                    *cut = Cut::new(cut.left);
                 }
-                _ => return,
+                _ => return Progress::Done,
             }
         }
+        Progress::Done
     }
 }

@@ -1,10 +1,11 @@
 //! Which colours a block draws with, so that one picture of it serves whatever colour it is entered with.
 
+use super::sweep::{Fact, Sweep};
 use crate::limits::MAX_PALETTE;
-use crate::{Block, ColourBy, ColourChange, Drawing, Item, Style, StyleChange};
+use crate::{Block, BlockId, ColourBy, ColourChange, Drawing, Item, Meter, Progress, Style, StyleChange, StyleId};
 
 /// A colour, as far as it is known inside a block.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(crate) struct Shade {
     /// A palette entry, or how many entries it is after the one at the block's entry.
     pub number: u32,
@@ -110,6 +111,12 @@ pub(super) struct InkTable {
     used: Vec<u32>,
     /// Whether some shade is fixed inside a block.
     fixes: bool,
+    /// Whether all blocks are known.
+    made: bool,
+    place: Sweep,
+    /// Of the block in hand, and the style and the block of its last item.
+    block: Inks,
+    last: Option<(StyleId, Option<BlockId>)>,
 }
 
 impl InkTable {
@@ -118,18 +125,30 @@ impl InkTable {
         self.ready = false;
     }
 
-    /// Makes the table for a drawing, unless it is the one already there. Returns whether anything changed.
-    pub(super) fn prepare(&mut self, drawing: &Drawing, style: &Style) -> bool {
+    /// Starts the table for a drawing, unless it is the one already there. Returns whether anything changes.
+    pub(super) fn choose(&mut self, drawing: &Drawing, style: &Style) -> bool {
         let choice = Choice::new(style, &drawing.styles);
         if self.ready && self.choice == choice {
             return false;
         }
-        (self.ready, self.choice) = (true, choice);
-        self.blocks.clear();
-        for block in &drawing.blocks {
-            let inks = of_block(choice, drawing, block, &self.blocks);
-            self.blocks.push(inks);
+        *self = Self { ready: true, choice, ..Self::default() };
+        true
+    }
+
+    /// Goes on with the table, until it is made.
+    pub(super) fn prepare(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
+        let mut place = self.place;
+        let progress = place.step(self, drawing, meter);
+        self.place = place;
+        if progress == Progress::Done && !self.made {
+            self.finish(drawing);
         }
+        progress
+    }
+
+    fn finish(&mut self, drawing: &Drawing) {
+        let choice = self.choice;
+        self.made = true;
         self.fixes = drawing.styles.iter().any(|style| choice.shade(style).fixed);
         let start = Shade { number: 0, fixed: true };
         self.used = match drawing.root.map(|root| self.of(root.0 as usize).after(choice, start)) {
@@ -138,7 +157,6 @@ impl InkTable {
             Some(Inks::Many) => (0..choice.colours).collect(),
             _ => vec![],
         };
-        true
     }
 
     /// The palette entries of the picture, by number.
@@ -182,29 +200,30 @@ impl InkTable {
     }
 }
 
-fn of_block(choice: Choice, drawing: &Drawing, block: &Block, blocks: &[Inks]) -> Inks {
-    let mut inks = Inks::None;
-    let mut last = None;
-    for item in drawing.contents(block) {
+impl Fact for InkTable {
+    fn item(&mut self, drawing: &Drawing, _: usize, _: usize, item: &Item) -> u64 {
         let (style, inner) = match item {
             Item::Stroke(stroke) => (stroke.style, None),
             Item::Polygon(polygon) => (polygon.style, None),
             Item::Block(placed) => (placed.style, Some(placed.block)),
         };
         // Long runs of strokes in one style are common.
-        if last.replace((style, inner)) == Some((style, inner)) {
-            continue;
+        if self.block == Inks::Many || self.last.replace((style, inner)) == Some((style, inner)) {
+            return 1;
         }
-        let entry = choice.shade(&drawing.styles[style.0 as usize]);
-        inks = inks.with(match inner {
+        let entry = self.choice.shade(&drawing.styles[style.0 as usize]);
+        self.block = self.block.with(match inner {
             None => Inks::One(entry),
-            Some(block) => blocks[block.0 as usize].after(choice, entry),
+            Some(block) => self.blocks[block.0 as usize].after(self.choice, entry),
         });
-        if inks == Inks::Many {
-            break;
-        }
+        1
     }
-    inks
+
+    fn close(&mut self, _: &Drawing, _: &Block) -> u64 {
+        self.last = None;
+        self.blocks.push(core::mem::take(&mut self.block));
+        0
+    }
 }
 
 /// A change of colour numbers in binary, for 64 of them at a time: what a tile's shades are where it is stamped.

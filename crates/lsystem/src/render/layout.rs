@@ -40,22 +40,37 @@ pub(super) struct Layout {
     pub origin: [i64; 2],
 }
 
-impl Layout {
-    /// For the part `seen` of a drawing whose origin is at `origin`, both in subsamples; `planes` tells how many planes a
-    /// part has. `None` where all lattices take too much memory or time.
-    pub(super) fn new(
+/// The lattices tried so far, from the finest on.
+#[derive(Default)]
+pub(super) struct Trials {
+    next: usize,
+    /// One of which it is not known yet what it takes.
+    layout: Option<Layout>,
+}
+
+impl Trials {
+    /// Tries a lattice for the part `seen` of a drawing whose origin is at `origin`, both in subsamples; `planes` tells how
+    /// many planes a part has. One that takes no more memory and time than it may, when it is found; `None` where there
+    /// is none. Each call looks at all joints a few times.
+    pub(super) fn step(
+        &mut self,
         parts: &Parts,
         origin: [f64; 2],
         seen: [[f64; 2]; 2],
         planes: impl Fn(&Part) -> usize,
-    ) -> Option<Self> {
-        let mut layouts = GRAINS.into_iter().map(|grain| Self::of_grain(parts, origin, seen, grain));
-        layouts.find(|layout| {
-            let [room, work] = layout.cost(parts, &planes);
-            layout.is_true(parts) && room <= ROOM && work <= WORK
-        })
+    ) -> Option<Option<Layout>> {
+        let Some(layout) = self.layout.take() else {
+            let grain = *GRAINS.get(self.next)?;
+            self.next += 1;
+            self.layout = Some(Layout::of_grain(parts, origin, seen, grain));
+            return Some(None);
+        };
+        let [room, work] = layout.cost(parts, &planes);
+        Some((layout.is_true(parts) && room <= ROOM && work <= WORK).then_some(layout))
     }
+}
 
+impl Layout {
     fn of_grain(parts: &Parts, origin: [f64; 2], seen: [[f64; 2]; 2], grain: u32) -> Self {
         let scale = 1.0 / f64::from(grain);
         let cell = origin.map(|v| (v * scale).floor() as i64);

@@ -24,6 +24,7 @@ mod search;
 mod seen;
 mod shape;
 mod stroke;
+mod sweep;
 mod tile;
 mod view;
 mod walk;
@@ -44,8 +45,8 @@ pub(crate) use search::{Aim, Order, Sight, covers, nearest_on, search};
 pub use search::{Pick, Pointer, Target};
 pub use view::{Detail, Rect, View, Viewport, fit, fitted_scale};
 
-use crate::{Drawing, Progress, Style};
-use shape::Shape;
+use crate::{Drawing, Meter, Progress, Style};
+use shape::Shapes;
 use std::sync::Arc;
 use walk::Walk;
 
@@ -71,7 +72,7 @@ pub struct RenderStats {
 /// Makes pictures of a drawing in the plane, one after the other, in the same memory: [`Renderer`] where strokes cover
 /// each other, [`DensityRenderer`] where their ink adds up.
 pub trait PlaneRenderer {
-    /// Takes the drawing that the next pictures are of.
+    /// Takes the drawing that the next pictures are of. It is made ready for them in the steps of the first.
     fn load(&mut self, drawing: Arc<Drawing>);
 
     /// Starts a picture of the loaded drawing; a picture that was being made is given up. A viewport that is too large
@@ -84,25 +85,32 @@ pub trait PlaneRenderer {
     /// the turtle on its way.
     fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>);
 
-    /// Goes on with the picture for about `work` units (one unit is in the order of 10 to 100 nanoseconds).
+    /// Goes on with the picture for about `work` units, as [`Meter`] counts them: at most [`Meter::PIECE`] more.
     fn step(&mut self, work: usize) -> Progress;
 
-    /// The picture so far: RGBA, 8 bits each, opaque, from the upper left corner row by row.
+    /// The picture so far, once it has been begun in a step: RGBA, 8 bits each, opaque, from the upper left corner row by row.
     #[must_use]
     fn pixels(&self) -> &[u8];
 
     /// What the picture took so far.
     #[must_use]
     fn stats(&self) -> RenderStats;
+
+    /// The units of work of all steps so far.
+    #[must_use]
+    fn spent(&self) -> u64;
 }
 
 /// Makes pictures in which strokes cover each other.
 #[derive(Default)]
 pub struct Renderer {
     drawing: Option<Arc<Drawing>>,
-    shapes: Vec<Shape>,
+    shapes: Shapes,
     walk: Walk,
+    /// A picture that has been asked for, until the drawing is ready for it.
+    plan: Option<(Style, Pane, Detail)>,
     output: resolve::Output,
+    spent: u64,
 }
 
 impl Renderer {
@@ -116,7 +124,14 @@ impl Renderer {
     /// could is not compiled in.
     #[must_use]
     pub fn light() -> Self {
-        Self { drawing: None, shapes: vec![], walk: Walk::new(None), output: resolve::Output::default() }
+        Self {
+            drawing: None,
+            shapes: Shapes::default(),
+            walk: Walk::new(None),
+            plan: None,
+            output: resolve::Output::default(),
+            spent: 0,
+        }
     }
 
     /// As [`PlaneRenderer::begin_with`], but only a pane of the fine picture: the pixels are those of the pane, as they
@@ -130,13 +145,34 @@ impl Renderer {
         if let Some(drawing) = &self.drawing {
             self.walk.begin(drawing, style, viewport, view, detail, upto, pane);
         }
-        self.output.begin(style, self.walk.inks(), pane, detail);
+        self.plan = Some((style.clone(), pane, detail));
+    }
+
+    fn go_on(&mut self, meter: &mut Meter) -> Progress {
+        if let Some(drawing) = &self.drawing
+            && (self.shapes.step(drawing, meter) == Progress::More
+                || self.walk.prepare(drawing, meter) == Progress::More)
+        {
+            return Progress::More;
+        }
+        if meter.is_spent() {
+            return Progress::More;
+        }
+        if let Some((style, pane, detail)) = self.plan.take() {
+            meter.charge(self.output.begin(&style, self.walk.inks(), pane, detail));
+        }
+        if let Some(drawing) = &self.drawing
+            && self.walk.step(drawing, &self.shapes.list, meter) == Progress::More
+        {
+            return Progress::More;
+        }
+        self.output.step(self.walk.frame(), meter)
     }
 }
 
 impl PlaneRenderer for Renderer {
     fn load(&mut self, drawing: Arc<Drawing>) {
-        self.shapes = shape::shapes(&drawing);
+        self.shapes.clear();
         self.drawing = Some(drawing);
         self.walk.clear();
     }
@@ -147,13 +183,10 @@ impl PlaneRenderer for Renderer {
     }
 
     fn step(&mut self, work: usize) -> Progress {
-        let mut left = i64::try_from(work).unwrap_or(i64::MAX).max(1);
-        if let Some(drawing) = &self.drawing
-            && self.walk.step(drawing, &self.shapes, &mut left) == Progress::More
-        {
-            return Progress::More;
-        }
-        self.output.step(self.walk.frame(), &mut left)
+        let mut meter = Meter::new(work as u64);
+        let progress = self.go_on(&mut meter);
+        self.spent += meter.spent();
+        progress
     }
 
     fn pixels(&self) -> &[u8] {
@@ -162,5 +195,9 @@ impl PlaneRenderer for Renderer {
 
     fn stats(&self) -> RenderStats {
         self.walk.stats
+    }
+
+    fn spent(&self) -> u64 {
+        self.spent
     }
 }

@@ -7,7 +7,7 @@ use super::mixer::Mixer;
 use super::shape::Shape;
 use super::tile;
 use super::view::{Look, TINY};
-use crate::{BlockId, Drawing, Heading, Item, Progress};
+use crate::{BlockId, Drawing, Heading, Item, Meter, Progress};
 use core::hash::BuildHasherDefault;
 use core::ops::Range;
 use std::collections::{BTreeSet, HashMap};
@@ -56,8 +56,19 @@ pub(super) struct Parts {
     known: HashMap<Key, usize, BuildHasherDefault<Mixer>>,
     /// Those found and not looked into. Blocks have larger numbers than those inside them.
     waiting: BTreeSet<(BlockId, Heading, usize)>,
+    /// The one that is looked into.
+    opened: Option<Opened>,
     /// Items looked at.
     items: usize,
+}
+
+/// A part that is looked into, from its last item on.
+#[derive(Clone, Copy)]
+struct Opened {
+    index: usize,
+    node: Node,
+    /// The first of its joints.
+    first: usize,
 }
 
 impl Parts {
@@ -74,31 +85,39 @@ impl Parts {
         scene: Scene<'_>,
         look: Look,
         descent: &mut Descent,
-        left: &mut i64,
+        meter: &mut Meter,
     ) -> Option<Progress> {
         let Scene { drawing, shapes, inks } = scene;
-        while *left > 0 {
-            let Some((block, _, index)) = self.waiting.pop_last() else { return Some(Progress::Done) };
-            let items = drawing.blocks[block.0 as usize].items.clone();
-            self.items += items.len();
-            if [self.list.len(), self.items].into_iter().zip(MOST).any(|(count, most)| count > most) {
-                return None;
+        while !meter.is_spent() {
+            if self.opened.is_none() {
+                let Some((block, _, index)) = self.waiting.pop_last() else { return Some(Progress::Done) };
+                self.items += drawing.items_of(block).len();
+                if [self.list.len(), self.items].into_iter().zip(MOST).any(|(count, most)| count > most) {
+                    return None;
+                }
+                let node = descent.alone(drawing, &self.list[index], [0.0; 2], 1.0);
+                self.opened = Some(Opened { index, node, first: self.joints.len() });
             }
-            let node = descent.alone(drawing, &self.list[index], [0.0; 2], 1.0);
-            let first = self.joints.len();
-            for item in items.clone().rev() {
-                if let Item::Block(placed) = &drawing.items[item as usize] {
-                    let child = descent.child(drawing, inks.choice, &node, placed);
-                    let shape = &shapes[placed.block.0 as usize];
-                    if shape.strokes > 0 && shape.line.is_none() && shape.extent(child.place.scale) > TINY {
-                        let part = self.find(drawing, shapes, look, child);
-                        self.joints.push(Joint { item, part, at: child.place.origin });
-                    }
+            let Some(opened) = &mut self.opened else { continue };
+            let Opened { index, node, first } = *opened;
+            if node.cursor == drawing.blocks[node.block.0 as usize].items.start {
+                self.list[index].joints = first..self.joints.len();
+                self.order.push(index);
+                self.opened = None;
+                continue;
+            }
+            opened.node.cursor -= 1;
+            let item = opened.node.cursor;
+            meter.charge(2);
+            if let Item::Block(placed) = &drawing.items[item as usize] {
+                let child = descent.child(drawing, inks.choice, &node, placed);
+                let shape = &shapes[placed.block.0 as usize];
+                if shape.strokes > 0 && shape.line.is_none() && shape.extent(child.place.scale) > TINY {
+                    let part = self.find(drawing, shapes, look, child);
+                    self.joints.push(Joint { item, part, at: child.place.origin });
+                    meter.charge(2);
                 }
             }
-            self.list[index].joints = first..self.joints.len();
-            self.order.push(index);
-            *left -= 4 * items.len() as i64;
         }
         Some(Progress::More)
     }

@@ -4,8 +4,9 @@
 //! shorter than a step of the gradient is in the colour of its middle, and longer ones are looked into.
 
 use super::amount::Amount;
+use super::sweep::{Fact, Sweep};
 use crate::style::{gradient_step, is_one_step};
-use crate::{BlockId, ColourBy, Drawing, Item, Style};
+use crate::{Block, BlockId, ColourBy, Drawing, Item, Meter, Progress, Style};
 
 /// A part of the path, as parts of the whole.
 #[derive(Clone, Copy, Debug)]
@@ -32,31 +33,27 @@ impl Span {
 pub(super) struct Path {
     /// By block; empty where colours follow something else.
     counts: Vec<Amount>,
+    place: Sweep,
+    /// Of the block in hand.
+    sum: Amount,
 }
 
 impl Path {
     /// Forgets the drawing there was.
     pub(super) fn clear(&mut self) {
-        self.counts.clear();
+        *self = Self::default();
     }
 
-    /// Counts, where colours follow the path.
-    pub(super) fn prepare(&mut self, drawing: &Drawing, style: &Style) {
+    /// Counts, where colours follow the path, until that is done.
+    pub(super) fn prepare(&mut self, drawing: &Drawing, style: &Style, meter: &mut Meter) -> Progress {
         if style.colour_by != ColourBy::Path {
-            self.counts.clear();
-        } else if self.counts.is_empty() {
-            for block in &drawing.blocks {
-                let mut sum = Amount::default();
-                for item in drawing.contents(block) {
-                    match item {
-                        Item::Stroke(_) => sum = sum.plus(Amount::ONE),
-                        Item::Polygon(_) => {}
-                        Item::Block(placed) => sum = sum.plus(self.counts[placed.block.0 as usize]),
-                    }
-                }
-                self.counts.push(sum);
-            }
+            self.clear();
+            return Progress::Done;
         }
+        let mut place = self.place;
+        let progress = place.step(self, drawing, meter);
+        self.place = place;
+        progress
     }
 
     /// Whether colours follow the path.
@@ -75,18 +72,33 @@ impl Path {
         Span { size: self.part(block, left, count), ..left }
     }
 
-    /// How large the `items` of a block are.
-    pub(super) fn rest(&self, block: BlockId, span: Span, items: &[Item]) -> f64 {
-        let size = |item: &Item| match item {
+    /// How large an item of a block is.
+    pub(super) fn size(&self, block: BlockId, span: Span, item: &Item) -> f64 {
+        match item {
             Item::Stroke(_) => self.stroke(block, span).size,
             Item::Polygon(_) => 0.0,
             Item::Block(placed) => self.block(block, span, placed.block).size,
-        };
-        items.iter().map(size).sum()
+        }
     }
 
     fn part(&self, block: BlockId, span: Span, count: Amount) -> f64 {
         let all = self.counts.get(block.0 as usize).copied().unwrap_or_default();
         span.size * count.of(all)
+    }
+}
+
+impl Fact for Path {
+    fn item(&mut self, _: &Drawing, _: usize, _: usize, item: &Item) -> u64 {
+        match item {
+            Item::Stroke(_) => self.sum = self.sum.plus(Amount::ONE),
+            Item::Polygon(_) => {}
+            Item::Block(placed) => self.sum = self.sum.plus(self.counts[placed.block.0 as usize]),
+        }
+        1
+    }
+
+    fn close(&mut self, _: &Drawing, _: &Block) -> u64 {
+        self.counts.push(core::mem::take(&mut self.sum));
+        0
     }
 }

@@ -2,8 +2,7 @@
 
 use super::canvas::{Canvas, GROUP, Group};
 use super::{Detail, Pane};
-use crate::Progress;
-use crate::Style;
+use crate::{Meter, Progress, Style};
 use core::ops::Range;
 
 /// The finished pixels and the way to them.
@@ -23,12 +22,16 @@ pub(super) struct Output {
     next: usize,
 }
 
+/// Bytes that are cleared in a unit of work.
+const CLEARED: usize = 1024;
 /// Pixels along the side of a cell of 4x4 subsamples each.
 const SIDE: usize = 16;
 
 impl Output {
-    /// Starts a pane of a picture whose colours have the palette entries `inks`, by number.
-    pub(super) fn begin(&mut self, style: &Style, inks: &[u32], pane: Pane, detail: Detail) {
+    /// Starts a pane of a picture whose colours have the palette entries `inks`, by number; the units of work that this
+    /// took.
+    pub(super) fn begin(&mut self, style: &Style, inks: &[u32], pane: Pane, detail: Detail) -> u64 {
+        let mut work = inks.len() as u64;
         let (width, height) = (pane.width as usize, pane.height as usize);
         let background = style.background.rgb.map(u32::from);
         let known = (self.width, self.height, self.background, self.detail) == (width, height, background, detail);
@@ -43,6 +46,7 @@ impl Output {
             self.inked.clear();
             let side = 4 * SIDE / detail.samples();
             self.inked.resize(width.div_ceil(side) * height.div_ceil(side), false);
+            work += (self.pixels.len() / CLEARED) as u64;
         }
         self.palette.clear();
         self.palette.extend(inks.iter().map(|&ink| style.ink(ink).rgb.map(u32::from)));
@@ -58,6 +62,7 @@ impl Output {
             })
         }));
         self.next = 0;
+        work
     }
 
     pub(super) fn pixels(&self) -> &[u8] {
@@ -66,25 +71,25 @@ impl Output {
 
     /// Makes pixels of the subsamples, cell by cell from side to side: downwards each row of pixels would be in another
     /// page of memory, and with more rows than the processor knows addresses of pages that takes several times as long.
-    pub(super) fn step(&mut self, frame: &Canvas, left: &mut i64) -> Progress {
+    pub(super) fn step(&mut self, frame: &Canvas, meter: &mut Meter) -> Progress {
         while self.next < self.inked.len() {
-            if *left <= 0 {
+            if meter.is_spent() {
                 return Progress::More;
             }
             let (cell, strip) = (self.next / frame.strips.max(1), self.next % frame.strips.max(1));
             let touched = strip < frame.strips && cell < frame.cells && frame.is_touched(strip, cell);
             if touched || self.inked[self.next] {
-                *left -= self.cell(frame, strip, cell);
+                meter.charge(self.cell(frame, strip, cell));
                 self.inked[self.next] = touched;
             }
-            *left -= 1;
+            meter.charge(1);
             self.next += 1;
         }
         Progress::Done
     }
 
     /// Makes pixels of a cell; what that took.
-    fn cell(&mut self, frame: &Canvas, strip: usize, cell: usize) -> i64 {
+    fn cell(&mut self, frame: &Canvas, strip: usize, cell: usize) -> u64 {
         let samples = self.detail.samples();
         let side = u64::BITS as usize / samples;
         let left = strip * side;

@@ -12,7 +12,7 @@ pub struct Pointer {
     pub tolerance: f64,
     /// Only the first so many segments are there, and the polygons before the next; everything without it.
     pub upto: Option<u128>,
-    /// Blocks, segments and polygons that are looked at, at most.
+    /// Blocks, segments and polygons that are looked at, at most; of many blocks in one, and of vertices, some count as one.
     pub visits: usize,
 }
 
@@ -53,6 +53,9 @@ impl Pointer {
 /// Something must be this much nearer than another to be better, as a part of the tolerance; and a block that is smaller
 /// is in one place.
 const BETTER: f64 = 1.0 / 32.0;
+
+/// Vertices of a polygon that are looked at in the time in which a segment is.
+const VERTICES: usize = 8;
 
 /// How something lies to the pointer.
 #[derive(Clone, Copy)]
@@ -140,6 +143,10 @@ pub(crate) fn search<S: Space, V: Sight<S>>(
     root: V::Place,
     order: Order,
 ) -> Option<Pick> {
+    // Nothing is near a place that is no place.
+    if !pointer.at.iter().all(|coordinate| coordinate.is_finite()) {
+        return None;
+    }
     let shown = drawing.segment_count().min(pointer.upto.unwrap_or(u128::MAX));
     let mut search = Search { drawing, pointer, sight, order, shown, open: vec![], best: None, visits: pointer.visits };
     search.add(drawing.root?, root, [0; 2], 0);
@@ -177,8 +184,12 @@ impl<S: Space, V: Sight<S>> Search<'_, S, V> {
     /// Takes a block of those that were found last, unless nothing there is better than what there is.
     fn next(&mut self) -> Option<Open<V::Place>> {
         let likely = self.order == Order::Likely && self.best.is_none();
+        /// Blocks that are compared in the time in which one is looked at.
+        const COMPARED: usize = 16;
         loop {
             let siblings = self.open.last()?.siblings;
+            // Long blocks hold so many that choosing one of them takes longer than looking into it.
+            self.visits = self.visits.saturating_sub((self.open.len() - siblings) / COMPARED);
             let mut best = siblings;
             for i in siblings..self.open.len() {
                 let [a, b] = [i, best].map(|i| &self.open[i]);
@@ -226,6 +237,7 @@ impl<S: Space, V: Sight<S>> Search<'_, S, V> {
                     }
                 }
                 Item::Polygon(polygon) => {
+                    self.visits = self.visits.saturating_sub(polygon.count as usize / VERTICES);
                     if polygons < self.drawing.polygon_count()
                         && let Some(aim) = self.sight.polygon(&place, polygon)
                     {

@@ -1,6 +1,7 @@
 //! What the renderer needs to know of a block before it looks inside.
 
-use crate::{Block, Drawing, Item, StyleChange};
+use super::sweep::{Fact, Sweep};
+use crate::{Block, Drawing, Item, Meter, Progress, StyleChange};
 
 /// Facts about one block, in its own frame.
 #[derive(Clone, Copy, Debug)]
@@ -42,16 +43,112 @@ pub(super) struct Line {
 /// Gaps and deviations below this part of a line are rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// The shape of each block. Trunks (`F -> FF`) become single lines, so a plant's straight parts are drawn exactly.
-pub(super) fn shapes(drawing: &Drawing) -> Vec<Shape> {
-    let mut shapes: Vec<Shape> = Vec::with_capacity(drawing.blocks.len());
-    for block in &drawing.blocks {
-        let [centre, half] = bounds(drawing, block);
-        let (line, strokes) = contents(drawing, block, &shapes);
-        let last = last_style(drawing, block, &shapes);
-        shapes.push(Shape { centre, half, line, last, strokes });
+/// The shapes of blocks, found in steps. Trunks (`F -> FF`) become single lines, so a plant's straight parts are drawn
+/// exactly.
+#[derive(Debug, Default)]
+pub(super) struct Shapes {
+    /// By block, as far as they are known.
+    pub list: Vec<Shape>,
+    place: Sweep,
+    block: Partial,
+}
+
+/// What is known of the block in hand.
+#[derive(Debug)]
+struct Partial {
+    line: Option<Line>,
+    /// Whether all so far is one line.
+    straight: bool,
+    strokes: u32,
+    /// The number of the last item that draws something.
+    last: Option<usize>,
+}
+
+impl Default for Partial {
+    fn default() -> Self {
+        Self { line: None, straight: true, strokes: 0, last: None }
     }
-    shapes
+}
+
+impl Shapes {
+    /// Forgets everything.
+    pub(super) fn clear(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Goes on until the shapes of all blocks are known.
+    pub(super) fn step(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
+        let mut place = self.place;
+        let progress = place.step(self, drawing, meter);
+        self.place = place;
+        progress
+    }
+}
+
+impl Fact for Shapes {
+    fn item(&mut self, drawing: &Drawing, _: usize, number: usize, item: &Item) -> u64 {
+        let block = &mut self.block;
+        let line = match item {
+            Item::Stroke(stroke) => {
+                block.strokes = block.strokes.saturating_add(1);
+                Some(Line { from: stroke.from, to: stroke.to, style: drawing.styles[stroke.style.0 as usize] })
+            }
+            Item::Polygon(_) => {
+                block.strokes = block.strokes.saturating_add(1);
+                block.straight = false;
+                None
+            }
+            Item::Block(placed) => {
+                let child = &self.list[placed.block.0 as usize];
+                if child.strokes == 0 {
+                    return 1;
+                }
+                block.strokes = block.strokes.saturating_add(child.strokes);
+                child.line.map(|line| {
+                    let (c, s) = placed.heading.cos_sin();
+                    let place = |[x, y]: [f64; 2]| {
+                        [placed.at[0] + placed.scale * (c * x - s * y), placed.at[1] + placed.scale * (s * x + c * y)]
+                    };
+                    let style = drawing.styles[placed.style.0 as usize].then(&line.style);
+                    Line { from: place(line.from), to: place(line.to), style }
+                })
+            }
+        };
+        block.last = Some(number);
+        if block.straight {
+            block.line = match (block.line, line) {
+                (None, line) => line,
+                (Some(a), Some(b)) => join(a, b),
+                (Some(_), None) => None,
+            };
+            block.straight = block.line.is_some();
+        }
+        1
+    }
+
+    fn close(&mut self, drawing: &Drawing, block: &Block) -> u64 {
+        let own = core::mem::take(&mut self.block);
+        let [centre, half] = bounds(drawing, block);
+        let line = own.line.filter(|_| own.straight);
+        let last = own.last.map_or(StyleChange::NONE, |last| match &drawing.contents(block)[last] {
+            Item::Stroke(stroke) => drawing.styles[stroke.style.0 as usize],
+            Item::Polygon(polygon) => drawing.styles[polygon.style.0 as usize],
+            Item::Block(placed) => {
+                drawing.styles[placed.style.0 as usize].then(&self.list[placed.block.0 as usize].last)
+            }
+        });
+        let strokes = if line.is_some() { 1 } else { own.strokes };
+        self.list.push(Shape { centre, half, line, last, strokes });
+        drawing.corners_of(block).len() as u64 / 8
+    }
+}
+
+/// The shape of each block.
+#[cfg(test)]
+pub(super) fn shapes(drawing: &Drawing) -> Vec<Shape> {
+    let mut shapes = Shapes::default();
+    while shapes.step(drawing, &mut Meter::new(u64::MAX)) == Progress::More {}
+    shapes.list
 }
 
 fn bounds(drawing: &Drawing, block: &Block) -> [[f64; 2]; 2] {
@@ -66,63 +163,6 @@ fn bounds(drawing: &Drawing, block: &Block) -> [[f64; 2]; 2] {
         return [[0.0; 2]; 2];
     }
     [[0, 1].map(|a| (low[a] + high[a]) / 2.0), [0, 1].map(|a| (high[a] - low[a]) / 2.0)]
-}
-
-fn contents(drawing: &Drawing, block: &Block, shapes: &[Shape]) -> (Option<Line>, u32) {
-    let mut joined: Option<Line> = None;
-    let mut straight = true;
-    let mut strokes = 0_u32;
-    for item in drawing.contents(block) {
-        let line = match item {
-            Item::Stroke(stroke) => {
-                strokes = strokes.saturating_add(1);
-                Some(Line { from: stroke.from, to: stroke.to, style: drawing.styles[stroke.style.0 as usize] })
-            }
-            Item::Polygon(_) => {
-                strokes = strokes.saturating_add(1);
-                straight = false;
-                None
-            }
-            Item::Block(placed) => {
-                let child = &shapes[placed.block.0 as usize];
-                if child.strokes == 0 {
-                    continue;
-                }
-                strokes = strokes.saturating_add(child.strokes);
-                child.line.map(|line| {
-                    let (c, s) = placed.heading.cos_sin();
-                    let place = |[x, y]: [f64; 2]| {
-                        [placed.at[0] + placed.scale * (c * x - s * y), placed.at[1] + placed.scale * (s * x + c * y)]
-                    };
-                    let style = drawing.styles[placed.style.0 as usize].then(&line.style);
-                    Line { from: place(line.from), to: place(line.to), style }
-                })
-            }
-        };
-        if straight {
-            joined = match (joined, line) {
-                (None, line) => line,
-                (Some(a), Some(b)) => join(a, b),
-                (Some(_), None) => None,
-            };
-            straight = joined.is_some();
-        }
-    }
-    let joined = joined.filter(|_| straight);
-    (joined, if joined.is_some() { 1 } else { strokes })
-}
-
-fn last_style(drawing: &Drawing, block: &Block, shapes: &[Shape]) -> StyleChange {
-    let items = drawing.contents(block);
-    let last = items.iter().rev().find_map(|item| match item {
-        Item::Stroke(stroke) => Some(drawing.styles[stroke.style.0 as usize]),
-        Item::Polygon(polygon) => Some(drawing.styles[polygon.style.0 as usize]),
-        Item::Block(placed) => {
-            let child = &shapes[placed.block.0 as usize];
-            (child.strokes > 0).then(|| drawing.styles[placed.style.0 as usize].then(&child.last))
-        }
-    });
-    last.unwrap_or(StyleChange::NONE)
 }
 
 /// Two lines as one, where together they are one.

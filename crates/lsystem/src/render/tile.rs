@@ -104,6 +104,11 @@ pub(super) struct Tile {
 }
 
 impl Tile {
+    /// Bit planes of colours.
+    pub(super) fn planes(&self) -> usize {
+        self.planes
+    }
+
     /// Words that tell where copies are.
     fn copies(&self) -> usize {
         if self.planes > 0 { COPIES } else { 0 }

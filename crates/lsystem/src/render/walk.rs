@@ -2,16 +2,16 @@
 
 use super::ascent::{Ascent, Climb, Scene, Start};
 use super::canvas::Canvas;
-use super::descent::{Descent, Node, Pen, Place};
+use super::descent::{Cut, Descent, Node, Pen, Place};
 use super::inks::{InkTable, Inks, Shade};
-use super::polygon;
+use super::polygon::Filling;
 use super::seen::Seen;
 use super::shape::Shape;
 use super::stroke::Capsule;
 use super::tile::{self, Key, Tile, Tiles};
 use super::view::{Camera, Detail, Look, TINY, View, Viewport};
 use super::{Pane, RenderStats};
-use crate::{Drawing, Item, Progress, Style};
+use crate::{Drawing, Item, Meter, Progress, Style};
 
 /// A straight block longer than this is taken apart, so that rounding stays far below a subsample.
 const LONG: f64 = 1e6;
@@ -37,6 +37,8 @@ const BROAD: f64 = 64.0;
 const FINER: f64 = 4.0;
 /// A grain of this, in subsamples, is fine enough.
 const FINE: f64 = 32.0;
+/// So many items of a block are looked at for one stroke of it, and so many for one stroke of the whole.
+const LOOKED_AT: [usize; 2] = [4096, 1 << 15];
 /// The part of a length that may be rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -64,8 +66,25 @@ struct Target {
     shade: Shade,
 }
 
+/// A picture that has been asked for.
+struct Plan {
+    style: Style,
+    viewport: Viewport,
+    camera: Camera,
+    samples: usize,
+    upto: Option<u128>,
+    pane: Pane,
+}
+
 /// A picture in the making.
 pub(super) struct Walk {
+    /// What is to be made, until the drawing is ready for it.
+    plan: Option<Plan>,
+    /// How far segments have been left out, if some are.
+    cut: Option<Cut>,
+    /// The polygon in hand, and its canvas.
+    filling: Filling,
+    filled: usize,
     /// Below this number of strokes on the picture, tiles are made only where they save much.
     pub simple: u64,
     /// The strokes on the picture so far.
@@ -118,6 +137,10 @@ impl Walk {
     /// One that may take the way up which is started like this.
     pub(super) fn new(start: Option<Start>) -> Self {
         Self {
+            plan: None,
+            cut: None,
+            filling: Filling::default(),
+            filled: 0,
             simple: tile::SIMPLE_STROKES,
             painted: 0,
             look: Look::default(),
@@ -147,14 +170,22 @@ impl Walk {
 
     /// Forgets everything about the drawing there was.
     pub(super) fn clear(&mut self) {
-        self.stack.clear();
-        self.root = None;
-        self.making.clear();
-        self.untried = None;
-        self.ascent = None;
+        self.stop();
         self.tiles.clear();
         self.inks.clear();
         self.descent.path.clear();
+    }
+
+    /// Gives up the picture that is being made.
+    fn stop(&mut self) {
+        self.plan = None;
+        self.cut = None;
+        self.filling = Filling::default();
+        self.root = None;
+        self.stack.clear();
+        self.making.clear();
+        self.untried = None;
+        self.ascent = None;
     }
 
     /// Starts a pane of a picture, of the segments before `upto` where that is given.
@@ -169,31 +200,44 @@ impl Walk {
         upto: Option<u128>,
         pane: Pane,
     ) {
+        self.stop();
         self.stats = RenderStats::default();
         self.repeats = drawing.memoised;
-        self.painted = 0;
+        (self.painted, self.extra, self.grain) = (0, 0, 0.0);
         self.seen.clear();
-        self.stack.clear();
-        self.making.clear();
-        let samples = detail.samples() as f64;
-        let camera = Camera::new(drawing, viewport, view, samples).of_pane(pane, samples);
+        let samples = detail.samples();
+        let camera = Camera::new(drawing, viewport, view, samples as f64).of_pane(pane, samples as f64);
         self.patience = if pane == Pane::whole(viewport) { PATIENCE } else { PATIENCE / PANES };
-        let hairline = viewport.least_width(style) * detail.samples() as f64 / 2.0;
+        let hairline = viewport.least_width(style) * samples as f64 / 2.0;
         let look = Look { hairline, step: camera.step, scale: camera.scale };
-        self.extra = 0;
-        self.ascent = None;
-        self.untried = None;
         // Rough tiles would spoil this picture.
         let rough = core::mem::take(&mut self.rough) > 0.0;
-        if self.inks.prepare(drawing, style) || look != self.look || rough {
+        if self.inks.choose(drawing, style) || look != self.look || rough {
             self.look = look;
             self.tiles.clear();
         }
-        self.descent.path.prepare(drawing, style);
-        let [width, height] = [pane.width, pane.height].map(|side| side as usize * detail.samples());
+        self.plan = Some(Plan { style: style.clone(), viewport, camera, samples, upto, pane });
+    }
+
+    /// Finds out what the picture needs to know of the drawing, and empties the canvas.
+    pub(super) fn prepare(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
+        let Some(plan) = self.plan.take() else { return Progress::Done };
+        if self.inks.prepare(drawing, meter) == Progress::More
+            || self.descent.path.prepare(drawing, &plan.style, meter) == Progress::More
+        {
+            self.plan = Some(plan);
+            return Progress::More;
+        }
+        self.start(drawing, &plan);
+        meter.charge(self.canvases[0].take_work());
+        Progress::Done
+    }
+
+    fn start(&mut self, drawing: &Drawing, plan: &Plan) {
+        let Plan { viewport, camera, samples, upto, pane, .. } = *plan;
+        let [width, height] = [pane.width, pane.height].map(|side| side as usize * samples);
         self.canvases[0].reset(width, height, self.inks.picture_planes());
         self.canvases[0].holes = self.repeats;
-        self.grain = 0.0;
         let Some(root) = self.descent.root(drawing, camera) else { return };
         let free = upto.is_none() && !self.descent.path.counts();
         let one = matches!(self.inks.of(root.block.0 as usize), Inks::One(_));
@@ -203,14 +247,13 @@ impl Walk {
         }
         self.stack.push(root);
         if free && self.repeats {
+            let samples = samples as f64;
             let corner = [pane.x, pane.y].map(|v| -f64::from(v) * samples);
             let [width, height] = [viewport.width, viewport.height].map(|v| f64::from(v) * samples);
             self.untried = Some((root, [corner, [corner[0] + width, corner[1] + height]]));
             (self.due, self.covered) = (self.soon / 10, 0);
         }
-        if let Some(upto) = upto {
-            self.descent.leave_out(drawing, self.inks.choice, &mut self.stack, upto);
-        }
+        self.cut = upto.map(Cut::new);
     }
 
     /// Half the width of a block's widest stroke, at most.
@@ -234,12 +277,13 @@ impl Walk {
             let centre = node.place.point(shape.centre);
             !node.place.misses(size, centre, shape.half, look.widest(block, node.pen.width))
         };
-        self.covered * CROWD > work && self.descent.done(drawing, self.inks.choice, &self.stack, is_seen) < SLOW
+        self.covered * CROWD > work
+            && self.descent.done(drawing, self.inks.choice, &self.stack, is_seen).is_some_and(|done| done < SLOW)
     }
 
     /// Starts the next pass, if there is one; what it took. Where all is in one colour, the order is free: of blocks that
     /// are small beside the width of their strokes, one stroke each covers most of what the others would add slivers to.
-    fn refine(&mut self, drawing: &Drawing, shapes: &[Shape]) -> Option<i64> {
+    fn refine(&mut self, drawing: &Drawing, shapes: &[Shape]) -> Option<u64> {
         let root = self.root.filter(|_| self.grain > 0.0)?;
         self.stack.push(root);
         let first = self.grain.is_infinite();
@@ -253,14 +297,22 @@ impl Walk {
     }
 
     /// Paints a stroke of a block: one that is near the middle of the picture, of which it may cover all.
-    fn sketch(&mut self, drawing: &Drawing, shapes: &[Shape], node: &Node) -> i64 {
+    fn sketch(&mut self, drawing: &Drawing, shapes: &[Shape], node: &Node) -> u64 {
         let mut node = *node;
         let middle = self.canvases[0].size().map(|side| side / 2.0);
         let away = |p: [f64; 2]| libm::hypot(p[0] - middle[0], p[1] - middle[1]);
+        let mut looked_at = 0;
         loop {
+            // The last pass paints every stroke, so that none need be found here.
+            let items = drawing.items_of(node.block);
+            let every = items.len().div_ceil(LOOKED_AT[0]).max(1);
+            looked_at += items.len() / every;
+            if looked_at > LOOKED_AT[1] {
+                return looked_at as u64;
+            }
             // Always on into what is nearest.
             let (mut least, mut next, mut nearest) = (f64::INFINITY, None, None);
-            for item in drawing.items_of(node.block) {
+            for item in items.iter().step_by(every) {
                 match item {
                     Item::Stroke(stroke) => {
                         let ends = [stroke.from, stroke.to].map(|p| node.place.point(p));
@@ -281,11 +333,11 @@ impl Walk {
                 }
             }
             if let Some((ends, pen)) = nearest {
-                return self.stroke(0, ends, pen);
+                return looked_at as u64 + self.stroke(0, ends, pen);
             }
-            let Some(child) = next else { return 1 };
+            let Some(child) = next else { return looked_at as u64 };
             if let Some(work) = self.straight(drawing, &shapes[child.block.0 as usize], &child, true) {
-                return work;
+                return looked_at as u64 + work;
             }
             node = child;
         }
@@ -300,21 +352,34 @@ impl Walk {
         self.inks.used()
     }
 
-    pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], left: &mut i64) -> Progress {
-        while *left > 0 {
-            if let Some(progress) = self.ascend(drawing, shapes, left) {
+    pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], meter: &mut Meter) -> Progress {
+        if let Some(cut) = &mut self.cut {
+            if self.descent.leave_out(drawing, self.inks.choice, &mut self.stack, cut, meter) == Progress::More {
+                return Progress::More;
+            }
+            self.cut = None;
+        }
+        while !meter.is_spent() {
+            if !self.filling.is_done() {
+                self.filling.step(&mut self.canvases[self.filled], meter);
+                continue;
+            }
+            if let Some(progress) = self.ascend(drawing, shapes, meter) {
                 return progress;
             }
             if let Some(making) = self.making.pop_if(|making| making.height == self.stack.len()) {
-                self.canvases[1 + making.size].settle();
-                let tile = self.tiles.insert(making.key, &self.canvases[1 + making.size], making.corner);
+                let canvas = &mut self.canvases[1 + making.size];
+                canvas.settle();
+                // As much again to keep it.
+                meter.charge(1 + 2 * canvas.take_work());
+                let tile = self.tiles.insert(making.key, canvas, making.corner);
                 self.stats.tiles += 1;
-                *left -= self.stamp(&tile, making.inks, making.target);
+                meter.charge(self.stamp(&tile, making.inks, making.target));
                 continue;
             }
             let Some(node) = self.stack.last_mut() else {
                 let Some(work) = self.refine(drawing, shapes) else { return Progress::Done };
-                *left -= work;
+                meter.charge(work);
                 continue;
             };
             if node.cursor <= drawing.blocks[node.block.0 as usize].items.start {
@@ -322,7 +387,8 @@ impl Walk {
                 continue;
             }
             node.cursor -= 1;
-            *left -= 1;
+            meter.charge(1);
+            let canvas = node.canvas;
             match &drawing.items[node.cursor as usize] {
                 Item::Stroke(stroke) => {
                     let mut pen = node.pen.after(self.inks.choice, &drawing.styles[stroke.style.0 as usize]);
@@ -331,8 +397,8 @@ impl Walk {
                         pen.shade = Shade { number: span.ink(), fixed: true };
                         node.span.end -= span.size;
                     }
-                    let (canvas, ends) = (node.canvas, [stroke.from, stroke.to].map(|p| node.place.point(p)));
-                    *left -= self.stroke(canvas, ends, pen);
+                    let ends = [stroke.from, stroke.to].map(|p| node.place.point(p));
+                    meter.charge(self.stroke(canvas, ends, pen));
                 }
                 Item::Polygon(polygon) => {
                     let mut pen = node.pen.after(self.inks.choice, &drawing.styles[polygon.style.0 as usize]);
@@ -340,21 +406,22 @@ impl Walk {
                         pen.shade =
                             Shade { number: self.descent.path.stroke(node.block, node.span).ink(), fixed: true };
                     }
-                    let (canvas, place) = (node.canvas, node.place);
-                    *left -= self.polygon(canvas, &place, drawing.vertices_of(polygon), pen);
+                    let place = node.place;
+                    meter.charge(self.polygon(canvas, &place, drawing.vertices_of(polygon), pen));
                 }
                 Item::Block(placed) => {
                     let child = self.descent.child(drawing, self.inks.choice, node, placed);
                     node.span.end -= child.span.size;
-                    *left -= self.block(drawing, shapes, &child);
+                    meter.charge(self.block(drawing, shapes, &child));
                 }
             }
+            meter.charge(self.canvases[canvas].take_work());
         }
         Progress::More
     }
 
     /// Goes on with the way up, if that is to be taken.
-    fn ascend(&mut self, drawing: &Drawing, shapes: &[Shape], left: &mut i64) -> Option<Progress> {
+    fn ascend(&mut self, drawing: &Drawing, shapes: &[Shape], meter: &mut Meter) -> Option<Progress> {
         let late = self.is_late(drawing, shapes);
         let scene = Scene { drawing, shapes, inks: &self.inks };
         if late && let Some((root, seen)) = self.untried.take() {
@@ -362,7 +429,7 @@ impl Walk {
         }
         let ascent = self.ascent.as_mut()?;
         if !ascent.is_planned() {
-            match ascent.plan(scene, &mut self.descent, left) {
+            match ascent.plan(scene, &mut self.descent, meter) {
                 None => {
                     self.ascent = None;
                     return None;
@@ -378,14 +445,14 @@ impl Walk {
                 }
             }
         }
-        let progress = ascent.step(scene, &mut self.descent, &mut self.canvases[0], &mut self.stats, left);
+        let progress = ascent.step(scene, &mut self.descent, &mut self.canvases[0], &mut self.stats, meter);
         if progress == Progress::Done {
             self.ascent = None;
         }
         Some(progress)
     }
 
-    fn stroke(&mut self, canvas: usize, [from, to]: [[f64; 2]; 2], pen: Pen) -> i64 {
+    fn stroke(&mut self, canvas: usize, [from, to]: [[f64; 2]; 2], pen: Pen) -> u64 {
         let radius = self.look.radius(pen.width);
         if self.repeats && !self.seen.paint([self.tag(canvas), radius.to_bits()], [from, to]) {
             return 0;
@@ -395,7 +462,7 @@ impl Walk {
         let colour = self.inks.code(pen.shade);
         let rows = Capsule { from, to, radius }.paint(&mut self.canvases[canvas], colour);
         self.extra += rows as u64 / MANY_ROWS;
-        rows as i64 / 4
+        rows as u64 / 4
     }
 
     /// What tells a canvas from others, former tiles included.
@@ -403,12 +470,13 @@ impl Walk {
         self.serials[canvas] << 8 | canvas as u64
     }
 
-    fn polygon(&mut self, canvas: usize, place: &Place, vertices: &[[f64; 2]], pen: Pen) -> i64 {
+    /// Starts to fill a polygon.
+    fn polygon(&mut self, canvas: usize, place: &Place, vertices: &[[f64; 2]], pen: Pen) -> u64 {
         self.stats.strokes += 1;
         self.painted += u64::from(canvas == 0);
         let colour = self.inks.code(pen.shade);
-        let vertices: Vec<_> = vertices.iter().map(|&vertex| place.point(vertex)).collect();
-        polygon::paint(&mut self.canvases[canvas], &vertices, colour) as i64 / 4
+        self.filled = canvas;
+        self.filling.begin(&self.canvases[canvas], vertices.iter().map(|&vertex| place.point(vertex)), colour)
     }
 
     /// The steps so far.
@@ -426,7 +494,7 @@ impl Walk {
 
     /// Paints what a block's hull encloses, in the colour of what it draws last; where strokes are broader than the
     /// block, one of them.
-    fn outline(&mut self, drawing: &Drawing, shape: &Shape, node: &Node, broad: bool) -> i64 {
+    fn outline(&mut self, drawing: &Drawing, shape: &Shape, node: &Node, broad: bool) -> u64 {
         self.stats.outlines += 1;
         if broad {
             return self.axis(drawing, shape, node);
@@ -437,7 +505,8 @@ impl Walk {
             [from, to] => self.stroke(node.canvas, [*from, *to].map(|p| node.place.point(p)), pen),
             corners => {
                 let work = self.polygon(node.canvas, &node.place, corners, pen);
-                self.extra += work.unsigned_abs();
+                let work = work + self.filling.finish(&mut self.canvases[node.canvas]);
+                self.extra += self.filling.work as u64 / 4;
                 work
             }
         }
@@ -445,7 +514,7 @@ impl Walk {
 
     /// Paints a stroke along a block, in the colour of what it draws last; and below it one as wide as its widest, if that
     /// is much wider.
-    fn axis(&mut self, drawing: &Drawing, shape: &Shape, node: &Node) -> i64 {
+    fn axis(&mut self, drawing: &Drawing, shape: &Shape, node: &Node) -> u64 {
         let ends = shape.axis().map(|end| node.place.point(end));
         let pen = node.pen.after(self.inks.choice, &shape.last);
         let pens = self.look.pens(&drawing.blocks[node.block.0 as usize], node.pen, pen);
@@ -453,16 +522,16 @@ impl Walk {
     }
 
     /// Stamps a tile whose block has these shades.
-    fn stamp(&mut self, tile: &Tile, inks: Inks, target: Target) -> i64 {
+    fn stamp(&mut self, tile: &Tile, inks: Inks, target: Target) -> u64 {
         self.stats.stamps += 1;
         let at = [0, 1].map(|axis| target.cell[axis] + tile.corner[axis]);
         let dye = self.inks.dye(inks, target.shade);
         self.canvases[target.canvas].stamp(&self.tiles.bits(tile, &dye), at, &dye);
-        (tile.strips * tile.rows) as i64 / 64
+        1 + (tile.strips * tile.rows * (1 + tile.planes())) as u64 / 32
     }
 
     /// Paints a block that is a straight line in one colour, or too small to tell from one.
-    fn straight(&mut self, drawing: &Drawing, shape: &Shape, node: &Node, plain: bool) -> Option<i64> {
+    fn straight(&mut self, drawing: &Drawing, shape: &Shape, node: &Node, plain: bool) -> Option<u64> {
         let extent = shape.extent(node.place.scale);
         if let Some(line) = &shape.line
             && extent < LONG
@@ -475,7 +544,7 @@ impl Walk {
     }
 
     /// Paints a block, or puts it on the stack.
-    fn block(&mut self, drawing: &Drawing, shapes: &[Shape], node: &Node) -> i64 {
+    fn block(&mut self, drawing: &Drawing, shapes: &[Shape], node: &Node) -> u64 {
         let shape = &shapes[node.block.0 as usize];
         if shape.strokes == 0 {
             return 0;

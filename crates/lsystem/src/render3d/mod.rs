@@ -31,7 +31,7 @@ pub use camera::{Camera, camera_axes, fitted_solid_ends, fitted_solid_polygon, s
 pub use effort::{Effort, Spent};
 pub use pick::pick_solid;
 
-use crate::{Drawing, Pane, Progress, RenderStats, Solid, Style, Viewport};
+use crate::{Drawing, Meter, Pane, Progress, RenderStats, Solid, Style, Viewport};
 use scene::Scene;
 use std::sync::Arc;
 use walk::Walk;
@@ -130,6 +130,18 @@ pub struct SolidRenderer {
     walks: [Walk; 3],
     /// Which of them makes the picture.
     at: usize,
+    /// A picture that has been asked for, until the scene is ready for it.
+    plan: Option<Plan>,
+    spent: u64,
+}
+
+struct Plan {
+    style: Style,
+    viewport: Viewport,
+    camera: Camera,
+    quality: Quality,
+    /// Only this pane, with this budget.
+    pane: Option<(Pane, f32)>,
 }
 
 impl SolidRenderer {
@@ -139,31 +151,36 @@ impl SolidRenderer {
         Self::default()
     }
 
-    /// Takes the drawing that the next pictures are of.
+    /// Takes the drawing that the next pictures are of. It is made ready for them in the steps of the first.
     pub fn load(&mut self, drawing: Arc<Drawing<Solid>>) {
+        self.stop();
         self.scene = Scene::new(&drawing);
         self.upto = None;
         self.drawing = Some(drawing);
     }
 
-    /// The next pictures are of the first `upto` segments and the polygons before them, or of all.
+    /// The next pictures are of the first `upto` segments and the polygons before them, or of all. A picture that was being
+    /// made is given up.
     pub fn play(&mut self, upto: Option<u128>) {
-        if let Some(drawing) = self.drawing.as_ref().filter(|_| upto != self.upto) {
-            self.scene.show(drawing, upto);
+        if upto != self.upto {
+            self.stop();
+            self.scene.show(upto);
             self.upto = upto;
         }
     }
 
+    fn stop(&mut self) {
+        self.plan = None;
+        self.walks.iter_mut().for_each(Walk::stop);
+    }
+
     /// Starts a picture of the loaded drawing; a picture that was being made is given up.
     pub fn begin(&mut self, style: &Style, viewport: Viewport, camera: &Camera, quality: Quality) {
-        if let Some(drawing) = &self.drawing {
-            self.scene.dye(style);
-            if !self.walks[self.at].fits(viewport) {
-                let other = usize::from(self.at == 0);
-                self.at = (0..2).find(|&at| self.walks[at].fits(viewport)).unwrap_or(other);
-            }
-            self.walks[self.at].begin(drawing, style, viewport, camera, quality, None);
+        if !self.walks[self.at].fits(viewport) {
+            let other = usize::from(self.at == 0);
+            self.at = (0..2).find(|&at| self.walks[at].fits(viewport)).unwrap_or(other);
         }
+        self.plan = Some(Plan { style: style.clone(), viewport, camera: *camera, quality, pane: None });
     }
 
     /// Panes of a picture in the finest quality that are made like the whole picture: its tiles, row by row.
@@ -174,33 +191,55 @@ impl SolidRenderer {
     }
 
     /// Starts one of [`SolidRenderer::panes`] of the finest picture, with a budget that holds for all of them: the pixels
-    /// are those of the pane. Whether that was too small what all of them have [spent](Self::spent) tells [`Effort`].
+    /// are those of the pane. Whether that was too small what all of them have [taken](Self::effort_spent) tells [`Effort`].
     pub fn begin_pane(&mut self, style: &Style, viewport: Viewport, camera: &Camera, pane: Pane, budget: f32) {
-        if let Some(drawing) = &self.drawing {
-            self.scene.dye(style);
-            self.at = 2;
-            self.walks[2].begin(drawing, style, viewport, camera, Quality::FINEST, Some((pane, budget)));
-        }
+        let pane = Some((pane, budget));
+        self.at = 2;
+        self.plan = Some(Plan { style: style.clone(), viewport, camera: *camera, quality: Quality::FINEST, pane });
     }
 
     /// What the picture, or the pane, has taken with its budget so far.
     #[must_use]
-    pub fn spent(&self) -> Spent {
+    pub fn effort_spent(&self) -> Spent {
         self.walks[self.at].spent()
     }
 
-    /// Goes on with the picture for about `work` units (one unit is in the order of 10 to 100 nanoseconds).
+    /// The units of work of all steps so far.
+    #[must_use]
+    pub fn spent(&self) -> u64 {
+        self.spent
+    }
+
+    /// Goes on with the picture for about `work` units, as [`Meter`] counts them: at most [`Meter::PIECE`] more.
     pub fn step(&mut self, work: usize) -> Progress {
-        let mut left = i64::try_from(work).unwrap_or(i64::MAX).max(1);
-        self.walks[self.at].step(&self.scene, &mut left)
+        let mut meter = Meter::new(work as u64);
+        let progress = self.go_on(&mut meter);
+        self.spent += meter.spent();
+        progress
+    }
+
+    fn go_on(&mut self, meter: &mut Meter) -> Progress {
+        let Some(drawing) = &self.drawing else { return Progress::Done };
+        if let Some(plan) = &self.plan {
+            if self.scene.step(drawing, meter) == Progress::More || self.scene.dye(&plan.style, meter) == Progress::More
+            {
+                return Progress::More;
+            }
+            let Plan { style, viewport, camera, quality, pane } = plan;
+            meter.charge(self.walks[self.at].begin(drawing, style, *viewport, camera, *quality, *pane));
+            self.plan = None;
+        }
+        self.walks[self.at].step(&self.scene, meter)
     }
 
     /// What is left of the picture is made with only `part` of the effort that was meant for it.
     pub fn hurry(&mut self, part: f32) {
-        self.walks[self.at].hurry(&self.scene, part);
+        if self.plan.is_none() {
+            self.walks[self.at].hurry(&self.scene, part);
+        }
     }
 
-    /// The picture so far: RGBA, 8 bits each, opaque, from the upper left corner row by row.
+    /// The picture so far, once it has been begun in a step: RGBA, 8 bits each, opaque, from the upper left corner row by row.
     #[must_use]
     pub fn pixels(&self) -> &[u8] {
         &self.walks[self.at].pixels

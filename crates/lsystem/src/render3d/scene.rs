@@ -6,7 +6,8 @@ use super::path::Stretch;
 use crate::render::{Amount, Choice, Shade};
 use crate::rotation::{Vector, combine, cross, dot, minus, norm};
 use crate::triangulate::triangulate;
-use crate::{BlockId, ColourBy, Drawing, Item, Placed, Solid, Style, StyleChange, WidthChange};
+use crate::{BlockId, ColourBy, Drawing, Item, Meter, Placed, Progress, Solid, Style, StyleChange, WidthChange};
+use core::ops::Range;
 
 /// Contents of a node at most.
 pub(super) const WIDTH: usize = 16;
@@ -29,8 +30,12 @@ pub(super) struct Scene {
     palette: Vec<[f32; 3]>,
     pub(super) choice: Choice,
     pub(super) root: Option<u32>,
-    /// By block: its node.
-    blocks: Vec<u32>,
+    /// By block: its node, if it shows anything.
+    blocks: Vec<Option<u32>>,
+    stage: Stage,
+    making: Option<Making>,
+    /// How many segments are asked for; all of them without it.
+    upto: Option<u128>,
     /// How many nodes, links and lines there are for the whole drawing; those after them are of a part of it.
     whole: [usize; 3],
     memoised: bool,
@@ -171,123 +176,228 @@ const MANY: f32 = 1e30;
 /// Mean colours that are remembered at most.
 const MEANS: usize = 1 << 21;
 
+/// How far a scene is made.
+#[derive(Debug, Default)]
+enum Stage {
+    /// Nodes of all blocks are being made.
+    #[default]
+    Blocks,
+    /// What is to be shown is not known yet.
+    Show,
+    /// On the way down to the first segment that is left out.
+    Cut(Way),
+    /// Nodes are being made of what comes before that, from the innermost block outwards; the node of the last.
+    Inside(Way, Option<u32>),
+    Ready,
+}
+
+/// The way down to the first segment that is left out.
+#[derive(Debug)]
+struct Way {
+    /// By block: its items before that segment, and the block that has it.
+    kept: Vec<(Range<u32>, Option<Placed<Solid>>)>,
+    block: BlockId,
+    /// The item that is looked at, and how many segments come before the one that is left out.
+    at: u32,
+    left: u128,
+}
+
+/// Nodes being made of items.
+#[derive(Default)]
+struct Making {
+    items: Range<u32>,
+    /// What the last of them places, and the node of it.
+    last: Option<(Placed<Solid>, u32)>,
+    run: Run,
+    /// Of the item in hand, the next one last.
+    lines: Vec<Line>,
+    /// Nodes that are not in another yet, how many of them have been done, and those around these.
+    row: Vec<u32>,
+    done: usize,
+    above: Vec<u32>,
+}
+
+/// What it costs to make a node, to make a line or a link, and to look at a segment, in units of work.
+const NODE_WORK: u64 = 64;
+const ITEM_WORK: u64 = 4;
+const LOOK_WORK: u64 = 1;
+
 impl Scene {
+    /// A scene with nothing in it yet.
     pub(super) fn new(drawing: &Drawing<Solid>) -> Self {
         let mut styles = drawing.styles.clone();
         styles.push(StyleChange::NONE);
         let kept = if drawing.memoised { SAMPLES } else { FEW_SAMPLES };
-        let mut scene = Self { styles, memoised: drawing.memoised, kept, ..Self::default() };
-        scene.blocks.reserve_exact(drawing.blocks.len());
-        for (id, block) in drawing.blocks.iter().enumerate() {
-            let node = scene.contents(drawing, drawing.items_of(BlockId(id as u32)), None).unwrap_or_default();
-            if let Some(node) = scene.nodes.get_mut(node as usize) {
-                // The drawing knows a tighter ball than one around balls.
-                if block.hull.radius < node.own.radius {
-                    (node.own.centre, node.own.radius) = (block.hull.centre(), block.hull.radius);
-                }
-            }
-            scene.blocks.push(node);
-        }
-        scene.whole = [scene.nodes.len(), scene.links.len(), scene.lines.len()];
-        scene.show(drawing, None);
-        scene
+        Self { styles, memoised: drawing.memoised, kept, ..Self::default() }
     }
 
-    /// Shows the first `upto` segments and the polygons before them, or all: on the way down to the first that is left
-    /// out every block becomes a node with what is before it.
-    pub(super) fn show(&mut self, drawing: &Drawing<Solid>, upto: Option<u128>) {
+    /// Asks for the first `upto` segments and the polygons before them, or for all.
+    pub(super) fn show(&mut self, upto: Option<u128>) {
+        self.upto = upto;
+        if !matches!(self.stage, Stage::Blocks) {
+            (self.stage, self.making) = (Stage::Show, None);
+        }
+    }
+
+    /// Goes on with making the nodes, until what is asked for can be shown.
+    pub(super) fn step(&mut self, drawing: &Drawing<Solid>, meter: &mut Meter) -> Progress {
+        while !meter.is_spent() {
+            match core::mem::take(&mut self.stage) {
+                Stage::Blocks => self.next_block(drawing, meter),
+                Stage::Show => self.stage = self.start_showing(drawing),
+                Stage::Cut(way) => self.stage = self.cut(drawing, way, meter),
+                Stage::Inside(way, inside) => self.stage = self.inside(drawing, way, inside, meter),
+                Stage::Ready => {
+                    self.stage = Stage::Ready;
+                    return Progress::Done;
+                }
+            }
+        }
+        Progress::More
+    }
+
+    /// Goes on with the nodes of a block.
+    fn next_block(&mut self, drawing: &Drawing<Solid>, meter: &mut Meter) {
+        let Some(block) = drawing.blocks.get(self.blocks.len()) else {
+            self.whole = [self.nodes.len(), self.links.len(), self.lines.len()];
+            self.stage = Stage::Show;
+            return;
+        };
+        let mut making = self.making.take().unwrap_or_else(|| Making::new(block.items.clone(), None));
+        if self.contents(drawing, &mut making, meter) == Progress::More {
+            self.making = Some(making);
+            return;
+        }
+        meter.charge(1);
+        let node = making.node();
+        if let Some(node) = node.and_then(|node| self.nodes.get_mut(node as usize)) {
+            // The drawing knows a tighter ball than one around balls.
+            if block.hull.radius < node.own.radius {
+                (node.own.centre, node.own.radius) = (block.hull.centre(), block.hull.radius);
+            }
+        }
+        self.blocks.push(node);
+    }
+
+    /// Shows all, or begins to look for the first segment that is left out: on the way down to it every block becomes a node
+    /// with what is before it.
+    fn start_showing(&mut self, drawing: &Drawing<Solid>) -> Stage {
         let [nodes, links, lines] = self.whole;
         self.nodes.truncate(nodes);
         self.links.truncate(links);
         self.lines.truncate(lines);
         self.samples.truncate(nodes * self.kept);
         self.means.truncate(nodes * self.entries as usize);
-        self.root = drawing.root.and_then(|root| self.blocks.get(root.0 as usize).copied());
-        let all = self.count(self.root);
-        self.one = Amount::ONE.of(all);
-        let (Some(mut left), Some(mut block)) = (upto.filter(|&upto| upto < drawing.segment_count()), drawing.root)
-        else {
-            self.shown = Stretch { from: 0.0, size: 1.0 };
-            return;
-        };
-        let mut way = Vec::new();
-        loop {
-            let items = drawing.items_of(block);
-            let (cut, within) = drawing.before(items, left);
-            left = within;
-            let (before, after) = items.split_at(cut);
-            let Some(Item::Block(placed)) = after.first() else {
-                way.push((before, None));
-                break;
-            };
-            way.push((before, Some(placed)));
-            block = placed.block;
+        self.root = drawing.root.and_then(|root| self.blocks.get(root.0 as usize).copied().flatten());
+        self.one = Amount::ONE.of(self.count(self.root));
+        self.shown = Stretch { from: 0.0, size: 1.0 };
+        let upto = self.upto.filter(|&upto| upto < drawing.segment_count());
+        match upto.zip(drawing.root) {
+            Some((left, block)) => Stage::Cut(Way::new(drawing, block, left)),
+            None => Stage::Ready,
         }
-        self.root = way
-            .into_iter()
-            .rev()
-            .fold(None, |inside, (before, placed)| self.contents(drawing, before, placed.zip(inside)));
-        self.shown = Stretch { from: 0.0, size: self.count(self.root).of(all) };
+    }
+
+    /// Goes on to the first segment that is left out.
+    fn cut(&mut self, drawing: &Drawing<Solid>, mut way: Way, meter: &mut Meter) -> Stage {
+        let items = drawing.blocks[way.block.0 as usize].items.clone();
+        while !meter.is_spent() {
+            meter.charge(LOOK_WORK);
+            let item = drawing.items.get(way.at as usize).filter(|_| way.at < items.end);
+            let count = item.map_or(0, |item| drawing.segments_in(item));
+            if item.is_some() && count <= way.left {
+                way.left -= count;
+                way.at += 1;
+                continue;
+            }
+            let Some(Item::Block(placed)) = item else {
+                way.kept.push((items.start..way.at, None));
+                return Stage::Inside(way, None);
+            };
+            way.kept.push((items.start..way.at, Some(*placed)));
+            (way.block, way.at) = (placed.block, drawing.blocks[placed.block.0 as usize].items.start);
+            return Stage::Cut(way);
+        }
+        Stage::Cut(way)
+    }
+
+    /// Goes on with the nodes of what comes before.
+    fn inside(&mut self, drawing: &Drawing<Solid>, mut way: Way, inside: Option<u32>, meter: &mut Meter) -> Stage {
+        let mut making = match (self.making.take(), way.kept.last()) {
+            (Some(making), _) => making,
+            (None, Some((items, placed))) => Making::new(items.clone(), placed.zip(inside)),
+            (None, None) => {
+                let all = self.count(self.root);
+                self.root = inside;
+                self.shown = Stretch { from: 0.0, size: self.count(self.root).of(all) };
+                return Stage::Ready;
+            }
+        };
+        if self.contents(drawing, &mut making, meter) == Progress::More {
+            self.making = Some(making);
+            return Stage::Inside(way, inside);
+        }
+        way.kept.pop();
+        Stage::Inside(way, making.node())
     }
 
     fn count(&self, node: Option<u32>) -> Amount {
         node.and_then(|node| self.nodes.get(node as usize)).map_or(Amount::default(), |node| node.own.count)
     }
 
-    /// Makes nodes of a block's contents, the last of which may be placed where another block would be; the one that
-    /// holds them all, if there are any.
-    fn contents(
-        &mut self,
-        drawing: &Drawing<Solid>,
-        items: &[Item<Solid>],
-        last: Option<(&Placed<Solid>, u32)>,
-    ) -> Option<u32> {
-        let mut row: Vec<u32> = Vec::new();
-        let mut run = Run::default();
-        for item in items {
-            let mut lines = Vec::new();
-            match item {
-                Item::Stroke(stroke) => lines.push(Line::new([stroke.from, stroke.to], stroke.style.0)),
-                Item::Polygon(polygon) => {
-                    let vertices = drawing.vertices_of(polygon);
-                    let triangles = triangulate(vertices).map(|(_, triangles)| triangles).unwrap_or_default();
-                    let corners = triangles.into_iter().map(|corners| corners.map(|corner| vertices[corner]));
-                    lines.extend(corners.map(|corners| Line::face(corners, polygon.style.0)));
-                }
-                Item::Block(placed) => {
-                    let node = self.blocks[placed.block.0 as usize];
-                    run.hold(self.link(placed, node), self.count(Some(node)));
-                    self.full(&mut run, &mut row);
-                }
-            }
-            for line in lines {
-                run.draw(line);
-                self.full(&mut run, &mut row);
-            }
-        }
-        if let Some((placed, node)) = last {
-            run.hold(self.link(placed, node), self.count(Some(node)));
-        }
-        if !(run.links.is_empty() && run.lines.is_empty()) {
-            row.push(self.node(run));
-        }
+    /// Goes on with making nodes of items.
+    fn contents(&mut self, drawing: &Drawing<Solid>, making: &mut Making, meter: &mut Meter) -> Progress {
         let same = self.styles.len() as u32 - 1;
-        while row.len() > 1 {
-            let rows = row.chunks(WIDTH).map(|nodes| {
+        while !meter.is_spent() {
+            if making.run.len() == WIDTH {
+                meter.charge(NODE_WORK);
+                making.row.push(self.node(core::mem::take(&mut making.run)));
+            } else if let Some(line) = making.lines.pop() {
+                meter.charge(ITEM_WORK);
+                making.run.draw(line);
+            } else if let Some(item) = making.items.next() {
+                meter.charge(self.add(drawing, making, &drawing.items[item as usize]));
+            } else if let Some((placed, node)) = making.last.take() {
+                making.run.hold(self.link(&placed, node), self.count(Some(node)));
+            } else if making.run.len() > 0 {
+                meter.charge(NODE_WORK);
+                making.row.push(self.node(core::mem::take(&mut making.run)));
+            } else if making.row.len() <= 1 {
+                return Progress::Done;
+            } else if making.done < making.row.len() {
+                meter.charge(NODE_WORK);
                 let mut run = Run::default();
-                nodes.iter().for_each(|&node| run.hold(self.same(node, same), self.count(Some(node))));
-                self.node(run)
-            });
-            row = rows.collect();
+                for &node in making.row[making.done..].iter().take(WIDTH) {
+                    run.hold(self.same(node, same), self.count(Some(node)));
+                }
+                making.done += run.len();
+                making.above.push(self.node(run));
+            } else {
+                (making.row, making.done) = (core::mem::take(&mut making.above), 0);
+            }
         }
-        row.first().copied()
+        Progress::More
     }
 
-    /// Makes a node of a run that has as many contents as a node may.
-    fn full(&mut self, run: &mut Run, row: &mut Vec<u32>) {
-        if run.links.len() + run.lines.len() == WIDTH {
-            row.push(self.node(core::mem::take(run)));
+    /// Adds an item to the nodes that are being made; the units of work that this took. A block that shows nothing, as
+    /// polygons without an area do, has no node.
+    fn add(&self, drawing: &Drawing<Solid>, making: &mut Making, item: &Item<Solid>) -> u64 {
+        match item {
+            Item::Stroke(stroke) => making.run.draw(Line::new([stroke.from, stroke.to], stroke.style.0)),
+            Item::Polygon(polygon) => {
+                let vertices = drawing.vertices_of(polygon);
+                let triangles = triangulate(vertices).map(|(_, triangles)| triangles).unwrap_or_default();
+                let corners = triangles.into_iter().rev().map(|corners| corners.map(|corner| vertices[corner]));
+                making.lines.extend(corners.map(|corners| Line::face(corners, polygon.style.0)));
+                return ITEM_WORK * vertices.len() as u64;
+            }
+            Item::Block(placed) => {
+                if let Some(node) = self.blocks[placed.block.0 as usize] {
+                    making.run.hold(self.link(placed, node), self.count(Some(node)));
+                }
+            }
         }
+        ITEM_WORK
     }
 
     fn link(&self, placed: &Placed<Solid>, node: u32) -> Link {
@@ -490,8 +600,8 @@ impl Scene {
         self.samples.get(first..first + self.kept).unwrap_or_default()
     }
 
-    /// Makes the mean colours for a style, unless they are there.
-    pub(super) fn dye(&mut self, style: &Style) {
+    /// Goes on with making the mean colours for a style, until they are there.
+    pub(super) fn dye(&mut self, style: &Style, meter: &mut Meter) -> Progress {
         let choice = Choice::new(style, &self.styles);
         let colours = choice.colours;
         let palette: Vec<[f32; 3]> = (0..colours).map(|ink| style.ink(ink).rgb.map(f32::from)).collect();
@@ -512,7 +622,11 @@ impl Scene {
             self.means.reserve_exact(self.nodes.len() * self.entries as usize);
         }
         let known = self.means.len() / self.entries.max(1) as usize;
-        for node in self.nodes.get(known..).unwrap_or_default() {
+        for node in self.nodes.get(known..).unwrap_or_default().iter().filter(|_| self.entries > 0) {
+            if meter.is_spent() {
+                return Progress::More;
+            }
+            meter.charge(1 + u64::from(self.entries) * u64::from(node.links + node.lines) / 4);
             for entry in 0..self.entries {
                 let (mut sum, mut weight) = ([0.0_f32; 3], 0.0_f32);
                 let mut add = |colour: [f32; 3], length: f32| {
@@ -537,6 +651,7 @@ impl Scene {
                 self.means.push(mean);
             }
         }
+        Progress::Done
     }
 
     /// What a style does to the colour.
@@ -613,6 +728,23 @@ fn distance(limb: &Limb, point: Vector) -> f64 {
     norm([0, 1, 2].map(|i| to[i] - t * way[i]))
 }
 
+impl Making {
+    fn new(items: Range<u32>, last: Option<(Placed<Solid>, u32)>) -> Self {
+        Self { items, last, ..Self::default() }
+    }
+
+    /// The node that holds all, when they are made, if there is any.
+    fn node(&self) -> Option<u32> {
+        self.row.first().copied()
+    }
+}
+
+impl Way {
+    fn new(drawing: &Drawing<Solid>, block: BlockId, left: u128) -> Self {
+        Self { kept: vec![], block, at: drawing.blocks[block.0 as usize].items.start, left }
+    }
+}
+
 /// What becomes a node.
 #[derive(Default)]
 struct Run {
@@ -624,6 +756,10 @@ struct Run {
 }
 
 impl Run {
+    fn len(&self) -> usize {
+        self.links.len() + self.lines.len()
+    }
+
     /// Goes on with a link to so many segments.
     fn hold(&mut self, link: Link, count: Amount) {
         self.links.push(link);

@@ -294,7 +294,7 @@ fn panes_together_are_the_picture() {
                     let renderer = &mut renderers[number % 2];
                     renderer.begin_pane(style, viewport, &camera, pane, effort.budget());
                     while renderer.step(10_000) == Progress::More {}
-                    spent.add(renderer.spent());
+                    spent.add(renderer.effort_spent());
                     for (y, row) in renderer.pixels().chunks(pane.width as usize * 4).enumerate() {
                         let at = ((pane.y as usize + y) * 560 + pane.x as usize) * 4;
                         pixels[at..at + row.len()].copy_from_slice(row);
@@ -421,4 +421,41 @@ fn polygons_are_filled() {
             assert!((painted - expected).abs() < 3.0 * step, "{axiom} {azimuth}: {painted} {expected}");
         }
     }
+}
+
+/// A polygon without an area has no triangles, so that a block of it alone shows nothing.
+#[test]
+fn polygons_without_an_area_show_nothing() {
+    let style = Style::default();
+    let paper = [style.background.rgb[0], style.background.rgb[1], style.background.rgb[2], u8::MAX];
+    let alone = drawing(&system(Dialect::Abop, "&{fff}", "", 60.0), 0);
+    let pixels = picture(&alone, &style, SIZE, &Camera::default(), Quality::FINEST, 1 << 20);
+    assert!(pixels.chunks(4).all(|pixel| pixel == paper));
+
+    // Where a block of it is placed nothing else is drawn in its stead.
+    let beside = system(Dialect::Abop, "X&ffffA", "X -> F[+F][-F][^F]F\nA -> {fff}", 60.0);
+    let beside = drawing(&beside, 1);
+    let mut scene = Scene::new(&beside);
+    while scene.step(&beside, &mut Meter::new(u64::MAX)) == Progress::More {}
+    let root = &scene.nodes[scene.root.unwrap() as usize];
+    assert_eq!((root.links, root.lines), (1, 0), "X alone");
+}
+
+/// However many contents a block has, a step does not make more of the scene than it may.
+#[test]
+fn long_blocks_are_made_ready_in_steps() {
+    let long = drawing(&system(Dialect::Abop, "A", &format!("A -> &{}", "F+".repeat(40_000)), 7.0), 1);
+    let mut renderer = SolidRenderer::new();
+    renderer.load(long.clone());
+    for upto in [None, Some(30_000)] {
+        renderer.play(upto);
+        renderer.begin(&Style::default(), SIZE, &Camera::default(), Quality::FINEST);
+        let (mut most, mut before) = (0, renderer.spent());
+        while renderer.step(1000) == Progress::More {
+            most = most.max(renderer.spent() - before);
+            before = renderer.spent();
+        }
+        assert!(most <= 1000 + Meter::PIECE, "{most}");
+    }
+    assert!(renderer.stats().strokes > 0);
 }

@@ -11,7 +11,7 @@ use super::stroke::{Dot, Stick, span};
 use super::tile::Tile;
 use crate::render::{Pane, Shade};
 use crate::rotation::{Vector, combine, cross, dot, minus, norm};
-use crate::{Drawing, Progress, RenderStats, Solid, Style, Viewport};
+use crate::{Drawing, Meter, Progress, RenderStats, Solid, Style, Viewport};
 
 /// Whole blocks are looked for behind others from this size on, in samples.
 const HIDEABLE: f32 = 3.0;
@@ -36,8 +36,8 @@ const NODE_WORK: i64 = 8;
 const LINE_WORK: i64 = 4;
 /// Samples in a unit of work.
 const SAMPLES_WORK: i64 = 8;
-/// What emptying and finishing a tile costs.
-const TILE_WORK: i64 = 3000;
+/// Samples of a tile that are emptied, or made pixels of, in a unit of work.
+const TILE_WORK: u64 = 64;
 
 /// A node that is being looked into.
 struct Frame {
@@ -144,7 +144,7 @@ impl Walk {
         (self.width, self.height) == (viewport.width as usize, viewport.height as usize)
     }
 
-    /// Starts a picture, or only a pane of it with this budget.
+    /// Starts a picture, or only a pane of it with this budget; the units of work that this took.
     pub(super) fn begin(
         &mut self,
         drawing: &Drawing<Solid>,
@@ -153,7 +153,7 @@ impl Walk {
         camera: &Camera,
         quality: Quality,
         only: Option<(Pane, f32)>,
-    ) {
+    ) -> u64 {
         let samples = quality.samples();
         let lens = Lens::new(drawing, viewport, camera, samples as f64);
         let size = [viewport.width, viewport.height].map(|pixels| f64::from(pixels) * samples as f64);
@@ -195,11 +195,18 @@ impl Walk {
         self.painting = false;
         (self.used, self.work, self.poor) = (0.0, 0, false);
         self.stats = RenderStats::default();
+        1 + size as u64 / 1024
     }
 
     /// What the picture, or the pane, has taken since it was started, with the budget it has now.
     pub(super) fn spent(&self) -> Spent {
         Spent { work: self.work as f64, poor: self.poor }
+    }
+
+    /// Gives up the picture that is being made.
+    pub(super) fn stop(&mut self) {
+        self.look = None;
+        self.stack.clear();
     }
 
     /// Starts again where the budget was too small. Whether it does.
@@ -214,21 +221,24 @@ impl Walk {
         true
     }
 
-    pub(super) fn step(&mut self, scene: &Scene, left: &mut i64) -> Progress {
+    pub(super) fn step(&mut self, scene: &Scene, meter: &mut Meter) -> Progress {
         let Some(look) = self.look else { return Progress::Done };
         // Pixels along the sides of a tile.
         let side = look.side.map(|side| side / look.samples);
         let across = self.width.div_ceil(side[0]);
         let count = across * self.height.div_ceil(side[1]);
         while self.wiped < self.height {
+            if meter.is_spent() {
+                return Progress::More;
+            }
             let [from, to] = core::mem::take(&mut self.painted[self.wiped]);
             let row = self.wiped * self.width;
             let (pixels, _) = self.pixels[(row + from) * 4..(row + to) * 4].as_chunks_mut::<4>();
             pixels.fill(self.paper);
             self.wiped += 1;
-            *left -= 1 + (to - from) as i64 / 64;
+            meter.charge(1 + (to - from) as u64 / 64);
         }
-        while *left > 0 {
+        while !meter.is_spent() {
             if self.next >= count {
                 return if self.starts_again() { Progress::More } else { Progress::Done };
             }
@@ -238,7 +248,7 @@ impl Walk {
                 self.painting = true;
                 self.tile.leans = look.samples == 4;
                 self.tile.reset(look.side, look.background);
-                *left -= TILE_WORK / 4;
+                meter.charge((look.side[0] * look.side[1]) as u64 / TILE_WORK);
                 if let Some(root) = scene.root {
                     let Lens { origin, axes, .. } = look.lens;
                     let place = Place { origin, axes, scale: dot(axes[0], axes[0]).sqrt() };
@@ -248,12 +258,12 @@ impl Walk {
                     self.open(scene, &look, corner, root, inside);
                 }
             }
-            if self.paint(scene, &look, corner, left) == Progress::More {
+            if self.paint(scene, &look, corner, meter) == Progress::More {
                 return Progress::More;
             }
             self.painting = false;
             self.finish(at, side, look.samples);
-            *left -= TILE_WORK;
+            meter.charge((look.side[0] * look.side[1]) as u64 / TILE_WORK);
             self.next += 1;
         }
         Progress::More
@@ -297,8 +307,8 @@ impl Walk {
     }
 
     /// Goes on with a tile.
-    fn paint(&mut self, scene: &Scene, look: &Look, corner: [f64; 2], left: &mut i64) -> Progress {
-        while *left > 0 {
+    fn paint(&mut self, scene: &Scene, look: &Look, corner: [f64; 2], meter: &mut Meter) -> Progress {
+        while !meter.is_spent() {
             let Some(frame) = self.stack.last_mut() else { return Progress::Done };
             if frame.left == 0 {
                 let spare = frame.spare;
@@ -318,7 +328,7 @@ impl Walk {
                 self.line(scene, look, corner, line)
             };
             self.work += cost;
-            *left -= cost;
+            meter.charge(cost.unsigned_abs());
         }
         Progress::More
     }

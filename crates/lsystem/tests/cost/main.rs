@@ -3,8 +3,9 @@
 //! `cargo test -p lsystem --test cost -- --nocapture` prints the largest step of each entry point.
 
 mod derivation;
-mod record;
-mod syntax;
 mod drawing;
 mod files;
+mod pictures;
+mod record;
+mod syntax;
 mod systems;

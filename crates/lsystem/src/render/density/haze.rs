@@ -4,6 +4,7 @@
 //! rectangle of any size costs the same: only its corners are noted, and summed up in the end.
 
 use super::sheet::{Pigment, Sheet};
+use crate::{Meter, Progress};
 
 /// Pixels along the side of a cell.
 const SIDE: usize = 4;
@@ -18,15 +19,35 @@ pub(super) struct Haze {
     planes: usize,
     cells: Vec<f64>,
     line: Vec<f64>,
+    stage: Stage,
+    /// The row or column of cells that is next in the stage.
+    line_number: usize,
+    /// The most that lies in a cell.
+    most: f64,
+}
+
+/// How far the summing up is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Stage {
+    #[default]
+    Across,
+    Down,
+    /// Twice across and down.
+    Smooth(u8),
+    Most,
+    Add,
+    Done,
 }
 
 impl Haze {
-    /// Makes it empty, for a sheet.
-    pub(super) fn reset(&mut self, sheet: &Sheet) {
+    /// Makes it empty, for a sheet; the units of work that this took.
+    pub(super) fn reset(&mut self, sheet: &Sheet) -> u64 {
+        (self.stage, self.line_number, self.most) = (Stage::Across, 0, 0.0);
         (self.columns, self.rows) = (sheet.width.div_ceil(SIDE) + 2, sheet.height.div_ceil(SIDE) + 2);
         self.planes = sheet.planes;
         self.cells.clear();
         self.cells.resize(self.columns * self.rows * self.planes, 0.0);
+        1 + self.cells.len() as u64 / 128
     }
 
     /// Adds `amount` of ink, whose places differ from its centre, in pixels, by so much in the mean of squares.
@@ -53,55 +74,98 @@ impl Haze {
         }
     }
 
-    /// Sums up, and adds everything to the sheet, smoothed so that no edge shows of rectangles about `grain` pixels large.
-    pub(super) fn settle(&mut self, sheet: &mut Sheet, grain: f64) {
+    /// Goes on with summing up, and with adding everything to the sheet, smoothed so that no edge shows of rectangles about
+    /// `grain` pixels large.
+    pub(super) fn settle(&mut self, sheet: &mut Sheet, grain: f64, meter: &mut Meter) -> Progress {
         let (columns, planes) = (self.columns, self.planes);
-        for row in 0..self.rows {
-            for at in row * columns * planes..(row + 1) * columns * planes {
-                let left = if at % (columns * planes) >= planes { self.cells[at - planes] } else { 0.0 };
-                self.cells[at] += left;
-            }
-        }
-        for at in columns * planes..self.cells.len() {
-            self.cells[at] += self.cells[at - columns * planes];
-        }
-        let radius = ((grain / 8.0) as usize / SIDE).clamp(1, columns.max(self.rows));
         let (across, down) = (columns - 2, self.rows - 2);
-        for _ in 0..2 {
-            (0..down * planes)
-                .for_each(|at| self.smooth(at / planes * columns * planes + at % planes, planes, across, radius));
-            (0..across * planes).for_each(|at| self.smooth(at, columns * planes, down, radius));
+        let radius = ((grain / 8.0) as usize / SIDE).clamp(1, columns.max(self.rows));
+        while !meter.is_spent() {
+            let at = self.line_number;
+            self.line_number += 1;
+            let count = match self.stage {
+                Stage::Across => self.rows,
+                Stage::Down => self.rows - 1,
+                Stage::Smooth(0 | 2) => down * planes,
+                Stage::Smooth(_) => across * planes,
+                Stage::Most => self.rows,
+                Stage::Add => sheet.height,
+                Stage::Done => return Progress::Done,
+            };
+            if at == count {
+                self.line_number = 0;
+                self.stage = match self.stage {
+                    Stage::Across => Stage::Down,
+                    Stage::Down => Stage::Smooth(0),
+                    Stage::Smooth(3) => Stage::Most,
+                    Stage::Smooth(number) => Stage::Smooth(number + 1),
+                    Stage::Most if self.most > 0.0 => Stage::Add,
+                    _ => Stage::Done,
+                };
+                continue;
+            }
+            let length = match self.stage {
+                Stage::Across => {
+                    for at in at * columns * planes..(at + 1) * columns * planes {
+                        let left = if at % (columns * planes) >= planes { self.cells[at - planes] } else { 0.0 };
+                        self.cells[at] += left;
+                    }
+                    columns * planes
+                }
+                Stage::Down => {
+                    for at in (at + 1) * columns * planes..(at + 2) * columns * planes {
+                        self.cells[at] += self.cells[at - columns * planes];
+                    }
+                    columns * planes
+                }
+                Stage::Smooth(0 | 2) => {
+                    self.smooth(at / planes * columns * planes + at % planes, planes, across, radius);
+                    across
+                }
+                Stage::Smooth(_) => {
+                    self.smooth(at, columns * planes, down, radius);
+                    down
+                }
+                Stage::Most => {
+                    let row = &self.cells[at * columns * planes..(at + 1) * columns * planes];
+                    self.most = row.iter().step_by(planes).fold(self.most, |most, &cell| most.max(cell));
+                    columns
+                }
+                Stage::Add | Stage::Done => {
+                    self.add_row(sheet, at);
+                    2 * sheet.width * planes
+                }
+            };
+            meter.charge(1 + length as u64 / 8);
         }
-        let most = self.cells.iter().step_by(planes).fold(0.0_f64, |most, &cell| most.max(cell));
-        if most == 0.0 {
-            return;
-        }
+        Progress::More
+    }
+
+    /// Adds what lies in a row of pixels to the sheet.
+    fn add_row(&self, sheet: &mut Sheet, row: usize) {
+        let (columns, planes) = (self.columns, self.planes);
         let near = |pixel: usize, end: usize| {
             let at = ((pixel as f64 + 0.5) / SIDE as f64 - 0.5).clamp(0.0, (end - 1) as f64);
             let first = (at as usize).min(end.saturating_sub(2));
             (first, at - first as f64)
         };
-        for row in 0..sheet.height {
-            let (above, down) = near(row, self.rows - 2);
-            for column in 0..sheet.width {
-                let (left, across) = near(column, columns - 2);
-                let value = |plane: usize| {
-                    let cell = |x: usize, y: usize| self.cells[((above + y) * columns + left + x) * planes + plane];
-                    let upper = cell(0, 0) + across * (cell(1, 0) - cell(0, 0));
-                    let lower = cell(0, 1) + across * (cell(1, 1) - cell(0, 1));
-                    upper + down * (lower - upper)
-                };
-                if value(0) > ROUNDING * most {
-                    let at = (row * sheet.width + column) * planes;
-                    (0..planes).for_each(|plane| sheet.values[at + plane] += value(plane) as f32);
-                }
+        let (above, down) = near(row, self.rows - 2);
+        for column in 0..sheet.width {
+            let (left, across) = near(column, columns - 2);
+            let value = |plane: usize| {
+                let cell = |x: usize, y: usize| self.cells[((above + y) * columns + left + x) * planes + plane];
+                let upper = cell(0, 0) + across * (cell(1, 0) - cell(0, 0));
+                let lower = cell(0, 1) + across * (cell(1, 1) - cell(0, 1));
+                upper + down * (lower - upper)
+            };
+            if value(0) > ROUNDING * self.most {
+                let at = (row * sheet.width + column) * planes;
+                (0..planes).for_each(|plane| sheet.values[at + plane] += value(plane) as f32);
             }
-            sheet.reach[row] = 0..sheet.width as u32;
         }
+        sheet.reach[row] = 0..sheet.width as u32;
     }
-}
 
-impl Haze {
     /// Makes each of a line of cells the mean of those no farther than `radius`.
     fn smooth(&mut self, first: usize, step: usize, count: usize, radius: usize) {
         let mut sum = 0.0;

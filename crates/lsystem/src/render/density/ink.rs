@@ -2,7 +2,8 @@
 
 use crate::render::Amount;
 use crate::render::shape::Shape;
-use crate::{Block, Drawing, Item};
+use crate::render::sweep::{Fact, Sweep};
+use crate::{Block, Drawing, Item, Meter, Progress};
 
 /// The ink of one block, in its own frame.
 #[derive(Clone, Copy, Debug, Default)]
@@ -29,27 +30,70 @@ impl Ink {
 /// A line is even where its length is that of all its strokes together, but for rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// The ink of each block.
-pub(super) fn inks(drawing: &Drawing, shapes: &[Shape]) -> Vec<Ink> {
-    let mut inks: Vec<Ink> = Vec::with_capacity(drawing.blocks.len());
-    let mut parts = vec![];
-    for (block, shape) in drawing.blocks.iter().zip(shapes) {
-        parts.clear();
-        parts.extend(self::parts(drawing, block, &inks));
-        let mut ink = sum(&parts);
-        ink.even = shape.line.is_some_and(|line| {
+/// The ink of blocks, found in steps.
+#[derive(Debug, Default)]
+pub(super) struct InkList {
+    /// By block, as far as they are known.
+    pub list: Vec<Ink>,
+    place: Sweep,
+    /// Of the block in hand, so far.
+    sum: Ink,
+}
+
+impl InkList {
+    /// Goes on until the ink of all blocks is known, which have these shapes.
+    pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], meter: &mut Meter) -> Progress {
+        let mut place = self.place;
+        let progress = place.step(&mut Summing { inks: self, shapes }, drawing, meter);
+        self.place = place;
+        progress
+    }
+}
+
+struct Summing<'a> {
+    inks: &'a mut InkList,
+    shapes: &'a [Shape],
+}
+
+impl Fact for Summing<'_> {
+    /// For all ink, for its centre of gravity, and for how it is spread about that.
+    const PASSES: usize = 3;
+
+    fn item(&mut self, drawing: &Drawing, pass: usize, _: usize, item: &Item) -> u64 {
+        // Found anew in each pass: to keep the parts of a long block would take more memory than the drawing.
+        let part = part(drawing, item, &self.inks.list);
+        let sum = &mut self.inks.sum;
+        if pass == 0 {
+            sum.length = sum.length.plus(part.length);
+            sum.area = sum.area.plus(part.area);
+        } else {
+            let share = part.share_of(sum);
+            if pass == 1 {
+                sum.centre = [0, 1].map(|i| sum.centre[i] + share * part.centre[i]);
+            } else {
+                let [dx, dy] = [0, 1].map(|i| part.centre[i] - sum.centre[i]);
+                let about = [dx * dx, dx * dy, dy * dy];
+                sum.spread = [0, 1, 2].map(|i| sum.spread[i] + share * (part.spread[i] + about[i]));
+            }
+        }
+        if let Item::Polygon(polygon) = item { 1 + u64::from(polygon.count) / 16 } else { 1 }
+    }
+
+    fn close(&mut self, _: &Drawing, _: &Block) -> u64 {
+        let mut ink = core::mem::take(&mut self.inks.sum);
+        ink.even = self.shapes[self.inks.list.len()].line.is_some_and(|line| {
             let (dx, dy) = (line.to[0] - line.from[0], line.to[1] - line.from[1]);
             let length = (dx * dx + dy * dy).sqrt();
             (ink.length.units(0) - length).abs() <= ROUNDING * length
         });
-        inks.push(ink);
+        self.inks.list.push(ink);
+        0
     }
-    inks
 }
 
-/// The ink of a block's items, in the block's frame.
-pub(super) fn parts<'a>(drawing: &'a Drawing, block: &Block, inks: &'a [Ink]) -> impl Iterator<Item = Ink> + 'a {
-    drawing.contents(block).iter().map(|item| match item {
+/// The ink of an item, in the frame of the block that holds it, given the ink of the blocks inside.
+pub(super) fn part(drawing: &Drawing, item: &Item, inks: &[Ink]) -> Ink {
+    match item {
         Item::Stroke(stroke) => {
             let [dx, dy] = [0, 1].map(|i| stroke.to[i] - stroke.from[i]);
             Ink {
@@ -82,27 +126,7 @@ pub(super) fn parts<'a>(drawing: &'a Drawing, block: &Block, inks: &'a [Ink]) ->
                 even: false,
             }
         }
-    })
-}
-
-fn sum(parts: &[Ink]) -> Ink {
-    let mut ink = Ink::default();
-    for part in parts {
-        ink.length = ink.length.plus(part.length);
-        ink.area = ink.area.plus(part.area);
     }
-    let whole = ink;
-    for part in parts {
-        let share = part.share_of(&whole);
-        ink.centre = [0, 1].map(|i| ink.centre[i] + share * part.centre[i]);
-    }
-    for part in parts {
-        let share = part.share_of(&whole);
-        let [dx, dy] = [0, 1].map(|i| part.centre[i] - ink.centre[i]);
-        let about = [dx * dx, dx * dy, dy * dy];
-        ink.spread = [0, 1, 2].map(|i| ink.spread[i] + share * (part.spread[i] + about[i]));
-    }
-    ink
 }
 
 /// A polygon's area, as far as its outline does not cross itself, and the mean of its vertices.

@@ -17,8 +17,8 @@ mod walk;
 #[cfg(test)]
 mod tests;
 
-use super::{Detail, PlaneRenderer, RenderStats, View, Viewport, shape};
-use crate::{Drawing, Progress, Style};
+use super::{Detail, PlaneRenderer, RenderStats, View, Viewport};
+use crate::{Drawing, Meter, Progress, Style};
 use std::sync::Arc;
 use walk::{Facts, Walk};
 
@@ -31,7 +31,10 @@ pub struct DensityRenderer {
     drawing: Option<Arc<Drawing>>,
     facts: Facts,
     walk: Walk,
+    /// A picture that has been asked for, until the drawing is ready for it, and the pixels along the side of its sums.
+    plan: Option<(Style, Viewport, usize)>,
     tone: tone::Tone,
+    spent: u64,
 }
 
 impl DensityRenderer {
@@ -40,12 +43,35 @@ impl DensityRenderer {
     pub fn new() -> Self {
         Self::default()
     }
+
+    fn go_on(&mut self, meter: &mut Meter) -> Progress {
+        if let Some(drawing) = &self.drawing
+            && (self.facts.step(drawing, meter) == Progress::More
+                || self.walk.prepare(drawing, meter) == Progress::More)
+        {
+            return Progress::More;
+        }
+        if meter.is_spent() {
+            return Progress::More;
+        }
+        if let Some((style, viewport, side)) = self.plan.take() {
+            if self.drawing.is_none() {
+                self.walk.blank(viewport);
+            }
+            meter.charge(self.tone.begin(&style, viewport, side));
+        }
+        if let Some(drawing) = &self.drawing
+            && self.walk.step(drawing, &self.facts, meter) == Progress::More
+        {
+            return Progress::More;
+        }
+        self.tone.step(self.walk.sums(), self.walk.only_pigment(), meter)
+    }
 }
 
 impl PlaneRenderer for DensityRenderer {
     fn load(&mut self, drawing: Arc<Drawing>) {
-        let shapes = shape::shapes(&drawing);
-        self.facts = Facts { inks: ink::inks(&drawing, &shapes), shapes };
+        self.facts = Facts::default();
         self.drawing = Some(drawing);
         self.walk.clear();
     }
@@ -55,20 +81,15 @@ impl PlaneRenderer for DensityRenderer {
         let side = if detail == Detail::Coarse && self.drawing.is_some() { COARSE } else { 1 };
         if let Some(drawing) = &self.drawing {
             self.walk.begin(drawing, style, viewport, view, 1.0 / side as f64, upto);
-        } else {
-            self.walk.blank(viewport);
         }
-        self.tone.begin(style, viewport, side);
+        self.plan = Some((style.clone(), viewport, side));
     }
 
     fn step(&mut self, work: usize) -> Progress {
-        let mut left = i64::try_from(work).unwrap_or(i64::MAX).max(1);
-        if let Some(drawing) = &self.drawing
-            && self.walk.step(drawing, &self.facts, &mut left) == Progress::More
-        {
-            return Progress::More;
-        }
-        self.tone.step(self.walk.sums(), self.walk.only_pigment(), &mut left)
+        let mut meter = Meter::new(work as u64);
+        let progress = self.go_on(&mut meter);
+        self.spent += meter.spent();
+        progress
     }
 
     fn pixels(&self) -> &[u8] {
@@ -77,5 +98,9 @@ impl PlaneRenderer for DensityRenderer {
 
     fn stats(&self) -> RenderStats {
         self.walk.stats
+    }
+
+    fn spent(&self) -> u64 {
+        self.spent
     }
 }

@@ -4,6 +4,8 @@
 //! shorter is spread over the four pixels around it, by how near they are, so that neither moving nor magnifying a
 //! little makes ink jump or vanish.
 
+use crate::Meter;
+use crate::render::polygon::{Crossing, MANY, Side, sides_in};
 use core::ops::Range;
 
 /// What ink is added with it: how much it darkens red, green and blue ([`super::pigment`]).
@@ -15,6 +17,9 @@ const BROAD: f64 = 4.0;
 pub(super) const LEAST: f64 = 1.0 / (1_u128 << 110) as f64;
 /// How many points of a line are drawn for each pixel of its length.
 const POINTS: f64 = 2.0;
+/// Numbers that are cleared in a unit of work, and pixels of a span to which ink is added.
+const CLEARED: usize = 256;
+const ADDED: usize = 32;
 /// Rows into which a pixel is divided where areas are filled.
 const ROWS: usize = 4;
 
@@ -30,7 +35,22 @@ pub(super) struct Sheet {
     pub values: Vec<f32>,
     /// By row: where there may be anything.
     pub reach: Vec<Range<u32>>,
-    crossings: Vec<(f64, i32)>,
+    filling: Filling,
+}
+
+/// A polygon that is being filled.
+#[derive(Default)]
+struct Filling {
+    vertices: Vec<[f64; 2]>,
+    /// Parts of rows that are still to be filled.
+    parts: Range<usize>,
+    layer: f32,
+    pigment: Pigment,
+    /// The sides that the row in hand may cross, and where they cross a part of it.
+    sides: Vec<Side>,
+    crossings: Vec<Crossing>,
+    /// By column: how the winding changes there, where there are very many crossings.
+    changes: Vec<i32>,
 }
 
 /// Values to be added to a sheet: those of a small picture, in the same unit.
@@ -42,22 +62,25 @@ pub(super) struct Stamp<'a> {
 }
 
 impl Sheet {
-    /// Makes it empty.
-    pub(super) fn reset(&mut self, [width, height]: [usize; 2], planes: usize, exponent: i32) {
+    /// Makes it empty. Returns how much work it was.
+    pub(super) fn reset(&mut self, [width, height]: [usize; 2], planes: usize, exponent: i32) -> u64 {
         self.exponent = exponent;
+        self.filling.parts = 0..0;
+        let units = 1 + (width * height * planes / CLEARED) as u64;
         if (self.width, self.height, self.planes) == (width, height, planes) {
             for (row, reach) in self.reach.iter_mut().enumerate() {
                 let at = row * width;
                 self.values[(at + reach.start as usize) * planes..(at + reach.end as usize) * planes].fill(0.0);
                 *reach = 0..0;
             }
-            return;
+            return units;
         }
         (self.width, self.height, self.planes) = (width, height, planes);
         self.values.clear();
         self.values.resize(width * height * planes, 0.0);
         self.reach.clear();
         self.reach.resize(height, 0..0);
+        units
     }
 
     /// One layer of ink, in units of this sheet.
@@ -111,8 +134,8 @@ impl Sheet {
     }
 
     /// Adds a stroke with flat ends that lays down `layer` units of ink wherever it is, and is `width` pixels wide: less
-    /// than one means so much less ink. Returns how much work it was.
-    pub(super) fn stroke(&mut self, ends: [[f64; 2]; 2], width: f64, layer: f64, pigment: Pigment) -> i64 {
+    /// than one means so much less ink. [`Sheet::go_on`] does the rest of a broad one. Returns how much work it was.
+    pub(super) fn stroke(&mut self, ends: [[f64; 2]; 2], width: f64, layer: f64, pigment: Pigment) -> u64 {
         let Some([from, to]) = self.clipped(ends, width) else { return 1 };
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let length = (dx * dx + dy * dy).sqrt();
@@ -122,7 +145,8 @@ impl Sheet {
         let aside = [-dy / length, dx / length];
         if width > BROAD {
             let side = |p: [f64; 2], sign: f64| [0, 1].map(|i| p[i] + sign * 0.5 * width * aside[i]);
-            return self.fill(&[side(from, 1.0), side(to, 1.0), side(to, -1.0), side(from, -1.0)], layer, pigment);
+            let corners = [side(from, 1.0), side(to, 1.0), side(to, -1.0), side(from, -1.0)];
+            return self.fill(corners.into_iter(), layer, pigment);
         }
         let lines = width.ceil().max(1.0);
         let points = (length * POINTS).ceil().max(1.0);
@@ -136,7 +160,7 @@ impl Sheet {
                 self.dot([start[0] + point * step[0], start[1] + point * step[1]], weight, pigment);
             }
         }
-        (lines * points) as i64 / 4 + 1
+        (lines * points) as u64 / 4 + 1
     }
 
     /// The part of a segment that can be seen.
@@ -165,42 +189,86 @@ impl Sheet {
         Some([if start > 0.0 { at(start) } else { from }, if end < 1.0 { at(end) } else { to }])
     }
 
-    /// Adds `layer` units of ink inside an outline, where it winds around a number of times other than zero. Returns
-    /// how much work it was.
-    pub(super) fn fill(&mut self, vertices: &[[f64; 2]], layer: f64, pigment: Pigment) -> i64 {
-        let (low, high) = vertices
+    /// Starts to add `layer` units of ink inside an outline, where it winds around a number of times other than zero;
+    /// [`Sheet::go_on`] does it. Returns how much work it was.
+    pub(super) fn fill(&mut self, vertices: impl Iterator<Item = [f64; 2]>, layer: f64, pigment: Pigment) -> u64 {
+        let filling = &mut self.filling;
+        filling.vertices.clear();
+        filling.vertices.extend(vertices);
+        (filling.layer, filling.pigment, filling.parts) = ((layer / ROWS as f64) as f32, pigment, 0..0);
+        let (low, high) = filling
+            .vertices
             .iter()
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), vertex| (low.min(vertex[1]), high.max(vertex[1])));
-        if !(low < high && vertices.iter().flatten().all(|v| v.is_finite())) {
-            return 1;
+        if low < high && filling.vertices.iter().flatten().all(|v| v.is_finite()) {
+            let rows = (low.max(0.0) as usize).min(self.height)..(high.ceil().max(0.0) as usize).min(self.height);
+            filling.parts = rows.start * ROWS..rows.end * ROWS;
         }
-        let rows = (low.max(0.0) as usize).min(self.height)..(high.ceil().max(0.0) as usize).min(self.height);
-        let layer = (layer / ROWS as f64) as f32;
-        let mut crossings = core::mem::take(&mut self.crossings);
+        1 + filling.vertices.len() as u64 / 8
+    }
+
+    /// Whether all polygons are filled.
+    pub(super) fn is_filled(&self) -> bool {
+        self.filling.parts.is_empty()
+    }
+
+    /// Goes on with the polygon, a part of a row at a time.
+    pub(super) fn go_on(&mut self, meter: &mut Meter) {
+        let mut filling = core::mem::take(&mut self.filling);
+        while !meter.is_spent()
+            && let Some(part) = filling.parts.next()
+        {
+            if part % ROWS == 0 || filling.sides.is_empty() {
+                let centre = |part: usize| (part as f64 + 0.5) / ROWS as f64;
+                let ends = [part, part / ROWS * ROWS + ROWS - 1].map(centre);
+                meter.charge(sides_in(&filling.vertices, ends, &mut filling.sides));
+            }
+            meter.charge(1 + self.fill_part(&mut filling, part));
+        }
+        self.filling = filling;
+    }
+
+    /// Fills a part of a row.
+    fn fill_part(&mut self, filling: &mut Filling, part: usize) -> u64 {
+        let Filling { sides, crossings, changes, layer, pigment, .. } = filling;
+        let y = (part as f64 + 0.5) / ROWS as f64;
+        crossings.clear();
+        crossings.extend(sides.iter().filter_map(|[a, b]| {
+            let turn = i32::from(a[1] <= y) - i32::from(b[1] <= y);
+            (turn != 0).then(|| (a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]), turn))
+        }));
         let mut work = 0;
-        for part in rows.start * ROWS..rows.end * ROWS {
-            let y = (part as f64 + 0.5) / ROWS as f64;
-            crossings.clear();
-            let next = vertices.iter().cycle().skip(1);
-            crossings.extend(vertices.iter().zip(next).filter_map(|(a, b)| {
-                let turn = i32::from(a[1] <= y) - i32::from(b[1] <= y);
-                (turn != 0).then(|| (a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]), turn))
-            }));
+        if crossings.len() > MANY {
+            // By the column that is nearest.
+            changes.clear();
+            changes.resize(self.width + 1, 0);
+            for &(x, turn) in &*crossings {
+                changes[libm::round(x).clamp(0.0, self.width as f64) as usize] += turn;
+            }
+            let mut winding = 0;
+            for (column, change) in changes.iter().enumerate().take(self.width) {
+                winding += change;
+                if winding != 0 {
+                    work += self.span(part / ROWS, [column as f64, column as f64 + 1.0], *layer, *pigment);
+                }
+            }
+            work += self.width + crossings.len();
+        } else {
             crossings.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
             let mut winding = 0;
             for pair in crossings.windows(2) {
                 winding += pair[0].1;
                 if winding != 0 {
-                    work += self.span(part / ROWS, [pair[0].0, pair[1].0], layer, pigment);
+                    work += self.span(part / ROWS, [pair[0].0, pair[1].0], *layer, *pigment);
                 }
             }
+            work += 8 * crossings.len();
         }
-        self.crossings = crossings;
-        (work + (rows.len() * vertices.len()) as i64) / 16 + 1
+        (work / ADDED + sides.len() / 8) as u64
     }
 
     /// Adds to a part of a row.
-    fn span(&mut self, row: usize, sides: [f64; 2], layer: f32, pigment: Pigment) -> i64 {
+    fn span(&mut self, row: usize, sides: [f64; 2], layer: f32, pigment: Pigment) -> usize {
         let [left, right] = sides.map(|x| x.clamp(0.0, self.width as f64));
         if left >= right {
             return 1;
@@ -211,11 +279,11 @@ impl Sheet {
             let part = (right.min(column as f64 + 1.0) - left.max(column as f64)) as f32;
             self.add(row * self.width + column, layer * part, pigment);
         }
-        (end - first) as i64
+        end - first
     }
 
     /// Adds a small picture with its upper left corner at (`x`, `y`). Without pigments of its own it takes this one.
-    pub(super) fn stamp(&mut self, stamp: &Stamp<'_>, [x, y]: [i64; 2], pigment: Pigment) -> i64 {
+    pub(super) fn stamp(&mut self, stamp: &Stamp<'_>, [x, y]: [i64; 2], pigment: Pigment) -> u64 {
         let mut work = 1;
         let above = (-y).clamp(0, stamp.rows.len() as i64) as usize;
         for (row, &(first, end, at)) in stamp.rows.iter().enumerate().skip(above) {
@@ -247,8 +315,8 @@ impl Sheet {
                     values[3] += more * b;
                 }
             }
-            work += (right - left) as i64 * self.planes as i64;
+            work += ((right - left) * self.planes) as u64;
         }
-        work / 64 + 1
+        (work + stamp.rows.len() as u64) / 32 + 1
     }
 }

@@ -109,7 +109,7 @@ fn a_drawing_has_the_ink_of_its_strokes_at_any_depth() {
             renderer.load(drawing.clone());
             let style = Style { colour_by: ColourBy::Single, ..Style::default() };
             picture(&mut renderer, &style, viewport, View::default());
-            let ink = renderer.facts.inks[drawing.root.unwrap().0 as usize].length;
+            let ink = renderer.facts.inks.list[drawing.root.unwrap().0 as usize].length;
             let (_, rect) = root_bounds(&drawing);
             let scale = fitted_scale(&drawing, viewport) / rect.width.max(rect.height);
             let sums = renderer.walk.sums();
@@ -186,6 +186,48 @@ fn inks_mix_by_how_much_there_is_of_each() {
     for (channel, sum) in pigments.into_iter().enumerate() {
         let expected = ink * (2.0 * red[channel] + blue[channel]) / 3.0;
         assert!((sum - expected).abs() <= 0.01 * ink, "{channel}: {sum} {expected}");
+    }
+}
+
+/// Colours that change at every stroke of a long successor: the mean of a block takes as long as the block is, not the
+/// square of that, and is found in steps.
+#[test]
+fn means_of_long_blocks_are_found_in_steps() {
+    for (times, n) in [(2000, 8), (12_000, 20)] {
+        let sample = crate::render::sample::Sample::abop("F", &[('F', &"!F'F".repeat(times))], 0.0);
+        let style = Style { ink: crate::Ink::Density, ..sample.0.style.clone() };
+        let mut renderer = DensityRenderer::new();
+        renderer.load(Arc::new(sample.draw(n)));
+        renderer.begin(&style, Viewport { width: 160, height: 100, ratio: 1.0 }, View::default());
+        let (mut most, mut before) = (0, 0);
+        while renderer.step(1000) == Progress::More {
+            most = most.max(renderer.spent() - before);
+            before = renderer.spent();
+        }
+        assert!(most <= 1000 + Meter::PIECE, "{most}");
+        // The items of all blocks a few times, and little more.
+        let items = u64::from(n) * 2 * times as u64;
+        assert!(before < 40 * items + 3_000_000, "{times} {n}: {before} for {items}");
+    }
+}
+
+/// A small picture of very many blocks in the same place takes no longer than a large one may.
+#[test]
+fn small_pictures_end_in_time() {
+    for (name, sample) in hard() {
+        let mut renderer = DensityRenderer::new();
+        renderer.load(Arc::new(sample.draw(40)));
+        for side in [1, 2, 3, 5, 9, 17] {
+            let before = renderer.spent();
+            picture(
+                &mut renderer,
+                &sample.0.style,
+                Viewport { width: side, height: side, ratio: 1.0 },
+                View::default(),
+            );
+            let spent = renderer.spent() - before;
+            assert!(spent < 10_000_000, "{name} {side}: {spent} {:?}", renderer.stats());
+        }
     }
 }
 

@@ -7,7 +7,7 @@
 use super::pigment::light;
 use super::sheet::{Pigment, Sheet};
 use crate::render::Viewport;
-use crate::{ColourBy, Progress, Style};
+use crate::{ColourBy, Meter, Progress, Style};
 
 /// Numbers that differ by less than a 64th of them are one: exponents of `f32` and the first bits of what follows.
 const KEYS: usize = 1 << 14;
@@ -74,12 +74,15 @@ fn sum(key: usize) -> f64 {
 }
 
 impl Tone {
-    pub(super) fn begin(&mut self, style: &Style, viewport: Viewport, side: usize) {
+    /// Starts a picture with sums of so many pixels along their sides; the units of work that this took.
+    pub(super) fn begin(&mut self, style: &Style, viewport: Viewport, side: usize) -> u64 {
+        let mut work = 1;
         let size = (viewport.width as usize, viewport.height as usize);
         if (self.width, self.height) != size {
             (self.width, self.height) = size;
             self.pixels.clear();
             self.pixels.resize(self.width * self.height * 4, u8::MAX);
+            work += self.pixels.len() as u64 / 1024;
         }
         self.side = side;
         self.exposure = libm::exp2(style.exposure.clamp(-10.0, 10.0));
@@ -88,6 +91,7 @@ impl Tone {
         let paper = style.background.rgb;
         if paper != self.paper || self.lights[0].is_empty() {
             self.paper = paper;
+            work += 3 * STEPS as u64;
             self.lights = paper.map(|paper| {
                 let pigment = |step: usize| (step as f64 / (STEPS - 1) as f64 * 2.0 - 1.0) * DARKEST;
                 (0..STEPS).map(|step| libm::round(255.0 * light(paper, pigment(step))) as u8).collect()
@@ -97,6 +101,7 @@ impl Tone {
         self.counts.resize(KEYS, 0);
         self.next = 0;
         self.stage = Stage::Counting;
+        work
     }
 
     pub(super) fn pixels(&self) -> &[u8] {
@@ -104,18 +109,19 @@ impl Tone {
     }
 
     /// Goes on; `pigment` is that of a picture in one ink.
-    pub(super) fn step(&mut self, sums: &Sheet, pigment: Pigment, left: &mut i64) -> Progress {
-        while *left > 0 {
+    pub(super) fn step(&mut self, sums: &Sheet, pigment: Pigment, meter: &mut Meter) -> Progress {
+        while !meter.is_spent() {
             if self.stage == Stage::Counting {
                 if self.next < sums.height {
                     self.count(sums, self.next);
                     self.next += 1;
-                    *left -= sums.reach.get(self.next - 1).map_or(0, |reach| reach.len() as i64 / 32);
+                    meter.charge(1 + sums.reach.get(self.next - 1).map_or(0, |reach| reach.len() as u64 / 16));
                     continue;
                 }
                 // A stroke as wide as a pixel covers only a part of a larger place.
                 let unit = self.side as f64 / sums.layer();
                 self.expose(sums.planes, pigment, unit);
+                meter.charge(2 * KEYS as u64);
                 (self.stage, self.next) = (Stage::Showing, 0);
             }
             if self.next == self.height {
@@ -123,7 +129,8 @@ impl Tone {
             }
             self.show(sums, self.next);
             self.next += 1;
-            *left -= 1 + self.width as i64 / 32;
+            // A coarse picture is put together from four sums at each pixel.
+            meter.charge(1 + (self.width * sums.planes * if self.side > 1 { 4 } else { 1 }) as u64 / 16);
         }
         Progress::More
     }

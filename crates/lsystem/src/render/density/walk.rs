@@ -1,19 +1,19 @@
 //! The descent that adds ink up.
 
 use super::haze::Haze;
-use super::ink::Ink;
-use super::pigment::Pigments;
+use super::ink::{Ink, InkList};
+use super::pigment::{Pigments, Source};
 use super::sheet::{LEAST, Pigment, Sheet};
 use super::tile::{self, InkKey, Tiles};
-use crate::render::descent::{Descent, Met, Node};
+use crate::render::descent::{Cut, Descent, Met, Node};
 use crate::render::inks::{InkTable, Inks, Shade};
-use crate::render::shape::Shape;
+use crate::render::shape::{Shape, Shapes};
 use crate::render::tile::Key;
 use crate::render::view::Camera;
 use crate::render::{Amount, RenderStats, View, Viewport};
-use crate::{Drawing, Item, Progress, Style};
+use crate::{Drawing, Item, Meter, Progress, Style};
 
-/// The largest extent, in pixels, at which all ink of a block is added at its centre of gravity.
+/// The largest extent, in pixels, at which all ink of a block is added at its centre of gravity, unless that takes too long.
 const TINY: f64 = 1.0;
 /// A straight block longer than this, in pixels, is taken apart, so that rounding stays far below a pixel.
 const LONG: f64 = 1e6;
@@ -26,14 +26,22 @@ const LARGEST: i32 = 100;
 const TILED: f64 = 64.0;
 /// So many larger blocks are looked into at most; where that is not enough, larger ones are drawn as haze.
 const PATIENCE: u64 = 40_000;
+/// A picture is true as long as it takes no more steps than this, and so many for each of its sums: blocks looked into,
+/// strokes and stamps. Then ever larger blocks are taken for dots.
+const TIRED: u64 = 200_000;
+const EACH: u64 = 16;
 
 /// What is being done for a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Stage {
+    /// Leaving out the segments that are not to be shown.
+    Cut,
     /// Looking how many blocks there are whose extent is larger than `grain` pixels.
     Survey { visits: u64, grain: f64, all: Amount, rising: bool },
     /// Drawing them, and as haze what is not larger than `grain`: 0 where all is drawn.
     Draw { grain: f64 },
+    /// Adding the haze.
+    Settle { grain: f64 },
     #[default]
     Done,
 }
@@ -71,8 +79,26 @@ struct Seen {
 /// What is known of the blocks of a drawing.
 #[derive(Default)]
 pub(super) struct Facts {
-    pub shapes: Vec<Shape>,
-    pub inks: Vec<Ink>,
+    pub shapes: Shapes,
+    pub inks: InkList,
+}
+
+impl Facts {
+    /// Goes on until all blocks are known.
+    pub(super) fn step(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
+        if self.shapes.step(drawing, meter) == Progress::More {
+            return Progress::More;
+        }
+        self.inks.step(drawing, &self.shapes.list, meter)
+    }
+
+    fn shape(&self, node: &Node) -> &Shape {
+        &self.shapes.list[node.block.0 as usize]
+    }
+
+    fn ink(&self, node: &Node) -> &Ink {
+        &self.inks.list[node.block.0 as usize]
+    }
 }
 
 /// A tile being made.
@@ -89,9 +115,30 @@ struct Making {
     pigment: Pigment,
 }
 
+/// A picture that has been asked for.
+struct Plan {
+    style: Style,
+    viewport: Viewport,
+    camera: Camera,
+    samples: f64,
+    upto: Option<u128>,
+}
+
 /// A picture in the making.
 #[derive(Default)]
 pub(super) struct Walk {
+    /// What is to be made, until the drawing is ready for it.
+    plan: Option<Plan>,
+    /// How far segments have been left out, if some are.
+    cut: Option<Cut>,
+    /// A block whose pigment has been asked for.
+    waiting: Option<Node>,
+    /// The sheet on which a polygon is being filled.
+    filled: usize,
+    /// The largest extent, in pixels, at which all ink of a block is added at its centre of gravity.
+    tiny: f64,
+    /// The steps after which it becomes larger.
+    patience: u64,
     descent: Descent,
     table: InkTable,
     pigments: Pigments,
@@ -121,8 +168,17 @@ impl Walk {
         self.table.clear();
         self.pigments.clear();
         self.tiles.clear();
+        self.stop();
+    }
+
+    /// Gives up the picture that is being made.
+    fn stop(&mut self) {
+        (self.plan, self.cut, self.waiting) = (None, None, None);
+        self.pigments.stop();
         self.stack.clear();
+        self.start.clear();
         self.making.clear();
+        self.stage = Stage::Done;
     }
 
     /// Starts the sums of a picture with so many sums along the side of a pixel.
@@ -135,29 +191,46 @@ impl Walk {
         samples: f64,
         upto: Option<u128>,
     ) {
+        self.stop();
         self.stats = RenderStats::default();
         self.repeats = drawing.memoised;
-        self.stack.clear();
-        self.making.clear();
         let camera = Camera::new(drawing, viewport, view, samples);
         let hairline = viewport.least_width(style) * samples;
         let look = Look { hairline, step: camera.step, scale: camera.scale };
-        let changed = self.table.prepare(drawing, style);
-        if self.pigments.prepare(style, self.table.choice.colours) | changed || look != self.look {
+        let changed = self.table.choose(drawing, style);
+        // Rough tiles would spoil this picture.
+        let rough = core::mem::replace(&mut self.tiny, TINY) > TINY;
+        if self.pigments.prepare(style, self.table.choice.colours) | changed | rough || look != self.look {
             self.look = look;
             self.tiles.clear();
         }
-        self.descent.path.prepare(drawing, style);
+        self.plan = Some(Plan { style: style.clone(), viewport, camera, samples, upto });
+    }
+
+    /// Finds out what the picture needs to know of the drawing, and empties the sheet.
+    pub(super) fn prepare(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
+        let Some(plan) = self.plan.take() else { return Progress::Done };
+        if self.table.prepare(drawing, meter) == Progress::More
+            || self.descent.path.prepare(drawing, &plan.style, meter) == Progress::More
+        {
+            self.plan = Some(plan);
+            return Progress::More;
+        }
+        let Plan { viewport, camera, samples, upto, .. } = plan;
         let size = [viewport.width, viewport.height].map(|side| (f64::from(side) * samples).ceil() as usize);
         let planes = if self.table.used().len() > 1 { 4 } else { 1 };
-        self.sheets[0].reset(size, planes, 0);
-        self.start.clear();
+        meter.charge(self.sheets[0].reset(size, planes, 0));
+        self.patience = TIRED + EACH * (size[0] * size[1]) as u64;
         self.start.extend(self.descent.root(drawing, camera));
-        if let Some(upto) = upto {
-            self.descent.leave_out(drawing, self.table.choice, &mut self.start, upto);
-        }
+        self.cut = upto.map(Cut::new);
+        self.stage = Stage::Cut;
+        Progress::Done
+    }
+
+    /// Starts to look at the drawing.
+    fn look_around(&mut self) {
         self.found = None;
-        self.survey(4.0 * size[0].max(size[1]) as f64, false);
+        self.survey(4.0 * self.sheets[0].width.max(self.sheets[0].height) as f64, false);
     }
 
     /// Starts looking how many blocks are larger than `grain`; `rising` says that there were too many with less.
@@ -167,7 +240,7 @@ impl Walk {
     }
 
     /// Starts drawing so much ink in all.
-    fn draw(&mut self, grain: f64, all: Amount) {
+    fn draw(&mut self, grain: f64, all: Amount) -> u64 {
         self.stage = Stage::Draw { grain };
         self.stack.clone_from(&self.start);
         let exponent = exponent(all);
@@ -177,13 +250,12 @@ impl Walk {
             self.tiles.clear();
         }
         self.sheets[0].exponent = exponent;
-        if grain > 0.0 {
-            self.haze.reset(&self.sheets[0]);
-        }
+        if grain > 0.0 { self.haze.reset(&self.sheets[0]) } else { 0 }
     }
 
     /// An empty picture.
     pub(super) fn blank(&mut self, viewport: Viewport) {
+        self.stop();
         self.sheets[0].reset([viewport.width, viewport.height].map(|side| side as usize), 1, 0);
     }
 
@@ -197,25 +269,50 @@ impl Walk {
         self.pigments.of(Shade { number, fixed: true })
     }
 
-    pub(super) fn step(&mut self, drawing: &Drawing, facts: &Facts, left: &mut i64) -> Progress {
-        while *left > 0 {
-            *left -= 1 + match self.stage {
-                Stage::Survey { .. } => self.look(drawing, facts),
-                Stage::Draw { grain } => self.go_on(drawing, facts, grain),
+    pub(super) fn step(&mut self, drawing: &Drawing, facts: &Facts, meter: &mut Meter) -> Progress {
+        while !meter.is_spent() {
+            match self.stage {
+                Stage::Cut => {
+                    if let Some(cut) = &mut self.cut
+                        && self.descent.leave_out(drawing, self.table.choice, &mut self.start, cut, meter)
+                            == Progress::More
+                    {
+                        return Progress::More;
+                    }
+                    self.cut = None;
+                    self.look_around();
+                }
+                Stage::Survey { .. } => meter.charge(self.look(drawing, facts)),
+                Stage::Draw { .. } if !self.sheets[self.filled].is_filled() => self.sheets[self.filled].go_on(meter),
+                Stage::Draw { .. } if self.pigments.is_asked() => {
+                    let source = Source { drawing, table: &self.table, inks: &facts.inks.list };
+                    self.pigments.step(source, meter);
+                }
+                Stage::Draw { grain } => meter.charge(match self.waiting.take() {
+                    Some(node) => self.block(drawing, facts, node, grain),
+                    None => self.go_on(drawing, facts, grain),
+                }),
+                Stage::Settle { grain } => {
+                    if self.haze.settle(&mut self.sheets[0], grain, meter) == Progress::Done {
+                        self.stage = Stage::Done;
+                    }
+                }
                 Stage::Done => return Progress::Done,
-            };
+            }
+            // Not before: then a step of one unit would do nothing.
+            meter.charge(1);
         }
         Progress::More
     }
 
     /// Looks at one block more. Blocks are looked for that are ever smaller, until the rest can be left to tiles or there
     /// are too many of them.
-    fn look(&mut self, drawing: &Drawing, facts: &Facts) -> i64 {
+    fn look(&mut self, drawing: &Drawing, facts: &Facts) -> u64 {
         let Stage::Survey { visits, grain, all, rising } = &mut self.stage else { return 0 };
         if *visits > PATIENCE {
             let (grain, rising) = (*grain, *rising);
             match self.found.filter(|_| !rising) {
-                Some((grain, all)) => self.draw(grain, all),
+                Some((grain, all)) => return self.draw(grain, all),
                 None => self.survey(16.0 * grain, true),
             }
             return 0;
@@ -224,7 +321,7 @@ impl Walk {
             None => {
                 let (grain, all, rising) = (*grain, *all, *rising);
                 if rising || grain <= TILED {
-                    self.draw(if rising { grain } else { 0.0 }, all);
+                    return self.draw(if rising { grain } else { 0.0 }, all);
                 } else {
                     self.found = Some((grain, all));
                     self.survey((grain / 4.0).max(TILED), false);
@@ -232,7 +329,7 @@ impl Walk {
             }
             Some(Met { item: Item::Block(_), node }) => {
                 let Some(seen) = self.seen(drawing, facts, &node) else { return 0 };
-                let ink = &facts.inks[node.block.0 as usize];
+                let ink = facts.ink(&node);
                 let Stage::Survey { visits, grain, all, .. } = &mut self.stage else { return 0 };
                 *visits += 1;
                 if seen.extent > *grain {
@@ -254,20 +351,20 @@ impl Walk {
     }
 
     /// Draws one item more.
-    fn go_on(&mut self, drawing: &Drawing, facts: &Facts, grain: f64) -> i64 {
+    fn go_on(&mut self, drawing: &Drawing, facts: &Facts, grain: f64) -> u64 {
         let floor = self.making.last().map_or(0, |making| making.height);
         match self.descent.next(drawing, self.table.choice, &mut self.stack, floor) {
             None => {
                 let Some(making) = self.making.pop() else {
-                    self.stage = Stage::Done;
-                    if grain > 0.0 {
-                        self.haze.settle(&mut self.sheets[0], grain);
-                    }
+                    self.stage = if grain > 0.0 { Stage::Settle { grain } } else { Stage::Done };
                     return 0;
                 };
                 let tile = self.tiles.insert(making.key, &self.sheets[1 + making.size], making.corner);
                 self.stats.tiles += 1;
-                self.stamp(&tile, making.sheet, making.pixel, making.pigment)
+                // To keep it.
+                let sheet = &self.sheets[1 + making.size];
+                let kept = (sheet.height + sheet.values.len() / 64) as u64;
+                kept + self.stamp(&tile, making.sheet, making.pixel, making.pigment)
             }
             Some(Met { item: Item::Stroke(stroke), node }) => {
                 let ends = [stroke.from, stroke.to].map(|p| node.place.point(p));
@@ -275,11 +372,11 @@ impl Walk {
             }
             Some(Met { item: Item::Polygon(polygon), node }) => {
                 self.stats.strokes += 1;
-                let vertices: Vec<_> =
-                    drawing.vertices_of(polygon).iter().map(|&vertex| node.place.point(vertex)).collect();
+                let vertices = drawing.vertices_of(polygon).iter().map(|&vertex| node.place.point(vertex));
                 let pigment = self.pigments.of(node.pen.shade);
+                self.filled = node.canvas;
                 let sheet = &mut self.sheets[node.canvas];
-                sheet.fill(&vertices, sheet.layer(), pigment)
+                sheet.fill(vertices, sheet.layer(), pigment)
             }
             Some(Met { item: Item::Block(_), node }) => self.block(drawing, facts, node, grain),
         }
@@ -292,7 +389,7 @@ impl Walk {
 
     /// Where a block is on its sheet; `None` where nothing of it shows.
     fn seen(&self, drawing: &Drawing, facts: &Facts, node: &Node) -> Option<Seen> {
-        let shape = &facts.shapes[node.block.0 as usize];
+        let shape = facts.shape(node);
         let place = &node.place;
         let width = self.width(drawing.blocks[node.block.0 as usize].widest.of(node.pen.width));
         let centre = place.point(shape.centre);
@@ -306,38 +403,55 @@ impl Walk {
         shows.then_some(Seen { centre, reach, width, extent })
     }
 
-    fn stroke(&mut self, node: &Node, ends: [[f64; 2]; 2], width: f64, shade: Shade) -> i64 {
+    fn stroke(&mut self, node: &Node, ends: [[f64; 2]; 2], width: f64, shade: Shade) -> u64 {
         self.stats.strokes += 1;
         let (width, pigment) = (self.width(width), self.pigments.of(shade));
+        self.filled = node.canvas;
         let sheet = &mut self.sheets[node.canvas];
         sheet.stroke(ends, width, sheet.layer(), pigment)
     }
 
-    fn stamp(&mut self, tile: &tile::Tile, sheet: usize, pixel: [i64; 2], pigment: Pigment) -> i64 {
+    fn stamp(&mut self, tile: &tile::Tile, sheet: usize, pixel: [i64; 2], pigment: Pigment) -> u64 {
         self.stats.stamps += 1;
         let at = [0, 1].map(|axis| pixel[axis] + tile.corner[axis]);
         self.sheets[sheet].stamp(&self.tiles.stamp(tile), at, pigment)
     }
 
-    /// What a block is drawn with, as a whole.
-    fn pigment(&mut self, drawing: &Drawing, facts: &Facts, node: &Node) -> Pigment {
+    /// What a block is drawn with, as a whole; `None` where that has to be found first, and it is put off.
+    fn pigment(&mut self, node: &Node) -> Option<Pigment> {
         if self.sheets[node.canvas].planes == 1 {
-            return Pigment::default();
+            return Some(Pigment::default());
         }
         match self.table.of(node.block.0 as usize) {
             Inks::One(shade) if !self.descent.path.counts() => {
-                self.pigments.of(self.table.choice.then(node.pen.shade, shade))
+                Some(self.pigments.of(self.table.choice.then(node.pen.shade, shade)))
             }
-            Inks::Many => self.pigments.mean(drawing, &self.table, &facts.inks, node.block.0, node.pen.shade),
-            _ => self.pigments.of(node.pen.shade),
+            Inks::Many => {
+                let mean = self.pigments.mean(node.block.0, node.pen.shade);
+                if mean.is_none() {
+                    self.pigments.ask(node.block.0, node.pen.shade);
+                    self.waiting = Some(*node);
+                }
+                mean
+            }
+            _ => Some(self.pigments.of(node.pen.shade)),
+        }
+    }
+
+    /// Takes ever larger blocks for dots, the longer the picture takes.
+    fn grow_tiny(&mut self) {
+        let work = self.stats.blocks + self.stats.strokes + self.stats.stamps;
+        if self.repeats && work > self.patience {
+            self.tiny *= 2.0;
+            self.patience += self.patience / 4;
         }
     }
 
     /// Draws a block, or puts it on the stack.
-    fn block(&mut self, drawing: &Drawing, facts: &Facts, mut node: Node, grain: f64) -> i64 {
+    fn block(&mut self, drawing: &Drawing, facts: &Facts, mut node: Node, grain: f64) -> u64 {
         let Some(Seen { centre, reach, width, extent }) = self.seen(drawing, facts, &node) else { return 0 };
-        let (shape, place) = (&facts.shapes[node.block.0 as usize], node.place);
-        let ink = &facts.inks[node.block.0 as usize];
+        let (shape, place) = (facts.shape(&node), node.place);
+        let ink = facts.ink(&node);
         // A part of the path that has one colour is like any other block.
         let plain = !self.descent.path.counts() || node.canvas != 0 || node.span.is_short();
         if let Some(line) = shape.line.as_ref().filter(|_| ink.even && plain && extent < LONG) {
@@ -345,17 +459,18 @@ impl Walk {
             let pen = node.pen.after(self.table.choice, &line.style);
             return self.stroke(&node, ends, pen.width, pen.shade);
         }
-        if extent <= TINY {
+        self.grow_tiny();
+        if extent <= self.tiny {
+            let Some(pigment) = self.pigment(&node) else { return 1 };
             self.stats.strokes += 1;
-            let pigment = self.pigment(drawing, facts, &node);
             let amount = amount(&self.look, ink, &node);
             let sheet = &mut self.sheets[node.canvas];
             sheet.dot(place.point(ink.centre), amount.units(sheet.exponent).max(LEAST) as f32, pigment);
             return 1;
         }
         if extent <= grain {
+            let Some(pigment) = self.pigment(&node) else { return 1 };
             self.stats.strokes += 1;
-            let pigment = self.pigment(drawing, facts, &node);
             let (cos, sin, [xx, xy, yy]) = (place.cos, place.sin, ink.spread);
             let squares = [
                 cos * cos * xx - 2.0 * cos * sin * xy + sin * sin * yy,
@@ -365,6 +480,7 @@ impl Walk {
             self.haze.add(place.point(ink.centre), squares, amount, pigment);
             return 1;
         }
+        let mut cleared = 0;
         if let Some(size) = tile::size(extent, shape.strokes).filter(|_| !self.tiles.crowded || extent < 20.0)
             && size + 1 > node.canvas
             && width <= 2.0 * BROAD
@@ -372,7 +488,8 @@ impl Walk {
             && plain
         {
             let many = self.table.of(node.block.0 as usize) == Inks::Many;
-            let pigment = if many { Pigment::default() } else { self.pigment(drawing, facts, &node) };
+            let pigment = if many { Some(Pigment::default()) } else { self.pigment(&node) };
+            let Some(pigment) = pigment else { return 1 };
             let fine = !self.tiles.crowded && tile::is_sparse(extent, shape.strokes);
             let (pixel, offset, rest) = tile::snap(place.origin, fine);
             let key = InkKey {
@@ -397,7 +514,7 @@ impl Walk {
             let planes = if many { 4 } else { 1 };
             if Tiles::fits(far, planes) {
                 let sheet = node.canvas;
-                self.sheets[1 + size].reset(far, planes, self.unit);
+                cleared = self.sheets[1 + size].reset(far, planes, self.unit);
                 node.place.origin = [0, 1].map(|axis| rest[axis] - corner[axis] as f64);
                 node.canvas = 1 + size;
                 if !many {
@@ -408,7 +525,7 @@ impl Walk {
         }
         self.stats.blocks += 1;
         self.stack.push(node);
-        1
+        1 + cleared
     }
 }
 
