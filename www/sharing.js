@@ -10,13 +10,17 @@
  * @param {() => void} worker.wake
  * @param {() => {number: number, definition: any, view: any, upto: bigint | null}} worker.state that panes are of
  * @param {(look: any) => void} worker.lookAt
+ * @param {() => number} worker.memory of its wasm, in bytes
  * @param {number} worker.stepMs
  */
-function createSharing({ canvas, playground, guard, wake, state, lookAt, stepMs }) {
+function createSharing({ canvas, playground, guard, wake, state, lookAt, memory, stepMs }) {
+    /** All workers together may have so much memory, in bytes. A mate needs about as much for a drawing as the worker it helps. */
+    const MOST_MEMORY = 512 << 20;
+
     /** So many panes are handed to a mate before the first of them is answered: it need not wait while this worker is at a step. */
     const AHEAD = 2;
 
-    /** Those who help: how many answers they owe, and which state they know. @type {{port: MessagePort, owed: number, knows: number}[]} */
+    /** Those who help: how many answers they owe, which state they know, and their memory in bytes. @type {{port: MessagePort, owed: number, knows: number, memory: number}[]} */
     let mates = [];
     /** The panes that are handed out belong to this round; 0 without any. */
     let round = 0;
@@ -37,19 +41,28 @@ function createSharing({ canvas, playground, guard, wake, state, lookAt, stepMs 
         const { number, ...own } = state();
         for (let most = 1; most <= AHEAD; most++) {
             for (const mate of mates) {
-                if (mate.owed >= most) continue;
+                if (mate.owed >= most || !hasRoom(mate, number)) continue;
                 // What is left at the end is for who is free first.
                 const task = playground().handOut(most > 1 ? 2 * mates.length : 0);
                 if (!task) return;
                 mate.port.postMessage({ round, task, state: mate.knows === number ? null : own });
                 mate.knows = number;
+                mate.memory = Math.max(mate.memory, memory());
                 mate.owed += 1;
             }
         }
     }
 
+    /** Whether a mate may build the newest drawing, if it has not yet. @param {typeof mates[number]} mate @param {number} number of the state */
+    function hasRoom(mate, number) {
+        if (mate.knows === number) return true;
+        const own = memory();
+        return mates.reduce((sum, each) => sum + (each === mate ? Math.max(each.memory, own) : each.memory), own) <= MOST_MEMORY;
+    }
+
     /** A mate's answer. @param {typeof mates[number]} mate @param {any} answer */
-    function receive(mate, { round, task, outcome, pixels }) {
+    function receive(mate, { round, task, outcome, pixels, memory: bytes = mate.memory }) {
+        mate.memory = bytes;
         const [number, x, y, width, height] = task;
         const [work, poor, rough] = outcome;
         mate.owed -= 1;
@@ -64,7 +77,7 @@ function createSharing({ canvas, playground, guard, wake, state, lookAt, stepMs 
     /** @param {any} request @param {ArrayLike<number>} outcome empty where the pane was not made */
     function deliver({ round, task }, outcome) {
         const pixels = outcome.length > 0 ? playground().panePixels() : null;
-        master?.postMessage({ round, task, outcome, pixels }, pixels ? [pixels.buffer] : []);
+        master?.postMessage({ round, task, outcome, pixels, memory: memory() }, pixels ? [pixels.buffer] : []);
     }
 
     return {
@@ -73,7 +86,7 @@ function createSharing({ canvas, playground, guard, wake, state, lookAt, stepMs 
         /** Has these mates from now on. @param {MessagePort[]} ports */
         meet(ports) {
             for (const { port } of mates) port.close();
-            mates = ports.map((port) => ({ port, owed: 0, knows: -1 }));
+            mates = ports.map((port) => ({ port, owed: 0, knows: -1, memory: 0 }));
             for (const mate of mates) mate.port.onmessage = ({ data }) => guard(() => receive(mate, data));
             playground().mates = mates.length;
             round = 0;

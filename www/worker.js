@@ -16,6 +16,8 @@
     const WAIT_MS = 40;
     /** A small picture gets at most this many steps. */
     const THUMB_STEPS = 40;
+    /** Longer files are not shown to their reader, in bytes. */
+    const LONGEST_TEXT = 1 << 20;
 
     const wasm = wasm_bindgen;
     const canvas = new OffscreenCanvas(1, 1);
@@ -23,6 +25,8 @@
 
     /** @type {any} */
     let playground = null;
+    /** Of the wasm. @type {WebAssembly.Memory | null} */
+    let memory = null;
     /** A second one, for the gallery's small pictures. @type {any} */
     let easel = null;
     /** @type {any} the newest message of each kind that was not yet acted on */
@@ -52,6 +56,10 @@
     let stateNumber = 0;
     let awake = false;
     let dead = false;
+    /** Whether the last step left nothing to draw. */
+    let rested = true;
+    /** What the page was told last that this worker is at. */
+    let told = '';
     /** Whether the newest definition can be drawn; what is still in the making otherwise belongs to the one before. */
     let sound = true;
 
@@ -59,7 +67,7 @@
     const sharing =
         typeof createSharing === 'undefined'
             ? null
-            : createSharing({ canvas, playground: () => playground, guard, wake, lookAt, state: () => ({ ...state, upto, number: stateNumber }), stepMs: STEP_MS });
+            : createSharing({ canvas, playground: () => playground, guard, wake, lookAt, memory: () => memory?.buffer.byteLength ?? 0, state: () => ({ ...state, upto, number: stateNumber }), stepMs: STEP_MS });
 
     /** Questions about what the newest definition derives and draws. @type {Record<string, (question: any) => object>} */
     const READERS = {
@@ -87,6 +95,8 @@
     };
 
     self.onmessage = ({ data }) => {
+        // That this is answered shows that the worker comes back to its event loop.
+        if (data.type === 'ping') return self.postMessage({ type: 'pong' });
         if (data.type === 'init') return start(data.wasm, data.master);
         if (data.type === 'mates') return guard(() => sharing?.meet(data.ports));
         if (data.type === 'define') newDefine = data;
@@ -104,7 +114,7 @@
     function start(bytes, port) {
         guard(() => {
             if (port) sharing?.serve(port);
-            wasm.initSync({ module: bytes });
+            ({ memory } = wasm.initSync({ module: bytes }));
             playground = new wasm.Playground(canvas);
             self.postMessage({ type: 'ready' });
             wake();
@@ -127,6 +137,8 @@
             upto = newDefine.upto;
             newDefine = null;
             defineId = id;
+            tellAt(0);
+            rested = false;
             report = playground.define(definition);
             sound = report.ok;
             if (sound) {
@@ -141,18 +153,23 @@
             viewId = newView.id;
             state.view = newView;
             newView = null;
+            tellAt(0);
+            rested = false;
             lookAt(state.view);
             playground.play(upto ?? undefined);
             stateNumber += 1;
             seen = true;
         }
+        if (!rested) tellAt(0);
         sharing?.deal();
         const idle = step(report);
         sharing?.deal();
+        rested = idle;
         // Questions are about the newest definition, whose drawing may still be in the making.
         const newest = !newDefine && !newView && playground.built;
         if (newest && questions.length > 0 && canRead(questions[0])) answer(questions.shift());
         if (idle && questions.length === 0) {
+            if (thumb ?? thumbs[0]) tellAt((thumb ?? thumbs[0]).id);
             if (!thumb && thumbs.length > 0) thumb = beginThumb(thumbs.shift());
             if (thumb) paintThumb();
         }
@@ -163,6 +180,17 @@
         }
     }
 
+    /**
+     * Tells the page what comes next, so that it knows what to give up if this worker stops over it.
+     * @param {number} question its id, or 0 for the drawing
+     */
+    function tellAt(question) {
+        const now = [defineId, viewId, question].join();
+        if (now === told) return;
+        told = now;
+        self.postMessage({ type: 'at', define: defineId, view: viewId, question });
+    }
+
     /** @param {any} look a message of the page's */
     function lookAt({ width, height, ratio, view, camera }) {
         playground.view(width, height, ratio, view.x, view.y, view.zoom, view.fx ?? 0, view.fy ?? 0);
@@ -171,7 +199,8 @@
     }
 
     /** Works towards what a question needs, for one step; whether it can be answered. @param {any} question */
-    function canRead({ type, generation }) {
+    function canRead({ type, id, generation }) {
+        if (READERS[type]) tellAt(id);
         return !READERS[type] || playground.remember(type === 'string' ? generation : iterations, STEP_MS);
     }
 
@@ -206,12 +235,13 @@
 
     /** @param {any} question */
     function answer(question) {
-        const { type, id, bytes, format, width, height } = question;
+        const { type, id, format } = question;
+        tellAt(id);
         const reader = READERS[type];
         if (reader) {
             self.postMessage({ type, id, ...reader(question) });
         } else if (type === 'read') {
-            self.postMessage({ type: 'file', id, ...wasm.read_file(new Uint8Array(bytes)) });
+            later(question, read, { type: 'file', definition: null, diagnostics: [], text: null });
         } else if (type === 'notation') {
             self.postMessage({ type, id, ...wasm.notation(question.texts) });
         } else if (type === 'export') {
@@ -221,20 +251,58 @@
         } else if (type === 'seed') {
             self.postMessage({ type: 'seed', id, seed: wasm.fresh_seed() });
         } else if (type === 'png') {
-            tagged(question).then(
-                (blob) => self.postMessage({ type: 'png', id, blob }),
-                () => self.postMessage({ type: 'png', id, blob: null }),
-            );
+            later(question, tagged, { type: 'png', blob: null });
         }
     }
 
+    /**
+     * Answers a question whose answer takes others' time as well.
+     * @param {any} question @param {(question: any) => Promise<object>} work @param {object} without the answer where it fails
+     */
+    async function later(question, work, without) {
+        try {
+            self.postMessage({ id: question.id, ...(await work(question)) });
+        } catch (error) {
+            if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) guard(() => { throw error; });
+            else self.postMessage({ id: question.id, ...without });
+        }
+    }
+
+    /** @param {any} question */
+    async function read({ id, file }) {
+        const bytes = new Uint8Array(await file.arrayBuffer());
+        tellAt(id);
+        const found = wasm.read_file(bytes);
+        return { type: 'file', ...found, text: found.diagnostics.length > 0 ? textOf(bytes) : null };
+    }
+
+    /** A file as text, where people can read it: in UTF-8, or in UTF-16, as programs of Windows write it. @param {Uint8Array} bytes */
+    function textOf(bytes) {
+        if (bytes.length > LONGEST_TEXT) return null;
+        const [first, second] = bytes;
+        const mark = first === 0xff && second === 0xfe ? 'utf-16le' : first === 0xfe && second === 0xff ? 'utf-16be' : 'utf-8';
+        const text = new TextDecoder(mark).decode(bytes);
+        // What a picture carries is not to be read by people.
+        return text.trim() !== '' && !/^\s*<|^.PNG/.test(text) ? text : null;
+    }
+
     /** A PNG file that carries its system, so that it can be opened again. @param {any} question */
-    async function tagged({ width, height, definition }) {
+    async function tagged({ id, width, height, definition }) {
         const sheet = new OffscreenCanvas(1, 1);
-        playground.snapshot(sheet, width, height);
+        const picture = playground.snapshot(width, height);
+        while (!picture.step(STEP_MS)) {
+            await new Promise((resolve) => setTimeout(resolve));
+            tellAt(id);
+        }
+        picture.paint(sheet);
+        // Its pixels are on the sheet: there is no need to have them twice.
+        picture.free();
         const plain = await sheet.convertToBlob({ type: 'image/png' });
-        const bytes = wasm.tag_png(new Uint8Array(await plain.arrayBuffer()), definition);
-        return new Blob([/** @type {Uint8Array<ArrayBuffer>} */ (bytes)], { type: 'image/png' });
+        const bytes = new Uint8Array(await plain.arrayBuffer());
+        tellAt(id);
+        const tagged = wasm.tag_png(bytes, definition);
+        const blob = new Blob([/** @type {Uint8Array<ArrayBuffer>} */ (tagged)], { type: 'image/png' });
+        return { type: 'png', blob };
     }
 
     /** @param {any} thumb */
@@ -274,4 +342,7 @@
             self.postMessage({ type: 'fatal', message: String(error instanceof Error ? error.message : error) });
         }
     }
+
+    // Before the wasm is there: the script is.
+    self.postMessage({ type: 'hello' });
 })();

@@ -21,8 +21,9 @@ import { createPlayback } from './playback.js';
 import { createReader } from './reading/reader.js';
 import { showSheet } from './sheet.js';
 import { createStage } from './stage.js';
-import { DEFAULTS, definitionOf, sameDrawing, sameSystem } from './state.js';
+import { DEFAULTS, clean, definitionOf, sameDrawing, sameSystem } from './state.js';
 import { createStore } from './store.js';
+import { QUESTION, createTrouble } from './trouble.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./engine.js').Report} Report */
@@ -110,10 +111,24 @@ function begin() {
             ready = true;
         },
         busy: (under) => html('stage').setAttribute('aria-busy', String(under)),
-        failed(message, again) {
-            if (again) return;
-            say(`The drawing engine stopped (${message}).`);
-            host.error(`The drawing engine stopped (${message}).`);
+        troubled({ how, question }) {
+            if (question) return toast(QUESTION);
+            stage.growing(false);
+            const words = trouble.show(how, engine.good.definition !== null);
+            // What is tried again by itself is no news for the host.
+            if (how !== 'loading') host.error(words);
+        },
+        recovered: () => trouble.hide(),
+    });
+    const trouble = createTrouble({
+        back() {
+            const { definition } = engine.good;
+            if (definition && !sameSystem(clean(definition), store.state)) store.change({ ...definition, view: null }, '');
+            else store.look(null);
+        },
+        again() {
+            engine.define(definitionOf(store.state));
+            stage.show(store.state, null);
         },
     });
     engine.define(definitionOf(store.state));
@@ -181,10 +196,13 @@ function show(state, before) {
 function reported(report) {
     parts?.stage.growing(report.ok && report.memoised === null);
     parts?.stage.report(report);
-    rules.report(report);
-    dials.report(report);
+    if (!report.past) {
+        rules.report(report);
+        dials.report(report);
+    }
     parts?.reader.report(report);
     parts?.playback.report(report);
+    if (report.past) return setText(html('caption-text'), 'This is the last good drawing.');
     const mistakes = report.diagnostics.filter(({ severity }) => severity === 'error');
     const [first, ...more] = mistakes;
     if (first) {

@@ -1,70 +1,40 @@
 /**
  * The worker as seen from the page. Nothing is ever queued: it is at one state, one more is there for it to go on with,
  * the newest one waits, those between are forgotten. A state is let finish while it is quick, so that a long drag shows
- * pictures on the way; then newer ones supersede it. A worker that fails is replaced by a fresh one with the same state,
- * and so is the small kit of the first picture, by the full one.
+ * pictures on the way; then newer ones supersede it.
+ *
+ * A worker that stops, because it crashes or falls silent, is replaced. What it was at is given up: a fresh worker goes on
+ * with everything else, and with the last good state in the place of one that stopped it. The small kit of the first
+ * picture is replaced by the full one in the same way.
  */
 
-import { bytesOf, scriptAddress } from './files.js';
+import { DELAYS, forgetWasm, hire, readyWorker, wasmOf } from './kit.js';
+import { READING, Stopped, asking, createQuestions } from './questions.js';
 import { same } from './state.js';
+import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
 
-/** @typedef {import('./state.js').Definition} Definition */
-/** @typedef {import('./state.js').View} View */
-/** @typedef {import('./state.js').Camera} Camera */
-/** @typedef {'axiom' | 'rules' | 'overrides' | 'file' | 'numbers'} Field */
-
-/**
- * @typedef {object} Diagnostic
- * @property {Field} field
- * @property {'warning' | 'error'} severity
- * @property {string} message
- * @property {string | null} hint
- * @property {number} start UTF-16 offset into the field
- * @property {number} end
- */
-
-/**
- * What a definition means, or what is wrong with it.
- * @typedef {object} Report
- * @property {boolean} ok when false, the last good drawing stays
- * @property {Diagnostic[]} diagnostics
- * @property {string} kind `deterministic`, or those of `stochastic`, `context-sensitive`, `parametric` that hold, separated by commas
- * @property {boolean} beyond whether only the full kit can draw it, or say what is wrong with it
- * @property {boolean} stochastic
- * @property {boolean} solid whether the drawing leaves the plane
- * @property {boolean | null} memoised whether the drawing shares its blocks; null while unknown
- * @property {string | null} symbols exact decimal digits
- * @property {string | null} segments exact decimal digits
- * @property {number | null} blocks of the drawing; null while unknown
- * @property {number | null} largest the most iterations within the limits, where one was passed
- * @property {{symbol: string, actions: string, rewritten: boolean}[]} legend
- * @property {string | null} empty why nothing draws
- * @property {string} description the text alternative of the picture
- */
-
-/** @typedef {{width: number, height: number, ratio: number}} Canvas width and height in device pixels */
-/** @typedef {import('./reading/words.js').Link} Link */
-/** @typedef {import('./reading/words.js').Stroke} Stroke */
-/** @typedef {import('./reading/words.js').Filled} Filled */
-/** How the picture is to be shown; only the first `upto` segments unless it is null. @typedef {{canvas: Canvas, view: View, camera: Camera | null, upto: bigint | null}} Look */
-/**
- * A picture; `scale` is in device pixels per fitted extent at zoom 1, and `rough` tells that not every line is in its
- * place, for good. `pose` is the turtle's where only the first segments are shown: `at` in model units, `fitted` as places of
- * marks, `heading` in degrees, in space a vector.
- * @typedef {{id: number, viewId: number, complete: boolean, scale: number, rough: boolean, bitmap: ImageBitmap, pose: Pose | null} & Look} Drawn
- */
-/** @typedef {{at: number[], fitted: number[], heading: number | number[], level: number}} Pose */
-/** Symbols of a generation from `start` on, and how many it has, null where it is too long to be derived; `apart` tells that each ends with a line end. @typedef {{length: string | null, text: string | null, apart: boolean}} StringPage */
-/** What a symbol has become: half-open ranges in decimal digits, the outline as places of marks. @typedef {{symbols: [string, string], segments: [string, string], outline: number[][]}} Part */
-/** `ancestry` is empty and `part` null where neither is known; `stroke` is where its drawing begins. @typedef {{ancestry: Link[], part: Part | null, stroke: Stroke | null}} SymbolFacts */
-/** One of `segment` and `polygon`, with `stroke` or `filled`, or nothing. @typedef {{segment: string | null, polygon: string | null, symbol: string | null, ancestry: Link[], stroke: Stroke | null, filled: Filled | null}} Picked */
-/**
- * How texts read, be they right or wrong: the letter of its class for each UTF-16 unit, and the named constants of the rules.
- * @typedef {{axiom: string, rules: string, overrides: string, constants: Constant[]}} Notation
- */
-/** `value` is null where it is wrong; it stands from `start` to `end` in the rules, and another number may take its place if it is one `number`. @typedef {{name: string, value: number | null, start: number, end: number, number: boolean}} Constant */
-/** @typedef {{definition: Definition | null, diagnostics: Diagnostic[]}} FileRead */
-/** @typedef {{text: string | null, bytes?: Uint8Array<ArrayBuffer>, diagnostics: Diagnostic[]}} Exported */
+/** @typedef {import('./protocol.js').Definition} Definition */
+/** @typedef {import('./protocol.js').View} View */
+/** @typedef {import('./protocol.js').Camera} Camera */
+/** @typedef {import('./protocol.js').Diagnostic} Diagnostic */
+/** @typedef {import('./protocol.js').Report} Report */
+/** @typedef {import('./protocol.js').Canvas} Canvas */
+/** @typedef {import('./protocol.js').Link} Link */
+/** @typedef {import('./protocol.js').Stroke} Stroke */
+/** @typedef {import('./protocol.js').Filled} Filled */
+/** @typedef {import('./protocol.js').Look} Look */
+/** @typedef {import('./protocol.js').Drawn} Drawn */
+/** @typedef {import('./protocol.js').Pose} Pose */
+/** @typedef {import('./protocol.js').StringPage} StringPage */
+/** @typedef {import('./protocol.js').Part} Part */
+/** @typedef {import('./protocol.js').SymbolFacts} SymbolFacts */
+/** @typedef {import('./protocol.js').Picked} Picked */
+/** @typedef {import('./protocol.js').Notation} Notation */
+/** @typedef {import('./protocol.js').Constant} Constant */
+/** @typedef {import('./protocol.js').FileRead} FileRead */
+/** @typedef {import('./protocol.js').Exported} Exported */
+/** @typedef {import('./protocol.js').Shown} Shown */
+/** @typedef {import('./protocol.js').Trouble} Trouble */
 /** @typedef {ReturnType<typeof createEngine>} Engine */
 
 /**
@@ -72,7 +42,10 @@ import { same } from './state.js';
  * @property {(report: Report, id: number) => void} report
  * @property {(drawn: Drawn) => void} drawn
  * @property {(busy: boolean) => void} busy whether a newer state is under way than the one shown
- * @property {(message: string, again: boolean) => void} failed `again` tells whether a fresh worker has taken over
+ * @property {(trouble: Trouble) => void} troubled
+ * @property {() => void} recovered it draws again, so that what was told of a trouble holds no longer
+ * @property {(state: Shown, doubtful: boolean) => void} [doubted] a state may stop every worker that it is given to, or is
+ *   good after all; without its `look` the definition may
  */
 
 /** States that are not drawn after this time are waited for no longer, in milliseconds. */
@@ -84,13 +57,18 @@ const AHEAD = 2;
 /** The full kit is fetched so long after the first picture, in milliseconds. */
 const IDLE = 500;
 
-/** A worker that fails this often in a row with the same state is not started again. */
-const MOST_FAILURES = 2;
+/** After so many workers in a row that have stopped before they drew anything none is started by itself. */
+const MOST_FAILURES = 4;
 
 /**
- * A worker and its wasm, by name.
- * @typedef {{worker: string, wasm: string}} Kit
+ * While a text or a mesh is written the worker may be silent for this long, in milliseconds: it is written in one go, and a
+ * table of a million segments takes 1 to 3 s on a computer.
  */
+const WRITING = 10_000;
+/** A state over which the worker has been silent for this long is doubtful, in milliseconds. */
+const DOUBTFUL = 1000;
+
+/** @typedef {import('./kit.js').Kit} Kit */
 
 /**
  * @param {Kit[]} kits the one to start with, and the one that can do everything
@@ -99,17 +77,34 @@ const MOST_FAILURES = 2;
 export function createEngine(kits, events) {
     let kit = kits[0];
     const full = kits[kits.length - 1];
-    /** The wasm of the kit in use. @type {Promise<ArrayBuffer> | null} */
-    let wasm = null;
-    /** The full kit on its way. @type {Promise<void> | null} */
+    /** The full kit on its way, and whether somebody waits for it. @type {Promise<void> | null} */
     let growing = null;
+    let needed = false;
     /** @type {Worker | null} */
     let worker = null;
     /** Whether the worker has been handed the wasm, and whether it knows the newest state, so that it can be asked. */
     let ready = false;
     let askable = false;
+    /** Whether the worker has said anything, and whether it has begun to work. */
+    let met = false;
+    let started = false;
+    /** What the worker is at, by ids: the newest it has taken up of each kind, and a question or 0. */
+    let at = { define: 0, view: 0, question: 0 };
+    /** Whether it owes a picture. */
+    let owes = false;
     let lastId = 0;
     let failures = 0;
+    /** How often the files could not be loaded, and the timer of the next try. */
+    let misses = 0;
+    let retry = 0;
+    /** What was told last of a trouble, if that still holds. @type {Trouble['how'] | null} */
+    let told = null;
+    /** What was given up, as long as nothing newer is asked for. @type {'definition' | 'look' | null} */
+    let given = null;
+    /** The state over which the worker is silent. @type {Shown | null} */
+    let doubtful = null;
+    /** The definition whose questions stopped a worker, and their types. @type {{definition: Definition | null, types: Set<string>}} */
+    let refused = { definition: null, types: new Set() };
     /** @type {Definition | null} */
     let definition = null;
     /** @type {Look | null} */
@@ -131,52 +126,59 @@ export function createEngine(kits, events) {
     let idle = 0;
     /** Views sent and not yet drawn. @type {Map<number, Look>} */
     const views = new Map();
-    /** Questions without an answer yet. @type {Map<number, {request: object, resolve: (answer: any) => void, reject: (reason: Error) => void}>} */
-    const asked = new Map();
+    const questions = createQuestions();
+    const watchdog = createWatchdog({ patience: patienceNow, ping: () => worker?.postMessage({ type: 'ping' }), doubted, stopped: () => stop('silent', 'the worker did not answer') });
 
     /** Who helps with pictures that take long. @type {{help: (worker: Worker, script: string, wasm: ArrayBuffer) => void, leave: () => void} | null} */
     let mates = null;
     /** Whether the last picture did. */
     let slow = false;
 
-    /** The state that is shown at its finest. @type {{definition: Definition | null, look: Look | null}} */
+    /** The state that is shown at its finest. @type {Shown} */
     let shown = { definition: null, look: null };
 
     start();
 
     function start() {
-        const fresh = new Worker(scriptAddress(kit.worker));
+        clearTimeout(retry);
+        const fresh = hire(kit);
         employ(fresh);
-        wasm ??= bytesOf(kit.wasm);
-        wasm.then(
+        wasmOf(kit).then(
             (bytes) => {
                 if (worker !== fresh) return;
                 fresh.postMessage({ type: 'init', wasm: bytes });
                 begin();
             },
-            (error) => {
-                wasm = null;
-                if (worker === fresh) fail(error.message, true);
-            },
+            (error) => worker === fresh && miss(error.message),
         );
+        watchdog.watch();
     }
 
     /** Puts a worker in the place of another, for the same state. @param {Worker} fresh */
     function employ(fresh) {
-        mates?.leave();
-        worker?.terminate();
+        dismiss();
         worker = fresh;
-        ready = false;
-        askable = false;
-        views.clear();
-        awaited([]);
         defineWaits = definition !== null;
         lookWaits = look !== null;
         fresh.onmessage = ({ data }) => worker === fresh && receive(data);
         fresh.onerror = (event) => {
             event.preventDefault();
-            if (worker === fresh) fail(event.message || 'the worker did not start');
+            if (worker !== fresh) return;
+            if (started) stop('crashed', event.message);
+            else miss(event.message || 'the worker did not start');
         };
+    }
+
+    /** Lets the worker go, and forgets what it was at. */
+    function dismiss() {
+        mates?.leave();
+        watchdog.leave();
+        worker?.terminate();
+        worker = null;
+        [ready, askable, met, started, owes] = [false, false, false, false, false];
+        at = { define: 0, view: 0, question: 0 };
+        views.clear();
+        awaited([]);
     }
 
     /** The worker has its wasm: it is told the state, and asked what there is to ask. */
@@ -191,7 +193,7 @@ export function createEngine(kits, events) {
     function putQuestions() {
         if (askable) return;
         askable = true;
-        for (const { request } of asked.values()) worker?.postMessage(request);
+        if (worker) questions.putAll(worker);
     }
 
     /** Tells a fresh worker first what is shown, which stays where what is newer cannot be drawn. */
@@ -213,8 +215,8 @@ export function createEngine(kits, events) {
     }
 
     function send() {
-        if (!worker || !ready || ahead.length >= AHEAD || !(defineWaits || lookWaits)) return;
-        if (definition && defineWaits) {
+        if (!worker || !ready || !definition || ahead.length >= AHEAD || !(defineWaits || lookWaits)) return;
+        if (defineWaits) {
             defineWaits = false;
             defineSent = ++lastId;
             worker.postMessage({ type: 'define', id: defineSent, definition, upto });
@@ -225,6 +227,8 @@ export function createEngine(kits, events) {
         }
         awaited([...ahead, lastId]);
         putQuestions();
+        owes = true;
+        watchdog.watch();
         events.busy(true);
     }
 
@@ -244,89 +248,186 @@ export function createEngine(kits, events) {
     /** The newest state is shown, or cannot be. */
     function settle() {
         goOn();
-        if (ahead.length === 0) events.busy(false);
+        if (ahead.length > 0) return;
+        owes = false;
+        events.busy(false);
     }
 
     /** @param {any} message */
     function receive(message) {
-        const question = asked.get(message.id);
+        met = true;
+        watchdog.heard();
+        if (doubtful) events.doubted?.(doubtful, false);
+        doubtful = null;
         switch (message.type) {
+            case 'hello':
+            case 'pong':
+                break;
+            case 'at':
+                at = message;
+                break;
+            case 'ready':
+                started = true;
+                misses = 0;
+                if (told === 'loading' || told === 'unloadable') well();
+                break;
             case 'report':
                 if (message.id === recalled) break;
                 if (message.report.beyond) {
-                    grow().catch(({ message: why }) => fail(why, true));
+                    needed = true;
+                    grow().catch(({ message: why }) => trouble('unloadable', why));
                     break;
                 }
                 // What is wrong is not drawn, nor what passes a limit.
-                if (message.id === defineSent && isWrong(message.report)) settle();
-                events.report(message.report, message.id);
-                break;
-            case 'drawn': {
-                if (message.id === recalled) {
-                    message.bitmap.close();
-                    if (message.complete) goOn();
-                    break;
+                if (message.id === defineSent && isWrong(message.report)) {
+                    settle();
+                    if (!given) well();
                 }
-                failures = 0;
-                const seen = views.get(message.viewId);
-                for (const id of views.keys()) if (id < message.viewId) views.delete(id);
-                slow = message.slow && kit === full;
-                if (slow) help();
-                const newest = message.id >= defineSent && message.viewId >= lookSent;
-                // A worker that takes over begins with a coarse picture of what is shown at its finest already.
-                const known = newest && !message.complete && shown.definition === definition && shown.look === look;
-                if (seen && !known) events.drawn({ ...message, ...seen });
-                if (newest && message.complete && !(defineWaits || lookWaits)) rest();
-                // Only the finest is the end of it.
-                if (newest && message.complete) settle();
-                else goOn(Math.max(message.id, message.viewId));
+                events.report(given ? { ...message.report, past: true } : message.report, message.id);
                 break;
-            }
+            case 'drawn':
+                receivePicture(message);
+                break;
             case 'fatal':
-                fail(message.message);
+                if (started) stop('crashed', message.message);
+                else miss(message.message);
                 break;
             default:
-                asked.delete(message.id);
-                question?.resolve(message);
+                if (questions.answer(message)) failures = 0;
         }
+    }
+
+    /** @param {any} message */
+    function receivePicture(message) {
+        failures = 0;
+        if (message.id === recalled) {
+            message.bitmap.close();
+            if (message.complete) goOn();
+            return;
+        }
+        const seen = views.get(message.viewId);
+        for (const id of views.keys()) if (id < message.viewId) views.delete(id);
+        slow = message.slow && kit === full;
+        if (slow) help();
+        const newest = message.id >= defineSent && message.viewId >= lookSent;
+        // A worker that takes over begins with a coarse picture of what is shown at its finest already.
+        const known = newest && !message.complete && shown.definition === definition && shown.look === look;
+        if (seen && !known) events.drawn({ ...message, ...seen });
+        if (!given) well();
+        if (newest && message.complete && !(defineWaits || lookWaits)) rest();
+        // Only the finest is the end of it.
+        if (newest && message.complete) settle();
+        else goOn(Math.max(message.id, message.viewId));
     }
 
     /** The next such picture is made by several workers. */
     async function help() {
         const helped = worker;
-        const bytes = await wasm;
-        if (helped && bytes && worker === helped) mates?.help(helped, full.worker, bytes);
+        const bytes = await wasmOf(full);
+        if (helped && worker === helped) mates?.help(helped, full.worker, bytes);
     }
 
-    /** @param {string} message @param {boolean} [hopeless] */
-    function fail(message, hopeless = false) {
-        mates?.leave();
-        worker?.terminate();
-        worker = null;
+    /** How long the worker may be silent now; 0 while it owes nothing. */
+    function patienceNow() {
+        if (!worker) return 0;
+        if (!met) return STARTUP;
+        if (started && !owes && questions.size === 0) return 0;
+        return questions.type(at.question) === 'export' ? WRITING : SILENCE;
+    }
+
+    /** @param {number} silent for so long, in milliseconds */
+    function doubted(silent) {
+        if (silent < DOUBTFUL || doubtful || !owes || at.question || at.define !== defineSent || defineWaits) return;
+        doubtful = { definition, look: definition === shown.definition ? look : null };
+        events.doubted?.(doubtful, true);
+    }
+
+    /** The worker has stopped: what it was at is given up, and a fresh one goes on. @param {'silent' | 'crashed'} how @param {string} message */
+    function stop(how, message) {
+        const question = questions.refuseOne(at.question, new Stopped('it stopped answering and was given up'));
+        if (question && READING.includes(question)) {
+            if (refused.definition !== definition) refused = { definition, types: new Set() };
+            refused.types.add(question);
+            trouble(how, message, true);
+        }
+        const gone = !question && owes && giveUp();
+        doubtful = null;
+        dismiss();
         failures += 1;
-        for (const { reject } of asked.values()) reject(new Error(message));
-        asked.clear();
-        const again = !hopeless && failures < MOST_FAILURES;
-        if (again) start();
-        events.failed(message, again);
+        if (failures > MOST_FAILURES) return end('lost', message);
+        events.busy(false);
+        if (gone) {
+            questions.refuseAboutDrawing(new Stopped('the drawing was given up'));
+            trouble(how, message);
+        }
+        start();
     }
 
-    /** @param {object} question @returns {Promise<any>} */
+    /** Puts the last good state in the place of the one that the worker was at. @returns {boolean} whether that was the newest */
+    function giveUp() {
+        if (at.define === recalled && recalled !== 0) {
+            shown = { definition: null, look: null };
+            return false;
+        }
+        // What nobody has tried yet may be good.
+        if (at.define !== defineSent || defineWaits) return false;
+        const known = definition === shown.definition;
+        if (known && (at.view !== lookSent || lookWaits)) return false;
+        given = known && look !== shown.look ? 'look' : 'definition';
+        events.doubted?.({ definition, look: given === 'look' ? look : null }, true);
+        if (known && given === 'definition') shown = { definition: null, look: null };
+        definition = shown.definition;
+        look = shown.look ?? look;
+        upto = shown.look?.upto ?? null;
+        return true;
+    }
+
+    /** The worker or its wasm does not load. @param {string} message */
+    function miss(message) {
+        dismiss();
+        forgetWasm(kit);
+        const delay = DELAYS[misses];
+        misses += 1;
+        if (delay === undefined) return end('unloadable', message);
+        trouble('loading', message);
+        retry = window.setTimeout(start, delay);
+    }
+
+    /** No worker is started until there is something new to do. @param {'unloadable' | 'lost'} how @param {string} message */
+    function end(how, message) {
+        questions.refuseAll(new Error(message));
+        events.busy(false);
+        trouble(how, message);
+    }
+
+    /** @param {Trouble['how']} how @param {string} message @param {boolean} [question] */
+    function trouble(how, message, question = false) {
+        if (!question) told = how;
+        events.troubled({ how, question, message });
+    }
+
+    /** It works again. */
+    function well() {
+        if (told === null) return;
+        told = null;
+        events.recovered();
+    }
+
+    /** @param {{type: string} & Record<string, any>} question @returns {Promise<any>} */
     async function ask(question) {
+        if (refused.definition === definition && refused.types.has(question.type)) throw new Stopped('this question stopped the worker before');
         revive();
-        await wasm;
-        return new Promise((resolve, reject) => {
-            if (!worker) return reject(new Error('the drawing engine has stopped'));
-            const id = ++lastId;
-            const request = { ...question, id };
-            asked.set(id, { request, resolve, reject });
-            if (askable) worker.postMessage(request);
-        });
+        const request = { ...question, id: ++lastId };
+        const answer = questions.add(request);
+        if (askable) worker?.postMessage(request);
+        watchdog.watch();
+        return answer;
     }
 
     /** The picture is there: time for what it did not need. */
     function rest() {
         shown = { definition, look };
+        events.doubted?.(shown, false);
         // What fails here is tried again when it is needed.
         if (kit !== full && !growing && !idle) idle = window.setTimeout(() => grow().catch(() => {}), IDLE);
     }
@@ -343,28 +444,17 @@ export function createEngine(kits, events) {
 
     /** The worker in use goes on until the full one is ready. */
     async function fullWorker() {
-        const bytes = await bytesOf(full.wasm);
-        const fresh = new Worker(scriptAddress(full.worker));
-        await new Promise((resolve, reject) => {
-            const refuse = (/** @type {string} */ why) => {
-                fresh.terminate();
-                reject(new Error(why));
-            };
-            fresh.onmessage = ({ data }) => (data.type === 'ready' ? resolve(null) : refuse(data.message));
-            fresh.onerror = (event) => {
-                event.preventDefault();
-                refuse(event.message || 'the worker did not start');
-            };
-            fresh.postMessage({ type: 'init', wasm: bytes });
-        });
+        const fresh = await readyWorker(full, (message) => needed && trouble('loading', message));
         kit = full;
-        wasm = Promise.resolve(bytes);
         employ(fresh);
+        [met, started] = [true, true];
         begin();
+        if (told === 'loading') well();
     }
 
-    /** Asks what only the full kit can answer. @param {object} question @returns {Promise<any>} */
+    /** Asks what only the full kit can answer. @param {{type: string} & Record<string, any>} question @returns {Promise<any>} */
     async function askFull(question) {
+        needed = true;
         await grow();
         return ask(question);
     }
@@ -372,13 +462,20 @@ export function createEngine(kits, events) {
     /** After a failure for good, new input or a question is worth a fresh start. */
     function revive() {
         if (worker) return;
-        failures = 0;
+        if (failures > MOST_FAILURES) failures = 0;
+        if (misses > DELAYS.length) misses = 0;
         start();
     }
 
     return {
+        /** The last state that was drawn to its end, if any. @returns {Readonly<Shown>} */
+        get good() {
+            return shown;
+        },
+
         /** @param {Definition} newest */
         define(newest) {
+            given = null;
             definition = newest;
             defineWaits = true;
             revive();
@@ -389,6 +486,7 @@ export function createEngine(kits, events) {
         look(canvas, view, camera = null) {
             if (look && same(look.canvas, canvas) && same(look.view, view) && same(look.camera, camera)) return;
             look = { canvas, view, camera, upto };
+            if (given === 'look') given = null;
             lookWaits = true;
             send();
         },
@@ -411,42 +509,7 @@ export function createEngine(kits, events) {
             if (slow) help();
         },
 
-        /** @param {number} generation @param {bigint} start @param {number} count @returns {Promise<StringPage>} */
-        string: (generation, start, count) => askFull({ type: 'string', generation, start, count }),
-
-        /** A symbol of a generation, and what it has become in the one that is drawn. @param {number} generation @param {bigint} index @returns {Promise<SymbolFacts>} */
-        symbol: (generation, index) => askFull({ type: 'symbol', generation, index }),
-
-        /** Where the symbols derived from another begin, in decimal digits. @param {number} generation @param {bigint} index @param {number} later @returns {Promise<string | null>} */
-        descendant: async (generation, index, later) => (await askFull({ type: 'descendant', generation, index, later })).start,
-
-        /** What is drawn near a place, in device pixels. @param {number} x @param {number} y @param {number} tolerance @returns {Promise<Picked>} */
-        pick: (x, y, tolerance) => askFull({ type: 'pick', x, y, tolerance }),
-
-        /** @param {{axiom: string, rules: string, overrides: string}} texts @returns {Promise<Notation>} */
-        notation: (texts) => ask({ type: 'notation', texts }),
-
-        /** @param {ArrayBuffer} bytes of a JSON file, or of a picture saved here @returns {Promise<FileRead>} */
-        read: (bytes) => askFull({ type: 'read', bytes }),
-
-        /** @param {'svg' | 'svg-compact' | 'csv' | 'txt' | 'json' | 'obj' | 'glb'} format @returns {Promise<Exported>} */
-        export: (format) => askFull({ type: 'export', format }),
-
-        /** @param {number} width @param {number} height @param {Definition} carried in the file, to open it again @returns {Promise<Blob | null>} */
-        png: async (width, height, carried) => (await askFull({ type: 'png', width, height, definition: carried })).blob,
-
-        /** The modules of a text's QR code, row by row, 1 for dark; null where it is too long. @param {string} text @returns {Promise<Uint8Array | null>} */
-        qr: async (text) => (await askFull({ type: 'qr', text })).modules,
-
-        /** @returns {Promise<number>} */
-        seed: async () => (await ask({ type: 'seed' })).seed,
-
-        /** @param {Definition} small @param {number} width @param {number} height @returns {Promise<ImageBitmap | null>} */
-        thumb: async (small, width, height) => {
-            const request = { type: 'thumb', definition: small, width, height };
-            const { bitmap, beyond } = await ask(request);
-            return beyond ? (await askFull(request)).bitmap : bitmap;
-        },
+        ...asking(ask, askFull),
     };
 }
 

@@ -30,11 +30,15 @@ export function scriptAddress(name) {
     return text ? URL.createObjectURL(new Blob([text], { type: 'text/javascript' })) : name;
 }
 
-/** @param {string} name @returns {Promise<ArrayBuffer>} */
-export async function bytesOf(name) {
+/**
+ * @param {string} name
+ * @param {boolean} [anew] from the server, even where the browser has kept what came from there
+ * @returns {Promise<ArrayBuffer>}
+ */
+export async function bytesOf(name, anew = false) {
     const here = carried(name);
     if (here) return unpack(here.textContent ?? '');
-    const response = await fetch(name);
+    const response = anew ? await fetch(name, { cache: 'reload' }) : await fetch(name);
     if (!response.ok) throw new Error(`${name}: ${response.status}`);
     return response.arrayBuffer();
 }

@@ -2,6 +2,7 @@
 
 import { button, byId, closes, html, input, make, setText } from './dom.js';
 import { jsonOf } from './files.js';
+import { Stopped } from './questions.js';
 import { clean, definitionOf } from './state.js';
 import { TAGS, choose, count, makingOf, tagsOf } from './tags.js';
 import { emptyThumb, paintThumb } from './thumb.js';
@@ -105,9 +106,9 @@ export function createGallery(engine, { pick, dress, look }) {
         card.picture.style.background = definition.background;
         try {
             await paintThumb(card.picture, engine, definition, SIDE);
-        } catch {
-            // The worker was replaced meanwhile; the picture comes when the gallery is next opened.
-            card.painted = '';
+        } catch (error) {
+            // One that stopped the worker has no picture. Any other comes when the gallery is next opened.
+            if (!(error instanceof Stopped)) card.painted = '';
         }
     }
 

@@ -26,8 +26,9 @@ import { createSession } from './session.js';
 import { openSession } from './sessions.js';
 import { showSheet } from './sheet.js';
 import { createStage } from './stage.js';
-import { definitionOf, sameDrawing, sameSystem } from './state.js';
+import { clean, definitionOf, sameDrawing, sameSystem } from './state.js';
 import { createStorage } from './storage.js';
+import { QUESTION, createTrouble } from './trouble.js';
 import { createStore } from './store.js';
 import { theme, themeButton } from './theme.js';
 import { createWaiting } from './waiting.js';
@@ -43,8 +44,10 @@ const keeper = createStorage(() => localStorage);
 const session = createSession(keeper, createStorage(() => sessionStorage));
 const left = session.start(location.hash, link && link.state);
 const store = createStore(left?.state ?? link?.state ?? opening(theme()), left?.origin);
-const engine = createEngine(kits(), { report: reported, drawn, busy, failed });
-engine.define(definitionOf(store.state));
+const engine = createEngine(kits(), { report: reported, drawn, busy, troubled, recovered, doubted });
+/** Whether what is shown first stopped the drawing on an earlier visit: it waits for the reader. */
+let held = session.isSuspect(store.state);
+if (!held) engine.define(definitionOf(store.state));
 const marks = createMarks();
 const stage = createStage(store, engine, marks);
 const orbit = createOrbit(store, stage);
@@ -57,6 +60,7 @@ const growth = growthPanel(store, engine);
 const turtle = turtlePanel(store);
 followNotation(store, engine, [rules, constantsPanel(store, rules), turtle]);
 const look = lookPanel(store);
+const trouble = createTrouble({ back: goBack, again: drawAgain });
 const showAddress = followAddress(store, { open: opened });
 
 const waiting = createWaiting(async () => {
@@ -103,6 +107,8 @@ addEventListener('beforeinput', (event) => {
 store.subscribe((state, before) => {
     if (!sameSystem(state, before)) {
         growing.forget();
+        if (held) trouble.hide();
+        held = false;
         engine.define(definitionOf(state));
     }
     show(state, before);
@@ -112,6 +118,7 @@ session.follow(store);
 if (left && !link) showAddress();
 show(store.state, null);
 greet();
+if (held) hold();
 keepOffline();
 
 /** @param {Readonly<State>} state @param {Readonly<State> | null} before */
@@ -155,14 +162,17 @@ function reported(next) {
     // What is on its way to the state is not told about.
     if (growing.running) return;
     stage.growing(next.ok && next.memoised === null);
-    rules.report(next);
-    growth.report(next, store.state);
-    look.report(next, store.state);
-    turtle.report(next);
+    if (!next.past) {
+        rules.report(next);
+        growth.report(next, store.state);
+        look.report(next, store.state);
+        turtle.report(next);
+    }
     reader.report(next);
     playback.report(next);
     stage.report(next);
     orbit.report(next);
+    if (next.past) return setText(html('caption-text'), 'This is the last good drawing.');
     const [mistake, ...more] = next.diagnostics.filter(({ severity }) => severity === 'error');
     if (mistake) {
         const words = more.length === 0 ? mistake.message : `${mistake.message}, and ${more.length} more`;
@@ -193,10 +203,43 @@ function busy(under) {
     if (!under) waiting.fetch();
 }
 
-/** @param {string} message @param {boolean} again */
-function failed(message, again) {
-    if (again) return;
-    toast(`The drawing engine stopped (${message}). Change anything to start it again.`, { stay: true });
+/** @param {import('./engine.js').Trouble} what */
+function troubled({ how, question }) {
+    if (question) return toast(QUESTION);
+    growing.forget();
+    stage.growing(false);
+    if (engine.good.definition) setText(html('caption-text'), 'This is the last good drawing.');
+    trouble.show(how, engine.good.definition !== null);
+}
+
+function recovered() {
+    trouble.hide();
+}
+
+/** @param {import('./engine.js').Shown} state @param {boolean} doubtful */
+function doubted({ definition, look }, doubtful) {
+    if (definition) session.suspect(clean({ ...definition, view: look && store.state.view, camera: look && store.state.camera }), doubtful, look !== null);
+}
+
+/** Leaves what stopped the drawing as it is, until the reader wants it drawn. */
+function hold() {
+    setText(html('caption-text'), 'Not drawn.');
+    trouble.show('held', false);
+    waiting.fetch();
+}
+
+/** Back to the last state that was drawn; undo returns to what stopped it. */
+function goBack() {
+    const { definition, look } = engine.good;
+    if (!definition || !look) return;
+    const same = sameSystem(clean(definition), store.state);
+    if (same) return store.look(null);
+    store.change({ ...definition, view: null, camera: look.camera && store.state.camera }, '');
+}
+
+function drawAgain() {
+    engine.define(definitionOf(store.state));
+    stage.show(store.state, null);
 }
 
 /** Tells of a link's problems, and of the visit before this one. */

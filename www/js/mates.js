@@ -4,6 +4,7 @@
  */
 
 import { scriptAddress } from './files.js';
+import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
 
 const MOST = 3;
 /** Gigabytes, as far as the browser tells. */
@@ -20,7 +21,7 @@ export const matesOn = ({ hardwareConcurrency = 1, deviceMemory = LEAST_MEMORY }
 
 /** @param {number} count */
 export function createMates(count) {
-    /** @type {Worker[]} */
+    /** Those at work, and what watches them. @type {{mate: Worker, watchdog: ReturnType<typeof createWatchdog>}[]} */
     let hired = [];
     /** The one that they help. @type {Worker | null} */
     let master = null;
@@ -28,7 +29,10 @@ export function createMates(count) {
 
     function leave() {
         clearTimeout(timer);
-        for (const mate of hired) mate.terminate();
+        for (const { mate, watchdog } of hired) {
+            watchdog.leave();
+            mate.terminate();
+        }
         hired = [];
         master?.postMessage({ type: 'mates', ports: [] });
         master = null;
@@ -38,14 +42,26 @@ export function createMates(count) {
     function hire(script, wasm) {
         const mate = new Worker(scriptAddress(script));
         const { port1, port2 } = new MessageChannel();
+        let met = false;
+        const watchdog = createWatchdog({ patience: () => (met ? SILENCE : STARTUP), ping: () => mate.postMessage({ type: 'ping' }), stopped: dismiss });
+        /** What it does not answer is made without it. */
+        function dismiss() {
+            watchdog.leave();
+            mate.terminate();
+            hired = hired.filter((each) => each.mate !== mate);
+        }
         mate.onerror = (event) => {
             event.preventDefault();
-            mate.terminate();
+            dismiss();
         };
-        // What it does not answer is made without it.
-        mate.onmessage = ({ data }) => data.type === 'fatal' && mate.terminate();
+        mate.onmessage = ({ data }) => {
+            met = true;
+            watchdog.heard();
+            if (data.type === 'fatal') dismiss();
+        };
         mate.postMessage({ type: 'init', wasm, master: port2 }, [port2]);
-        hired.push(mate);
+        hired.push({ mate, watchdog });
+        watchdog.watch();
         return port1;
     }
 

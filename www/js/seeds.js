@@ -1,6 +1,7 @@
 /** A sheet of nine seeds to choose from. */
 
 import { button, byId, closes, html, make } from './dom.js';
+import { Stopped } from './questions.js';
 import { definitionOf } from './state.js';
 import { emptyThumb, paintThumb } from './thumb.js';
 
@@ -50,9 +51,9 @@ export function createSeeds(store, engine) {
             try {
                 await paintThumb(picture, engine, { ...definition, seed }, SIDE, wanted);
                 if (!wanted()) return;
-            } catch {
-                // The worker was replaced meanwhile; its failure is shown elsewhere.
-                return;
+            } catch (error) {
+                // One that stopped the worker has no picture; of any other failure the stage tells.
+                if (!(error instanceof Stopped)) return;
             }
         }
     }

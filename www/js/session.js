@@ -1,7 +1,7 @@
 /** This visit: kept as it goes on, and found again after a reload or on return. */
 
 import { writeLink } from './link.js';
-import { keepSession, openSession, readSessions } from './sessions.js';
+import { keepSession, nameOf, openSession, readSessions, readSuspects, withSuspect } from './sessions.js';
 import { sameSystem } from './state.js';
 
 /** @typedef {import('./sessions.js').Session} Session */
@@ -27,6 +27,9 @@ export function createSession(keeper, tab) {
     let timer = 0;
 
     const list = () => readSessions(keeper.read('sessions'));
+    const suspects = () => readSuspects(keeper.read('suspects'));
+    /** Whether there are any, so that nobody looks for them after each picture. */
+    let suspected = suspects().length > 0;
 
     function keep() {
         clearTimeout(timer);
@@ -70,6 +73,25 @@ export function createSession(keeper, tab) {
                 timer = window.setTimeout(keep, PAUSE);
             });
             addEventListener('pagehide', flush);
+        },
+
+        /** Whether a state, in this view or in any, stopped the drawing when it was last drawn. @param {Readonly<State>} state */
+        isSuspect: (state) => suspected && [true, false].some((withView) => suspects().includes(nameOf(state, withView))),
+
+        /**
+         * Remembers that a state stops the drawing, so that it is not started by itself again, or that it does not.
+         * @param {Readonly<State>} state
+         * @param {boolean} doubtful
+         * @param {boolean} withView whether it does so in this view only
+         */
+        suspect(state, doubtful, withView) {
+            if (!doubtful && !suspected) return;
+            const names = doubtful ? [nameOf(state, withView)] : [nameOf(state, true), nameOf(state, false)];
+            const former = suspects();
+            const next = names.reduce((kept, name) => withSuspect(kept, name, doubtful), former);
+            suspected = next.length > 0;
+            if (next.join() === former.join()) return;
+            keeper.write('suspects', next);
         },
 
         /** Opens what was made elsewhere: a visit of its own once it is changed. @param {State} state */

@@ -8,6 +8,9 @@ import { readLink, writeLink } from './link.js';
 /** @typedef {import('./state.js').State} State */
 /** `origin` is what Reset returns to; both are readable links. @typedef {{id: string, time: number, link: string, origin: string}} Session */
 
+/** So many states that stopped the drawing are remembered. */
+const MOST_SUSPECTS = 32;
+
 /** Older visits are forgotten. */
 export const MOST_SESSIONS = 8;
 
@@ -36,4 +39,31 @@ export function keepSession(list, id, state, origin, time) {
 export function openSession({ link, origin }) {
     const state = readLink(link)?.state;
     return state ? { state, origin: readLink(origin)?.state ?? state } : null;
+}
+
+/**
+ * A short name for what is drawn: equal states have equal names. Without a view it stands for the system in every view.
+ * @param {Readonly<State>} state
+ * @param {boolean} withView
+ */
+export function nameOf(state, withView) {
+    const text = writeLink(withView ? state : { ...state, view: null, camera: null });
+    // FNV-1a in two halves: nobody has to be kept from finding another text of the same name.
+    let [low, high] = [0x811c9dc5, 0x1b873593];
+    for (let at = 0; at < text.length; at++) {
+        low = Math.imul(low ^ text.charCodeAt(at), 0x01000193);
+        high = Math.imul(high ^ text.charCodeAt(at), 0x85ebca6b);
+    }
+    return `${withView ? 'v' : 's'}${(low >>> 0).toString(36)}${(high >>> 0).toString(36)}`;
+}
+
+/** The names of states that stopped the drawing. @param {unknown} value of unknown origin @returns {string[]} */
+export function readSuspects(value) {
+    return Array.isArray(value) ? value.filter((one) => typeof one === 'string' && one.length < 40).slice(0, MOST_SUSPECTS) : [];
+}
+
+/** @param {readonly string[]} list newest first @param {string} name @param {boolean} doubtful @returns {string[]} */
+export function withSuspect(list, name, doubtful) {
+    const others = list.filter((one) => one !== name);
+    return doubtful ? [name, ...others].slice(0, MOST_SUSPECTS) : others;
 }

@@ -70,6 +70,9 @@ export const MAX_ZOOM = 1e25;
 /** In space single precision is enough up to here. */
 export const MAX_CAMERA_ZOOM = 1e4;
 
+/** Longer texts are cut, in UTF-16 units. */
+export const MOST_TEXT = { axiom: 20_000, rules: 50_000, overrides: 20_000 };
+
 /** @type {readonly Dialect[]} */
 export const DIALECTS = ['abop', 'every-letter', 'practical', 'lowercase', 'axes'];
 /** @type {readonly ColourBy[]} */
@@ -129,8 +132,8 @@ const CLEAN = {
     title: text(200),
     source: text(1000),
     notes: text(10_000),
-    axiom: text(20_000),
-    rules: text(50_000),
+    axiom: text(MOST_TEXT.axiom),
+    rules: text(MOST_TEXT.rules),
     iterations: number(0, MAX_ITERATIONS, true),
     angle: number(-3600, 3600),
     rightAngle: orNull(number(-3600, 3600)),
@@ -148,7 +151,7 @@ const CLEAN = {
     lengthVariation: number(0, 100),
     growth: number(0, 1),
     dialect: oneOf(DIALECTS),
-    overrides: text(20_000),
+    overrides: text(MOST_TEXT.overrides),
     seed: number(0, 2 ** 32 - 1, true),
     palette: (value) => {
         const colours = Array.isArray(value) ? value.slice(0, MAX_PALETTE).map(colour) : [];

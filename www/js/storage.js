@@ -2,6 +2,9 @@
 
 /** @typedef {ReturnType<typeof createStorage>} Keeper */
 
+/** Longer entries are not read, in UTF-16 units: no browser keeps more for a site, and others may have written there. */
+const LONGEST = 5 << 20;
+
 /** Other pages of the same host share the storage. */
 const PREFIX = 'l-systems:';
 
@@ -28,7 +31,8 @@ export function createStorage(area) {
         /** @param {string} key @returns {unknown} undefined where there is nothing that can be read */
         read(key) {
             try {
-                return JSON.parse(storage?.getItem(PREFIX + key) ?? '');
+                const text = storage?.getItem(PREFIX + key) ?? '';
+                return text.length > LONGEST ? undefined : JSON.parse(text);
             } catch {
                 return undefined;
             }

@@ -8,7 +8,7 @@ import { make } from './dom.js';
 export const emptyThumb = () => make('canvas', { class: 'thumb', width: '1', height: '1', 'aria-hidden': 'true' });
 
 /**
- * Draws a system; fails where the worker is replaced meanwhile, which is told elsewhere.
+ * Draws a system; fails where that stops the worker, or where there is none.
  * @param {HTMLCanvasElement} picture
  * @param {import('./engine.js').Engine} engine
  * @param {Definition} definition

@@ -1,5 +1,6 @@
 //! The command line as a value.
 
+use crate::memory;
 use lexopt::prelude::{Long, Short, Value};
 use lsystem::{MAX_ITERATIONS, MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE, SvgForm, Viewport};
 use std::ffi::OsString;
@@ -32,6 +33,7 @@ usage: lsys expand FILE [-n N] [--seed S] [--set NAME=VALUE]...
                        as obj or glb (binary glTF)
   --size WxH           a png's size in pixels, such as 4000x3000; else 1024 along the longer side
   --compact            an svg whose size hardly depends on N: each block of the drawing once, and then placed
+  --memory SIZE        the most memory that a drawing may take, such as 512M or 2G; else 1G
   --out-dir DIR        writes every FILE's output into DIR, named after the file
   --json               one JSON object for a file, an array for several
   -h, --help           prints this
@@ -55,7 +57,7 @@ pub(crate) enum Command {
     Info { files: Vec<PathBuf>, json: bool, changes: Changes },
 }
 
-/// What the command line changes in a file's system.
+/// What the command line changes in a file's system, and in what may be spent on it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Changes {
     /// Derivation steps.
@@ -64,6 +66,8 @@ pub(crate) struct Changes {
     pub(crate) seed: Option<u32>,
     /// Other fields and their values, as they are written.
     pub(crate) settings: Vec<(String, String)>,
+    /// Bytes that a drawing may take, in place of the usual limit.
+    pub(crate) memory: Option<u64>,
 }
 
 /// One file to draw.
@@ -157,6 +161,10 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
                     return Err(format!("--set takes a name and a value such as angle_deg=30, not `{text}`"));
                 };
                 options.changes.settings.push((name.to_owned(), value.to_owned()));
+            }
+            Long("memory") => {
+                let text = parser.value().map_err(explain)?;
+                options.changes.memory = Some(memory::parse(&text.to_string_lossy())?);
             }
             Long("format") => options.format = Some(format(&parser.value().map_err(explain)?)?),
             Long("size") => options.size = Some(size(&parser.value().map_err(explain)?)?),
@@ -325,9 +333,10 @@ mod tests {
     use expect_test::{Expect, expect};
 
     fn check(line: &str, expected: &Expect) {
-        let with = |Changes { iterations, seed, settings }| match settings.as_slice() {
-            [] => format!("n {iterations:?} seed {seed:?}"),
-            settings => format!("n {iterations:?} seed {seed:?} set {settings:?}"),
+        let with = |Changes { iterations, seed, settings, memory }| {
+            let set = if settings.is_empty() { String::new() } else { format!(" set {settings:?}") };
+            let memory = memory.map_or_else(String::new, |bytes| format!(" memory {bytes}"));
+            format!("n {iterations:?} seed {seed:?}{set}{memory}")
         };
         let text = match parse(line.split_whitespace().map(OsString::from)) {
             Ok(Command::Expand { file, changes }) => format!("expand {file:?} {}", with(changes)),
@@ -377,6 +386,7 @@ mod tests {
             &expect![[r#"draw "a" to Write("a", [Txt, Svg(Flat)]) n None seed None set [("x", "1"), ("y", "a=b")]"#]],
         );
         check("info a --set x", &expect!["error: --set takes a name and a value such as angle_deg=30, not `x`"]);
+        check("info a --memory 2M", &expect![[r#"info ["a"] json false n None seed None memory 2097152"#]]);
         check("draw a --compact", &expect![[r#"draw "a" to Write("a", [Txt, Svg(Compact)]) n None seed None"#]]);
         check("draw a --compact --format svg", &expect![[r#"draw "a" to Print(Svg(Compact)) n None seed None"#]]);
         check("--help nonsense", &expect!["Help"]);
@@ -392,6 +402,10 @@ mod tests {
         check("expand a -n 1001", &expect!["error: -n takes a whole number from 0 to 1000, not `1001`"]);
         check("expand a -n", &expect!["error: missing argument for option '-n'"]);
         check("expand a --seed x", &expect!["error: --seed takes a whole number from 0 to 4294967295, not `x`"]);
+        check(
+            "info a --memory 2",
+            &expect!["error: --memory takes a whole number with K, M, G or T, such as 512M or 2G, not `2`"],
+        );
         check("expand a --json", &expect!["error: --json goes with info only"]);
         check("expand a --format svg", &expect!["error: --format and --out-dir go with draw only"]);
         check("draw a --format gif", &expect!["error: --format takes svg, png, csv, txt, obj or glb, not `gif`"]);

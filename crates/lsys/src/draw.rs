@@ -2,7 +2,7 @@
 
 use crate::args::{Changes, Format, Job, Target};
 use crate::input::{self, Input};
-use crate::output::{Pending, with_extension};
+use crate::pending::{Pending, with_extension};
 use crate::progress::Progress;
 use crate::{Failure, picture, print};
 use lsystem::{Drawing, Mesh, Outlook, Solid, SvgOptions, write_csv, write_glb, write_json, write_obj, write_svg};

@@ -2,8 +2,9 @@
 
 use crate::args::Changes;
 use crate::input::{self, Input};
+use crate::output::escape_json;
 use crate::{Failure, print};
-use lsystem::{Diagnostic, Drawing, Limits, Space, System, Tally, count_segments, count_symbols};
+use lsystem::{Diagnostic, Drawing, Limits, Space, System, Tally, count_segments, count_symbols, visible};
 use serde::Serialize;
 use std::fmt::{self, Display};
 use std::path::PathBuf;
@@ -59,8 +60,8 @@ pub(crate) fn info(files: &[PathBuf], json: bool, changes: &Changes) -> Result<(
             (all.iter().enumerate()).try_for_each(|(i, facts)| write!(out, "{}{facts}", if i > 0 { "\n" } else { "" }))
         }
         (true, [], 1) => Ok(()),
-        (true, [only], 1) => writeln!(out, "{}", serde_json::to_string_pretty(only)?),
-        (true, ..) => writeln!(out, "{}", serde_json::to_string_pretty(&all)?),
+        (true, [only], 1) => writeln!(out, "{}", escape_json(&serde_json::to_string_pretty(only)?)),
+        (true, ..) => writeln!(out, "{}", escape_json(&serde_json::to_string_pretty(&all)?)),
     })?;
     if failed { Err(Failure::Said) } else { Ok(()) }
 }
@@ -149,9 +150,9 @@ fn readable(number: f64) -> String {
 impl Display for Facts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let title = [&self.title, &self.name, &self.file].into_iter().find(|text| !text.is_empty());
-        writeln!(f, "{}", title.map_or("", String::as_str))?;
+        writeln!(f, "{}", visible(title.map_or("", String::as_str)))?;
         let unknown = || "unknown".to_owned();
-        writeln!(f, "  file        {}", self.file)?;
+        writeln!(f, "  file        {}", visible(&self.file))?;
         let blocks = self.blocks.map_or_else(String::new, |blocks| match self.memoised {
             Some(true) => format!(", memoised, blocks: {blocks}"),
             _ => format!(", not memoised, blocks: {blocks}"),
@@ -172,7 +173,7 @@ impl Display for Facts {
             let segments = segments.map_or_else(unknown, |growth| format!("x {growth:.6}"));
             writeln!(f, "  growth      symbols x {symbols:.6}, segments {segments} in the last step")?;
         }
-        self.limit.as_ref().map_or(Ok(()), |limit| writeln!(f, "  limit       {limit}"))
+        self.limit.as_ref().map_or(Ok(()), |limit| writeln!(f, "  limit       {}", visible(limit)))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::args::Changes;
 use crate::{Failure, say, settings};
-use lsystem::{Definition, Diagnostic, FileContent, Limits, System, read_file, render_diagnostic};
+use lsystem::{Definition, Diagnostic, FileContent, Limits, MAX_TEXT, System, read_file, render_diagnostic, visible};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -35,7 +35,7 @@ pub(crate) fn read(file: &Path, changes: &Changes) -> Result<Input, Failure> {
         definition.seed = changes.seed.unwrap_or(definition.seed);
         if !changes.settings.is_empty() {
             *definition = settings::apply(definition, &changes.settings).map_err(|error| {
-                say(&format!("{error}\n"));
+                say(&format!("{}\n", visible(&error)));
                 Failure::Said
             })?;
         }
@@ -48,7 +48,9 @@ pub(crate) fn read(file: &Path, changes: &Changes) -> Result<Input, Failure> {
     }
     let (Some(definition), Some(system)) = (definition, system) else { return Err(Failure::Said) };
     let iterations = definition.iterations;
-    Ok(Input { file: name.into(), definition, system, iterations, limits: Limits::default() })
+    let usual = Limits::default();
+    let limits = Limits { memory: changes.memory.unwrap_or(usual.memory), ..usual };
+    Ok(Input { file: name.into(), definition, system, iterations, limits })
 }
 
 impl Input {
@@ -72,19 +74,32 @@ impl Input {
     }
 }
 
-/// As much of a file as is looked at, in bytes: more than any system has, and all of most pictures.
-const MOST: u64 = 64 << 20;
+/// As much of a picture as is read, in bytes: all of most pictures, and of a larger one the beginning, where its system
+/// stands.
+const PICTURE: u64 = 64 << 20;
+/// As much of any other file as is read, in bytes: the longest text, in UTF-16 and with its mark, and one more byte that
+/// tells that a longer one is too long.
+const TEXT: u64 = 2 * MAX_TEXT as u64 + 3;
+/// The first bytes of a file, which tell what it is.
+const HEAD: u64 = 1 << 10;
 
-/// The bytes of a file. Of a larger picture the beginning is enough, where we put its system; a larger text is no
-/// system in any case.
+/// The bytes of a file, or the beginning of one that is too large: memory and time are bounded whatever stands in it.
 fn bytes_of(file: &Path) -> io::Result<Vec<u8>> {
+    if file.as_os_str() == "-" { beginning(io::stdin().lock()) } else { beginning(File::open(file)?) }
+}
+
+fn beginning(mut file: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    if file.as_os_str() == "-" {
-        io::stdin().lock().take(MOST).read_to_end(&mut bytes)?;
-    } else {
-        File::open(file)?.take(MOST).read_to_end(&mut bytes)?;
-    }
+    file.by_ref().take(HEAD).read_to_end(&mut bytes)?;
+    let most = if is_picture(&bytes) { PICTURE } else { TEXT };
+    file.take(most - HEAD).read_to_end(&mut bytes)?;
     Ok(bytes)
+}
+
+/// Whether a file begins as a PNG or an SVG does, in UTF-8 or UTF-16.
+fn is_picture(head: &[u8]) -> bool {
+    let first = head.iter().position(|byte| !b" \t\r\n\0\xef\xbb\xbf\xff\xfe".contains(byte));
+    first.is_some_and(|first| head[first..].starts_with(b"<")) || head.starts_with(b"\x89PNG")
 }
 
 fn tell(diagnostic: &Diagnostic, text: &str, definition: Option<&Definition>, name: &str) {
@@ -93,4 +108,35 @@ fn tell(diagnostic: &Diagnostic, text: &str, definition: Option<&Definition>, na
         None => render_diagnostic(diagnostic, name, text),
     };
     say(&shown);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Never ends; counts what is taken from it.
+    struct Endless<'a>(&'a [u8], &'a mut u64);
+
+    impl Read for Endless<'_> {
+        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+            let start = self.0.len().min(buffer.len());
+            buffer[..start].copy_from_slice(&self.0[..start]);
+            buffer[start..].fill(b' ');
+            self.0 = &self.0[start..];
+            *self.1 += buffer.len() as u64;
+            Ok(buffer.len())
+        }
+    }
+
+    #[test]
+    fn no_more_is_read_than_a_file_can_need() {
+        for (start, most) in [("", TEXT), ("{", TEXT), ("<svg", PICTURE), ("\u{feff}\n<svg", PICTURE)] {
+            let mut taken = 0;
+            let bytes = beginning(Endless(start.as_bytes(), &mut taken)).unwrap();
+            assert_eq!((bytes.len() as u64, taken), (most, most), "{start:?}");
+            assert!(bytes.starts_with(start.as_bytes()));
+        }
+        assert!(is_picture(b"\x89PNG\r\n") && is_picture(b"\xff\xfe<\0s\0") && is_picture(b"\xfe\xff\0<\0s"));
+        assert_eq!(beginning(&b"{}"[..]).unwrap(), b"{}");
+    }
 }

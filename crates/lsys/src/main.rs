@@ -5,13 +5,15 @@ mod args;
 mod draw;
 mod info;
 mod input;
+mod memory;
 mod output;
+mod pending;
 mod picture;
 mod progress;
 mod settings;
 
 use args::Command;
-use lsystem::Word;
+use lsystem::{Word, visible};
 use progress::Progress;
 use std::io::{self, Write};
 use std::path::Path;
@@ -21,7 +23,7 @@ use std::process::ExitCode;
 enum Failure {
     /// What is wrong has been said already.
     Said,
-    /// Something to say.
+    /// Something to say; what it quotes of files may be anything.
     Words(String),
     /// Whoever reads the output has gone; nothing to say, and nothing wrong.
     ReaderGone,
@@ -40,7 +42,7 @@ impl Failure {
     fn tell(self) -> Result<(), Self> {
         match self {
             Self::Words(words) => {
-                say(&format!("error: {words}\n"));
+                say(&format!("error: {}\n", visible(&words)));
                 Ok(())
             }
             Self::Said => Ok(()),
@@ -50,10 +52,11 @@ impl Failure {
 }
 
 fn main() -> ExitCode {
+    pending::fail_on_large_files();
     let command = match args::parse(std::env::args_os().skip(1)) {
         Ok(command) => command,
         Err(words) => {
-            say(&format!("error: {words}\nlsys --help tells more\n"));
+            say(&format!("error: {}\nlsys --help tells more\n", visible(&words)));
             return ExitCode::from(2);
         }
     };

@@ -1,61 +1,95 @@
-//! Standard output, and files that are whole or not there.
+//! Standard output, and how foreign text is made harmless for a terminal.
 
-use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use lsystem::visible;
+use std::io::{self, BufWriter, IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Writes to standard output what `write` produces, buffered.
+/// Writes to standard output what `write` produces, buffered. A terminal gets it without characters that it would
+/// obey; a file or a pipe gets every byte.
 ///
 /// # Errors
-/// As the writer; [`io::ErrorKind::BrokenPipe`] where the reader has gone.
+/// As the writer; [`io::ErrorKind::BrokenPipe`] where the reader has gone, and an error where standard output is closed.
 pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+    if CLOSED.load(Ordering::Relaxed) {
+        return Err(io::Error::other("it is closed"));
+    }
+    let stdout = io::stdout();
+    let looking = stdout.is_terminal();
+    let mut out = BufWriter::with_capacity(1 << 16, stdout.lock());
+    if looking {
+        let mut shown = Shown { out };
+        write(&mut shown)?;
+        return shown.flush();
+    }
     write(&mut out)?;
     out.flush()
 }
 
-/// A file under a temporary name beside its own. Dropping it removes it; [`Pending::commit`] gives it its name.
-pub(crate) struct Pending {
-    temporary: PathBuf,
-    path: PathBuf,
+/// Passes text on, line by line as [`visible`] shows it. Each call must hold whole characters.
+struct Shown<W: Write> {
+    out: W,
 }
 
-impl Pending {
-    /// Writes what `write` produces to a temporary file.
-    ///
-    /// # Errors
-    /// As the file system or `write`; nothing is left behind then.
-    pub(crate) fn write(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<Self> {
-        let mut name = std::ffi::OsString::from(".");
-        name.push(path.file_name().ok_or(io::ErrorKind::InvalidFilename)?);
-        name.push(format!(".{}.tmp", std::process::id()));
-        let pending = Self { temporary: path.with_file_name(name), path: path.to_owned() };
-        let mut out = BufWriter::with_capacity(1 << 16, File::create(&pending.temporary)?);
-        write(&mut out)?;
-        out.into_inner().map_err(io::IntoInnerError::into_error)?;
-        Ok(pending)
+impl<W: Write> Write for Shown<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.out.write_all(visible_lines(&String::from_utf8_lossy(bytes)).as_bytes())?;
+        Ok(bytes.len())
     }
 
-    /// Gives the file its name, in place of what had it before.
-    ///
-    /// # Errors
-    /// As the file system.
-    pub(crate) fn commit(self) -> io::Result<()> {
-        fs::rename(&self.temporary, &self.path)
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
     }
 }
 
-impl Drop for Pending {
-    fn drop(&mut self) {
-        // After a rename there is nothing to remove, and on other errors nothing more can be done.
-        let _ = fs::remove_file(&self.temporary);
-    }
+/// Text of several lines without what a terminal would obey.
+fn visible_lines(text: &str) -> String {
+    text.split('\n').map(visible).collect::<Vec<_>>().join("\n")
 }
 
-/// `base.extension`, also where `base` has dots: `1.24d` becomes `1.24d.svg`.
-pub(crate) fn with_extension(base: &Path, extension: &str) -> PathBuf {
-    let mut name = base.as_os_str().to_owned();
-    name.push(".");
-    name.push(extension);
-    name.into()
+/// JSON with every character escaped that a terminal would obey. It says the same: such characters occur in strings
+/// only.
+pub(crate) fn escape_json(json: &str) -> String {
+    let mut out = String::with_capacity(json.len());
+    let mut units = [0; 2];
+    for ch in json.chars() {
+        if ch == '\n' || visible(ch.encode_utf8(&mut [0; 4])).starts_with(ch) {
+            out.push(ch);
+        } else {
+            ch.encode_utf16(&mut units).iter().for_each(|unit| out.push_str(&format!("\\u{unit:04x}")));
+        }
+    }
+    out
+}
+
+/// Whether the program was started with standard output closed (`>&-`).
+static CLOSED: AtomicBool = AtomicBool::new(false);
+
+/// Finds out whether standard output is closed. Rust opens `/dev/null` in its place before `main`, and what is written
+/// there would seem to have arrived; so this is asked earlier. It does nothing but two system calls.
+#[cfg(unix)]
+#[ctor::ctor]
+fn look_at_output() {
+    use std::os::fd::AsFd;
+    CLOSED.store(io::stdout().as_fd().try_clone_to_owned().is_err(), Ordering::Relaxed);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn terminals_get_nothing_to_obey() {
+        let mut shown = Shown { out: Vec::new() };
+        shown.write_all("F\u{1b}]0;title\u{7}\u{9b}31m\n\u{202e}G\u{f6}\n".as_bytes()).unwrap();
+        assert_eq!(String::from_utf8(shown.out).unwrap(), "F␛]0;title␇\u{fffd}31m\n\u{fffd}Gö\n");
+    }
+
+    #[test]
+    fn json_stays_the_same_value() {
+        let text = "a\u{1b}\u{7f}\u{9b}\u{202e}\u{2028}ö\u{1f331}\n";
+        let json = serde_json::to_string(text).unwrap();
+        let escaped = escape_json(&json);
+        assert_eq!(escaped, r#""a\u001b\u007f\u009b\u202e\u2028ö🌱\n""#);
+        assert_eq!(serde_json::from_str::<String>(&escaped).unwrap(), text);
+    }
 }

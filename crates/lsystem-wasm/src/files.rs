@@ -1,14 +1,15 @@
 //! Files: systems read from them and written to them.
 
+use crate::clock::Clock;
 use crate::playground::Playground;
 use crate::report::{Problem, problems};
 use crate::surface::Surface;
-use crate::viewer::Scene;
+use crate::viewer::{Scene, Snapshot};
 use crate::{LIMITS, from_js, to_js};
 use js_sys::{Reflect, Uint8Array};
 use lsystem::{
-    Camera, Definition, FileContent, Mesh, Outlook, SvgForm, SvgOptions, Viewport, draw_solid, expand, write_csv,
-    write_glb, write_json, write_obj, write_svg,
+    Camera, Definition, FileContent, Mesh, Outlook, Progress, SvgForm, SvgOptions, Viewport, draw_solid, expand,
+    write_csv, write_glb, write_json, write_obj, write_svg,
 };
 use serde::Serialize;
 use std::sync::Arc;
@@ -118,17 +119,55 @@ impl Playground {
         to_js(&ExportReport { text, diagnostics: problems(diagnostic.as_slice(), definition, "") })
     }
 
-    /// Paints the current view at another size onto another canvas, to the end.
+    /// Starts a picture of the current view at another size.
+    ///
+    /// # Errors
+    /// Throws where nothing has been drawn.
+    pub fn snapshot(&self, width: u32, height: u32) -> Result<Picture, JsValue> {
+        let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
+        let viewport = Viewport { width, height, ratio };
+        let snapshot = self
+            .shown
+            .zip(self.scene())
+            .and_then(|(realm, scene)| self.views.get(realm).snapshot(Scene { viewport, ..scene }));
+        let snapshot = snapshot.ok_or("nothing has been drawn yet")?;
+        Ok(Picture { snapshot, clock: Clock::new() })
+    }
+}
+
+/// A picture for a file, made in steps.
+#[wasm_bindgen]
+pub struct Picture {
+    snapshot: Box<dyn Snapshot>,
+    clock: Clock,
+}
+
+#[wasm_bindgen]
+impl Picture {
+    /// Works for about `budget` milliseconds; whether the picture is there.
+    pub fn step(&mut self, budget: f64) -> bool {
+        let end = self.clock.now() + budget;
+        loop {
+            let done = self.snapshot.step() == Progress::Done;
+            if done || self.clock.now() >= end {
+                return done;
+            }
+        }
+    }
+
+    /// Paints it onto a canvas, which gets its size.
     ///
     /// # Errors
     /// Throws where the canvas refuses the picture.
-    pub fn snapshot(&self, canvas: OffscreenCanvas, width: u32, height: u32) -> Result<(), JsValue> {
-        let (Some(realm), Some(scene)) = (self.shown, self.scene()) else {
-            return Err("nothing has been drawn yet".into());
-        };
-        let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
-        let viewport = Viewport { width, height, ratio };
-        self.views.get(realm).snapshot(Scene { viewport, ..scene }, &Surface::new(canvas)?)
+    pub fn paint(&self, canvas: OffscreenCanvas) -> Result<(), JsValue> {
+        let (pixels, viewport) = self.snapshot.picture();
+        Surface::new(canvas)?.show(pixels, viewport)
+    }
+}
+
+impl core::fmt::Debug for Picture {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Picture").finish_non_exhaustive()
     }
 }
 

@@ -33,7 +33,7 @@ mod surface;
 mod viewer;
 
 #[cfg(feature = "full")]
-pub use files::{read_file, tag_png};
+pub use files::{Picture, read_file, tag_png};
 pub use notation::notation;
 #[cfg(feature = "full")]
 pub use plain::{Segments, draw, expand};

@@ -7,6 +7,8 @@ use crate::report::Report;
 #[cfg(feature = "full")]
 use crate::sharing::{Sharing, Turn};
 use crate::surface::Surface;
+#[cfg(feature = "full")]
+use crate::viewer::Snapshot;
 use crate::viewer::{Drawn, SLOW, Scene, Viewer, WORK, describe_drawing, go_on};
 use lsystem::{Detail, Diagnostic, Drawer, Drawing, Ink, Progress, System, fitted_scale};
 #[cfg(feature = "full")]
@@ -210,14 +212,30 @@ impl Viewer for PlaneView {
     }
 
     #[cfg(feature = "full")]
-    fn snapshot(&self, scene: Scene, surface: &Surface) -> Result<(), JsValue> {
-        let Some(drawing) = &self.drawing else { return Ok(()) };
+    fn snapshot(&self, scene: Scene) -> Option<Box<dyn Snapshot>> {
         let viewport = scene.viewport.within_limits();
         let mut brush = Brush::default();
-        brush.load(drawing.clone());
+        brush.load(self.drawing.clone()?);
         brush.begin(&Scene { viewport, ..scene }, Detail::Fine);
-        while brush.step(WORK) == Progress::More {}
-        surface.show(brush.pixels(), viewport)
+        Some(Box::new(PlaneSnapshot { brush, viewport }))
+    }
+}
+
+/// A picture for a file.
+#[cfg(feature = "full")]
+struct PlaneSnapshot {
+    brush: Brush,
+    viewport: Viewport,
+}
+
+#[cfg(feature = "full")]
+impl Snapshot for PlaneSnapshot {
+    fn step(&mut self) -> Progress {
+        self.brush.step(WORK)
+    }
+
+    fn picture(&self) -> (&[u8], Viewport) {
+        (self.brush.pixels(), self.viewport)
     }
 }
 

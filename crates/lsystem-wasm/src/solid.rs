@@ -6,7 +6,7 @@ use crate::playground::Playground;
 use crate::report::Report;
 use crate::sharing::{Sharing, Turn};
 use crate::surface::Surface;
-use crate::viewer::{Drawn, SLOW, Scene, Viewer, WORK, describe_drawing, go_on};
+use crate::viewer::{Drawn, SLOW, Scene, Snapshot, Viewer, WORK, describe_drawing, go_on};
 use lsystem::{
     Camera, Diagnostic, Drawer, Drawing, Effort, Pane, Progress, Quality, Solid, SolidRenderer, Spent, System,
     Viewport, solid_scale,
@@ -190,14 +190,28 @@ impl Viewer for SolidView {
         self.renderer.pixels()
     }
 
-    fn snapshot(&self, scene: Scene, surface: &Surface) -> Result<(), JsValue> {
-        let Some(drawing) = &self.drawing else { return Ok(()) };
+    fn snapshot(&self, scene: Scene) -> Option<Box<dyn Snapshot>> {
         let mut renderer = SolidRenderer::new();
-        renderer.load(drawing.clone());
+        renderer.load(self.drawing.clone()?);
         renderer.play(scene.upto);
         renderer.begin(&scene.style, scene.viewport, &self.camera, Quality::BEST);
-        while renderer.step(WORK) == Progress::More {}
-        surface.show(renderer.pixels(), scene.viewport)
+        Some(Box::new(SolidSnapshot { renderer, viewport: scene.viewport }))
+    }
+}
+
+/// A picture for a file.
+struct SolidSnapshot {
+    renderer: SolidRenderer,
+    viewport: Viewport,
+}
+
+impl Snapshot for SolidSnapshot {
+    fn step(&mut self) -> Progress {
+        self.renderer.step(WORK)
+    }
+
+    fn picture(&self) -> (&[u8], Viewport) {
+        (self.renderer.pixels(), self.viewport)
     }
 }
 

@@ -98,9 +98,19 @@ pub(crate) trait Viewer {
     #[cfg(feature = "full")]
     fn pane_pixels(&self) -> &[u8];
 
-    /// Makes the whole picture for another canvas.
+    /// Starts the whole picture for another canvas, if there is a drawing.
     #[cfg(feature = "full")]
-    fn snapshot(&self, scene: Scene, surface: &Surface) -> Result<(), JsValue>;
+    fn snapshot(&self, scene: Scene) -> Option<Box<dyn Snapshot>>;
+}
+
+/// A picture for a file, made in steps, so that the worker answers the page meanwhile.
+#[cfg(feature = "full")]
+pub(crate) trait Snapshot {
+    /// Goes on with the picture.
+    fn step(&mut self) -> Progress;
+
+    /// Its pixels, RGBA, and its size.
+    fn picture(&self) -> (&[u8], Viewport);
 }
 
 /// Goes on with the drawing that is being built; it itself when it is there, or what went wrong.

@@ -105,7 +105,7 @@ pub use mesh::Mesh;
 pub use meter::Meter;
 pub use notation::{Class, Classes, ConstantPlace, classify, parse, plain_word};
 pub use overrides::{Override, parse_overrides, print_actions, print_overrides};
-pub use place::{render_diagnostic, utf16_letters, utf16_span};
+pub use place::{render_diagnostic, utf16_letters, utf16_span, visible};
 pub use plane::Plane;
 pub use print::{print_axiom, print_module, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};

@@ -136,8 +136,14 @@ fn shown(text: &str) -> String {
     text.replace('\t', "    ").chars().map(harmless).collect()
 }
 
-/// A message as printed.
-fn visible(text: &str) -> String {
+/// One line of a stranger's text for a terminal: characters that a terminal would obey, or that change the order of
+/// others, are replaced, character by character.
+///
+/// ```
+/// assert_eq!(lsystem::visible("a\u{1b}[31m\n\u{202e}b"), "a␛[31m␊\u{fffd}b");
+/// ```
+#[must_use]
+pub fn visible(text: &str) -> String {
     text.chars().map(harmless).collect()
 }
 

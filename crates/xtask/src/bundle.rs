@@ -37,6 +37,7 @@ pub(crate) fn bundle_in_two(entry: &Path, second_name: &str) -> Result<[String; 
          globalThis.later = {{ shared: {{ {shared} }}, done, fail }};\n\
          const script = document.createElement('script');\n\
          script.onerror = () => fail(new Error('{second_name} does not load'));\n\
+         script.onload = () => globalThis.later && script.onerror();\n\
          script.src = '{second_name}';\n\
          document.head.append(script);\n}})"
     );
@@ -44,7 +45,7 @@ pub(crate) fn bundle_in_two(entry: &Path, second_name: &str) -> Result<[String; 
         format!("(async () => {{\n'use strict';\n{}}})();\n", first.replacen(LATER, &ask, 1)),
         format!(
             "(({{ shared, done, fail }}) => (async () => {{\n'use strict';\nconst {{ {shared} }} = shared;\n\
-             {second}return {value};\n}})().then(done, fail))(globalThis.later);\n"
+             {second}return {value};\n}})().then(done, fail))(globalThis.later);\nglobalThis.later = null;\n"
         ),
     ])
 }

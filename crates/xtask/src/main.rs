@@ -10,6 +10,8 @@ mod gallery;
 mod include;
 mod joined;
 mod lint;
+mod monkey;
+mod mutants;
 mod offline;
 mod one_file;
 mod page;
@@ -44,9 +46,13 @@ usage: cargo xtask COMMAND
                          page (how free it stays), load (what opening it and ten embedded drawings cost),
                          space (times of pictures in space, moving and at rest),
                          shares (times of pictures that several workers share)
+  monkey [--minutes M] [--seed S [--actions N]] [--verbose]
+                         random actions on the page and on embedded drawings for a minute; a seed decides them
+  mutants [--all] [ARGS] whether tests notice changes of the core's code: a fixed sample of mutants, or all of them, or
+                         what ARGS of cargo-mutants choose, such as --shard 3/40 or --file drawing/hull.rs
 
-Needs: Rust by rustup (the wasm target is added when missing); for test and bench also Node.js 20 or newer with
-npm, Chromium and ChromeDriver (installed when missing where this runs as root on Debian).
+Needs: Rust by rustup (the wasm target is added when missing); for test, bench and monkey also Node.js 20 or newer
+with npm, Chromium and ChromeDriver (installed when missing where this runs as root on Debian).
 ";
 
 fn main() -> ExitCode {
@@ -90,8 +96,10 @@ fn run(program: &OsString, command: &str, rest: Vec<OsString>) -> Result<()> {
             no_more(words)?;
             test::test(&Workspace::find()?, &test::Options::read(["lint"].into_iter())?)
         }
+        "mutants" => mutants::mutants(&Workspace::find()?, words),
         "fuzz" => fuzz::fuzz(&Workspace::find()?, words),
         "bench" => bench::bench(&Workspace::find()?, words),
+        "monkey" => monkey::monkey(&Workspace::find()?, &monkey::Options::read(words)?),
         "help" | "--help" | "-h" => {
             print!("{USAGE}");
             Ok(())

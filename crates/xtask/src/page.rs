@@ -54,9 +54,14 @@ fn end_to_end(workspace: &Workspace, www: &Path) -> Result<()> {
 
 /// Runs a script that measures the page that has just been built.
 pub(crate) fn bench(workspace: &Workspace, script: &str) -> Result<()> {
+    self::script(workspace, &format!("test/bench/{script}"), &[])
+}
+
+/// Runs a script of `www` with the page that has just been built.
+pub(crate) fn script(workspace: &Workspace, script: &str, words: &[String]) -> Result<()> {
     let www = workspace.www();
     packages(&www)?;
-    with_page(workspace, |node| node.arg(format!("test/bench/{script}")).current_dir(&www))
+    with_page(workspace, |node| node.arg(script).args(words).current_dir(&www))
 }
 
 /// Runs Node.js as `prepare` says, while the page is served.

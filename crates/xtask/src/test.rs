@@ -2,7 +2,7 @@
 
 use crate::report::Report;
 use crate::workspace::{Workspace, run};
-use crate::{build, files, fuzz, lint, page, size, tools};
+use crate::{build, files, fuzz, lint, monkey, page, size, tools};
 use anyhow::{Result, bail};
 use serde_json::Value;
 
@@ -74,6 +74,9 @@ pub(crate) fn test(workspace: &Workspace, options: &Options) -> Result<()> {
         }
         if has("page") {
             page::steps(workspace, options.cases(), &mut report);
+            if options.thorough {
+                report.step("a minute of the monkey", || monkey::run(workspace, &monkey::Options::one_minute()));
+            }
         }
     }
     report.finish()

@@ -4,6 +4,7 @@
  */
 
 import { make, setValue } from '../dom.js';
+import { MOST_TEXT } from '../state.js';
 import { carried, spansOf } from '../tint.js';
 
 /** @typedef {import('../engine.js').Diagnostic} Diagnostic */
@@ -18,6 +19,12 @@ import { carried, spansOf } from '../tint.js';
 
 /** Longer lines are not tinted, in UTF-16 units. */
 const TINTED = 4000;
+/** Texts of more lines stand in the area itself, without tints and marks: browsers take long to lay out thousands of lines twice. */
+const MOST_LINES = 1000;
+/** More problems are only counted. */
+const MOST_LISTED = 50;
+/** Columns farther right are counted in UTF-16 units. */
+const COUNTED = 10_000;
 
 /**
  * @param {HTMLTextAreaElement} area
@@ -42,7 +49,9 @@ export function editor(area, problems, kind, { change, settle }) {
             letters = carried(letters, text, area.value);
             text = area.value;
         }
-        const lines = linesOf(text, marks, letters);
+        const plain = hasMoreLines(text, MOST_LINES);
+        area.parentElement?.classList.toggle('plain', plain);
+        const lines = plain ? [] : linesOf(text, marks, letters);
         const keys = lines.map((line) => JSON.stringify(line));
         const most = Math.min(keys.length, shown.length);
         let head = 0;
@@ -67,6 +76,8 @@ export function editor(area, problems, kind, { change, settle }) {
         paint();
         change(area.value);
     });
+    // One more than there may be, so that who pastes too much is told.
+    area.maxLength = MOST_TEXT[kind] + 1;
     area.addEventListener('blur', settle);
     if (kind === 'axiom') {
         area.addEventListener('keydown', (event) => {
@@ -111,7 +122,7 @@ export function editor(area, problems, kind, { change, settle }) {
 export function listProblems(list, diagnostics, text, area) {
     const place = text === undefined ? null : placesIn(text);
     list.replaceChildren(
-        ...diagnostics.map(({ severity, message, hint, start, end }) => {
+        ...diagnostics.slice(0, MOST_LISTED).map(({ severity, message, hint, start, end }) => {
             const words = [make('span', { class: 'problem-text' }, ...withCode(message))];
             if (place) words.unshift(make('span', { class: 'place' }, place(start)));
             if (hint) words.push(make('span', { class: 'problem-hint' }, ...withCode(hint)));
@@ -124,6 +135,8 @@ export function listProblems(list, diagnostics, text, area) {
             return make('li', { class: severity }, go);
         }),
     );
+    const more = diagnostics.length - MOST_LISTED;
+    if (more > 0) list.append(make('li', {}, make('span', { class: 'problem-text' }, `${more.toLocaleString('en')} more problems.`)));
 }
 
 /** What stands between backquotes is code; the backquotes stay, because some hints mean them. @param {string} words */
@@ -136,10 +149,29 @@ export function placesIn(text) {
     const starts = [0];
     for (let at = text.indexOf('\n'); at >= 0; at = text.indexOf('\n', at + 1)) starts.push(at + 1);
     return (offset) => {
-        const line = starts.findLastIndex((start) => start <= offset);
-        const column = [...text.slice(starts[line], offset)].length + 1;
+        const line = lineOf(starts, offset);
+        const before = text.slice(starts[line], offset);
+        const column = (before.length > COUNTED ? before.length : [...before].length) + 1;
         return starts.length > 1 ? `Line ${line + 1}, column ${column}` : `Column ${column}`;
     };
+}
+
+/** The last line that starts at or before an offset. @param {number[]} starts @param {number} offset */
+function lineOf(starts, offset) {
+    let [low, high] = [0, starts.length];
+    while (high - low > 1) {
+        const middle = (low + high) >> 1;
+        if (/** @type {number} */ (starts[middle]) <= offset) low = middle;
+        else high = middle;
+    }
+    return low;
+}
+
+/** @param {string} text @param {number} most */
+function hasMoreLines(text, most) {
+    let lines = 1;
+    for (let at = text.indexOf('\n'); at >= 0 && lines <= most; at = text.indexOf('\n', at + 1)) lines += 1;
+    return lines > most;
 }
 
 /** @typedef {{start: number, end: number, severity: 'warning' | 'error'}} Mark */
@@ -155,6 +187,10 @@ export function placesIn(text) {
 export function linesOf(text, diagnostics, letters = '') {
     // A mistake where something is missing has no width: underline the symbol before it.
     const marks = diagnostics.map(({ start, end, severity }) => (end > start ? { start, end, severity } : { start: Math.max(0, Math.min(start, text.length) - 1), end: Math.max(1, start), severity }));
+    marks.sort((a, b) => a.start - b.start);
+    /** Marks that have begun and may not have ended. @type {Mark[]} */
+    let open = [];
+    let next = 0;
     let from = 0;
     const lines = text.split(/(?<=\n)/);
     // The line after a line break at the end.
@@ -162,7 +198,9 @@ export function linesOf(text, diagnostics, letters = '') {
     return lines.map((line) => {
         const [first, last] = [from, from + line.length];
         from = last;
-        const inside = marks.filter(({ start, end }) => start < last && end > first);
+        open = open.filter(({ end }) => end > first);
+        for (let mark = marks[next]; mark && mark.start < last; mark = marks[++next]) if (mark.end > first) open.push(mark);
+        const inside = open.slice();
         return { text: line, letters: letters.slice(first, last), marks: inside.map(({ start, end, severity }) => ({ start: Math.max(0, start - first), end: Math.min(end - first, line.length), severity })) };
     });
 }

@@ -5,6 +5,9 @@ import { cleanField } from '../state.js';
 
 /** @typedef {import('../state.js').State} State */
 
+/** More problems than these are not told. */
+const MOST_PROBLEMS = 20;
+
 /**
  * Every value of a state, by its key.
  * @param {Readonly<State>} state
@@ -27,6 +30,7 @@ export function fieldsOf(values) {
     /** @type {Record<string, unknown>} */
     const given = {};
     for (const [key, value] of Object.entries(values)) {
+        if (problems.length === MOST_PROBLEMS) break;
         const [, field, form] = KEYS.find(([known]) => known === key) ?? [];
         if (!field || !form) {
             problems.push(`There is nothing called “${key.slice(0, 20)}” to set.`);

@@ -3,7 +3,7 @@
 import { toast } from '../announce.js';
 import { button, byId, closes, html, input, make, setText } from '../dom.js';
 import { download } from '../download.js';
-import { LONGEST_NAME, MOST_FAVOURITES, favourite, readFavourites, readFile, rename, writeFile } from '../favourites.js';
+import { LARGEST_FILE, LONGEST_NAME, MOST_FAVOURITES, favourite, readFavourites, readFile, rename, writeFile } from '../favourites.js';
 import { readLink } from '../link.js';
 import { openSession } from '../sessions.js';
 import { definitionOf } from '../state.js';
@@ -15,8 +15,6 @@ import { emptyThumb, paintThumb } from '../thumb.js';
 
 /** The side of a small picture, in CSS pixels. */
 const SIDE = 168;
-/** Larger files hold no favourites, in bytes. */
-const LARGEST_FILE = 32 << 20;
 const FULL = 'The browser has no more room for this page: export the favourites as a file, and delete some.';
 
 /**
@@ -235,7 +233,7 @@ export function favouritesPanel(store, engine, { keeper, session }) {
         chooser.value = '';
         if (!file) return;
         try {
-            tell(file.size > LARGEST_FILE ? 'This file is too large.' : await importText(await file.text()));
+            tell(file.size > LARGEST_FILE ? 'This file is too large: a file of favourites has at most 2 MB.' : await importText(await file.text()));
         } catch (error) {
             tell(`${file.name} could not be read: ${error instanceof Error ? error.message : error}`);
         }
@@ -257,7 +255,11 @@ export function favouritesPanel(store, engine, { keeper, session }) {
         /** A file of favourites that was opened like a system. @param {string} text */
         async take(text) {
             if (!keeper.available) return toast('This browser keeps no favourites here.');
-            toast(await importText(text));
+            try {
+                toast(await importText(text));
+            } catch (error) {
+                toast(`The favourites could not be read: ${error instanceof Error ? error.message : error}.`);
+            }
         },
     };
 }

@@ -5,23 +5,18 @@ import { listProblems, placesIn } from '../controls/editor.js';
 import { copyText } from '../copy.js';
 import { button, byId, html, input, setValue } from '../dom.js';
 import { download, fileName } from '../download.js';
-import { isFavouritesFile } from '../favourites.js';
+import { LARGEST_FILE, isFavouritesFile } from '../favourites.js';
 import { definitionOf } from '../state.js';
 
 /** @typedef {import('../engine.js').Engine} Engine */
 
-/** Larger files are no L-systems, in bytes. */
-const LARGEST_FILE = 64 << 20;
+/** Larger files with a system in JSON are not read, in bytes: its texts have at most 1 MiB, which may be escaped. */
+const LARGEST_JSON = 4 << 20;
+/** Nor are larger pictures that carry a system. */
+const LARGEST_PICTURE = 64 << 20;
 
 /** @type {Record<string, string>} */
 const MIME = { svg: 'image/svg+xml', csv: 'text/csv', txt: 'text/plain', json: 'application/json', obj: 'model/obj', glb: 'model/gltf-binary' };
-
-/** A file as text: in UTF-8, or in UTF-16, as programs of Windows write it, by its byte order mark. @param {ArrayBuffer} bytes */
-function textOf(bytes) {
-    const [first, second] = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));
-    const mark = first === 0xff && second === 0xfe ? 'utf-16le' : first === 0xfe && second === 0xff ? 'utf-16be' : 'utf-8';
-    return new TextDecoder(mark).decode(bytes);
-}
 
 /**
  * @param {import('../store.js').Store} store
@@ -84,18 +79,19 @@ export function keepPanel(store, engine, page) {
     async function openFile(file) {
         const problems = html('file-problems');
         problems.replaceChildren();
-        if (file.size > LARGEST_FILE) return toast('This file is too large to be an L-system.');
+        const json = /\.json$/i.test(file.name);
+        if (file.size > (json ? LARGEST_JSON : LARGEST_PICTURE)) return toast(`This file is too large: ${json ? 'a system has at most 4 MB' : 'a picture with its system has at most 64 MB'}.`);
         try {
-            const bytes = await file.arrayBuffer();
-            const text = textOf(bytes);
-            if (/\.json$/i.test(file.name) && isFavouritesFile(text)) return page.favourites(text);
-            const { definition, diagnostics } = await engine.read(bytes);
-            // What a picture carries is not to be read by people.
-            const readable = text.trim() !== '' && !/^\s*<|^.PNG/.test(text);
-            listProblems(problems, diagnostics, readable ? text : undefined);
+            if (json && file.size <= LARGEST_FILE) {
+                const text = await file.text();
+                if (isFavouritesFile(text)) return page.favourites(text);
+            }
+            // The worker reads it, so that the page stays free.
+            const { definition, diagnostics, text } = await engine.read(file);
+            listProblems(problems, diagnostics, text ?? undefined);
             if (!definition) {
                 const mistake = diagnostics.find(({ severity }) => severity === 'error');
-                const words = [readable && mistake && `${placesIn(text)(mistake.start)}: `, mistake?.message ?? 'it holds no system'];
+                const words = [text !== null && mistake && `${placesIn(text)(mistake.start)}: `, mistake?.message ?? 'it holds no system'];
                 return toast(`${file.name} could not be read. ${words.filter(Boolean).join('')}`);
             }
             const name = definition.name || file.name.replace(/\.(json|svg|png)$/i, '');

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { MOST_FAVOURITES, favourite, isFavouritesFile, readFavourites, readFile, rename, writeFile } from '../../js/favourites.js';
+import { MOST_ENTRIES, MOST_FAVOURITES, favourite, isFavouritesFile, readFavourites, readFile, rename, writeFile } from '../../js/favourites.js';
 import { readLink, writeLink } from '../../js/link.js';
 import { shortestLink } from '../../js/packed.js';
 import { clean } from '../../js/state.js';
@@ -52,4 +52,12 @@ test('what stands in the storage may be anything', () => {
     for (const value of [undefined, null, 7, 'text', {}, [null], [{}], [{ id: 1, name: 'a', link: '#' }]]) assert.deepEqual(readFavourites(value), []);
     const list = [favourite('A', clean({}))];
     assert.deepEqual(readFavourites(list), list);
+});
+
+test('a file with more than there is room to read is refused', async () => {
+    /** @param {number} count */
+    const file = (count) => JSON.stringify({ format: 'l-systems favourites', version: 1, favourites: Array(count).fill({ name: 'a', link: '#v=1&rules=%' }) });
+    await assert.rejects(readFile([], file(MOST_ENTRIES + 1)), /more than 10,000 entries/);
+    await assert.rejects(readFile([], file(1000)), /are damaged/);
+    assert.equal((await readFile([], file(10)))?.damaged, 10);
 });

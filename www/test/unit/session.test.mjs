@@ -67,3 +67,27 @@ test('storage that is refused, full or scribbled over is no error', () => {
     scribbled.setItem('l-systems:a', '{"not": ');
     assert.equal(createStorage(() => scribbled).read('a'), undefined);
 });
+
+test('states that stopped the drawing are remembered until they are drawn', () => {
+    const keeper = createStorage(() => area());
+    const tab = createStorage(() => area());
+    const [bad, good] = [clean({ axiom: 'FHANG' }), clean({ axiom: 'F' })];
+    const viewed = { ...good, view: { x: 0, y: 0, zoom: 1e20 } };
+    const first = createSession(keeper, tab);
+    assert.ok(!first.isSuspect(bad));
+    first.suspect(bad, true, false);
+    first.suspect(viewed, true, true);
+    const next = createSession(keeper, tab);
+    for (const session of [first, next]) {
+        assert.ok(session.isSuspect(bad));
+        assert.ok(session.isSuspect({ ...bad, view: { x: 0, y: 0, zoom: 2 } }));
+        assert.ok(session.isSuspect(viewed));
+        assert.ok(!session.isSuspect(good));
+    }
+    next.suspect(bad, false, false);
+    next.suspect(viewed, false, true);
+    assert.ok(!createSession(keeper, tab).isSuspect(bad));
+    assert.ok(!createSession(keeper, tab).isSuspect(viewed));
+    keeper.write('suspects', [7, null, 'x'.repeat(100), { a: 1 }]);
+    assert.ok(!createSession(keeper, tab).isSuspect(bad));
+});

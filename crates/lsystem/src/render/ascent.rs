@@ -378,4 +378,25 @@ mod tests {
             assert_eq!(stats.parts as usize, ascent.pictures.len());
         }
     }
+
+    #[test]
+    fn strokes_thinner_than_a_cell_are_not_torn() {
+        let viewport = Viewport { width: 64, height: 64, ratio: 1.0 };
+        let sample = Sample::abop("X", &[('X', "F[+X][-X]")], 20.0);
+        let drawing = sample.draw(20);
+        let (shapes, mut inks, mut descent) = (shapes(&drawing), InkTable::default(), Descent::default());
+        inks.prepare(&drawing, &sample.0.style);
+        let scene = Scene { drawing: &drawing, shapes: &shapes, inks: &inks };
+        let camera = Camera::new(&drawing, viewport, View::default(), 1.0);
+        // One sample a pixel, and four pixels to a cell: an eighth of a cell is half as wide as a stroke.
+        let look = Look { hairline: 0.5, step: camera.step, scale: camera.scale };
+        let root = descent.root(&drawing, camera).unwrap();
+        let pen = root.pen;
+        let mut ascent = Ascent::new(scene, look, root, [[0.0; 2], [64.0; 2]]).unwrap();
+        ascent.layout.grain = 4;
+        ascent.canvas.reset(64, 64, inks.picture_planes());
+        ascent.stroke(&inks, [[2.0, 20.3], [62.0, 31.7]], pen);
+        let columns = ascent.canvas.covered.iter().fold(0, |all, row| all | row);
+        assert_eq!(columns | 0b11 | 0b11 << 62, u64::MAX, "{columns:064b}");
+    }
 }

@@ -516,3 +516,24 @@ fn made_of(productions: &[Option<Source>], choice: Choice) -> u64 {
         Choice::Made(production) => productions[production].map_or(0, |source| u64::from(source.modules)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{BLOCK, Sums};
+
+    #[test]
+    fn a_sum_at_the_end_of_a_block_is_held_by_the_next() {
+        let mut sums = Sums::default();
+        // Blocks 1 and 2 add nothing: whoever looks behind them need not pass through them.
+        (0..BLOCK).for_each(|_| sums.add(3));
+        (BLOCK..3 * BLOCK).for_each(|_| sums.add(0));
+        (3 * BLOCK..4 * BLOCK).for_each(|_| sums.add(1));
+        let first = 3 * BLOCK as u64;
+        assert_eq!(sums.holding(0), (0, 0));
+        assert_eq!(sums.holding(first - 1), (0, 0));
+        assert_eq!(sums.holding(first), (first, 3 * BLOCK));
+        assert_eq!(sums.holding(first + 1), (first, 3 * BLOCK));
+        assert_eq!(sums.block(3 * BLOCK - 1), (first, 2 * BLOCK));
+        assert_eq!(sums.block(3 * BLOCK), (first, 3 * BLOCK));
+    }
+}

@@ -1,0 +1,58 @@
+/**
+ * What stopped the drawing, in plain words, with what the reader can do: a note on the stage that goes as soon as it
+ * holds no longer.
+ */
+
+import { announce } from './announce.js';
+import { button, html, setText } from './dom.js';
+
+/** @typedef {import('./engine.js').Trouble} Trouble */
+/** `held`: a drawing that stopped before and was not started this time. @typedef {Trouble['how'] | 'held'} Kind */
+
+/** @type {Record<Kind, string>} */
+const WORDS = {
+    silent: 'Drawing stopped answering and was restarted. Your text is kept.',
+    crashed: 'Drawing failed and was restarted. Your text is kept.',
+    loading: 'The drawing engine could not be loaded. Trying again…',
+    unloadable: 'The drawing engine could not be loaded. Check the connection, then try again.',
+    lost: 'Drawing failed several times in a row. Change the system, or try again.',
+    held: 'This system could not be drawn before, so it was not started. Change it, or draw it anyway.',
+};
+
+/** What a question that stopped the worker is told of as. */
+export const QUESTION = 'This detail of the drawing could not be read: reading it stopped answering.';
+
+/**
+ * @param {{back: () => void, again: () => void}} page goes back to the last drawing, or tries the one that stopped
+ */
+export function createTrouble({ back, again }) {
+    const note = html('trouble');
+    const backButton = button('trouble-back');
+    const againButton = button('trouble-again');
+    const hide = () => (note.hidden = true);
+
+    backButton.addEventListener('click', () => {
+        hide();
+        back();
+    });
+    againButton.addEventListener('click', () => {
+        hide();
+        again();
+    });
+    button('trouble-close').addEventListener('click', hide);
+
+    return {
+        /** @param {Kind} kind @param {boolean} canGoBack whether there is a last drawing @returns {string} the words */
+        show(kind, canGoBack) {
+            setText(html('trouble-words'), WORDS[kind]);
+            backButton.hidden = !canGoBack || kind === 'loading' || kind === 'held';
+            againButton.hidden = kind === 'loading';
+            setText(againButton, kind === 'held' ? 'Draw it anyway' : 'Try again');
+            note.hidden = false;
+            announce(WORDS[kind]);
+            return WORDS[kind];
+        },
+
+        hide,
+    };
+}

@@ -1,0 +1,192 @@
+/** Damaged deliveries and hostile files: wasm that is not wasm, files that are far too large. */
+
+import assert from 'node:assert/strict';
+import { mkdtemp, open, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { deflateSync } from 'node:zlib';
+import { close, nextPicture, stillPicture, until, withPage } from './browser.mjs';
+
+/** @typedef {import('playwright-core').Page} Page */
+
+let folder = '';
+before(async () => {
+    folder = await mkdtemp(join(tmpdir(), 'damage'));
+});
+after(async () => {
+    await close();
+    await rm(folder, { recursive: true });
+});
+
+const WEED = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%5B-F%5DF&n=4&angle=25';
+
+/** What a server may send in the place of wasm, with status 200. @type {Record<string, (wasm: Buffer) => Buffer>} */
+const DAMAGE = {
+    'an error page': () => Buffer.from('<!doctype html><title>Not found</title>'),
+    'nothing': () => Buffer.alloc(0),
+    'the first half': (wasm) => wasm.subarray(0, wasm.length >> 1),
+};
+
+/** Damages what is sent for a file the first few times. @param {RegExp} file @param {(wasm: Buffer) => Buffer} damage @param {number} times */
+const damaged = (file, damage, times) => async (/** @type {Page} */ page) => {
+    let sent = 0;
+    await page.route(file, async (route) => {
+        const response = await route.fetch();
+        const body = await response.body();
+        await route.fulfill({ response, body: sent++ < times ? damage(body) : body });
+    });
+};
+
+for (const [what, damage] of Object.entries(DAMAGE)) {
+    test(`${what} in the place of the first wasm: it is fetched again`, () =>
+        withPage({ hash: WEED, before: damaged(/lsystem\.wasm$/, damage, 2), expected: /preload/ }, async (page) => {
+            await stillPicture(page);
+            await page.waitForSelector('#trouble', { state: 'hidden' });
+        }));
+
+    test(`${what} in the place of the full wasm: it is fetched again when it is needed`, () =>
+        withPage({ hash: WEED, before: damaged(/lsystem-full\.wasm$/, damage, 2), expected: /preload/ }, async (page) => {
+            const before = await stillPicture(page);
+            await page.fill('#rules', 'F -> F[+F]&F[-F]F');
+            await nextPicture(page, before);
+            await page.waitForSelector('#trouble', { state: 'hidden' });
+        }));
+}
+
+test('wasm that never comes is told of, and asked for again with the next input', () => {
+    let broken = true;
+    return withPage(
+        {
+            hash: WEED,
+            drawing: '#trouble:not([hidden])',
+            expected: /preload/,
+            before: (page) => page.route(/lsystem\.wasm$/, async (route) => (broken ? route.fulfill({ status: 200, contentType: 'text/html', body: '<!doctype html>' }) : route.fallback())),
+        },
+        async (page) => {
+            assert.match(await page.innerText('#trouble'), /could not be loaded/);
+            await page.waitForSelector('#trouble-again:visible', { timeout: 15_000 });
+            broken = false;
+            await page.fill('#axiom', 'F+F');
+            await page.waitForSelector('#stage.inked');
+            await page.waitForSelector('#trouble', { state: 'hidden' });
+        },
+    );
+});
+
+test('a script of the page that comes empty once is asked for again with the next click', () =>
+    withPage({ hash: WEED, drawing: null, before: damaged(/later\.js$/, () => Buffer.alloc(0), 1) }, async (page) => {
+        await stillPicture(page);
+        await until(() => page.evaluate(() => document.querySelector('script[src="later.js"]') !== null), 'it was asked for');
+        await page.waitForTimeout(300);
+        await page.click('#open-gallery');
+        await page.waitForSelector('#gallery[open]');
+    }));
+
+/** Measures how long the main thread is not free. @param {Page} page */
+const watched = (page) =>
+    page.addInitScript(() => {
+        const site = /** @type {any} */ (globalThis);
+        site.longest = 0;
+        new PerformanceObserver((list) => {
+            for (const { duration } of list.getEntries()) site.longest = Math.max(site.longest, duration);
+        }).observe({ type: 'longtask', buffered: true });
+    });
+
+/** The longest task since this was last asked, in milliseconds. @param {Page} page @returns {Promise<number>} */
+const longestTask = (page) =>
+    page.evaluate(async () => {
+        const site = /** @type {any} */ (globalThis);
+        await new Promise((resolve) => setTimeout(resolve, 100));
+        const { longest } = site;
+        site.longest = 0;
+        return longest;
+    });
+
+/** Writes a file piece by piece. @param {string} name @param {string[]} ends @param {string} piece @param {number} count */
+async function written(name, [start = '', end = ''], piece, count) {
+    const path = join(folder, name);
+    const file = await open(path, 'w');
+    await file.write(start);
+    const most = 50_000;
+    for (let at = 0; at < count; at += most) await file.write(piece.repeat(Math.min(most, count - at)));
+    await file.write(end);
+    await file.close();
+    return path;
+}
+
+const HEAD = '{"format":"l-systems favourites","version":1,"favourites":[';
+const packed = deflateSync(`rules=${'F'.repeat(500_000)}`).toString('base64url');
+
+/** Files that are far too much, and what is told of them. @type {Record<string, [string, () => Promise<string>, RegExp]>} */
+const BOMBS = {
+    '1.6 million damaged links': ['favourites', () => written('links.json', [HEAD, 'null]}'], '{"name":"a","link":"#v=1&rules=%"},', 1_600_000), /too large/],
+    '2 MB of damaged links': ['favourites', () => written('few.json', [HEAD, 'null]}'], '{"link":"#v=1&n=x"},', 100_000), /could not be read/],
+    '9,000 damaged links': ['favourites', () => written('damaged.json', [HEAD, 'null]}'], '{"name":"a","link":"#v=1&rules=%"},', 9000), /could not be read/],
+    '49 MB of compressed bombs': ['favourites', () => written('bombs.json', [HEAD, 'null]}'], `{"name":"a","link":"#v=1&z=${packed}"},`, 70_000), /too large/],
+    '2 MB of compressed bombs': ['favourites', () => written('bomb.json', [HEAD, 'null]}'], `{"name":"a","link":"#v=1&z=${packed}"},`, 2500), /could not be read|Added|too large/],
+    '50 MB of newlines': ['file', () => written('lines.json', [], '\n', 50 << 20), /too large/],
+    '3 MB of newlines': ['file', () => written('few lines.json', [], '\n', 3 << 20), /could not be read/],
+    '8 MB of brackets': ['file', () => written('deep.json', [], '[', 8 << 20), /too large/],
+    '2 MB of brackets': ['file', () => written('less deep.json', [], '[', 2 << 20), /could not be read/],
+    '2 MB of favourites in brackets': ['favourites', () => written('deep favourites.json', [HEAD, 'null]}'], '[', 1_900_000), /no favourites/],
+    '60 MB that are no picture': ['file', () => written('noise.png', [], 'abcdefgh', (60 << 20) / 8), /could not be read/],
+    '80 MB that are no picture': ['file', () => written('more.svg', ['<svg>'], '<g>\n', 20 << 20), /too large/],
+};
+
+for (const [what, [field, make, words]] of Object.entries(BOMBS)) {
+    test(`${what}: refused in words, and the page stays free`, async () => {
+        const path = await make();
+        try {
+            await withPage({ hash: WEED, before: watched }, async (page) => {
+                const before = await stillPicture(page);
+                if (field === 'favourites') await page.evaluate(() => document.querySelector('#open-favourites') instanceof HTMLElement && /** @type {HTMLElement} */ (document.querySelector('#open-favourites')).click());
+                await longestTask(page);
+                const begun = Date.now();
+                await page.setInputFiles(field === 'file' ? '#file' : '#favourites-file', path);
+                const told = field === 'file' ? '#toast' : '#favourites-status';
+                await until(async () => words.test(String(await page.textContent(told))), `it is told: ${words}`, 30_000);
+                const longest = await longestTask(page);
+                console.log(`${what}: told after ${((Date.now() - begun) / 1000).toFixed(1)} s, longest task ${longest.toFixed(0)} ms`);
+                assert.ok(longest < 5000, `${longest} ms`);
+                if (field === 'favourites') await page.keyboard.press('Escape');
+                await page.fill('#axiom', 'F+F');
+                await nextPicture(page, before);
+            });
+        } finally {
+            await rm(path);
+        }
+    });
+}
+
+test('a text that is far too long is cut, and the page stays free', () =>
+    withPage({ hash: WEED, before: watched }, async (page) => {
+        await stillPicture(page);
+        await longestTask(page);
+        await page.evaluate(() => {
+            const area = /** @type {HTMLTextAreaElement} */ (document.querySelector('#rules'));
+            area.focus();
+            area.select();
+            document.execCommand('insertText', false, 'F'.repeat(400_000));
+        });
+        assert.equal((await page.inputValue('#rules')).length, 50_000);
+        assert.match(await page.innerText('#toast'), /too long/);
+        console.log(`400,000 characters pasted: longest task ${(await longestTask(page)).toFixed(0)} ms`);
+    }));
+
+test('thousands of productions are marked and tinted without holding the page up', () =>
+    withPage({ hash: WEED, before: watched }, async (page) => {
+        await stillPicture(page);
+        for (const line of ['A -> F', 'A -> %']) {
+            await longestTask(page);
+            await page.evaluate((piece) => {
+                const area = /** @type {HTMLTextAreaElement} */ (document.querySelector('#rules'));
+                area.value = Array(6000).fill(piece).join('\n');
+                area.dispatchEvent(new Event('input', { bubbles: true }));
+            }, line);
+            await page.waitForTimeout(2500);
+            const longest = await longestTask(page);
+            console.log(`6,000 times ${line}: longest task ${longest.toFixed(0)} ms`);
+            assert.ok(longest < 5000, `${longest} ms`);
+        }
+    }));

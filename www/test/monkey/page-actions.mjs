@@ -1,0 +1,169 @@
+/** What the monkey does on the page alone: history, links, panels, dialogs, files, and the machine around it. */
+
+import { Fault, COMMON } from './actions.mjs';
+import { NOTHING, click, drop, enter, open, set, valueOf } from './hands.mjs';
+import { file, hash, pick, whole } from './texts.mjs';
+
+/** @typedef {import('./actions.mjs').Action} Action */
+
+const SIZES = [
+    [1280, 800],
+    [390, 844],
+    [844, 390],
+    [700, 500],
+    [320, 480],
+    [1000, 1400],
+];
+
+const BUTTONS = ['#undo', '#redo', '#start-anew', '#two-angles', '#symbols', '#segments', '#dice', '#theme', '#add-colour', '#remove-colour', '#inks button', '#palette-holds', '#copy-link', '#keep-favourite', 'summary', '#renew-later', '.toast-act', '.toast-close', '.problems button', '#legend button'];
+const CHOICES = /** @type {const} */ ([
+    ['#dialect', ['abop', 'every-letter', 'practical', 'lowercase', 'axes']],
+    ['#colour-by', ['symbol', 'level', 'generation', 'path', 'turn', 'density', 'single']],
+    ['#ink', ['solid', 'density']],
+    ['#background', ['#ffffff', '#000000', '#336699']],
+    ['#wells input', ['#ff0000', '#00ff00']],
+]);
+const TABS = ['rules', 'grow', 'turtle', 'look', 'keep'];
+const SAVES = ['svg', 'svg-compact', 'png', 'json', 'txt', 'csv', 'obj', 'glb'];
+
+/** What the reader has written, by field. @param {import('playwright-core').Frame} frame */
+export async function texts(frame) {
+    const found = [];
+    for (const field of ['#axiom', '#rules', '#overrides', '#title']) found.push(await valueOf(frame, field));
+    return found;
+}
+
+/** @type {Action['act']} */
+async function pressButton(place, roll) {
+    const [selector, which] = [pick(roll, BUTTONS), whole(roll, 8)];
+    await open(place, selector);
+    return click(place, selector, which);
+}
+
+/** @type {readonly Action[]} */
+export const PAGE = [
+    ...COMMON,
+    { kind: 'button', weight: 8, act: pressButton },
+    { kind: 'panel', weight: 8, act: (place, roll) => click(place, `#tab-${pick(roll, TABS)}`) },
+    {
+        kind: 'choice',
+        weight: 4,
+        async act(place, roll) {
+            const { frame } = place;
+            const [selector, values] = pick(roll, CHOICES);
+            await open(place, selector);
+            const value = pick(roll, /** @type {readonly string[]} */ (values));
+            return (await set(frame, selector, [value])) ? `${selector} ${value}` : NOTHING;
+        },
+    },
+    {
+        kind: 'undo and redo',
+        weight: 5,
+        async act({ page }, roll) {
+            const keys = Array.from({ length: 1 + whole(roll, 8) }, () => pick(roll, ['Control+z', 'Control+z', 'Control+y']));
+            for (const key of keys) await page.keyboard.press(key);
+            return keys.join(' ');
+        },
+    },
+    {
+        kind: 'address',
+        weight: 4,
+        async act({ frame }, roll) {
+            const next = hash(roll);
+            await frame.evaluate((link) => void (location.hash = link), next);
+            return next.slice(0, 100);
+        },
+    },
+    {
+        kind: 'back and forward',
+        weight: 3,
+        act: ({ frame }, roll) =>
+            frame.evaluate((back) => {
+                const { canGoBack, canGoForward } = /** @type {{canGoBack: boolean, canGoForward: boolean}} */ (/** @type {any} */ (window).navigation);
+                if (back ? !canGoBack : !canGoForward) return 'no more pages there';
+                if (back) history.back();
+                else history.forward();
+                return back ? 'back' : 'forward';
+            }, roll() < 0.6),
+    },
+    {
+        kind: 'gallery',
+        weight: 4,
+        async act(place, roll) {
+            const [which, searches, card] = [whole(roll, 90), roll() < 0.3, roll() < 0.85];
+            if ((await click(place, '#open-gallery')) === NOTHING) return NOTHING;
+            if (searches && (await enter(place, '#search'))) await place.page.keyboard.type(pick(roll, ['koch', 'tree', 'zzz', 'space', '<b>']));
+            // The cards come with the list of the gallery.
+            await place.page.waitForTimeout(100);
+            return click(place, card ? '#gallery .card' : pick(roll, ['#chips button', '#close-gallery']), which);
+        },
+    },
+    {
+        kind: 'share',
+        weight: 2,
+        async act(place, roll) {
+            if ((await click(place, '#share')) === NOTHING) return NOTHING;
+            return click(place, pick(roll, ['#copy-share', '#share-view', '#embed-element', '#share-dialog input[name=controls]', '#save-qr', '#close-share']), whole(roll, 5));
+        },
+    },
+    {
+        kind: 'other dialog',
+        weight: 2,
+        async act(place, roll) {
+            const which = pick(roll, ['#open-shortcuts', '#seed-sheet', '#open-favourites']);
+            if ((await click(place, which)) === NOTHING) return NOTHING;
+            return `${which}: ${await click(place, pick(roll, ['dialog[open] .card', '#more-seeds', 'dialog[open] button']), whole(roll, 12))}`;
+        },
+    },
+    {
+        kind: 'save',
+        weight: 2,
+        async act(place, roll) {
+            const format = pick(roll, SAVES);
+            await open(place, `[data-save=${format}]`);
+            return click(place, `[data-save=${format}]`);
+        },
+    },
+    {
+        kind: 'file',
+        weight: 3,
+        async act({ frame }, roll) {
+            const [given, dropped] = [file(roll), roll() < 0.5];
+            if (dropped) await drop(frame, given);
+            else await frame.setInputFiles(roll() < 0.8 ? '#file' : '#favourites-file', given, { timeout: 3000 });
+            return `${given.name}, ${given.buffer.length} bytes, ${dropped ? 'dropped' : 'chosen'}`;
+        },
+    },
+    {
+        kind: 'size',
+        weight: 3,
+        async act({ page }, roll) {
+            const [width = 800, height = 600] = pick(roll, SIZES);
+            await page.setViewportSize({ width, height });
+            return `${width} x ${height}`;
+        },
+    },
+    {
+        kind: 'network',
+        weight: 2,
+        async act({ page }, roll) {
+            const off = roll() < 0.5;
+            await page.context().setOffline(off);
+            return off ? 'off' : 'on';
+        },
+    },
+    {
+        kind: 'reload',
+        weight: 2,
+        async act({ page, frame }) {
+            const served = await frame.evaluate(() => navigator.onLine || Boolean(navigator.serviceWorker?.controller));
+            if (!served) return 'there is no network and no copy of the page';
+            const before = await texts(frame);
+            await page.reload({ waitUntil: 'load', timeout: 20_000 });
+            await page.waitForSelector('[data-later]', { state: 'detached', timeout: 20_000 });
+            const after = await texts(frame);
+            if (JSON.stringify(before) !== JSON.stringify(after)) throw new Fault(`lost text: a reload made ${JSON.stringify(after).slice(0, 400)} of ${JSON.stringify(before).slice(0, 400)}`);
+            return 'loaded anew';
+        },
+    },
+];
