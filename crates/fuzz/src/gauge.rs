@@ -54,9 +54,15 @@ impl Gauge {
         assert!(spent <= share.max(1) + Meter::PIECE, "work: a step of {name} with {share} units spent {spent}");
     }
 
-    /// Goes on to the end in steps of the page's size.
-    pub(crate) fn steps(&mut self, name: &'static str, mut step: impl FnMut() -> Progress) {
-        while self.call(name, &mut step) == Progress::More {}
+    /// Goes on to the end in steps with this share of work; `step` also says what it has spent.
+    pub(crate) fn steps(&mut self, name: &'static str, share: usize, mut step: impl FnMut() -> (Progress, u64)) {
+        loop {
+            let (progress, spent) = self.call(name, &mut step);
+            self.charge(name, share as u64, spent);
+            if progress == Progress::Done {
+                return;
+            }
+        }
     }
 
     /// Notes that an execution came so far.

@@ -52,7 +52,9 @@ pub fn guided(target: &Target, bytes: &[u8]) {
 pub fn replay(target: &Target, path: &Path) -> Result<()> {
     let bytes = std::fs::read(path).with_context(|| format!("reading {}", path.display()))?;
     let is_system = path.extension().is_some_and(|ending| ending == "json");
-    let mut source = Source::new(if is_system { &[] } else { &bytes });
+    // The bytes that a system failed with are kept beside it.
+    let beside = std::fs::read(path.with_extension("bytes")).unwrap_or_default();
+    let mut source = Source::new(if is_system { &beside } else { &bytes });
     source.is_shown = true;
     if is_system {
         source.given = lsystem::read_file(&bytes).definition;

@@ -123,13 +123,17 @@ impl<'a> Worker<'a> {
 pub(crate) fn keep(options: &Options, target: &Target, place: &str, input: &Input) -> Result<PathBuf> {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
     let name: String = place.rsplit("src/").next().unwrap_or(place).chars().map(plain).take(60).collect();
-    // A system that is committed fails with some bytes; alone it may not, but it says more.
+    // A system that is committed fails with some bytes, which are kept beside it.
     let (ending, bytes) = match &input.system {
         Some(system) => ("json", lsystem::write_json(system).into_bytes()),
         None => ("bin", input.bytes.clone()),
     };
     let path = options.findings.join(format!("{}-{name}.{ending}", target.name));
     std::fs::write(&path, bytes).with_context(|| format!("writing {}", path.display()))?;
+    if input.system.is_some() {
+        let beside = path.with_extension("bytes");
+        std::fs::write(&beside, &input.bytes).with_context(|| format!("writing {}", beside.display()))?;
+    }
     Ok(path)
 }
 

@@ -56,8 +56,12 @@ fn alone(rules: &Rules, symbol: char, roll: f64) -> String {
     let random = |_| roll;
     let own = rules.letter(symbol, 0).map_or(&[][..], |letter| &rules.by_letter[usize::from(letter)]);
     let holds = |rule: &&Rule| {
-        let value = rule.condition.as_ref().map_or(1.0, |condition| condition.value(&[], &random));
-        !rule.is_context_sensitive() && value != 0.0 && !value.is_nan()
+        // A condition may name parameters of a context, and here is none.
+        !rule.is_context_sensitive()
+            && rule.condition.as_ref().is_none_or(|condition| {
+                let value = condition.value(&[], &random);
+                value != 0.0 && !value.is_nan()
+            })
     };
     let applying: Vec<&Rule> = own.iter().filter(holds).collect();
     let weight = |rule: &Rule| {

@@ -1,8 +1,9 @@
 //! Drawings and files of unusual systems: what once did not end, or was no picture.
 
 use lsystem::{
-    Definition, Drawer, Expected, Kind, LimitName, Limits, MAX_TEXT, Mesh, Meter, Outlook, Progress, Style, SvgForm,
-    SvgOptions, System, draw, draw_solid, read_file, read_json, write_csv, write_json, write_svg,
+    Definition, Drawer, Expected, Kind, LimitName, Limits, MAX_TEXT, Mesh, Meter, Outlook, Pointer, Progress, Style,
+    SvgForm, SvgOptions, System, View, Viewport, draw, draw_solid, expand_symbol, pick, read_file, read_json,
+    write_csv, write_json, write_svg,
 };
 
 fn system(definition: &Definition) -> System {
@@ -160,4 +161,26 @@ fn colours_of_turns_read_back() {
     let (read, diagnostics) = read_json(&write_json(&definition));
     assert_eq!((read, diagnostics.as_slice()), (Some(definition), &[][..]));
     assert!(Expected::Whole(i64::from(i32::MIN), i64::from(i32::MAX)).admits(-1.0));
+}
+
+#[test]
+fn a_symbol_alone_has_no_context() {
+    let definition =
+        Definition { axiom: "F".into(), rules: "F(x) < A > F(y) : x>0 -> F".into(), ..Definition::default() };
+    assert_eq!(expand_symbol(&system(&definition), 'A', 0.5), "A");
+}
+
+#[test]
+fn a_pointer_that_is_nowhere_finds_nothing() {
+    let definition = Definition { axiom: "F{FFFFFF}FF".into(), angle: 90.0, ..Definition::default() };
+    let drawing = draw(&system(&definition), 0, &Limits::default()).unwrap();
+    let viewport = Viewport { width: 64, height: 64, ratio: 1.0 };
+    let found = |at| {
+        let pointer = Pointer { at, tolerance: 1e3, upto: None, visits: 1000 };
+        pick(&drawing, viewport, View::default(), &pointer)
+    };
+    assert!(found([32.0, 32.0]).is_some());
+    for at in [[32.0, f64::NAN], [f64::NAN, f64::INFINITY], [f64::INFINITY, 32.0]] {
+        assert_eq!(found(at), None, "{at:?}");
+    }
 }

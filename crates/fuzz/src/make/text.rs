@@ -138,8 +138,7 @@ pub(crate) fn expression(source: &mut Source<'_>, names: &[&str], depth: u32) ->
         }
         8 => {
             let sign = source.pick(&["-", "!", "not "]);
-            // Printed in parentheses, more than 32 signs are nested too deeply to be read again.
-            let times = source.pick(&[1, 1, 1, 2, 8]);
+            let times = source.pick(&[1, 1, 1, 2, 8, 40]);
             format!("{}{}", sign.repeat(times), expression(source, names, depth - 1))
         }
         _ => format!("({})", expression(source, names, depth - 1)),

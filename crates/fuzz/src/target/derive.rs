@@ -149,7 +149,10 @@ pub(super) fn access(source: &mut Source<'_>, gauge: &mut Gauge) {
         readers.push(Reader::Counted(&system, n));
     }
     if let Some(mut history) = gauge.call("history", || History::new(&system, n, &limits)) {
-        gauge.steps("history step", || history.step(WORK));
+        gauge.steps("history step", WORK, || {
+            let before = history.spent();
+            (history.step(WORK), history.spent() - before)
+        });
         if history.is_complete() {
             gauge.reach("remembered");
             readers.push(Reader::Remembered(Box::new(history), n));

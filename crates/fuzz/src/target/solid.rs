@@ -26,7 +26,10 @@ pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
     if source.once_in(6) {
         renderer.hurry(source.part() as f32);
     }
-    gauge.steps("picture", || renderer.step(WORK));
+    gauge.steps("picture", WORK, || {
+        let before = renderer.spent();
+        (renderer.step(WORK), renderer.spent() - before)
+    });
     assert_eq!(renderer.pixels().len(), 4 * (viewport.width * viewport.height) as usize);
     gauge.reach("picture");
     if quality != Quality::FINEST || source.once_in(2) {
@@ -43,8 +46,11 @@ pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
         let (mut spent, mut same) = (Spent::default(), true);
         for pane in SolidRenderer::panes(viewport) {
             gauge.call("begin pane", || renderer.begin_pane(&style, viewport, &camera, pane, effort.budget()));
-            gauge.steps("pane", || renderer.step(WORK));
-            spent.add(renderer.spent());
+            gauge.steps("pane", WORK, || {
+                let before = renderer.spent();
+                (renderer.step(WORK), renderer.spent() - before)
+            });
+            spent.add(renderer.effort_spent());
             same &= is_part(renderer.pixels(), whole, pane, viewport.width);
         }
         if !effort.is_too_small(spent) {
