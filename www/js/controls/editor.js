@@ -20,7 +20,7 @@ import { carried, spansOf } from '../tint.js';
 /** Longer lines are not tinted, in UTF-16 units. */
 const TINTED = 4000;
 /** Texts of more lines stand in the area itself, without tints and marks: browsers take long to lay out thousands of lines twice. */
-const MOST_LINES = 1000;
+const MOST_LINES = 2000;
 /** More problems are only counted. */
 const MOST_LISTED = 50;
 /** Columns farther right are counted in UTF-16 units. */
