@@ -1,7 +1,7 @@
 //! The cost of reading texts. Where reading took the square of a text's length, the longest of these would never end.
 
 use crate::systems::{LONGEST, texts};
-use lsystem::{System, classify, kind, legend};
+use lsystem::{MAX_ACTIONS, System, classify, kind, legend, parse_overrides};
 use std::time::{Duration, Instant};
 
 /// Diagnostics of one text at most, and one that tells how many more there are.
@@ -28,4 +28,17 @@ fn the_longest_texts_are_read_and_told_about_in_few_words() {
         }
     }
     println!("reading a text takes {:.1?} at most ({})", slowest.0, slowest.1);
+}
+
+#[test]
+fn a_symbol_has_at_most_so_many_actions() {
+    let actions = |count: usize| format!("F: {}\nG: move", vec!["draw"; count].join(", "));
+    assert!(parse_overrides(&actions(MAX_ACTIONS)).1.is_empty());
+    let text = actions(MAX_ACTIONS + 1);
+    let (overrides, diagnostics) = parse_overrides(&text);
+    let [diagnostic] = &diagnostics[..] else { panic!("{diagnostics:?}") };
+    assert!(diagnostic.is_error());
+    assert_eq!(diagnostic.message(), "A symbol can have at most 256 actions");
+    assert_eq!(&text[diagnostic.span.clone()], "draw");
+    assert_eq!(overrides.iter().map(|o| o.actions.len()).collect::<Vec<_>>(), [MAX_ACTIONS, 1]);
 }
