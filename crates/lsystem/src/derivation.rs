@@ -181,26 +181,67 @@ fn write_modules(
         let reached = rewriter.generation();
         rewriter.advance(meter).map_err(|error| fault(rules, error, reached, limits, Some(reached)))?;
     }
+    // The text takes as much memory as the word did.
+    rewriter.rest();
     let word = rewriter.word();
     let written = write_word(rules, &word.letters, &word.arguments, limits.symbols, text);
     meter.charge(text.len() as u64);
     if written {
         return Ok(());
     }
-    text.clear();
+    drop(rewriter);
+    *text = String::new();
     Err(limit(LimitName::Symbols, limits.symbols, longest_within(rules, seed, n, limits, meter)))
 }
 
 /// Appends modules with their arguments in parentheses; false once the text is longer than `most` bytes.
 fn write_word(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: u64, text: &mut String) -> bool {
-    let mut arguments = arguments;
-    letters.iter().all(|&letter| {
-        let Letter { symbol, arity } = rules.letters[usize::from(letter)];
-        let (own, rest) = arguments.split_at(usize::from(arity));
-        arguments = rest;
+    let mut modules = Modules { letters, arguments };
+    while let Some((symbol, own)) = modules.next(rules) {
+        // Twice as much room at a time is more than there may be.
+        if text.capacity() - text.len() < PRINTED {
+            text.reserve_exact((text.len() / 4).max(PRINTED));
+        }
         crate::print_module(symbol, own, text);
-        text.len() as u64 <= most
-    })
+        if text.len() as u64 > most {
+            return false;
+        }
+    }
+    true
+}
+
+/// How many bytes modules have, as they are written; `None` where there are more than `most`.
+fn written_length(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: u64) -> Option<u64> {
+    let (mut modules, mut text, mut length) = (Modules { letters, arguments }, String::new(), 0);
+    while let Some((symbol, own)) = modules.next(rules) {
+        text.clear();
+        crate::print_module(symbol, own, &mut text);
+        length += text.len() as u64;
+        if length > most {
+            return None;
+        }
+    }
+    Some(length)
+}
+
+/// Room for a module as it is written.
+const PRINTED: usize = 4_096;
+
+/// Modules one after the other, each with its arguments.
+struct Modules<'a> {
+    letters: &'a [LetterId],
+    arguments: &'a [f64],
+}
+
+impl<'a> Modules<'a> {
+    /// The next one's symbol and arguments.
+    fn next(&mut self, rules: &Rules) -> Option<(char, &'a [f64])> {
+        let (&letter, letters) = self.letters.split_first()?;
+        let Letter { symbol, arity } = rules.letters[usize::from(letter)];
+        let (own, arguments) = self.arguments.split_at(usize::from(arity));
+        (self.letters, self.arguments) = (letters, arguments);
+        Some((symbol, own))
+    }
 }
 
 /// The last generation before `n` whose text, and those of all before it, is within the limits; an earlier one where it
@@ -209,16 +250,13 @@ fn longest_within(rules: &Rules, seed: u32, n: u32, limits: &Limits, meter: &mut
     /// Texts as long as the longest allowed that are written at most.
     const TEXTS: u64 = 4;
     let mut rewriter = Rewriter::new(rules.clone(), seed, *limits).ok()?;
-    let mut text = String::new();
     let mut left = limits.symbols.saturating_mul(TEXTS);
     loop {
         let (word, generation) = (rewriter.word(), rewriter.generation());
-        text.clear();
-        if generation >= n || !write_word(rules, &word.letters, &word.arguments, limits.symbols, &mut text) {
-            return generation.checked_sub(1);
-        }
-        meter.charge(text.len() as u64);
-        left = left.saturating_sub(text.len() as u64);
+        let length = written_length(rules, &word.letters, &word.arguments, limits.symbols);
+        let Some(length) = length.filter(|_| generation < n) else { return generation.checked_sub(1) };
+        meter.charge(length);
+        left = left.saturating_sub(length);
         while left > 0 && !rewriter.advance(meter).ok()? {}
         if left == 0 {
             return Some(generation);

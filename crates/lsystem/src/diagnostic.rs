@@ -616,6 +616,8 @@ pub enum LimitName {
     Parameters,
     /// Modules in a context ([`MAX_CONTEXT`](crate::MAX_CONTEXT)).
     Context,
+    /// Actions of a symbol ([`MAX_ACTIONS`](crate::MAX_ACTIONS)).
+    Actions,
     /// Colours in a palette ([`MAX_PALETTE`](crate::MAX_PALETTE)).
     Palette,
 }

@@ -99,8 +99,9 @@ pub struct Piece<S: Space = Plane> {
 }
 
 impl Drawing {
-    /// The smallest box around all segments' axes, strokes' widths apart: min x, min y, max x, max y in model units,
-    /// exact to 1e-9 of the extent; `None` when nothing is drawn. What is beyond the range of `f64` is infinite.
+    /// A box around all segments' axes, strokes' widths apart: min x, min y, max x, max y in model units,
+    /// exact to 1e-9 of the extent, unless the drawing shares blocks and very many of them come close to a side: then it may
+    /// be a little larger. `None` when nothing is drawn. What is beyond the range of `f64` is infinite.
     #[must_use]
     pub fn bounds(&self) -> Option<[f64; 4]> {
         let unit = self.unit();

@@ -98,8 +98,8 @@ pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
 pub use heading::Heading;
 pub use key::{Key, Purpose};
 pub use limits::{
-    Limits, MAX_CONTEXT, MAX_COUNTING, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS, MAX_PICTURE_PIXELS,
-    MAX_PICTURE_SIDE, MAX_TEXT,
+    Limits, MAX_ACTIONS, MAX_CONTEXT, MAX_COUNTING, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS,
+    MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE, MAX_TEXT,
 };
 pub use mesh::Mesh;
 pub use meter::Meter;

@@ -41,6 +41,7 @@ impl Limits {
             LimitName::Letters => MAX_LETTERS as u64,
             LimitName::Parameters => MAX_PARAMETERS as u64,
             LimitName::Context => MAX_CONTEXT as u64,
+            LimitName::Actions => MAX_ACTIONS as u64,
             LimitName::Palette => MAX_PALETTE as u64,
         }
     }
@@ -72,3 +73,6 @@ pub const MAX_PARAMETERS: usize = 8;
 
 /// The most modules in a context on either side, brackets counted.
 pub const MAX_CONTEXT: usize = 64;
+
+/// The most actions of a symbol: one piece of work does all that a symbol does.
+pub const MAX_ACTIONS: usize = 256;

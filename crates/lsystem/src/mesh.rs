@@ -4,7 +4,7 @@
 //! so that a bent path is one closed tube. Where widths differ a tube tapers to the width of the stroke that follows.
 
 use crate::rotation::{Vector, cross, dot, minus, norm};
-use crate::triangulate::triangulate;
+use crate::triangulate::{Triangles, triangulate};
 use crate::{Diagnostic, Drawing, Mark, Segment, Solid, Style};
 
 /// Triangles with colours, in model units.
@@ -81,7 +81,7 @@ struct Open {
 impl Tubes {
     /// A polygon, which is seen from both sides.
     fn fill(&mut self, vertices: &[Vector], colour: [u8; 3]) {
-        let Some((normal, triangles)) = triangulate(vertices) else { return };
+        let Triangles { facing: Some(normal), corners: triangles, .. } = triangulate(vertices) else { return };
         for (normal, order) in [(normal, [0, 1, 2]), (normal.map(|c| -c), [0, 2, 1])] {
             let first = self.mesh.positions.len() as u32;
             vertices.iter().for_each(|&vertex| self.corner(vertex, normal, colour));

@@ -22,6 +22,7 @@ pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
                 LimitName::Letters => format!("There can be at most {value} different symbols"),
                 LimitName::Parameters => format!("A module can have at most {value} parameters"),
                 LimitName::Context => format!("A context can have at most {value} modules"),
+                LimitName::Actions => format!("A symbol can have at most {value} actions"),
                 LimitName::Palette => format!("There can be at most {value} colours in a palette"),
             };
             (text, largest.map(|n| format!("Up to {n} iterations fit.")))

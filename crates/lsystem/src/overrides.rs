@@ -32,7 +32,7 @@ use crate::notation::{is_comment, is_short_enough, lines};
 use crate::notes::{Notes, similar};
 use crate::print::{number, symbol};
 use crate::sorted::repeated;
-use crate::{Action, Class, Diagnostic, Expected, Field, Kind};
+use crate::{Action, Class, Diagnostic, Expected, Field, Kind, LimitName, MAX_ACTIONS};
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use core::ops::Range;
 
@@ -191,7 +191,12 @@ fn head(tokens: &[Token], end: usize, notes: &mut Notes) -> Option<(char, Range<
 fn actions(tokens: &[Token], end: usize, notes: &mut Notes) -> Vec<Action> {
     let mut found = Vec::new();
     let mut nothing = None;
-    let parts: Vec<&[Token]> = tokens.split(|t| t.is(',')).collect();
+    let mut parts: Vec<&[Token]> = tokens.split(|t| t.is(',')).collect();
+    if let Some(&more) = parts.get(MAX_ACTIONS) {
+        let kind = Kind::Limit { limit: LimitName::Actions, value: MAX_ACTIONS as u64, largest: None };
+        notes.add(kind, span_of(more, end).start..end);
+        parts.truncate(MAX_ACTIONS);
+    }
     let mut missing_at = end;
     for part in parts.iter().rev() {
         let span = span_of(part, missing_at);

@@ -66,10 +66,12 @@ impl System {
         let mut actions = Actions { dialect: definition.dialect, overrides, polygons: false };
         let cuts = |symbol: char| actions.of(symbol).contains(&Action::Cut);
         let grammar = &reading.grammar;
-        let rules = (!grammar.is_plain() || grammar.made().any(|module| cuts(module.symbol))).then(|| {
-            let places = reading.productions.iter().chain(&reading.images);
-            Rules::new(grammar, places.map(|places| places.predecessor.clone()).collect(), cuts)
-        });
+        let is_cutting = || grammar.made().any(|module| cuts(module.symbol));
+        let rules =
+            (!grammar.is_plain() || is_cutting() || grammar.images.iter().any(|i| actions.are_many(i))).then(|| {
+                let places = reading.productions.iter().chain(&reading.images);
+                Rules::new(grammar, places.map(|places| places.predecessor.clone()).collect(), cuts)
+            });
         // What could not be computed has been noted where it was read.
         let rules = rules.and_then(Result::ok);
         let program = rules.as_ref().map_or_else(|| Program::new(grammar), Program::outline);
@@ -166,6 +168,9 @@ fn letters(grammar: &Grammar) -> usize {
     set(made.chain(matched)).len()
 }
 
+/// The most actions of a letter that does all that its image does.
+const MOST_OF_A_LETTER: usize = 1 << 14;
+
 /// What symbols do: an override where there is one, the dialect otherwise.
 struct Actions<'a> {
     dialect: Dialect,
@@ -183,6 +188,11 @@ impl Actions<'_> {
     fn overridden(&self, symbol: char) -> Option<&[Action]> {
         let place = self.overrides.binary_search_by_key(&symbol, |(symbol, _)| *symbol).ok()?;
         Some(self.overrides[place].1)
+    }
+
+    /// Whether an image does more than one piece of work may: then it is drawn module by module.
+    fn are_many(&self, image: &Production) -> bool {
+        image.successor.iter().map(|module| self.of(module.symbol).len()).sum::<usize>() > MOST_OF_A_LETTER
     }
 
     /// What `symbol` does when it is drawn: all that its image does, unless images are `apart`.

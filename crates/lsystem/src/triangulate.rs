@@ -7,13 +7,25 @@ const MOST: usize = 1_000;
 
 /// Vertices looked at while the ears of a polygon are cut: enough for most outlines. What is left then is cut as if it were
 /// convex.
-const LOOKS: usize = 1 << 21;
+const LOOKS: usize = 1 << 19;
+/// Vertices looked at in a unit of work.
+const LOOKED: usize = 8;
 
-/// The direction in which a polygon faces, seen from where it goes counter-clockwise (Newell's method), and triangles
-/// of its vertices that go the same way round; `None` where it has no area. Exact for outlines in a plane that do not
-/// cross themselves.
-pub(crate) fn triangulate(vertices: &[Vector]) -> Option<(Vector, Vec<[usize; 3]>)> {
-    let normal = facing(vertices)?;
+/// A polygon cut up.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Triangles {
+    /// The direction in which it faces, seen from where it goes counter-clockwise (Newell's method); `None` where it has
+    /// no area. It has no triangles then.
+    pub(crate) facing: Option<Vector>,
+    /// Its vertices, by number; all go the same way round.
+    pub(crate) corners: Vec<[usize; 3]>,
+    /// The units of work that this has taken: at most half of a piece, and some for each vertex.
+    pub(crate) work: u64,
+}
+
+/// Cuts up a polygon. Exact for outlines in a plane that do not cross themselves.
+pub(crate) fn triangulate(vertices: &[Vector]) -> Triangles {
+    let Some(normal) = facing(vertices) else { return Triangles::default() };
     let turn = |a: usize, b: usize, c: usize| {
         dot(normal, cross(minus(vertices[b], vertices[a]), minus(vertices[c], vertices[b])))
     };
@@ -37,7 +49,7 @@ pub(crate) fn triangulate(vertices: &[Vector]) -> Option<(Vector, Vec<[usize; 3]
         left.remove(at);
     }
     triangles.extend((2..left.len()).map(|at| [left[0], left[at - 1], left[at]]));
-    Some((normal, triangles))
+    Triangles { facing: Some(normal), corners: triangles, work: (looks.get() / LOOKED) as u64 }
 }
 
 /// The direction in which a polygon faces, as a unit vector; `None` where it has no area.
@@ -65,14 +77,40 @@ mod tests {
         let square = [[0.0, 0.0, 5.0], [2.0, 0.0, 5.0], [2.0, 2.0, 5.0], [0.0, 2.0, 5.0]];
         let arrow = [[0.0, 0.0, 0.0], [3.0, 3.0, 3.0], [0.0, 1.0, 0.5], [-3.0, 3.0, 0.0]];
         for outline in [&square, &arrow] {
-            let (normal, triangles) = triangulate(outline).unwrap();
+            let Triangles { facing, corners: triangles, .. } = triangulate(outline);
+            let normal = facing.unwrap();
             assert_eq!(triangles.len(), 2);
             let area = |[a, b, c]: [usize; 3]| {
                 dot(normal, cross(minus(outline[b], outline[a]), minus(outline[c], outline[a]))) / 2.0
             };
             assert!(triangles.iter().all(|&triangle| area(triangle) > 0.0), "{triangles:?}");
         }
-        assert_eq!(triangulate(&square).unwrap().0, [0.0, 0.0, 1.0]);
-        assert!(triangulate(&[[0.0; 3], [1.0; 3], [2.0; 3]]).is_none());
+        assert_eq!(triangulate(&square).facing, Some([0.0, 0.0, 1.0]));
+        let flat = triangulate(&[[0.0; 3], [1.0; 3], [2.0; 3]]);
+        assert!(flat.facing.is_none() && flat.corners.is_empty());
+    }
+
+    #[test]
+    fn a_polygon_takes_less_than_a_piece() {
+        // A star whose ears are found late: each has many others to look at.
+        let comb = |count: usize| -> Vec<Vector> {
+            let at = |i: usize| (i as f64 * core::f64::consts::TAU / count as f64, if i % 2 == 0 { 1.0 } else { 0.2 });
+            (0..count).map(at).map(|(angle, far)| [far * libm::cos(angle), far * libm::sin(angle), 0.0]).collect()
+        };
+        for count in [10, 100, 999, 1000] {
+            let triangles = triangulate(&comb(count));
+            assert!(triangles.work <= crate::Meter::PIECE / 2 + count as u64, "{}", triangles.work);
+            assert_eq!(triangles.corners.len(), count - 2);
+        }
+    }
+
+    #[test]
+    fn the_work_of_cutting_is_told() {
+        let round: Vec<Vector> = (0..1000)
+            .map(|i| f64::from(i) * core::f64::consts::TAU / 1000.0)
+            .map(|angle| [libm::cos(angle), libm::sin(angle), 0.0])
+            .collect();
+        // Every ear has all vertices that are left to look at.
+        assert!(triangulate(&round).work >= 1000 * 999 / 2 / 8 - 1000);
     }
 }

@@ -79,10 +79,11 @@ impl<S: Space> Modular<S> {
 
     /// The bytes that the drawing in the making takes.
     pub(crate) fn bytes(&self) -> u64 {
-        match &self.stage {
+        let drawn = match &self.stage {
             Stage::Draw { saved, tree, .. } => bytes_of(saved) + tree.bytes(),
             _ => 0,
-        }
+        };
+        self.rewriter.bytes() + drawn
     }
 
     /// Works on for as many modules as the meter allows.
@@ -97,6 +98,7 @@ impl<S: Space> Modular<S> {
         let Self { rewriter, seed, reader, stage } = self;
         match stage {
             Stage::Derive if rewriter.generation() < n => {
+                rewriter.allow(limits.memory.saturating_sub(builder.bytes()));
                 if let Err(passed) = rewriter.advance(meter) {
                     let reached = rewriter.generation();
                     let Fault::Limit(passed) = passed else {
@@ -107,6 +109,7 @@ impl<S: Space> Modular<S> {
                 Outcome::Paused
             }
             Stage::Derive => {
+                rewriter.rest();
                 *stage = Stage::Measure(Measure::default());
                 Outcome::Paused
             }
@@ -136,9 +139,11 @@ impl<S: Space> Modular<S> {
                 Outcome::Paused
             }
             Stage::Draw { pen, saved, tree, scale } => {
+                let derived = rewriter.bytes();
                 let mut act = |place: usize, ops: &[Op<S>]| {
                     tree.draw(builder, place as u64, |desk, directions| pen.act(ops, saved, *scale, directions, desk));
-                    let is_full = builder.is_full || builder.bytes() + bytes_of(saved) + tree.bytes() > limits.memory;
+                    let bytes = builder.bytes() + derived + bytes_of(saved) + tree.bytes();
+                    let is_full = builder.is_full || bytes > limits.memory;
                     (!is_full).then(|| builder.take_work())
                 };
                 match reader.read(rewriter, (turtle, score, *seed), meter, &mut act) {
@@ -157,6 +162,7 @@ impl<S: Space> Modular<S> {
                     return Outcome::Failed(over);
                 }
                 if rewriter.generation() < *next {
+                    rewriter.allow(limits.memory.saturating_sub(builder.bytes()));
                     return if rewriter.advance(meter).is_ok() { Outcome::Paused } else { Outcome::Failed(over) };
                 }
                 let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| {
@@ -290,9 +296,9 @@ impl<S: Space> Reader<S> {
                 meter.charge(work);
             } else {
                 if inside.is_none() {
-                    let made = rewriter.image(*at, *argument, image)?;
-                    // Copying takes little of what drawing does.
-                    meter.charge(made.letters.len() as u64 / 8);
+                    let made = rewriter.image(*at, *argument, image).map(|_| ());
+                    meter.charge(image.take_spent());
+                    made?;
                 }
                 let (modules, key) = (image.modules(), word.key_of(*at));
                 let (done, read) = inside.get_or_insert((0, 0));

@@ -37,13 +37,14 @@ pub(crate) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
         is_balanced(kept.flat_map(ops))
     };
     let shown = |word: &Template| is_balanced(word.letters.iter().flat_map(|&letter| ops(usize::from(letter))));
+    let deeds = |word: &Template| word.letters.iter().map(|&letter| 1 + ops(usize::from(letter)).len()).sum::<usize>();
     // What a module of its own does depends on more than its numbers; polygons are made letter by letter.
     let fills = |op: &Op<S>| matches!(op, Op::OpenPolygon | Op::ClosePolygon);
     let special = score.is_personal() || score.shrinking != 1.0 || score.ops.iter().flatten().any(fills);
     let decided_elsewhere = special || rules.is_random() || rules.is_cutting() || score.ops.iter().flatten().any(bends);
     !decided_elsewhere
         && rules.by_letter.iter().flatten().all(|rule| !rule.is_context_sensitive() && inside(&rule.successor))
-        && rules.images.iter().flatten().all(|image| image.successor.letters.len() <= IMAGE && shown(&image.successor))
+        && rules.images.iter().flatten().all(|image| deeds(&image.successor) <= IMAGE && shown(&image.successor))
         && (0..letters).all(|letter| !apart(letter) || is_balanced(ops(letter)))
         && vertical::is_known(rules, score)
 }
@@ -122,8 +123,8 @@ struct Planning<S: Space> {
     course: Course<S>,
 }
 
-/// Images of more letters are not shared: one of them has more deeds than can be held.
-const IMAGE: usize = 4096;
+/// Images of more letters and deeds are not shared: there are more than can be held.
+const IMAGE: usize = 2 * 4096;
 
 /// A state's piece, and how many symbols it is made of.
 type Made<S> = (Piece<S>, u128);

@@ -8,6 +8,7 @@
 
 use super::inks::{Dye, PLANES};
 use super::tile::{Bits, Planes};
+use crate::{Meter, Progress};
 use core::ops::Range;
 
 /// Columns in a strip.
@@ -56,6 +57,8 @@ pub(super) struct Canvas {
     plain: Vec<u16>,
     /// Units of work done since it was asked last, beside what painters count.
     work: u64,
+    /// While room is made: for how many words, by plane, and for how many there is some.
+    room: ([usize; 2], usize),
 }
 
 /// Strips, or words of bits, that are looked at in a unit of work.
@@ -64,6 +67,8 @@ const LOOKS: usize = 16;
 const PAINTED: usize = 4;
 /// Words that are cleared or copied in a unit of work.
 const COPIED: usize = 128;
+/// Words that room is made for between two looks at the meter.
+const AT_ONCE: usize = COPIED << 12;
 
 /// What a group holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,6 +97,28 @@ impl Canvas {
         self.mixed.clear();
         self.mixed.resize(words, 0);
         self.work += ((words + size * (1 + planes)) / COPIED) as u64;
+    }
+
+    /// Makes room for so many subsamples, in pieces. What emptying a large canvas takes is the first touch of its memory.
+    pub(super) fn make_room(&mut self, [width, height]: [usize; 2], planes: usize, meter: &mut Meter) -> Progress {
+        let size = width.div_ceil(STRIP) * height.next_multiple_of(GROUP);
+        let all = size * (1 + planes);
+        let (wanted, done) = &mut self.room;
+        if *wanted != [size, planes] {
+            (*wanted, *done) = ([size, planes], 0);
+        }
+        while *done < all {
+            if meter.is_spent() {
+                return Progress::More;
+            }
+            let next = all.min(*done + AT_ONCE);
+            grow(&mut self.covered, next.min(size), size);
+            grow(&mut self.colours, next.saturating_sub(size), size * planes);
+            meter.charge((1 + (next - *done) / COPIED) as u64);
+            *done = next;
+        }
+        *done = 0;
+        Progress::Done
     }
 
     /// The units of work done since this was asked last, beside what painters count.
@@ -589,6 +616,14 @@ fn columns(strip: usize, x: [usize; 2]) -> u64 {
     u64::MAX << low & u64::MAX >> (STRIP - 1 - high)
 }
 
+/// Makes a list that will be `whole` long at least `length` long.
+fn grow(list: &mut Vec<u64>, length: usize, whole: usize) {
+    if list.len() < length {
+        list.reserve_exact(whole - list.len());
+        list.resize(length, 0);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::polygon;
@@ -602,6 +637,23 @@ mod tests {
             polygon::paint(canvas, &[[along, 0.0], [along + 90.0, 10.0], [150.0, 40.0 + along]], colour);
         }
         canvas.settle();
+    }
+
+    #[test]
+    fn room_is_made_in_pieces() {
+        let mut canvas = Canvas::default();
+        let (mut steps, mut largest) = (0, 0);
+        while {
+            let mut meter = Meter::new(1000);
+            let progress = canvas.make_room([32_768, 16_384], 1, &mut meter);
+            largest = largest.max(meter.spent());
+            steps += 1;
+            progress == Progress::More
+        } {}
+        assert!(steps > 10 && largest <= 1000 + Meter::PIECE, "{steps} steps, {largest}");
+        let room = canvas.covered.len();
+        canvas.reset(32_768, 16_384, 1);
+        assert_eq!(room, canvas.covered.len());
     }
 
     #[test]

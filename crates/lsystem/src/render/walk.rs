@@ -228,8 +228,14 @@ impl Walk {
             self.plan = Some(plan);
             return Progress::More;
         }
+        let size = [plan.pane.width, plan.pane.height].map(|side| side as usize * plan.samples);
+        if self.canvases[0].make_room(size, self.inks.picture_planes(), meter) == Progress::More {
+            self.plan = Some(plan);
+            return Progress::More;
+        }
         self.start(drawing, &plan);
-        meter.charge(self.canvases[0].take_work());
+        // That was counted while room was made.
+        self.canvases[0].take_work();
         Progress::Done
     }
 

@@ -386,10 +386,10 @@ impl Scene {
             Item::Stroke(stroke) => making.run.draw(Line::new([stroke.from, stroke.to], stroke.style.0)),
             Item::Polygon(polygon) => {
                 let vertices = drawing.vertices_of(polygon);
-                let triangles = triangulate(vertices).map(|(_, triangles)| triangles).unwrap_or_default();
-                let corners = triangles.into_iter().rev().map(|corners| corners.map(|corner| vertices[corner]));
+                let triangles = triangulate(vertices);
+                let corners = triangles.corners.into_iter().rev().map(|corners| corners.map(|corner| vertices[corner]));
                 making.lines.extend(corners.map(|corners| Line::face(corners, polygon.style.0)));
-                return ITEM_WORK * vertices.len() as u64;
+                return ITEM_WORK * vertices.len() as u64 + triangles.work;
             }
             Item::Block(placed) => {
                 if let Some(node) = self.blocks[placed.block.0 as usize] {

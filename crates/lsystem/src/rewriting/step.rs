@@ -196,13 +196,22 @@ impl Rewriter {
     }
 
     /// The bytes that it may hold from now on, beside others of its owner.
-    pub(super) fn allow(&mut self, memory: u64) {
+    pub(crate) fn allow(&mut self, memory: u64) {
         self.plan.limits.memory = memory;
     }
 
     /// The bytes that it holds.
-    pub(super) fn bytes(&self) -> u64 {
+    pub(crate) fn bytes(&self) -> u64 {
         self.others() + self.next.bytes()
+    }
+
+    /// Gives back what only deriving needs. Where another generation follows, it is taken again.
+    pub(crate) fn rest(&mut self) {
+        if self.pass == Pass::Start {
+            self.next = Modules::default();
+            self.neighbours = Neighbours::default();
+            self.sides = Sides::default();
+        }
     }
 
     /// The units of work of all steps so far.

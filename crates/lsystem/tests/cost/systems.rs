@@ -11,8 +11,21 @@ pub(crate) const LENGTHS: [usize; 4] = [1, 100, 10_000, LONGEST];
 /// Symbols of the longest text: the rest of the text is for what else a system needs.
 pub(crate) const LONGEST: usize = MAX_TEXT - 4_096;
 
-/// Numbers of derivation steps.
-pub(crate) const GENERATIONS: [u32; 5] = [0, 1, 12, 40, 1000];
+/// Numbers of derivation steps of systems whose texts are so long: fewer where texts are longer, unless `LSYSTEM_CASES`
+/// asks for thoroughness.
+pub(crate) fn generations(length: usize) -> &'static [u32] {
+    match length {
+        _ if is_thorough() => &[0, 1, 12, 40, 1000],
+        ..1_000 => &[0, 1, 12, 40, 1000],
+        ..100_000 => &[1, 12, 1000],
+        _ => &[1, 12],
+    }
+}
+
+/// Whether there is time for all combinations.
+pub(crate) fn is_thorough() -> bool {
+    std::env::var_os("LSYSTEM_CASES").is_some()
+}
 
 /// A definition and what it is called in a table.
 #[derive(Clone, Debug)]

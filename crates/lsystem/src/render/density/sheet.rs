@@ -4,8 +4,8 @@
 //! shorter is spread over the four pixels around it, by how near they are, so that neither moving nor magnifying a
 //! little makes ink jump or vanish.
 
-use crate::Meter;
 use crate::render::polygon::{Crossing, MANY, Side, sides_in};
+use crate::{Meter, Progress};
 use core::ops::Range;
 
 /// What ink is added with it: how much it darkens red, green and blue ([`super::pigment`]).
@@ -36,6 +36,8 @@ pub(super) struct Sheet {
     /// By row: where there may be anything.
     pub reach: Vec<Range<u32>>,
     filling: Filling,
+    /// Rows that are empty again, while it is emptied in pieces.
+    emptied: usize,
 }
 
 /// A polygon that is being filled.
@@ -67,7 +69,8 @@ impl Sheet {
         self.exponent = exponent;
         self.filling.parts = 0..0;
         let units = 1 + (width * height * planes / CLEARED) as u64;
-        if (self.width, self.height, self.planes) == (width, height, planes) {
+        self.emptied = 0;
+        if (self.width, self.height, self.planes) == (width, height, planes) && self.reach.len() == height {
             for (row, reach) in self.reach.iter_mut().enumerate() {
                 let at = row * width;
                 self.values[(at + reach.start as usize) * planes..(at + reach.end as usize) * planes].fill(0.0);
@@ -81,6 +84,37 @@ impl Sheet {
         self.reach.clear();
         self.reach.resize(height, 0..0);
         units
+    }
+
+    /// The same in pieces.
+    pub(super) fn empty(&mut self, [width, height]: [usize; 2], planes: usize, meter: &mut Meter) -> Progress {
+        if (self.width, self.height, self.planes) != (width, height, planes) {
+            (self.width, self.height, self.planes) = (width, height, planes);
+            self.values.clear();
+            self.values.reserve_exact(width * height * planes);
+            self.reach.clear();
+            self.emptied = 0;
+        }
+        self.exponent = 0;
+        self.filling.parts = 0..0;
+        meter.charge(1);
+        while self.emptied < height {
+            if meter.is_spent() {
+                return Progress::More;
+            }
+            let at = self.emptied * width;
+            if let Some(reach) = self.reach.get_mut(self.emptied) {
+                self.values[(at + reach.start as usize) * planes..(at + reach.end as usize) * planes].fill(0.0);
+                *reach = 0..0;
+            } else {
+                self.values.resize((at + width) * planes, 0.0);
+                self.reach.push(0..0);
+            }
+            self.emptied += 1;
+            meter.charge(1 + (width * planes / CLEARED) as u64);
+        }
+        self.emptied = 0;
+        Progress::Done
     }
 
     /// One layer of ink, in units of this sheet.

@@ -216,10 +216,14 @@ impl Walk {
             self.plan = Some(plan);
             return Progress::More;
         }
-        let Plan { viewport, camera, samples, upto, .. } = plan;
+        let Plan { viewport, samples, .. } = plan;
         let size = [viewport.width, viewport.height].map(|side| (f64::from(side) * samples).ceil() as usize);
         let planes = if self.table.used().len() > 1 { 4 } else { 1 };
-        meter.charge(self.sheets[0].reset(size, planes, 0));
+        if self.sheets[0].empty(size, planes, meter) == Progress::More {
+            self.plan = Some(plan);
+            return Progress::More;
+        }
+        let Plan { camera, upto, .. } = plan;
         self.patience = TIRED + EACH * (size[0] * size[1]) as u64;
         self.start.extend(self.descent.root(drawing, camera));
         self.cut = upto.map(Cut::new);
