@@ -44,7 +44,7 @@ pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
         for pane in SolidRenderer::panes(viewport) {
             gauge.call("begin pane", || renderer.begin_pane(&style, viewport, &camera, pane, effort.budget()));
             gauge.steps("pane", || renderer.step(WORK));
-            spent.add(renderer.spent());
+            spent.add(renderer.effort_spent());
             same &= is_part(renderer.pixels(), whole, pane, viewport.width);
         }
         if !effort.is_too_small(spent) {
