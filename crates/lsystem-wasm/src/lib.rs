@@ -12,6 +12,8 @@
 mod brush;
 mod clock;
 #[cfg(feature = "full")]
+mod export;
+#[cfg(feature = "full")]
 mod files;
 #[cfg(feature = "full")]
 mod mates;
@@ -32,6 +34,8 @@ mod solid;
 mod surface;
 mod viewer;
 
+#[cfg(feature = "full")]
+pub use export::Export;
 #[cfg(feature = "full")]
 pub use files::{Picture, read_file, tag_png};
 pub use notation::notation;
