@@ -303,27 +303,35 @@
     async function written({ id, format }) {
         const file = playground.export(format);
         const pieces = [];
-        for (;;) {
-            const done = file.step(STEP_MS);
-            pieces.push(new Blob([file.take()]));
-            if (done) break;
-            await new Promise((resolve) => setTimeout(resolve));
-            tellAt(id);
+        try {
+            for (;;) {
+                const done = file.step(STEP_MS);
+                pieces.push(new Blob([file.take()]));
+                if (done) break;
+                await new Promise((resolve) => setTimeout(resolve));
+                tellAt(id);
+            }
+            const { complete, diagnostics } = file.report();
+            return { type: 'exported', blob: complete ? new Blob(pieces) : null, diagnostics };
+        } finally {
+            // No drawing is made as long as it is there.
+            file.free();
         }
-        const { complete, diagnostics } = file.finish();
-        return { type: 'exported', blob: complete ? new Blob(pieces) : null, diagnostics };
     }
 
     /** A PNG file that carries its system, so that it can be opened again. @param {any} question */
     async function tagged({ id, width, height, definition }) {
         const sheet = new OffscreenCanvas(1, 1);
         const picture = playground.snapshot(sheet, width, height);
-        while (!picture.step(STEP_MS)) {
-            await new Promise((resolve) => setTimeout(resolve));
-            tellAt(id);
+        try {
+            while (!picture.step(STEP_MS)) {
+                await new Promise((resolve) => setTimeout(resolve));
+                tellAt(id);
+            }
+        } finally {
+            // Its pixels are on the sheet, and no drawing is made as long as it is there.
+            picture.free();
         }
-        // Its pixels are on the sheet.
-        picture.free();
         const plain = await sheet.convertToBlob({ type: 'image/png' });
         const bytes = new Uint8Array(await plain.arrayBuffer());
         tellAt(id);

@@ -8,8 +8,8 @@ use crate::viewer::WORK;
 use crate::{HISTORY, LIMITS, to_js};
 use core::cell::RefCell;
 use lsystem::{
-    Camera, CsvWriter, Definition, Diagnostic, Drawer, Drawing, Field, GlbWriter, History, Kind, LimitName, Mesh,
-    MeshMaker, ObjWriter, Outlook, Progress, Solid, Space, Style, SvgForm, SvgOptions, SvgWriter, System, Word,
+    Camera, CsvWriter, Definition, Diagnostic, Drawer, Drawing, Field, GlbWriter, History, Kind, LimitName, Limits,
+    Mesh, MeshMaker, ObjWriter, Outlook, Progress, Solid, Space, Style, SvgForm, SvgOptions, SvgWriter, System, Word,
     write_json, write_svg,
 };
 use serde::Serialize;
@@ -22,8 +22,9 @@ const TEXT_SEGMENTS: u64 = 2_000_000;
 /// Segments of a mesh, of a drawing in space on paper and strokes and placed blocks of a compact picture at most. The
 /// last two are made in one go, which takes some tenths of a second for so many.
 const FEW_SEGMENTS: u64 = 200_000;
-/// Bytes of a mesh at most.
-const MESH: u64 = 56 << 20;
+/// Bytes of a mesh at most, and of a drawing that is made for one: together as much as a file may take.
+const MESH: u64 = 42 << 20;
+const DRAWING: Limits = Limits { memory: LIMITS.memory - MESH, ..LIMITS };
 /// Symbols of a string that are written at a time.
 const SYMBOLS: usize = 1 << 15;
 
@@ -60,6 +61,8 @@ pub struct Export {
     /// A remark on the file, known when it has been written.
     remark: Rc<RefCell<Option<Diagnostic>>>,
     clock: Clock,
+    /// Tells the playground that a file is being made.
+    _busy: Rc<()>,
 }
 
 #[wasm_bindgen]
@@ -98,12 +101,13 @@ impl Export {
         core::mem::take(&mut self.piece)
     }
 
-    /// Ends the file: `{complete, diagnostics}`. It is not complete where a limit was passed or nothing has been drawn.
+    /// What there is to say at the end: `{complete, diagnostics}`. It is not complete where a limit was passed or nothing
+    /// has been drawn.
     ///
     /// # Errors
     /// Throws only where the result cannot be translated.
-    pub fn finish(self) -> Result<JsValue, JsValue> {
-        to_js(&ExportReport { complete: self.complete, diagnostics: self.diagnostics })
+    pub fn report(&mut self) -> Result<JsValue, JsValue> {
+        to_js(&ExportReport { complete: self.complete, diagnostics: core::mem::take(&mut self.diagnostics) })
     }
 }
 
@@ -133,7 +137,8 @@ impl Playground {
     ///
     /// # Errors
     /// Throws where there is no such format.
-    pub fn export(&self, format: &str) -> Result<Export, JsValue> {
+    pub fn export(&mut self, format: &str) -> Result<Export, JsValue> {
+        self.history = None;
         let remark = Rc::default();
         let mut export = Export {
             stage: Stage::Done,
@@ -143,6 +148,7 @@ impl Playground {
             definition: self.definition.clone(),
             remark: Rc::clone(&remark),
             clock: Clock::new(),
+            _busy: Rc::clone(&self.files),
         };
         let drawing = &self.views.plane.drawing;
         let Some(system) = self.system.as_ref().filter(|system| system.is_solid() || drawing.is_some()) else {
@@ -189,7 +195,7 @@ impl Playground {
     fn solid(&self, system: &System, then: Then) -> Stage {
         match &self.views.solid.drawing {
             Some(drawing) if system.is_solid() && self.built() => Stage::Begin(drawing.clone(), then),
-            _ => Stage::Draw(Box::new(Drawer::solid(system, self.definition.iterations, LIMITS)), then),
+            _ => Stage::Draw(Box::new(Drawer::solid(system, self.definition.iterations, DRAWING)), then),
         }
     }
 

@@ -8,6 +8,7 @@ use crate::viewer::{Scene, Snapshot};
 use crate::{from_js, to_js};
 use lsystem::{Definition, FileContent, Progress, Viewport, write_json};
 use serde::Serialize;
+use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
 
@@ -46,15 +47,16 @@ impl Playground {
     ///
     /// # Errors
     /// Throws where nothing has been drawn, or where the canvas has no 2D context.
-    pub fn snapshot(&self, canvas: OffscreenCanvas, width: u32, height: u32) -> Result<Picture, JsValue> {
+    pub fn snapshot(&mut self, canvas: OffscreenCanvas, width: u32, height: u32) -> Result<Picture, JsValue> {
+        self.history = None;
         let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
         let viewport = Viewport { width, height, ratio };
         let snapshot = self
             .shown
             .zip(self.scene())
-            .and_then(|(realm, scene)| self.views.get(realm).snapshot(Scene { viewport, ..scene }));
+            .and_then(|(realm, scene)| self.views.get(realm).snapshot(Scene { viewport, screen: viewport, ..scene }));
         let snapshot = snapshot.ok_or("nothing has been drawn yet")?;
-        Ok(Picture { snapshot, surface: Surface::new(canvas)?, clock: Clock::new() })
+        Ok(Picture { snapshot, surface: Surface::new(canvas)?, clock: Clock::new(), _busy: Rc::clone(&self.files) })
     }
 }
 
@@ -64,6 +66,8 @@ pub struct Picture {
     snapshot: Box<dyn Snapshot>,
     surface: Surface,
     clock: Clock,
+    /// Tells the playground that a file is being made.
+    _busy: Rc<()>,
 }
 
 #[wasm_bindgen]
