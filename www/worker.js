@@ -35,6 +35,8 @@
     let newView = null;
     /** @type {any[]} questions, answered in turn */
     const questions = [];
+    /** The file being made, and those asked for after it. */
+    let saving = Promise.resolve();
     /** @type {any[]} small pictures to make while nothing else is to do */
     const thumbs = [];
     /** The small picture being made. @type {any} */
@@ -235,7 +237,7 @@
 
     /** @param {any} question */
     function answer(question) {
-        const { type, id, format } = question;
+        const { type, id } = question;
         tellAt(id);
         const reader = READERS[type];
         if (reader) {
@@ -245,14 +247,25 @@
         } else if (type === 'notation') {
             self.postMessage({ type, id, ...wasm.notation(question.texts) });
         } else if (type === 'export') {
-            self.postMessage({ type: 'exported', id, ...playground.export(format) });
+            save(question, written, { type: 'exported', blob: null, diagnostics: [] });
         } else if (type === 'qr') {
             self.postMessage({ type: 'qr', id, modules: wasm.qr_code(question.text) ?? null });
         } else if (type === 'seed') {
             self.postMessage({ type: 'seed', id, seed: wasm.fresh_seed() });
         } else if (type === 'png') {
-            later(question, tagged, { type: 'png', blob: null });
+            save(question, tagged, { type: 'png', blob: null });
         }
+    }
+
+    /**
+     * Makes files one after another: each may take all the memory that there is for one.
+     * @param {any} question @param {(question: any) => Promise<object>} work @param {object} without the answer where it fails
+     */
+    function save(question, work, without) {
+        saving = saving.then(() => {
+            tellAt(question.id);
+            return later(question, work, without);
+        });
     }
 
     /**
@@ -286,16 +299,39 @@
         return text.trim() !== '' && !/^\s*<|^.PNG/.test(text) ? text : null;
     }
 
+    /** A file, whose pieces leave the memory of the wasm as they are written. @param {any} question */
+    async function written({ id, format }) {
+        const file = playground.export(format);
+        const pieces = [];
+        try {
+            for (;;) {
+                const done = file.step(STEP_MS);
+                pieces.push(new Blob([file.take()]));
+                if (done) break;
+                await new Promise((resolve) => setTimeout(resolve));
+                tellAt(id);
+            }
+            const { complete, diagnostics } = file.report();
+            return { type: 'exported', blob: complete ? new Blob(pieces) : null, diagnostics };
+        } finally {
+            // No drawing is made as long as it is there.
+            file.free();
+        }
+    }
+
     /** A PNG file that carries its system, so that it can be opened again. @param {any} question */
     async function tagged({ id, width, height, definition }) {
         const sheet = new OffscreenCanvas(1, 1);
         const picture = playground.snapshot(sheet, width, height);
-        while (!picture.step(STEP_MS)) {
-            await new Promise((resolve) => setTimeout(resolve));
-            tellAt(id);
+        try {
+            while (!picture.step(STEP_MS)) {
+                await new Promise((resolve) => setTimeout(resolve));
+                tellAt(id);
+            }
+        } finally {
+            // Its pixels are on the sheet, and no drawing is made as long as it is there.
+            picture.free();
         }
-        // Its pixels are on the sheet.
-        picture.free();
         const plain = await sheet.convertToBlob({ type: 'image/png' });
         const bytes = new Uint8Array(await plain.arrayBuffer());
         tellAt(id);

@@ -60,11 +60,6 @@ const IDLE = 500;
 /** After so many workers in a row that have stopped before they drew anything none is started by itself. */
 const MOST_FAILURES = 4;
 
-/**
- * While a text or a mesh is written the worker may be silent for this long, in milliseconds: it is written in one go, and a
- * table of a million segments takes 1 to 3 s on a computer.
- */
-const WRITING = 10_000;
 /** A state over which the worker has been silent for this long is doubtful, in milliseconds. */
 const DOUBTFUL = 1000;
 
@@ -332,7 +327,7 @@ export function createEngine(kits, events) {
         if (!worker) return 0;
         if (!met) return STARTUP;
         if (started && !owes && questions.size === 0) return 0;
-        return questions.type(at.question) === 'export' ? WRITING : SILENCE;
+        return SILENCE;
     }
 
     /** @param {number} silent for so long, in milliseconds */

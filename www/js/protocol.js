@@ -59,7 +59,7 @@ export {};
  */
 /** `value` is null where it is wrong; it stands from `start` to `end` in the rules, and another number may take its place if it is one `number`. @typedef {{name: string, value: number | null, start: number, end: number, number: boolean}} Constant */
 /** `text` is what the file says where it is readable and short. @typedef {{definition: Definition | null, diagnostics: Diagnostic[], text: string | null}} FileRead */
-/** @typedef {{text: string | null, bytes?: Uint8Array<ArrayBuffer>, diagnostics: Diagnostic[]}} Exported */
+/** `blob` is the file, null where a limit was passed. @typedef {{blob: Blob | null, diagnostics: Diagnostic[]}} Exported */
 /** A system and how it is looked at. @typedef {{definition: Definition | null, look: Look | null}} Shown */
 /**
  * What went wrong. `silent` and `crashed`: the worker stopped over the drawing, or over a `question` about it, and was

@@ -3,7 +3,7 @@
 use crate::viewer::Scene;
 #[cfg(feature = "full")]
 use lsystem::{DensityRenderer, Ink, Pane, Spent};
-use lsystem::{Detail, Drawing, PlaneRenderer, Progress, RenderStats, Renderer};
+use lsystem::{Detail, Drawing, PlaneRenderer, Progress, RenderStats, Renderer, Style, Viewport};
 use std::sync::Arc;
 
 /// A picture that needs more tiles than this is mostly made of them.
@@ -54,6 +54,16 @@ impl Default for Brush {
 }
 
 impl Brush {
+    /// The most bytes that a fine and a coarse picture take together.
+    pub(crate) fn most_bytes(drawing: &Drawing, style: &Style, viewport: Viewport) -> u64 {
+        let most = |detail| match style.ink {
+            #[cfg(feature = "full")]
+            Ink::Density => DensityRenderer::most_bytes(drawing, style, viewport, detail),
+            _ => Renderer::most_bytes(drawing, style, viewport, detail),
+        };
+        most(Detail::Fine) + most(Detail::Coarse)
+    }
+
     /// Takes the drawing that the next pictures are of.
     pub(crate) fn load(&mut self, drawing: Arc<Drawing>) {
         self.drawing = Some(drawing);

@@ -10,7 +10,10 @@
 //! functions, reading, files, space and the words of problems are left out, and a report tells what is `beyond` it.
 
 mod brush;
+mod budget;
 mod clock;
+#[cfg(feature = "full")]
+mod export;
 #[cfg(feature = "full")]
 mod files;
 #[cfg(feature = "full")]
@@ -33,6 +36,8 @@ mod surface;
 mod viewer;
 
 #[cfg(feature = "full")]
+pub use export::Export;
+#[cfg(feature = "full")]
 pub use files::{Picture, read_file, tag_png};
 pub use notation::notation;
 #[cfg(feature = "full")]
@@ -42,22 +47,12 @@ pub use playground::Playground;
 pub use qr::qr_code;
 pub use report::{Problem, Report};
 
-use lsystem::{Definition, Limits};
+#[cfg(feature = "full")]
+use budget::HISTORY;
+use budget::LIMITS;
+use lsystem::Definition;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
-
-/// What a page may spend: a string that a browser can still hold, a drawing that fits 32-bit memory.
-///
-/// An instance may take 256 megabytes. Of these the drawing in the making takes at most 96 ([`LIMITS`]), a derivation
-/// that is remembered with the counts that a string is read by 40 ([`HISTORY`]), counts of any size 16
-/// ([`lsystem::MAX_COUNTING`]) and a picture in the making 64. The rest is for the texts, the compiled system and the
-/// drawing that is shown.
-const LIMITS: Limits =
-    Limits { symbols: 64 << 20, modules: 16 << 20, segments: 1_000_000, work: 100_000_000, memory: 112 << 20 };
-
-/// The same for a derivation that is remembered; a string that is read by counts takes 16 megabytes at most.
-#[cfg(feature = "full")]
-const HISTORY: Limits = Limits { memory: 24 << 20, ..LIMITS };
 
 /// A fresh seed.
 ///

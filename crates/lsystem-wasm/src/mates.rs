@@ -29,10 +29,10 @@ impl Playground {
         Some(vec![number as f64, x, y, width, height, f64::from(budget)])
     }
 
-    /// Whether nothing is to be done for the picture but to wait for mates.
+    /// Whether nothing is to be done but to wait: for mates, or with a new drawing for a file.
     #[wasm_bindgen(getter)]
     pub fn waits(&mut self) -> bool {
-        self.shared().is_some_and(|(sharing, _)| sharing.is_waiting())
+        !self.built() && self.is_saving() || self.shared().is_some_and(|(sharing, _)| sharing.is_waiting())
     }
 
     /// A mate has made a pane; what it took is as [`Playground::step_pane`] tells. Whether its pixels are wanted on the

@@ -2,6 +2,7 @@
 
 use crate::LIMITS;
 use crate::brush::Brush;
+use crate::budget::affordable;
 use crate::clock::Clock;
 use crate::report::Report;
 #[cfg(feature = "full")]
@@ -24,9 +25,9 @@ const PATIENCE: f64 = 8.0;
 const SKETCHES: u8 = 4;
 
 /// The most pixels of a picture for a file that are painted at a time: with their subsamples they take up to 24 bytes each,
-/// or 50 MB.
+/// or 24 MiB.
 #[cfg(feature = "full")]
-const BAND: u32 = 1 << 21;
+const BAND: u32 = 1 << 20;
 
 /// Pixels along the side of a cell: panes that begin at multiples of it have the same subsamples.
 #[cfg(feature = "full")]
@@ -113,7 +114,7 @@ impl Viewer for PlaneView {
     }
 
     fn begin(&mut self, scene: Scene) {
-        self.scene = Some(scene);
+        self.scene = Some(self.within_room(scene));
         if self.sketches > 0 {
             self.sketches -= 1;
             self.begin_coarse(false);
@@ -124,7 +125,7 @@ impl Viewer for PlaneView {
 
     fn paint(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
         let (Some(drawing), Some(scene)) = (&self.drawing, &self.scene) else { return Ok(None) };
-        let (viewport, scale) = (scene.viewport, fitted_scale(drawing, scene.viewport));
+        let (viewport, scale) = (scene.viewport, fitted_scale(drawing, scene.screen));
         match self.stage {
             Stage::Done => Ok(None),
             Stage::Coarse { begun } => {
@@ -207,6 +208,7 @@ impl Viewer for PlaneView {
 
     #[cfg(feature = "full")]
     fn begin_pane(&mut self, scene: Scene, pane: Pane, _budget: f32) {
+        let scene = self.within_room(scene);
         self.fine.begin_pane(&scene, pane);
     }
 
@@ -286,6 +288,13 @@ fn bands(viewport: Viewport, workers: u32) -> [u32; 2] {
 }
 
 impl PlaneView {
+    /// With as many pixels as there is room for.
+    fn within_room(&self, scene: Scene) -> Scene {
+        let Some(drawing) = &self.drawing else { return scene };
+        let most = |viewport| Brush::most_bytes(drawing, &scene.style, viewport);
+        Scene { viewport: affordable(scene.viewport, drawing.bytes(), most), ..scene }
+    }
+
     fn begin_fine(&mut self) {
         if let Some(scene) = &self.scene {
             self.fine.begin(scene, Detail::Fine);

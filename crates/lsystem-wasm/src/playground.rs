@@ -45,6 +45,9 @@ pub struct Playground {
     /// How many others help with pictures that take long.
     #[cfg(feature = "full")]
     pub(crate) mates: u32,
+    /// Held by every file in the making as well.
+    #[cfg(feature = "full")]
+    pub(crate) files: std::rc::Rc<()>,
     /// As one of those: what to make.
     #[cfg(feature = "full")]
     pub(crate) pane: Option<(lsystem::Pane, f32)>,
@@ -93,6 +96,8 @@ impl Playground {
             refused: false,
             #[cfg(feature = "full")]
             mates: 0,
+            #[cfg(feature = "full")]
+            files: std::rc::Rc::default(),
             #[cfg(feature = "full")]
             pane: None,
         })
@@ -195,6 +200,9 @@ impl Playground {
         let mut drawn = None;
         while drawn.is_none() && !self.is_idle() {
             if let Some(realm) = self.building {
+                if self.is_saving() {
+                    break;
+                }
                 self.build(realm);
             } else if !self.is_painting() {
                 self.count();
@@ -271,6 +279,15 @@ impl Playground {
     /// Whether an older drawing is shown than that of the definition.
     fn is_refused(&self) -> bool {
         self.report.memoised.is_none()
+    }
+
+    /// Whether a file is being made. No drawing is in the meantime, nor is a derivation remembered: they share their
+    /// memory.
+    pub(crate) fn is_saving(&self) -> bool {
+        #[cfg(feature = "full")]
+        return std::rc::Rc::strong_count(&self.files) > 1;
+        #[cfg(not(feature = "full"))]
+        false
     }
 
     /// Whether a picture is being made, or has to be.
@@ -359,7 +376,7 @@ impl Playground {
         let mates = if self.refused { 0 } else { self.mates };
         #[cfg(not(feature = "full"))]
         let mates = 0;
-        Some(Scene { style, viewport: self.viewport, view: self.view, upto: self.upto, mates })
+        Some(Scene { style, viewport: self.viewport, screen: self.viewport, view: self.view, upto: self.upto, mates })
     }
 }
 

@@ -97,6 +97,9 @@ impl Playground {
         if Word::new(system, generation).is_some() {
             return true;
         }
+        if self.is_saving() {
+            return false;
+        }
         let n = self.shown_iterations();
         if self.history.is_none() {
             self.history = History::new(system, n, &HISTORY);

@@ -1,6 +1,7 @@
 //! Drawings in space: built in steps, shown coarse at once and finer while nothing changes.
 
 use crate::LIMITS;
+use crate::budget::{affordable, halved};
 use crate::clock::Clock;
 use crate::playground::Playground;
 use crate::report::Report;
@@ -122,7 +123,7 @@ impl Viewer for SolidView {
 
     fn begin(&mut self, scene: Scene) {
         self.renderer.play(scene.upto);
-        self.scene = Some(scene);
+        self.scene = Some(self.within_room(scene));
         self.moving = true;
         self.refine(self.pace);
     }
@@ -150,7 +151,7 @@ impl Viewer for SolidView {
         }
         let finished = clock.now();
         surface.show(self.renderer.pixels(), self.viewport)?;
-        let scale = solid_scale(drawing, scene.viewport, &self.camera);
+        let scale = solid_scale(drawing, scene.screen, &self.camera);
         let complete = self.quality == Quality::FINEST;
         let slow = complete && self.spent > SLOW && drawing.is_memoised();
         let moving = core::mem::take(&mut self.moving);
@@ -179,6 +180,7 @@ impl Viewer for SolidView {
 
     fn begin_pane(&mut self, scene: Scene, pane: Pane, budget: f32) {
         self.renderer.play(scene.upto);
+        let scene = self.within_room(scene);
         self.renderer.begin_pane(&scene.style, scene.viewport, &self.camera, pane, budget);
     }
 
@@ -220,6 +222,12 @@ impl Snapshot for SolidSnapshot {
 }
 
 impl SolidView {
+    /// With as many pixels as there is room for.
+    fn within_room(&self, scene: Scene) -> Scene {
+        let drawing = self.drawing.as_ref().map_or(0, |drawing| drawing.bytes());
+        Scene { viewport: affordable(scene.viewport, drawing, SolidRenderer::most_bytes), ..scene }
+    }
+
     fn refine(&mut self, quality: Quality) {
         let Some(scene) = &self.scene else { return };
         (self.done, self.shared) = (false, false);
@@ -248,7 +256,7 @@ impl SolidView {
             Turn::Done if self.effort.is_too_small(self.sharing.spent()) => self.sharing.start_again(),
             Turn::Done => {
                 (self.done, self.shared) = (true, false);
-                let scale = solid_scale(drawing, viewport, &self.camera);
+                let scale = solid_scale(drawing, scene.screen, &self.camera);
                 return Ok(Some(Drawn { complete: true, scale, moving: false, rough: false, slow: true }));
             }
         }
@@ -269,11 +277,6 @@ impl SolidView {
             self.pace = self.pace.paced(FINER);
         }
     }
-}
-
-/// A quarter of the pixels, for the same picture.
-fn halved(Viewport { width, height, ratio }: Viewport) -> Viewport {
-    Viewport { width: width.div_ceil(2), height: height.div_ceil(2), ratio: 0.5 * ratio }
 }
 
 /// By how many steps the next picture is to be finer than one that took so many milliseconds. Two are twice the effort.

@@ -27,7 +27,9 @@ pub(crate) const WORK: usize = 16_384;
 #[derive(Clone, PartialEq)]
 pub(crate) struct Scene {
     pub(crate) style: Style,
+    /// The picture as it is painted, and as it is shown.
     pub(crate) viewport: Viewport,
+    pub(crate) screen: Viewport,
     /// Of a drawing in the plane; one in space is seen from its viewer's camera.
     pub(crate) view: View,
     /// How many segments; all of them without it.

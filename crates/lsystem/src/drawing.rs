@@ -47,6 +47,7 @@ pub(crate) use shape::{Line, Shape, shapes};
 pub use solid::draw_solid;
 
 use crate::derivation::limit;
+use crate::render3d::SceneSize;
 use crate::turtle::finite;
 use crate::{Diagnostic, LimitName, Meter, Plane, Space, SymbolId};
 use core::ops::Range;
@@ -85,6 +86,8 @@ pub struct Drawing<S: Space = Plane> {
     pub(crate) places: Vec<f64>,
     /// The symbols of its generation, where they were counted.
     pub(crate) symbols: Option<u64>,
+    /// What pictures in space make of it.
+    pub(crate) scene: SceneSize,
     /// The root's extent in its own units, when somebody has asked.
     pub(crate) extent: OnceLock<Option<S::Extent>>,
 }
@@ -148,7 +151,7 @@ impl<S: Space> Drawing<S> {
         Contents { blocks: &self.blocks, items: &self.items, corners: &self.corners, vertices: &self.vertices }
     }
 
-    /// The bytes that the drawing takes.
+    /// The bytes that the drawing takes; of one in space, with what [`SolidRenderer`](crate::SolidRenderer) makes of it.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         let pieces: u64 = self.pieces.iter().map(builder::bytes_of).sum();
@@ -159,6 +162,7 @@ impl<S: Space> Drawing<S> {
             + builder::bytes_of(&self.styles)
             + builder::bytes_of(&self.places)
             + pieces
+            + self.scene.bytes(self.memoised)
     }
 
     /// How many segments there are; `u128::MAX` stands for that many or more.

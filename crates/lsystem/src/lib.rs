@@ -91,8 +91,8 @@ pub use drawing::{
 };
 pub use expr::{Expr, Function, Operator, SIGN};
 pub use format::{
-    CsvWriter, FileContent, Svg, SvgForm, SvgOptions, SvgWriter, read_file, read_json, tag_png, write_csv, write_glb,
-    write_json, write_obj, write_svg,
+    CsvWriter, FileContent, GlbWriter, ObjWriter, Svg, SvgForm, SvgOptions, SvgWriter, read_file, read_json, tag_png,
+    write_csv, write_glb, write_json, write_obj, write_svg,
 };
 pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
 pub use heading::Heading;
@@ -101,7 +101,7 @@ pub use limits::{
     Limits, MAX_ACTIONS, MAX_CONTEXT, MAX_COUNTING, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS,
     MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE, MAX_TEXT,
 };
-pub use mesh::Mesh;
+pub use mesh::{Mesh, MeshMaker};
 pub use meter::Meter;
 pub use notation::{Class, Classes, ConstantPlace, classify, parse, plain_word};
 pub use overrides::{Override, parse_overrides, print_actions, print_overrides};

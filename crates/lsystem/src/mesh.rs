@@ -3,9 +3,11 @@
 //! Strokes that follow each other end to end share a ring of corners on the plane that halves the angle between them,
 //! so that a bent path is one closed tube. Where widths differ a tube tapers to the width of the stroke that follows.
 
+use crate::derivation::limit;
+use crate::drawing::MarkReader;
 use crate::rotation::{Vector, cross, dot, minus, norm};
 use crate::triangulate::{Triangles, triangulate};
-use crate::{Diagnostic, Drawing, Mark, Segment, Solid, Style};
+use crate::{Diagnostic, Drawing, LimitName, Mark, Meter, Progress, Segment, Solid, Style};
 
 /// Triangles with colours, in model units.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,6 +37,49 @@ impl Mesh {
     /// # Errors
     /// [`Kind::Limit`](crate::Kind::Limit) where there are more than `most` segments and vertices of polygons.
     pub fn new(drawing: &Drawing<Solid>, style: &Style, most: u64) -> Result<Self, Diagnostic> {
+        let mut maker = MeshMaker::new(drawing, style, most, u64::MAX)?;
+        while maker.step(drawing, style, u64::MAX)? == Progress::More {}
+        Ok(maker.finish())
+    }
+
+    /// The bytes that it takes.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        let corners = size_of::<[f32; 3]>() * (self.positions.capacity() + self.normals.capacity());
+        let rest = size_of::<[u8; 3]>() * self.colours.capacity() + size_of::<[u32; 3]>() * self.triangles.capacity();
+        (corners + rest) as u64
+    }
+
+    /// Makes room for more corners and triangles. A list grows by an eighth, so that little room is left over.
+    fn reserve(&mut self, more: usize) {
+        fn grow<T>(list: &mut Vec<T>, more: usize) {
+            if list.capacity() - list.len() < more {
+                list.reserve_exact(more.max(list.len() / 8));
+            }
+        }
+        grow(&mut self.positions, more);
+        grow(&mut self.normals, more);
+        grow(&mut self.colours, more);
+        grow(&mut self.triangles, 2 * more);
+    }
+}
+
+/// Makes a mesh in steps. It holds no drawing.
+#[derive(Clone, Debug)]
+pub struct MeshMaker {
+    reader: MarkReader<Solid>,
+    tubes: Tubes,
+    /// The most bytes that the mesh may take.
+    memory: u64,
+    spent: u64,
+}
+
+impl MeshMaker {
+    /// Ready to make a mesh of at most `memory` bytes. While a list grows, its former bytes are there as well.
+    ///
+    /// # Errors
+    /// As [`Mesh::new`].
+    pub fn new(drawing: &Drawing<Solid>, style: &Style, most: u64, memory: u64) -> Result<Self, Diagnostic> {
         drawing.check_size(most)?;
         let extent = drawing.bounds().map_or(0.0, |[low, high]| (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max));
         let sides = match drawing.segment_count() {
@@ -43,19 +88,60 @@ impl Mesh {
             _ => 4,
         };
         let least = 0.5 * style.min_width.max(0.1) * extent / PICTURE;
-        let mut tubes = Tubes { mesh: Self::default(), sides, least, last: None };
-        for mark in drawing.marks() {
+        let tubes = Tubes { mesh: Mesh::default(), sides, least, last: None };
+        Ok(Self { reader: MarkReader::new(drawing), tubes, memory, spent: 0 })
+    }
+
+    /// The units of work of all steps so far, as [`Meter`] counts them.
+    #[must_use]
+    pub fn spent(&self) -> u64 {
+        self.spent
+    }
+
+    /// Goes on for about `work` units; the drawing and the style are the same each time.
+    ///
+    /// # Errors
+    /// [`Kind::Limit`](crate::Kind::Limit) where the mesh would take too many bytes.
+    pub fn step(&mut self, drawing: &Drawing<Solid>, style: &Style, work: u64) -> Result<Progress, Diagnostic> {
+        let mut meter = Meter::new(work);
+        let mut progress = Progress::More;
+        while progress == Progress::More && !meter.is_spent() {
+            // Two rings, two ends and a ring between colours; of a polygon both sides.
+            let mut corners = 3 * self.tubes.sides as usize + 2;
+            let mark = self.reader.next(drawing);
+            match &mark {
+                Some(Mark::Polygon(vertices, _)) => corners += 2 * vertices.len(),
+                Some(Mark::Segment(..)) => {}
+                None => progress = Progress::Done,
+            }
+            meter.charge(mark.as_ref().map_or(8, |mark| MARK_WORK * mark.work()));
+            self.tubes.mesh.reserve(corners);
+            if self.tubes.mesh.bytes() > self.memory {
+                self.tubes.mesh = Mesh::default();
+                return Err(limit(LimitName::Memory, self.memory, None));
+            }
             match mark {
-                Mark::Segment(segment, tint) => tubes.add(&segment, style.colour_of(tint).rgb),
-                Mark::Polygon(vertices, tint) => tubes.fill(&vertices, style.colour_of(tint).rgb),
+                Some(Mark::Segment(segment, tint)) => self.tubes.add(&segment, style.colour_of(tint).rgb),
+                Some(Mark::Polygon(vertices, tint)) => self.tubes.fill(&vertices, style.colour_of(tint).rgb),
+                None => self.tubes.close(),
             }
         }
-        tubes.close();
-        Ok(tubes.mesh)
+        self.spent = self.spent.saturating_add(meter.spent());
+        Ok(progress)
+    }
+
+    /// The mesh, when all steps are done.
+    #[must_use]
+    pub fn finish(self) -> Mesh {
+        self.tubes.mesh
     }
 }
 
+/// How many times more work a tube is than a written line.
+const MARK_WORK: u64 = 4;
+
 /// Tubes in the making.
+#[derive(Clone, Debug)]
 struct Tubes {
     mesh: Mesh,
     sides: u32,
@@ -66,7 +152,7 @@ struct Tubes {
 }
 
 /// A stroke that has its first ring.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Open {
     to: Vector,
     /// Its direction, and a direction across it from which its corners are counted.

@@ -1,6 +1,7 @@
 //! Space of three dimensions: frames are rotation matrices, hulls are boxes and balls.
 
 use crate::drawing::{BlockId, Body, Builder, Contents, Enclosed, Item, SolidExtent, SolidSurvey as Survey};
+use crate::render3d::SceneSize;
 use crate::rotation::{Rotation, Vector, combine};
 use crate::space::{Axis, Space};
 use crate::{Heading, Meter, Tropism};
@@ -70,6 +71,14 @@ impl Space for Solid {
 
     fn enclose(builder: &mut Builder<Self>, items: &[Item<Self>]) -> Enclosed<Self> {
         Body::enclose(builder.contents(), items)
+    }
+
+    fn measure(size: &mut SceneSize, items: &[Item<Self>]) {
+        size.add(items);
+    }
+
+    fn least_picture() -> u64 {
+        SceneSize::LEAST
     }
 
     fn survey(root: BlockId) -> Survey {

@@ -1,6 +1,7 @@
 //! The spaces that a turtle moves in: one drawing, one builder and one reader serve all of them.
 
 use crate::drawing::{BlockId, Builder, Contents, Enclosed, Item};
+use crate::render3d::SceneSize;
 use crate::turtle::exponent_of;
 use crate::{Heading, Meter, Tropism};
 use core::fmt::Debug;
@@ -68,6 +69,14 @@ pub trait Space: Copy + Debug + PartialEq + 'static {
 
     /// What contains all `items`, which may place blocks that the builder has made.
     fn enclose(builder: &mut Builder<Self>, items: &[Item<Self>]) -> Enclosed<Self>;
+
+    /// Counts what a block with these items takes where pictures are made of it, beside the drawing itself.
+    fn measure(_size: &mut SceneSize, _items: &[Item<Self>]) {}
+
+    /// What a segment takes there at least, in bytes.
+    fn least_picture() -> u64 {
+        0
+    }
 
     /// Ready to look for the extent of a block in its own units.
     fn survey(root: BlockId) -> Self::Survey;

@@ -63,14 +63,13 @@ export function keepPanel(store, engine, page) {
             if (!blob) throw new Error('the browser could not make the picture');
             return download(blob, `${name}.png`);
         }
-        const { text, bytes, diagnostics } = await engine.export(/** @type {'svg'} */ (format));
-        const content = text ?? bytes;
-        if (content === undefined) {
+        const { blob, diagnostics } = await engine.export(/** @type {'svg'} */ (format));
+        if (!blob) {
             const first = diagnostics[0];
             return toast(first ? `Not saved: ${[first.message, first.hint].filter(Boolean).join(' ')}` : 'Not saved: there is nothing to save.');
         }
         const [ending = format, form] = format.split('-');
-        download(new Blob([content], { type: MIME[ending] ?? 'text/plain' }), `${name}${form ? `_${form}` : ''}.${ending}`);
+        download(new Blob([blob], { type: MIME[ending] ?? 'text/plain' }), `${name}${form ? `_${form}` : ''}.${ending}`);
         // A compact picture may ask much of who shows it.
         if (diagnostics[0]) toast([diagnostics[0].message, diagnostics[0].hint].filter(Boolean).join(' '));
     }

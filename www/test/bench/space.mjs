@@ -61,7 +61,7 @@ async function measure({ definition, turns, most }) {
     const rest = performance.now() - start;
     const answer = next(({ type }) => type === 'exported');
     worker.postMessage({ type: 'export', id: ++id, format: 'csv' });
-    const { text } = await answer;
+    const text = await (await answer).blob?.text();
     worker.terminate();
     let lines = NaN;
     const rows = text?.trimEnd().split('\n').slice(1) ?? [];

@@ -32,9 +32,9 @@ async function compare({ definition, size }) {
             await ask({ type: 'define', definition: system }, (answer) => answer.type === 'report' && answer.id === id && answer.report.blocks !== null);
             const texts = [];
             for (const format of ['svg', 'svg-compact']) {
-                const { text, diagnostics } = await ask({ type: 'export', format }, (answer) => answer.type === 'exported');
-                if (text === null) throw new Error(JSON.stringify(diagnostics));
-                texts.push(text);
+                const { blob, diagnostics } = await ask({ type: 'export', format }, (answer) => answer.type === 'exported');
+                if (blob === null) throw new Error(JSON.stringify(diagnostics));
+                texts.push(await blob.text());
             }
             return texts;
         };

@@ -45,7 +45,7 @@ impl Forecast {
             is_looked_at: false,
             part: (0, (0, 0)),
             generation: 0,
-            bytes: size_of::<Item<S>>() as u128,
+            bytes: size_of::<Item<S>>() as u128 + u128::from(S::least_picture()),
             largest: None,
         }
     }

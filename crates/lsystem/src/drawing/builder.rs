@@ -3,6 +3,7 @@
 use super::style::Styles;
 use super::{Block, BlockId, Contents, Item, Placed, Stroke, StyleChange, StyleId, WidthChange};
 use crate::Plane;
+use crate::render3d::SceneSize;
 use crate::space::{Space, times};
 
 /// The growing vectors of a [`Drawing`](super::Drawing).
@@ -17,6 +18,8 @@ pub struct Builder<S: Space = Plane> {
     pub(crate) directions: S::Directions,
     /// Where a hull's points are collected.
     pub(crate) points: Vec<S::Point>,
+    /// What pictures in space make of the blocks.
+    pub(crate) scene: SceneSize,
     /// Units of work since [`Builder::take_work`] was called.
     work: u64,
     /// The bytes that all of this may take.
@@ -46,6 +49,7 @@ impl<S: Space> Builder<S> {
     /// A builder that takes at most so many bytes.
     pub(crate) fn within(memory: u64) -> Self {
         Self {
+            scene: SceneSize::default(),
             work: 0,
             memory,
             is_full: false,
@@ -145,6 +149,7 @@ impl<S: Space> Builder<S> {
                 self.vertices[polygon.range()].iter_mut().for_each(|vertex| *vertex = times(*vertex, unit));
             }
         }
+        S::measure(&mut self.scene, items);
         self.blocks.push(Block {
             items: first..self.items.len() as u32,
             exponent: exponent.saturating_add(shift),

@@ -163,7 +163,8 @@ impl<S: Space> Drawer<S> {
         self.spent
     }
 
-    /// The bytes that the drawing in the making takes, as [`Limits::memory`] counts them.
+    /// The bytes that the drawing in the making takes, as [`Limits::memory`] counts them: in space, with what its pictures
+    /// will be made from.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         let state = match &self.state {
@@ -173,7 +174,7 @@ impl<S: Space> Drawer<S> {
             State::Modules(modular) => modular.bytes(),
             _ => 0,
         };
-        self.builder.bytes() + self.held + state
+        self.builder.bytes() + self.builder.scene.bytes(self.memoises) + self.held + state
     }
 
     /// Does all that is left, and returns the drawing.
@@ -202,6 +203,7 @@ impl<S: Space> Drawer<S> {
             memoised: self.memoises,
             places: vec![],
             symbols: self.symbols,
+            scene: self.builder.scene,
             extent: extent.map_or_else(OnceLock::new, |extent| OnceLock::from(Some(extent))),
         })
     }

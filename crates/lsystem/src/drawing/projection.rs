@@ -107,6 +107,7 @@ impl Drawing<Solid> {
             memoised: false,
             places: seen.iter().map(|seen| seen.place).collect(),
             symbols: self.symbols,
+            scene: builder.scene,
             extent: OnceLock::new(),
         })
     }

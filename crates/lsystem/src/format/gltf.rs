@@ -1,7 +1,7 @@
 //! Meshes as binary glTF 2.0 (`.glb`), the format of viewers, browsers and game engines.
 
 use super::number::write_exact;
-use crate::Mesh;
+use crate::{Mesh, Meter, Progress};
 use core::fmt::Write;
 
 /// Numbers of the format, by their names in its specification.
@@ -15,20 +15,79 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 /// them), indices of 32 bits. The material is rough and no metal. A mesh without triangles gives a scene with nothing in it.
 #[must_use]
 pub fn write_glb(mesh: &Mesh, name: &str) -> Vec<u8> {
-    let (corners, indices) = (mesh.positions.len(), 3 * mesh.triangles.len());
-    let mut bytes = Vec::with_capacity(corners * 32 + indices * 4);
-    for value in mesh.positions.iter().chain(&mesh.normals).flatten() {
-        bytes.extend(value.to_le_bytes());
-    }
-    let linear: Vec<u16> = (0..=255).map(linear).collect();
-    for colour in &mesh.colours {
-        let [r, g, b] = colour.map(|c| linear[usize::from(c)]);
-        [r, g, b, u16::MAX].iter().for_each(|value| bytes.extend(value.to_le_bytes()));
-    }
-    for index in mesh.triangles.iter().flatten() {
-        bytes.extend(index.to_le_bytes());
+    let mut writer = GlbWriter::new(mesh, name);
+    let mut bytes = Vec::with_capacity(writer.length);
+    while writer.step(mesh, &mut bytes, u64::MAX) == Progress::More {}
+    bytes
+}
+
+/// The same in steps. It holds no mesh, and what it has written may be taken away between two steps.
+#[derive(Clone, Debug)]
+pub struct GlbWriter {
+    /// All that comes before the numbers of the mesh, until it is written.
+    head: Vec<u8>,
+    /// The bytes of the whole file.
+    length: usize,
+    /// How many corners, and then triangles, are written of each list.
+    written: usize,
+    /// sRGB values as linear ones.
+    linear: Vec<u16>,
+    spent: u64,
+}
+
+/// What is written between two looks at the meter.
+const PIECE: usize = 256;
+
+impl GlbWriter {
+    /// Ready to write a mesh.
+    #[must_use]
+    pub fn new(mesh: &Mesh, name: &str) -> Self {
+        let (head, length) = head(mesh, name);
+        Self { head, length, written: 0, linear: (0..=255).map(linear).collect(), spent: 0 }
     }
 
+    /// The units of work of all steps so far, as [`Meter`] counts them.
+    #[must_use]
+    pub fn spent(&self) -> u64 {
+        self.spent
+    }
+
+    /// Appends bytes for about `work` units; `mesh` is the same each time.
+    pub fn step(&mut self, mesh: &Mesh, bytes: &mut Vec<u8>, work: u64) -> Progress {
+        bytes.append(&mut self.head);
+        let mut meter = Meter::new(work);
+        let (corners, all) = (mesh.positions.len(), 3 * mesh.positions.len() + mesh.triangles.len());
+        while self.written < all && !meter.is_spent() {
+            let (list, from) = match self.written.checked_sub(3 * corners) {
+                Some(from) => (3, from),
+                None => (self.written / corners, self.written % corners),
+            };
+            let to = (from + PIECE).min(if list == 3 { mesh.triangles.len() } else { corners });
+            match list {
+                0 | 1 => {
+                    let vectors = if list == 0 { &mesh.positions } else { &mesh.normals };
+                    vectors[from..to].iter().flatten().for_each(|value| bytes.extend(value.to_le_bytes()));
+                }
+                2 => {
+                    for colour in &mesh.colours[from..to] {
+                        let [r, g, b] = colour.map(|c| self.linear[usize::from(c)]);
+                        [r, g, b, u16::MAX].iter().for_each(|value| bytes.extend(value.to_le_bytes()));
+                    }
+                }
+                _ => mesh.triangles[from..to].iter().flatten().for_each(|index| bytes.extend(index.to_le_bytes())),
+            }
+            self.written += to - from;
+            meter.charge((to - from) as u64);
+        }
+        self.spent = self.spent.saturating_add(meter.spent());
+        if self.written < all { Progress::More } else { Progress::Done }
+    }
+}
+
+/// All that comes before the numbers of the mesh, and the length of the whole file.
+fn head(mesh: &Mesh, name: &str) -> (Vec<u8>, usize) {
+    let (corners, indices) = (mesh.positions.len(), 3 * mesh.triangles.len());
+    let binary = corners * 32 + indices * 4;
     let mut json = String::from("{\"asset\":{\"version\":\"2.0\",\"generator\":\"lsystem\"},\"scene\":0,");
     if mesh.triangles.is_empty() {
         json.push_str("\"scenes\":[{}]}");
@@ -71,28 +130,22 @@ pub fn write_glb(mesh: &Mesh, name: &str) -> Vec<u8> {
             );
             offset += length;
         }
-        let _ = write!(json, "],\"buffers\":[{{\"byteLength\":{}}}]}}", bytes.len());
+        let _ = write!(json, "],\"buffers\":[{{\"byteLength\":{binary}}}]}}");
     }
 
     // Chunks are whole numbers of four bytes.
     while !json.len().is_multiple_of(4) {
         json.push(' ');
     }
-    let chunks: &[(&[u8; 4], &[u8])] = match bytes.as_slice() {
-        [] => &[(b"JSON", json.as_bytes())],
-        bytes => &[(b"JSON", json.as_bytes()), (b"BIN\0", bytes)],
-    };
-    let total = 12 + chunks.iter().map(|(_, chunk)| 8 + chunk.len()).sum::<usize>();
-    let mut file = Vec::with_capacity(total);
-    file.extend(b"glTF");
-    file.extend(2_u32.to_le_bytes());
-    file.extend((total as u32).to_le_bytes());
-    for (kind, chunk) in chunks {
-        file.extend((chunk.len() as u32).to_le_bytes());
-        file.extend(*kind);
-        file.extend(*chunk);
+    let chunk = |length: usize, kind: &[u8; 4]| [&(length as u32).to_le_bytes()[..], kind].concat();
+    let length = 12 + 8 + json.len() + if binary > 0 { 8 + binary } else { 0 };
+    let mut head = [&b"glTF"[..], &2_u32.to_le_bytes(), &(length as u32).to_le_bytes()].concat();
+    head.extend(chunk(json.len(), b"JSON"));
+    head.extend(json.as_bytes());
+    if binary > 0 {
+        head.extend(chunk(binary, b"BIN\0"));
     }
-    file
+    (head, length)
 }
 
 /// All of an accessor but its end.

@@ -13,9 +13,9 @@ mod xml;
 
 pub use csv::{CsvWriter, write_csv};
 pub use embed::{FileContent, read_file};
-pub use gltf::write_glb;
+pub use gltf::{GlbWriter, write_glb};
 pub use json::read_json;
 pub use json_write::write_json;
-pub use obj::write_obj;
+pub use obj::{ObjWriter, write_obj};
 pub use png::tag_png;
 pub use svg::{Svg, SvgForm, SvgOptions, SvgWriter, write_svg};

@@ -20,6 +20,7 @@ mod path;
 mod pick;
 mod polygon;
 mod resolve;
+mod room;
 mod search;
 mod seen;
 mod shape;

@@ -29,6 +29,8 @@ pub(super) const SIMPLE_STROKES: u64 = 4_000;
 const CHUNK: usize = 1 << 17;
 /// Chunks kept; when more are needed, all tiles are dropped and made again as needed.
 const CHUNKS: usize = 23;
+/// The bytes of all of them.
+pub(super) const TILES: u64 = (CHUNKS * CHUNK * size_of::<u64>()) as u64;
 /// Of these, dyed copies of tiles are made as long as no more are in use.
 const COPIED: usize = 16;
 /// So many dyed copies are kept of a tile.

@@ -20,6 +20,7 @@ mod light;
 mod path;
 mod pick;
 mod scene;
+mod size;
 mod stroke;
 mod tile;
 mod walk;
@@ -30,6 +31,7 @@ mod tests;
 pub use camera::{Camera, camera_axes, fitted_solid_ends, fitted_solid_polygon, solid_scale};
 pub use effort::{Effort, Spent};
 pub use pick::pick_solid;
+pub(crate) use size::SceneSize;
 
 use crate::{Drawing, Meter, Pane, Progress, RenderStats, Solid, Style, Viewport};
 use scene::Scene;

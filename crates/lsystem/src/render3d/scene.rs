@@ -3,6 +3,7 @@
 
 use super::light::Bundle;
 use super::path::Stretch;
+use super::size::SceneSize;
 use crate::render::{Amount, Choice, Shade};
 use crate::rotation::{Vector, combine, cross, dot, minus, norm};
 use crate::triangulate::triangulate;
@@ -222,12 +223,25 @@ const NODE_WORK: u64 = 64;
 const ITEM_WORK: u64 = 4;
 const LOOK_WORK: u64 = 1;
 
+/// The samples of a node of a drawing that shares its blocks, or does not.
+pub(super) fn kept_samples(memoised: bool) -> usize {
+    if memoised { SAMPLES } else { FEW_SAMPLES }
+}
+
 impl Scene {
+    /// Takes the memory that the drawing has been counted to need, so that no list grows.
+    fn reserve(&mut self, size: SceneSize) {
+        self.nodes.reserve_exact(size.nodes);
+        self.links.reserve_exact(size.links);
+        self.lines.reserve_exact(size.lines);
+        self.samples.reserve_exact(size.nodes * self.kept);
+    }
+
     /// A scene with nothing in it yet.
     pub(super) fn new(drawing: &Drawing<Solid>) -> Self {
         let mut styles = drawing.styles.clone();
         styles.push(StyleChange::NONE);
-        let kept = if drawing.memoised { SAMPLES } else { FEW_SAMPLES };
+        let kept = kept_samples(drawing.memoised);
         Self { styles, memoised: drawing.memoised, kept, ..Self::default() }
     }
 
@@ -258,6 +272,9 @@ impl Scene {
 
     /// Goes on with the nodes of a block.
     fn next_block(&mut self, drawing: &Drawing<Solid>, meter: &mut Meter) {
+        if self.blocks.is_empty() && self.making.is_none() {
+            self.reserve(drawing.scene);
+        }
         let Some(block) = drawing.blocks.get(self.blocks.len()) else {
             self.whole = [self.nodes.len(), self.links.len(), self.lines.len()];
             self.stage = Stage::Show;

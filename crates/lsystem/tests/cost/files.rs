@@ -2,7 +2,7 @@
 
 use super::drawing::{LIMITS, Largest, finished};
 use super::systems::cases;
-use lsystem::{CsvWriter, Drawer, Meter, Progress, SvgOptions, SvgWriter};
+use lsystem::{CsvWriter, Drawer, GlbWriter, MeshMaker, Meter, ObjWriter, Progress, SvgOptions, SvgWriter};
 
 /// Units that a step may do.
 const SHARE: u64 = 1 << 14;
@@ -54,5 +54,57 @@ fn no_step_of_a_writer_takes_more_than_its_share_and_a_piece() {
             largest.name
         );
         assert!(largest.most <= SHARE + Meter::PIECE, "{} {}", largest.most, largest.name);
+    }
+}
+
+#[test]
+fn no_step_of_a_mesh_takes_more_than_its_share_and_a_piece() {
+    let (mut tubes, mut obj, mut glb) = (Largest::default(), Largest::default(), Largest::default());
+    for length in [1, 100, 10_000] {
+        for case in cases(length) {
+            let system = case.system();
+            let Some(drawing) = finished(Drawer::solid(&system, 3, LIMITS)) else { continue };
+            let name = || case.name.clone();
+            let style = &case.definition.style;
+            let Ok(mut maker) = MeshMaker::new(&drawing, style, MOST, 64 << 20) else { continue };
+            let mut before = 0;
+            let made = loop {
+                let progress = maker.step(&drawing, style, SHARE);
+                tubes.see(maker.spent() - before, name);
+                before = maker.spent();
+                match progress {
+                    Ok(Progress::More) => {}
+                    Ok(Progress::Done) => break true,
+                    Err(_) => break false,
+                }
+            };
+            let mesh = maker.finish();
+            assert!(made || mesh.bytes() == 0, "{}", case.name);
+            let (mut text, mut file) = (ObjWriter::new(&mesh, ""), GlbWriter::new(&mesh, ""));
+            let steps = |largest: &mut Largest, step: &mut dyn FnMut() -> (Progress, u64, usize)| {
+                let mut before = 0;
+                loop {
+                    let (progress, spent, bytes) = step();
+                    largest.see(spent - before, name);
+                    assert!(bytes as u64 <= 4096 + BYTES * (spent - before), "{}", case.name);
+                    before = spent;
+                    if progress == Progress::Done {
+                        break;
+                    }
+                }
+            };
+            steps(&mut obj, &mut || {
+                let mut piece = String::new();
+                (text.step(&mesh, &mut piece, SHARE), text.spent(), piece.len())
+            });
+            steps(&mut glb, &mut || {
+                let mut piece = Vec::new();
+                (file.step(&mesh, &mut piece, SHARE), file.spent(), piece.len())
+            });
+        }
+    }
+    for (name, largest) in [("mesh", tubes), ("obj", obj), ("glb", glb)] {
+        println!("{name}: {} units at most ({})", largest.most, largest.name);
+        assert!(largest.most <= SHARE + Meter::PIECE, "{name}: {} {}", largest.most, largest.name);
     }
 }

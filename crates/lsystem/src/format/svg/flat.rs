@@ -44,6 +44,12 @@ impl SvgWriter {
         Ok(Self { reader, head, decimals, pixel, pen: None, is_done: false, spent: 0 })
     }
 
+    /// A warning where the file will not look like the drawing.
+    #[must_use]
+    pub fn warning(style: &Style) -> Option<Diagnostic> {
+        Svg { text: String::new(), instances: 0, ink: style.ink }.warning()
+    }
+
     /// The units of work of all steps so far, as [`Meter`] counts them.
     #[must_use]
     pub fn spent(&self) -> u64 {

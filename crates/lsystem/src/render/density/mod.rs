@@ -20,10 +20,11 @@ mod tests;
 use super::{Detail, PlaneRenderer, RenderStats, View, Viewport};
 use crate::{Drawing, Meter, Progress, Style};
 use std::sync::Arc;
+pub(super) use tile::TILES as DENSITY_TILES;
 use walk::{Facts, Walk};
 
 /// Pixels along the side of a sum in a coarse picture.
-const COARSE: usize = 3;
+pub(super) const COARSE: usize = 3;
 
 /// Makes pictures in which ink adds up ([`Ink::Density`](crate::Ink)).
 #[derive(Default)]

@@ -18,11 +18,14 @@ const SPARSE_STEPS: f64 = 8.0;
 /// Numbers in a chunk of memory; no tile needs more.
 const CHUNK: usize = 1 << 18;
 /// Chunks kept; when more are needed, all tiles are dropped and made again as needed.
-const CHUNKS: usize = 24;
+const CHUNKS: usize = 16;
 
 /// Rows of tiles kept, likewise.
-const ROWS: usize = 1 << 21;
+const ROWS: usize = 1 << 20;
 
+/// The bytes of all tiles: their numbers, and of each row where it begins.
+pub(in crate::render) const TILES: u64 =
+    (CHUNKS * CHUNK * size_of::<f32>() + ROWS * size_of::<(u32, u32, u32)>()) as u64;
 /// The number of sizes.
 pub(super) const SIZES: usize = 3;
 
