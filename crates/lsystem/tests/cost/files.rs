@@ -81,7 +81,7 @@ fn no_step_of_a_mesh_takes_more_than_its_share_and_a_piece() {
             let mesh = maker.finish();
             assert!(made || mesh.bytes() == 0, "{}", case.name);
             let (mut text, mut file) = (ObjWriter::new(&mesh, ""), GlbWriter::new(&mesh, ""));
-            let mut steps = |largest: &mut Largest, step: &mut dyn FnMut() -> (Progress, u64, usize)| {
+            let steps = |largest: &mut Largest, step: &mut dyn FnMut() -> (Progress, u64, usize)| {
                 let mut before = 0;
                 loop {
                     let (progress, spent, bytes) = step();
