@@ -108,14 +108,15 @@ impl Canvas {
             (*wanted, *done) = ([size, planes], 0);
         }
         while *done < all {
-            if meter.is_spent() {
-                return Progress::More;
-            }
             let next = all.min(*done + AT_ONCE);
             grow(&mut self.covered, next.min(size), size);
             grow(&mut self.colours, next.saturating_sub(size), size * planes);
             meter.charge((1 + (next - *done) / COPIED) as u64);
             *done = next;
+            // Whatever the meter says, a piece is done each time.
+            if meter.is_spent() && next < all {
+                return Progress::More;
+            }
         }
         *done = 0;
         Progress::Done

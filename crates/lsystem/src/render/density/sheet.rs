@@ -19,6 +19,8 @@ pub(super) const LEAST: f64 = 1.0 / (1_u128 << 110) as f64;
 const POINTS: f64 = 2.0;
 /// Numbers that are cleared in a unit of work, and pixels of a span to which ink is added.
 const CLEARED: usize = 256;
+/// Rows that are emptied between two looks at the meter.
+const ROWS_AT_ONCE: usize = 64;
 const ADDED: usize = 32;
 /// Rows into which a pixel is divided where areas are filled.
 const ROWS: usize = 4;
@@ -99,9 +101,6 @@ impl Sheet {
         self.filling.parts = 0..0;
         meter.charge(1);
         while self.emptied < height {
-            if meter.is_spent() {
-                return Progress::More;
-            }
             let at = self.emptied * width;
             if let Some(reach) = self.reach.get_mut(self.emptied) {
                 self.values[(at + reach.start as usize) * planes..(at + reach.end as usize) * planes].fill(0.0);
@@ -112,6 +111,10 @@ impl Sheet {
             }
             self.emptied += 1;
             meter.charge(1 + (width * planes / CLEARED) as u64);
+            // Whatever the meter says, some rows are done each time.
+            if meter.is_spent() && self.emptied < height && self.emptied % ROWS_AT_ONCE == 0 {
+                return Progress::More;
+            }
         }
         self.emptied = 0;
         Progress::Done
