@@ -36,11 +36,12 @@ pub(crate) fn picture_room(drawing: u64) -> u64 {
     PICTURES + LIMITS.memory.saturating_sub(drawing)
 }
 
-/// The picture with as many of its pixels as there is room for: all, or half of them in each direction, or a quarter.
+/// The picture with as many of its pixels as there is room for: its sides are cut by an eighth until it fits.
 pub(crate) fn affordable(viewport: Viewport, drawing: u64, bytes: impl Fn(Viewport) -> u64) -> Viewport {
     let mut viewport = viewport;
     while bytes(viewport) > picture_room(drawing) && viewport.width.saturating_mul(viewport.height) > FEWEST {
-        viewport = halved(viewport);
+        let Viewport { width, height, ratio } = viewport;
+        viewport = Viewport { width: width - width / 8, height: height - height / 8, ratio: ratio * 7.0 / 8.0 };
     }
     viewport
 }
