@@ -179,7 +179,12 @@ fn files_over_the_limit_of_the_shell_leave_nothing() {
 #[test]
 fn signals_leave_nothing() {
     use std::os::unix::process::ExitStatusExt;
-    for (name, number) in [("HUP", 1), ("INT", 2), ("QUIT", 3), ("TERM", 15)] {
+    // A signal that these tests were started to ignore, as by `nohup`, is ignored by the program as well.
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).map_or("0", str::trim);
+    let ignored = u64::from_str_radix(mask, 16).expect("a mask of signals");
+    let all = [("HUP", 1), ("INT", 2), ("QUIT", 3), ("TERM", 15)];
+    for (name, number) in all.into_iter().filter(|(_, number)| ignored >> (number - 1) & 1 == 0) {
         let folder = tempfile::tempdir().expect("a folder");
         let base = folder.path().join("koch").display().to_string();
         // The string is written soon, the picture takes long.
@@ -222,4 +227,18 @@ fn files_have_the_usual_permissions() {
     );
     let mode = fs::metadata(format!("{base}.csv")).expect("is there").permissions().mode();
     assert_eq!(mode & 0o777, 0o640);
+}
+
+#[test]
+fn a_drawing_stays_within_the_memory_that_it_may_take() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let draw = |memory: &str| {
+        let to = folder.path().join("tree");
+        run(&format!("draw data_in/abop/1.27.json {} --format svg -n 8 --memory {memory}", to.display()))
+    };
+    let refused = draw("1M");
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(text(&refused.stderr).contains("memory"), "{}", text(&refused.stderr));
+    assert!(names(folder.path()).is_empty());
+    assert_eq!(draw("1G").status.code(), Some(0));
 }

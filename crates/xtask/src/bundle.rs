@@ -204,10 +204,22 @@ pub(crate) fn squeezed(text: &str) -> Result<String> {
     let mut result = String::new();
     for line in without_comments(text).lines().map(str::trim).filter(|line| !line.is_empty()) {
         ensure!(line.matches('`').count() % 2 == 0, "`{line}` leaves a template open");
-        result.push_str(line);
+        result.push_str(&without_casts(line));
         result.push('\n');
     }
     Ok(result)
+}
+
+/// The line without comments that only tell its type to the checker.
+fn without_casts(line: &str) -> String {
+    let (mut result, mut rest) = (String::new(), line);
+    while let Some((before, (_, after))) =
+        rest.split_once("/** @type {").and_then(|(before, cast)| Some((before, cast.split_once("} */")?)))
+    {
+        result.push_str(before);
+        rest = after.trim_start();
+    }
+    result + rest
 }
 
 /// Whether a line imports while running, other than in a comment's types.
@@ -243,6 +255,13 @@ mod tests {
             files::write(&folder.path().join(name), text)?;
         }
         bundle(&folder.path().join("main.js"))
+    }
+
+    #[test]
+    fn casts_are_not_sent() {
+        let line = "const a = /** @type {{x: number}} */ (b(/** @type {any} */ (c)));";
+        assert_eq!(without_casts(line), "const a = (b((c)));");
+        assert_eq!(without_casts("const type = '/** @type';"), "const type = '/** @type';");
     }
 
     #[test]

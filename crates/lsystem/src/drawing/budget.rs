@@ -154,10 +154,16 @@ impl Search {
         if first >= self.exceeds {
             return Some(Exceeded { limit: self.limit, largest: self.fits });
         }
-        match self.census.step(program, score, limits, meter, |_, _, _| Some(0)) {
+        // While a list grows the old one stands beside the new one, which is an eighth larger.
+        let bytes = (size_of::<Item<S>>() as u64 + S::least_picture()) * 9 / 4;
+        let sure = Limits { segments: limits.segments.min(limits.memory / bytes), ..*limits };
+        match self.census.step(program, score, &sure, meter, |_, _, _| Some(0)) {
             Outcome::Paused => return None,
             Outcome::Ended(()) => self.fits = Some(self.trial),
-            Outcome::Passed(limit) => (self.exceeds, self.limit) = (self.trial, limit),
+            Outcome::Passed(limit) => {
+                let is_memory = limit == LimitName::Segments && sure.segments < limits.segments;
+                (self.exceeds, self.limit) = (self.trial, if is_memory { LimitName::Memory } else { limit });
+            }
         }
         // Twice as far while nothing stops it, then halfway: few trials pass a limit, and those that do cost no
         // more than the limit.

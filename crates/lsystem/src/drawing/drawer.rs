@@ -147,7 +147,10 @@ impl<S: Space> Drawer<S> {
             }
             if self.builder.is_full || self.bytes() > self.limits.memory {
                 self.builder = Builder::new();
-                self.state = State::Failed(limit(LimitName::Memory, self.limits.memory, None));
+                self.state = match self.state {
+                    State::Materialise(_) => State::Search(Search::new(LimitName::Memory, self.n, self.seed)),
+                    _ => State::Failed(limit(LimitName::Memory, self.limits.memory, None)),
+                };
             }
             if matches!(self.state, State::Done { .. } | State::Failed(_)) {
                 progress = Progress::Done;

@@ -379,8 +379,8 @@ impl Scope<'_> {
                     (Function::Atan, [a]) => degrees(libm::atan(*a)),
                     (Function::Atan2, [a, b]) => degrees(libm::atan2(*a, *b)),
                     // Exact for round angles, which no plain way is; nothing of what is not finite.
-                    (Function::Sin, [a]) if a.is_finite() => Heading::from_degrees(*a).cos_sin().1,
-                    (Function::Cos, [a]) if a.is_finite() => Heading::from_degrees(*a).cos_sin().0,
+                    (Function::Sin, [a]) if a.is_finite() => Heading::from_degrees(*a).cos_sin().1 + 0.0 * a,
+                    (Function::Cos, [a]) if a.is_finite() => Heading::from_degrees(*a).cos_sin().0 + 0.0 * a,
                     (Function::Tan, [a]) if a.is_finite() => {
                         let (c, s) = Heading::from_degrees(*a).cos_sin();
                         s / c
