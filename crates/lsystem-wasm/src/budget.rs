@@ -47,6 +47,7 @@ pub(crate) fn affordable(viewport: Viewport, drawing: u64, bytes: impl Fn(Viewpo
 }
 
 /// A quarter of the pixels, for the same picture.
+#[cfg(feature = "full")]
 pub(crate) fn halved(Viewport { width, height, ratio }: Viewport) -> Viewport {
     Viewport { width: width.div_ceil(2), height: height.div_ceil(2), ratio: 0.5 * ratio }
 }
@@ -58,12 +59,9 @@ mod tests {
 
     const SCREENS: [[u32; 2]; 6] = [[300, 200], [1280, 800], [1920, 1080], [2560, 1440], [3840, 2160], [7680, 4320]];
 
-    #[test]
-    fn the_shares_of_an_instance_add_up() {
-        let others = lsystem::MAX_COUNTING + REST;
-        assert!(2 * LIMITS.memory + PICTURES + others <= INSTANCE);
-        assert!(HISTORY.memory + 16 * MIB <= LIMITS.memory);
-    }
+    // The shares of an instance add up.
+    const _: () = assert!(2 * LIMITS.memory + PICTURES + lsystem::MAX_COUNTING + REST <= INSTANCE);
+    const _: () = assert!(HISTORY.memory + 16 * MIB <= LIMITS.memory);
 
     #[test]
     fn pictures_of_any_screen_stay_within_their_share() {

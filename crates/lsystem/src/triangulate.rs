@@ -94,7 +94,9 @@ mod tests {
     fn a_polygon_takes_less_than_a_piece() {
         // A star whose ears are found late: each has many others to look at.
         let comb = |count: usize| -> Vec<Vector> {
-            let at = |i: usize| (i as f64 * core::f64::consts::TAU / count as f64, if i % 2 == 0 { 1.0 } else { 0.2 });
+            let at = |i: usize| {
+                (i as f64 * core::f64::consts::TAU / count as f64, if i.is_multiple_of(2) { 1.0 } else { 0.2 })
+            };
             (0..count).map(at).map(|(angle, far)| [far * libm::cos(angle), far * libm::sin(angle), 0.0]).collect()
         };
         for count in [10, 100, 999, 1000] {

@@ -112,7 +112,7 @@ impl Sheet {
             self.emptied += 1;
             meter.charge(1 + (width * planes / CLEARED) as u64);
             // Whatever the meter says, some rows are done each time.
-            if meter.is_spent() && self.emptied < height && self.emptied % ROWS_AT_ONCE == 0 {
+            if meter.is_spent() && self.emptied < height && self.emptied.is_multiple_of(ROWS_AT_ONCE) {
                 return Progress::More;
             }
         }
