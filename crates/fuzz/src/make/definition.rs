@@ -7,9 +7,9 @@ use lsystem::{ColourBy, Definition, Dialect, Ink, Limits, System};
 
 /// What a page may spend; as in `crates/lsystem-wasm`.
 const PAGE: Limits =
-    Limits { symbols: 64 << 20, modules: 16 << 20, segments: 1_000_000, work: 100_000_000, memory: 96 << 20 };
+    Limits { symbols: 64 << 20, modules: 16 << 20, segments: 1_000_000, work: 100_000_000, memory: 70 << 20 };
 /// What most executions may spend, so that there are many.
-const SMALL: Limits = Limits { symbols: 100_000, modules: 20_000, segments: 5_000, work: 200_000, memory: 96 << 20 };
+const SMALL: Limits = Limits { symbols: 100_000, modules: 20_000, segments: 5_000, work: 200_000, memory: 70 << 20 };
 
 /// Limits: mostly small ones.
 pub(crate) fn limits(source: &mut Source<'_>) -> Limits {
@@ -126,6 +126,6 @@ mod tests {
             let limits = text.split("Limits { symbols: 64 << 20").nth(1).unwrap();
             limits.split('}').next().unwrap().to_owned()
         };
-        assert_eq!(text("fuzz/src/make/definition.rs"), text("lsystem-wasm/src/lib.rs"));
+        assert_eq!(text("fuzz/src/make/definition.rs"), text("lsystem-wasm/src/budget.rs"));
     }
 }
