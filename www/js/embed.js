@@ -6,7 +6,7 @@ import { createDials } from './embed/dials.js';
 import { talk } from './embed/messages.js';
 import { readOptions } from './embed/options.js';
 import { watchSight } from './embed/sight.js';
-import { createEngine } from './engine.js';
+import { createEngine, isWrong } from './engine.js';
 import { kits } from './files.js';
 import { createHover } from './hover.js';
 import { isDark } from './inks.js';
@@ -194,7 +194,7 @@ function show(state, before) {
 
 /** @param {Report} report */
 function reported(report) {
-    parts?.stage.growing(report.ok && report.memoised === null);
+    parts?.stage.growing(!isWrong(report) && report.memoised === null);
     parts?.stage.report(report);
     if (!report.past) {
         rules.report(report);

@@ -509,4 +509,4 @@ export function createEngine(kits, events) {
 }
 
 /** Whether there is a mistake that keeps a state from being drawn. @param {Report} report */
-const isWrong = ({ ok, diagnostics }) => !ok || diagnostics.some(({ severity }) => severity === 'error');
+export const isWrong = ({ ok, diagnostics }) => !ok || diagnostics.some(({ severity }) => severity === 'error');

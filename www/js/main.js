@@ -3,7 +3,7 @@
 import { followAddress } from './address.js';
 import { announce, toast } from './announce.js';
 import { button, html, setText } from './dom.js';
-import { createEngine } from './engine.js';
+import { createEngine, isWrong } from './engine.js';
 import { kits } from './files.js';
 import { createGrowing } from './growing.js';
 import { createHover } from './hover.js';
@@ -162,7 +162,7 @@ function showNames(state) {
 function reported(next) {
     // What is on its way to the state is not told about.
     if (growing.running) return;
-    stage.growing(next.ok && next.memoised === null);
+    stage.growing(!isWrong(next) && next.memoised === null);
     if (!next.past) {
         rules.report(next);
         growth.report(next, store.state);

@@ -415,6 +415,7 @@ test('what would pass a limit is refused in words, and the picture stays', () =>
         await page.fill('#iterations', '60');
         await until(async () => (await text(page, '#numbers-problems')).length > 10, 'the refusal');
         assert.equal((await stillPicture(page)).digest, before.digest);
+        assert.equal(await page.isVisible('#busy'), false, 'nothing is on its way any more');
         await page.fill('#iterations', '5');
         await until(async () => (await page.locator('#numbers-problems li').count()) === 0, 'the list is empty again');
         assert.equal((await stillPicture(page)).digest, before.digest);

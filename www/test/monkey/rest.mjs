@@ -145,7 +145,7 @@ export async function comparePicture({ page, frame }, fresh, link) {
         const stage = /** @type {HTMLElement} */ (document.querySelector('#stage'));
         for (const [name, value] of Object.entries({ position: 'fixed', inset: '0 auto auto 0', margin: '0', border: '0', padding: '0', 'max-width': 'none', 'max-height': 'none', 'min-width': '0', 'min-height': '0', width: `${size.width}px`, height: `${size.height}px` })) stage.style.setProperty(name, value, 'important');
     }, mine?.stage ?? { width: 600, height: 400 });
-    const theirs = await atRest(fresh.mainFrame(), 'a fresh page with the same link');
+    const theirs = await atRest(fresh.mainFrame(), `a fresh page with the link ${link}`);
     if (!theirs) {
         // Nothing can be drawn: the last good drawing stays here, and the reader is told why.
         if (!(await frame.evaluate(() => document.querySelector('.problems li, #mistake:not([hidden])')))) throw new Fault('nothing can be drawn, and nobody is told why');
