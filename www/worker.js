@@ -62,6 +62,8 @@
     let rested = true;
     /** What the page was told last that this worker is at. */
     let told = '';
+    /** The state for which it was told that there is nothing left to draw. */
+    let done = '';
     /** Whether the newest definition can be drawn; what is still in the making otherwise belongs to the one before. */
     let sound = true;
 
@@ -221,7 +223,16 @@
             const bitmap = canvas.transferToImageBitmap();
             self.postMessage({ type: 'drawn', id: defineId, viewId, complete: drawn.complete, scale: drawn.scale, rough: drawn.rough, slow: drawn.slow, bitmap, pose: pose() }, { transfer: [bitmap] });
         }
+        if (idle && seen) tellDone();
         return idle;
+    }
+
+    /** Tells the page that no picture is to come, be it that none can: it need not wait for one. */
+    function tellDone() {
+        const now = [defineId, viewId].join();
+        if (now === done) return;
+        done = now;
+        self.postMessage({ type: 'done', id: defineId, viewId });
     }
 
     /** The turtle's pose behind the segments that are shown, or before the first. */

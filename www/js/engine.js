@@ -283,6 +283,9 @@ export function createEngine(kits, events) {
             case 'drawn':
                 receivePicture(message);
                 break;
+            case 'done':
+                settleAt(message);
+                break;
             case 'fatal':
                 if (started) stop('crashed', message.message);
                 else miss(message.message);
@@ -297,21 +300,31 @@ export function createEngine(kits, events) {
         failures = 0;
         if (message.id === recalled) {
             message.bitmap.close();
-            if (message.complete) goOn();
+            if (message.complete) settleAt(message);
             return;
         }
         const seen = views.get(message.viewId);
         for (const id of views.keys()) if (id < message.viewId) views.delete(id);
         slow = message.slow && kit === full;
         if (slow) help();
-        const newest = message.id >= defineSent && message.viewId >= lookSent;
+        const newest = isNewest(message);
         // A worker that takes over begins with a coarse picture of what is shown at its finest already.
         const known = newest && !message.complete && shown.definition === definition && shown.look === look;
         if (seen && !known) events.drawn({ ...message, ...seen });
         if (!given) well();
         if (newest && message.complete && !(defineWaits || lookWaits)) rest();
         // Only the finest is the end of it.
-        if (newest && message.complete) settle();
+        if (message.complete) settleAt(message);
+        else goOn(Math.max(message.id, message.viewId));
+    }
+
+    /** Whether a message is about the last that was sent. @param {{id: number, viewId: number}} message */
+    const isNewest = ({ id, viewId }) => id >= defineSent && viewId >= lookSent;
+
+    /** There is no more to come for a state. @param {{id: number, viewId: number}} message */
+    function settleAt(message) {
+        if (message.id === recalled) goOn();
+        else if (isNewest(message)) settle();
         else goOn(Math.max(message.id, message.viewId));
     }
 

@@ -166,12 +166,10 @@ impl Playground {
     /// the fitted one, whose `x` and `y` are sums of two numbers each.
     #[expect(clippy::too_many_arguments, reason = "an object would have to be read field by field")]
     pub fn view(&mut self, width: u32, height: u32, ratio: f64, x: f64, y: f64, zoom: f64, fine_x: f64, fine_y: f64) {
-        let view = View { x, y, zoom, fine: [fine_x, fine_y] };
-        let viewport = Viewport { width, height, ratio }.within_limits();
-        if (view, viewport) != (self.view, self.viewport) {
-            (self.view, self.viewport) = (view, viewport);
-            self.stale = true;
-        }
+        self.view = View { x, y, zoom, fine: [fine_x, fine_y] };
+        self.viewport = Viewport { width, height, ratio }.within_limits();
+        // Who asks again waits for a picture again.
+        self.stale = true;
     }
 
     /// Shows only the first `upto` segments, the turtle on its way; all of them without a number. A new drawing starts

@@ -425,6 +425,16 @@ test('what would pass a limit is refused in words, and the picture stays', () =>
         assert.equal(/n = (\d+)/.exec(await text(page, '#status'))?.[1], String(highest));
     }));
 
+test('a view that is asked for again before it was left is drawn again, not waited for', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await stillPicture(page);
+        await until(() => hasGrown(page), 'the full wasm has taken over');
+        for (let times = 0; times < 5; times++) {
+            await page.evaluate(() => ['zoom-in', 'fit'].forEach((name) => document.getElementById(name)?.click()));
+            await until(async () => (await page.getAttribute('#stage', 'aria-busy')) === 'false', 'it is at rest');
+        }
+    }));
+
 test('what cannot be drawn before the full wasm is there leaves the picture, which can still be moved', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.fill('#rules', 'F = = F');
