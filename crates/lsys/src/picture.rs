@@ -3,8 +3,8 @@
 use crate::args::Size;
 use crate::progress::Progress as Bar;
 use lsystem::{
-    Camera, DensityRenderer, Drawing, Ink, Pane, PlaneRenderer, Progress, Quality, Renderer, Solid, SolidRenderer,
-    Style, View, Viewport, fit, tag_png,
+    Camera, DensityRenderer, Drawing, Ink, Pane, Pass, PlaneRenderer, Progress, Quality, Renderer, Solid,
+    SolidRenderer, Style, View, Viewport, fit, tag_png,
 };
 use std::io::Write;
 use std::sync::Arc;
@@ -35,12 +35,18 @@ pub(crate) fn png(
     let viewport = viewport(size);
     let drawing = Arc::new(drawing);
     if style.ink == Ink::Density {
-        // Its tone depends on the whole picture.
         let mut renderer = DensityRenderer::new();
         renderer.load(drawing);
-        renderer.begin(style, viewport, View::default());
-        finish(|| renderer.step(WORK));
-        return encode(size, system, |write| write(renderer.pixels()));
+        return encode(size, system, |write| {
+            for (band, pass) in Pass::all(viewport, [size.width, band_rows(size)]) {
+                renderer.begin_pane(style, viewport, View::default(), None, band, pass);
+                finish(|| renderer.step(WORK));
+                if pass.shows() {
+                    write(renderer.pixels())?;
+                }
+            }
+            Ok(())
+        });
     }
     let mut renderer = Renderer::new();
     renderer.load(drawing);

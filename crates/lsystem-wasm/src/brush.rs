@@ -2,7 +2,7 @@
 
 use crate::viewer::Scene;
 #[cfg(feature = "full")]
-use lsystem::{DensityRenderer, Ink, Pane, Spent};
+use lsystem::{DensityRenderer, Ink, Pane, Pass, Spent};
 use lsystem::{Detail, Drawing, PlaneRenderer, Progress, RenderStats, Renderer, Style, Viewport};
 use std::sync::Arc;
 
@@ -77,13 +77,14 @@ impl Brush {
         self.maker.of().begin_with(style, *viewport, *view, detail, *upto);
     }
 
-    /// Starts a pane of a fine picture in ink that covers.
+    /// Starts a pane of a fine picture; what its pass is concerns ink that adds up.
     #[cfg(feature = "full")]
-    pub(crate) fn begin_pane(&mut self, scene: &Scene, pane: Pane) {
+    pub(crate) fn begin_pane(&mut self, scene: &Scene, pane: Pane, pass: Pass) {
         self.prepare(scene);
         let Scene { style, viewport, view, upto, .. } = scene;
-        if let Maker::Covering(renderer) = &mut self.maker {
-            renderer.begin_pane(style, *viewport, *view, *upto, pane);
+        match &mut self.maker {
+            Maker::Covering(renderer) => renderer.begin_pane(style, *viewport, *view, *upto, pane),
+            Maker::Adding(renderer) => renderer.begin_pane(style, *viewport, *view, *upto, pane, pass),
         }
     }
 

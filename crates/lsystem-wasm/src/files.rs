@@ -80,8 +80,9 @@ impl Picture {
         let end = self.clock.now() + budget;
         loop {
             if self.snapshot.step() == Progress::Done {
-                let (pixels, viewport, band) = self.snapshot.band();
-                self.surface.put(pixels, viewport, band)?;
+                if let Some((pixels, viewport, band)) = self.snapshot.band() {
+                    self.surface.put(pixels, viewport, band)?;
+                }
                 if !self.snapshot.next() {
                     return Ok(true);
                 }

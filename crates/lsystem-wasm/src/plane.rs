@@ -13,7 +13,7 @@ use crate::viewer::Snapshot;
 use crate::viewer::{Drawn, SLOW, Scene, Viewer, WORK, describe_drawing, go_on};
 use lsystem::{Counter, Detail, Diagnostic, Drawer, Drawing, Ink, Progress, System, fitted_scale};
 #[cfg(feature = "full")]
-use lsystem::{Pane, Spent, Viewport};
+use lsystem::{Pane, Pass, Spent, Viewport};
 use std::sync::Arc;
 use wasm_bindgen::JsValue;
 
@@ -168,7 +168,7 @@ impl Viewer for PlaneView {
             #[cfg(feature = "full")]
             Stage::Shared => {
                 match self.sharing.turn(clock.now()) {
-                    Turn::Begin(pane) => self.fine.begin_pane(scene, pane),
+                    Turn::Begin(pane) => self.fine.begin_pane(scene, pane, Pass::Only),
                     Turn::GoOn => {
                         if self.fine.step(WORK) == Progress::Done {
                             self.tiled |= self.fine.has_tiles();
@@ -209,7 +209,7 @@ impl Viewer for PlaneView {
     #[cfg(feature = "full")]
     fn begin_pane(&mut self, scene: Scene, pane: Pane, _budget: f32) {
         let scene = self.within_room(scene);
-        self.fine.begin_pane(&scene, pane);
+        self.fine.begin_pane(&scene, pane, Pass::Only);
     }
 
     #[cfg(feature = "full")]
@@ -228,12 +228,14 @@ impl Viewer for PlaneView {
         let scene = Scene { viewport, ..scene };
         let mut brush = Brush::default();
         brush.load(self.drawing.clone()?);
-        // The tone of ink that adds up depends on the whole.
-        let whole = scene.style.ink == Ink::Density || viewport.width * viewport.height <= BAND;
-        let rows = if whole { viewport.height } else { (BAND / viewport.width.max(1) / CELL).max(1) * CELL };
-        let mut bands = Pane::all(viewport, [viewport.width, rows]);
-        bands.reverse();
-        let mut snapshot = PlaneSnapshot { brush, scene, bands, band: Pane::whole(viewport), whole };
+        let rows = (BAND / viewport.width.max(1) / CELL).max(1) * CELL;
+        let bands = [viewport.width, rows];
+        let mut parts = match scene.style.ink {
+            Ink::Solid => Pane::all(viewport, bands).into_iter().map(|band| (band, Pass::Only)).collect(),
+            Ink::Density => Pass::all(viewport, bands),
+        };
+        parts.reverse();
+        let mut snapshot = PlaneSnapshot { brush, scene, parts, part: (Pane::whole(viewport), Pass::Only) };
         snapshot.next();
         Some(Box::new(snapshot))
     }
@@ -245,22 +247,16 @@ struct PlaneSnapshot {
     brush: Brush,
     scene: Scene,
     /// The bands to come, the next one last.
-    bands: Vec<Pane>,
-    band: Pane,
-    /// Whether the only band is made as a whole picture.
-    whole: bool,
+    parts: Vec<(Pane, Pass)>,
+    part: (Pane, Pass),
 }
 
 #[cfg(feature = "full")]
 impl Snapshot for PlaneSnapshot {
     fn next(&mut self) -> bool {
-        let Some(band) = self.bands.pop() else { return false };
-        self.band = band;
-        if self.whole {
-            self.brush.begin(&self.scene, Detail::Fine);
-        } else {
-            self.brush.begin_pane(&self.scene, band);
-        }
+        let Some((band, pass)) = self.parts.pop() else { return false };
+        self.part = (band, pass);
+        self.brush.begin_pane(&self.scene, band, pass);
         true
     }
 
@@ -268,8 +264,9 @@ impl Snapshot for PlaneSnapshot {
         self.brush.step(WORK)
     }
 
-    fn band(&self) -> (&[u8], Viewport, Pane) {
-        (self.brush.pixels(), self.scene.viewport, self.band)
+    fn band(&self) -> Option<(&[u8], Viewport, Pane)> {
+        let (band, pass) = self.part;
+        pass.shows().then(|| (self.brush.pixels(), self.scene.viewport, band))
     }
 }
 

@@ -216,8 +216,8 @@ impl Snapshot for SolidSnapshot {
         self.renderer.step(WORK)
     }
 
-    fn band(&self) -> (&[u8], Viewport, Pane) {
-        (self.renderer.pixels(), self.viewport, Pane::whole(self.viewport))
+    fn band(&self) -> Option<(&[u8], Viewport, Pane)> {
+        Some((self.renderer.pixels(), self.viewport, Pane::whole(self.viewport)))
     }
 }
 

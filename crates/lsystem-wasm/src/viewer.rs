@@ -115,8 +115,9 @@ pub(crate) trait Snapshot {
     /// Goes on with the band.
     fn step(&mut self) -> Progress;
 
-    /// The pixels of the band, RGBA, the size of the picture, and where the band is in it.
-    fn band(&self) -> (&[u8], Viewport, Pane);
+    /// The pixels of the band, RGBA, the size of the picture, and where the band is in it; `None` where the band has only
+    /// been looked at.
+    fn band(&self) -> Option<(&[u8], Viewport, Pane)>;
 }
 
 /// Goes on with the drawing that is being built; it itself when it is there, or what went wrong.

@@ -111,8 +111,8 @@ pub use print::{print_axiom, print_module, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
 pub use progress::Progress;
 pub use render::{
-    DensityRenderer, Detail, Fitted, Pane, Pick, PlaneRenderer, Pointer, Rect, RenderStats, Renderer, Target, View,
-    Viewport, fit, fitted_ends, fitted_outline, fitted_polygon, fitted_scale, pick,
+    DensityRenderer, Detail, Fitted, Pane, Pass, Pick, PlaneRenderer, Pointer, Rect, RenderStats, Renderer, Target,
+    View, Viewport, fit, fitted_ends, fitted_outline, fitted_polygon, fitted_scale, pick,
 };
 pub use render3d::{
     Camera, Effort, Quality, SolidRenderer, Spent, camera_axes, fitted_solid_ends, fitted_solid_polygon, pick_solid,

@@ -4,8 +4,8 @@ use super::drawing::drawn;
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
 use lsystem::{
-    Definition, DensityRenderer, Detail, Dialect, Drawing, Pane, PlaneRenderer, Progress, Renderer, Style, System,
-    View, Viewport, fit, fitted_scale,
+    Definition, DensityRenderer, Detail, Dialect, Drawing, Pane, Pass, PlaneRenderer, Progress, RenderStats, Renderer,
+    Style, System, View, Viewport, fit, fitted_scale,
 };
 use std::sync::Arc;
 
@@ -91,6 +91,9 @@ pub(super) fn views(source: &mut Source<'_>, gauge: &mut Gauge) {
     cover(source, &drawing, &scene, gauge);
 }
 
+/// Beyond this magnification the edge of a stroke is where rounding puts it.
+const MOST_EXACT: f64 = 1e12;
+
 fn cover(source: &mut Source<'_>, drawing: &Arc<Drawing>, scene: &Scene, gauge: &mut Gauge) {
     let mut renderer = if source.once_in(6) { Renderer::light() } else { Renderer::new() };
     gauge.call("load", || renderer.load(drawing.clone()));
@@ -111,9 +114,7 @@ fn cover(source: &mut Source<'_>, drawing: &Arc<Drawing>, scene: &Scene, gauge: 
         }
     }
     // A light renderer, tiles and outlines differ between panes by design.
-    // Beyond this magnification the edge of a stroke is where rounding puts it.
-    const MOST: f64 = 1e12;
-    let is_exact = scene.view.zoom.abs() < MOST && stats.tiles + stats.outlines + stats.parts == 0;
+    let is_exact = scene.view.zoom.abs() < MOST_EXACT && stats.tiles + stats.outlines + stats.parts == 0;
     if is_exact && source.once_in(2) {
         panes(source, drawing, scene, &pixels, gauge);
     }
@@ -166,11 +167,37 @@ pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
     gauge.reach("picture");
     if source.once_in(2) {
         let mut other = DensityRenderer::new();
-        other.load(drawing);
+        other.load(drawing.clone());
         let work = source.pick(&[1_000_000, 100, 3]);
         let Scene { style, viewport, view, upto } = &scene;
         other.begin_with(style, *viewport, *view, detail, *upto);
         while other.step(work) == Progress::More {}
         assert!(other.pixels() == renderer.pixels(), "the picture depends on the size of steps");
+    }
+    let RenderStats { blocks, strokes, stamps, tiles, .. } = renderer.stats();
+    // Beyond these it takes larger blocks for dots, the whole sooner than its panes.
+    let is_exact = scene.view.zoom.abs() < MOST_EXACT && tiles == 0 && blocks + strokes + stamps < 40_000;
+    if is_exact && detail == Detail::Fine && source.once_in(2) {
+        let Scene { style, viewport, view, upto } = &scene;
+        let size = [source.pick(&[64, 16, 144]), source.pick(&[16, 48, 64])];
+        let mut other = DensityRenderer::new();
+        other.load(drawing);
+        let mut apart = 0;
+        let all = Pass::all(*viewport, size);
+        if all.len() > 128 {
+            return;
+        }
+        for (pane, pass) in all {
+            gauge.call("begin pane", || other.begin_pane(style, *viewport, *view, *upto, pane, pass));
+            gauge.steps("pane", WORK, || {
+                let before = other.spent();
+                (other.step(WORK), other.spent() - before)
+            });
+            apart += if pass.shows() { differing(other.pixels(), renderer.pixels(), pane, viewport.width) } else { 0 };
+        }
+        gauge.reach("panes");
+        let whole = renderer.pixels().len() / 4;
+        // A stroke that a pane cuts is made of other points: an eighth of a pixel's ink may go to the next.
+        assert!(apart <= 4 + whole / 100, "{apart} of {whole} pixels differ when made in panes of {size:?}");
     }
 }

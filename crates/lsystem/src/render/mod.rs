@@ -37,7 +37,7 @@ mod sample;
 mod tests;
 
 pub(crate) use amount::Amount;
-pub use density::DensityRenderer;
+pub use density::{DensityRenderer, Pass};
 pub use exact::{Fitted, fitted_ends, fitted_outline, fitted_polygon};
 pub(crate) use inks::{Choice, Shade};
 pub use pane::Pane;

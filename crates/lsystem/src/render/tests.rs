@@ -13,7 +13,7 @@ pub(super) fn picture(renderer: &mut impl PlaneRenderer, style: &Style, viewport
 }
 
 /// Mean absolute difference of two pictures, and the largest mean over an 8x8 tile, in levels of 255.
-fn difference(a: &[u8], b: &[u8], width: usize) -> (f64, f64) {
+pub(super) fn difference(a: &[u8], b: &[u8], width: usize) -> (f64, f64) {
     assert_eq!(a.len(), b.len());
     let columns = width.div_ceil(8);
     let mut tiles = vec![0_u64; columns * (a.len() / 4 / width).div_ceil(8)];
@@ -120,7 +120,7 @@ fn panes_together_are_the_picture() {
 }
 
 /// Puts a pane where it belongs in a picture that is so many pixels wide.
-fn put(pixels: &mut [u8], width: usize, pane: Pane, own: &[u8]) {
+pub(super) fn put(pixels: &mut [u8], width: usize, pane: Pane, own: &[u8]) {
     assert_eq!(own.len(), (pane.width * pane.height * 4) as usize);
     for (y, row) in own.chunks(pane.width as usize * 4).enumerate() {
         let at = ((pane.y as usize + y) * width + pane.x as usize) * 4;

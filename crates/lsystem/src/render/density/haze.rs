@@ -8,12 +8,16 @@ use crate::{Meter, Progress};
 
 /// Pixels along the side of a cell.
 const SIDE: usize = 4;
+/// Pixels around a pane at most from which haze is spread into it.
+const WIDEST_APRON: f64 = 1024.0;
 /// Less than this part of the most ink at any place is what rounding leaves.
 const ROUNDING: f64 = 1e-10;
 
 /// Differences from cell to cell, across and down.
 #[derive(Default)]
 pub(super) struct Haze {
+    /// Pixels on each side of the sheet in which haze lies as well, whole cells.
+    apron: usize,
     columns: usize,
     rows: usize,
     planes: usize,
@@ -40,10 +44,16 @@ enum Stage {
 }
 
 impl Haze {
-    /// Makes it empty, for a sheet; the units of work that this took.
-    pub(super) fn reset(&mut self, sheet: &Sheet) -> u64 {
+    /// How far around a pane haze of this grain has to be known, in pixels: smoothing spreads it.
+    pub(super) fn apron(grain: f64) -> usize {
+        (grain / 2.0).min(WIDEST_APRON) as usize / SIDE * SIDE + 2 * SIDE
+    }
+
+    /// Makes it empty, for a sheet with so many pixels around it; the units of work that this took.
+    pub(super) fn reset(&mut self, sheet: &Sheet, apron: usize) -> u64 {
         (self.stage, self.line_number, self.most) = (Stage::Across, 0, 0.0);
-        (self.columns, self.rows) = (sheet.width.div_ceil(SIDE) + 2, sheet.height.div_ceil(SIDE) + 2);
+        let cells = |side: usize| (side + 2 * apron).div_ceil(SIDE) + 2;
+        (self.apron, self.columns, self.rows) = (apron, cells(sheet.width), cells(sheet.height));
         self.planes = sheet.planes;
         self.cells.clear();
         self.cells.resize(self.columns * self.rows * self.planes, 0.0);
@@ -60,7 +70,8 @@ impl Haze {
         }
         let edges = [0, 1].map(|axis| {
             let most = if axis == 0 { self.columns - 2 } else { self.rows - 2 } as f64;
-            [-0.5, 0.5].map(|sign| ((centre[axis] + sign * sides[axis]) / SIDE as f64).clamp(0.0, most))
+            let centre = centre[axis] + self.apron as f64;
+            [-0.5, 0.5].map(|sign| ((centre + sign * sides[axis]) / SIDE as f64).clamp(0.0, most))
         });
         for (y, down) in steps(edges[1]) {
             for (x, across) in steps(edges[0]) {
@@ -145,7 +156,7 @@ impl Haze {
     fn add_row(&self, sheet: &mut Sheet, row: usize) {
         let (columns, planes) = (self.columns, self.planes);
         let near = |pixel: usize, end: usize| {
-            let at = ((pixel as f64 + 0.5) / SIDE as f64 - 0.5).clamp(0.0, (end - 1) as f64);
+            let at = (((pixel + self.apron) as f64 + 0.5) / SIDE as f64 - 0.5).clamp(0.0, (end - 1) as f64);
             let first = (at as usize).min(end.saturating_sub(2));
             (first, at - first as f64)
         };

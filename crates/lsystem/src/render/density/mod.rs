@@ -17,7 +17,7 @@ mod walk;
 #[cfg(test)]
 mod tests;
 
-use super::{Detail, PlaneRenderer, RenderStats, View, Viewport};
+use super::{Detail, Pane, PlaneRenderer, RenderStats, View, Viewport};
 use crate::{Drawing, Meter, Progress, Style};
 use std::sync::Arc;
 pub(super) use tile::TILES as DENSITY_TILES;
@@ -26,6 +26,40 @@ use walk::{Facts, Walk};
 /// Pixels along the side of a sum in a coarse picture.
 pub(super) const COARSE: usize = 3;
 
+/// What is done with a pane. A picture that is too large to be made at once is looked at as a whole without its pixels,
+/// then every pane of it is counted, then every pane is shown: the tone depends on all of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Pass {
+    /// It is the only one: all is done for it.
+    #[default]
+    Only,
+    /// Of the whole picture, how much there is to see, and how closely it can be looked at.
+    Survey,
+    /// How much ink lies at how many of its pixels.
+    Count,
+    /// Its pixels.
+    Show,
+}
+
+impl Pass {
+    /// All that is done for a picture in panes of this size, in order.
+    #[must_use]
+    pub fn all(viewport: Viewport, size: [u32; 2]) -> Vec<(Pane, Self)> {
+        let panes = Pane::all(viewport, size);
+        if panes.len() < 2 {
+            return panes.into_iter().map(|pane| (pane, Self::Only)).collect();
+        }
+        let each = |pass| panes.iter().map(move |&pane| (pane, pass));
+        [(Pane::whole(viewport), Self::Survey)].into_iter().chain(each(Self::Count)).chain(each(Self::Show)).collect()
+    }
+
+    /// Whether there are pixels after it.
+    #[must_use]
+    pub fn shows(self) -> bool {
+        matches!(self, Self::Only | Self::Show)
+    }
+}
+
 /// Makes pictures in which ink adds up ([`Ink::Density`](crate::Ink)).
 #[derive(Default)]
 pub struct DensityRenderer {
@@ -33,7 +67,7 @@ pub struct DensityRenderer {
     facts: Facts,
     walk: Walk,
     /// A picture that has been asked for, until the drawing is ready for it, and the pixels along the side of its sums.
-    plan: Option<(Style, Viewport, usize)>,
+    plan: Option<(Style, Pane, Pass, usize)>,
     tone: tone::Tone,
     spent: u64,
 }
@@ -43,6 +77,35 @@ impl DensityRenderer {
     #[must_use]
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// As [`PlaneRenderer::begin_with`], but only a pane of the fine picture, of which first the whole is surveyed, then
+    /// all panes are counted, then all are shown. Of those that are shown there are pixels.
+    pub fn begin_pane(
+        &mut self,
+        style: &Style,
+        viewport: Viewport,
+        view: View,
+        upto: Option<u128>,
+        pane: Pane,
+        pass: Pass,
+    ) {
+        self.start(style, (viewport.within_limits(), view), 1, upto, (pane, pass));
+    }
+
+    fn start(
+        &mut self,
+        style: &Style,
+        sight: (Viewport, View),
+        side: usize,
+        upto: Option<u128>,
+        (pane, pass): (Pane, Pass),
+    ) {
+        let pane = pane.within(sight.0);
+        if let Some(drawing) = &self.drawing {
+            self.walk.begin(drawing, style, sight, 1.0 / side as f64, upto, (pane, pass));
+        }
+        self.plan = Some((style.clone(), pane, pass, side));
     }
 
     fn go_on(&mut self, meter: &mut Meter) -> Progress {
@@ -55,11 +118,11 @@ impl DensityRenderer {
         if meter.is_spent() {
             return Progress::More;
         }
-        if let Some((style, viewport, side)) = self.plan.take() {
+        if let Some((style, pane, pass, side)) = self.plan.take() {
             if self.drawing.is_none() {
-                self.walk.blank(viewport);
+                self.walk.blank(pane);
             }
-            meter.charge(self.tone.begin(&style, viewport, side));
+            meter.charge(self.tone.begin(&style, pane, side, pass));
         }
         if let Some(drawing) = &self.drawing
             && self.walk.step(drawing, &self.facts, meter) == Progress::More
@@ -80,10 +143,7 @@ impl PlaneRenderer for DensityRenderer {
     fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>) {
         let viewport = viewport.within_limits();
         let side = if detail == Detail::Coarse && self.drawing.is_some() { COARSE } else { 1 };
-        if let Some(drawing) = &self.drawing {
-            self.walk.begin(drawing, style, viewport, view, 1.0 / side as f64, upto);
-        }
-        self.plan = Some((style.clone(), viewport, side));
+        self.start(style, (viewport, view), side, upto, (Pane::whole(viewport), Pass::Only));
     }
 
     fn step(&mut self, work: usize) -> Progress {

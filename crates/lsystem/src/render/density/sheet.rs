@@ -120,6 +120,16 @@ impl Sheet {
         Progress::Done
     }
 
+    /// Only the size of one, to see what would lie on it.
+    pub(super) fn outline(&mut self, [width, height]: [usize; 2], planes: usize) {
+        *self = Self { width, height, planes, ..Self::default() };
+    }
+
+    /// How many numbers its pixels have.
+    pub(super) fn numbers(&self) -> usize {
+        self.width * self.height * self.planes
+    }
+
     /// One layer of ink, in units of this sheet.
     pub(super) fn layer(&self) -> f64 {
         libm::scalbn(1.0, self.exponent.saturating_neg()).max(LEAST)

@@ -1,5 +1,7 @@
 use super::*;
-use crate::render::tests::{check_odd_views, check_small_steps, close_up, hard, picture, samples, time};
+use crate::render::tests::{
+    check_odd_views, check_small_steps, close_up, difference, hard, picture, put, samples, time,
+};
 use crate::render::view::root_bounds;
 use crate::{ColourBy, fit, fitted_scale};
 
@@ -132,6 +134,38 @@ fn a_thousand_generations_look_like_two_hundred() {
         let differ = few.pixels().iter().zip(many.pixels()).map(|(a, b)| u64::from(a.abs_diff(*b))).sum::<u64>();
         assert!(differ as f64 / (few.pixels().len() as f64) < 0.5, "{name} {differ}");
     }
+}
+
+#[test]
+fn panes_are_pieces_of_the_whole() {
+    let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+    let [mut whole, mut renderer] = [DensityRenderer::new(), DensityRenderer::new()];
+    let mut failures = vec![];
+    let hard = hard().into_iter().map(|(name, sample)| (name, sample, 24));
+    for (name, sample, n) in samples().into_iter().chain(hard) {
+        let drawing = Arc::new(sample.draw(n));
+        whole.load(drawing.clone());
+        renderer.load(drawing.clone());
+        for (zoom, colour_by) in [(1.0, ColourBy::Symbol), (10.0, ColourBy::Density)] {
+            let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
+            let style = Style { colour_by, ink: crate::Ink::Density, ..sample.0.style.clone() };
+            picture(&mut whole, &style, viewport, view);
+            let mut pixels = vec![0; 320 * 200 * 4];
+            for (pane, pass) in Pass::all(viewport, [320, 48]) {
+                renderer.begin_pane(&style, viewport, view, None, pane, pass);
+                while renderer.step(10_000) == Progress::More {}
+                if pass.shows() {
+                    put(&mut pixels, 320, pane, renderer.pixels());
+                }
+            }
+            let (mean, worst) = difference(&pixels, whole.pixels(), 320);
+            println!("{name:12} {colour_by:?} {zoom:4} mean {mean:.3} worst {worst:.2}");
+            if mean > 0.5 || worst > 12.0 {
+                failures.push((name, colour_by, zoom, mean, worst));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{failures:?}");
 }
 
 #[test]

@@ -4,9 +4,10 @@
 //! picture's own: a picture is exposed for what it shows. All of it depends on ratios alone, so that a view that is
 //! magnified a little is exposed a little differently, and never jumps.
 
+use super::Pass;
 use super::pigment::light;
 use super::sheet::{Pigment, Sheet};
-use crate::render::Viewport;
+use crate::render::Pane;
 use crate::{ColourBy, Meter, Progress, Style};
 
 /// Numbers that differ by less than a 64th of them are one: exponents of `f32` and the first bits of what follows.
@@ -54,13 +55,16 @@ pub(super) struct Tone {
     row: Vec<f32>,
     next: usize,
     stage: Stage,
+    pass: Pass,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Stage {
     #[default]
     Counting,
+    Exposing,
     Showing,
+    Done,
 }
 
 /// The key of a sum.
@@ -74,10 +78,10 @@ fn sum(key: usize) -> f64 {
 }
 
 impl Tone {
-    /// Starts a picture with sums of so many pixels along their sides; the units of work that this took.
-    pub(super) fn begin(&mut self, style: &Style, viewport: Viewport, side: usize) -> u64 {
+    /// Starts a pane with sums of so many pixels along their sides; the units of work that this took.
+    pub(super) fn begin(&mut self, style: &Style, pane: Pane, side: usize, pass: Pass) -> u64 {
         let mut work = 1;
-        let size = (viewport.width as usize, viewport.height as usize);
+        let size = if pass.shows() { (pane.width as usize, pane.height as usize) } else { (0, 0) };
         if (self.width, self.height) != size {
             (self.width, self.height) = size;
             self.pixels.clear();
@@ -97,10 +101,17 @@ impl Tone {
                 (0..STEPS).map(|step| libm::round(255.0 * light(paper, pigment(step))) as u8).collect()
             });
         }
-        self.counts.clear();
-        self.counts.resize(KEYS, 0);
+        if matches!(pass, Pass::Only | Pass::Survey) {
+            self.counts.clear();
+            self.counts.resize(KEYS, 0);
+        }
         self.next = 0;
-        self.stage = Stage::Counting;
+        self.pass = pass;
+        self.stage = match pass {
+            Pass::Only | Pass::Count => Stage::Counting,
+            Pass::Survey => Stage::Done,
+            Pass::Show => Stage::Exposing,
+        };
         work
     }
 
@@ -111,26 +122,30 @@ impl Tone {
     /// Goes on; `pigment` is that of a picture in one ink.
     pub(super) fn step(&mut self, sums: &Sheet, pigment: Pigment, meter: &mut Meter) -> Progress {
         while !meter.is_spent() {
-            if self.stage == Stage::Counting {
-                if self.next < sums.height {
+            match self.stage {
+                Stage::Counting if self.next < sums.height => {
                     self.count(sums, self.next);
+                    meter.charge(1 + sums.reach.get(self.next).map_or(0, |reach| reach.len() as u64 / 16));
                     self.next += 1;
-                    meter.charge(1 + sums.reach.get(self.next - 1).map_or(0, |reach| reach.len() as u64 / 16));
-                    continue;
                 }
-                // A stroke as wide as a pixel covers only a part of a larger place.
-                let unit = self.side as f64 / sums.layer();
-                self.expose(sums.planes, pigment, unit);
-                meter.charge(2 * KEYS as u64);
-                (self.stage, self.next) = (Stage::Showing, 0);
+                Stage::Counting => {
+                    self.stage = if self.pass == Pass::Count { Stage::Done } else { Stage::Exposing };
+                }
+                Stage::Exposing => {
+                    // A stroke as wide as a pixel covers only a part of a larger place.
+                    let unit = self.side as f64 / sums.layer();
+                    self.expose(sums.planes, pigment, unit);
+                    meter.charge(2 * KEYS as u64);
+                    (self.stage, self.next) = (Stage::Showing, 0);
+                }
+                Stage::Showing if self.next < self.height => {
+                    self.show(sums, self.next);
+                    self.next += 1;
+                    // A coarse picture is put together from four sums at each pixel.
+                    meter.charge(1 + (self.width * sums.planes * if self.side > 1 { 4 } else { 1 }) as u64 / 16);
+                }
+                Stage::Showing | Stage::Done => return Progress::Done,
             }
-            if self.next == self.height {
-                return Progress::Done;
-            }
-            self.show(sums, self.next);
-            self.next += 1;
-            // A coarse picture is put together from four sums at each pixel.
-            meter.charge(1 + (self.width * sums.planes * if self.side > 1 { 4 } else { 1 }) as u64 / 16);
         }
         Progress::More
     }

@@ -1,5 +1,6 @@
 //! The descent that adds ink up.
 
+use super::Pass;
 use super::haze::Haze;
 use super::ink::{Ink, InkList};
 use super::pigment::{Pigments, Source};
@@ -10,7 +11,7 @@ use crate::render::inks::{InkTable, Inks, Shade};
 use crate::render::shape::{Shape, Shapes};
 use crate::render::tile::Key;
 use crate::render::view::Camera;
-use crate::render::{Amount, RenderStats, View, Viewport};
+use crate::render::{Amount, Pane, RenderStats, View, Viewport};
 use crate::{Drawing, Item, Meter, Progress, Style};
 
 /// The largest extent, in pixels, at which all ink of a block is added at its centre of gravity, unless that takes too long.
@@ -118,7 +119,8 @@ struct Making {
 /// A picture that has been asked for.
 struct Plan {
     style: Style,
-    viewport: Viewport,
+    pane: Pane,
+    pass: Pass,
     camera: Camera,
     samples: f64,
     upto: Option<u128>,
@@ -157,6 +159,11 @@ pub(super) struct Walk {
     stage: Stage,
     /// The grain of the last survey that found few blocks enough, and their ink.
     found: Option<(f64, Amount)>,
+    pass: Pass,
+    /// Pixels around a pane whose haze is spread into it.
+    apron: usize,
+    /// What a survey of the whole picture found for its panes: the grain, and all ink.
+    surveyed: (f64, Amount),
     haze: Haze,
     pub stats: RenderStats,
 }
@@ -181,20 +188,21 @@ impl Walk {
         self.stage = Stage::Done;
     }
 
-    /// Starts the sums of a picture with so many sums along the side of a pixel.
+    /// Starts the sums of a pane with so many sums along the side of a pixel.
     pub(super) fn begin(
         &mut self,
         drawing: &Drawing,
         style: &Style,
-        viewport: Viewport,
-        view: View,
+        (viewport, view): (Viewport, View),
         samples: f64,
         upto: Option<u128>,
+        (pane, pass): (Pane, Pass),
     ) {
         self.stop();
+        self.apron = 0;
         self.stats = RenderStats::default();
         self.repeats = drawing.memoised;
-        let camera = Camera::new(drawing, viewport, view, samples);
+        let camera = Camera::new(drawing, viewport, view, samples).of_pane(pane, samples);
         let hairline = viewport.least_width(style) * samples;
         let look = Look { hairline, step: camera.step, scale: camera.scale };
         let changed = self.table.choose(drawing, style);
@@ -204,7 +212,7 @@ impl Walk {
             self.look = look;
             self.tiles.clear();
         }
-        self.plan = Some(Plan { style: style.clone(), viewport, camera, samples, upto });
+        self.plan = Some(Plan { style: style.clone(), pane, pass, camera, samples, upto });
     }
 
     /// Finds out what the picture needs to know of the drawing, and empties the sheet.
@@ -216,10 +224,12 @@ impl Walk {
             self.plan = Some(plan);
             return Progress::More;
         }
-        let Plan { viewport, samples, .. } = plan;
-        let size = [viewport.width, viewport.height].map(|side| (f64::from(side) * samples).ceil() as usize);
+        let Plan { pane, pass, samples, .. } = plan;
+        let size = [pane.width, pane.height].map(|side| (f64::from(side) * samples).ceil() as usize);
         let planes = if self.table.used().len() > 1 { 4 } else { 1 };
-        if self.sheets[0].empty(size, planes, meter) == Progress::More {
+        if pass == Pass::Survey {
+            self.sheets[0].outline(size, planes);
+        } else if self.sheets[0].empty(size, planes, meter) == Progress::More {
             self.plan = Some(plan);
             return Progress::More;
         }
@@ -227,14 +237,19 @@ impl Walk {
         self.patience = TIRED + EACH * (size[0] * size[1]) as u64;
         self.start.extend(self.descent.root(drawing, camera));
         self.cut = upto.map(Cut::new);
-        self.stage = Stage::Cut;
+        (self.stage, self.pass) = (Stage::Cut, pass);
         Progress::Done
     }
 
-    /// Starts to look at the drawing.
-    fn look_around(&mut self) {
+    /// Starts to look at the drawing, unless that has been done for the whole picture.
+    fn look_around(&mut self) -> u64 {
+        if matches!(self.pass, Pass::Count | Pass::Show) {
+            let (grain, all) = self.surveyed;
+            return self.draw(grain, all);
+        }
         self.found = None;
         self.survey(4.0 * self.sheets[0].width.max(self.sheets[0].height) as f64, false);
+        0
     }
 
     /// Starts looking how many blocks are larger than `grain`; `rising` says that there were too many with less.
@@ -245,6 +260,10 @@ impl Walk {
 
     /// Starts drawing so much ink in all.
     fn draw(&mut self, grain: f64, all: Amount) -> u64 {
+        if self.pass == Pass::Survey {
+            (self.surveyed, self.stage) = ((grain, all), Stage::Done);
+            return 0;
+        }
         self.stage = Stage::Draw { grain };
         self.stack.clone_from(&self.start);
         let exponent = exponent(all);
@@ -254,13 +273,14 @@ impl Walk {
             self.tiles.clear();
         }
         self.sheets[0].exponent = exponent;
-        if grain > 0.0 { self.haze.reset(&self.sheets[0]) } else { 0 }
+        self.apron = if grain > 0.0 { Haze::apron(grain) } else { 0 };
+        if grain > 0.0 { self.haze.reset(&self.sheets[0], self.apron) } else { 0 }
     }
 
     /// An empty picture.
-    pub(super) fn blank(&mut self, viewport: Viewport) {
+    pub(super) fn blank(&mut self, pane: Pane) {
         self.stop();
-        self.sheets[0].reset([viewport.width, viewport.height].map(|side| side as usize), 1, 0);
+        self.sheets[0].reset([pane.width, pane.height].map(|side| side as usize), 1, 0);
     }
 
     pub(super) fn sums(&self) -> &Sheet {
@@ -284,7 +304,7 @@ impl Walk {
                         return Progress::More;
                     }
                     self.cut = None;
-                    self.look_around();
+                    meter.charge(self.look_around());
                 }
                 Stage::Survey { .. } => meter.charge(self.look(drawing, facts)),
                 Stage::Draw { .. } if !self.sheets[self.filled].is_filled() => self.sheets[self.filled].go_on(meter),
@@ -345,7 +365,7 @@ impl Walk {
             }
             Some(Met { node, .. }) => {
                 // More than any stroke has that is in the picture.
-                let amount = Amount::new(self.width(node.pen.width)).times(self.sheets[0].values.len() as f64);
+                let amount = Amount::new(self.width(node.pen.width)).times(self.sheets[0].numbers() as f64);
                 let Stage::Survey { visits, all, .. } = &mut self.stage else { return 0 };
                 *visits += 1;
                 *all = all.plus(amount);
@@ -403,7 +423,9 @@ impl Walk {
         ];
         let [low, high] = [-1.0, 1.0].map(|sign| [0, 1].map(|axis| centre[axis] + sign * reach[axis]));
         let extent = 2.0 * place.scale.abs() * shape.half[0].max(shape.half[1]);
-        let shows = shape.strokes > 0 && !self.sheets[node.canvas].misses(low, high);
+        let apron = if node.canvas == 0 { self.apron as f64 } else { 0.0 };
+        let (near, far) = (low.map(|at| at - apron), high.map(|at| at + apron));
+        let shows = shape.strokes > 0 && !self.sheets[node.canvas].misses(near, far);
         shows.then_some(Seen { centre, reach, width, extent })
     }
 
