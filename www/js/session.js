@@ -97,6 +97,8 @@ export function createSession(keeper, tab) {
         /** Opens what was made elsewhere: a visit of its own once it is changed. @param {State} state */
         visit(state) {
             flush();
+            // The address is that of what comes already.
+            tab.write('tab', null);
             own = freshId();
             base = state;
             followed?.open(state);

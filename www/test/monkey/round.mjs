@@ -138,8 +138,16 @@ async function compare(place, fresh, address, embedded) {
         await compareTexts(place.frame, `${address}embed.html${link}`);
         return comparePicture(place, fresh, `${address}embed.html${link}`);
     }
-    await written(place);
-    return comparePicture(place, fresh, place.page.url());
+    // What was dropped on the page may be opened as late as this.
+    for (;;) {
+        await written(place);
+        const link = place.page.url();
+        try {
+            return await comparePicture(place, fresh, link);
+        } catch (error) {
+            if (place.page.url() === link) throw error;
+        }
+    }
 }
 
 /** The address is written a little after the last change: what is lost stays lost. @param {Place} place */

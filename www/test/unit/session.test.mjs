@@ -91,3 +91,24 @@ test('states that stopped the drawing are remembered until they are drawn', () =
     keeper.write('suspects', [7, null, 'x'.repeat(100), { a: 1 }]);
     assert.ok(!createSession(keeper, tab).isSuspect(bad));
 });
+
+test('a link typed after a change is what a quick reload shows', (t) => {
+    const page = /** @type {any} */ (globalThis);
+    t.after(() => ['location', 'window', 'addEventListener'].forEach((name) => delete page[name]));
+    // Timers never end: the reload is quicker.
+    Object.assign(page, { location: { hash: '#v=1&axiom=F' }, window: { setTimeout: () => 1 }, addEventListener() {} });
+    const keeper = createStorage(() => area());
+    const tab = createStorage(() => area());
+    const [typed, linked] = [clean({ axiom: 'F', rules: 'F -> FF' }), clean({ axiom: 'A' })];
+    let change = () => {};
+    const store = { state: clean({ axiom: 'F' }), origin: clean({ axiom: 'F' }), subscribe: (/** @type {() => void} */ call) => void (change = call), open: (/** @type {any} */ state) => void (store.state = state) };
+    const session = createSession(keeper, tab);
+    session.follow(/** @type {any} */ (store));
+    store.state = typed;
+    change();
+    page.location.hash = '#v=1&axiom=A';
+    session.visit(linked);
+    assert.equal(createSession(keeper, tab).start(page.location.hash, linked)?.state.axiom ?? 'A', 'A');
+    // What was typed before is not lost.
+    assert.equal(openSession(createSession(keeper, tab).others()[0])?.state.rules, 'F -> FF');
+});
