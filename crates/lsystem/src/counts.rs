@@ -204,7 +204,7 @@ fn sum<T: Total>(letters: &Multiset, totals: &[Option<T>]) -> Option<T> {
 /// The letters of `word` with how often each occurs, sorted.
 fn multiset(word: &[SymbolId]) -> Multiset {
     let mut sorted = word.to_vec();
-    crate::sorted::sort(&mut sorted);
+    lsystem_syntax::sorted::sort(&mut sorted);
     let mut letters = Multiset::new();
     for symbol in sorted {
         match letters.last_mut() {

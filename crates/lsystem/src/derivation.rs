@@ -5,9 +5,9 @@
 //! be derived one after the other, depth first, and no generation in between is ever held.
 
 use crate::counts::{counts_until, sum_of, sums_by_depth};
-use crate::diagnostic::{Diagnostic, Kind, LimitName};
 use crate::program::{Program, Rewrite, SymbolId};
 use crate::walk::{Next, Walk};
+use crate::{Diagnostic, Kind, LimitName};
 use crate::{Fault, Field, Grammar, Key, Letter, LetterId, Limits, MAX_ITERATIONS, Rewriter, Rule, Rules, System};
 
 /// Texts up to this many bytes are copied whole; longer ones are composed of them. The source of a copy then stays

@@ -1,9 +1,9 @@
 //! Systems and drawings in words: the legend of symbols, why nothing is drawn, a picture's text alternative.
 
 use crate::counts::count_segments;
-use crate::message::grouped;
 use crate::program::Rewrite;
 use crate::{Action, Grammar, Heading, MAX_ITERATIONS, Pattern, Production, System, Tally};
+use lsystem_syntax::message::grouped;
 
 /// What one symbol of a system does, for people.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,7 +43,7 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
                 words.collect::<Vec<_>>().join(", then ")
             } else {
                 let productions = system.grammar.images.iter().filter(|image| is_of(&image.predecessor, symbol, arity));
-                let words: Vec<String> = productions.map(crate::print::successor).collect();
+                let words: Vec<String> = productions.map(lsystem_syntax::print::successor).collect();
                 format!("is drawn as {}", words.join(" or "))
             };
             let names = if names.is_empty() { String::new() } else { format!("({})", names.join(",")) };

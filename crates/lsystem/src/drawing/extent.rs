@@ -3,7 +3,7 @@
 use super::{BlockId, Drawing, Item};
 use crate::Heading;
 use crate::plane::Directions;
-use crate::sorted::sort;
+use lsystem_syntax::sorted::sort;
 use std::collections::HashMap;
 
 /// How exact the answer is, in units of the root block.

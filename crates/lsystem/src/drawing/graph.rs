@@ -3,10 +3,10 @@
 use super::builder::Builder;
 use super::sheet::{Desk, Sheet};
 use super::{BlockId, ColourChange, Item, Piece, Placed, StyleChange};
-use crate::sorted::set;
 use crate::space::{Space, reach, times};
 use crate::turtle::{LARGEST, Op, Pen, Score, exponent_of};
 use crate::{Plane, Program, Rewrite, SymbolId};
+use lsystem_syntax::sorted::set;
 
 /// How a piece of a drawing leaves the turtle, in the frame in which it entered: at the origin heading along +x.
 #[derive(Clone, Copy, Debug, PartialEq)]

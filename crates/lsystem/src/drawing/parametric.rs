@@ -14,11 +14,11 @@ use super::vertical::{self, Course, Tilt, vertical_of};
 use super::{BlockId, Item, Piece, StyleChange};
 use crate::derivation::fault;
 use crate::rewriting::{Keys, Scales, applying};
-use crate::sorted::sort;
 use crate::space::Space;
 use crate::turtle::{Op, Pen, Score, exponent_of};
 use crate::{Diagnostic, Fault, LetterId, Limits, Meter, Rule, Rules, Template, Turtle};
 use core::ops::Range;
+use lsystem_syntax::sorted::sort;
 
 /// The most states: some hundred bytes each. More of them than this hardly ever come together.
 const STATES: usize = 1 << 16;

@@ -1,6 +1,6 @@
 //! Which colours a block draws with, so that one picture of it serves whatever colour it is entered with.
 
-use crate::limits::MAX_PALETTE;
+use crate::MAX_PALETTE;
 use crate::{Block, ColourBy, ColourChange, Drawing, Item, Style, StyleChange};
 
 /// A colour, as far as it is known inside a block.

@@ -4,8 +4,8 @@
 //! shorter than a step of the gradient is in the colour of its middle, and longer ones are looked into.
 
 use super::amount::Amount;
-use crate::style::{gradient_step, is_one_step};
 use crate::{BlockId, ColourBy, Drawing, Item, Style};
+use lsystem_syntax::style::{gradient_step, is_one_step};
 
 /// A part of the path, as parts of the whole.
 #[derive(Clone, Copy, Debug)]
