@@ -433,7 +433,7 @@ fn multiset(word: &[SymbolId], counted: &mut [u32]) -> Multiset {
         }
         *count += 1;
     }
-    crate::sorted::sort(&mut letters);
+    lsystem_syntax::sorted::sort(&mut letters);
     letters.iter_mut().for_each(|(symbol, times)| *times = core::mem::take(&mut counted[usize::from(*symbol)]));
     letters
 }

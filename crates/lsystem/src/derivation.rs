@@ -5,9 +5,9 @@
 //! be derived one after the other, depth first, and no generation in between is ever held.
 
 use crate::counts::{Depths, counts_until};
-use crate::diagnostic::{Diagnostic, Kind, LimitName};
 use crate::program::{Program, Rewrite, SymbolId};
 use crate::walk::{Next, Walk};
+use crate::{Diagnostic, Kind, LimitName};
 use crate::{
     Fault, Field, Grammar, Key, Letter, LetterId, Limits, MAX_ITERATIONS, Meter, Rewriter, Rule, Rules, System,
 };
@@ -420,7 +420,7 @@ pub(crate) fn fixed(program: &Program) -> Vec<bool> {
     if open.is_empty() {
         return fixed;
     }
-    crate::sorted::sort(&mut makers);
+    lsystem_syntax::sorted::sort(&mut makers);
     while let Some(letter) = open.pop() {
         let from = makers.partition_point(|&(made, _)| made < letter);
         for &(_, maker) in makers[from..].iter().take_while(|&&(made, _)| made == letter) {

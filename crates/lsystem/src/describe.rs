@@ -1,10 +1,10 @@
 //! Systems and drawings in words: the legend of symbols, why nothing is drawn, a picture's text alternative.
 
 use crate::counts::{drawn_by_letter, weigh_until};
-use crate::message::grouped;
 use crate::program::Rewrite;
-use crate::sorted::set;
 use crate::{Action, Grammar, Heading, MAX_ITERATIONS, Meter, Pattern, Production, System, Tally};
+use lsystem_syntax::message::grouped;
+use lsystem_syntax::sorted::set;
 
 /// What one symbol of a system does, for people.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,7 +51,7 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
             } else {
                 let words: Vec<String> = images(id)
                     .iter()
-                    .map(|image| crate::print::successor(&drawn[image.production - productions.len()]))
+                    .map(|image| lsystem_syntax::print::successor(&drawn[image.production - productions.len()]))
                     .collect();
                 format!("is drawn as {}", words.join(" or "))
             };

@@ -34,40 +34,21 @@
 //! ```
 
 mod access;
-mod action;
-mod code;
 mod counts;
-mod definition;
 mod derivation;
 mod describe;
-mod diagnostic;
-mod dialect;
 mod drawing;
-mod expr;
 mod format;
-mod grammar;
-mod heading;
 mod key;
-mod limits;
 mod mesh;
-mod message;
-mod meter;
-mod notation;
-mod notes;
-mod overrides;
-mod place;
 mod plane;
-mod print;
 mod program;
-mod progress;
 mod render;
 mod render3d;
 mod rewriting;
 mod rotation;
 mod solid;
-mod sorted;
 mod space;
-mod style;
 mod system;
 mod tally;
 #[cfg(test)]
@@ -77,39 +58,30 @@ mod turtle;
 mod walk;
 
 pub use access::{Ancestor, Part, Word, symbol_of_polygon};
-pub use action::Action;
-pub use code::{Code, Meaning, Op, STACK, Unusable};
 pub use counts::{Counter, count, count_segments, count_symbols};
-pub use definition::Definition;
 pub use derivation::{expand, expand_counted, expand_into, expand_once, expand_symbol};
 pub use describe::{LegendEntry, describe, kind, legend, short_count, why_empty};
-pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Quantity, Role, Severity};
-pub use dialect::Dialect;
 pub use drawing::{
     Block, BlockId, Body, ColourChange, Drawer, Drawing, Effect, Item, Mark, Outlook, Piece, Placed, Polygon, Segment,
     SegmentArrays, SegmentChunk, Segments, Stroke, StyleChange, StyleId, WidthChange, draw, draw_solid,
 };
-pub use expr::{Expr, Function, Operator, SIGN};
 pub use format::{
     CsvWriter, FileContent, GlbWriter, ObjWriter, Svg, SvgForm, SvgOptions, SvgWriter, read_file, read_json, tag_png,
     write_csv, write_glb, write_json, write_obj, write_svg,
 };
-pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
-pub use heading::Heading;
 pub use key::{Key, Purpose};
-pub use limits::{
-    Limits, MAX_ACTIONS, MAX_CONTEXT, MAX_COUNTING, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS,
-    MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE, MAX_TEXT,
+pub use lsystem_syntax::{
+    Action, Class, Classes, Code, Colour, ColourBy, Constant, ConstantPlace, Definition, Diagnostic, Dialect, Expected,
+    Expr, Field, Function, GRADIENT, Grammar, Heading, Ink, JsonError, Kind, LimitName, Limits, MAX_ACTIONS,
+    MAX_CONTEXT, MAX_COUNTING, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS, MAX_PICTURE_PIXELS,
+    MAX_PICTURE_SIDE, MAX_TEXT, Meaning, Meter, Module, Op, Operator, Override, Pattern, Production, Progress,
+    Quantity, Role, SIGN, STACK, Seen, Severity, Style, Tint, Unusable, classify, parse, parse_overrides, plain_word,
+    print_actions, print_axiom, print_module, print_overrides, print_rules, render_diagnostic, utf16_letters,
+    utf16_span, visible,
 };
 pub use mesh::{Mesh, MeshMaker};
-pub use meter::Meter;
-pub use notation::{Class, Classes, ConstantPlace, classify, parse, plain_word};
-pub use overrides::{Override, parse_overrides, print_actions, print_overrides};
-pub use place::{render_diagnostic, utf16_letters, utf16_span, visible};
 pub use plane::Plane;
-pub use print::{print_axiom, print_module, print_rules};
 pub use program::{Choice, Program, Rewrite, SymbolId};
-pub use progress::Progress;
 pub use render::{
     DensityRenderer, Detail, Fitted, Pane, Pass, Pick, PlaneRenderer, Pointer, Rect, RenderStats, Renderer, Target,
     View, Viewport, fit, fitted_ends, fitted_outline, fitted_polygon, fitted_scale, pick,
@@ -124,7 +96,6 @@ pub use rewriting::{
 pub use rotation::Rotation;
 pub use solid::Solid;
 pub use space::{Axis, Space};
-pub use style::{Colour, ColourBy, GRADIENT, Ink, Style, Tint};
 pub use system::System;
 pub use tally::Tally;
 pub use turtle::{Colouring, Tropism, Turtle};

@@ -1,8 +1,8 @@
 //! A grammar made ready for derivation: letters become small integers, productions a table over them.
 
-use crate::grammar::Grammar;
+use crate::Grammar;
 use crate::rewriting::{Rule, Rules};
-use crate::sorted::set;
+use lsystem_syntax::sorted::set;
 
 /// A letter's place in [`Program::alphabet`].
 pub type SymbolId = u16;
@@ -70,7 +70,7 @@ impl Program {
         // Text is bounded far below 65,536 distinct letters times productions; the cap only guards the cast.
         alphabet.truncate(usize::from(SymbolId::MAX) + 1);
         let id = |symbol: char| alphabet.binary_search(&symbol).unwrap_or(0) as SymbolId;
-        let ids = |modules: &[crate::grammar::Module]| modules.iter().map(|m| id(m.symbol)).collect::<Vec<_>>();
+        let ids = |modules: &[crate::Module]| modules.iter().map(|m| id(m.symbol)).collect::<Vec<_>>();
 
         let values = grammar.values();
         let mut rewrites = vec![Rewrite::Keep; alphabet.len()];

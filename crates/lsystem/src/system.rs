@@ -1,14 +1,14 @@
 //! A system ready for derivation and drawing.
 
-use crate::notation::{self, Places, Reading};
-use crate::notes::Notes;
-use crate::sorted::{set, sort};
 use crate::{
     Action, ColourBy, Colouring, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, LimitName,
     MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, Module, Production, Program, Quantity, Rules, Style, Tropism, Turtle,
     parse_overrides,
 };
 use core::ops::Range;
+use lsystem_syntax::notation::{self, Places, Reading};
+use lsystem_syntax::notes::Notes;
+use lsystem_syntax::sorted::{set, sort};
 
 /// A checked and compiled [`Definition`].
 #[derive(Clone, Debug, PartialEq)]

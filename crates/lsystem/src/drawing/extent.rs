@@ -2,8 +2,8 @@
 
 use super::{BlockId, Contents, Item, Placed};
 use crate::plane::Directions;
-use crate::sorted::sort;
 use crate::{Heading, Meter, Plane};
+use lsystem_syntax::sorted::sort;
 use std::collections::HashMap;
 
 /// How exact the answer is, in units of the root block, where that takes no more than the effort below.

@@ -55,8 +55,6 @@
 //!
 //! Unknown keys are reported and skipped.
 
-use crate::notes::{Notes, excerpt, similar};
-use crate::sorted::repeated;
 use crate::{
     Colour, ColourBy, Definition, Diagnostic, Dialect, Expected, Field, Grammar, Ink, JsonError, Kind, LimitName,
     MAX_ITERATIONS, MAX_PALETTE, Module, Production, Quantity, Style, plain_word, print_axiom, print_rules,
@@ -66,6 +64,8 @@ use jsonc_parser::ast::{Object, ObjectProp, Value};
 use jsonc_parser::common::Ranged;
 use jsonc_parser::errors::{ParseError, ParseErrorKind};
 use jsonc_parser::{CollectOptions, ParseOptions, ParseStringErrorKind, parse_to_ast};
+use lsystem_syntax::notes::{Notes, excerpt, similar};
+use lsystem_syntax::sorted::repeated;
 
 /// The keys of a file.
 const KEYS: [&str; 12] = [
@@ -152,7 +152,7 @@ struct File {
 
 impl File {
     fn read(&mut self, text: &str) -> Option<Definition> {
-        if !crate::notation::is_short_enough(text, &mut self.notes) {
+        if !lsystem_syntax::notation::is_short_enough(text, &mut self.notes) {
             return None;
         }
         let body = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -356,7 +356,7 @@ impl File {
         for property in &overrides.properties {
             let Some(symbol) = self.symbol(property) else { continue };
             match &property.value {
-                Value::StringLit(actions) => lines.push(crate::overrides::line(symbol, &actions.value)),
+                Value::StringLit(actions) => lines.push(lsystem_syntax::overrides::line(symbol, &actions.value)),
                 other => self.wrong_type(property.name.as_str(), Expected::String, other),
             }
         }

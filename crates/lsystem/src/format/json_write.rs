@@ -1,8 +1,8 @@
 //! Writing systems as JSON files; the format is described where it is read.
 
 use super::read_json;
-use crate::print::number;
 use crate::{Definition, Dialect, Grammar, Module, Production, Style, parse};
+use lsystem_syntax::number::number;
 
 /// A file that reads back as `definition`, ending with a newline: in the course's form where that can say all of it,
 /// in ours otherwise.
@@ -92,7 +92,7 @@ fn turtle(definition: &Definition) -> String {
         }
     }
     if !definition.overrides.is_empty() {
-        let overrides = crate::overrides::entries(&definition.overrides);
+        let overrides = lsystem_syntax::overrides::entries(&definition.overrides);
         members.push(match overrides {
             Some(entries) => ("overrides", object(entries.iter().map(|(s, text)| (s.to_string(), string(text))))),
             None => ("overrides", lines(&definition.overrides)),

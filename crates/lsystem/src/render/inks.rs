@@ -1,7 +1,7 @@
 //! Which colours a block draws with, so that one picture of it serves whatever colour it is entered with.
 
 use super::sweep::{Fact, Sweep};
-use crate::limits::MAX_PALETTE;
+use crate::MAX_PALETTE;
 use crate::{Block, BlockId, ColourBy, ColourChange, Drawing, Item, Meter, Progress, Style, StyleChange, StyleId};
 
 /// A colour, as far as it is known inside a block.

@@ -5,8 +5,8 @@
 
 use super::amount::Amount;
 use super::sweep::{Fact, Sweep};
-use crate::style::{gradient_step, is_one_step};
 use crate::{Block, BlockId, ColourBy, Drawing, Item, Meter, Progress, Style};
+use lsystem_syntax::style::{gradient_step, is_one_step};
 
 /// A part of the path, as parts of the whole.
 #[derive(Clone, Copy, Debug)]

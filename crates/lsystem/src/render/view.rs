@@ -3,8 +3,8 @@
 use super::Pane;
 use super::descent::Pen;
 use super::wide::Wide;
-use crate::limits::{MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 use crate::{Block, Drawing, Style};
+use crate::{MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 
 /// The size of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! Colours along the path: which part of all segments a node has.
 
 use crate::GRADIENT;
-use crate::style::{gradient_step, is_one_step};
+use lsystem_syntax::style::{gradient_step, is_one_step};
 
 /// A part of the path, from the first segment at 0 to the last at 1.
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,12 +1,12 @@
 //! Making a grammar ready: letters become small integers, names become slots.
 
 use super::rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
-use crate::code::{Code, Meaning, Unusable};
-use crate::expr::Expr;
-use crate::grammar::Values;
-use crate::sorted::{set, sort};
+use crate::Expr;
+use crate::{Code, Meaning, Unusable};
 use crate::{Grammar, Module, Pattern, Production};
 use core::ops::Range;
+use lsystem_syntax::grammar::Values;
+use lsystem_syntax::sorted::{set, sort};
 
 impl Rules {
     /// Compiles `grammar`. `spans` says where its productions stand in the text, then those for drawing; `cuts` which

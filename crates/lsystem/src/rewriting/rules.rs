@@ -1,6 +1,6 @@
 //! Compiled productions.
 
-use crate::code::Code;
+use crate::Code;
 use core::ops::Range;
 
 /// A letter's place in [`Rules::letters`].

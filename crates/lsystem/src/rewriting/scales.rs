@@ -5,9 +5,9 @@
 //! depends on them, modules that differ by a common factor of these parameters need not be told apart.
 
 use super::rules::{LetterId, Rule, Rules, Template};
-use crate::code::{Code, Op};
-use crate::expr::{Function, Operator};
 use crate::{Action, MAX_PARAMETERS, Turtle};
+use crate::{Code, Op};
+use crate::{Function, Operator};
 
 /// The first of a letter's productions that applies to a module with these arguments, without contexts or chance.
 pub(crate) fn applying<'a>(rules: &'a [Rule], arguments: &[f64]) -> Option<&'a Rule> {

@@ -10,7 +10,7 @@ use super::modules::{Modules, NotFinite};
 use super::room::held;
 use super::rules::{Rule, Rules};
 use super::table::{Sides, Table};
-use crate::code::Code;
+use crate::Code;
 use crate::{LimitName, Limits, Meter};
 use core::ops::Range;
 

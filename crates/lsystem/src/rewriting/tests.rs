@@ -1,6 +1,6 @@
 use super::*;
-use crate::code::Code;
-use crate::expr::Operator;
+use crate::Code;
+use crate::Operator;
 use crate::{Key, LimitName, Limits};
 
 /// Rules from `left, strict, right, successor` in single characters; `ignored` letters are not seen.

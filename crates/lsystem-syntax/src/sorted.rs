@@ -4,7 +4,7 @@
 //! where lists are short or sorted rarely.
 
 /// Sorts in place, without memory: a heap sort (Williams, 1964). Equal elements come in any order.
-pub(crate) fn sort<T: Ord>(list: &mut [T]) {
+pub fn sort<T: Ord>(list: &mut [T]) {
     let len = list.len();
     // First makes a heap of the list, the largest on top, then takes one after the other from the top.
     for step in (0..len + len / 2).rev() {
@@ -30,7 +30,7 @@ pub(crate) fn sort<T: Ord>(list: &mut [T]) {
 }
 
 /// Each different element once, sorted.
-pub(crate) fn set<T: Ord>(elements: impl IntoIterator<Item = T>) -> Vec<T> {
+pub fn set<T: Ord>(elements: impl IntoIterator<Item = T>) -> Vec<T> {
     let mut list: Vec<T> = elements.into_iter().collect();
     sort(&mut list);
     list.dedup();
@@ -38,7 +38,7 @@ pub(crate) fn set<T: Ord>(elements: impl IntoIterator<Item = T>) -> Vec<T> {
 }
 
 /// For each key, whether it stands earlier too.
-pub(crate) fn repeated<K: Ord>(keys: impl IntoIterator<Item = K>) -> Vec<bool> {
+pub fn repeated<K: Ord>(keys: impl IntoIterator<Item = K>) -> Vec<bool> {
     let mut list: Vec<(K, usize)> = keys.into_iter().enumerate().map(|(at, key)| (key, at)).collect();
     sort(&mut list);
     let mut repeated = vec![false; list.len()];

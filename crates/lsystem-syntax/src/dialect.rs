@@ -25,7 +25,7 @@ impl Dialect {
     pub const ALL: [Self; 5] = [Self::Abop, Self::EveryLetter, Self::Practical, Self::Lowercase, Self::Axes];
 
     /// Their names in files, in the same order.
-    pub(crate) const NAMES: [&str; 5] = ["abop", "every-letter", "practical", "lowercase", "axes"];
+    pub const NAMES: [&str; 5] = ["abop", "every-letter", "practical", "lowercase", "axes"];
 
     /// Its name in files.
     #[must_use]

@@ -24,8 +24,7 @@
 //! write branches in `[ ]` (ABOP, section 1.8). A symbol with another number of parameters is another letter.
 
 pub(crate) mod arrow;
-mod classes;
-mod constants;
+pub(crate) mod constants;
 pub(crate) mod expression;
 mod line;
 mod production;
@@ -34,14 +33,13 @@ pub(crate) mod word;
 
 use crate::notes::Notes;
 use crate::{Diagnostic, Field, Grammar, Kind, LimitName, MAX_TEXT, Module, Role};
-pub use classes::{Class, Classes, ConstantPlace, classify};
 use constants::Constants;
 use core::ops::Range;
 
 /// Reads an axiom and rules. The grammar holds what could be read; it is usable when no diagnostic is an error.
 ///
 /// ```
-/// let (grammar, diagnostics) = lsystem::parse("F", "F -> F[+F]F");
+/// let (grammar, diagnostics) = lsystem_syntax::parse("F", "F -> F[+F]F");
 /// assert!(diagnostics.is_empty());
 /// assert_eq!(grammar.productions[0].successor.len(), 6);
 /// ```
@@ -59,28 +57,34 @@ pub fn plain_word(text: &str) -> Vec<Module> {
 
 /// A grammar together with where its parts stand in the text.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Reading {
-    pub(crate) grammar: Grammar,
-    pub(crate) diagnostics: Vec<Diagnostic>,
+pub struct Reading {
+    /// What the texts say.
+    pub grammar: Grammar,
+    /// What is wrong or doubtful.
+    pub diagnostics: Vec<Diagnostic>,
     /// By module of the axiom.
-    pub(crate) axiom: Vec<Range<usize>>,
+    pub axiom: Vec<Range<usize>>,
     /// By production.
-    pub(crate) productions: Vec<Places>,
+    pub productions: Vec<Places>,
     /// By production below `draw:`.
-    pub(crate) images: Vec<Places>,
+    pub images: Vec<Places>,
 }
 
 /// Where the modules of a production stand.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Places {
-    pub(crate) left: Vec<Range<usize>>,
-    pub(crate) predecessor: Range<usize>,
-    pub(crate) right: Vec<Range<usize>>,
-    pub(crate) successor: Vec<Range<usize>>,
+pub struct Places {
+    /// By module of the left context.
+    pub left: Vec<Range<usize>>,
+    /// The strict predecessor.
+    pub predecessor: Range<usize>,
+    /// By module of the right context.
+    pub right: Vec<Range<usize>>,
+    /// By module of the successor.
+    pub successor: Vec<Range<usize>>,
 }
 
 /// Reads an axiom and rules, keeping all places.
-pub(crate) fn read(axiom: &str, rules: &str) -> Reading {
+pub fn read(axiom: &str, rules: &str) -> Reading {
     let mut constants = Constants::default();
     let mut notes = [Notes::new(Field::Axiom), Notes::new(Field::Rules)];
     let mut reading = read_with(axiom, rules, &mut constants, &mut notes);
@@ -92,7 +96,7 @@ pub(crate) fn read(axiom: &str, rules: &str) -> Reading {
 }
 
 /// Reads both texts, what there is to say of them into `notes`.
-fn read_with(axiom: &str, rules: &str, constants: &mut Constants, notes: &mut [Notes; 2]) -> Reading {
+pub(crate) fn read_with(axiom: &str, rules: &str, constants: &mut Constants, notes: &mut [Notes; 2]) -> Reading {
     let mut reading = Reading::default();
     let [notes, rules_notes] = notes;
     if is_short_enough(rules, rules_notes) {
@@ -108,7 +112,7 @@ fn read_with(axiom: &str, rules: &str, constants: &mut Constants, notes: &mut [N
 }
 
 /// Whether `text` is within [`MAX_TEXT`]; noted otherwise.
-pub(crate) fn is_short_enough(text: &str, notes: &mut Notes) -> bool {
+pub fn is_short_enough(text: &str, notes: &mut Notes) -> bool {
     let short = text.len() <= MAX_TEXT;
     if !short {
         notes.add(Kind::Limit { limit: LimitName::Text, value: MAX_TEXT as u64, largest: None }, 0..0);
@@ -128,8 +132,8 @@ pub(crate) fn lines(text: &str) -> impl Iterator<Item = Range<usize>> {
 
 /// Whether a line of rules or overrides is a comment or blank.
 pub(crate) fn is_comment(line: &str) -> bool {
-    let line = line.trim_matches(token::is_blank);
+    let line = line.trim_matches(crate::characters::is_blank);
     line.is_empty()
         || line.starts_with("//")
-        || line.strip_prefix('#').is_some_and(|rest| rest.chars().next().is_none_or(token::is_blank))
+        || line.strip_prefix('#').is_some_and(|rest| rest.chars().next().is_none_or(crate::characters::is_blank))
 }

@@ -30,7 +30,8 @@
 use crate::notation::token::{Token, span_of, text_of, tokens};
 use crate::notation::{is_comment, is_short_enough, lines};
 use crate::notes::{Notes, similar};
-use crate::print::{number, symbol};
+use crate::number::number;
+use crate::print::symbol;
 use crate::sorted::repeated;
 use crate::{Action, Class, Diagnostic, Expected, Field, Kind, LimitName, MAX_ACTIONS};
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
@@ -93,7 +94,7 @@ pub fn print_overrides(overrides: &[Override]) -> String {
 }
 
 /// One line of overrides.
-pub(crate) fn line(ch: char, actions: &str) -> String {
+pub fn line(ch: char, actions: &str) -> String {
     let mut line = String::new();
     symbol(ch, ch == '#', &mut line);
     line.push_str(": ");
@@ -102,7 +103,7 @@ pub(crate) fn line(ch: char, actions: &str) -> String {
 }
 
 /// Symbols and actions of a text that is made of nothing else, or `None`.
-pub(crate) fn entries(text: &str) -> Option<Vec<(char, &str)>> {
+pub fn entries(text: &str) -> Option<Vec<(char, &str)>> {
     let mut entries = Vec::new();
     for place in text.split('\n').scan(0, |from, l| Some(core::mem::replace(from, *from + l.len() + 1)..*from - 1)) {
         let mut quiet = Notes::new(Field::Overrides);

@@ -45,7 +45,7 @@ impl Seen {
 }
 
 /// A list of symbols, or none, ready to be looked into often.
-pub(crate) struct SeenSymbols {
+pub struct SeenSymbols {
     listed: Vec<char>,
     /// What it says of those that are not in the list.
     others: bool,
@@ -53,7 +53,7 @@ pub(crate) struct SeenSymbols {
 
 impl Seen {
     /// The same, ready to be looked into often.
-    pub(crate) fn ready(&self) -> SeenSymbols {
+    pub fn ready(&self) -> SeenSymbols {
         let (list, others) = match self {
             Self::All => (&[][..], true),
             Self::Except(list) => (&list[..], true),
@@ -65,23 +65,23 @@ impl Seen {
 
 impl SeenSymbols {
     /// As [`Seen::contains`].
-    pub(crate) fn contains(&self, symbol: char) -> bool {
+    pub fn contains(&self, symbol: char) -> bool {
         self.listed.binary_search(&symbol).is_ok() != self.others
     }
 }
 
 /// Values by name, ready to be looked into often.
-pub(crate) struct Values<'a>(Vec<(&'a str, usize, f64)>);
+pub struct Values<'a>(Vec<(&'a str, usize, f64)>);
 
 impl Values<'_> {
     /// The value of a constant.
-    pub(crate) fn of(&self, name: &str) -> Option<f64> {
+    pub fn of(&self, name: &str) -> Option<f64> {
         let at = self.0.partition_point(|&(known, ..)| known < name);
         self.0.get(at).filter(|&&(known, ..)| known == name).map(|&(.., value)| value)
     }
 
     /// The value of an expression of constants; `None` where parameters or chance play a part.
-    pub(crate) fn value(&self, expr: &Expr) -> Option<f64> {
+    pub fn value(&self, expr: &Expr) -> Option<f64> {
         match Code::new(expr, &|name: &str| self.of(name).map(Meaning::Constant), &mut 0) {
             Ok(Code::Constant(value)) => Some(value),
             _ => None,
@@ -194,7 +194,7 @@ impl Grammar {
     }
 
     /// The constants, ready to be looked up often.
-    pub(crate) fn values(&self) -> Values<'_> {
+    pub fn values(&self) -> Values<'_> {
         let constants = self.constants.iter().enumerate();
         // Names and places order them; values need not.
         let mut order: Vec<(&str, usize)> = constants.map(|(at, constant)| (constant.name.as_str(), at)).collect();

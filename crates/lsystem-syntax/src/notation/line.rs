@@ -1,6 +1,6 @@
 //! The lines of a text of rules: productions, constants and headings.
 
-use super::classes::ConstantPlace;
+use super::constants::ConstantPlace;
 use super::constants::Constants;
 use super::expression;
 use super::production::{self, Line};
@@ -42,10 +42,10 @@ struct Rules<'a> {
 
 impl Rules<'_> {
     fn line(&mut self, line: Range<usize>) {
-        let text = self.text[line.clone()].trim_start_matches(super::token::is_blank);
+        let text = self.text[line.clone()].trim_start_matches(crate::characters::is_blank);
         let define = "#define";
         if let Some(rest) = text.strip_prefix(define)
-            && rest.starts_with(super::token::is_blank)
+            && rest.starts_with(crate::characters::is_blank)
         {
             let from = line.end - rest.len();
             self.notes.class(Class::Heading, from - define.len()..from);

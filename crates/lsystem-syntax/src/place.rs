@@ -28,8 +28,8 @@ pub fn utf16_letters(text: &str, classes: &[Class]) -> String {
 ///
 /// ```
 /// let rules = "F = FF";
-/// let (_, diagnostics) = lsystem::parse("F", rules);
-/// let shown = lsystem::render_diagnostic(&diagnostics[0], "plant.txt", rules);
+/// let (_, diagnostics) = lsystem_syntax::parse("F", rules);
+/// let shown = lsystem_syntax::render_diagnostic(&diagnostics[0], "plant.txt", rules);
 /// assert_eq!(shown, "\
 /// error: `=` gives a constant its value, and `FF` is not a number
 ///  --> plant.txt:1:3
@@ -153,7 +153,7 @@ fn harmless(ch: char) -> char {
     match ch {
         '\0'..='\u{1f}' => char::from_u32(0x2400 + u32::from(ch)).unwrap_or(' '),
         '\u{7f}' => '\u{2421}',
-        _ if ch.is_control() || crate::notation::token::is_invisible(ch) || matches!(ch, '\u{2028}' | '\u{2029}') => {
+        _ if ch.is_control() || crate::characters::is_invisible(ch) || matches!(ch, '\u{2028}' | '\u{2029}') => {
             '\u{fffd}'
         }
         _ => ch,

@@ -1,6 +1,7 @@
 //! Writing a grammar in the notation, so that reading it again gives the same grammar.
 
-use crate::notation::token::{is_blank, is_invisible, look_alike};
+use crate::characters::{is_blank, is_invisible, look_alike};
+use crate::number::number;
 use crate::{Expr, Grammar, Module, Pattern, Production, Seen};
 use core::fmt::Write;
 
@@ -69,7 +70,7 @@ fn production(production: &Production) -> String {
 }
 
 /// What a production makes.
-pub(crate) fn successor(production: &Production) -> String {
+pub fn successor(production: &Production) -> String {
     let mut text = String::new();
     word(&production.successor, &mut text);
     if text.is_empty() { "nothing".to_owned() } else { text }
@@ -97,13 +98,6 @@ fn pattern(pattern: &Pattern, quote: bool, out: &mut String) {
         out.push_str(&pattern.parameters.join(", "));
         out.push(')');
     }
-}
-
-/// The shortest decimal that reads back as `value`, with an exponent where it would be long otherwise.
-#[must_use]
-pub(crate) fn number(value: f64) -> String {
-    let size = value.abs();
-    if value == 0.0 || (1e-6..1e15).contains(&size) { format!("{value}") } else { format!("{value:e}") }
 }
 
 fn word(modules: &[Module], out: &mut String) {

@@ -663,16 +663,4 @@ impl Diagnostic {
     pub fn is_error(&self) -> bool {
         self.severity() == Severity::Error
     }
-
-    /// What is wrong, as one sentence in English.
-    #[must_use]
-    pub fn message(&self) -> String {
-        crate::message::words(&self.kind).0
-    }
-
-    /// What to try, as one sentence in English.
-    #[must_use]
-    pub fn hint(&self) -> Option<String> {
-        crate::message::words(&self.kind).1
-    }
 }

@@ -41,7 +41,7 @@ impl ColourBy {
         [Self::Symbol, Self::Single, Self::Level, Self::Turn, Self::Generation, Self::Path, Self::Density];
 
     /// Their names in files, in the same order.
-    pub(crate) const NAMES: [&str; 7] = ["symbol", "single", "level", "turn", "generation", "path", "density"];
+    pub const NAMES: [&str; 7] = ["symbol", "single", "level", "turn", "generation", "path", "density"];
 
     /// Its name in files.
     #[must_use]
@@ -67,7 +67,7 @@ impl Ink {
     pub const ALL: [Self; 2] = [Self::Solid, Self::Density];
 
     /// Their names in files, in the same order.
-    pub(crate) const NAMES: [&str; 2] = ["solid", "density"];
+    pub const NAMES: [&str; 2] = ["solid", "density"];
 
     /// Its name in files.
     #[must_use]
@@ -154,12 +154,12 @@ impl Style {
     }
 
     /// Whether indices beyond the palette mean its last colour.
-    pub(crate) fn holds(&self) -> bool {
+    pub fn holds(&self) -> bool {
         self.palette_holds && matches!(self.colour_by, ColourBy::Level | ColourBy::Generation)
     }
 
     /// How many different inks there are.
-    pub(crate) fn inks(&self) -> u32 {
+    pub fn inks(&self) -> u32 {
         let palette = u32::try_from(self.palette.len()).unwrap_or(u32::MAX / 2).max(1);
         match self.colour_by {
             ColourBy::Single | ColourBy::Density => 1,
@@ -169,7 +169,7 @@ impl Style {
     }
 
     /// The colour of the ink `number`: a palette's entry or a step of the gradient.
-    pub(crate) fn ink(&self, number: u32) -> Colour {
+    pub fn ink(&self, number: u32) -> Colour {
         if self.colour_by == ColourBy::Path {
             return self.gradient((f64::from(number) + 0.5) / f64::from(GRADIENT));
         }
@@ -217,12 +217,12 @@ pub struct Tint {
 pub const GRADIENT: u32 = 64;
 
 /// Which step of the gradient is at `place`, from 0 to 1.
-pub(crate) fn gradient_step(place: f64) -> u32 {
+pub fn gradient_step(place: f64) -> u32 {
     ((place * f64::from(GRADIENT)) as u32).min(GRADIENT - 1)
 }
 
 /// Whether a part of the path has one colour, as far as anybody can tell: it is shorter than a step of the gradient.
-pub(crate) fn is_one_step(size: f64) -> bool {
+pub fn is_one_step(size: f64) -> bool {
     size * f64::from(GRADIENT) <= 1.0
 }
 

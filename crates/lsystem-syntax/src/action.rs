@@ -89,7 +89,7 @@ impl Action {
 
     /// The same without recording vertices.
     #[must_use]
-    pub(crate) fn unmarked(self) -> Self {
+    pub fn unmarked(self) -> Self {
         match self {
             Self::Draw(length) => Self::DrawUnmarked(length),
             Self::Move(length) => Self::MoveUnmarked(length),

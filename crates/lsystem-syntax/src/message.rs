@@ -1,10 +1,24 @@
 //! The words of all diagnostics, in English, in one place.
 
-use crate::print::number;
-use crate::{Expected, Function, JsonError, Kind, LimitName, Quantity, Role};
+use crate::number::number;
+use crate::{Diagnostic, Expected, Function, JsonError, Kind, LimitName, Quantity, Role};
+
+impl Diagnostic {
+    /// What is wrong, as one sentence in English.
+    #[must_use]
+    pub fn message(&self) -> String {
+        words(&self.kind).0
+    }
+
+    /// What to try, as one sentence in English.
+    #[must_use]
+    pub fn hint(&self) -> Option<String> {
+        words(&self.kind).1
+    }
+}
 
 /// What is wrong, and what to try.
-pub(crate) fn words(kind: &Kind) -> (String, Option<String>) {
+fn words(kind: &Kind) -> (String, Option<String>) {
     let said = |text: String| (text, None);
     let hinted = |text: String, hint: String| (text, Some(hint));
     match kind {
@@ -527,7 +541,7 @@ fn rounded(value: f64) -> String {
 }
 
 /// Digits in groups of three.
-pub(crate) fn grouped(digits: &str) -> String {
+pub fn grouped(digits: &str) -> String {
     let mut out = String::new();
     for (at, digit) in digits.chars().enumerate() {
         if at > 0 && (digits.len() - at).is_multiple_of(3) {

@@ -65,8 +65,8 @@ pub const MAX_PICTURE_SIDE: u32 = 1 << 15;
 /// The most pixels of a picture: they take up to two gigabytes while it is made.
 pub const MAX_PICTURE_PIXELS: u32 = 100_000_000;
 
-/// The most different symbols in a system: what a [`SymbolId`](crate::SymbolId) can tell apart.
-pub const MAX_LETTERS: usize = crate::SymbolId::MAX as usize + 1;
+/// The most different symbols in a system: letters are numbered with 16 bits.
+pub const MAX_LETTERS: usize = 1 << 16;
 
 /// The most parameters of a module.
 pub const MAX_PARAMETERS: usize = 8;

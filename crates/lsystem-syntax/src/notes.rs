@@ -6,7 +6,7 @@ use core::ops::Range;
 /// The diagnostics of one text while it is read: bounded in number, in the order of the text at the end. Where they are
 /// asked for, the classes of its parts as well.
 #[derive(Debug)]
-pub(crate) struct Notes {
+pub struct Notes {
     field: Field,
     list: Vec<Diagnostic>,
     left_out: usize,
@@ -20,27 +20,30 @@ pub(crate) struct Notes {
 const MOST: usize = 100;
 
 impl Notes {
-    pub(crate) fn new(field: Field) -> Self {
+    /// An empty list for the text of a field.
+    pub fn new(field: Field) -> Self {
         Self { field, list: Vec::new(), left_out: 0, look_alikes: Vec::new(), classes: Vec::new() }
     }
 
     /// The same, for the classes of `text` as well.
-    pub(crate) fn classing(field: Field, text: &str) -> Self {
+    pub fn classing(field: Field, text: &str) -> Self {
         Self { classes: vec![Class::Plain; text.len()], ..Self::new(field) }
     }
 
     /// Notes what stands at `span`; what is noted later is noted over it.
-    pub(crate) fn class(&mut self, class: Class, span: Range<usize>) {
+    pub fn class(&mut self, class: Class, span: Range<usize>) {
         if let Some(part) = self.classes.get_mut(span) {
             part.fill(class);
         }
     }
 
-    pub(crate) fn into_classes(self) -> Vec<Class> {
+    /// The class of each byte of the text.
+    pub fn into_classes(self) -> Vec<Class> {
         self.classes
     }
 
-    pub(crate) fn add(&mut self, kind: Kind, span: Range<usize>) {
+    /// Lists one diagnostic, or counts it where the list is full.
+    pub fn add(&mut self, kind: Kind, span: Range<usize>) {
         let diagnostic = Diagnostic { kind, field: self.field, span };
         if self.list.len() < MOST {
             self.list.push(diagnostic);
@@ -55,23 +58,26 @@ impl Notes {
         }
     }
 
-    pub(crate) fn look_alike(&mut self, found: char, read_as: char, span: Range<usize>) {
+    /// Warns of a character that is read as another, once for each.
+    pub fn look_alike(&mut self, found: char, read_as: char, span: Range<usize>) {
         if !self.look_alikes.contains(&found) {
             self.look_alikes.push(found);
             self.add(Kind::LookAlike { found, read_as }, span);
         }
     }
 
-    pub(crate) fn each(&mut self, change: impl FnMut(&mut Diagnostic)) {
+    /// Changes every listed diagnostic.
+    pub fn each(&mut self, change: impl FnMut(&mut Diagnostic)) {
         self.list.iter_mut().for_each(change);
     }
 
     /// Whether a further diagnostic may not be listed, so that work on its hint would be lost.
-    pub(crate) fn is_full(&self) -> bool {
+    pub fn is_full(&self) -> bool {
         self.list.len() >= MOST
     }
 
-    pub(crate) fn finish(mut self) -> Vec<Diagnostic> {
+    /// The diagnostics in the order of the text.
+    pub fn finish(mut self) -> Vec<Diagnostic> {
         // Few enough for the simplest sort, which keeps the order of those in the same place.
         for end in 1..self.list.len() {
             let place = |d: &Diagnostic| (d.span.start, d.span.end);
@@ -88,7 +94,7 @@ impl Notes {
 }
 
 /// `text` cut to what a message can carry.
-pub(crate) fn excerpt(text: &str) -> String {
+pub fn excerpt(text: &str) -> String {
     const LONGEST: usize = 40;
     let text = text.trim();
     match text.char_indices().nth(LONGEST) {
@@ -99,7 +105,7 @@ pub(crate) fn excerpt(text: &str) -> String {
 
 /// The candidate most similar to `word`, if any is similar enough to be what was meant; of very many the first are looked
 /// at.
-pub(crate) fn similar<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn similar<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word: Vec<char> = word.chars().map(|c| c.to_ascii_lowercase()).take(64).collect();
     /// Names of other lengths are passed by.
     const MOST: usize = 256;

@@ -1,12 +1,24 @@
 //! Named constants, and what names mean in a production.
 
-use super::classes::ConstantPlace;
 use super::expression::Names;
 use crate::Kind;
 use crate::code::Meaning;
 use crate::notes::{Notes, excerpt, similar};
 use core::ops::Range;
 use std::collections::BTreeMap;
+
+/// Where the value of a named constant stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConstantPlace {
+    /// Its name.
+    pub name: String,
+    /// Its value; `None` where that is wrong.
+    pub value: Option<f64>,
+    /// The value in the rules, in bytes.
+    pub span: Range<usize>,
+    /// Whether the value is one number, so that another number may stand in its place.
+    pub is_number: bool,
+}
 
 /// The constants of a text.
 #[derive(Debug, Default)]
@@ -41,7 +53,7 @@ impl Constants {
         value
     }
 
-    pub(super) fn into_places(self) -> Vec<ConstantPlace> {
+    pub(crate) fn into_places(self) -> Vec<ConstantPlace> {
         self.defined.into_iter().map(|constant| constant.place).collect()
     }
 

@@ -43,13 +43,13 @@ impl Heading {
     }
 
     /// The whole number that stands for this heading.
-    pub(crate) fn units(self) -> u64 {
+    pub fn units(self) -> u64 {
         self.0
     }
 
     /// The shorter way round to this heading, `factor` times as far: for factors from 0 on.
     #[must_use]
-    pub(crate) fn part(self, factor: f64) -> Self {
+    pub fn part(self, factor: f64) -> Self {
         let degrees = if self.0 > TURN / 2 { -(-self).degrees() } else { self.degrees() };
         Self::from_degrees(degrees * factor)
     }

@@ -1,62 +1,10 @@
-//! What each part of a text is, for showing it in colours.
+//! What each part of a definition's texts is, for showing them in colours.
 
-use super::constants::Constants;
+use crate::notation::constants::{ConstantPlace, Constants};
+use crate::notation::read_with;
 use crate::notes::Notes;
 use crate::overrides;
-use crate::{Definition, Field};
-use core::ops::Range;
-
-/// What a character of a text belongs to. Each class is also a letter, so that the classes of a text make a text.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(u8)]
-pub enum Class {
-    /// White space, symbols that have no class of their own, and what could not be read.
-    #[default]
-    Plain = b'_',
-    /// A comment.
-    Comment = b'c',
-    /// A heading: `ignore:`, `consider:`, `draw:`, `#define`.
-    Heading = b'h',
-    /// The arrow, and what separates contexts, condition, weight and values: `<`, `>`, `:`, `=`.
-    Mark = b'm',
-    /// The strict predecessor, or the symbol whose actions follow.
-    Predecessor = b'p',
-    /// A left or right context.
-    Context = b'x',
-    /// A condition.
-    Condition = b'i',
-    /// A weight.
-    Weight = b'w',
-    /// A named constant, where it is given a value and where it is used.
-    Constant = b'k',
-    /// A parameter.
-    Parameter = b'a',
-    /// A function.
-    Function = b'f',
-    /// A number in a value or an argument.
-    Number = b'n',
-    /// A bracket of an axiom or a successor: `[ ] { }`.
-    Bracket = b'b',
-    /// A symbol that turns in most dialects, in an axiom or a successor.
-    Turn = b't',
-}
-
-impl Class {
-    /// Its letter.
-    #[must_use]
-    pub fn letter(self) -> char {
-        char::from(self as u8)
-    }
-
-    /// What a symbol of an axiom or a successor is.
-    pub(super) fn of_symbol(symbol: char) -> Self {
-        match symbol {
-            '[' | ']' | '{' | '}' => Self::Bracket,
-            '+' | '-' | '&' | '^' | '\\' | '/' | '|' | '<' | '>' | '$' => Self::Turn,
-            _ => Self::Plain,
-        }
-    }
-}
+use crate::{Class, Definition, Field};
 
 /// How the texts of a definition read, be they right or wrong.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -71,24 +19,11 @@ pub struct Classes {
     pub constants: Vec<ConstantPlace>,
 }
 
-/// Where the value of a named constant stands.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ConstantPlace {
-    /// Its name.
-    pub name: String,
-    /// Its value; `None` where that is wrong.
-    pub value: Option<f64>,
-    /// The value in the rules, in bytes.
-    pub span: Range<usize>,
-    /// Whether the value is one number, so that another number may stand in its place.
-    pub is_number: bool,
-}
-
 /// Says what each part of a definition's texts is.
 ///
 /// ```
-/// let definition = lsystem::Definition { rules: "r = 0.9".into(), ..Default::default() };
-/// let classes = lsystem::classify(&definition);
+/// let definition = lsystem_syntax::Definition { rules: "r = 0.9".into(), ..Default::default() };
+/// let classes = lsystem_syntax::classify(&definition);
 /// let letters: String = classes.rules.iter().map(|class| class.letter()).collect();
 /// assert_eq!(letters, "k_m_nnn");
 /// assert_eq!(classes.constants[0].span, 4..7);
@@ -98,7 +33,7 @@ pub fn classify(definition: &Definition) -> Classes {
     let Definition { axiom, rules, overrides, .. } = definition;
     let mut constants = Constants::default();
     let mut notes = [Notes::classing(Field::Axiom, axiom), Notes::classing(Field::Rules, rules)];
-    super::read_with(axiom, rules, &mut constants, &mut notes);
+    read_with(axiom, rules, &mut constants, &mut notes);
     let [axiom, rules] = notes.map(Notes::into_classes);
     let mut notes = Notes::classing(Field::Overrides, overrides);
     overrides::read(overrides, &mut notes);

@@ -103,7 +103,8 @@ impl Operator {
         self.precedence() == COMPARISON
     }
 
-    pub(crate) fn apply(self, a: f64, b: f64) -> f64 {
+    /// Its value for two numbers; logical values are 1 and 0.
+    pub fn apply(self, a: f64, b: f64) -> f64 {
         let truth = |holds: bool| f64::from(u8::from(holds));
         match self {
             Self::Or => truth(a != 0.0 || b != 0.0),
@@ -207,7 +208,7 @@ impl Function {
     }
 
     /// Of one or two arguments; [`Function::Random`] of its bounds and a number in `0.0..1.0` is left to [`Code`].
-    pub(crate) fn apply(self, a: f64, b: f64) -> f64 {
+    pub fn apply(self, a: f64, b: f64) -> f64 {
         match self {
             Self::Sin => crate::Heading::from_degrees(a).cos_sin().1 + 0.0 * a,
             Self::Cos => crate::Heading::from_degrees(a).cos_sin().0 + 0.0 * a,
@@ -278,7 +279,7 @@ impl Expr {
             return f.write_str(")");
         }
         match self {
-            Self::Number(value) => f.write_str(&crate::print::number(*value)),
+            Self::Number(value) => f.write_str(&crate::number::number(*value)),
             Self::Name(name) => f.write_str(name),
             Self::Negative(a) => {
                 f.write_str("-")?;

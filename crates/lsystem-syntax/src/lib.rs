@@ -1,0 +1,70 @@
+//! L-systems as people write them.
+//!
+//! What comes in is a [`Definition`]: the texts and numbers of a system, as a file, a link or a page holds them. What goes
+//! out is a [`Grammar`] with its productions, a table of what each symbol means ([`Dialect`], [`parse_overrides`]), and
+//! [`Diagnostic`]s that say what is wrong, where, and what to try.
+//!
+//! The way between: characters are read as tokens ([`notation`]), lines as productions, overrides as [`Action`]s, and
+//! arithmetic as an [`Expr`] that is compiled to [`Code`]. [`print_rules`] writes a grammar so that reading it again gives
+//! the same grammar.
+//!
+//! ```
+//! let (grammar, diagnostics) = lsystem_syntax::parse("F", "F -> F[+F]F");
+//! assert!(diagnostics.is_empty());
+//! assert_eq!(lsystem_syntax::print_rules(&grammar), "F -> F[+F]F");
+//! ```
+//!
+//! Limits: a text has at most [`MAX_TEXT`] bytes, and at most 100 diagnostics of a text are listed. Nothing here derives or
+//! draws; [`Limits`], [`Meter`] and [`Progress`] stand here because every later phase counts its work with them.
+
+// The order of the data: what may be spent, what is written, what it can mean, how it is read, what is said of it.
+mod limits;
+mod meter;
+mod progress;
+pub mod sorted;
+
+mod action;
+mod characters;
+mod class;
+mod definition;
+mod dialect;
+pub mod style;
+
+mod code;
+mod expr;
+pub mod grammar;
+mod heading;
+pub mod number;
+
+mod classify;
+pub mod notation;
+pub mod overrides;
+pub mod print;
+
+mod diagnostic;
+pub mod message;
+pub mod notes;
+mod place;
+
+pub use action::Action;
+pub use class::Class;
+pub use classify::{Classes, classify};
+pub use code::{Code, Meaning, Op, STACK, Unusable};
+pub use definition::Definition;
+pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Quantity, Role, Severity};
+pub use dialect::Dialect;
+pub use expr::{Expr, Function, Operator, SIGN};
+pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
+pub use heading::Heading;
+pub use limits::{
+    Limits, MAX_ACTIONS, MAX_CONTEXT, MAX_COUNTING, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS,
+    MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE, MAX_TEXT,
+};
+pub use meter::Meter;
+pub use notation::constants::ConstantPlace;
+pub use notation::{parse, plain_word};
+pub use overrides::{Override, parse_overrides, print_actions, print_overrides};
+pub use place::{render_diagnostic, utf16_letters, utf16_span, visible};
+pub use print::{print_axiom, print_module, print_rules};
+pub use progress::Progress;
+pub use style::{Colour, ColourBy, GRADIENT, Ink, Style, Tint};
