@@ -33,43 +33,24 @@
 //! assert_eq!(renderer.pixels().len(), 320 * 100 * 4);
 //! ```
 
-mod access;
-mod counts;
-mod derivation;
-mod describe;
-mod drawing;
-mod format;
-mod key;
-mod mesh;
-mod plane;
-mod program;
-mod render;
-mod render3d;
-mod rewriting;
-mod rotation;
-mod solid;
-mod space;
-mod system;
-mod tally;
-#[cfg(test)]
-mod testing;
-mod triangulate;
-mod turtle;
-mod walk;
-
-pub use access::{Ancestor, Part, Word, symbol_of_polygon};
-pub use counts::{Counter, count, count_segments, count_symbols};
-pub use derivation::{expand, expand_counted, expand_into, expand_once, expand_symbol};
-pub use describe::{LegendEntry, describe, kind, legend, short_count, why_empty};
-pub use drawing::{
-    Block, BlockId, Body, ColourChange, Drawer, Drawing, Effect, Item, Mark, Outlook, Piece, Placed, Polygon, Segment,
-    SegmentArrays, SegmentChunk, Segments, Stroke, StyleChange, StyleId, WidthChange, draw, draw_solid,
+pub use lsystem_drawing::{
+    Ancestor, Axis, Block, BlockId, Body, Choice, ColourChange, Colouring, ContextPattern, Counter, Drawer, Drawing,
+    Effect, Fault, History, Image, Item, Key, LegendEntry, Letter, LetterId, Mark, Mesh, MeshMaker, Modules, Outlook,
+    Part, Piece, Placed, Plane, Polygon, Program, Purpose, Rewrite, Rewriter, Rotation, Rule, Rules, Segment,
+    SegmentArrays, SegmentChunk, Segments, Solid, Space, Stroke, StyleChange, StyleId, SymbolId, System, Tally,
+    Template, Tropism, Turtle, WidthChange, Word, count, count_segments, count_symbols, describe, draw, draw_solid,
+    expand, expand_counted, expand_into, expand_once, expand_symbol, kind, legend, short_count, symbol_of_polygon,
+    why_empty,
 };
-pub use format::{
+pub use lsystem_files::{
     CsvWriter, FileContent, GlbWriter, ObjWriter, Svg, SvgForm, SvgOptions, SvgWriter, read_file, read_json, tag_png,
     write_csv, write_glb, write_json, write_obj, write_svg,
 };
-pub use key::{Key, Purpose};
+pub use lsystem_render::{
+    Camera, DensityRenderer, Detail, Effort, Fitted, Pane, Pass, Pick, PlaneRenderer, Pointer, Quality, Rect,
+    RenderStats, Renderer, SolidRenderer, Spent, Target, View, Viewport, camera_axes, fit, fitted_ends, fitted_outline,
+    fitted_polygon, fitted_scale, fitted_solid_ends, fitted_solid_polygon, pick, pick_solid, solid_scale,
+};
 pub use lsystem_syntax::{
     Action, Class, Classes, Code, Colour, ColourBy, Constant, ConstantPlace, Definition, Diagnostic, Dialect, Expected,
     Expr, Field, Function, GRADIENT, Grammar, Heading, Ink, JsonError, Kind, LimitName, Limits, MAX_ACTIONS,
@@ -79,26 +60,6 @@ pub use lsystem_syntax::{
     print_actions, print_axiom, print_module, print_overrides, print_rules, render_diagnostic, utf16_letters,
     utf16_span, visible,
 };
-pub use mesh::{Mesh, MeshMaker};
-pub use plane::Plane;
-pub use program::{Choice, Program, Rewrite, SymbolId};
-pub use render::{
-    DensityRenderer, Detail, Fitted, Pane, Pass, Pick, PlaneRenderer, Pointer, Rect, RenderStats, Renderer, Target,
-    View, Viewport, fit, fitted_ends, fitted_outline, fitted_polygon, fitted_scale, pick,
-};
-pub use render3d::{
-    Camera, Effort, Quality, SolidRenderer, Spent, camera_axes, fitted_solid_ends, fitted_solid_polygon, pick_solid,
-    solid_scale,
-};
-pub use rewriting::{
-    ContextPattern, Fault, History, Image, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template,
-};
-pub use rotation::Rotation;
-pub use solid::Solid;
-pub use space::{Axis, Space};
-pub use system::System;
-pub use tally::Tally;
-pub use turtle::{Colouring, Tropism, Turtle};
 
 /// The README's Rust code is tested with the rest.
 #[cfg(doctest)]

@@ -1,0 +1,511 @@
+//! Random access into a generation too long to be written down.
+//!
+//! The counts of every letter's derivation say which letter holds a given position, so a position is found by going
+//! down from the axiom, once per generation, however long the string is.
+
+use crate::counts::{Depths, drawn_by_letter};
+use crate::program::{Rewrite, SymbolId};
+use crate::space::Space;
+use crate::{BlockId, Drawing, Item, Key, Rules, System};
+use core::ops::Range;
+use lsystem_syntax::{Code, MAX_ITERATIONS, Meter};
+
+/// Generation `n` of a system whose letters always have the same successors, read in place. Modules may have
+/// parameters, even random ones, but what becomes of them must not depend on these.
+#[derive(Clone, Debug)]
+pub struct Word<'a> {
+    system: &'a System,
+    n: u32,
+    /// Symbols derived; `u128::MAX` stands for that many or more.
+    symbols: Depths,
+    /// Segments drawn; `u128::MAX` stands for that many or more.
+    segments: Depths,
+}
+
+/// The units of work that the counts may take: some ten milliseconds.
+const MOST: u64 = 1 << 20;
+
+/// One link of the chain from the axiom to a symbol: where it stood in a generation, and what put it there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ancestor {
+    /// The generation, 0 for the axiom.
+    pub generation: u32,
+    /// The symbol.
+    pub symbol: char,
+    /// Its arguments.
+    pub arguments: Vec<f64>,
+    /// Its position in the string of that generation, 0-based.
+    pub index: u128,
+    /// The production that made it, as an index into [`Grammar::productions`](lsystem_syntax::Grammar::productions); `None`
+    /// for a symbol of the axiom and for one that stayed because no production rewrites it.
+    pub production: Option<usize>,
+    /// Its place in that production's successor, or in the axiom, 0-based; 0 for a symbol that stayed.
+    pub position: usize,
+}
+
+/// What a symbol of an earlier generation has become: positions in the string and numbers of segments, both 0-based
+/// and saturating.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// The symbols derived from it.
+    pub symbols: Range<u128>,
+    /// The segments that they draw.
+    pub segments: Range<u128>,
+}
+
+/// The position of the symbol that opens the polygon `number` (0-based, in the order in which they are opened) of
+/// generation `n`, which `drawing` shows; saturating. `None` beyond the last polygon.
+#[must_use]
+pub fn symbol_of_polygon<S: Space>(system: &System, n: u32, drawing: &Drawing<S>, number: u128) -> Option<u128> {
+    if drawing.is_memoised() {
+        Word::new(system, n)?.symbol_of_polygon(drawing, drawing.root?, number)
+    } else {
+        drawing.polygon(number).map(|(polygon, _)| polygon.symbol.into())
+    }
+}
+
+/// What polygons a drawing has, in whatever space.
+trait Filled {
+    /// The block of what a letter that is rewritten becomes in `depth` steps, if it draws anything.
+    fn inner(&self, symbol: SymbolId, depth: u32) -> Option<Option<BlockId>>;
+
+    /// How many polygons a block fills.
+    fn polygons(&self, block: BlockId) -> u128;
+
+    /// The places of the symbols that open those among its items.
+    fn opened(&self, block: BlockId) -> Vec<u32>;
+}
+
+impl<S: Space> Filled for Drawing<S> {
+    fn inner(&self, symbol: SymbolId, depth: u32) -> Option<Option<BlockId>> {
+        self.piece(symbol, depth).map(|piece| piece.block)
+    }
+
+    fn polygons(&self, block: BlockId) -> u128 {
+        self.blocks[block.0 as usize].polygons
+    }
+
+    fn opened(&self, block: BlockId) -> Vec<u32> {
+        let opened = |item: &Item<S>| if let Item::Polygon(polygon) = item { Some(polygon.symbol) } else { None };
+        self.items_of(block).iter().filter_map(opened).collect()
+    }
+}
+
+/// A module on the way down.
+#[derive(Clone, Debug)]
+struct Node {
+    symbol: SymbolId,
+    arguments: Vec<f64>,
+    /// Without meaning where no argument is random.
+    key: Key,
+}
+
+/// The modules of the axiom or of a successor, made one by one: of a long one most are only passed by.
+struct Nodes<'a> {
+    system: &'a System,
+    letters: &'a [SymbolId],
+    /// How the arguments of those to come are computed.
+    codes: &'a [Code],
+    /// What they replace; nothing for the axiom.
+    parent: Option<Node>,
+    /// The derivation step that makes them, 0 for the axiom.
+    step: u32,
+    /// How many have been passed.
+    passed: usize,
+}
+
+impl<'a> Nodes<'a> {
+    /// The letter of the next.
+    fn symbol(&self) -> Option<SymbolId> {
+        self.letters.get(self.passed).copied()
+    }
+
+    /// Passes the next by; how the arguments of that one are computed.
+    fn pass(&mut self) -> &'a [Code] {
+        let letter = self.letters.get(self.passed).zip(self.system.rules.as_ref());
+        let arity = letter.map_or(0, |(&symbol, rules)| usize::from(rules.letters[usize::from(symbol)].arity));
+        let (own, rest) = self.codes.split_at(arity.min(self.codes.len()));
+        self.codes = rest;
+        self.passed += 1;
+        own
+    }
+}
+
+impl Iterator for Nodes<'_> {
+    type Item = Node;
+
+    fn next(&mut self) -> Option<Node> {
+        let symbol = self.symbol()?;
+        let (place, step, seed) = (self.passed as u64, self.step, self.system.seed);
+        let key = self.parent.as_ref().map_or_else(|| Key::root(place), |parent| parent.key.child(step, place));
+        let maker = self.parent.as_ref().map_or(key, |parent| parent.key);
+        let random = |place| maker.number(seed, step, place);
+        let codes = self.pass();
+        let slots = self.parent.as_ref().map_or(&[][..], |parent| &parent.arguments);
+        Some(Node { symbol, arguments: codes.iter().map(|code| code.value(slots, &random)).collect(), key })
+    }
+}
+
+impl<'a> Word<'a> {
+    /// Generation `n` of `system`; `None` where chance, conditions or neighbours decide what becomes of a symbol or how
+    /// much it draws ([`History`](crate::History) reads such systems), where branches are cut, where `n` is above
+    /// [`MAX_ITERATIONS`], or where there are so many letters and steps that the counts of all would take more than 16
+    /// megabytes.
+    #[must_use]
+    pub fn new(system: &'a System, n: u32) -> Option<Self> {
+        Self::counted(system, n).0
+    }
+
+    /// The same, with the units of work that it takes.
+    #[must_use]
+    pub fn counted(system: &'a System, n: u32) -> (Option<Self>, u64) {
+        let mut meter = Meter::new(MOST);
+        (Self::within(system, n, &mut meter), meter.spent())
+    }
+
+    fn within(system: &'a System, n: u32, meter: &mut Meter) -> Option<Self> {
+        let program = &system.program;
+        let cutting = system.rules.as_ref().is_some_and(Rules::is_cutting);
+        if n > MAX_ITERATIONS || cutting || !program.is_deterministic() {
+            return None;
+        }
+        let drawn = drawn_by_letter(system)?;
+        let symbols = Depths::new(program, n, |_| 1, meter)?;
+        let segments = Depths::new(program, n, |symbol| drawn[usize::from(symbol)], meter)?;
+        Some(Self { system, n, symbols, segments })
+    }
+
+    /// How many symbols it has; `u128::MAX` stands for that many or more, of which only the first can be reached.
+    #[must_use]
+    pub fn symbols(&self) -> u128 {
+        self.symbols.sum(self.n as usize, &self.system.program.axiom)
+    }
+
+    /// How many segments it draws; `u128::MAX` stands for that many or more.
+    #[must_use]
+    pub fn segments(&self) -> u128 {
+        self.segments.sum(self.n as usize, &self.system.program.axiom)
+    }
+
+    /// The symbols from position `start` (0-based) on, at most `length` of them, fewer at the end; with their arguments
+    /// in parentheses, where there are any.
+    #[must_use]
+    pub fn slice(&self, start: u128, length: usize) -> String {
+        let mut text = String::new();
+        let plain = self.system.rules.is_none();
+        self.modules(start, length, &mut |symbol, arguments| {
+            if plain { text.push(symbol) } else { lsystem_syntax::print_module(symbol, arguments, &mut text) }
+        });
+        text
+    }
+
+    /// Hands over the modules from position `start` (0-based) on, at most `length` of them, fewer at the end.
+    pub fn modules(&self, start: u128, length: usize, visit: &mut dyn FnMut(char, &[f64])) {
+        let mut left = length;
+        // What is still to be read, the innermost last, with the steps to go.
+        let mut open = vec![(self.axiom(), self.n)];
+        let mut skip = start;
+        while left > 0 {
+            let Some((nodes, depth)) = open.last_mut() else { break };
+            let depth = *depth;
+            let Some(symbol) = nodes.symbol() else {
+                open.pop();
+                continue;
+            };
+            let count = self.symbols.get(depth as usize, symbol);
+            if skip >= count {
+                skip -= count;
+                nodes.pass();
+                continue;
+            }
+            let Some(node) = nodes.next() else { break };
+            match self.successor(symbol, depth) {
+                Some(word) => open.push((self.children(node, word, self.n - depth + 1), depth - 1)),
+                None => {
+                    visit(self.letter(symbol), &node.arguments);
+                    left -= 1;
+                }
+            }
+        }
+    }
+
+    /// The chain from the axiom to the symbol at `index`, a link for each generation; empty beyond the end.
+    #[must_use]
+    pub fn ancestry(&self, index: u128) -> Vec<Ancestor> {
+        self.descend(index, &self.symbols)
+    }
+
+    /// The position of the symbol that draws the segment at `segment` (0-based, in drawing order).
+    #[must_use]
+    pub fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
+        Some(self.descend(segment, &self.segments).last()?.index)
+    }
+
+    /// As the function of that name. Every letter that is rewritten has a block of its own, and the polygons of those that
+    /// stay are among the items of the block of their word.
+    fn symbol_of_polygon(&self, drawing: &dyn Filled, root: BlockId, number: u128) -> Option<u128> {
+        let (mut word, mut depth, mut left) = (self.system.program.axiom.as_slice(), self.n, number);
+        let (mut block, mut before) = (root, 0_u128);
+        loop {
+            // A word that draws nothing but what one of its letters does has that one's block.
+            let alone = word.iter().any(|&symbol| drawing.inner(symbol, depth) == Some(Some(block)));
+            let mut own = if alone { vec![] } else { drawing.opened(block) }.into_iter().peekable();
+            let held = word.iter().enumerate().find(|&(place, &symbol)| {
+                let mut count = 0_u128;
+                match drawing.inner(symbol, depth) {
+                    Some(inner) => count = inner.map_or(0, |inner| drawing.polygons(inner)),
+                    None => {
+                        while own.next_if_eq(&(place as u32)).is_some() {
+                            count += 1;
+                        }
+                    }
+                }
+                if left < count {
+                    return true;
+                }
+                left -= count;
+                before = before.saturating_add(self.symbols.get(depth as usize, symbol));
+                false
+            });
+            let (_, &symbol) = held?;
+            let Some(inner) = drawing.inner(symbol, depth) else { return Some(before) };
+            block = inner?;
+            (word, depth) = (self.successor(symbol, depth)?, depth - 1);
+        }
+    }
+
+    /// How many segments the symbols before position `index` draw.
+    #[must_use]
+    pub fn segments_before(&self, index: u128) -> u128 {
+        let mut segments = 0_u128;
+        let (mut word, mut depth, mut skip) = (self.system.program.axiom.as_slice(), self.n as usize, index);
+        loop {
+            let inside = word.iter().find(|&&s| {
+                let count = self.symbols.get(depth, s);
+                if skip >= count {
+                    skip -= count;
+                    segments = segments.saturating_add(self.segments.get(depth, s));
+                    return false;
+                }
+                true
+            });
+            match inside.and_then(|&symbol| self.successor(symbol, depth as u32)) {
+                Some(successor) => (word, depth) = (successor, depth - 1),
+                None => return segments,
+            }
+        }
+    }
+
+    /// What the symbol at `index` of an earlier `generation` (or of this one) has become; `None` where there is no such
+    /// symbol.
+    #[must_use]
+    pub fn part(&self, generation: u32, index: u128) -> Option<Part> {
+        let mut word = self.system.program.axiom.as_slice();
+        let mut skip = index;
+        let (mut symbols, mut segments) = (0_u128, 0_u128);
+        for steps in (0..=generation).rev() {
+            let depth = (self.n.checked_sub(generation)? + steps) as usize;
+            let held = word.iter().find(|&&s| {
+                let count = self.symbols.get(steps as usize, s);
+                if skip < count {
+                    return true;
+                }
+                skip -= count;
+                symbols = symbols.saturating_add(self.symbols.get(depth, s));
+                segments = segments.saturating_add(self.segments.get(depth, s));
+                false
+            })?;
+            if steps == 0 {
+                let letter = *held;
+                return Some(Part {
+                    symbols: symbols..symbols.saturating_add(self.symbols.get(depth, letter)),
+                    segments: segments..segments.saturating_add(self.segments.get(depth, letter)),
+                });
+            }
+            word = self.successor(*held, depth as u32).unwrap_or(core::slice::from_ref(held));
+        }
+        None
+    }
+
+    /// Goes down to the letter that holds place `place` when letters are counted by `counts`.
+    fn descend(&self, place: u128, counts: &Depths) -> Vec<Ancestor> {
+        let mut chain: Vec<Ancestor> = Vec::new();
+        // By generation: how many of its symbols stand before the current letter.
+        let mut before = vec![0_u128; self.n as usize + 1];
+        // By letter: how often it has been passed by in a word.
+        let mut passed = vec![0_u32; self.system.program.alphabet.len()];
+        let (mut nodes, mut made_by) = (self.axiom(), None);
+        let mut skip = place;
+        for generation in 0..=self.n {
+            let depth = self.n - generation;
+            loop {
+                let Some(symbol) = nodes.symbol() else { return Vec::new() };
+                let count = counts.get(depth as usize, symbol);
+                if skip < count {
+                    break;
+                }
+                skip -= count;
+                passed[usize::from(symbol)] += 1;
+                nodes.pass();
+            }
+            let position = nodes.passed;
+            for &symbol in &nodes.letters[..position] {
+                let times = core::mem::take(&mut passed[usize::from(symbol)]);
+                for later in (generation..=self.n).filter(|_| times > 0) {
+                    let derived = self.symbols.get((later - generation) as usize, symbol);
+                    let slot = &mut before[later as usize];
+                    *slot = slot.saturating_add(derived.saturating_mul(times.into()));
+                }
+            }
+            let Some(node) = nodes.next() else { return Vec::new() };
+            let successor = self.successor(node.symbol, depth);
+            // What stays does so to the end.
+            let last = if successor.is_some() { generation } else { self.n };
+            for at in generation..=last {
+                chain.push(Ancestor {
+                    generation: at,
+                    symbol: self.letter(node.symbol),
+                    arguments: node.arguments.clone(),
+                    index: before[at as usize],
+                    production: made_by.filter(|_| at == generation),
+                    position: if at == generation { position } else { 0 },
+                });
+            }
+            let Some(successor) = successor else { break };
+            made_by = self.production(node.symbol);
+            nodes = self.children(node, successor, generation + 1);
+        }
+        chain
+    }
+
+    fn letter(&self, symbol: SymbolId) -> char {
+        self.system.program.alphabet[usize::from(symbol)]
+    }
+
+    /// The production that rewrites a letter.
+    fn production(&self, symbol: SymbolId) -> Option<usize> {
+        match &self.system.rules {
+            Some(rules) => rules.by_letter[usize::from(symbol)].first().map(|rule| rule.production),
+            None => {
+                let letter = self.letter(symbol);
+                self.system.grammar.productions.iter().position(|p| p.predecessor.symbol == letter)
+            }
+        }
+    }
+
+    fn axiom(&self) -> Nodes<'a> {
+        let codes = self.system.rules.as_ref().map_or(&[][..], |rules| &rules.axiom.arguments);
+        Nodes { system: self.system, letters: &self.system.program.axiom, codes, parent: None, step: 0, passed: 0 }
+    }
+
+    /// The modules that derivation step `step` makes of `parent`, whose letters are `letters`.
+    fn children(&self, parent: Node, letters: &'a [SymbolId], step: u32) -> Nodes<'a> {
+        let rules = self.system.rules.as_ref();
+        let rule = rules.and_then(|rules| rules.by_letter[usize::from(parent.symbol)].first());
+        let codes = rule.map_or(&[][..], |rule| &rule.successor.arguments);
+        Nodes { system: self.system, letters, codes, parent: Some(parent), step, passed: 0 }
+    }
+
+    /// What a letter with `depth` steps to go becomes in the next; `None` where it stays as it is to the end.
+    fn successor(&self, symbol: SymbolId, depth: u32) -> Option<&'a [SymbolId]> {
+        match &self.system.program.rewrites[usize::from(symbol)] {
+            Rewrite::Always(successor) if depth > 0 => Some(successor),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expand;
+    use crate::testing::{cases, system};
+    use lsystem_syntax::{Action, Limits};
+    use proptest::prelude::*;
+
+    #[test]
+    fn a_page_of_an_endless_string() {
+        let system = system("X", &[('X', "F[+X]F[-X]+X", None), ('F', "FF", None)], 0);
+        let word = Word::new(&system, 60).unwrap();
+        assert_eq!(word.slice(0, 8), "FFFFFFFF");
+        assert!(word.symbols() > 1 << 90);
+        assert_eq!(word.slice(word.symbols() - 12, 99), "F[+X]F[-X]+X");
+        let chain = word.ancestry(word.symbols() - 1);
+        assert_eq!(chain.len(), 61);
+        let last = chain.last().unwrap();
+        assert_eq!((last.symbol, last.production, last.position), ('X', Some(0), 11));
+        assert_eq!(word.ancestry(word.symbols()), []);
+    }
+
+    #[test]
+    fn long_productions_are_read_in_place() {
+        // Modules that were all kept on the way down took gigabytes here.
+        let long = system("F", &[('F', &"F+".repeat(100_000), None)], 0);
+        let word = Word::new(&long, 1000).unwrap();
+        assert_eq!(word.slice(1, 4), "+F+F");
+        assert_eq!(word.ancestry(200_000).last().unwrap().index, 200_000);
+        assert_eq!(word.ancestry(200_000)[999].position, 1);
+    }
+
+    #[test]
+    fn what_was_made_one_by_one_is_found() {
+        let slow = system("A", &[('A', &("F".repeat(2000) + "A"), None)], 0);
+        let word = Word::new(&slow, 1000).unwrap();
+        assert_eq!(word.symbols(), 2_000_001);
+        let chain = word.ancestry(2_000_000);
+        assert!(chain.iter().all(|link| (link.symbol, link.index) == ('A', 2000 * u128::from(link.generation))));
+        let kept = word.ancestry(1_234_567);
+        assert_eq!((kept[1000].symbol, kept[1000].index, kept[1000].production), ('F', 1_234_567, None));
+        assert_eq!(kept[618], Ancestor { position: 567, index: 1_234_567, ..kept[618].clone() });
+        assert_eq!((kept[618].production, kept[617].symbol), (Some(0), 'A'));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(cases()))]
+        #[test]
+        fn places_equal_those_of_the_string(
+            axiom in "[ABF+]{1,5}",
+            a in "[ABF+]{0,4}",
+            b in "[ABF+]{0,4}",
+            n in 0_u32..6,
+            start in 0_usize..2000,
+            length in 0_usize..300,
+        ) {
+            let mut system = system(&axiom, &[('A', &a, None), ('B', &b, None)], 0);
+            for (id, &symbol) in system.program.alphabet.iter().enumerate() {
+                let draws = match symbol { 'F' => 1, 'B' => 2, _ => 0 };
+                system.turtle.actions[id] = vec![Action::Draw(None); draws];
+            }
+            let strings: Vec<Vec<char>> =
+                (0..=n).map(|n| expand(&system, n, &Limits::default()).unwrap().chars().collect()).collect();
+            let string = strings.last().unwrap();
+            let word = Word::new(&system, n).unwrap();
+            prop_assert_eq!(word.symbols(), string.len() as u128);
+            let expected: String = string.iter().skip(start).take(length).collect();
+            prop_assert_eq!(word.slice(start as u128, length), expected);
+
+            let draws = |c: &char| match c { 'F' => 1, 'B' => 2, _ => 0 };
+            if let Some(&symbol) = string.get(start) {
+                let chain = word.ancestry(start as u128);
+                prop_assert_eq!(chain.len(), n as usize + 1);
+                prop_assert_eq!(chain.last().unwrap().symbol, symbol);
+                prop_assert_eq!(chain.last().unwrap().index, start as u128);
+                for link in &chain {
+                    prop_assert_eq!(strings[link.generation as usize][link.index as usize], link.symbol);
+                    let part = word.part(link.generation, link.index).unwrap();
+                    prop_assert!(part.symbols.contains(&(start as u128)));
+                    prop_assert_eq!(part.segments.start, word.segments_before(part.symbols.start));
+                    prop_assert_eq!(part.segments.end, word.segments_before(part.symbols.end));
+                    prop_assert_eq!(word.part(link.generation, strings[link.generation as usize].len() as u128), None);
+                }
+                let before: usize = string[..start].iter().map(draws).sum();
+                prop_assert_eq!(word.segments_before(start as u128), before as u128);
+            }
+            let drawing: Vec<usize> =
+                string.iter().enumerate().flat_map(|(i, c)| vec![i; draws(c)]).collect();
+            prop_assert_eq!(word.segments(), drawing.len() as u128);
+            let found = word.symbol_of_segment(start as u128);
+            prop_assert_eq!(found, drawing.get(start).map(|&i| i as u128));
+        }
+    }
+}

@@ -1,0 +1,440 @@
+//! Exact counts of any generation, without expanding it.
+//!
+//! What a letter derives in d steps is what its successor's letters derive in d - 1 steps, so a count is a sum over
+//! the successor: d times |alphabet| additions, however long the string.
+
+use crate::program::{Program, Rewrite, SymbolId};
+use crate::{Rules, System, Tally};
+use lsystem_syntax::{MAX_COUNTING, Meter, Progress};
+
+/// How many symbols generation `n` has, modules with parameters counted as one; `None` where that depends on random
+/// choices, contexts, conditions or cut branches, or where the numbers on the way would take more than
+/// [`MAX_COUNTING`]. [`Counter`] does the same in steps.
+#[must_use]
+pub fn count_symbols(system: &System, n: u32) -> Option<Tally> {
+    Counter::symbols(system, n).finish()
+}
+
+/// How many segments generation `n` draws; `None` as for [`count_symbols`].
+#[must_use]
+pub fn count_segments(system: &System, n: u32) -> Option<Tally> {
+    Counter::segments(system, n).finish()
+}
+
+/// A count of a generation in the making, in steps. It holds no references, so it can rest between two of them.
+#[derive(Clone, Debug)]
+pub struct Counter {
+    sums: Sums,
+    /// By letter: the sum over what it derives in so many steps as have been gone.
+    totals: Vec<Option<Tally>>,
+    /// The same after one step more, as far as it is known.
+    next: Vec<Option<Tally>>,
+    steps: u32,
+    n: u32,
+    at: Place,
+    /// The bytes of the numbers in `next`.
+    bytes: usize,
+    /// `None` while counting.
+    count: Option<Option<Tally>>,
+    spent: u64,
+}
+
+/// What is added next: of which letter that is rewritten, in which of its alternatives, which letter.
+#[derive(Clone, Debug, Default)]
+struct Place {
+    letter: usize,
+    alternative: usize,
+    entry: usize,
+    /// The sum of this alternative so far, and that of the first.
+    sum: Tally,
+    first: Option<Tally>,
+}
+
+impl Counter {
+    /// Ready to count the symbols of generation `n`.
+    #[must_use]
+    pub fn symbols(system: &System, n: u32) -> Self {
+        Self::new(&system.program, n, !is_cutting(system), |_| 1)
+    }
+
+    /// Ready to count the segments of generation `n`.
+    #[must_use]
+    pub fn segments(system: &System, n: u32) -> Self {
+        let drawn = if is_cutting(system) { None } else { drawn_by_letter(system) };
+        let drawn = drawn.as_deref();
+        Self::new(&system.program, n, drawn.is_some(), |symbol| drawn.map_or(0, |drawn| drawn[usize::from(symbol)]))
+    }
+
+    fn new(program: &Program, n: u32, known: bool, weight: impl Fn(SymbolId) -> u64) -> Self {
+        let sums = Sums::new(program);
+        let totals =
+            (0..program.alphabet.len()).map(|symbol| Some(Tally::from(weight(symbol as SymbolId)))).collect::<Vec<_>>();
+        let (next, at) = (vec![None; totals.len()], Place::default());
+        let count = if known { None } else { Some(None) };
+        Self { sums, totals, next, steps: 0, n, at, bytes: 0, count, spent: 0 }
+    }
+
+    /// The count; `None` as for [`count_symbols`], and while it is being made.
+    #[must_use]
+    pub fn count(&self) -> Option<&Tally> {
+        self.count.as_ref()?.as_ref()
+    }
+
+    /// Whether nothing is left to do.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
+        self.count.is_some()
+    }
+
+    /// The units of work of all steps.
+    #[must_use]
+    pub fn spent(&self) -> u64 {
+        self.spent
+    }
+
+    /// Counts to the end.
+    #[must_use]
+    pub fn finish(mut self) -> Option<Tally> {
+        while self.step(u64::MAX) == Progress::More {}
+        self.count.flatten()
+    }
+
+    /// Counts on, for about `work` units, and says whether there is more to do.
+    pub fn step(&mut self, work: u64) -> Progress {
+        let mut meter = Meter::new(work);
+        while self.count.is_none() && !meter.is_spent() {
+            self.add(&mut meter);
+        }
+        self.spent = self.spent.saturating_add(meter.spent().max(1));
+        if self.count.is_some() { Progress::Done } else { Progress::More }
+    }
+
+    /// Goes on with the sum of one letter, or of the axiom at the end.
+    fn add(&mut self, meter: &mut Meter) {
+        meter.charge(1);
+        let Self { sums, totals, next, at, .. } = self;
+        let last = self.steps == self.n;
+        let letter = sums.rewritten.get(at.letter).map(|&letter| usize::from(letter));
+        let alternatives = match letter {
+            _ if last => core::slice::from_ref(&sums.axiom),
+            Some(letter) => &sums.alternatives[letter],
+            None => {
+                // The row is whole.
+                for &letter in &sums.rewritten {
+                    core::mem::swap(&mut totals[usize::from(letter)], &mut next[usize::from(letter)]);
+                }
+                meter.charge(sums.rewritten.len() as u64 / 4);
+                self.steps += 1;
+                (self.bytes, *at) = (0, Place::default());
+                return;
+            }
+        };
+        let word = &alternatives[at.alternative];
+        let mut known = true;
+        while let Some(&(symbol, times)) = word.get(at.entry)
+            && !meter.is_spent()
+        {
+            let Some(total) = &totals[usize::from(symbol)] else {
+                known = false;
+                break;
+            };
+            at.sum.add_times(times, total);
+            at.entry += 1;
+            meter.charge(1 + total.limbs() as u64 / 4);
+        }
+        if known && at.entry < word.len() {
+            return;
+        }
+        let sum = core::mem::take(&mut at.sum);
+        at.entry = 0;
+        at.alternative += 1;
+        known &= at.first.as_ref().is_none_or(|first| *first == sum);
+        if known && at.alternative < alternatives.len() {
+            at.first = Some(sum);
+            return;
+        }
+        let sum = known.then_some(sum);
+        if last {
+            self.count = Some(sum);
+            return;
+        }
+        self.bytes += sum.as_ref().map_or(0, |sum| 4 * sum.limbs());
+        if let Some(letter) = letter {
+            next[letter] = sum;
+        }
+        *at = Place { letter: at.letter + 1, ..Place::default() };
+        if 2 * self.bytes as u64 > MAX_COUNTING {
+            self.count = Some(None);
+        }
+    }
+}
+
+fn is_cutting(system: &System) -> bool {
+    system.rules.as_ref().is_some_and(Rules::is_cutting)
+}
+
+/// By letter: how many segments it draws, 0 for one that never occurs; `None` where one that may occur does not always
+/// draw as many.
+pub(crate) fn drawn_by_letter(system: &System) -> Option<Vec<u64>> {
+    let drawn = |symbol| match &system.rules {
+        None => Some(segments_of(system, symbol)),
+        Some(rules) => drawn_as(system, rules, symbol),
+    };
+    let reachable = system.program.reachable();
+    (reachable.iter().enumerate()).map(|(id, reached)| if *reached { drawn(id as SymbolId) } else { Some(0) }).collect()
+}
+
+/// The segments of what a letter is drawn as; `None` where they are not always as many.
+fn drawn_as(system: &System, rules: &Rules, letter: SymbolId) -> Option<u64> {
+    let images = &rules.images[usize::from(letter)];
+    let mut all =
+        images.iter().map(|image| image.successor.letters.iter().map(|&letter| segments_of(system, letter)).sum());
+    let always = images.iter().any(|image| image.condition.is_none() && image.weight.is_none());
+    let own = (!always).then(|| segments_of(system, letter));
+    let first: u64 = own.or_else(|| all.next())?;
+    all.all(|other| other == first).then_some(first)
+}
+
+/// The segments that one letter draws by itself.
+pub(crate) fn segments_of(system: &System, symbol: SymbolId) -> u64 {
+    let actions = &system.turtle.actions[usize::from(symbol)];
+    actions.iter().filter(|action| action.draws()).count() as u64
+}
+
+/// The sum of `weight` over the letters of generation `n`; `None` where it depends on random choices.
+#[must_use]
+pub fn count(program: &Program, n: u32, weight: impl Fn(SymbolId) -> u64) -> Option<Tally> {
+    Counter::new(program, n, true, weight).finish()
+}
+
+/// By generation from 0: the sum of `weight` over its letters, up to the first sum above `limit` or generation `n`.
+/// Ends early with what is known where a sum depends on random choices, or where the meter is spent.
+pub(crate) fn counts_until(
+    program: &Program,
+    n: u32,
+    limit: u64,
+    weight: impl Fn(SymbolId) -> u64,
+    meter: &mut Meter,
+) -> Result<Vec<u128>, Unknown> {
+    let sums = Sums::new(program);
+    let mut totals: Vec<Option<Saturating>> = sums.start(&weight);
+    let mut generations = Vec::new();
+    for generation in 0..=n {
+        if generation > 0 {
+            sums.step(&mut totals);
+        }
+        meter.charge(sums.size());
+        if meter.is_spent() {
+            return Err(Unknown);
+        }
+        let total = sum(&sums.axiom, &totals).ok_or(Unknown)?.0;
+        generations.push(total);
+        if total > u128::from(limit) {
+            break;
+        }
+    }
+    Ok(generations)
+}
+
+/// For each generation up to `last`: whether its letters weigh anything, as `nonzero(generation, known)` where that is
+/// known; ends where `nonzero` says so, or the meter is spent (false).
+pub(crate) fn weigh_until(
+    program: &Program,
+    last: u32,
+    weight: impl Fn(SymbolId) -> u64,
+    meter: &mut Meter,
+    mut nonzero: impl FnMut(u32, Option<bool>) -> bool,
+) -> bool {
+    let sums = Sums::new(program);
+    let mut totals: Vec<Option<Saturating>> = sums.start(&weight);
+    for generation in 0..=last {
+        if generation > 0 {
+            sums.step(&mut totals);
+        }
+        meter.charge(sums.size());
+        if meter.is_spent() {
+            return false;
+        }
+        if nonzero(generation, sum(&sums.axiom, &totals).map(|total| total.0 > 0)) {
+            return true;
+        }
+    }
+    true
+}
+
+/// A count depends on random choices, or takes too long.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Unknown;
+
+/// The most cells of [`Depths`], 16 bytes each.
+pub(crate) const MAX_CELLS: usize = 1 << 19;
+
+/// By depth from 0 to `n`, then letter: a sum over what the letter derives in that many steps, saturating.
+#[derive(Clone, Debug)]
+pub(crate) struct Depths {
+    /// By letter: its column; [`FIXED`] where it has the same sum at every depth.
+    columns: Vec<u32>,
+    width: usize,
+    cells: Vec<u128>,
+    /// By letter: its own weight.
+    own: Vec<u64>,
+}
+
+const FIXED: u32 = u32::MAX;
+
+impl Depths {
+    /// The sums of `weight` of letters that occur. Letters with random choices count as themselves. `None` where they are
+    /// more than [`MAX_CELLS`], or the meter is spent.
+    pub(crate) fn new(program: &Program, n: u32, weight: impl Fn(SymbolId) -> u64, meter: &mut Meter) -> Option<Self> {
+        let own: Vec<u64> = (0..program.alphabet.len()).map(|symbol| weight(symbol as SymbolId)).collect();
+        let sums = Sums::new(program);
+        let changing = |letter: SymbolId| matches!(program.rewrites[usize::from(letter)], Rewrite::Always(_));
+        let rewritten: Vec<SymbolId> = sums.rewritten.iter().copied().filter(|&letter| changing(letter)).collect();
+        let width = rewritten.len();
+        let rows = n as usize + 1;
+        let cost = sums.size().saturating_mul(u64::from(n));
+        if width.saturating_mul(rows) > MAX_CELLS || cost > meter.left() {
+            return None;
+        }
+        meter.charge(cost);
+        let mut columns = vec![FIXED; own.len()];
+        rewritten.iter().enumerate().for_each(|(column, &letter)| columns[usize::from(letter)] = column as u32);
+        let mut cells = Vec::with_capacity(width * rows);
+        cells.extend(rewritten.iter().map(|&letter| u128::from(own[usize::from(letter)])));
+        let mut depths = Self { columns, width, cells, own };
+        for depth in 1..rows {
+            for &letter in &rewritten {
+                let mut sum = Saturating(0);
+                for &(symbol, times) in sums.alternatives[usize::from(letter)].iter().flatten() {
+                    sum.add_times(times, &Saturating(depths.get(depth - 1, symbol)));
+                }
+                depths.cells.push(sum.0);
+            }
+        }
+        Some(depths)
+    }
+
+    /// The sum over what `letter` derives in `depth` steps.
+    pub(crate) fn get(&self, depth: usize, letter: SymbolId) -> u128 {
+        match self.columns[usize::from(letter)] {
+            FIXED => u128::from(self.own[usize::from(letter)]),
+            column => self.cells[depth * self.width + column as usize],
+        }
+    }
+
+    /// Where the sum of a letter stands among all, if it depends on the depth.
+    pub(crate) fn cell(&self, depth: usize, letter: SymbolId) -> Option<usize> {
+        let column = self.columns[usize::from(letter)];
+        (column != FIXED).then(|| depth * self.width + column as usize)
+    }
+
+    /// How many sums there are that depend on the depth.
+    pub(crate) fn len(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// The sum over what a word derives in `depth` steps, saturating.
+    pub(crate) fn sum(&self, depth: usize, word: &[SymbolId]) -> u128 {
+        word.iter().fold(0, |sum: u128, &letter| sum.saturating_add(self.get(depth, letter)))
+    }
+}
+
+/// What sums need of a number.
+trait Total: Clone + PartialEq + From<u64> {
+    fn add_times(&mut self, times: u32, other: &Self);
+}
+
+/// A number that stays at its greatest value instead of overflowing.
+#[derive(Clone, Copy, PartialEq)]
+struct Saturating(u128);
+
+impl From<u64> for Saturating {
+    fn from(count: u64) -> Self {
+        Self(u128::from(count))
+    }
+}
+
+impl Total for Saturating {
+    fn add_times(&mut self, times: u32, other: &Self) {
+        self.0 = self.0.saturating_add(other.0.saturating_mul(u128::from(times)));
+    }
+}
+
+/// By letter: how often each letter occurs in its successor; several rows where the choice is random.
+#[derive(Clone, Debug)]
+struct Sums {
+    alternatives: Vec<Vec<Multiset>>,
+    /// The letters that have any.
+    rewritten: Vec<SymbolId>,
+    axiom: Multiset,
+}
+
+type Multiset = Vec<(SymbolId, u32)>;
+
+impl Sums {
+    fn new(program: &Program) -> Self {
+        let reachable = program.reachable();
+        let mut times = vec![0; program.alphabet.len()];
+        let alternatives: Vec<Vec<Multiset>> = (program.rewrites.iter().zip(reachable))
+            .map(|(rewrite, reached)| match rewrite {
+                // What never occurs need not be counted, and may be very much.
+                _ if !reached => vec![],
+                Rewrite::Keep => vec![],
+                Rewrite::Always(successor) => vec![multiset(successor, &mut times)],
+                Rewrite::Choose(choices) => {
+                    let mut all: Vec<Multiset> = choices.iter().map(|c| multiset(&c.successor, &mut times)).collect();
+                    all.dedup();
+                    all
+                }
+            })
+            .collect();
+        let letters = alternatives.iter().enumerate().filter(|(_, all)| !all.is_empty());
+        let rewritten = letters.map(|(letter, _)| letter as SymbolId).collect();
+        Self { alternatives, rewritten, axiom: multiset(&program.axiom, &mut times) }
+    }
+
+    fn start<T: Total>(&self, weight: &impl Fn(SymbolId) -> u64) -> Vec<Option<T>> {
+        (0..self.alternatives.len()).map(|symbol| Some(T::from(weight(symbol as SymbolId)))).collect()
+    }
+
+    /// The units of one step.
+    fn size(&self) -> u64 {
+        let entries: usize =
+            self.rewritten.iter().flat_map(|&l| &self.alternatives[usize::from(l)]).map(|m| m.len() + 1).sum();
+        (entries + self.axiom.len()) as u64 / 4 + 1
+    }
+
+    /// Goes one step on.
+    fn step<T: Total>(&self, totals: &mut [Option<T>]) {
+        let of = |&letter: &SymbolId| {
+            let (first, rest) = self.alternatives[usize::from(letter)].split_first()?;
+            let total = sum(first, totals)?;
+            rest.iter().all(|other| sum(other, totals).as_ref() == Some(&total)).then_some(total)
+        };
+        let next: Vec<Option<T>> = self.rewritten.iter().map(of).collect();
+        self.rewritten.iter().zip(next).for_each(|(&letter, total)| totals[usize::from(letter)] = total);
+    }
+}
+
+fn sum<T: Total>(letters: &Multiset, totals: &[Option<T>]) -> Option<T> {
+    let mut sum = T::from(0);
+    for &(symbol, times) in letters {
+        sum.add_times(times, totals[usize::from(symbol)].as_ref()?);
+    }
+    Some(sum)
+}
+
+/// The letters of `word` with how often each occurs, sorted; `counted` are zeros by letter, before and after.
+fn multiset(word: &[SymbolId], counted: &mut [u32]) -> Multiset {
+    let mut letters = Multiset::new();
+    for &symbol in word {
+        let count = &mut counted[usize::from(symbol)];
+        if *count == 0 {
+            letters.push((symbol, 0));
+        }
+        *count += 1;
+    }
+    lsystem_syntax::sorted::sort(&mut letters);
+    letters.iter_mut().for_each(|(symbol, times)| *times = core::mem::take(&mut counted[usize::from(*symbol)]));
+    letters
+}

@@ -1,0 +1,546 @@
+//! Derivation: from the axiom to the string of generation n.
+//!
+//! A letter without random choices below it always derives the same text, so that text is written once and copied
+//! ever after: expansion runs near the speed of memory. Random choices are keyed by place (`key.rs`), so letters can
+//! be derived one after the other, depth first, and no generation in between is ever held.
+
+use crate::counts::{Depths, counts_until};
+use crate::program::{Program, Rewrite, SymbolId};
+use crate::walk::{Next, Walk};
+use crate::{Fault, Key, Letter, LetterId, Rewriter, Rule, Rules, System};
+use lsystem_syntax::{Diagnostic, Kind, LimitName};
+use lsystem_syntax::{Field, Grammar, Limits, MAX_ITERATIONS, Meter};
+
+/// Texts up to this many bytes are copied whole; longer ones are composed of them. The source of a copy then stays
+/// in the processor's nearest cache, and only the writing costs.
+const COPIED: u128 = 16 << 10;
+
+/// What one derivation step makes of `symbol`. `roll`, uniform in `0.0..1.0`, selects among the successors of a
+/// stochastic production; others ignore it. A symbol that no production rewrites stays. It stands alone and without
+/// parameters: productions with contexts do not apply to it, and [`expand_once`] reads words of modules.
+#[must_use]
+pub fn expand_symbol(system: &System, symbol: char, roll: f64) -> String {
+    if let Some(rules) = &system.rules {
+        return alone(rules, symbol, roll);
+    }
+    let program = &system.program;
+    let rewrite = program.alphabet.binary_search(&symbol).ok().map(|id| &program.rewrites[id]);
+    match rewrite.and_then(|rewrite| rewrite.successor(|| roll)) {
+        None => symbol.to_string(),
+        Some(successor) => successor.iter().map(|&s| program.alphabet[usize::from(s)]).collect(),
+    }
+}
+
+/// What derivation step `step` (1-based) makes of `word`, which is read as an axiom: its symbols have the keys of an
+/// axiom's symbols. Where productions look around themselves or compute, it is a word of modules in the notation, with
+/// arguments in parentheses; one that cannot be read, or from which no finite numbers come, stays, and so does one of
+/// which more would come than [`Limits::default`] allows.
+#[must_use]
+pub fn expand_once(system: &System, word: &str, step: u32) -> String {
+    if let Some(rules) = &system.rules {
+        return once(system, rules, word, step).unwrap_or_else(|| word.to_owned());
+    }
+    let mut text = String::new();
+    for (index, symbol) in word.chars().enumerate() {
+        text += &expand_symbol(system, symbol, Key::root(index as u64).choice(system.seed, step));
+        if text.len() as u64 > Limits::default().symbols {
+            return word.to_owned();
+        }
+    }
+    text
+}
+
+/// What a symbol without parameters or surroundings becomes.
+fn alone(rules: &Rules, symbol: char, roll: f64) -> String {
+    let random = |_| roll;
+    let own = rules.letter(symbol, 0).map_or(&[][..], |letter| &rules.by_letter[usize::from(letter)]);
+    let holds = |rule: &&Rule| {
+        // A condition may name parameters of a context, and here is none.
+        !rule.is_context_sensitive()
+            && rule.condition.as_ref().is_none_or(|condition| {
+                let value = condition.value(&[], &random);
+                value != 0.0 && !value.is_nan()
+            })
+    };
+    let applying: Vec<&Rule> = own.iter().filter(holds).collect();
+    let weight = |rule: &Rule| {
+        let weight = rule.weight.as_ref().map_or(0.0, |weight| weight.value(&[], &random));
+        if weight > 0.0 && weight.is_finite() { weight } else { 0.0 }
+    };
+    let mut left = roll * applying.iter().map(|rule| weight(rule)).sum::<f64>();
+    let chosen = match applying.first() {
+        Some(first) if first.weight.is_some() => {
+            applying.iter().copied().filter(|rule| weight(rule) > 0.0).find(|rule| {
+                left -= weight(rule);
+                left < 0.0
+            })
+        }
+        first => first.copied(),
+    };
+    let mut text = String::new();
+    match chosen {
+        None => lsystem_syntax::print_module(symbol, &[], &mut text),
+        Some(Rule { successor, .. }) => {
+            let arguments: Vec<f64> = successor.arguments.iter().map(|code| code.value(&[], &random)).collect();
+            write_word(rules, &successor.letters, &arguments, u64::MAX, &mut text);
+        }
+    }
+    text
+}
+
+/// One derivation step of a word of modules; `None` where it cannot be read, or a number is not finite.
+fn once(system: &System, rules: &Rules, word: &str, step: u32) -> Option<String> {
+    let (read, diagnostics) = lsystem_syntax::parse(word, "");
+    if diagnostics.iter().any(Diagnostic::is_error) {
+        return None;
+    }
+    let grammar = Grammar { axiom: read.axiom, ..system.grammar.clone() };
+    let cutting = |symbol: char| rules.letters.iter().zip(&rules.cuts).any(|(l, cuts)| l.symbol == symbol && *cuts);
+    let rules = Rules::new(&grammar, vec![], cutting).ok()?;
+    let mut rewriter = Rewriter::new(rules, system.seed, Limits::default()).ok()?.at(step.saturating_sub(1));
+    while !rewriter.step(usize::MAX).ok()? {}
+    let (word, mut text) = (rewriter.word(), String::new());
+    write_word(rewriter.rules(), &word.letters, &word.arguments, u64::MAX, &mut text);
+    Some(text)
+}
+
+/// The string of generation `n`.
+///
+/// # Errors
+/// [`Kind::Limit`] where the string would have more than [`Limits::symbols`] symbols, or `n` is above
+/// [`MAX_ITERATIONS`].
+pub fn expand(system: &System, n: u32, limits: &Limits) -> Result<String, Diagnostic> {
+    let mut text = String::new();
+    expand_into(system, n, limits, &mut text)?;
+    Ok(text)
+}
+
+/// The string of generation `n`, in place of what `text` held. A buffer that is used again saves the first touch of
+/// its memory, which costs more than the derivation.
+///
+/// # Errors
+/// As [`expand`]; `text` is then empty.
+pub fn expand_into(system: &System, n: u32, limits: &Limits, text: &mut String) -> Result<(), Diagnostic> {
+    expand_by(system, n, limits, text, &mut Meter::new(u64::MAX))
+}
+
+/// The same, with the units of work that it takes: about [`Limits::symbols`] and some times [`Limits::work`] at most.
+pub fn expand_counted(system: &System, n: u32, limits: &Limits) -> (Result<String, Diagnostic>, u64) {
+    let (mut text, mut meter) = (String::new(), Meter::new(u64::MAX));
+    let outcome = expand_by(system, n, limits, &mut text, &mut meter);
+    (outcome.map(|()| text), meter.spent())
+}
+
+fn expand_by(system: &System, n: u32, limits: &Limits, text: &mut String, meter: &mut Meter) -> Result<(), Diagnostic> {
+    text.clear();
+    if n > MAX_ITERATIONS {
+        return Err(limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)));
+    }
+    if let Some(rules) = &system.rules {
+        return write_modules(rules, system.seed, n, limits, text, meter);
+    }
+    let too_long = |largest| limit(LimitName::Symbols, limits.symbols, largest);
+    let mut own = Meter::new(limits.work);
+    let known = counts_until(&system.program, n, limits.symbols, |_| 1, &mut own);
+    meter.charge(own.spent());
+    if let Ok(generations) = &known
+        && generations.last().is_some_and(|&symbols| symbols > u128::from(limits.symbols))
+    {
+        return Err(too_long((generations.len() as u32).checked_sub(2)));
+    }
+    let bytes = |symbol: SymbolId| system.program.alphabet[usize::from(symbol)].len_utf8() as u64;
+    let lengths = Depths::new(&system.program, n, bytes, &mut Meter::new(limits.work));
+    let mut writer = Writer::new(&system.program, lengths, text);
+    if known.is_ok() && !writer.reserve(n, &system.program.axiom) {
+        return Err(too_long(None));
+    }
+    let mut derivation = Derivation::new(system);
+    let outcome = derivation.run(n, limits, limits.work, |symbol, depth| writer.write(symbol, depth));
+    meter.charge(derivation.spent + writer.text.len() as u64 / 64);
+    outcome.map_err(|stopped| {
+        text.clear();
+        let largest = derivation.largest_within(n, limits);
+        meter.charge(derivation.spent);
+        limit(stopped, limits.value(stopped), largest)
+    })
+}
+
+/// Derives whole generations, and writes the last: symbols, with their arguments in parentheses.
+fn write_modules(
+    rules: &Rules,
+    seed: u32,
+    n: u32,
+    limits: &Limits,
+    text: &mut String,
+    meter: &mut Meter,
+) -> Result<(), Diagnostic> {
+    let started = Rewriter::new(rules.clone(), seed, *limits);
+    let mut rewriter = started.map_err(|error| fault(rules, error, 0, limits, None))?;
+    while rewriter.generation() < n {
+        let reached = rewriter.generation();
+        rewriter.advance(meter).map_err(|error| fault(rules, error, reached, limits, Some(reached)))?;
+    }
+    // The text takes as much memory as the word did.
+    rewriter.rest();
+    let word = rewriter.word();
+    let written = write_word(rules, &word.letters, &word.arguments, limits.symbols, text);
+    meter.charge(text.len() as u64);
+    if written {
+        return Ok(());
+    }
+    drop(rewriter);
+    *text = String::new();
+    Err(limit(LimitName::Symbols, limits.symbols, longest_within(rules, seed, n, limits, meter)))
+}
+
+/// Appends modules with their arguments in parentheses; false once the text is longer than `most` bytes.
+fn write_word(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: u64, text: &mut String) -> bool {
+    let mut modules = Modules { letters, arguments };
+    while let Some((symbol, own)) = modules.next(rules) {
+        // Twice as much room at a time is more than there may be.
+        if text.capacity() - text.len() < PRINTED {
+            text.reserve_exact((text.len() / 4).max(PRINTED));
+        }
+        lsystem_syntax::print_module(symbol, own, text);
+        if text.len() as u64 > most {
+            return false;
+        }
+    }
+    true
+}
+
+/// How many bytes modules have, as they are written; `None` where there are more than `most`.
+fn written_length(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: u64) -> Option<u64> {
+    let (mut modules, mut text, mut length) = (Modules { letters, arguments }, String::new(), 0);
+    while let Some((symbol, own)) = modules.next(rules) {
+        text.clear();
+        lsystem_syntax::print_module(symbol, own, &mut text);
+        length += text.len() as u64;
+        if length > most {
+            return None;
+        }
+    }
+    Some(length)
+}
+
+/// Room for a module as it is written.
+const PRINTED: usize = 4_096;
+
+/// Modules one after the other, each with its arguments.
+struct Modules<'a> {
+    letters: &'a [LetterId],
+    arguments: &'a [f64],
+}
+
+impl<'a> Modules<'a> {
+    /// The next one's symbol and arguments.
+    fn next(&mut self, rules: &Rules) -> Option<(char, &'a [f64])> {
+        let (&letter, letters) = self.letters.split_first()?;
+        let Letter { symbol, arity } = rules.letters[usize::from(letter)];
+        let (own, arguments) = self.arguments.split_at(usize::from(arity));
+        (self.letters, self.arguments) = (letters, arguments);
+        Some((symbol, own))
+    }
+}
+
+/// The last generation before `n` whose text, and those of all before it, is within the limits; an earlier one where it
+/// takes too long to find that.
+fn longest_within(rules: &Rules, seed: u32, n: u32, limits: &Limits, meter: &mut Meter) -> Option<u32> {
+    /// Texts as long as the longest allowed that are written at most.
+    const TEXTS: u64 = 4;
+    let mut rewriter = Rewriter::new(rules.clone(), seed, *limits).ok()?;
+    let mut left = limits.symbols.saturating_mul(TEXTS);
+    loop {
+        let (word, generation) = (rewriter.word(), rewriter.generation());
+        let length = written_length(rules, &word.letters, &word.arguments, limits.symbols);
+        let Some(length) = length.filter(|_| generation < n) else { return generation.checked_sub(1) };
+        meter.charge(length);
+        left = left.saturating_sub(length);
+        while left > 0 && !rewriter.advance(meter).ok()? {}
+        if left == 0 {
+            return Some(generation);
+        }
+    }
+}
+
+/// What went wrong while deriving from generation `reached` on; `largest` is the largest n within a limit.
+pub(crate) fn fault(rules: &Rules, fault: Fault, reached: u32, limits: &Limits, largest: Option<u32>) -> Diagnostic {
+    match fault {
+        Fault::Limit(name) => limit(name, limits.value(name), largest),
+        Fault::NotFinite(None) => Diagnostic { kind: Kind::NotFinite { step: 0 }, field: Field::Axiom, span: 0..0 },
+        Fault::NotFinite(Some(production)) => {
+            let span = rules.spans.get(production).cloned().unwrap_or_default();
+            Diagnostic { kind: Kind::NotFinite { step: reached + 1 }, field: Field::Rules, span }
+        }
+    }
+}
+
+/// Goes through generations depth first.
+struct Derivation<'a> {
+    system: &'a System,
+    /// By letter: whether no random choice is ever made below it.
+    fixed: Vec<bool>,
+    /// The letters met so far, in all that was gone through.
+    spent: u64,
+}
+
+impl<'a> Derivation<'a> {
+    fn new(system: &'a System) -> Self {
+        Self { system, fixed: fixed(&system.program), spent: 0 }
+    }
+
+    /// Goes through generation `n` and hands over its letters, `work` of all generations at most: those that need no
+    /// choices as soon as they occur, with the steps they have yet to go.
+    fn run(
+        &mut self,
+        n: u32,
+        limits: &Limits,
+        work: u64,
+        mut visit: impl FnMut(SymbolId, u32),
+    ) -> Result<(), LimitName> {
+        let Self { system, fixed, .. } = self;
+        let mut meter = Meter::new(limits.work);
+        let symbols = Depths::new(&system.program, n, |_| 1, &mut meter);
+        let mut walk = Walk::new(n, system.seed);
+        let mut left = limits.symbols;
+        let outcome = loop {
+            // Without the sums every letter is gone to by itself.
+            match walk.next(&system.program, |symbol| symbols.is_some() && fixed[usize::from(symbol)], work) {
+                Next::Letter(symbol, depth) => {
+                    let derived = symbols.as_ref().map_or(1, |symbols| symbols.get(depth as usize, symbol));
+                    let derived = u64::try_from(derived).ok();
+                    let Some(rest) = derived.and_then(|derived| left.checked_sub(derived)) else {
+                        break Err(LimitName::Symbols);
+                    };
+                    left = rest;
+                    visit(symbol, depth);
+                }
+                Next::Pause => break Err(LimitName::Work),
+                Next::End => break Ok(()),
+            }
+        };
+        self.spent = self.spent.saturating_add(walk.work + meter.spent());
+        outcome
+    }
+
+    /// The last generation before `n` that is within the limits, or an earlier one where it takes too long to find that:
+    /// tried twice as far while nothing stops it, then halfway.
+    fn largest_within(&mut self, n: u32, limits: &Limits) -> Option<u32> {
+        let (mut fits, mut exceeds) = (None, n);
+        // As much as some derivations that fail.
+        let most = self.spent.saturating_add(limits.work.saturating_mul(8));
+        loop {
+            let first = fits.map_or(0, |fits: u32| fits + 1);
+            if first >= exceeds || self.spent >= most {
+                return fits;
+            }
+            let trial = first + first.min((exceeds - first) / 2);
+            match self.run(trial, limits, limits.work.min(most - self.spent), |_, _| ()) {
+                Ok(()) => fits = Some(trial),
+                Err(_) => exceeds = trial,
+            }
+        }
+    }
+}
+
+/// A limit that was passed; `largest` is the most derivation steps within it, where that is known.
+#[must_use]
+pub fn limit(limit: LimitName, value: u64, largest: Option<u32>) -> Diagnostic {
+    Diagnostic { kind: Kind::Limit { limit, value, largest }, field: Field::Numbers, span: 0..0 }
+}
+
+/// Writes the texts of letters that need no choices, each once and then as a copy.
+struct Writer<'a> {
+    program: &'a Program,
+    text: &'a mut String,
+    /// Bytes; unknown where there are too many letters and depths.
+    lengths: Option<Depths>,
+    /// By cell of these: where in `text` its text already stands.
+    written: Vec<Option<usize>>,
+}
+
+impl<'a> Writer<'a> {
+    fn new(program: &'a Program, lengths: Option<Depths>, text: &'a mut String) -> Self {
+        let written = vec![None; lengths.as_ref().map_or(0, Depths::len)];
+        Self { program, text, lengths, written }
+    }
+
+    /// Makes room for what is known of the text of `word` after `n` steps; false where there is none.
+    fn reserve(&mut self, n: u32, word: &[SymbolId]) -> bool {
+        let bytes = self.lengths.as_ref().map_or(0, |lengths| lengths.sum(n as usize, word));
+        usize::try_from(bytes).is_ok_and(|bytes| self.text.try_reserve_exact(bytes).is_ok())
+    }
+
+    /// Appends the text of a letter after `depth` steps. Recursion is as deep as `depth`, at most 1,000.
+    fn write(&mut self, symbol: SymbolId, depth: u32) {
+        let column = usize::from(symbol);
+        let successor = match &self.program.rewrites[column] {
+            Rewrite::Always(successor) if depth > 0 => successor,
+            _ => return self.text.push(self.program.alphabet[column]),
+        };
+        let cell = self.lengths.as_ref().and_then(|lengths| lengths.cell(depth as usize, symbol));
+        let length = self.lengths.as_ref().map_or(0, |lengths| lengths.get(depth as usize, symbol));
+        if let Some(start) = cell.and_then(|cell| self.written[cell]) {
+            return self.text.extend_from_within(start..start + length as usize);
+        }
+        let start = self.text.len();
+        for &child in successor {
+            self.write(child, depth - 1);
+        }
+        if let Some(cell) = cell.filter(|_| length <= COPIED) {
+            self.written[cell] = Some(start);
+        }
+    }
+}
+
+/// By letter: whether no random choice is ever made below it.
+pub(crate) fn fixed(program: &Program) -> Vec<bool> {
+    // Pairs of letters, the second made of the first, in the order of what is made.
+    let mut makers: Vec<(SymbolId, SymbolId)> = Vec::new();
+    let mut open: Vec<SymbolId> = Vec::new();
+    let mut fixed = vec![true; program.rewrites.len()];
+    let mut seen = vec![SymbolId::MAX; program.rewrites.len()];
+    for (maker, rewrite) in program.rewrites.iter().enumerate() {
+        let maker = maker as SymbolId;
+        match rewrite {
+            Rewrite::Keep => {}
+            Rewrite::Choose(_) => {
+                fixed[usize::from(maker)] = false;
+                open.push(maker);
+            }
+            Rewrite::Always(word) => {
+                // Each pair once, or nearly so.
+                for &made in word {
+                    if maker == SymbolId::MAX || core::mem::replace(&mut seen[usize::from(made)], maker) != maker {
+                        makers.push((made, maker));
+                    }
+                }
+            }
+        }
+    }
+    if open.is_empty() {
+        return fixed;
+    }
+    lsystem_syntax::sorted::sort(&mut makers);
+    while let Some(letter) = open.pop() {
+        let from = makers.partition_point(|&(made, _)| made < letter);
+        for &(_, maker) in makers[from..].iter().take_while(|&&(made, _)| made == letter) {
+            if core::mem::replace(&mut fixed[usize::from(maker)], false) {
+                open.push(maker);
+            }
+        }
+    }
+    fixed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::count_symbols;
+    use crate::testing::{Rule, cases, system};
+    use proptest::prelude::*;
+
+    fn rules<'a>(text: &[(char, &'a str)]) -> Vec<Rule<'a>> {
+        text.iter().map(|&(p, s)| (p, s, None)).collect()
+    }
+
+    /// One generation after the other, every letter with its key: the definition, word for word.
+    fn naive(system: &System, n: u32) -> String {
+        let program = &system.program;
+        let mut word: Vec<(SymbolId, Key)> =
+            program.axiom.iter().enumerate().map(|(i, &s)| (s, Key::root(i as u64))).collect();
+        for step in 1..=n {
+            let mut next = vec![];
+            for (symbol, key) in word {
+                match program.rewrites[usize::from(symbol)].successor(|| key.choice(system.seed, step)) {
+                    None => next.push((symbol, key)),
+                    Some(successor) => {
+                        next.extend(successor.iter().enumerate().map(|(i, &s)| (s, key.child(step, i as u64))));
+                    }
+                }
+            }
+            word = next;
+        }
+        word.iter().map(|&(symbol, _)| program.alphabet[usize::from(symbol)]).collect()
+    }
+
+    #[test]
+    fn published_strings() {
+        let check = |axiom: &str, text: &[(char, &str)], n, expected: &str| {
+            let system = system(axiom, &rules(text), 0);
+            assert_eq!(expand(&system, n, &Limits::default()).unwrap(), expected);
+        };
+        check("X", &[('F', "FF"), ('X', "F[+X][-X]FX")], 1, "F[+X][-X]FX");
+        check("X", &[('F', "FF"), ('X', "F[+X][-X]FX")], 2, "FF[+F[+X][-X]FX][-F[+X][-X]FX]FFF[+X][-X]FX");
+        check("FA", &[('A', "[>FA][^FA]")], 2, "F[>F[>FA][^FA]][^F[>FA][^FA]]");
+        check("g", &[('g', "g[+g][-g]")], 2, "g[+g][-g][+g[+g][-g]][-g[+g][-g]]");
+        check("A", &[('A', "ALRI")], 3, "ALRILRILRI");
+        check("A", &[('A', "é→"), ('é', "")], 2, "→");
+    }
+
+    #[test]
+    fn counts_need_no_string() {
+        let algae = system("A", &rules(&[('A', "AB"), ('B', "A")]), 0);
+        let fibonacci = count_symbols(&algae, 1000).unwrap().to_string();
+        assert!(fibonacci.starts_with("113796925398360272257523782552224175572745930353730513145"));
+        assert_eq!(fibonacci.len(), 210);
+        let even = [('F', "F+F", Some(0.5)), ('F', "F-F", Some(0.5))];
+        assert_eq!(count_symbols(&system("F", &even, 0), 5).unwrap(), 63_u64.into());
+        let uneven = [('F', "F+F", Some(0.5)), ('F', "F", Some(0.5))];
+        assert_eq!(count_symbols(&system("F", &uneven, 0), 5), None);
+    }
+
+    #[test]
+    fn limits_name_the_largest_generation() {
+        let limits = Limits { symbols: 1000, ..Limits::default() };
+        let doubling = system("F", &rules(&[('F', "FF")]), 0);
+        let error = expand(&doubling, 1000, &limits).unwrap_err();
+        assert_eq!(error.kind, Kind::Limit { limit: LimitName::Symbols, value: 1000, largest: Some(9) });
+        assert_eq!(expand(&doubling, 9, &limits).unwrap().len(), 512);
+
+        let uneven = [('F', "FFF", Some(0.5)), ('F', "FF", Some(0.5))];
+        let random = system("F", &uneven, 3);
+        let Kind::Limit { largest: Some(n), .. } = expand(&random, 60, &limits).unwrap_err().kind else {
+            panic!("the largest generation is known")
+        };
+        assert!(expand(&random, n, &limits).is_ok() && expand(&random, n + 1, &limits).is_err());
+    }
+
+    #[test]
+    fn work_is_bounded_where_nothing_is_left() {
+        // Each letter makes two or three of the next, and the last deletes itself.
+        let letters: Vec<char> = ('A'..='Z').chain('a'..='z').collect();
+        let repeated: Vec<[String; 2]> =
+            letters.iter().map(|c| [2, 3].map(|times| c.to_string().repeat(times))).collect();
+        let mut text: Vec<Rule> = vec![('z', "", None)];
+        for (letter, next) in letters.iter().zip(&repeated[1..]) {
+            text.extend(next.iter().map(|successor| (*letter, successor.as_str(), Some(1.0))));
+        }
+        let limits = Limits { work: 10_000, ..Limits::default() };
+        let error = expand(&system("A", &text, 0), 60, &limits).unwrap_err();
+        assert!(matches!(error.kind, Kind::Limit { limit: LimitName::Work, largest: Some(1..), .. }));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(cases()))]
+        #[test]
+        fn copies_equal_the_definition(
+            axiom in "[ABCF+]{1,6}",
+            successors in prop::collection::vec(("[ABC]", "[ABCFé+]{0,5}", prop::option::of(0.1..2.0)), 1..6),
+            n in 0_u32..7,
+            seed: u32,
+        ) {
+            let rules: Vec<Rule> =
+                successors.iter().map(|(p, s, w)| (p.chars().next().unwrap(), s.as_str(), *w)).collect();
+            let system = system(&axiom, &rules, seed);
+            let expected = naive(&system, n);
+            prop_assert_eq!(&expand(&system, n, &Limits::default()).unwrap(), &expected);
+            if let Some(count) = count_symbols(&system, n) {
+                prop_assert_eq!(count, (expected.chars().count() as u64).into());
+            }
+            if n == 1 {
+                prop_assert_eq!(expand_once(&system, &axiom, 1), expected);
+            }
+        }
+    }
+}

@@ -1,0 +1,380 @@
+//! Boxes and balls around what blocks draw in space.
+//!
+//! A body is made tight by looking into the blocks that it contains, best first, until it is as exact as wanted; so
+//! slack does not add up from block to block, as it would where bodies were made from bodies alone.
+
+use super::girth::{self, Girth, Outwards};
+use super::{Block, BlockId, Contents, Enclosed, Item, Placed};
+use crate::Solid;
+use crate::rotation::{Vector, dot, norm};
+use crate::space::unit_of;
+use core::cmp::Ordering;
+use lsystem_syntax::Meter;
+use std::collections::BinaryHeap;
+
+/// A box along the axes of a block's frame, and a ball about the box's centre. What the block draws lies in both
+/// (rounding may leave an end out by 1e-11); the ball says more where blocks turn, the box where they are long.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body {
+    /// The least coordinates.
+    pub low: [f64; 3],
+    /// The greatest coordinates.
+    pub high: [f64; 3],
+    /// Of the ball.
+    pub radius: f64,
+}
+
+/// How exact a block's body is, compared with its size, where that takes few steps.
+const TOLERANCE: f64 = 0.01;
+/// A block smaller than this beside the one that holds it is a point.
+const SPECK: f64 = 1e-30;
+/// Blocks looked into at most for one side of a box or for a ball.
+const EFFORT: usize = 48;
+/// Units of work spent at most on looking into them.
+const WORK: u64 = 1 << 13;
+
+impl Body {
+    /// The centre of the box and the ball.
+    #[must_use]
+    pub fn centre(&self) -> [f64; 3] {
+        [0, 1, 2].map(|i| 0.5 * (self.low[i] + self.high[i]))
+    }
+
+    /// Half the lengths of the box's sides.
+    #[must_use]
+    pub fn half(&self) -> [f64; 3] {
+        [0, 1, 2].map(|i| 0.5 * (self.high[i] - self.low[i]))
+    }
+
+    /// What contains `items`, in their units, and how far it may be too large.
+    pub(crate) fn enclose(contents: Contents<'_, Solid>, items: &[Item<Solid>]) -> Enclosed<Solid> {
+        let vertices = contents.vertices;
+        let mut work = 0;
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        let mut hold = |point: &Vector| {
+            for i in 0..3 {
+                low[i] = low[i].min(point[i]);
+                high[i] = high[i].max(point[i]);
+            }
+        };
+        for item in items {
+            match item {
+                Item::Stroke(stroke) => [stroke.from, stroke.to].iter().for_each(&mut hold),
+                Item::Polygon(polygon) => vertices[polygon.range()].iter().for_each(&mut hold),
+                Item::Block(_) => {}
+            }
+        }
+        let mut slack = 0.0_f64;
+        // Where there are no blocks, that was the box.
+        if items.iter().any(|item| matches!(item, Item::Block(_))) {
+            let probe = Away { from: [0.0; 3], scale: 1.0 };
+            let (size, _) = Hunt::new((contents, items), probe, f64::INFINITY, (0, 0)).finish(contents, &mut work);
+            for i in 0..3 {
+                for (side, sign) in [(&mut low[i], -1.0), (&mut high[i], 1.0)] {
+                    let mut direction = [0.0; 3];
+                    direction[i] = sign;
+                    let probe = Along { base: 0.0, direction, scale: 1.0 };
+                    let hunt = Hunt::new((contents, items), probe, TOLERANCE * size, (EFFORT, WORK));
+                    let (most, gap) = hunt.finish(contents, &mut work);
+                    *side = sign * most;
+                    slack = slack.max(gap);
+                }
+            }
+        }
+        let reach = low.iter().chain(&high).fold(0.0_f64, |reach, c| reach.max(c.abs()));
+        let centre = [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]));
+        let probe = Away { from: centre, scale: 1.0 };
+        let hunt = Hunt::new((contents, items), probe, TOLERANCE * reach, (EFFORT, WORK));
+        let (radius, gap) = hunt.finish(contents, &mut work);
+        // The ball need not be larger than the box.
+        let radius = radius.min(norm(Self { low, high, radius }.half()));
+        let shift = unit_of(reach);
+        let unit = libm::scalbn(1.0, -shift);
+        let hull = Self { low: low.map(|c| c * unit), high: high.map(|c| c * unit), radius: radius * unit };
+        Enclosed { hull, slack: slack.max(gap) * unit, shift, work }
+    }
+}
+
+/// What is known of a whole drawing, in units of the root block.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent {
+    /// The least and the greatest coordinates.
+    pub(super) sides: [Vector; 2],
+    pub girth: Option<Girth>,
+}
+
+/// A search for the smallest box around what a block draws, as exactly as some effort can tell, and for its girth.
+#[derive(Clone, Debug)]
+pub struct Survey {
+    root: BlockId,
+    /// The sides found so far: the least coordinates, then the greatest.
+    sides: Vec<f64>,
+    side: Option<Hunt<Along>>,
+    /// As in [`girth`](super::girth).
+    reach: Vec<f64>,
+    ring: Option<Hunt<Outwards>>,
+}
+
+impl Survey {
+    pub fn new(root: BlockId) -> Self {
+        Self { root, sides: vec![], side: None, reach: vec![], ring: None }
+    }
+
+    /// Looks on until the meter is spent; the extent when all is known.
+    pub fn step(&mut self, contents: Contents<'_, Solid>, meter: &mut Meter) -> Option<Extent> {
+        const EXACT: f64 = 1e-11;
+        const PATIENCE: (usize, u64) = (3_000, 1 << 18);
+        let items = contents.items_of(self.root);
+        while self.sides.len() < 6 {
+            let (i, sign) = (self.sides.len() % 3, if self.sides.len() < 3 { -1.0 } else { 1.0 });
+            let hunt = self.side.get_or_insert_with(|| {
+                let mut direction = [0.0; 3];
+                direction[i] = sign;
+                Hunt::new((contents, items), Along { base: 0.0, direction, scale: 1.0 }, EXACT, PATIENCE)
+            });
+            let (most, _) = hunt.step(contents, meter)?;
+            self.sides.push(sign * most);
+            self.side = None;
+        }
+        let from = contents.blocks[self.root.0 as usize].hull.centre();
+        while let Some(probe) = Outwards::new(from, self.reach.len()) {
+            let effort = (girth::EFFORT, 1 << 18);
+            let hunt = self.ring.get_or_insert_with(|| Hunt::new((contents, items), probe, girth::EXACT, effort));
+            let (most, _) = hunt.step(contents, meter)?;
+            self.reach.push(most);
+            self.ring = None;
+        }
+        let side = |i: usize| self.sides[i];
+        Some(Extent { sides: [[0, 1, 2].map(side), [3, 4, 5].map(side)], girth: girth::girth(&self.reach) })
+    }
+}
+
+/// A quantity that points have, and what is known of it where only a body is known.
+pub(super) trait Probe: Copy {
+    /// Of a point.
+    fn of(&self, point: Vector) -> f64;
+    /// At most, of the contents of a body.
+    fn most(&self, body: &Body) -> f64;
+    /// That some of the contents of a body have at least, if none of its sides is farther than `slack` from them.
+    fn least(&self, body: &Body, slack: f64) -> f64;
+    /// The same quantity for points of a block's frame.
+    fn within(&self, placed: &Placed<Solid>) -> Self;
+}
+
+/// How far a point lies in a direction.
+#[derive(Clone, Copy, Debug)]
+struct Along {
+    base: f64,
+    direction: Vector,
+    scale: f64,
+}
+
+impl Probe for Along {
+    fn of(&self, point: Vector) -> f64 {
+        self.base + self.scale * dot(self.direction, point)
+    }
+
+    fn most(&self, body: &Body) -> f64 {
+        let half = body.half();
+        let across: f64 = (0..3).map(|i| self.direction[i].abs() * half[i]).sum();
+        self.of(body.centre()) + self.scale * across.min(body.radius)
+    }
+
+    fn least(&self, body: &Body, slack: f64) -> f64 {
+        // Each side of the box is touched somewhere; it may be at the worst of its corners.
+        let half = body.half();
+        let parts = [0, 1, 2].map(|i| self.direction[i].abs() * half[i]);
+        let across: f64 = parts.iter().sum();
+        let best = (0..3).map(|i| 2.0 * parts[i] - across - self.direction[i].abs() * slack);
+        self.of(body.centre()) + self.scale * best.fold(-across, f64::max)
+    }
+
+    fn within(&self, placed: &Placed<Solid>) -> Self {
+        Self {
+            base: self.of(placed.at),
+            direction: placed.heading.undo(self.direction),
+            scale: self.scale * placed.scale,
+        }
+    }
+}
+
+/// How far a point is from another.
+#[derive(Clone, Copy, Debug)]
+struct Away {
+    from: Vector,
+    scale: f64,
+}
+
+impl Probe for Away {
+    fn of(&self, point: Vector) -> f64 {
+        self.scale * norm([0, 1, 2].map(|i| point[i] - self.from[i]))
+    }
+
+    fn most(&self, body: &Body) -> f64 {
+        let corner = [0, 1, 2].map(|i| (self.from[i] - body.low[i]).max(body.high[i] - self.from[i]));
+        (self.scale * norm(corner)).min(self.of(body.centre()) + self.scale * body.radius)
+    }
+
+    fn least(&self, body: &Body, slack: f64) -> f64 {
+        let side = |i: usize| (self.from[i] - body.low[i]).max(body.high[i] - self.from[i]);
+        self.scale * ((0..3).map(side).fold(0.0, f64::max) - slack).max(0.0)
+    }
+
+    fn within(&self, placed: &Placed<Solid>) -> Self {
+        let from = placed.heading.undo([0, 1, 2].map(|i| (self.from[i] - placed.at[i]) / placed.scale));
+        Self { from, scale: self.scale * placed.scale }
+    }
+}
+
+/// A block that may have the most; the one that may have more comes first.
+#[derive(Clone, Debug)]
+struct Open<P> {
+    most: f64,
+    block: BlockId,
+    probe: P,
+}
+
+impl<P> Ord for Open<P> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.most.total_cmp(&other.most)
+    }
+}
+
+impl<P> PartialOrd for Open<P> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<P> PartialEq for Open<P> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl<P> Eq for Open<P> {}
+
+/// A search for the most that some items have of a quantity.
+#[derive(Clone, Debug)]
+pub(super) struct Hunt<P> {
+    open: BinaryHeap<Open<P>>,
+    /// That some have at least.
+    least: f64,
+    tolerance: f64,
+    /// Blocks to look into, and units of work to spend on them, at most.
+    effort: (usize, u64),
+    /// Units of work that are not yet told.
+    work: u64,
+}
+
+impl<P: Probe> Hunt<P> {
+    pub(super) fn new(
+        (contents, items): (Contents<'_, Solid>, &[Item<Solid>]),
+        probe: P,
+        tolerance: f64,
+        effort: (usize, u64),
+    ) -> Self {
+        let mut hunt = Self { open: BinaryHeap::new(), least: f64::NEG_INFINITY, tolerance, effort, work: 0 };
+        hunt.look(contents, items, probe);
+        hunt
+    }
+
+    /// Looks on until the meter is spent. In the end: the most, and how much less it may be: at most the tolerance, unless
+    /// the effort is too little to tell.
+    fn step(&mut self, contents: Contents<'_, Solid>, meter: &mut Meter) -> Option<(f64, f64)> {
+        loop {
+            meter.charge(core::mem::take(&mut self.work));
+            let is_known = self.open.peek().is_none_or(|top| top.most <= self.least + self.tolerance);
+            if is_known || self.effort.0 == 0 || self.effort.1 == 0 {
+                let most = self.open.peek().map_or(self.least, |top| top.most.max(self.least));
+                return Some((most, most - self.least));
+            }
+            if meter.is_spent() {
+                return None;
+            }
+            let Open { block, probe, .. } = self.open.pop()?;
+            self.look(contents, contents.items_of(block), probe);
+            self.effort = (self.effort.0 - 1, self.effort.1.saturating_sub(self.work));
+        }
+    }
+
+    /// The same to the end; adds the units of work.
+    fn finish(mut self, contents: Contents<'_, Solid>, work: &mut u64) -> (f64, f64) {
+        let mut meter = Meter::new(u64::MAX);
+        let found = self.step(contents, &mut meter).unwrap_or((f64::INFINITY, f64::INFINITY));
+        *work += meter.spent();
+        found
+    }
+
+    fn look(&mut self, contents: Contents<'_, Solid>, items: &[Item<Solid>], probe: P) {
+        let Self { open, least, work, .. } = self;
+        // Ends of strokes take little.
+        *work += 4 + items.len() as u64 / 8;
+        for item in items {
+            match item {
+                Item::Stroke(stroke) => *least = least.max(probe.of(stroke.from)).max(probe.of(stroke.to)),
+                Item::Polygon(polygon) => {
+                    let all = contents.vertices[polygon.range()].iter().map(|&vertex| probe.of(vertex));
+                    *work += u64::from(polygon.count) / 16;
+                    *least = all.fold(*least, f64::max);
+                }
+                Item::Block(placed) if placed.scale < SPECK => *least = least.max(probe.of(placed.at)),
+                Item::Block(placed) => {
+                    let Block { hull, slack, .. } = &contents.blocks[placed.block.0 as usize];
+                    *work += 1;
+                    let probe = probe.within(placed);
+                    *least = least.max(probe.least(hull, *slack));
+                    let most = probe.most(hull);
+                    if most > *least {
+                        open.push(Open { most, block: placed.block, probe });
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::segments::{Frame, Strokes};
+    use super::*;
+    use crate::{StyleChange, System, draw_solid};
+    use lsystem_syntax::{Definition, Limits};
+
+    /// Every block's body contains all that the block draws, and fits it as exactly as it says.
+    fn check(rules: &str, angle: f64, n: u32, loose: f64) {
+        let definition = Definition { axiom: "A".into(), rules: rules.into(), angle, ..Definition::default() };
+        let drawing = draw_solid(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap();
+        for (id, block) in drawing.blocks.iter().enumerate() {
+            let mut strokes = Strokes::new(&drawing);
+            strokes.enter(BlockId(id as u32), &Frame::new(1.0, StyleChange::NONE));
+            let (body, mut low, mut high, mut radius) = (block.hull, [f64::MAX; 3], [f64::MIN; 3], 0.0_f64);
+            for end in strokes.flat_map(|(from, to, _)| [from, to]) {
+                low = [0, 1, 2].map(|i| low[i].min(end[i]));
+                high = [0, 1, 2].map(|i| high[i].max(end[i]));
+                radius = radius.max(norm([0, 1, 2].map(|i| end[i] - body.centre()[i])));
+            }
+            for i in 0..3 {
+                assert!(body.low[i] <= low[i] + 1e-11 && body.high[i] >= high[i] - 1e-11, "{id}: {body:?}");
+                let slack = (low[i] - body.low[i]).max(body.high[i] - high[i]);
+                assert!(slack <= block.slack + 1e-11 && slack <= loose, "{id}: {slack} {block:?}");
+            }
+            assert!(
+                radius <= body.radius + 1e-11 && body.radius <= radius + loose.max(1e-11),
+                "{id}: {radius} {body:?}"
+            );
+            let reach = body.low.iter().chain(&body.high).fold(0.0_f64, |reach, c| reach.max(c.abs()));
+            assert!((0.5..1.0).contains(&reach), "{id}: {body:?}");
+        }
+    }
+
+    #[test]
+    fn bodies_contain_and_fit() {
+        check("A -> [&F!A]/////'[&F!A]///////'[&F!A]\nF -> S/////F\nS -> F", 22.5, 9, 0.03);
+        check("A -> F[&A][/+A]^F\\A\nF -> FF", 25.7, 8, 0.03);
+        // A long chain of blocks, each nearly as large as the one that holds it.
+        check("A -> F&/A", 137.5, 300, 0.6);
+        // Made stroke by stroke.
+        check("A -> F[&A][/+A]^F\\$A\nF -> FF", 25.7, 8, 0.01);
+    }
+}

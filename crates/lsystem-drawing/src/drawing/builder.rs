@@ -1,0 +1,219 @@
+//! Blocks in the making: every block gets its exponent, hull, count and widest stroke here.
+
+use super::SceneSize;
+use super::style::Styles;
+use super::{Block, BlockId, Contents, Item, Placed, Stroke, StyleChange, StyleId, WidthChange};
+use crate::Plane;
+use crate::space::{Space, times};
+
+/// The growing vectors of a [`Drawing`](super::Drawing).
+#[derive(Clone, Debug)]
+pub struct Builder<S: Space = Plane> {
+    pub blocks: Vec<Block<S>>,
+    pub items: Vec<Item<S>>,
+    pub corners: Vec<S::Point>,
+    /// Of polygons; each polygon has its own.
+    pub vertices: Vec<S::Point>,
+    pub(crate) styles: Styles,
+    pub directions: S::Directions,
+    /// Where a hull's points are collected.
+    pub points: Vec<S::Point>,
+    /// What pictures in space make of the blocks.
+    pub scene: SceneSize,
+    /// Units of work since [`Builder::take_work`] was called.
+    work: u64,
+    /// The bytes that all of this may take.
+    memory: u64,
+    /// Whether a block was left out because there was no memory for it.
+    pub is_full: bool,
+}
+
+/// What contains some items.
+#[derive(Clone, Debug)]
+pub struct Enclosed<S: Space> {
+    /// In units that are `2^shift` times those of the items, so that the farthest coordinate is within 1.
+    pub hull: S::Hull,
+    /// As in [`Block::slack`].
+    pub slack: f64,
+    /// The exponent that is added to the items'.
+    pub shift: i32,
+    /// The units of work that finding it has taken.
+    pub work: u64,
+}
+
+impl<S: Space> Builder<S> {
+    pub fn new() -> Self {
+        Self::within(u64::MAX)
+    }
+
+    /// A builder that takes at most so many bytes.
+    pub fn within(memory: u64) -> Self {
+        Self {
+            scene: SceneSize::default(),
+            work: 0,
+            memory,
+            is_full: false,
+            blocks: vec![],
+            items: vec![],
+            corners: vec![],
+            vertices: vec![],
+            styles: Styles::new(),
+            directions: S::directions(),
+            points: vec![],
+        }
+    }
+
+    pub fn contents(&self) -> Contents<'_, S> {
+        Contents { blocks: &self.blocks, items: &self.items, corners: &self.corners, vertices: &self.vertices }
+    }
+
+    /// The units of work since this was called last.
+    pub fn take_work(&mut self) -> u64 {
+        core::mem::take(&mut self.work)
+    }
+
+    /// The bytes that it takes.
+    pub fn bytes(&self) -> u64 {
+        bytes_of(&self.blocks)
+            + bytes_of(&self.items)
+            + bytes_of(&self.corners)
+            + bytes_of(&self.vertices)
+            + bytes_of(&self.points)
+            + self.styles.bytes()
+    }
+
+    /// Makes room for so many strokes and the blocks of a tree of them, where there is memory for that.
+    pub fn expect(&mut self, strokes: usize) {
+        let items = strokes.saturating_add(strokes / 256);
+        if bytes_for(&self.items, items).saturating_add(self.bytes()) <= self.memory {
+            self.items.reserve_exact(items);
+        }
+    }
+
+    /// Gives back what no list needs any more.
+    pub(crate) fn shrink(&mut self) {
+        self.blocks.shrink_to_fit();
+        self.items.shrink_to_fit();
+        self.corners.shrink_to_fit();
+        self.vertices.shrink_to_fit();
+    }
+
+    /// Makes room for a block with so many items, where there is memory for it. While a list grows it is there twice.
+    fn has_room(&mut self, items: usize) -> bool {
+        let more = bytes_for(&self.blocks, 1) + bytes_for(&self.items, items) + bytes_for(&self.corners, 64);
+        self.is_full |= more > 0 && self.bytes() + more > self.memory;
+        if !self.is_full {
+            reserve(&mut self.blocks, 1);
+            reserve(&mut self.items, items);
+            reserve(&mut self.corners, 64);
+        }
+        !self.is_full
+    }
+
+    /// Makes a block of `items`, whose coordinates are in units of `2^exponent` steps; `None` without items.
+    /// A block that would hold nothing but another one as it is, is that other one. `None`, too, where there is no memory
+    /// for it; the builder is then full.
+    pub fn block(&mut self, items: &[Item<S>], exponent: i32) -> Option<BlockId> {
+        match *items {
+            [] => return None,
+            [Item::Block(only)] if only.is_plain(self, exponent) => return Some(only.block),
+            _ => {}
+        }
+        if !self.has_room(items.len()) {
+            return None;
+        }
+        let (mut segments, mut polygons) = (0_u128, 0_u128);
+        let mut widest = WidthChange { factor: 0.0, offset: 0.0 };
+        for item in items {
+            match item {
+                Item::Stroke(stroke) => {
+                    segments = segments.saturating_add(1);
+                    widest = widest.widest(self.width(stroke.style));
+                }
+                Item::Polygon(_) => polygons = polygons.saturating_add(1),
+                Item::Block(placed) => {
+                    let block = &self.blocks[placed.block.0 as usize];
+                    segments = segments.saturating_add(block.segments);
+                    polygons = polygons.saturating_add(block.polygons);
+                    widest = widest.widest(self.width(placed.style).then(block.widest));
+                }
+            }
+        }
+        let Enclosed { hull, slack, shift, work } = S::enclose(self, items);
+        self.work += work + 2 * (1 + items.len() as u64);
+        let unit = libm::scalbn(1.0, -shift);
+        let first = self.items.len() as u32;
+        self.items.extend(items.iter().map(|item| item.scaled(unit)));
+        for item in items {
+            if let Item::Polygon(polygon) = item {
+                self.vertices[polygon.range()].iter_mut().for_each(|vertex| *vertex = times(*vertex, unit));
+            }
+        }
+        S::measure(&mut self.scene, items);
+        self.blocks.push(Block {
+            items: first..self.items.len() as u32,
+            exponent: exponent.saturating_add(shift),
+            segments,
+            polygons,
+            hull,
+            slack,
+            widest,
+        });
+        Some(BlockId(self.blocks.len() as u32 - 1))
+    }
+
+    fn width(&self, style: StyleId) -> WidthChange {
+        self.styles.list[style.0 as usize].width
+    }
+}
+
+/// The bytes that a list takes.
+pub(super) fn bytes_of<T>(list: &Vec<T>) -> u64 {
+    (list.capacity() * size_of::<T>()) as u64
+}
+
+/// How many elements a list has after it has got room for `more`; `None` where it has that already. Short lists
+/// double; long ones grow by an eighth, so that little stays unused.
+fn grown<T>(list: &Vec<T>, more: usize) -> Option<usize> {
+    const SHORT: usize = 1 << 14;
+    let len = list.len();
+    let more_than_asked = if len < SHORT { len } else { len / 8 };
+    (list.capacity() - len < more).then(|| len.saturating_add(more.max(more_than_asked)))
+}
+
+/// The bytes that are taken when a list gets room for `more` elements; 0 where it has that already.
+fn bytes_for<T>(list: &Vec<T>, more: usize) -> u64 {
+    grown(list, more).map_or(0, |elements| elements.saturating_mul(size_of::<T>()) as u64)
+}
+
+/// Makes room for `more` elements.
+pub(crate) fn reserve<T>(list: &mut Vec<T>, more: usize) {
+    if let Some(elements) = grown(list, more) {
+        list.reserve_exact(elements - list.len());
+    }
+}
+
+impl<S: Space> Placed<S> {
+    /// Whether it is placed where the containing block, in units of `2^exponent` steps, begins, with nothing changed.
+    fn is_plain(&self, builder: &Builder<S>, exponent: i32) -> bool {
+        let same = libm::scalbn(1.0, builder.blocks[self.block.0 as usize].exponent.saturating_sub(exponent));
+        let style = &builder.styles.list[self.style.0 as usize];
+        self.scale == same && self.at == S::Point::default() && self.heading == S::AHEAD && *style == StyleChange::NONE
+    }
+}
+
+impl<S: Space> Item<S> {
+    /// The same with coordinates times `unit`.
+    fn scaled(&self, unit: f64) -> Self {
+        match *self {
+            Self::Stroke(stroke) => {
+                Self::Stroke(Stroke { from: times(stroke.from, unit), to: times(stroke.to, unit), ..stroke })
+            }
+            // Its vertices are elsewhere.
+            Self::Polygon(polygon) => Self::Polygon(polygon),
+            Self::Block(placed) => {
+                Self::Block(Placed { at: times(placed.at, unit), scale: placed.scale * unit, ..placed })
+            }
+        }
+    }
+}

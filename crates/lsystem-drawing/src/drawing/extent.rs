@@ -1,0 +1,181 @@
+//! How far a drawing reaches, more exactly than hulls of few corners tell.
+
+use super::{BlockId, Contents, Item, Placed};
+use crate::Plane;
+use crate::plane::Directions;
+use lsystem_syntax::sorted::sort;
+use lsystem_syntax::{Heading, Meter};
+use std::collections::HashMap;
+
+/// How exact the answer is, in units of the root block, where that takes no more than the effort below.
+const TOLERANCE: f64 = 1e-11;
+/// Blocks looked into, and units of work spent on that, before the hulls' answer is good enough; they never say too
+/// little.
+const BLOCKS: u32 = 50_000;
+const EFFORT: u64 = 1 << 22;
+/// The directions in which a box is measured, in degrees.
+const SIDES: [f64; 4] = [180.0, 270.0, 0.0, 90.0];
+
+/// A search for the extent of a block in its own units: min x, min y, max x, max y.
+#[derive(Clone, Debug)]
+pub struct Survey {
+    root: BlockId,
+    directions: Directions,
+    /// By block and direction: how far it reaches, and how exactly that is known.
+    known: HashMap<(BlockId, Heading), (f64, f64)>,
+    blocks: u32,
+    effort: u64,
+    /// The blocks that are looked into, the root first.
+    open: Vec<Look>,
+    /// How far the root reaches, by direction in the order of [`SIDES`].
+    found: Vec<f64>,
+}
+
+/// A block that is looked into.
+#[derive(Clone, Debug)]
+struct Look {
+    block: BlockId,
+    direction: Heading,
+    tolerance: f64,
+    /// How far it reaches at least.
+    best: f64,
+    /// The placed blocks that may reach farther: how far at most, and their origins; the farthest first.
+    inner: Vec<(f64, f64, Placed)>,
+    /// The one to look into next.
+    next: usize,
+}
+
+/// A number that falls as `value` grows, in the order of [`f64::total_cmp`].
+fn falling(value: f64) -> i64 {
+    let bits = value.to_bits().cast_signed();
+    // Negative values are in the opposite order of their bits.
+    if bits < 0 { bits ^ i64::MIN } else { !bits }
+}
+
+impl Survey {
+    pub fn new(root: BlockId) -> Self {
+        Self {
+            root,
+            directions: Directions::default(),
+            known: HashMap::new(),
+            blocks: BLOCKS,
+            effort: EFFORT,
+            open: vec![],
+            found: vec![],
+        }
+    }
+
+    /// Looks on until the meter is spent; the extent when all sides are known.
+    pub fn step(&mut self, contents: Contents<'_, Plane>, meter: &mut Meter) -> Option<[f64; 4]> {
+        while let Some(&side) = SIDES.get(self.found.len()) {
+            if meter.is_spent() {
+                return None;
+            }
+            if self.open.is_empty() {
+                let direction = Heading::from_degrees(side);
+                if let Some(reach) = self.reach(contents, (self.root, direction, TOLERANCE), meter) {
+                    self.found.push(reach);
+                }
+            } else if let Some(reach) = self.look(contents, meter) {
+                self.found.push(reach);
+            }
+        }
+        let [x0, y0, x1, y1] = self.found[..] else { return None };
+        Some([-x0, -y0, x1, y1])
+    }
+
+    /// Goes on with the block that was opened last; how far the root reaches, when that is known.
+    fn look(&mut self, contents: Contents<'_, Plane>, meter: &mut Meter) -> Option<f64> {
+        meter.charge(1);
+        let look = self.open.last_mut()?;
+        let farthest = look.inner.get(look.next).filter(|(most, ..)| *most > look.best);
+        if let Some(&(_, at, placed)) = farthest {
+            look.next += 1;
+            // Zero where a block is too small to see.
+            let finer = if placed.scale > 0.0 { look.tolerance / placed.scale } else { f64::INFINITY };
+            let direction = look.direction - placed.heading;
+            let level = self.open.len() - 1;
+            // Where it is not known yet it is open now, and tells when it is.
+            if let Some(reach) = self.reach(contents, (placed.block, direction, finer), meter) {
+                self.open[level].best = self.open[level].best.max(at + placed.scale * reach);
+            }
+            return None;
+        }
+        let Look { block, direction, tolerance, best, .. } = self.open.pop()?;
+        self.known.insert((block, direction), (best, tolerance));
+        let Some(outer) = self.open.last_mut() else { return Some(best) };
+        if let Some((_, at, placed)) = outer.inner.get(outer.next - 1) {
+            outer.best = outer.best.max(at + placed.scale * best);
+        }
+        None
+    }
+
+    /// How far a block reaches in a direction, at most `tolerance` too far; where that is not known, the block is opened.
+    fn reach(
+        &mut self,
+        contents: Contents<'_, Plane>,
+        (block, direction, tolerance): (BlockId, Heading, f64),
+        meter: &mut Meter,
+    ) -> Option<f64> {
+        if contents.blocks[block.0 as usize].slack <= tolerance {
+            return Some(self.reach_of_hull(contents, block, direction));
+        }
+        match self.known.get(&(block, direction)) {
+            Some(&(reach, exact)) if exact <= tolerance => return Some(reach),
+            _ => {}
+        }
+        if self.blocks == 0 || self.effort == 0 {
+            return Some(self.reach_of_hull(contents, block, direction));
+        }
+        let look = self.enter(contents, (block, direction, tolerance), meter);
+        self.open.push(look);
+        None
+    }
+
+    /// What a block holds, looked at from a direction.
+    fn enter(
+        &mut self,
+        contents: Contents<'_, Plane>,
+        (block, direction, tolerance): (BlockId, Heading, f64),
+        meter: &mut Meter,
+    ) -> Look {
+        let (c, s) = self.directions.cos_sin(direction);
+        let along = |[x, y]: [f64; 2]| c * x + s * y;
+        let (mut best, mut work) = (f64::NEG_INFINITY, 8);
+        // What may reach farthest is looked into first; most of the rest then need not be.
+        let mut inner = Vec::new();
+        for item in contents.items_of(block) {
+            match item {
+                Item::Stroke(stroke) => best = best.max(along(stroke.from)).max(along(stroke.to)),
+                Item::Polygon(polygon) => {
+                    let vertices = &contents.vertices[polygon.range()];
+                    best = vertices.iter().map(|&vertex| along(vertex)).fold(best, f64::max);
+                    work += vertices.len() as u64 / 8;
+                }
+                Item::Block(placed) => {
+                    let at = along(placed.at);
+                    let reach = self.reach_of_hull(contents, placed.block, direction - placed.heading);
+                    inner.push((at + placed.scale * reach, at, *placed));
+                    let corners = &contents.blocks[placed.block.0 as usize].hull;
+                    work += 4 + u64::from(corners.end - corners.start) / 8;
+                }
+            }
+            work += 1;
+        }
+        inner.retain(|&(most, ..)| most > best);
+        let mut order: Vec<_> = inner.iter().enumerate().map(|(index, (most, ..))| (falling(*most), index)).collect();
+        sort(&mut order);
+        let inner = order.into_iter().map(|(_, index)| inner[index]).collect();
+        self.blocks -= 1;
+        self.effort = self.effort.saturating_sub(work);
+        meter.charge(work);
+        Look { block, direction, tolerance, best, inner, next: 0 }
+    }
+
+    fn reach_of_hull(&mut self, contents: Contents<'_, Plane>, block: BlockId, direction: Heading) -> f64 {
+        let (c, s) = self.directions.cos_sin(direction);
+        let hull = &contents.blocks[block.0 as usize].hull;
+        let corners = &contents.corners[hull.start as usize..hull.end as usize];
+        corners.iter().map(|&[x, y]| c * x + s * y).fold(f64::NEG_INFINITY, f64::max)
+    }
+}

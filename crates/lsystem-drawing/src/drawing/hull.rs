@@ -1,0 +1,306 @@
+//! Convex hulls that may only grow.
+//!
+//! Coordinates are of the order of 1 (block units), so tolerances are absolute.
+
+use lsystem_syntax::Heading;
+
+/// Corners are snapped to multiples of this before the hull is taken: which way three points turn is then exact, and
+/// points that should coincide or lie on a line cannot confuse it.
+const GRID: f64 = 1.0 / (1_u64 << 48) as f64;
+/// How far pruning may move a hull of few corners outwards at a time.
+const TOLERANCE: f64 = 1e-13;
+/// More corners than this are pruned with a growing tolerance.
+const MOST: usize = 64;
+/// With more corners than this the tolerance grows faster, so that few passes see all of them.
+const MANY: usize = 4096;
+
+type Point = [f64; 2];
+type Cell = [i64; 2];
+
+/// Replaces `points`, with coordinates from -1 to 1, by the corners of their convex hull, counter-clockwise. One or
+/// two corners remain of points that coincide or lie on a line. The hull may be smaller than the truth by half a
+/// [`GRID`]; returns how far it may be larger, and the units of work that this has taken.
+pub fn hull(points: &mut Vec<Point>) -> (f64, u64) {
+    let all = points.len() as u64;
+    if points.len() > 48 {
+        drop_inner(points);
+    }
+    // Sorting is the most of it.
+    let sorted = 2 * points.len() as u64;
+    snap(points);
+    let (slack, pruned) = prune(points);
+    (slack, all + sorted + pruned)
+}
+
+/// Replaces `points` by the corners of their hull on the grid.
+fn snap(points: &mut Vec<Point>) {
+    let mut cells: Vec<Cell> = points.iter().map(|p| p.map(|c| libm::round(c / GRID) as i64)).collect();
+    cells.sort_unstable();
+    cells.dedup();
+    if cells.len() > 2 {
+        let mut corners = half(cells.iter());
+        corners.pop();
+        corners.extend(half(cells.iter().rev()));
+        corners.pop();
+        cells = corners;
+    }
+    points.clear();
+    points.extend(cells.iter().map(|cell| cell.map(|c| c as f64 * GRID)));
+}
+
+/// One half of the monotone chain (Andrew, 1979), both ends included.
+fn half<'a>(cells: impl Iterator<Item = &'a Cell>) -> Vec<Cell> {
+    let mut chain: Vec<Cell> = Vec::new();
+    for &p in cells {
+        while let [.., a, b] = chain[..] {
+            let side = |i: usize, j: usize| i128::from(b[i] - a[i]) * i128::from(p[j] - a[j]);
+            if side(0, 1) > side(1, 0) {
+                break;
+            }
+            chain.pop();
+        }
+        chain.push(p);
+    }
+    chain
+}
+
+/// Drops points strictly inside the octagon of the extremes in eight directions (Akl and Toussaint, 1978).
+fn drop_inner(points: &mut Vec<Point>) {
+    const DIRECTIONS: [Point; 8] =
+        [[1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [-1.0, 1.0], [-1.0, 0.0], [-1.0, -1.0], [0.0, -1.0], [1.0, -1.0]];
+    let mut extremes = [points[0]; 8];
+    let mut values = DIRECTIONS.map(|d| d[0] * points[0][0] + d[1] * points[0][1]);
+    for &p in points.iter() {
+        for ((direction, extreme), value) in DIRECTIONS.iter().zip(&mut extremes).zip(&mut values) {
+            let reach = direction[0] * p[0] + direction[1] * p[1];
+            if reach > *value {
+                (*extreme, *value) = (p, reach);
+            }
+        }
+    }
+    // An edge between equal extremes has no inside; it must not let a point pass nor hold one back.
+    let edges: Vec<(Point, Point)> =
+        (0..8).map(|i| (extremes[i], extremes[(i + 1) % 8])).filter(|(a, b)| a != b).collect();
+    if edges.len() > 2 {
+        points.retain(|&p| edges.iter().any(|&(a, b)| cross(a, b, p) <= 0.0));
+    }
+}
+
+/// Replaces edges by the meeting point of their neighbours' lines where that moves the hull outwards by next to
+/// nothing, and by more where there are too many corners. Returns by how much at most, and the units of work.
+fn prune(corners: &mut Vec<Point>) -> (f64, u64) {
+    let (mut tolerance, mut moved, mut work) = (TOLERANCE, 0.0, 0);
+    let exact = if corners.len() > MOST { corners.clone() } else { vec![] };
+    loop {
+        let before = corners.len();
+        work += before as u64 / 2;
+        prune_once(corners, tolerance);
+        if corners.len() < before {
+            // New corners of one pass lie next to edges that were there before it.
+            moved += tolerance;
+        }
+        if corners.len() > MOST {
+            // No edge is worth keeping at this tolerance: rounding has bent the outline, and more passes change nothing.
+            if tolerance > 1.0 {
+                work += (exact.len() * MOST) as u64 / 4;
+                *corners = exact;
+                return (cap(corners), work);
+            }
+            tolerance *= if corners.len() > MANY { 256.0 } else { 4.0 };
+        } else if corners.len() == before {
+            return (moved, work);
+        }
+    }
+}
+
+/// One pass over all edges, in linear time: `done` corners are written, those from `next` on are still to come.
+fn prune_once(corners: &mut Vec<Point>, tolerance: f64) {
+    let len = corners.len();
+    let (mut done, mut next, mut is_first_gone) = (0, 0, false);
+    while next < len && done + (len - next) > 4 {
+        let left = done + (len - next);
+        let corner = |at: usize| {
+            let at = at % left;
+            corners[if at < done { at } else { next + at - done }]
+        };
+        let [a, b, c, d] = [left - 1, 0, 1, 2].map(|ahead| corner(done + ahead));
+        match meeting(a, b, c, d, tolerance) {
+            Some(p) => {
+                corners[done] = p;
+                // The new corner's edges are new as well; they get their turn in the next pass.
+                is_first_gone = next + 1 == len;
+                next += 2;
+            }
+            None => {
+                corners[done] = b;
+                next += 1;
+            }
+        }
+        done += 1;
+    }
+    while next < len {
+        corners[done] = corners[next];
+        (done, next) = (done + 1, next + 1);
+    }
+    corners.truncate(done);
+    if is_first_gone {
+        corners.remove(0);
+    }
+}
+
+/// Replaces corners by those of the polygon whose [`MOST`] sides touch them in directions that are equally far apart.
+/// Returns by how much that moves the hull outwards at most.
+fn cap(corners: &mut Vec<Point>) -> f64 {
+    let sides: Vec<(Point, f64)> = (0..MOST)
+        .map(|side| {
+            let (c, s) = Heading::from_degrees(360.0 * side as f64 / MOST as f64).cos_sin();
+            let reach = corners.iter().map(|[x, y]| c * x + s * y).fold(f64::NEG_INFINITY, f64::max);
+            // Rounding must not leave out a corner.
+            ([c, s], reach + 4.0 * GRID)
+        })
+        .collect();
+    let next = sides.iter().cycle().skip(1);
+    let meet = |(&(a, reach_a), &(b, reach_b)): (&(Point, f64), &(Point, f64))| {
+        let turn = a[0] * b[1] - a[1] * b[0];
+        [(reach_a * b[1] - reach_b * a[1]) / turn, (a[0] * reach_b - b[0] * reach_a) / turn]
+    };
+    let mut capped: Vec<Point> = sides.iter().zip(next).map(meet).collect();
+    snap(&mut capped);
+    let edges = || corners.iter().zip(corners.iter().cycle().skip(1));
+    let distance = |p: &Point| edges().map(|(&a, &b)| apart(*p, a, b)).fold(f64::INFINITY, f64::min);
+    let moved = capped.iter().map(distance).fold(0.0, f64::max);
+    *corners = capped;
+    moved
+}
+
+/// The distance of a point from a line's part between `a` and `b`.
+fn apart(p: Point, a: Point, b: Point) -> f64 {
+    let ([u, v], [x, y]) = (minus(b, a), minus(p, a));
+    let length = u * u + v * v;
+    let along = if length > 0.0 { ((u * x + v * y) / length).clamp(0.0, 1.0) } else { 0.0 };
+    let [x, y] = [x - along * u, y - along * v];
+    (x * x + y * y).sqrt()
+}
+
+/// Where the lines a-b and d-c meet beyond the edge b-c, if that is at most `tolerance` outside.
+fn meeting(a: Point, b: Point, c: Point, d: Point, tolerance: f64) -> Option<Point> {
+    let (u, v, edge) = (minus(b, a), minus(d, c), minus(c, b));
+    let turn = u[0] * v[1] - u[1] * v[0];
+    // Only where the three edges bend by less than a right angle does the meeting point lie above the edge.
+    if u[0] * v[0] + u[1] * v[1] <= 0.0 || turn <= 0.0 {
+        return None;
+    }
+    let along = (edge[0] * v[1] - edge[1] * v[0]) / turn;
+    let p = [b[0] + along * u[0], b[1] + along * u[1]];
+    let length = edge[0] * edge[0] + edge[1] * edge[1];
+    let foot = (minus(p, b)[0] * edge[0] + minus(p, b)[1] * edge[1]) / length;
+    let outside = -cross(b, c, p);
+    (along >= 0.0 && (0.0..=1.0).contains(&foot) && outside * outside <= tolerance * tolerance * length).then_some(p)
+}
+
+/// Twice the area of the triangle, positive when counter-clockwise.
+fn cross(a: Point, b: Point, c: Point) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+fn minus(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn hull_of(points: &[Point]) -> Vec<Point> {
+        let mut corners = points.to_vec();
+        hull(&mut corners);
+        corners
+    }
+
+    #[test]
+    fn simple_shapes() {
+        let square = [[0.0, 0.0], [0.5, 0.5], [0.0, 0.5], [0.5, 0.0], [0.25, 0.25], [0.25, 0.0], [0.0, 0.0]];
+        assert_eq!(hull_of(&square), [[0.0, 0.0], [0.5, 0.0], [0.5, 0.5], [0.0, 0.5]]);
+        assert_eq!(hull_of(&[[0.5, 0.5]; 3]), [[0.5, 0.5]]);
+        assert_eq!(hull_of(&[[0.5, 0.5], [0.25, 0.25], [-0.5, -0.5], [0.0, 0.0]]), [[-0.5, -0.5], [0.5, 0.5]]);
+    }
+
+    #[test]
+    fn a_circle_is_capped_from_outside() {
+        let circle: Vec<Point> = (0..3600)
+            .map(|tenth| {
+                let (c, s) = Heading::from_degrees(f64::from(tenth) / 10.0).cos_sin();
+                [c * 0.9, s * 0.9]
+            })
+            .collect();
+        let corners = hull_of(&circle);
+        assert!(corners.len() <= MOST);
+        contains(&corners, &circle, 1e-13).unwrap();
+        assert!(corners.iter().all(|[x, y]| (x * x + y * y).sqrt() < 0.905));
+    }
+
+    /// Turns that are nearly a quarter: the corners crowd in four places, where rounding bends the outline.
+    #[test]
+    fn crowded_corners_end() {
+        for (degrees, count) in [(89.999_999, 8192), (30.000_000_246, 8192), (60.000_000_083, 12_000)] {
+            let turn = Heading::from_degrees(degrees);
+            let (mut at, mut heading) = ([0.0; 2], Heading::EAST);
+            let points: Vec<Point> = (0..count)
+                .map(|_| {
+                    let (c, s) = heading.cos_sin();
+                    heading = heading + turn;
+                    at = [at[0] + 0.2 * c, at[1] + 0.2 * s];
+                    at
+                })
+                .collect();
+            let mut corners = points.clone();
+            let (slack, _) = hull(&mut corners);
+            assert!(corners.len() <= MOST && slack < 0.1, "{degrees} {slack}");
+            contains(&corners, &points, 1e-13).unwrap();
+        }
+    }
+
+    #[test]
+    fn capping_contains_all() {
+        let needle: Vec<Point> = (0..1000).map(|at| [0.0008 * f64::from(at), 0.0001 * f64::from(at % 7)]).collect();
+        let mut corners = needle.clone();
+        let slack = cap(&mut corners);
+        assert!(corners.len() <= MOST && slack < 0.1, "{slack}");
+        contains(&corners, &needle, 1e-13).unwrap();
+    }
+
+    fn contains(corners: &[Point], points: &[Point], tolerance: f64) -> Result<(), TestCaseError> {
+        for (i, &a) in corners.iter().enumerate() {
+            let b = corners[(i + 1) % corners.len()];
+            let length = ((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1])).sqrt();
+            for &p in points {
+                prop_assert!(cross(a, b, p) >= -tolerance * length.max(tolerance), "{:?} {:?} {:?}", a, b, p);
+            }
+        }
+        Ok(())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: crate::testing::cases(), failure_persistence: None, ..<_>::default() })]
+
+        #[test]
+        fn hulls_contain_and_fit(points in prop::collection::vec((-0.9..0.9, -0.9..0.9), 1..200),
+                                 flat in prop_oneof![Just(1.0), Just(0.0), Just(1e-15), Just(1e-9)], turn in 0.0..360.0) {
+            // Flattened and turned, so that all is near a line in any direction.
+            let (c, s) = Heading::from_degrees(turn).cos_sin();
+            let points: Vec<Point> = points.iter().map(|&(x, y)| [c * x - s * y * flat, s * x + c * y * flat])
+                .map(|p| p.map(|c| c * 0.7)).collect();
+            let mut corners = points.clone();
+            let (slack, _) = hull(&mut corners);
+            prop_assert!(slack < 1e-11 && corners.len() <= MOST);
+            contains(&corners, &points, 1e-14)?;
+            // In every direction it reaches no farther than the points do.
+            for direction in 0..36 {
+                let (c, s) = Heading::from_degrees(f64::from(direction) * 10.0 + turn).cos_sin();
+                let reach = |points: &[Point]| points.iter().map(|p| c * p[0] + s * p[1]).fold(f64::MIN, f64::max);
+                prop_assert!((reach(&corners) - reach(&points)).abs() <= slack + 1e-14, "{:?}", corners);
+            }
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! Drawing letter by letter, where no two pieces need be alike.
+
+use super::builder::{Builder, bytes_of};
+use super::tally::Tally;
+use super::tree::Tree;
+use super::{BlockId, Item, StyleChange};
+use crate::space::Space;
+use crate::turtle::{Op, Pen, Score};
+use crate::walk::{Next, Walk};
+use crate::{Program, SymbolId};
+use lsystem_syntax::{LimitName, Limits, Meter};
+
+/// What a derivation has cost so far.
+#[derive(Clone, Debug)]
+pub(crate) struct Census {
+    walk: Walk,
+    symbols: u64,
+    tally: Tally,
+}
+
+/// What came of working on.
+pub(super) enum Outcome<T> {
+    /// The work allowed is done; there is more.
+    Paused,
+    /// The whole derivation has been gone through.
+    Ended(T),
+    /// One segment or letter more would pass a limit.
+    Passed(LimitName),
+}
+
+impl Census {
+    pub(super) fn new(n: u32, seed: u32) -> Self {
+        Self { walk: Walk::new(n, seed), symbols: 0, tally: Tally::default() }
+    }
+
+    /// Goes on until the meter is spent, handing the actions of each letter of the last generation to `act`, with its place
+    /// there; `act` says how much work that has been, and nothing where it
+    /// cannot go on.
+    pub(super) fn step<S: Space>(
+        &mut self,
+        program: &Program,
+        score: &Score<S>,
+        limits: &Limits,
+        meter: &mut Meter,
+        mut act: impl FnMut(&Walk, (u64, SymbolId), &[Op<S>]) -> Option<u64>,
+    ) -> Outcome<()> {
+        let began = self.walk.work;
+        let mut acted = 0_u64;
+        let outcome = loop {
+            let until = began.saturating_add(meter.left().saturating_sub(acted)).min(limits.work);
+            match self.walk.next(program, |_| false, until) {
+                Next::Letter(symbol, _) => {
+                    let ops = &score.ops[usize::from(symbol)];
+                    let place = self.symbols;
+                    self.symbols += 1;
+                    let before = self.tally.work();
+                    ops.iter().for_each(|op| self.tally.add(op));
+                    self.walk.work += self.tally.work() - before;
+                    if self.tally.segments > limits.segments {
+                        break Outcome::Passed(LimitName::Segments);
+                    }
+                    if self.tally.segments.saturating_mul(size_of::<Item<S>>() as u64) > limits.memory {
+                        break Outcome::Passed(LimitName::Memory);
+                    }
+                    match act(&self.walk, (place, symbol), ops) {
+                        Some(work) => acted += work,
+                        None => break Outcome::Paused,
+                    }
+                }
+                Next::End => break Outcome::Ended(()),
+                Next::Pause if self.walk.work >= limits.work => break Outcome::Passed(LimitName::Work),
+                Next::Pause => break Outcome::Paused,
+            }
+        };
+        meter.charge((self.walk.work - began).max(1) + acted);
+        outcome
+    }
+}
+
+/// A tree of blocks in the making.
+#[derive(Clone, Debug)]
+pub(crate) struct Materialiser<S: Space> {
+    census: Census,
+    pen: Pen<S>,
+    saved: Vec<Pen<S>>,
+    tree: Tree<S>,
+    seed: u32,
+    /// The word that was asked about last (what it replaces, its address and length), and which of its letters goes on in
+    /// the place of what it replaces.
+    heir: Option<((SymbolId, usize, usize), Option<usize>)>,
+    /// What a module does that is not like the others of its letter.
+    own: Vec<Op<S>>,
+}
+
+impl<S: Space> Materialiser<S> {
+    pub(super) fn new(heading: S::Turn, score: &Score<S>, seed: u32, n: u32) -> Self {
+        Self {
+            census: Census::new(n, seed),
+            pen: Pen::new(heading, StyleChange::start(score.width)),
+            saved: vec![],
+            tree: Tree::new(score.exponent),
+            seed,
+            heir: None,
+            own: vec![],
+        }
+    }
+
+    /// The symbols met so far.
+    pub(super) fn symbols(&self) -> u64 {
+        self.census.symbols
+    }
+
+    /// The bytes that it takes.
+    pub(super) fn bytes(&self) -> u64 {
+        bytes_of(&self.saved) + self.tree.bytes()
+    }
+
+    /// Goes on until the meter is spent.
+    pub(super) fn step(
+        &mut self,
+        program: &Program,
+        score: &Score<S>,
+        builder: &mut Builder<S>,
+        limits: &Limits,
+        meter: &mut Meter,
+    ) -> Outcome<Option<BlockId>> {
+        let Self { census, pen, saved, tree, seed, heir, own } = self;
+        let outcome = census.step(program, score, limits, meter, |walk, (place, symbol), ops| {
+            let mut ops = ops;
+            if score.is_personal() {
+                let fate = walk.fate(program, symbol, |former, successor| {
+                    let word = (former, successor.as_ptr().addr(), successor.len());
+                    match heir {
+                        Some((of, at)) if *of == word => *at,
+                        _ => heir.insert((word, score.heir(former, successor))).1,
+                    }
+                });
+                score.own(ops, &fate, *seed, own);
+                ops = own;
+            }
+            tree.draw(builder, place, |desk, directions| pen.act(ops, saved, 1.0, directions, desk));
+            let is_full = builder.is_full || builder.bytes() + bytes_of(saved) + tree.bytes() > limits.memory;
+            (!is_full).then(|| ops.len() as u64 + builder.take_work())
+        });
+        let outcome = match outcome {
+            Outcome::Paused => Outcome::Paused,
+            Outcome::Passed(limit) => Outcome::Passed(limit),
+            Outcome::Ended(()) => match tree.finish_one(builder) {
+                Some(root) => Outcome::Ended(root),
+                None => Outcome::Paused,
+            },
+        };
+        meter.charge(builder.take_work());
+        outcome
+    }
+}

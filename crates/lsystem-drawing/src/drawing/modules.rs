@@ -1,0 +1,325 @@
+//! Drawing a whole generation, for productions that look around themselves or compute.
+
+use super::builder::{Builder, bytes_of};
+use super::drawer::start;
+use super::tally::Tally;
+use super::tree::Tree;
+use super::{BlockId, StyleChange};
+use crate::derivation::{fault, limit};
+use crate::rewriting::{Age, LetterId};
+use crate::space::{Space, unit_of};
+use crate::turtle::{Fate, Op, Pen, Score};
+use crate::{Fault, Image, Rewriter, Rules, Turtle};
+use lsystem_syntax::{Diagnostic, LimitName, Limits, Meter};
+
+/// Modules read between two looks at the caller's budget.
+const PIECE: usize = 1 << 12;
+
+/// A drawing in the making: derives generation after generation, measures the last, and draws it.
+#[derive(Clone, Debug)]
+pub(crate) struct Modular<S: Space> {
+    rewriter: Rewriter,
+    seed: u32,
+    reader: Reader<S>,
+    stage: Stage<S>,
+}
+
+#[derive(Clone, Debug)]
+enum Stage<S: Space> {
+    Derive,
+    Measure(Measure),
+    Draw {
+        pen: Pen<S>,
+        saved: Vec<Pen<S>>,
+        tree: Tree<S>,
+        /// Of lengths, to the unit of the tree.
+        scale: f64,
+    },
+    /// A limit was passed: finding the last generation before this one that is within all.
+    Recount {
+        passed: LimitName,
+        before: u32,
+        /// The generation that comes next.
+        next: u32,
+        fits: Option<u32>,
+        measure: Measure,
+    },
+}
+
+/// What came of working on.
+pub(super) enum Outcome {
+    /// The work allowed is done; there is more.
+    Paused,
+    /// The root of the drawing.
+    Ended(Option<BlockId>),
+    Failed(Diagnostic),
+}
+
+impl<S: Space> Modular<S> {
+    /// Ready to draw from the axiom on.
+    pub(super) fn new(rules: &Rules, seed: u32, limits: &Limits, score: &Score<S>) -> Result<Self, Diagnostic> {
+        let mut rewriter =
+            Rewriter::new(rules.clone(), seed, *limits).map_err(|fault_| fault(rules, fault_, 0, limits, None))?;
+        if score.is_personal() {
+            let aged = score.dated || score.growth < 1.0;
+            // What is drawn as something else draws if that does.
+            let draws = |letter: usize| {
+                let images = rules.images[letter].iter().flat_map(|image| &image.successor.letters);
+                let own = score.draws(letter as LetterId);
+                if rules.images[letter].is_empty() { own } else { images.copied().any(|image| score.draws(image)) }
+            };
+            rewriter.remember(aged.then(|| (0..rules.letters.len()).map(draws).collect()));
+        }
+        Ok(Self { rewriter, seed, reader: Reader::default(), stage: Stage::Derive })
+    }
+
+    /// The symbols of the last whole generation.
+    pub(super) fn symbols(&self) -> u64 {
+        self.rewriter.word().letters.len() as u64
+    }
+
+    /// The bytes that the drawing in the making takes.
+    pub(super) fn bytes(&self) -> u64 {
+        let drawn = match &self.stage {
+            Stage::Draw { saved, tree, .. } => bytes_of(saved) + tree.bytes(),
+            _ => 0,
+        };
+        self.rewriter.bytes() + drawn
+    }
+
+    /// Works on for as many modules as the meter allows.
+    pub(super) fn step(
+        &mut self,
+        (turtle, score): (&Turtle, &Score<S>),
+        builder: &mut Builder<S>,
+        limits: &Limits,
+        n: u32,
+        meter: &mut Meter,
+    ) -> Outcome {
+        let Self { rewriter, seed, reader, stage } = self;
+        match stage {
+            Stage::Derive if rewriter.generation() < n => {
+                rewriter.allow(limits.memory.saturating_sub(builder.bytes()));
+                if let Err(passed) = rewriter.advance(meter) {
+                    let reached = rewriter.generation();
+                    let Fault::Limit(passed) = passed else {
+                        return Outcome::Failed(fault(rewriter.rules(), passed, reached, limits, None));
+                    };
+                    return self.recount(passed, reached + 1, limits);
+                }
+                Outcome::Paused
+            }
+            Stage::Derive => {
+                rewriter.rest();
+                *stage = Stage::Measure(Measure::default());
+                Outcome::Paused
+            }
+            Stage::Measure(measure) => {
+                let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| {
+                    measure.add(ops);
+                    Some(0)
+                });
+                let generation = rewriter.generation();
+                match (measure.passed(limits), done) {
+                    (Some(passed), _) => return self.recount(passed, n, limits),
+                    (None, Err(error)) => {
+                        return Outcome::Failed(fault(rewriter.rules(), error, generation, limits, None));
+                    }
+                    (None, Ok(false)) => {}
+                    (None, Ok(true)) => {
+                        let shift = unit_of(measure.longest);
+                        *reader = Reader::default();
+                        *stage = Stage::Draw {
+                            pen: Pen::new(start::<S>(turtle), StyleChange::start(score.width)),
+                            saved: Vec::new(),
+                            tree: Tree::new(score.exponent.saturating_add(shift)),
+                            scale: libm::scalbn(1.0, -shift),
+                        };
+                    }
+                }
+                Outcome::Paused
+            }
+            Stage::Draw { pen, saved, tree, scale } => {
+                let derived = rewriter.bytes();
+                let mut act = |place: usize, ops: &[Op<S>]| {
+                    tree.draw(builder, place as u64, |desk, directions| pen.act(ops, saved, *scale, directions, desk));
+                    let bytes = builder.bytes() + derived + bytes_of(saved) + tree.bytes();
+                    let is_full = builder.is_full || bytes > limits.memory;
+                    (!is_full).then(|| builder.take_work())
+                };
+                match reader.read(rewriter, (turtle, score, *seed), meter, &mut act) {
+                    Ok(false) => Outcome::Paused,
+                    Ok(true) => {
+                        let finished = tree.finish_one(builder);
+                        meter.charge(builder.take_work());
+                        finished.map_or(Outcome::Paused, Outcome::Ended)
+                    }
+                    Err(error) => Outcome::Failed(fault(rewriter.rules(), error, rewriter.generation(), limits, None)),
+                }
+            }
+            Stage::Recount { passed, before, next, fits, measure } => {
+                let over = limit(*passed, limits.value(*passed), *fits);
+                if next >= before {
+                    return Outcome::Failed(over);
+                }
+                if rewriter.generation() < *next {
+                    rewriter.allow(limits.memory.saturating_sub(builder.bytes()));
+                    return if rewriter.advance(meter).is_ok() { Outcome::Paused } else { Outcome::Failed(over) };
+                }
+                let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| {
+                    measure.add(ops);
+                    Some(0)
+                });
+                let within = measure.passed(limits).is_none();
+                if within && done == Ok(false) {
+                    return Outcome::Paused;
+                }
+                if within && done == Ok(true) {
+                    *fits = Some(*next);
+                }
+                *measure = Measure::default();
+                *reader = Reader::default();
+                *next += 1;
+                Outcome::Paused
+            }
+        }
+    }
+
+    /// Starts again, to find the last generation before `before` that is within all limits.
+    fn recount(&mut self, passed: LimitName, before: u32, limits: &Limits) -> Outcome {
+        let failed = || Outcome::Failed(limit(passed, limits.value(passed), None));
+        let Ok(rewriter) = Rewriter::new(self.rewriter.rules().clone(), self.seed, *limits) else { return failed() };
+        self.rewriter = rewriter;
+        self.reader = Reader::default();
+        self.stage = Stage::Recount { passed, before, next: 0, fits: None, measure: Measure::default() };
+        Outcome::Paused
+    }
+}
+
+/// What a generation will cost to draw.
+#[derive(Clone, Debug, Default)]
+struct Measure {
+    tally: Tally,
+    /// The longest way forward, in units of the score.
+    longest: f64,
+}
+
+impl Measure {
+    fn add<S: Space>(&mut self, ops: &[Op<S>]) {
+        for op in ops {
+            self.tally.add(op);
+            if let Op::Draw(length) | Op::Move(length) = op {
+                self.longest = self.longest.max(length.abs());
+            }
+        }
+    }
+
+    fn passed(&self, limits: &Limits) -> Option<LimitName> {
+        if self.tally.segments > limits.segments {
+            Some(LimitName::Segments)
+        } else if self.tally.work() > limits.work {
+            Some(LimitName::Work)
+        } else {
+            None
+        }
+    }
+}
+
+/// Is handed what a module does, with its place; says how much work that was.
+type Act<'a, S> = &'a mut dyn FnMut(usize, &[Op<S>]) -> Option<u64>;
+
+/// Goes through the modules of a generation as the turtle reads them.
+#[derive(Clone, Debug)]
+struct Reader<S: Space> {
+    at: usize,
+    /// Where its arguments start.
+    argument: usize,
+    image: Image,
+    /// While an image is read: its modules and arguments read so far.
+    inside: Option<(usize, usize)>,
+    /// What a letter does with its number.
+    ops: Vec<Op<S>>,
+    /// What a module does that is not like the others of its letter.
+    own: Vec<Op<S>>,
+}
+
+impl<S: Space> Default for Reader<S> {
+    fn default() -> Self {
+        Self { at: 0, argument: 0, image: Image::default(), inside: None, ops: vec![], own: vec![] }
+    }
+}
+
+impl<S: Space> Reader<S> {
+    /// Hands over what some thousand modules do, with their places, or fewer where they do much; `act` says how much
+    /// work that is, and nothing where it cannot go on. Says whether the generation is at its end.
+    fn read(
+        &mut self,
+        rewriter: &Rewriter,
+        (turtle, score, seed): (&Turtle, &Score<S>, u32),
+        meter: &mut Meter,
+        act: Act<'_, S>,
+    ) -> Result<bool, Fault> {
+        let Self { at, argument, image, inside, ops, own } = self;
+        let (word, rules) = (rewriter.word(), rewriter.rules());
+        let end = (*at + PIECE).min(word.letters.len());
+        meter.charge(1);
+        let mut one = |place: usize, letter: u16, arguments: &[f64], fate: Option<&Fate>| {
+            let mut plain = score.ops[usize::from(letter)].as_slice();
+            if let ([number, ..], [_, ..]) = (arguments, plain) {
+                score.numbered(turtle, &turtle.actions[usize::from(letter)], *number, ops);
+                plain = ops;
+            }
+            match fate {
+                _ if plain.is_empty() => Some(0),
+                None => Some(plain.len() as u64 + act(place, plain)?),
+                Some(fate) => {
+                    score.own(plain, fate, seed, own);
+                    Some(own.len() as u64 + act(place, own)?)
+                }
+            }
+        };
+        // Where modules do much, fewer of them are enough.
+        let until = meter.spent() + 4 * PIECE as u64;
+        while *at < end && meter.spent() < until {
+            meter.charge(2);
+            let letter = word.letters[*at];
+            let arity = |letter: u16| usize::from(rules.letters[usize::from(letter)].arity);
+            let after = *argument + arity(letter);
+            let mut fate = score.is_personal().then(|| {
+                let age = word.age_of(*at).unwrap_or(Age { since: 0, made: 0 });
+                let grows = age.made > 0 && u32::from(age.made) == rewriter.generation();
+                Fate { key: word.key_of(*at), since: u32::from(age.since), grows }
+            });
+            if rules.images[usize::from(letter)].is_empty() {
+                let Some(work) = one(*at, letter, &word.arguments[*argument..after], fate.as_ref()) else {
+                    return Ok(false);
+                };
+                meter.charge(work);
+            } else {
+                if inside.is_none() {
+                    let made = rewriter.image(*at, *argument, image).map(|_| ());
+                    meter.charge(image.take_spent());
+                    made?;
+                }
+                let (modules, key) = (image.modules(), word.key_of(*at));
+                let (done, read) = inside.get_or_insert((0, 0));
+                while let Some(&letter) = modules.letters.get(*done) {
+                    if meter.spent() >= until {
+                        return Ok(false);
+                    }
+                    let own = &modules.arguments[*read..*read + arity(letter)];
+                    if let Some(fate) = &mut fate {
+                        fate.key = key.child(u32::MAX, *done as u64);
+                    }
+                    let Some(work) = one(*at, letter, own, fate.as_ref()) else { return Ok(false) };
+                    meter.charge(1 + work);
+                    (*done, *read) = (*done + 1, *read + own.len());
+                }
+                *inside = None;
+            }
+            *argument = after;
+            *at += 1;
+        }
+        Ok(*at == word.letters.len())
+    }
+}

@@ -1,0 +1,181 @@
+//! Pieces of modules with parameters: what the turtle does one after the other, drawn into a block.
+
+use super::{Deed, Made, Parametric, Part};
+use crate::Turtle;
+use crate::derivation::fault;
+use crate::drawing::builder::{Builder, bytes_of};
+use crate::drawing::graph::{effect, exponent, follow, place};
+use crate::drawing::tree::{Tree, WORD};
+use crate::drawing::{Piece, StyleChange};
+use crate::space::{Space, unit_of};
+use crate::turtle::{Op, Pen, Score};
+use core::ops::Range;
+use lsystem_syntax::{Diagnostic, Limits, Meter};
+
+/// A piece in the making.
+#[derive(Clone, Debug)]
+pub(super) struct Writing<S: Space> {
+    parts: Range<u32>,
+    /// The parts done: measured while there is no tree, then drawn.
+    done: u32,
+    unit: Option<i32>,
+    symbols: u128,
+    /// Whether what all parts do is held at once.
+    is_held: bool,
+    /// What the parts do at most, in items.
+    weight: usize,
+    pen: Pen<S>,
+    saved: Vec<Pen<S>>,
+    tree: Option<Tree<S>>,
+}
+
+/// Deeds of a piece that are held at a time, about.
+const HELD: usize = 4096;
+impl<S: Space> Parametric<S> {
+    /// Goes on with a piece until the meter is spent; the piece when it is made.
+    pub(super) fn write(
+        &mut self,
+        writing: &mut Writing<S>,
+        (turtle, score): (&Turtle, &Score<S>),
+        builder: &mut Builder<S>,
+        meter: &mut Meter,
+    ) -> Result<Option<Made<S>>, Diagnostic> {
+        let end = writing.parts.end;
+        let mut deeds = core::mem::take(&mut self.deeds);
+        while writing.tree.is_none() && (writing.done < end || writing.weight == 0) {
+            let next = self.collect((turtle, score), writing.done..end, &mut deeds)?;
+            writing.measure(builder, score, &deeds);
+            let symbols = (writing.done..next).map(|part| self.symbols_of(part)).fold(0, u128::saturating_add);
+            writing.symbols = writing.symbols.saturating_add(symbols);
+            writing.is_held = writing.done == writing.parts.start && next == end;
+            meter.charge(4 + 2 * u64::from(next - writing.done) + deeds.len() as u64);
+            writing.done = next;
+            if meter.is_spent() && !writing.is_held {
+                self.deeds = deeds;
+                return Ok(None);
+            }
+        }
+        let unit = writing.unit.unwrap_or(0);
+        let scale = libm::scalbn(1.0, score.exponent.saturating_sub(unit));
+        let mut tree = writing.tree.take().unwrap_or_else(|| {
+            writing.done = writing.parts.start;
+            Tree::of_word(unit, writing.weight > WORD)
+        });
+        while writing.done < end {
+            let next = match writing.is_held {
+                true => end,
+                false => self.collect((turtle, score), writing.done..end, &mut deeds)?,
+            };
+            for deed in &deeds {
+                writing.draw(builder, deed, (&mut tree, unit, scale));
+            }
+            meter.charge(2 * deeds.len() as u64 + builder.take_work());
+            writing.done = next;
+            if meter.is_spent() || builder.is_full {
+                break;
+            }
+        }
+        self.deeds = deeds;
+        while writing.done == end && !builder.is_full {
+            let finished = tree.finish_one(builder);
+            meter.charge(1 + builder.take_work());
+            if let Some(block) = finished {
+                let piece = Piece { block, effect: effect(&writing.pen, unit) };
+                return Ok(Some((piece, writing.symbols)));
+            }
+            if meter.is_spent() {
+                break;
+            }
+        }
+        writing.tree = Some(tree);
+        Ok(None)
+    }
+
+    /// Puts what the first of some parts do in the place of `deeds`: of as many as there is room for. Returns the part that
+    /// comes next.
+    fn collect(
+        &self,
+        with: (&Turtle, &Score<S>),
+        parts: Range<u32>,
+        deeds: &mut Vec<Deed<S>>,
+    ) -> Result<u32, Diagnostic> {
+        deeds.clear();
+        for part in parts.clone() {
+            if deeds.len() >= HELD {
+                return Ok(part);
+            }
+            match self.parts[part as usize] {
+                Part::Module(letter, argument) => {
+                    let acted = self.act(with, letter, argument as usize, deeds);
+                    // Images count as a step of their own.
+                    acted.map_err(|error| fault(&self.rules, error, self.n, &Limits::default(), None))?;
+                }
+                Part::State(state, scale) => {
+                    deeds.extend(self.below(state).map(|(piece, _)| Deed::Piece(*piece, scale)));
+                }
+            }
+        }
+        Ok(parts.end)
+    }
+
+    fn below(&self, state: u32) -> Option<&Made<S>> {
+        self.pieces.as_ref().and_then(|[below, _]| below.get(state as usize))
+    }
+
+    /// How many symbols a part is made of.
+    fn symbols_of(&self, part: u32) -> u128 {
+        match self.parts[part as usize] {
+            Part::Module(..) => 1,
+            Part::State(state, _) => self.below(state).map_or(0, |(_, symbols)| *symbols),
+        }
+    }
+}
+
+impl<S: Space> Writing<S> {
+    /// Of these parts; the turtle enters with this heading, in a frame with that vertical.
+    pub(super) fn new((parts, (heading, vertical)): (Range<u32>, (S::Turn, S::Point))) -> Self {
+        Self {
+            done: parts.start,
+            parts,
+            unit: None,
+            symbols: 0,
+            is_held: false,
+            weight: 0,
+            pen: Pen { vertical, ..Pen::new(heading, StyleChange::NONE) },
+            saved: vec![],
+            tree: None,
+        }
+    }
+
+    /// The bytes that it takes.
+    pub(super) fn bytes(&self) -> u64 {
+        bytes_of(&self.saved) + self.tree.as_ref().map_or(0, Tree::bytes)
+    }
+
+    /// Looks how far some deeds go.
+    fn measure(&mut self, builder: &Builder<S>, score: &Score<S>, deeds: &[Deed<S>]) {
+        let unit = |deed: &Deed<S>| match deed {
+            Deed::Op(Op::Draw(length) | Op::Move(length)) if *length != 0.0 => {
+                Some(score.exponent.saturating_add(unit_of(*length)))
+            }
+            Deed::Op(_) => None,
+            Deed::Piece(piece, scale) => exponent(builder, piece).map(|own| own.saturating_add(unit_of(*scale))),
+        };
+        self.unit = self.unit.max(deeds.iter().filter_map(unit).max());
+        self.weight += 1 + deeds.len();
+    }
+
+    fn draw(&mut self, builder: &mut Builder<S>, deed: &Deed<S>, (tree, unit, scale): (&mut Tree<S>, i32, f64)) {
+        let Self { pen, saved, .. } = self;
+        match deed {
+            Deed::Op(op) => tree.draw(builder, 0, |desk, directions| pen.act(&[*op], saved, scale, directions, desk)),
+            Deed::Piece(piece, scale) => {
+                if let Some(block) = piece.block {
+                    let placed = place(builder, block, pen, unit, *scale);
+                    tree.place(builder, placed);
+                }
+                follow(builder, pen, &piece.effect, unit, *scale);
+            }
+        }
+    }
+}

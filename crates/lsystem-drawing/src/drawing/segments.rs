@@ -1,0 +1,227 @@
+//! The segments of a drawing, one by one.
+
+use super::{BlockId, Drawing, Item, Placed, Polygon, Segment, Stroke, StyleChange};
+use crate::Plane;
+use crate::space::Space;
+use lsystem_syntax::Heading;
+
+/// Iterates over a drawing's segments in drawing order. Made by [`Drawing::segments`].
+#[derive(Clone, Debug)]
+pub struct Segments<'a, S: Space = Plane> {
+    strokes: Strokes<'a, S>,
+    /// The number of segments still to come, saturating.
+    left: u128,
+    unit: f64,
+}
+
+impl Segments<'_> {
+    /// The direction of the next segment, in degrees counter-clockwise from +x, in `0.0..360.0`. It is known in the
+    /// frame of its block, where even a segment that is nothing beside the whole drawing has a length.
+    pub(super) fn heading(&self) -> Option<f64> {
+        let (stroke, frame) = self.strokes.clone().next_placed()?;
+        let (x, y) = (stroke.to[0] - stroke.from[0], stroke.to[1] - stroke.from[1]);
+        let own = libm::atan2(y, x) * (180.0 / core::f64::consts::PI);
+        Some((frame.heading + Heading::from_degrees(own)).degrees())
+    }
+}
+
+impl<'a, S: Space> Segments<'a, S> {
+    pub(super) fn new(drawing: &'a Drawing<S>) -> Self {
+        let mut strokes = Strokes::new(drawing);
+        if let Some(root) = drawing.root {
+            strokes.enter(root, &Frame::new(1.0, StyleChange::start(drawing.width)));
+        }
+        Self { strokes, left: drawing.segment_count(), unit: drawing.unit() }
+    }
+
+    /// Passes over the next `count` segments, blocks that hold none other being passed over whole.
+    pub(super) fn pass(&mut self, count: u128) {
+        self.strokes.pass(count);
+        self.left = self.left.saturating_sub(count);
+    }
+}
+
+impl<S: Space> Iterator for Segments<'_, S> {
+    type Item = Segment<S>;
+
+    fn next(&mut self) -> Option<Segment<S>> {
+        let (from, to, style) = self.strokes.next()?;
+        self.left = self.left.saturating_sub(1);
+        Some(self.strokes.drawing.segment([from, to], &style, self.unit))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let left = usize::try_from(self.left);
+        (left.unwrap_or(usize::MAX), left.ok())
+    }
+}
+
+impl<S: Space> Drawing<S> {
+    /// A segment between two points of the root block, one unit of which is `unit`.
+    pub(super) fn segment(&self, [from, to]: [S::Point; 2], style: &StyleChange, unit: f64) -> Segment<S> {
+        Segment {
+            from: self.model(from, unit),
+            to: self.model(to, unit),
+            colour: style.colour.of(0),
+            level: style.level,
+            width: style.width.of(0.0) * self.step.abs(),
+        }
+    }
+
+    /// Where a point of the root block lies.
+    pub(super) fn model(&self, mut point: S::Point, unit: f64) -> S::Point {
+        point.as_mut().iter_mut().zip(self.start.as_ref()).for_each(|(c, start)| *c = start + unit * *c);
+        point
+    }
+}
+
+/// Where a block lies in the frame that is being read, and in what style it is entered.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<S: Space = Plane> {
+    /// The place of its origin.
+    pub at: S::Point,
+    /// Its heading.
+    pub heading: S::Turn,
+    /// The length of one of its units.
+    pub scale: f64,
+    /// The style at its entry.
+    pub style: StyleChange,
+    /// Of the heading, times the scale.
+    axes: S::Axes,
+}
+
+impl<S: Space> Frame<S> {
+    /// Unturned at the origin.
+    pub fn new(scale: f64, style: StyleChange) -> Self {
+        Self { at: S::Point::default(), heading: S::AHEAD, scale, style, axes: S::scaled(S::AXES, scale) }
+    }
+
+    /// Where a point of the block lies.
+    pub fn lie(&self, point: S::Point) -> S::Point {
+        S::lie(&self.axes, self.at, point)
+    }
+
+    /// The frame of a block inside this one.
+    pub fn place(&self, placed: &Placed<S>, drawing: &Drawing<S>, directions: &mut S::Directions) -> Self {
+        let (heading, scale) = (S::then(self.heading, placed.heading), self.scale * placed.scale);
+        Self {
+            at: self.lie(placed.at),
+            heading,
+            scale,
+            style: self.style.then(&drawing.styles[placed.style.0 as usize]),
+            axes: S::scaled(S::axes(directions, heading), scale),
+        }
+    }
+}
+
+/// What is drawn itself.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Part<'a, S: Space> {
+    Stroke(&'a Stroke<S>),
+    Polygon(&'a Polygon),
+}
+
+/// Where a reader of strokes stands. It holds no drawing, so it can rest between two calls.
+#[derive(Clone, Debug)]
+pub(super) struct Standing<S: Space> {
+    /// The blocks that are being read, outermost first: the items still to be read, and where.
+    open: Vec<(u32, u32, Frame<S>)>,
+    directions: S::Directions,
+}
+
+impl<S: Space> Standing<S> {
+    pub(super) fn new() -> Self {
+        Self { open: vec![], directions: S::directions() }
+    }
+
+    /// Reads `block` before anything else.
+    pub(super) fn enter(&mut self, drawing: &Drawing<S>, block: BlockId, frame: &Frame<S>) {
+        let items = &drawing.blocks[block.0 as usize].items;
+        self.open.push((items.start, items.end, *frame));
+    }
+
+    /// The next stroke or polygon and the frame it lies in.
+    pub(super) fn next_part<'a>(&mut self, drawing: &'a Drawing<S>) -> Option<(Part<'a, S>, Frame<S>)> {
+        loop {
+            let (next, end, frame) = self.open.last_mut()?;
+            if next == end {
+                self.open.pop();
+                continue;
+            }
+            let item = &drawing.items[*next as usize];
+            *next += 1;
+            match item {
+                Item::Stroke(stroke) => return Some((Part::Stroke(stroke), *frame)),
+                Item::Polygon(polygon) => return Some((Part::Polygon(polygon), *frame)),
+                Item::Block(placed) => {
+                    let inner = frame.place(placed, drawing, &mut self.directions);
+                    self.enter(drawing, placed.block, &inner);
+                }
+            }
+        }
+    }
+}
+
+/// The strokes of a block in some frame, in drawing order: from, to, style.
+#[derive(Clone, Debug)]
+pub(super) struct Strokes<'a, S: Space = Plane> {
+    drawing: &'a Drawing<S>,
+    standing: Standing<S>,
+}
+
+impl<'a, S: Space> Strokes<'a, S> {
+    pub(super) fn new(drawing: &'a Drawing<S>) -> Self {
+        Self { drawing, standing: Standing::new() }
+    }
+
+    /// Reads `block` before anything else.
+    pub(super) fn enter(&mut self, block: BlockId, frame: &Frame<S>) {
+        self.standing.enter(self.drawing, block, frame);
+    }
+
+    /// The next stroke and the frame it lies in.
+    fn next_placed(&mut self) -> Option<(&'a Stroke<S>, Frame<S>)> {
+        loop {
+            if let (Part::Stroke(stroke), frame) = self.next_part()? {
+                return Some((stroke, frame));
+            }
+        }
+    }
+
+    /// The next stroke or polygon and the frame it lies in.
+    pub(super) fn next_part(&mut self) -> Option<(Part<'a, S>, Frame<S>)> {
+        self.standing.next_part(self.drawing)
+    }
+
+    /// Passes over the next `count` strokes.
+    fn pass(&mut self, mut count: u128) {
+        while count > 0 {
+            let Some((next, end, frame)) = self.standing.open.last_mut() else { return };
+            let items = &self.drawing.items[*next as usize..*end as usize];
+            let (passed, left) = self.drawing.before(items, count);
+            *next += passed as u32;
+            count = left;
+            match items.get(passed) {
+                Some(Item::Block(placed)) => {
+                    *next += 1;
+                    let inner = frame.place(placed, self.drawing, &mut self.standing.directions);
+                    self.enter(placed.block, &inner);
+                }
+                Some(_) => return,
+                None => {
+                    self.standing.open.pop();
+                }
+            }
+        }
+    }
+}
+
+impl<S: Space> Iterator for Strokes<'_, S> {
+    type Item = (S::Point, S::Point, StyleChange);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let (stroke, frame) = self.next_placed()?;
+        let style = frame.style.then(&self.drawing.styles[stroke.style.0 as usize]);
+        Some((frame.lie(stroke.from), frame.lie(stroke.to), style))
+    }
+}

@@ -1,0 +1,114 @@
+//! Strokes and polygons on their way into a block.
+
+use super::builder::{Builder, bytes_of, reserve};
+use super::style::Styles;
+use super::{Item, Polygon, Stroke, StyleChange};
+use crate::space::{Space, minus};
+use crate::turtle::Paper;
+
+/// What will be the items of one block.
+#[derive(Clone, Debug)]
+pub(super) struct Sheet<S: Space> {
+    pub items: Vec<Item<S>>,
+    /// Polygons that are not closed, innermost last: the places of their items, and their vertices so far.
+    open: Vec<(usize, Vec<S::Point>)>,
+    /// How many vertices they have.
+    held: usize,
+    /// The place of the symbol that is being drawn, as in [`Polygon::symbol`].
+    pub symbol: u32,
+}
+
+impl<S: Space> Sheet<S> {
+    pub(super) fn new() -> Self {
+        Self { items: vec![], open: vec![], held: 0, symbol: 0 }
+    }
+
+    /// Whether no polygon is open.
+    pub(crate) fn is_closed(&self) -> bool {
+        self.open.is_empty()
+    }
+
+    /// Leaves out polygons that were never closed, or have no inside.
+    pub(super) fn finish(&mut self) {
+        self.open.clear();
+        self.items.retain(|item| !is_hollow(item));
+    }
+
+    /// The bytes that it takes. A list of vertices may have room for as many again.
+    pub(super) fn bytes(&self) -> u64 {
+        bytes_of(&self.items) + bytes_of(&self.open) + (2 * self.held * size_of::<S::Point>()) as u64
+    }
+}
+
+/// Whether an item is a polygon that is not closed, or has no inside.
+pub(super) fn is_hollow<S: Space>(item: &Item<S>) -> bool {
+    matches!(item, Item::Polygon(Polygon { count: 0, .. }))
+}
+
+/// The place where an item begins.
+pub(super) fn origin<S: Space>(builder: &Builder<S>, item: &Item<S>) -> S::Point {
+    match item {
+        Item::Stroke(stroke) => stroke.from,
+        Item::Polygon(polygon) => builder.vertices[polygon.first as usize],
+        Item::Block(placed) => placed.at,
+    }
+}
+
+/// Counts all coordinates from `origin`.
+pub(super) fn shift<S: Space>(builder: &mut Builder<S>, items: &mut [Item<S>], origin: &S::Point) {
+    for item in items {
+        match item {
+            Item::Stroke(stroke) => {
+                stroke.from = minus(stroke.from, origin);
+                stroke.to = minus(stroke.to, origin);
+            }
+            Item::Polygon(polygon) => {
+                let vertices = &mut builder.vertices[polygon.range()];
+                vertices.iter_mut().for_each(|vertex| *vertex = minus(*vertex, origin));
+            }
+            Item::Block(placed) => placed.at = minus(placed.at, origin),
+        }
+    }
+}
+
+/// A sheet, and where styles and vertices are kept.
+pub(crate) struct Desk<'a, S: Space> {
+    pub sheet: &'a mut Sheet<S>,
+    pub styles: &'a mut Styles,
+    pub vertices: &'a mut Vec<S::Point>,
+}
+
+impl<S: Space> Paper<S> for Desk<'_, S> {
+    fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange) {
+        reserve(&mut self.sheet.items, 1);
+        self.sheet.items.push(Item::Stroke(Stroke { from, to, style: self.styles.id(style) }));
+    }
+
+    fn open(&mut self, style: &StyleChange) {
+        // It lies beneath what is drawn inside, and so comes before that.
+        self.sheet.open.push((self.sheet.items.len(), vec![]));
+        let Sheet { items, symbol, .. } = self.sheet;
+        items.push(Item::Polygon(Polygon { first: 0, count: 0, style: self.styles.id(style), symbol: *symbol }));
+    }
+
+    fn vertex(&mut self, at: S::Point) {
+        if let Some((_, vertices)) = self.sheet.open.last_mut()
+            && vertices.last() != Some(&at)
+        {
+            vertices.push(at);
+            self.sheet.held += 1;
+        }
+    }
+
+    fn close(&mut self) {
+        let Some((place, vertices)) = self.sheet.open.pop() else { return };
+        self.sheet.held -= vertices.len();
+        if vertices.len() > 2
+            && let Some(Item::Polygon(polygon)) = self.sheet.items.get_mut(place)
+        {
+            (polygon.first, polygon.count) = (self.vertices.len() as u32, vertices.len() as u32);
+            reserve(self.vertices, vertices.len());
+            self.vertices.extend(vertices);
+        }
+    }
+}

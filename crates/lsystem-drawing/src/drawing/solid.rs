@@ -1,0 +1,41 @@
+//! Drawings in space.
+
+use super::{Drawer, Drawing, body};
+use crate::{Solid, System};
+use lsystem_syntax::{Diagnostic, Limits};
+
+/// Draws generation `n` in space. A system that does not [leave the plane](System::is_solid) is drawn there too.
+///
+/// # Errors
+/// As [`draw`](crate::draw).
+pub fn draw_solid(system: &System, n: u32, limits: &Limits) -> Result<Drawing<Solid>, Diagnostic> {
+    Drawer::solid(system, n, *limits).finish()
+}
+
+impl Drawer<Solid> {
+    /// Prepares to draw generation `n` in space.
+    #[must_use]
+    pub fn solid(system: &System, n: u32, limits: Limits) -> Self {
+        Self::within(system, n, limits)
+    }
+}
+
+impl Drawing<Solid> {
+    /// A box around all segments' axes, strokes' widths apart: its least and its greatest coordinates, in model units;
+    /// `None` when nothing is drawn. It is the smallest one to 1e-9 of its size, unless the drawing shares blocks and
+    /// very many of them come close to a side: then it may be a little larger. What is beyond the range of `f64` is
+    /// infinite.
+    #[must_use]
+    pub fn bounds(&self) -> Option<[[f64; 3]; 2]> {
+        let unit = self.unit();
+        let model = |point: [f64; 3]| [0, 1, 2].map(|i| self.start[i] + unit * point[i]);
+        let [a, b] = self.extent()?.sides.map(model);
+        // A negative step turns the picture round.
+        Some([[0, 1, 2].map(|i| a[i].min(b[i])), [0, 1, 2].map(|i| a[i].max(b[i]))])
+    }
+
+    /// The root's extent in its own units.
+    pub fn extent(&self) -> Option<body::Extent> {
+        self.surveyed()
+    }
+}

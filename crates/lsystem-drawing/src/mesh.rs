@@ -1,0 +1,371 @@
+//! Drawings as triangles: every stroke a tube, polygons cut up.
+//!
+//! Strokes that follow each other end to end share a ring of corners on the plane that halves the angle between them,
+//! so that a bent path is one closed tube. Where widths differ a tube tapers to the width of the stroke that follows.
+
+use crate::derivation::limit;
+use crate::drawing::MarkReader;
+use crate::rotation::{Vector, cross, dot, minus, norm};
+use crate::triangulate::{Triangles, triangulate};
+use crate::{Drawing, Mark, Segment, Solid};
+use lsystem_syntax::{Diagnostic, LimitName, Meter, Progress, Style};
+
+/// Triangles with colours, in model units.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Corners: x, y, z.
+    pub positions: Vec<[f32; 3]>,
+    /// Of each corner: the direction in which the surface faces, of length 1.
+    pub normals: Vec<[f32; 3]>,
+    /// Of each corner: red, green and blue in sRGB.
+    pub colours: Vec<[u8; 3]>,
+    /// Three corners each, counter-clockwise as seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// The longer side of a picture that a stroke's least width is meant for, in pixels.
+const PICTURE: f64 = 1024.0;
+/// Strokes that turn by more than a right angle or so do not share a ring: it would be too pointed.
+const SHARPEST: f64 = -0.1;
+/// How far the middle of an end stands out, in radii.
+const ROUND: f64 = 0.6;
+
+impl Mesh {
+    /// Makes tubes of all strokes, with as many sides as their number allows: eight for some ten thousand, four for
+    /// very many. A stroke is as wide as the style's least width makes it in a picture of 1024 pixels. Strokes without
+    /// length give nothing, and coordinates beyond the range of `f32` are the farthest there.
+    ///
+    /// # Errors
+    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) where there are more than `most` segments and vertices of polygons.
+    pub fn new(drawing: &Drawing<Solid>, style: &Style, most: u64) -> Result<Self, Diagnostic> {
+        let mut maker = MeshMaker::new(drawing, style, most, u64::MAX)?;
+        while maker.step(drawing, style, u64::MAX)? == Progress::More {}
+        Ok(maker.finish())
+    }
+
+    /// The bytes that it takes.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        let corners = size_of::<[f32; 3]>() * (self.positions.capacity() + self.normals.capacity());
+        let rest = size_of::<[u8; 3]>() * self.colours.capacity() + size_of::<[u32; 3]>() * self.triangles.capacity();
+        (corners + rest) as u64
+    }
+
+    /// Makes room for more corners and triangles. A list grows by an eighth, so that little room is left over.
+    fn reserve(&mut self, more: usize) {
+        fn grow<T>(list: &mut Vec<T>, more: usize) {
+            if list.capacity() - list.len() < more {
+                list.reserve_exact(more.max(list.len() / 8));
+            }
+        }
+        grow(&mut self.positions, more);
+        grow(&mut self.normals, more);
+        grow(&mut self.colours, more);
+        grow(&mut self.triangles, 2 * more);
+    }
+}
+
+/// Makes a mesh in steps. It holds no drawing.
+#[derive(Clone, Debug)]
+pub struct MeshMaker {
+    reader: MarkReader<Solid>,
+    tubes: Tubes,
+    /// The most bytes that the mesh may take.
+    memory: u64,
+    spent: u64,
+}
+
+impl MeshMaker {
+    /// Ready to make a mesh of at most `memory` bytes. While a list grows, its former bytes are there as well.
+    ///
+    /// # Errors
+    /// As [`Mesh::new`].
+    pub fn new(drawing: &Drawing<Solid>, style: &Style, most: u64, memory: u64) -> Result<Self, Diagnostic> {
+        drawing.check_size(most)?;
+        let extent = drawing.bounds().map_or(0.0, |[low, high]| (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max));
+        let sides = match drawing.segment_count() {
+            0..=20_000 => 8,
+            20_001..=100_000 => 6,
+            _ => 4,
+        };
+        let least = 0.5 * style.min_width.max(0.1) * extent / PICTURE;
+        let tubes = Tubes { mesh: Mesh::default(), sides, least, last: None };
+        Ok(Self { reader: MarkReader::new(drawing), tubes, memory, spent: 0 })
+    }
+
+    /// The units of work of all steps so far, as [`Meter`] counts them.
+    #[must_use]
+    pub fn spent(&self) -> u64 {
+        self.spent
+    }
+
+    /// Goes on for about `work` units; the drawing and the style are the same each time.
+    ///
+    /// # Errors
+    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) where the mesh would take too many bytes.
+    pub fn step(&mut self, drawing: &Drawing<Solid>, style: &Style, work: u64) -> Result<Progress, Diagnostic> {
+        let mut meter = Meter::new(work);
+        let mut progress = Progress::More;
+        while progress == Progress::More && !meter.is_spent() {
+            // Two rings, two ends and a ring between colours; of a polygon both sides.
+            let mut corners = 3 * self.tubes.sides as usize + 2;
+            let mark = self.reader.next(drawing);
+            match &mark {
+                Some(Mark::Polygon(vertices, _)) => corners += 2 * vertices.len(),
+                Some(Mark::Segment(..)) => {}
+                None => progress = Progress::Done,
+            }
+            meter.charge(mark.as_ref().map_or(8, |mark| MARK_WORK * mark.work()));
+            self.tubes.mesh.reserve(corners);
+            if self.tubes.mesh.bytes() > self.memory {
+                self.tubes.mesh = Mesh::default();
+                return Err(limit(LimitName::Memory, self.memory, None));
+            }
+            match mark {
+                Some(Mark::Segment(segment, tint)) => self.tubes.add(&segment, style.colour_of(tint).rgb),
+                Some(Mark::Polygon(vertices, tint)) => self.tubes.fill(&vertices, style.colour_of(tint).rgb),
+                None => self.tubes.close(),
+            }
+        }
+        self.spent = self.spent.saturating_add(meter.spent());
+        Ok(progress)
+    }
+
+    /// The mesh, when all steps are done.
+    #[must_use]
+    pub fn finish(self) -> Mesh {
+        self.tubes.mesh
+    }
+}
+
+/// How many times more work a tube is than a written line.
+const MARK_WORK: u64 = 4;
+
+/// Tubes in the making.
+#[derive(Clone, Debug)]
+struct Tubes {
+    mesh: Mesh,
+    sides: u32,
+    /// No tube's radius is less.
+    least: f64,
+    /// The stroke whose far end is still open.
+    last: Option<Open>,
+}
+
+/// A stroke that has its first ring.
+#[derive(Clone, Copy, Debug)]
+struct Open {
+    to: Vector,
+    /// Its direction, and a direction across it from which its corners are counted.
+    along: Vector,
+    across: Vector,
+    radius: f64,
+    colour: [u8; 3],
+    /// The first corner of its first ring.
+    ring: u32,
+}
+
+impl Tubes {
+    /// A polygon, which is seen from both sides.
+    fn fill(&mut self, vertices: &[Vector], colour: [u8; 3]) {
+        let Triangles { facing: Some(normal), corners: triangles, .. } = triangulate(vertices) else { return };
+        for (normal, order) in [(normal, [0, 1, 2]), (normal.map(|c| -c), [0, 2, 1])] {
+            let first = self.mesh.positions.len() as u32;
+            vertices.iter().for_each(|&vertex| self.corner(vertex, normal, colour));
+            let face = |triangle: &[usize; 3]| order.map(|corner| first + triangle[corner] as u32);
+            self.mesh.triangles.extend(triangles.iter().map(face));
+        }
+    }
+
+    fn add(&mut self, segment: &Segment<Solid>, colour: [u8; 3]) {
+        let way = minus(segment.to, segment.from);
+        let length = norm(way);
+        if !(length > 0.0 && length.is_finite()) {
+            return;
+        }
+        let along = way.map(|c| c / length);
+        let radius = (0.5 * segment.width).max(self.least);
+        let gap = |last: &Open| norm(minus(segment.from, last.to));
+        let joined = self.last.filter(|last| gap(last) <= 1e-9 * length && dot(last.along, along) > SHARPEST);
+        let (across, ring) = match joined {
+            Some(last) => self.join(&last, along, radius, colour),
+            None => {
+                self.close();
+                let across = across(along);
+                let ring = self.ring(segment.from, along, across, along, radius, colour);
+                self.end(segment.from, along.map(|c| -c), radius, colour, |side| [ring + side + 1, ring + side]);
+                (across, ring)
+            }
+        };
+        self.last = Some(Open { to: segment.to, along, across, radius, colour, ring });
+    }
+
+    /// Ends a stroke where the next one goes on along `along`; returns how that one's corners are counted, and its
+    /// first ring.
+    fn join(&mut self, last: &Open, along: Vector, radius: f64, colour: [u8; 3]) -> (Vector, u32) {
+        let half = unit([0, 1, 2].map(|i| last.along[i] + along[i]));
+        let ring = self.ring(last.to, last.along, last.across, half, radius, last.colour);
+        self.wall(last.ring, ring);
+        // The corners lie on the plane across `half`; seen along the next stroke they are a circle again.
+        let on_plane = slide(last.across, last.along, half);
+        let across = slide(on_plane, along, along);
+        let across = unit(across);
+        if colour == last.colour {
+            return (across, ring);
+        }
+        (across, self.ring(last.to, along, across, half, radius, colour))
+    }
+
+    /// Closes the tube that is open.
+    fn close(&mut self) {
+        if let Some(last) = self.last.take() {
+            let ring = self.ring(last.to, last.along, last.across, last.along, last.radius, last.colour);
+            self.wall(last.ring, ring);
+            self.end(last.to, last.along, last.radius, last.colour, |side| [ring + side, ring + side + 1]);
+        }
+    }
+
+    /// The corners of a tube along `along` where it meets the plane across `plane`; returns the first of them.
+    fn ring(&mut self, at: Vector, along: Vector, across: Vector, plane: Vector, radius: f64, colour: [u8; 3]) -> u32 {
+        let first = self.mesh.positions.len() as u32;
+        let third = cross(along, across);
+        for side in 0..self.sides {
+            let (c, s) =
+                lsystem_syntax::Heading::from_degrees(360.0 * f64::from(side) / f64::from(self.sides)).cos_sin();
+            let out = [0, 1, 2].map(|i| c * across[i] + s * third[i]);
+            let corner = slide(out, along, plane);
+            self.corner([0, 1, 2].map(|i| at[i] + radius * corner[i]), unit(slide(out, plane, plane)), colour);
+        }
+        first
+    }
+
+    fn corner(&mut self, at: Vector, normal: Vector, colour: [u8; 3]) {
+        self.mesh.positions.push(at.map(|c| c.clamp(-f64::from(f32::MAX), f64::from(f32::MAX)) as f32));
+        self.mesh.normals.push(normal.map(|c| c as f32));
+        self.mesh.colours.push(colour);
+    }
+
+    /// The rounded end of a tube, which points along `out`; `edge` tells two corners of its ring, the second of which
+    /// may be the one after the last.
+    fn end(&mut self, at: Vector, out: Vector, radius: f64, colour: [u8; 3], edge: impl Fn(u32) -> [u32; 2]) {
+        let middle = self.mesh.positions.len() as u32;
+        self.corner([0, 1, 2].map(|i| at[i] + ROUND * radius * out[i]), out, colour);
+        for side in 0..self.sides {
+            let [a, b] = edge(side).map(|corner| if corner == middle { middle - self.sides } else { corner });
+            self.mesh.triangles.push([a, b, middle]);
+        }
+    }
+
+    /// The side of a tube between two rings.
+    fn wall(&mut self, from: u32, to: u32) {
+        for side in 0..self.sides {
+            let next = (side + 1) % self.sides;
+            self.mesh.triangles.push([from + side, from + next, to + next]);
+            self.mesh.triangles.push([from + side, to + next, to + side]);
+        }
+    }
+}
+
+/// A vector moved along `along` until it is on the plane across `plane`.
+fn slide(vector: Vector, along: Vector, plane: Vector) -> Vector {
+    let by = dot(vector, plane) / dot(along, plane);
+    [0, 1, 2].map(|i| vector[i] - by * along[i])
+}
+
+/// Some direction across another.
+fn across(along: Vector) -> Vector {
+    // Away from the axis that it is closest to.
+    let least = (0..3).min_by(|&a, &b| along[a].abs().total_cmp(&along[b].abs())).unwrap_or(0);
+    let mut axis = [0.0; 3];
+    axis[least] = 1.0;
+    unit(cross(along, axis))
+}
+
+fn unit(vector: Vector) -> Vector {
+    let length = norm(vector);
+    vector.map(|c| c / length)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{System, draw_solid};
+    use lsystem_syntax::{Definition, Limits};
+    use std::collections::BTreeMap;
+
+    fn mesh(axiom: &str, rules: &str, angle: f64, n: u32) -> Mesh {
+        let style = Style { width: 0.1, min_width: 0.0, ..Style::default() };
+        let definition = Definition {
+            axiom: axiom.into(),
+            rules: rules.into(),
+            angle,
+            style: style.clone(),
+            ..Definition::default()
+        };
+        let system = System::new(&definition).0.unwrap();
+        Mesh::new(&draw_solid(&system, n, &Limits::default()).unwrap(), &style, 100_000).unwrap()
+    }
+
+    /// The volume inside, which is negative where triangles face inwards.
+    fn volume(mesh: &Mesh) -> f64 {
+        let corner = |index: u32| mesh.positions[index as usize].map(f64::from);
+        mesh.triangles.iter().map(|t| dot(corner(t[0]), cross(corner(t[1]), corner(t[2]))) / 6.0).sum()
+    }
+
+    /// Every edge has a triangle on each side, places and not corners being compared.
+    fn check_closed(mesh: &Mesh) {
+        let mut edges = BTreeMap::<_, i32>::new();
+        let place = |index: u32| mesh.positions[index as usize].map(|c| (f64::from(c) * 1e5).round() as i64);
+        for t in &mesh.triangles {
+            for (a, b) in [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])] {
+                *edges.entry((place(a), place(b))).or_default() += 1;
+                *edges.entry((place(b), place(a))).or_default() -= 1;
+            }
+        }
+        assert!(edges.values().all(|&count| count == 0));
+        for (position, normal) in mesh.positions.iter().zip(&mesh.normals) {
+            assert!(position.iter().all(|c| c.is_finite()));
+            assert!((norm(normal.map(f64::from)) - 1.0).abs() < 1e-6, "{normal:?}");
+        }
+    }
+
+    #[test]
+    fn a_stroke_is_a_closed_tube() {
+        let tube = mesh("F", "", 0.0, 0);
+        check_closed(&tube);
+        assert_eq!((tube.positions.len(), tube.triangles.len()), (18, 32));
+        // A prism of eight sides, and two pyramids on its ends.
+        let base = 8.0 * 0.5 * 0.05 * 0.05 * libm::sin(core::f64::consts::FRAC_PI_4);
+        assert!((volume(&tube) - base * (1.0 + 2.0 * ROUND * 0.05 / 3.0)).abs() < 1e-8, "{}", volume(&tube));
+    }
+
+    #[test]
+    fn paths_bend_without_gaps() {
+        // Five strokes with six rings, and two ends.
+        let path = mesh("F+F&F/F-F", "", 60.0, 0);
+        check_closed(&path);
+        assert_eq!((path.positions.len(), path.triangles.len()), (6 * 8 + 2, (5 * 2 + 2) * 8));
+        // Where the halves of a bend meet, what one side loses the other gains.
+        let straight = mesh("FFFFF", "", 0.0, 0);
+        assert!((volume(&path) - volume(&straight)).abs() < 1e-6);
+        // Another colour needs a ring of its own, and what turns back is another tube.
+        assert_eq!(mesh("F'F", "", 0.0, 0).positions.len(), 4 * 8 + 2);
+        assert_eq!(mesh("F|F", "", 0.0, 0).positions.len(), 2 * 18);
+        check_closed(&mesh("F'F+'F^F[&F][/+F]!F", "", 25.7, 0));
+    }
+
+    #[test]
+    fn leaves_have_two_sides() {
+        let leaf = mesh("{-f+f+f-|-f+f+f}", "", 22.5, 0);
+        check_closed(&leaf);
+        assert!(leaf.triangles.len() >= 8 && volume(&leaf).abs() < 1e-9);
+    }
+
+    #[test]
+    fn trees_are_meshes() {
+        let tree = mesh("A", "A -> F[&A][/+A]^!F\\'A\nF -> FF", 25.7, 5);
+        check_closed(&tree);
+        assert!(volume(&tree) > 0.0 && tree.triangles.len() > 1_000);
+        assert_eq!(mesh("A", "", 0.0, 0), Mesh::default());
+    }
+}

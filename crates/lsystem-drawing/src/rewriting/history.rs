@@ -1,0 +1,493 @@
+//! A derivation that is remembered, so that any module of any generation is found, with those that it descends from.
+//!
+//! For each module it notes which production replaced it, one byte in all but the largest grammars. The letters and
+//! numbers of a page are computed from these choices, from the axiom on. Only where productions take numbers from
+//! their contexts are whole generations kept.
+
+mod making;
+
+use super::choices::{Choice, Choices};
+use super::modules::{Chance, Modules, NotFinite};
+use super::rules::{Letter, Rule, Rules};
+use super::step::Rewriter;
+use crate::System;
+use crate::access::{Ancestor, Part};
+use crate::counts::segments_of;
+use core::ops::Range;
+use lsystem_syntax::{Limits, MAX_ITERATIONS, Meter, Progress};
+
+/// Modules between two sums: a place is found by one sum and a look at fewer modules than this.
+const BLOCK: usize = 256;
+
+/// Modules of a page that are computed at once.
+const PAGE: usize = 4096;
+
+/// Modules looked at between two looks at the caller's budget.
+const PIECE: usize = 1 << 12;
+
+/// Bytes beside what is remembered: a step that is being counted.
+const SPARE: u64 = 1 << 16;
+
+/// The generations of a system, for those that [`Word`](crate::Word) cannot read: where chance, conditions or
+/// neighbours decide what becomes of a module, or branches are cut. It is made in resumable steps; what is derived
+/// so far can be read.
+#[derive(Clone, Debug)]
+pub struct History {
+    rules: Rules,
+    seed: u32,
+    n: u32,
+    /// By letter: how many segments it draws.
+    drawn: Vec<u64>,
+    /// By production: its place in the rules, and how many segments its successor draws.
+    productions: Vec<Option<Source>>,
+    axiom: Modules,
+    /// All but the last.
+    steps: Vec<Step>,
+    /// By generation: how many modules it has.
+    lengths: Vec<usize>,
+    /// By generation, where they are kept.
+    words: Option<Vec<Kept>>,
+    /// What the modules of generation `n` are drawn as.
+    images: Option<Step>,
+    /// What is remembered takes so many bytes, and may take so many together with the generations in the making.
+    bytes: u64,
+    memory: u64,
+    state: State,
+    /// The units of work of all steps.
+    spent: u64,
+}
+
+#[derive(Clone, Debug)]
+enum State {
+    Derive(Box<Rewriter>),
+    /// Counting what a step made.
+    Sum(Box<Rewriter>, Step),
+    /// Copying a generation: with arguments before the next module.
+    Keep(Box<Rewriter>, Kept, usize),
+    /// Counting the segments of the last generation.
+    Count {
+        rewriter: Box<Rewriter>,
+        sums: Sums,
+        choices: Choices,
+        /// Where the next module's arguments are.
+        argument: usize,
+    },
+    Done,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Source {
+    letter: u16,
+    index: usize,
+    /// Below `draw:`.
+    image: bool,
+    modules: u32,
+    segments: u64,
+}
+
+/// What became of the modules of a generation.
+#[derive(Clone, Debug, Default)]
+struct Step {
+    choices: Choices,
+    /// What became of those before each block, counted.
+    sums: Sums,
+}
+
+/// A whole generation.
+#[derive(Clone, Debug)]
+struct Kept {
+    word: Modules,
+    /// Arguments before each block.
+    arguments: Sums,
+}
+
+/// Sums over the modules before every block.
+#[derive(Clone, Debug, Default)]
+struct Sums {
+    before: Vec<u64>,
+    total: u64,
+    count: usize,
+}
+
+impl Sums {
+    /// Those of so many modules, without memory so far.
+    fn of(count: usize) -> Self {
+        Self { count, ..Self::default() }
+    }
+
+    /// The bytes that they will take.
+    fn bytes(&self) -> u64 {
+        8 * self.count.div_ceil(BLOCK) as u64
+    }
+
+    /// The same with the memory taken, ready to add up.
+    fn ready(self) -> Self {
+        Self { before: Vec::with_capacity(self.count.div_ceil(BLOCK)), ..Self::default() }
+    }
+
+    fn add(&mut self, amount: u64) {
+        if self.count.is_multiple_of(BLOCK) {
+            self.before.push(self.total);
+        }
+        self.count += 1;
+        self.total += amount;
+    }
+
+    /// The sum before the block that `place` is in, and where that begins.
+    fn block(&self, place: usize) -> (u64, usize) {
+        let block = place / BLOCK;
+        (self.before.get(block).copied().unwrap_or(self.total), block * BLOCK)
+    }
+
+    /// The block that holds what is counted as `amount`, as by [`Sums::block`].
+    fn holding(&self, amount: u64) -> (u64, usize) {
+        let block = self.before.partition_point(|&before| before <= amount).saturating_sub(1);
+        (self.before.get(block).copied().unwrap_or(0), block * BLOCK)
+    }
+}
+
+impl History {
+    /// Ready to derive `system` up to generation `n`; `None` where that is more than [`MAX_ITERATIONS`], or where a number
+    /// in the axiom is not finite.
+    #[must_use]
+    pub fn new(system: &System, n: u32, limits: &Limits) -> Option<Self> {
+        if n > MAX_ITERATIONS {
+            return None;
+        }
+        let plain = system.rules.is_none();
+        let mut rules = match &system.rules {
+            Some(rules) => rules.clone(),
+            None => Rules::new(&system.grammar, vec![], |_| false).ok()?,
+        };
+        // Letters of plain systems do what their images do.
+        if plain {
+            rules.images.iter_mut().for_each(Vec::clear);
+        }
+        let drawn = |(id, letter): (usize, &Letter)| {
+            let id = if plain { system.program.alphabet.binary_search(&letter.symbol).ok()? } else { id };
+            Some(segments_of(system, id as u16))
+        };
+        let drawn: Vec<u64> = rules.letters.iter().enumerate().map(|entry| drawn(entry).unwrap_or(0)).collect();
+        let count = system.grammar.productions.len() + system.grammar.images.len();
+        let mut productions = vec![None; count];
+        for (image, lists) in [(false, &rules.by_letter), (true, &rules.images)] {
+            for (letter, list) in lists.iter().enumerate() {
+                for (index, rule) in list.iter().enumerate() {
+                    let segments = rule.successor.letters.iter().map(|&letter| drawn[usize::from(letter)]).sum();
+                    let modules = rule.successor.letters.len() as u32;
+                    productions[rule.production] =
+                        Some(Source { letter: letter as u16, index, image, modules, segments });
+                }
+            }
+        }
+        // The drawing has been made within that: contexts are matched once more.
+        let limits = Limits { work: limits.work.saturating_mul(8), ..*limits };
+        let mut rewriter = Rewriter::new(rules.clone(), system.seed, limits).ok()?;
+        rewriter.note(count);
+        let surrounded = rules.by_letter.iter().flatten().any(Rule::is_context_sensitive);
+        let axiom = rewriter.word().clone();
+        let mut history = Self {
+            words: (surrounded && rules.is_parametric()).then(Vec::new),
+            rules,
+            seed: system.seed,
+            n,
+            drawn,
+            productions,
+            steps: vec![],
+            lengths: vec![axiom.letters.len()],
+            images: None,
+            bytes: axiom.bytes(),
+            memory: limits.memory,
+            state: State::Done,
+            axiom,
+            spent: 0,
+        };
+        history.begin_keep(Box::new(rewriter))?;
+        Some(history)
+    }
+
+    /// The units of work of all steps so far.
+    #[must_use]
+    pub fn spent(&self) -> u64 {
+        self.spent
+    }
+
+    /// Works on, for about `budget` units of work, and says whether there is more to do. It ends early where a limit
+    /// ([`Limits::memory`], of all that is remembered and in the making; [`Limits::modules`]; eight times
+    /// [`Limits::work`]) or a number that is not finite stops it.
+    pub fn step(&mut self, budget: usize) -> Progress {
+        let mut meter = Meter::new(budget as u64);
+        let mut progress = Progress::More;
+        while progress == Progress::More && !meter.is_spent() {
+            progress = self.piece(&mut meter);
+        }
+        self.spent += meter.spent();
+        progress
+    }
+
+    /// How many modules generation `generation` has; `None` where it has not been derived.
+    #[must_use]
+    pub fn symbols(&self, generation: u32) -> Option<u128> {
+        self.lengths.get(generation as usize).map(|&length| length as u128)
+    }
+
+    /// Whether the last generation has been reached, and its segments counted.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.images.is_some()
+    }
+
+    /// Hands over the modules of a generation from position `start` (0-based) on, at most `length` of them, fewer at the
+    /// end; none where the generation has not been derived.
+    pub fn modules(&self, generation: u32, start: u128, length: usize, visit: &mut dyn FnMut(char, &[f64])) {
+        let end = self.lengths.get(generation as usize).copied().unwrap_or(0);
+        let mut at = usize::try_from(start).unwrap_or(usize::MAX).min(end);
+        let end = at.saturating_add(length).min(end);
+        while at < end {
+            let page = at..(at + PAGE).min(end);
+            at = page.end;
+            let word = self.word(generation, page);
+            let mut arguments = word.arguments.as_slice();
+            for &letter in &word.letters {
+                let Letter { symbol, arity } = self.rules.letters[usize::from(letter)];
+                let (own, rest) = arguments.split_at(usize::from(arity));
+                arguments = rest;
+                visit(symbol, own);
+            }
+        }
+    }
+
+    /// The same as text, with arguments in parentheses where there are any.
+    #[must_use]
+    pub fn slice(&self, generation: u32, start: u128, length: usize) -> String {
+        let mut text = String::new();
+        let mut visit = |symbol, arguments: &[f64]| lsystem_syntax::print_module(symbol, arguments, &mut text);
+        self.modules(generation, start, length, &mut visit);
+        text
+    }
+
+    /// The chain from the axiom to the module at `index` of a generation, a link for each; empty where there is no such
+    /// module.
+    #[must_use]
+    pub fn ancestry(&self, generation: u32, index: u128) -> Vec<Ancestor> {
+        let Some(mut place) = self.place(generation, index) else { return vec![] };
+        // By generation, from the last back: where the ancestor stands.
+        let mut places = vec![place];
+        for step in self.steps[..generation as usize].iter().rev() {
+            place = self.parent(step, place);
+            places.push(place);
+        }
+        places.reverse();
+        let mut chain = Vec::with_capacity(places.len());
+        let mut word = self.axiom_from(places[0]..places[0] + 1);
+        let (mut production, mut position) = (None, places[0]);
+        for (at, &place) in places.iter().enumerate() {
+            if self.words.is_some() {
+                word = self.word(at as u32, place..place + 1);
+            }
+            let symbol = self.rules.letters[usize::from(word.letters[0])].symbol;
+            let arguments = word.arguments.clone();
+            let index = place as u128;
+            chain.push(Ancestor { generation: at as u32, symbol, arguments, index, production, position });
+            let Some(&next) = places.get(at + 1) else { break };
+            let step = &self.steps[at];
+            let first = self.first(step, place);
+            (production, position) = match step.choices.get(place) {
+                Choice::Made(production) => (Some(production), next - first),
+                Choice::Stayed | Choice::Cut => (None, 0),
+            };
+            if self.words.is_none() {
+                word = self.derived(&word, step, place..place + 1, at as u32 + 1, next - first..next - first + 1);
+            }
+        }
+        chain
+    }
+
+    /// What the module at `index` of `generation` has become in generation `later`; its segments are known where that is
+    /// the last, and `0..0` elsewhere. `None` where there is no such module, or one generation has not been derived.
+    #[must_use]
+    pub fn part(&self, generation: u32, index: u128, later: u32) -> Option<Part> {
+        let place = self.place(generation, index)?;
+        let steps = self.steps.get(generation as usize..later as usize)?;
+        let mut range = place..place + 1;
+        for step in steps {
+            range = self.first(step, range.start)..self.first(step, range.end);
+        }
+        let segments = |place: usize| self.segments_before(place as u128);
+        let segments = if later == self.n { segments(range.start).zip(segments(range.end)) } else { None };
+        let (from, to) = segments.unwrap_or((0, 0));
+        Some(Part { symbols: range.start as u128..range.end as u128, segments: from..to })
+    }
+
+    /// How many segments the modules of the last generation before position `index` draw; `None` where that has not been
+    /// counted.
+    #[must_use]
+    pub fn segments_before(&self, index: u128) -> Option<u128> {
+        let images = self.images.as_ref()?;
+        let place = usize::try_from(index).unwrap_or(usize::MAX).min(images.sums.count);
+        let (mut before, block) = images.sums.block(place);
+        let word = self.word(self.n, block..place);
+        for (place, &letter) in (block..).zip(&word.letters) {
+            before += self.segments(images, place, letter);
+        }
+        Some(u128::from(before))
+    }
+
+    /// The position of the module of the last generation that draws the segment at `segment` (0-based, in drawing order).
+    #[must_use]
+    pub fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
+        let images = self.images.as_ref()?;
+        let segment = u64::try_from(segment).ok().filter(|&segment| segment < images.sums.total)?;
+        let (mut before, block) = images.sums.holding(segment);
+        let word = self.word(self.n, block..(block + BLOCK).min(images.sums.count));
+        let place = (block..).zip(&word.letters).find(|&(place, &letter)| {
+            before += self.segments(images, place, letter);
+            segment < before
+        });
+        place.map(|(place, _)| place as u128)
+    }
+
+    fn place(&self, generation: u32, index: u128) -> Option<usize> {
+        let length = *self.lengths.get(generation as usize)?;
+        usize::try_from(index).ok().filter(|&place| place < length)
+    }
+
+    fn rule(&self, source: Source) -> &Rule {
+        let lists = if source.image { &self.rules.images } else { &self.rules.by_letter };
+        &lists[usize::from(source.letter)][source.index]
+    }
+
+    fn made(&self, production: usize) -> Option<&Rule> {
+        self.productions.get(production).copied().flatten().map(|source| self.rule(source))
+    }
+
+    fn segments(&self, images: &Step, place: usize, letter: u16) -> u64 {
+        match images.choices.get(place) {
+            Choice::Made(production) => self.productions[production].map_or(0, |source| source.segments),
+            Choice::Stayed | Choice::Cut => self.drawn[usize::from(letter)],
+        }
+    }
+
+    /// Where in the next generation what comes of the module at `place` begins.
+    fn first(&self, step: &Step, place: usize) -> usize {
+        let (before, block) = step.sums.block(place);
+        (block..place).fold(before, |sum, place| sum + made_of(&self.productions, step.choices.get(place))) as usize
+    }
+
+    /// Where the module is of which the one at `place` of the next generation comes.
+    fn parent(&self, step: &Step, place: usize) -> usize {
+        let (mut before, mut at) = step.sums.holding(place as u64);
+        loop {
+            before += made_of(&self.productions, step.choices.get(at));
+            if before > place as u64 || at + 1 >= step.sums.count {
+                return at;
+            }
+            at += 1;
+        }
+    }
+
+    /// Modules of a generation, which must have them.
+    fn word(&self, generation: u32, range: Range<usize>) -> Modules {
+        if range.is_empty() {
+            return Modules::default();
+        }
+        if let Some(kept) = self.words.as_ref().and_then(|words| words.get(generation as usize)) {
+            let (before, block) = kept.arguments.block(range.start);
+            let arity = |range: Range<usize>| {
+                let letters = &kept.word.letters[range];
+                letters.iter().map(|&letter| usize::from(self.rules.letters[usize::from(letter)].arity)).sum::<usize>()
+            };
+            let from = before as usize + arity(block..range.start);
+            let mut word = Modules::default();
+            word.keep(&kept.word, range.clone(), from..from + arity(range));
+            return word;
+        }
+        // By generation, from the last back: the modules that they come of.
+        let steps = &self.steps[..generation as usize];
+        let mut ranges = vec![range];
+        for step in steps.iter().rev() {
+            let of = &ranges[ranges.len() - 1];
+            ranges.push(self.parent(step, of.start)..self.parent(step, of.end - 1) + 1);
+        }
+        ranges.reverse();
+        let mut word = self.axiom_from(ranges[0].clone());
+        for (at, step) in steps.iter().enumerate() {
+            let [of, wanted] = [&ranges[at], &ranges[at + 1]];
+            let first = self.first(step, of.start);
+            word = self.derived(&word, step, of.clone(), at as u32 + 1, wanted.start - first..wanted.end - first);
+        }
+        word
+    }
+
+    /// Some modules of the axiom.
+    fn axiom_from(&self, range: Range<usize>) -> Modules {
+        let mut word = Modules::default();
+        let arguments = 0..self.axiom.arguments.len();
+        word.keep(&self.axiom, 0..self.axiom.letters.len(), arguments);
+        self.trim(&mut word, range);
+        word
+    }
+
+    /// Of what derivation step `number` makes of `word`, the modules at `places` of its generation, those in `range`.
+    fn derived(&self, word: &Modules, step: &Step, places: Range<usize>, number: u32, range: Range<usize>) -> Modules {
+        let mut next = Modules::default();
+        let mut argument = 0;
+        for (at, place) in places.enumerate() {
+            let arity = usize::from(self.rules.letters[usize::from(word.letters[at])].arity);
+            let own = argument..argument + arity;
+            argument = own.end;
+            match step.choices.get(place) {
+                Choice::Stayed => next.keep(word, at..at + 1, own),
+                Choice::Cut => {}
+                Choice::Made(production) => {
+                    let Some(rule) = self.made(production) else { continue };
+                    let chance = Chance { key: word.key_of(at), seed: self.seed, step: number };
+                    let random = word.has_keys();
+                    // Every number was finite when the step was made.
+                    let (Ok(()) | Err(NotFinite)) = next.make(&rule.successor, &word.arguments[own], &chance, random);
+                }
+            }
+        }
+        self.trim(&mut next, range);
+        next
+    }
+
+    /// Leaves only the modules in `range`.
+    fn trim(&self, word: &mut Modules, range: Range<usize>) {
+        let arity = |&letter: &u16| usize::from(self.rules.letters[usize::from(letter)].arity);
+        let before: usize = word.letters[..range.start].iter().map(arity).sum();
+        let own: usize = word.letters[range.clone()].iter().map(arity).sum();
+        word.move_down(range.clone(), 0, before..before + own, 0);
+        word.truncate(range.len(), own);
+    }
+}
+
+/// How many modules come of one.
+fn made_of(productions: &[Option<Source>], choice: Choice) -> u64 {
+    match choice {
+        Choice::Stayed => 1,
+        Choice::Cut => 0,
+        Choice::Made(production) => productions[production].map_or(0, |source| u64::from(source.modules)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BLOCK, Sums};
+
+    #[test]
+    fn a_sum_at_the_end_of_a_block_is_held_by_the_next() {
+        let mut sums = Sums::default();
+        // Blocks 1 and 2 add nothing: whoever looks behind them need not pass through them.
+        (0..BLOCK).for_each(|_| sums.add(3));
+        (BLOCK..3 * BLOCK).for_each(|_| sums.add(0));
+        (3 * BLOCK..4 * BLOCK).for_each(|_| sums.add(1));
+        let first = 3 * BLOCK as u64;
+        assert_eq!(sums.holding(0), (0, 0));
+        assert_eq!(sums.holding(first - 1), (0, 0));
+        assert_eq!(sums.holding(first), (first, 3 * BLOCK));
+        assert_eq!(sums.holding(first + 1), (first, 3 * BLOCK));
+        assert_eq!(sums.block(3 * BLOCK - 1), (first, 2 * BLOCK));
+        assert_eq!(sums.block(3 * BLOCK), (first, 3 * BLOCK));
+    }
+}

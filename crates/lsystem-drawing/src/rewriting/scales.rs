@@ -1,0 +1,268 @@
+//! Which parameters are lengths that only ever scale together, and when parameters count as equal.
+//!
+//! A figure whose lengths are all twice as long is the same figure twice as large. So where every length that is drawn
+//! is a parameter, every such parameter is computed from others homogeneously in the first degree, and nothing else
+//! depends on them, modules that differ by a common factor of these parameters need not be told apart.
+
+use super::rules::{LetterId, Rule, Rules, Template};
+use crate::Turtle;
+use lsystem_syntax::{Action, MAX_PARAMETERS};
+use lsystem_syntax::{Code, Op};
+use lsystem_syntax::{Function, Operator};
+
+/// The first of a letter's productions that applies to a module with these arguments, without contexts or chance.
+pub(crate) fn applying<'a>(rules: &'a [Rule], arguments: &[f64]) -> Option<&'a Rule> {
+    rules.iter().find(|rule| {
+        let value = rule.condition.as_ref().map_or(1.0, |condition| condition.value(arguments, &|_| 0.0));
+        value != 0.0 && !value.is_nan()
+    })
+}
+
+/// By letter and parameter: whether it is a length that scales with all others; none is where they do not.
+#[derive(Clone, Debug)]
+pub(crate) struct Scales {
+    lengths: Vec<[bool; MAX_PARAMETERS]>,
+}
+
+impl Scales {
+    /// Finds the lengths.
+    pub(crate) fn new(rules: &Rules, turtle: &Turtle) -> Self {
+        let none = vec![[false; MAX_PARAMETERS]; rules.letters.len()];
+        let mut found = Self { lengths: none.clone() };
+        let drawn = Drawn { rules, turtle };
+        found.grow(&drawn);
+        if found.hold(&drawn) { found } else { Self { lengths: none } }
+    }
+
+    /// Whether a parameter is one of the lengths.
+    pub(crate) fn is_length(&self, letter: LetterId, parameter: usize) -> bool {
+        self.lengths[usize::from(letter)].get(parameter).is_some_and(|length| *length)
+    }
+
+    /// Divides a module's lengths by their scale, which is the size of the first that is not zero; 1 where it has none.
+    pub(crate) fn take(&self, letter: LetterId, arguments: &mut [f64]) -> f64 {
+        let lengths = || (0..arguments.len()).filter(|&at| self.is_length(letter, at));
+        let scale = lengths().map(|at| arguments[at].abs()).find(|size| size.is_normal()).unwrap_or(1.0);
+        let divided = |at: usize| arguments[at] / scale;
+        if scale == 1.0 || lengths().any(|at| !divided(at).is_finite()) {
+            return 1.0;
+        }
+        for (at, argument) in arguments.iter_mut().enumerate() {
+            if self.is_length(letter, at) {
+                *argument /= scale;
+            }
+        }
+        scale
+    }
+
+    /// Everything that a length is computed from is a length.
+    fn grow(&mut self, drawn: &Drawn<'_>) {
+        for (letter, lengths) in self.lengths.iter_mut().enumerate() {
+            lengths[0] = drawn.length(letter);
+        }
+        loop {
+            let mut changed = false;
+            for (maker, made, parameter, code) in drawn.codes() {
+                if self.is_length(made, parameter) {
+                    for slot in slots(code) {
+                        let known = &mut self.lengths[usize::from(maker)][usize::from(slot)];
+                        changed |= !core::mem::replace(known, true);
+                    }
+                }
+            }
+            if !changed {
+                return;
+            }
+        }
+    }
+
+    /// Whether the lengths do scale together, and nothing else depends on them.
+    fn hold(&self, drawn: &Drawn<'_>) -> bool {
+        let Drawn { rules, .. } = drawn;
+        let degree = |maker: LetterId, code: &Code| degree(code, &|slot| self.is_length(maker, usize::from(slot)));
+        let conditions = (0..rules.letters.len()).flat_map(|letter| {
+            let rules = rules.by_letter[letter].iter().chain(&rules.images[letter]);
+            rules.filter_map(move |rule| Some((letter as LetterId, rule.condition.as_ref()?)))
+        });
+        (0..rules.letters.len()).all(|letter| drawn.scales(letter, self.lengths[letter][0]))
+            && drawn.codes().all(|(maker, made, parameter, code)| {
+                let expected = if self.is_length(made, parameter) { Degree::First } else { Degree::Zero };
+                matches!(degree(maker, code), Some(Degree::Any)) || degree(maker, code) == Some(expected)
+            })
+            && conditions
+                .into_iter()
+                .all(|(maker, code)| matches!(degree(maker, code), Some(Degree::Zero | Degree::Any)))
+    }
+}
+
+/// Rules together with what is drawn.
+struct Drawn<'a> {
+    rules: &'a Rules,
+    turtle: &'a Turtle,
+}
+
+impl<'a> Drawn<'a> {
+    /// What a letter does by itself; nothing where it is always drawn as something else.
+    fn actions(&self, letter: usize) -> &'a [Action] {
+        let replaced = self.rules.images[letter].iter().any(|image| image.condition.is_none());
+        if replaced { &[] } else { &self.turtle.actions[letter] }
+    }
+
+    /// Whether a letter's first argument is how far the turtle goes.
+    fn length(&self, letter: usize) -> bool {
+        let goes = matches!(self.actions(letter).first(), Some(Action::Draw(_) | Action::Move(_)));
+        goes && self.rules.letters[letter].arity > 0
+    }
+
+    /// Whether what a letter does by itself scales; `length` says whether its first argument is a length.
+    fn scales(&self, letter: usize, length: bool) -> bool {
+        let (first, rest) = match self.actions(letter) {
+            [first, rest @ ..] if self.rules.letters[letter].arity > 0 => (Some(first), rest),
+            all => (None, all),
+        };
+        let fixed = |action: &Action| match action {
+            Action::Draw(length) | Action::Move(length) => length.unwrap_or(self.turtle.step) != 0.0,
+            _ => false,
+        };
+        let counts = |action: &Action| {
+            let free =
+                matches!(action, Action::Push | Action::Pop | Action::TurnRound | Action::RollUpright | Action::Cut);
+            !free && !matches!(action, Action::Draw(_) | Action::Move(_))
+        };
+        !(rest.iter().any(fixed) || length && first.is_some_and(counts))
+    }
+
+    /// Every argument that a production or an image computes: for the maker, in what it makes at which parameter, how.
+    fn codes(&self) -> impl Iterator<Item = (LetterId, LetterId, usize, &'a Code)> {
+        let rules = self.rules;
+        (0..rules.letters.len()).flat_map(move |letter| {
+            let all = rules.by_letter[letter].iter().chain(&rules.images[letter]);
+            all.flat_map(move |rule| arguments(rules, &rule.successor))
+                .map(move |(made, parameter, code)| (letter as LetterId, made, parameter, code))
+        })
+    }
+}
+
+/// The arguments of what is made, with their letters and places.
+fn arguments<'a>(rules: &'a Rules, made: &'a Template) -> impl Iterator<Item = (LetterId, usize, &'a Code)> {
+    let places = made.letters.iter().flat_map(|&letter| {
+        (0..usize::from(rules.letters[usize::from(letter)].arity)).map(move |parameter| (letter, parameter))
+    });
+    places.zip(&made.arguments).map(|((letter, parameter), code)| (letter, parameter, code))
+}
+
+/// The parameters that an expression is computed from.
+fn slots(code: &Code) -> Vec<u16> {
+    match code {
+        Code::Constant(_) => vec![],
+        Code::Slot(slot) | Code::Scaled(slot, _) | Code::Shifted(slot, _) => vec![*slot],
+        Code::Postfix(ops) => {
+            ops.iter().filter_map(|op| if let Op::Slot(slot) = op { Some(*slot) } else { None }).collect()
+        }
+    }
+}
+
+/// How an expression scales with the lengths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Degree {
+    /// Zero, which is of any degree.
+    Any,
+    /// It does not depend on them.
+    Zero,
+    /// It is as many times as long as they are.
+    First,
+}
+
+/// How an expression scales; `None` where it depends on lengths in any other way.
+fn degree(code: &Code, length: &impl Fn(u16) -> bool) -> Option<Degree> {
+    let of = |slot: u16| if length(slot) { Degree::First } else { Degree::Zero };
+    let number = |value: f64| if value == 0.0 { Degree::Any } else { Degree::Zero };
+    let ops = match code {
+        Code::Constant(value) => return Some(number(*value)),
+        Code::Slot(slot) | Code::Scaled(slot, _) => return Some(of(*slot)),
+        Code::Shifted(slot, _) => return (!length(*slot)).then_some(Degree::Zero),
+        Code::Postfix(ops) => ops,
+    };
+    let mut stack: Vec<Degree> = Vec::new();
+    for op in ops {
+        let degree = match op {
+            Op::Number(value) => number(*value),
+            Op::Slot(slot) => of(*slot),
+            Op::Negative | Op::Call1(Function::Abs) => stack.pop()?,
+            Op::Not | Op::Call1(_) => unscaled(stack.pop()?)?,
+            Op::Binary(Operator::Multiply) => match (stack.pop()?, stack.pop()?) {
+                (Degree::First, Degree::First) => return None,
+                (Degree::First, _) | (_, Degree::First) => Degree::First,
+                _ => Degree::Zero,
+            },
+            Op::Binary(Operator::Divide) => {
+                let (by, divided) = (stack.pop()?, stack.pop()?);
+                unscaled(by)?;
+                if divided == Degree::Any { Degree::Zero } else { divided }
+            }
+            Op::Binary(Operator::Add | Operator::Subtract) | Op::Call2(Function::Min | Function::Max) => {
+                match (stack.pop()?, stack.pop()?) {
+                    (Degree::Any, other) | (other, Degree::Any) => other,
+                    (a, b) if a == b => a,
+                    _ => return None,
+                }
+            }
+            Op::Binary(_) | Op::Call2(_) => {
+                unscaled(stack.pop()?)?;
+                unscaled(stack.pop()?)?
+            }
+            Op::Random(_) => return None,
+        };
+        stack.push(degree);
+    }
+    stack.pop()
+}
+
+/// What must not depend on lengths.
+fn unscaled(degree: Degree) -> Option<Degree> {
+    (degree != Degree::First).then_some(Degree::Zero)
+}
+
+/// When parameters count as equal.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Keys {
+    /// Only to the last bit: something is decided by them, or small differences may become large.
+    exact: bool,
+}
+
+/// Low bits that rounding leaves out of a number: what is left tells numbers apart by 2^-40 of their size, far more
+/// than factors multiplied in another order differ by.
+const ROUNDED: u32 = 12;
+
+impl Keys {
+    /// Those of a system.
+    pub(crate) fn new(rules: &Rules) -> Self {
+        let all = || rules.by_letter.iter().chain(&rules.images).flatten();
+        let products = |rule: &Rule| rule.condition.is_none() && rule.successor.arguments.iter().all(is_product);
+        Self { exact: !all().all(products) }
+    }
+
+    /// The keys of a module's arguments.
+    pub(crate) fn of(self, letter: LetterId, arguments: &[f64], scales: &Scales) -> [u64; MAX_PARAMETERS] {
+        let mut keys = [0; MAX_PARAMETERS];
+        for (at, (key, argument)) in keys.iter_mut().zip(arguments).enumerate() {
+            let bits = argument.to_bits();
+            let round = !self.exact || scales.is_length(letter, at);
+            *key = if round { (bits + (1 << (ROUNDED - 1))) >> ROUNDED } else { bits };
+        }
+        keys
+    }
+}
+
+/// Whether an expression only multiplies, so that its relative error is that of its factors.
+fn is_product(code: &Code) -> bool {
+    let multiplies = |op: &Op| {
+        matches!(op, Op::Number(_) | Op::Slot(_) | Op::Negative | Op::Call1(Function::Abs | Function::Sqrt))
+            || matches!(op, Op::Binary(Operator::Multiply | Operator::Divide))
+    };
+    match code {
+        Code::Constant(_) | Code::Slot(_) | Code::Scaled(..) => true,
+        Code::Shifted(..) => false,
+        Code::Postfix(ops) => ops.iter().all(multiplies),
+    }
+}

@@ -1,0 +1,410 @@
+//! A system ready for derivation and drawing.
+
+use crate::{Colouring, Program, Rules, Tropism, Turtle};
+use core::ops::Range;
+use lsystem_syntax::notation::{self, Places, Reading};
+use lsystem_syntax::notes::Notes;
+use lsystem_syntax::sorted::{set, sort};
+use lsystem_syntax::{
+    Action, ColourBy, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, LimitName, MAX_ITERATIONS,
+    MAX_LETTERS, MAX_PALETTE, Module, Production, Quantity, Style, parse_overrides,
+};
+
+/// A checked and compiled [`Definition`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct System {
+    /// What its texts say.
+    pub grammar: Grammar,
+    /// The grammar made ready for derivation; where there are `rules`, only an [outline](Program::outline) of them.
+    pub program: Program,
+    /// The grammar made ready for derivation, where it is not [plain](Grammar::is_plain) or cuts branches.
+    pub rules: Option<Rules>,
+    /// What its symbols do.
+    pub turtle: Turtle,
+    /// Colours and widths.
+    pub style: Style,
+    /// Selects among the outcomes of stochastic productions.
+    pub seed: u32,
+}
+
+impl System {
+    /// Checks and compiles `definition`, and tells all that is wrong or doubtful in it at once. There is a system
+    /// unless a diagnostic is an error.
+    #[must_use]
+    pub fn new(definition: &Definition) -> (Option<Self>, Vec<Diagnostic>) {
+        Self::doubting(definition, doubts)
+    }
+
+    /// The same where nobody asks what is doubtful.
+    #[must_use]
+    pub fn undoubted(definition: &Definition) -> Option<Self> {
+        Self::doubting(definition, |_, _, _, _| Vec::new()).0
+    }
+
+    fn doubting(
+        definition: &Definition,
+        doubts: impl FnOnce(&Reading, &Program, Option<&Rules>, &Actions<'_>) -> Vec<Diagnostic>,
+    ) -> (Option<Self>, Vec<Diagnostic>) {
+        let mut reading = notation::read(&definition.axiom, &definition.rules);
+        let (overrides, overrides_diagnostics) = parse_overrides(&definition.overrides);
+        let mut diagnostics = core::mem::take(&mut reading.diagnostics);
+        diagnostics.extend(overrides_diagnostics);
+        diagnostics.extend(check_numbers(definition));
+        if diagnostics.iter().any(Diagnostic::is_error) {
+            return (None, diagnostics);
+        }
+        if letters(&reading.grammar) > MAX_LETTERS {
+            let kind = Kind::Limit { limit: LimitName::Letters, value: MAX_LETTERS as u64, largest: None };
+            diagnostics.push(Diagnostic { kind, field: Field::Rules, span: 0..0 });
+            return (None, diagnostics);
+        }
+        // Each symbol stands once.
+        let mut order: Vec<(char, usize)> = overrides.iter().enumerate().map(|(at, o)| (o.symbol, at)).collect();
+        sort(&mut order);
+        let overrides = order.iter().map(|&(symbol, at)| (symbol, overrides[at].actions.as_slice())).collect();
+        let images = first_images(&reading.grammar);
+        let mut actions = Actions { dialect: definition.dialect, overrides, polygons: false };
+        let cuts = |symbol: char| actions.of(symbol).contains(&Action::Cut);
+        let grammar = &reading.grammar;
+        let is_cutting = || grammar.made().any(|module| cuts(module.symbol));
+        let rules =
+            (!grammar.is_plain() || is_cutting() || grammar.images.iter().any(|i| actions.are_many(i))).then(|| {
+                let places = reading.productions.iter().chain(&reading.images);
+                Rules::new(grammar, places.map(|places| places.predecessor.clone()).collect(), cuts)
+            });
+        // What could not be computed has been noted where it was read.
+        let rules = rules.and_then(Result::ok);
+        let program = rules.as_ref().map_or_else(|| Program::new(grammar), Program::outline);
+        actions.polygons = program.alphabet.iter().any(|&symbol| {
+            let drawn = image_of(&reading.grammar, &images, symbol).map_or(&[][..], |image| &image.successor);
+            let opens = |symbol: char| actions.of(symbol).contains(&Action::OpenPolygon);
+            opens(symbol) || drawn.iter().any(|module| opens(module.symbol))
+        });
+        diagnostics.extend(doubts(&reading, &program, rules.as_ref(), &actions));
+        let angle =
+            |own: [Option<f64>; 2]| Heading::from_degrees(own.into_iter().flatten().next().unwrap_or(definition.angle));
+        let Definition { right_angle, pitch_down, pitch_up, roll_left, roll_right, .. } = *definition;
+        let tropism = Tropism { vector: definition.tropism, elasticity: definition.elasticity };
+        let style = &definition.style;
+        let turtle = Turtle {
+            actions: program
+                .alphabet
+                .iter()
+                .map(|&symbol| actions.drawn(symbol, image_of(grammar, &images, symbol), rules.is_some()))
+                .collect(),
+            left: Heading::from_degrees(definition.angle),
+            right: angle([right_angle, None]),
+            pitch_down: angle([pitch_down, None]),
+            pitch_up: angle([pitch_up, pitch_down]),
+            roll_left: angle([roll_left, None]),
+            roll_right: angle([roll_right, roll_left]),
+            tropism: (tropism.elasticity != 0.0 && tropism.vector != [0.0; 3]).then_some(tropism),
+            heading: Heading::from_degrees(definition.heading),
+            start: definition.start,
+            step: definition.step,
+            width: style.width,
+            width_factor: style.width_factor,
+            length_factor: definition.length_factor,
+            colouring: match style.colour_by {
+                ColourBy::Turn => Colouring::Turns(style.turn_colours),
+                ColourBy::Generation => Colouring::Generations,
+                _ => Colouring::Symbols,
+            },
+            angle_variation: definition.angle_variation / 100.0,
+            length_variation: definition.length_variation / 100.0,
+            growth: definition.growth,
+        };
+        let grammar = reading.grammar;
+        let system = Self { grammar, program, rules, turtle, style: definition.style.clone(), seed: definition.seed };
+        (Some(system), diagnostics)
+    }
+
+    /// Whether its drawing leaves the plane: whether a symbol that may occur pitches or rolls, or a tropism pulls out of
+    /// the plane. It is drawn by [`draw_solid`](crate::draw_solid) then; [`draw`](crate::draw) ignores what leads out.
+    #[must_use]
+    pub fn is_solid(&self) -> bool {
+        // What is drawn below `draw:` is in no generation.
+        let reachable = self.program.reachable().into_iter().map(|reached| reached || self.rules.is_some());
+        let leads_out = |actions: &[Action]| actions.iter().any(|action| action.is_solid());
+        self.turtle.tropism.is_some_and(|tropism| tropism.vector[2] != 0.0)
+            || self.turtle.actions.iter().zip(reachable).any(|(actions, reached)| reached && leads_out(actions))
+    }
+
+    /// Whether chance plays a part, so that the seed matters.
+    #[must_use]
+    pub fn is_stochastic(&self) -> bool {
+        self.turtle.angle_variation != 0.0 || self.turtle.length_variation != 0.0 || self.has_choices()
+    }
+
+    /// Whether chance plays a part in its derivation.
+    #[must_use]
+    pub fn has_choices(&self) -> bool {
+        match &self.rules {
+            Some(rules) => rules.is_random(),
+            None => !self.program.is_deterministic(),
+        }
+    }
+}
+
+/// By symbol, sorted: the first of its images.
+fn first_images(grammar: &Grammar) -> Vec<(char, usize)> {
+    let mut images = set(grammar.images.iter().enumerate().map(|(at, image)| (image.predecessor.symbol, at)));
+    images.dedup_by_key(|(symbol, _)| *symbol);
+    images
+}
+
+/// The first image of a symbol.
+fn image_of<'a>(grammar: &'a Grammar, images: &[(char, usize)], symbol: char) -> Option<&'a Production> {
+    let at = images.binary_search_by_key(&symbol, |&(symbol, _)| symbol).ok()?;
+    grammar.images.get(images[at].1)
+}
+
+/// How many letters there are: symbols with a number of parameters.
+fn letters(grammar: &Grammar) -> usize {
+    let productions = || grammar.productions.iter().chain(&grammar.images);
+    let made = grammar.axiom.iter().chain(productions().flat_map(|p| &p.successor));
+    let made = made.map(|module| (module.symbol, module.arguments.len()));
+    let matched = productions().flat_map(Production::patterns).map(|p| (p.symbol, p.parameters.len()));
+    set(made.chain(matched)).len()
+}
+
+/// The most actions of a letter that does all that its image does.
+const MOST_OF_A_LETTER: usize = 1 << 14;
+
+/// What symbols do: an override where there is one, the dialect otherwise.
+struct Actions<'a> {
+    dialect: Dialect,
+    /// By symbol, sorted.
+    overrides: Vec<(char, &'a [Action])>,
+    /// Whether there are polygons.
+    polygons: bool,
+}
+
+impl Actions<'_> {
+    fn of(&self, symbol: char) -> &[Action] {
+        self.overridden(symbol).unwrap_or_else(|| self.dialect.actions(symbol))
+    }
+
+    fn overridden(&self, symbol: char) -> Option<&[Action]> {
+        let place = self.overrides.binary_search_by_key(&symbol, |(symbol, _)| *symbol).ok()?;
+        Some(self.overrides[place].1)
+    }
+
+    /// Whether an image does more than one piece of work may: then it is drawn module by module.
+    fn are_many(&self, image: &Production) -> bool {
+        image.successor.iter().map(|module| self.of(module.symbol).len()).sum::<usize>() > MOST_OF_A_LETTER
+    }
+
+    /// What `symbol` does when it is drawn: all that its image does, unless images are `apart`.
+    fn drawn(&self, symbol: char, image: Option<&Production>, apart: bool) -> Vec<Action> {
+        match image {
+            Some(image) if !apart => image.successor.iter().flat_map(|m| self.marked(m.symbol)).collect(),
+            _ => self.marked(symbol).collect(),
+        }
+    }
+
+    /// What `symbol` does; in this dialect `G` and `g` leave no vertices of polygons, which can be told apart only where
+    /// there are some.
+    fn marked(&self, symbol: char) -> impl Iterator<Item = Action> {
+        let unmarked = self.polygons
+            && self.dialect == Dialect::Abop
+            && matches!(symbol, 'G' | 'g')
+            && self.overridden(symbol).is_none();
+        self.of(symbol).iter().map(move |&action| if unmarked { action.unmarked() } else { action })
+    }
+}
+
+fn check_numbers(definition: &Definition) -> Vec<Diagnostic> {
+    let mut notes = Notes::new(Field::Numbers);
+    let mut add = |kind| notes.add(kind, 0..0);
+    let style = &definition.style;
+    let numbers = [
+        (Quantity::Angle, definition.angle),
+        (Quantity::RightAngle, definition.right_angle.unwrap_or(0.0)),
+        (Quantity::Heading, definition.heading),
+        (Quantity::Step, definition.step),
+        (Quantity::Start, definition.start[0]),
+        (Quantity::Start, definition.start[1]),
+        (Quantity::Pitch, definition.pitch_down.unwrap_or(0.0)),
+        (Quantity::Pitch, definition.pitch_up.unwrap_or(0.0)),
+        (Quantity::Roll, definition.roll_left.unwrap_or(0.0)),
+        (Quantity::Roll, definition.roll_right.unwrap_or(0.0)),
+        (Quantity::Tropism, definition.tropism[0]),
+        (Quantity::Tropism, definition.tropism[1]),
+        (Quantity::Tropism, definition.tropism[2]),
+        (Quantity::Elasticity, definition.elasticity),
+        (Quantity::Width, style.width),
+        (Quantity::MinWidth, style.min_width),
+        (Quantity::Exposure, style.exposure),
+        (Quantity::WidthFactor, style.width_factor),
+        (Quantity::LengthFactor, definition.length_factor),
+        (Quantity::AngleVariation, definition.angle_variation),
+        (Quantity::LengthVariation, definition.length_variation),
+        (Quantity::Growth, definition.growth),
+    ];
+    for (quantity, value) in numbers {
+        let expected = quantity.expected();
+        if !expected.admits(value) {
+            add(Kind::Number { quantity, expected });
+        }
+    }
+    if definition.iterations > MAX_ITERATIONS {
+        add(Kind::Limit { limit: LimitName::Iterations, value: u64::from(MAX_ITERATIONS), largest: None });
+    }
+    if style.palette.is_empty() {
+        add(Kind::EmptyPalette);
+    }
+    if style.palette.len() > MAX_PALETTE {
+        add(Kind::Limit { limit: LimitName::Palette, value: MAX_PALETTE as u64, largest: None });
+    }
+    notes.finish()
+}
+
+/// What works but may not be meant.
+fn doubts(reading: &Reading, program: &Program, rules: Option<&Rules>, actions: &Actions<'_>) -> Vec<Diagnostic> {
+    let Reading { grammar, .. } = reading;
+    let mut axiom_notes = Notes::new(Field::Axiom);
+    let mut notes = Notes::new(Field::Rules);
+
+    if grammar.axiom.is_empty() {
+        axiom_notes.add(Kind::EmptyAxiom, 0..0);
+    } else {
+        note_idle(reading, &occurring(program, rules), &mut notes);
+        note_arities(reading, &mut axiom_notes, &mut notes);
+    }
+
+    let mut words = vec![(&grammar.axiom, &reading.axiom)];
+    for (production, places) in productions(reading) {
+        words.push((&production.successor, &places.successor));
+    }
+    // By word, and by place in it.
+    let mut opened: Vec<(usize, usize)> = Vec::new();
+    let mut closed: Vec<(usize, usize)> = Vec::new();
+    let arrow_is_idle = is_idle('>', reading, actions);
+    for (number, (word, spans)) in words.iter().enumerate() {
+        let outside = opened.len();
+        for (at, module) in word.iter().enumerate() {
+            for action in actions.of(module.symbol) {
+                match action {
+                    Action::Push => opened.push((number, at)),
+                    Action::Pop if opened.len() == outside => closed.push((number, at)),
+                    Action::Pop => opened.truncate(opened.len() - 1),
+                    _ => {}
+                }
+            }
+            if is_arrow(word, spans, at) && (is_second(word, at) || arrow_is_idle) {
+                let notes = if number == 0 { &mut axiom_notes } else { &mut notes };
+                notes.add(Kind::ArrowOfSymbols, spans[at].start..spans[at + 1].end);
+            }
+        }
+    }
+    let is_open = closed.is_empty();
+    // A branch that one word leaves open another may close.
+    let lone = match opened.is_empty() {
+        true => closed,
+        false if is_open => opened,
+        false => Vec::new(),
+    };
+    let mut rest = &lone[..];
+    while let Some(&(number, first)) = rest.first() {
+        let (word, spans) = words[number];
+        let symbol = word[first].symbol;
+        // Those side by side are told of together.
+        let same = |at: usize| rest.get(at) == Some(&(number, first + at)) && word[first + at].symbol == symbol;
+        let mut count = 1;
+        while same(count) {
+            count += 1;
+        }
+        rest = &rest[count..];
+        let kind = if is_open { Kind::UnmatchedOpen { symbol } } else { Kind::UnmatchedClose { symbol } };
+        let notes = if number == 0 { &mut axiom_notes } else { &mut notes };
+        notes.add(kind, spans[first].start..spans[first + count - 1].end);
+    }
+    let mut all = axiom_notes.finish();
+    all.extend(notes.finish());
+    all
+}
+
+/// Productions and images, and where they stand.
+fn productions(reading: &Reading) -> impl Iterator<Item = (&Production, &Places)> {
+    let Reading { grammar, productions, images, .. } = reading;
+    grammar.productions.iter().zip(productions).chain(grammar.images.iter().zip(images))
+}
+
+/// Whether plain characters at `at` look like the arrow `->` or `=>`.
+fn is_arrow(word: &[Module], spans: &[Range<usize>], at: usize) -> bool {
+    matches!(word[at].symbol, '-' | '=')
+        && word.get(at + 1).is_some_and(|next| next.symbol == '>')
+        && spans[at].len() == 1
+        && spans[at].end == spans[at + 1].start
+}
+
+/// Whether one symbol and what separates productions elsewhere stand before the arrow at `at`.
+fn is_second(word: &[Module], at: usize) -> bool {
+    at >= 2 && matches!(word[at - 2].symbol, ',' | ';')
+}
+
+/// Whether `symbol` means nothing in a word.
+fn is_idle(symbol: char, reading: &Reading, actions: &Actions<'_>) -> bool {
+    actions.of(symbol).is_empty() && !productions(reading).any(|(p, _)| p.predecessor.symbol == symbol)
+}
+
+/// The symbols that may occur in some generation, with their numbers of parameters, sorted.
+fn occurring(program: &Program, rules: Option<&Rules>) -> Vec<(char, usize)> {
+    let arity = |id: usize| rules.map_or(0, |rules| usize::from(rules.letters[id].arity));
+    let reachable = program.reachable();
+    let letters = program.alphabet.iter().enumerate().filter(|(id, _)| reachable[*id]);
+    set(letters.map(|(id, &symbol)| (symbol, arity(id))))
+}
+
+/// More letters than this need not be told about one by one.
+const MOST_TOLD: usize = 100;
+
+/// Notes modules that no production replaces though there are some for their symbol.
+fn note_arities(reading: &Reading, axiom_notes: &mut Notes, notes: &mut Notes) {
+    let Reading { grammar, axiom, productions, .. } = reading;
+    let rules = set(grammar.productions.iter().map(|p| (p.predecessor.symbol, p.predecessor.parameters.len())));
+    let made = grammar.productions.iter().zip(productions);
+    let made = made.flat_map(|(p, places)| p.successor.iter().zip(&places.successor));
+    let words = grammar.axiom.iter().zip(axiom).map(|m| (true, m)).chain(made.map(|m| (false, m)));
+    let mut told: Vec<(char, usize)> = Vec::new();
+    for (is_axiom, (module, span)) in words {
+        let (symbol, parameters) = (module.symbol, module.arguments.len());
+        let from = rules.partition_point(|rule| *rule < (symbol, 0));
+        if let Some(&(_, found)) = rules.get(from).filter(|rule| rule.0 == symbol)
+            && rules.binary_search(&(symbol, parameters)).is_err()
+            && !told.contains(&(symbol, parameters))
+            && told.len() < MOST_TOLD
+        {
+            told.push((symbol, parameters));
+            let notes = if is_axiom { &mut *axiom_notes } else { &mut *notes };
+            notes.add(Kind::NoRuleForArity { symbol, parameters, found }, span.clone());
+        }
+    }
+}
+
+/// Notes productions that never apply because something in their predecessor or contexts is never there.
+fn note_idle(reading: &Reading, occurring: &[(char, usize)], notes: &mut Notes) {
+    let seen = reading.grammar.seen.ready();
+    for (production, places) in productions(reading) {
+        let spans = places.left.iter().chain([&places.predecessor]).chain(&places.right);
+        for (at, (pattern, span)) in production.patterns().zip(spans).enumerate() {
+            let (symbol, parameters) = (pattern.symbol, pattern.parameters.len());
+            let context = at != production.left.len();
+            let bracket = context && matches!(symbol, '[' | ']');
+            let from = occurring.partition_point(|letter| *letter < (symbol, 0));
+            let found = || occurring.get(from).filter(|letter| letter.0 == symbol);
+            let kind = if context && !bracket && !seen.contains(symbol) {
+                Kind::ContextUnseen { symbol }
+            } else if bracket || occurring.binary_search(&(symbol, parameters)).is_ok() {
+                continue;
+            } else if let Some(&(_, found)) = found() {
+                Kind::OtherArity { symbol, parameters, found }
+            } else {
+                Kind::NeverOccurs { symbol }
+            };
+            notes.add(kind, span.clone());
+            break;
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! A derivation gone through depth first: the letters of the last generation in order, none before it held.
+//! Whoever knows what becomes of some letters takes these as soon as they occur.
+
+use crate::turtle::Fate;
+use crate::{Choice, Key, Program, Rewrite, SymbolId};
+
+/// Where a derivation stands. It holds no references, so it can rest between two calls.
+#[derive(Clone, Debug)]
+pub(crate) struct Walk {
+    n: u32,
+    seed: u32,
+    /// The words that are being gone through, outermost first.
+    open: Vec<Word>,
+    /// The letters met so far, in all generations.
+    pub work: u64,
+}
+
+#[derive(Clone, Debug)]
+struct Word {
+    source: Source,
+    /// The letter to read next.
+    next: usize,
+    /// Of the letter that this word replaced.
+    key: Key,
+    /// The derivation step that made the letter that this word replaced, or the first of its kind in its place.
+    since: u32,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Source {
+    Axiom,
+    /// The successor of a letter, by its place among the choices.
+    Successor(SymbolId, usize),
+}
+
+/// What comes next.
+pub(crate) enum Next {
+    /// A letter of the last generation, or one that is known, and the steps that it has yet to go.
+    Letter(SymbolId, u32),
+    /// The given work is spent.
+    Pause,
+    End,
+}
+
+impl Walk {
+    pub(crate) fn new(n: u32, seed: u32) -> Self {
+        Self { n, seed, open: vec![Word { source: Source::Axiom, next: 0, key: Key::root(0), since: 0 }], work: 0 }
+    }
+
+    /// Goes on to the next letter that is `known` or of the last generation, until `self.work` is `until`.
+    pub(crate) fn next(&mut self, program: &Program, known: impl Fn(SymbolId) -> bool, until: u64) -> Next {
+        loop {
+            // The axiom's letters are generation 0.
+            let generation = self.open.len() as u32 - 1;
+            let Some(word) = self.open.last_mut() else { return Next::End };
+            let Some(&symbol) = letters(program, word.source).get(word.next) else {
+                if generation == 0 {
+                    return Next::End;
+                }
+                self.open.pop();
+                continue;
+            };
+            if self.work >= until {
+                return Next::Pause;
+            }
+            let index = word.next as u64;
+            word.next += 1;
+            self.work += 1;
+            if generation == self.n || known(symbol) {
+                return Next::Letter(symbol, self.n - generation);
+            }
+            let key = word.key(generation, index);
+            let since = word.since(generation, symbol);
+            let step = generation + 1;
+            let choice = match &program.rewrites[usize::from(symbol)] {
+                Rewrite::Keep => return Next::Letter(symbol, 0),
+                Rewrite::Always(_) => 0,
+                Rewrite::Choose(choices) => Choice::of(choices, key.choice(self.seed, step)),
+            };
+            self.open.push(Word { source: Source::Successor(symbol, choice), next: 0, key, since });
+        }
+    }
+
+    /// What is special about the letter that was given last; `heir` says which of the letters that replace one goes on in
+    /// its place.
+    pub(crate) fn fate(
+        &self,
+        program: &Program,
+        symbol: SymbolId,
+        mut heir: impl FnMut(SymbolId, &[SymbolId]) -> Option<usize>,
+    ) -> Fate {
+        let generation = self.open.len().saturating_sub(1) as u32;
+        let Some(word) = self.open.last() else { return Fate { key: Key::root(0), since: 0, grows: false } };
+        let index = word.next.saturating_sub(1);
+        let grows = match word.source {
+            Source::Successor(former, _) if generation == self.n => {
+                heir(former, letters(program, word.source)) != Some(index)
+            }
+            _ => false,
+        };
+        Fate { key: word.key(generation, index as u64), since: word.since(generation, symbol), grows }
+    }
+}
+
+impl Word {
+    /// Of its letter at `index`, in this generation.
+    fn key(&self, generation: u32, index: u64) -> Key {
+        match self.source {
+            Source::Axiom => Key::root(index),
+            Source::Successor(..) => self.key.child(generation, index),
+        }
+    }
+
+    /// Since which generation there has been a `symbol` in the place of one of its letters, in this generation.
+    fn since(&self, generation: u32, symbol: SymbolId) -> u32 {
+        match self.source {
+            Source::Successor(former, _) if former == symbol => self.since,
+            _ => generation,
+        }
+    }
+}
+
+fn letters(program: &Program, source: Source) -> &[SymbolId] {
+    match source {
+        Source::Axiom => &program.axiom,
+        Source::Successor(symbol, choice) => match &program.rewrites[usize::from(symbol)] {
+            Rewrite::Keep => &[],
+            Rewrite::Always(word) => word,
+            Rewrite::Choose(choices) => choices.get(choice).map_or(&[], |c| &c.successor),
+        },
+    }
+}

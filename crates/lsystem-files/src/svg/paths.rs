@@ -1,0 +1,133 @@
+//! Strokes as `<path>` elements.
+
+use super::Decimals;
+use core::fmt::Write;
+use lsystem_drawing::StyleChange;
+use lsystem_syntax::{Style, Tint};
+
+/// Segments of one path: longer ones take browsers disproportionately long.
+pub(super) const PATH: usize = 10_000;
+
+/// What a stroke looks like.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Ink {
+    pub(super) rgb: [u8; 3],
+    /// In the units of the file.
+    pub(super) width: f64,
+}
+
+impl Ink {
+    /// A stroke that is `width` wide, where a CSS pixel is `pixel`.
+    pub(super) fn new(style: &Style, tint: Tint, width: f64, pixel: f64) -> Self {
+        let width = width.max(style.min_width * pixel);
+        // Nothing has no width on paper: a stroke without one is a hairline, as on the screen.
+        Self { rgb: style.colour_of(tint).rgb, width: if width > 0.0 { width } else { pixel } }
+    }
+
+    /// In a style that has begun with [`StyleChange::start`]; `step` is the step length.
+    pub(super) fn of(style: &Style, change: &StyleChange, step: f64, pixel: f64) -> Self {
+        let tint = Tint { index: change.colour.of(0), level: change.level, place: 0.0 };
+        Self::new(style, tint, change.width.of(0.0) * step, pixel)
+    }
+
+    /// As attributes.
+    pub(super) fn attributes(&self) -> String {
+        let [r, g, b] = self.rgb;
+        let mut text = format!(" stroke=\"#{r:02x}{g:02x}{b:02x}\"");
+        attribute(&mut text, "stroke-width", Decimals::for_size(self.width), self.width);
+        text
+    }
+}
+
+/// Writes strokes, joining those of one ink that follow each other in one path.
+pub(super) struct Paths<'a> {
+    pub(super) text: &'a mut String,
+    decimals: Decimals,
+    /// The ink of the elements around.
+    around: Option<Ink>,
+    /// What the next path is called.
+    pub(super) id: Option<String>,
+    /// The open path.
+    pub(super) pen: Option<Pen>,
+}
+
+/// A path that is open.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pen {
+    ink: Ink,
+    /// Where it ended, in units of the last decimal place.
+    at: [f64; 2],
+    segments: usize,
+}
+
+impl<'a> Paths<'a> {
+    pub(super) fn new(text: &'a mut String, decimals: Decimals, around: Option<Ink>) -> Self {
+        Self { text, decimals, around, id: None, pen: None }
+    }
+
+    /// A stroke, in the units of the file, y down.
+    pub(super) fn stroke(&mut self, from: [f64; 2], to: [f64; 2], ink: Ink) {
+        let [start, end] = [from, to].map(|point| point.map(|c| self.decimals.round(c)));
+        match self.pen {
+            Some(pen) if pen.ink == ink && pen.segments < PATH => {
+                self.text.push(if pen.at == start { ' ' } else { 'M' });
+                if pen.at != start {
+                    self.point(from);
+                    self.text.push('L');
+                }
+            }
+            _ => {
+                self.close();
+                self.text.push_str("<path");
+                if let Some(id) = self.id.take() {
+                    let _ = write!(self.text, " id=\"{id}\"");
+                }
+                if self.around != Some(ink) {
+                    self.text.push_str(&ink.attributes());
+                }
+                self.text.push_str(" d=\"M");
+                self.point(from);
+                self.text.push('L');
+            }
+        }
+        self.point(to);
+        let segments = self.pen.map_or(0, |pen| pen.segments) + 1;
+        self.pen = Some(Pen { ink, at: end, segments });
+    }
+
+    /// A filled polygon without a stroke.
+    pub(super) fn fill(&mut self, vertices: impl Iterator<Item = [f64; 2]>, [r, g, b]: [u8; 3]) {
+        self.close();
+        // Writing to a `String` cannot fail.
+        let _ = write!(self.text, "<path fill=\"#{r:02x}{g:02x}{b:02x}\" stroke=\"none\" d=\"");
+        for (index, vertex) in vertices.enumerate() {
+            self.text.push_str(match index {
+                0 => "M",
+                1 => "L",
+                _ => " ",
+            });
+            self.point(vertex);
+        }
+        self.text.push_str("z\"/>\n");
+    }
+
+    fn point(&mut self, [x, y]: [f64; 2]) {
+        self.decimals.write(self.text, x);
+        self.text.push(' ');
+        self.decimals.write(self.text, y);
+    }
+
+    /// Ends the open path, so that other elements can follow.
+    pub(super) fn close(&mut self) {
+        if self.pen.take().is_some() {
+            self.text.push_str("\"/>\n");
+        }
+    }
+}
+
+pub(super) fn attribute(text: &mut String, name: &str, decimals: Decimals, value: f64) {
+    // Writing to a `String` cannot fail.
+    let _ = write!(text, " {name}=\"");
+    decimals.write(text, value);
+    text.push('"');
+}

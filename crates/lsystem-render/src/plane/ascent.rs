@@ -1,0 +1,421 @@
+//! The way up through a drawing's graph, for pictures on which the way down takes too long: the picture of each part is
+//! made once, of the pictures of the parts inside it, the smallest first, and the last of them is the whole.
+//!
+//! Parts are put into the nearest place on a lattice, where each is off by half a cell at most. With many of them inside
+//! each other that adds up to some cells.
+
+use super::RenderStats;
+use super::canvas::{Block, Canvas, GROUP};
+use super::descent::{Descent, Node, Pen};
+use super::inks::{Dye, InkTable, Shade};
+use super::layout::{Layout, Trials, is_empty, size};
+use super::parts::{Part, Parts};
+use super::polygon::Filling;
+use super::shape::Shape;
+use super::stroke::Capsule;
+use super::tile::{self, Bits, Planes};
+use super::view::Look;
+use lsystem_drawing::{Drawing, Item, StyleId};
+use lsystem_syntax::{Meter, Progress};
+
+/// The finished picture of a part.
+#[derive(Debug, Default)]
+struct Picture {
+    /// A group of nothing, the extents and the planes of [`Bits`], a group of nothing.
+    words: Vec<u64>,
+    strips: usize,
+    rows: usize,
+    planes: usize,
+}
+
+impl Picture {
+    fn new(canvas: &Canvas) -> Self {
+        let mut picture = Self { words: vec![], strips: canvas.strips, rows: canvas.height, planes: canvas.planes };
+        picture.words.reserve_exact(picture.plane(1 + picture.planes) + GROUP);
+        picture.words.resize(GROUP, 0);
+        tile::keep(canvas, &mut picture.words);
+        picture.words.resize(picture.words.len() + GROUP, 0);
+        picture
+    }
+
+    /// Where a plane begins; the first tells what is covered.
+    fn plane(&self, number: usize) -> usize {
+        GROUP + self.strips * (1 + number * self.rows)
+    }
+
+    fn bits(&self, dye: &Dye) -> Bits<'_> {
+        let planes = |first, count| Planes { words: &self.words, first, size: self.strips * self.rows, count };
+        let colours = |count| planes(self.plane(1), count);
+        Bits {
+            rows: self.rows,
+            extents: &self.words[GROUP..GROUP + self.strips],
+            covered: planes(self.plane(0), 1),
+            colours: colours(self.planes),
+            dyed: (dye.entry.number == 0 && !dye.is_even(self.planes)).then(|| colours(dye.digits)),
+        }
+    }
+
+    /// 64 bits of a row of a plane, from a column on; there are none beside the picture.
+    fn word(&self, plane: usize, [column, row]: [i64; 2]) -> u64 {
+        let strip = column.div_euclid(u64::BITS.into());
+        let word = |strip: i64| match (usize::try_from(strip), usize::try_from(row)) {
+            (Ok(strip), Ok(row)) if strip < self.strips && row < self.rows => {
+                self.words[self.plane(plane) + strip * self.rows + row]
+            }
+            _ => 0,
+        };
+        match column.rem_euclid(u64::BITS.into()) as u32 {
+            0 => word(strip),
+            shift => word(strip) >> shift | word(strip + 1) << (u64::BITS - shift),
+        }
+    }
+}
+
+/// What a picture is made of.
+#[derive(Clone, Copy)]
+pub(super) struct Scene<'a> {
+    pub drawing: &'a Drawing,
+    pub shapes: &'a [Shape],
+    pub inks: &'a InkTable,
+}
+
+impl Scene<'_> {
+    /// The bit planes of a part's picture.
+    fn planes(&self, part: &Part) -> usize {
+        self.inks.planes(self.inks.of(part.block.0 as usize))
+    }
+}
+
+/// Starts a way up: a picture of a drawing, of which the part from one corner to the other is seen, in subsamples; `None`
+/// where it is too large.
+pub(super) type Start = fn(Scene<'_>, Look, Node, [[f64; 2]; 2]) -> Option<Box<dyn Climb>>;
+
+/// A way up.
+pub(super) trait Climb {
+    /// Finds out what there is to be done; `None` where it is too much.
+    fn plan(&mut self, scene: Scene<'_>, descent: &mut Descent, meter: &mut Meter) -> Option<Progress>;
+
+    /// Whether it is known what there is to be done.
+    fn is_planned(&self) -> bool;
+
+    /// Goes on with what has been planned.
+    fn step(
+        &mut self,
+        scene: Scene<'_>,
+        descent: &mut Descent,
+        frame: &mut Canvas,
+        stats: &mut RenderStats,
+        meter: &mut Meter,
+    ) -> Progress;
+}
+
+/// A picture in the making.
+pub(super) struct Ascent {
+    look: Look,
+    root: Node,
+    /// The whole picture, in subsamples: the upper left and the lower right corner.
+    seen: [[f64; 2]; 2],
+    parts: Parts,
+    layout: Layout,
+    /// The lattices that have been tried, and the last of them until it is known what it takes.
+    trials: Trials,
+    /// By part, as long as they are needed.
+    pictures: Vec<Option<Picture>>,
+    canvas: Canvas,
+    /// The polygon in hand.
+    filling: Filling,
+    /// How many parts, from the last on, have been begun.
+    begun: usize,
+    /// The part on the canvas, and how many of its joints are done.
+    making: Option<(Node, usize)>,
+    /// Strips of the whole picture that are done.
+    strips: usize,
+}
+
+impl Ascent {
+    /// A [`Start`].
+    pub(super) fn start(scene: Scene<'_>, look: Look, root: Node, seen: [[f64; 2]; 2]) -> Option<Box<dyn Climb>> {
+        Self::new(scene, look, root, seen).map(|ascent| Box::new(ascent) as Box<dyn Climb>)
+    }
+
+    fn new(scene: Scene<'_>, look: Look, root: Node, seen: [[f64; 2]; 2]) -> Option<Self> {
+        Some(Self {
+            look,
+            root,
+            seen,
+            parts: Parts::new(scene.drawing, scene.shapes, look, root)?,
+            layout: Layout::default(),
+            trials: Trials::default(),
+            pictures: vec![],
+            canvas: Canvas::default(),
+            filling: Filling::default(),
+            begun: 0,
+            making: None,
+            strips: 0,
+        })
+    }
+
+    /// The part that was begun last.
+    fn index(&self) -> usize {
+        self.parts.order[self.parts.order.len() - self.begun]
+    }
+
+    /// Begins with the next part.
+    fn begin(&mut self, scene: Scene<'_>, descent: &mut Descent) {
+        let index = self.index();
+        let area = self.layout.areas[index];
+        if is_empty(area) {
+            return;
+        }
+        let part = &self.parts.list[index];
+        let [width, height] = size(area).map(|side| side as usize);
+        self.canvas.reset(width, height, scene.planes(part));
+        let phase = self.layout.phases[index];
+        let origin = [0, 1].map(|axis| phase[axis] - area[0][axis] as f64);
+        let node = descent.alone(scene.drawing, part, origin, 1.0 / f64::from(self.layout.grain));
+        self.making = Some((node, 0));
+    }
+
+    /// Paints the next item of the part on the canvas; what that took.
+    fn item(
+        &mut self,
+        scene: Scene<'_>,
+        descent: &mut Descent,
+        mut node: Node,
+        joints: usize,
+        stats: &mut RenderStats,
+    ) -> u64 {
+        let Scene { drawing, shapes, inks } = scene;
+        let index = self.index();
+        if node.cursor == drawing.blocks[node.block.0 as usize].items.start {
+            self.canvas.settle();
+            self.pictures[index] = Some(Picture::new(&self.canvas));
+            self.making = None;
+            stats.parts += 1;
+            // As much again to keep it.
+            return 1 + 2 * self.canvas.take_work();
+        }
+        node.cursor -= 1;
+        self.making = Some((node, joints));
+        let style = |style: StyleId| node.pen.after(inks.choice, &drawing.styles[style.0 as usize]);
+        match &drawing.items[node.cursor as usize] {
+            Item::Stroke(stroke) => {
+                stats.strokes += 1;
+                let ends = [stroke.from, stroke.to].map(|end| node.place.point(end));
+                self.stroke(inks, ends, style(stroke.style))
+            }
+            Item::Polygon(polygon) => {
+                stats.strokes += 1;
+                let vertices = drawing.vertices_of(polygon).iter().map(|&v| node.place.point(v));
+                self.filling.begin(&self.canvas, vertices, inks.code(style(polygon.style).shade))
+            }
+            Item::Block(placed) => {
+                let child = descent.child(drawing, inks.choice, &node, placed);
+                let shape = &shapes[placed.block.0 as usize];
+                let joint = self.parts.list[index].joints.start + joints;
+                if joint < self.parts.list[index].joints.end && self.parts.joints[joint].item == node.cursor {
+                    self.making = Some((node, joints + 1));
+                    return self.stamp(inks, index, joint, child.pen.shade, stats);
+                }
+                if shape.strokes == 0 {
+                    return 1;
+                }
+                stats.strokes += 1;
+                let (ends, change) = match &shape.line {
+                    Some(line) => ([line.from, line.to], &line.style),
+                    None => (shape.axis(), &shape.last),
+                };
+                let ends = ends.map(|end| child.place.point(end));
+                let pen = child.pen.after(inks.choice, change);
+                let pens = self.look.pens(&drawing.blocks[placed.block.0 as usize], child.pen, pen);
+                pens.map(|pen| self.stroke(inks, ends, pen)).sum()
+            }
+        }
+    }
+
+    fn stroke(&mut self, inks: &InkTable, [from, to]: [[f64; 2]; 2], pen: Pen) -> u64 {
+        // What is thinner than a cell would be torn.
+        let radius = (self.look.radius(pen.width) / f64::from(self.layout.grain)).max(0.5);
+        Capsule { from, to, radius }.paint(&mut self.canvas, inks.code(pen.shade)) as u64 / 4 + 1
+    }
+
+    /// Stamps what a joint joins, which is entered with a shade.
+    fn stamp(&mut self, inks: &InkTable, index: usize, joint: usize, shade: Shade, stats: &mut RenderStats) -> u64 {
+        if !self.layout.is_used(&self.parts, index, joint) {
+            return 1;
+        }
+        stats.stamps += 1;
+        let inner = self.parts.joints[joint].part;
+        let Some(picture) = &self.pictures[inner] else { return 1 };
+        let dye = inks.dye(inks.of(self.parts.list[inner].block.0 as usize), shade);
+        let corners = [self.layout.areas[inner][0], self.layout.areas[index][0]];
+        let at = [0, 1].map(|axis| corners[0][axis] + self.layout.shifts[joint][axis] - corners[1][axis]);
+        self.canvas.stamp(&picture.bits(&dye), at, &dye);
+        let took = picture.words.len() as u64 / 32 + 1;
+        self.layout.uses[inner] -= 1;
+        if self.layout.uses[inner] == 0 {
+            self.pictures[inner] = None;
+        }
+        took
+    }
+
+    /// Puts a strip of the finished picture where it belongs; what that took.
+    fn put(&mut self, frame: &mut Canvas) -> u64 {
+        let Some(root) = self.parts.order.first().copied() else { return 1 };
+        let Some(picture) = &self.pictures[root] else { return 1 };
+        let grain = i64::from(self.layout.grain);
+        let corner = [0, 1].map(|axis| self.layout.origin[axis] + self.layout.areas[root][0][axis]);
+        let column = (self.strips * u64::BITS as usize) as i64 / grain - corner[0];
+        for group in 0..frame.rows / GROUP {
+            let block = |plane: usize| -> Block {
+                core::array::from_fn(|row| {
+                    let row = (group * GROUP + row) as i64 / grain - corner[1];
+                    enlarged(picture.word(plane, [column, row]), self.layout.grain)
+                })
+            };
+            frame.put(self.strips, group, block(0), |plane| block(1 + plane));
+        }
+        (frame.rows * (1 + picture.planes)) as u64 / 8
+    }
+}
+
+impl Climb for Ascent {
+    fn plan(&mut self, scene: Scene<'_>, descent: &mut Descent, meter: &mut Meter) -> Option<Progress> {
+        if self.parts.step(scene, self.look, descent, meter)? == Progress::More {
+            return Some(Progress::More);
+        }
+        while !meter.is_spent() {
+            let found = self.trials.step(&self.parts, self.root.place.origin, self.seen, |part| scene.planes(part))?;
+            meter.charge(1 + (self.parts.joints.len() + self.parts.list.len()) as u64 / 4);
+            if let Some(layout) = found {
+                self.layout = layout;
+                self.pictures.resize_with(self.parts.list.len(), || None);
+                return Some(Progress::Done);
+            }
+        }
+        Some(Progress::More)
+    }
+
+    fn is_planned(&self) -> bool {
+        !self.pictures.is_empty()
+    }
+
+    fn step(
+        &mut self,
+        scene: Scene<'_>,
+        descent: &mut Descent,
+        frame: &mut Canvas,
+        stats: &mut RenderStats,
+        meter: &mut Meter,
+    ) -> Progress {
+        while !meter.is_spent() {
+            if !self.filling.is_done() {
+                self.filling.step(&mut self.canvas, meter);
+            } else if let Some((node, joints)) = self.making {
+                meter.charge(self.item(scene, descent, node, joints, stats));
+                meter.charge(self.canvas.take_work());
+            } else if self.begun < self.parts.order.len() {
+                self.begun += 1;
+                self.begin(scene, descent);
+                meter.charge(1);
+            } else if self.strips < frame.strips {
+                meter.charge(self.put(frame));
+                self.strips += 1;
+            } else {
+                return Progress::Done;
+            }
+        }
+        Progress::More
+    }
+}
+
+/// The first bits of a word, each of them so many times: a power of two.
+fn enlarged(word: u64, times: u32) -> u64 {
+    if times == 1 {
+        return word;
+    }
+    let mut word = enlarged(word, times / 2) & u64::from(u32::MAX);
+    for (shift, mask) in [
+        (16, 0x0000_ffff_0000_ffff),
+        (8, 0x00ff_00ff_00ff_00ff),
+        (4, 0x0f0f_0f0f_0f0f_0f0f),
+        (2, 0x3333_3333_3333_3333),
+        (1, 0x5555_5555_5555_5555),
+    ] {
+        word = (word | word << shift) & mask;
+    }
+    word | word << 1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::layout::ROOM;
+    use super::super::sample::Sample;
+    use super::super::shape::shapes;
+    use super::super::view::{Camera, View, Viewport};
+    use super::*;
+
+    #[test]
+    fn bits_are_enlarged() {
+        for times in [1, 2, 4] {
+            let word = 0x9e37_79b9_7f4a_7c15;
+            let enlarged = enlarged(word, times);
+            assert!((0..64).all(|bit| enlarged >> bit & 1 == word >> (bit / times) & 1), "{times}");
+        }
+    }
+
+    #[test]
+    fn pictures_of_parts_take_no_more_room_than_they_may() {
+        let viewport = Viewport { width: 1600, height: 1000, ratio: 1.0 };
+        for (sample, zoom) in [
+            (Sample::lowercase("A", &[('A', "g[+A][-A]")], 20.0), 1.0),
+            (Sample::lowercase("g", &[('g', "g[+g][-g]")], 20.0), 1.0),
+            (Sample::abop("X", &[('X', "F[+X][-X]")], 20.0), 2.0),
+        ] {
+            let drawing = sample.draw(40);
+            let (shapes, mut inks, mut descent) = (shapes(&drawing), InkTable::default(), Descent::default());
+            inks.choose(&drawing, &sample.0.style);
+            inks.prepare(&drawing, &mut Meter::new(u64::MAX));
+            let scene = Scene { drawing: &drawing, shapes: &shapes, inks: &inks };
+            let camera = Camera::new(&drawing, viewport, View { zoom, ..View::default() }, 4.0);
+            let look = Look { hairline: 2.0, step: camera.step, scale: camera.scale };
+            let root = descent.root(&drawing, camera).unwrap();
+            let mut ascent = Ascent::new(scene, look, root, [[0.0; 2], [6400.0, 4000.0]]).unwrap();
+            while ascent.plan(scene, &mut descent, &mut Meter::new(1000)).unwrap() == Progress::More {}
+            let mut frame = Canvas::default();
+            frame.reset(6400, 4000, inks.picture_planes());
+            let mut stats = RenderStats::default();
+            let mut most = 0;
+            while ascent.step(scene, &mut descent, &mut frame, &mut stats, &mut Meter::new(1000)) == Progress::More {
+                // The pictures and the canvas; the words around them, and extents, are few.
+                let kept: usize = ascent.pictures.iter().flatten().map(|p| p.strips * p.rows * (1 + p.planes)).sum();
+                most = most.max(kept + ascent.canvas.covered.len() + ascent.canvas.colours.len());
+            }
+            assert!((ROOM / 8..=ROOM + ROOM / 64).contains(&(most as u64)), "{most} of {ROOM}");
+            assert_eq!(ascent.pictures.iter().flatten().count(), 1, "the whole is left");
+            assert_eq!(stats.parts as usize, ascent.pictures.len());
+        }
+    }
+
+    #[test]
+    fn strokes_thinner_than_a_cell_are_not_torn() {
+        let viewport = Viewport { width: 64, height: 64, ratio: 1.0 };
+        let sample = Sample::abop("X", &[('X', "F[+X][-X]")], 20.0);
+        let drawing = sample.draw(20);
+        let (shapes, mut inks, mut descent) = (shapes(&drawing), InkTable::default(), Descent::default());
+        inks.choose(&drawing, &sample.0.style);
+        inks.prepare(&drawing, &mut Meter::new(u64::MAX));
+        let scene = Scene { drawing: &drawing, shapes: &shapes, inks: &inks };
+        let camera = Camera::new(&drawing, viewport, View::default(), 1.0);
+        // One sample a pixel, and four pixels to a cell: an eighth of a cell is half as wide as a stroke.
+        let look = Look { hairline: 0.5, step: camera.step, scale: camera.scale };
+        let root = descent.root(&drawing, camera).unwrap();
+        let pen = root.pen;
+        let mut ascent = Ascent::new(scene, look, root, [[0.0; 2], [64.0; 2]]).unwrap();
+        ascent.layout.grain = 4;
+        ascent.canvas.reset(64, 64, inks.picture_planes());
+        ascent.stroke(&inks, [[2.0, 20.3], [62.0, 31.7]], pen);
+        let columns = ascent.canvas.covered.iter().fold(0, |all, row| all | row);
+        assert_eq!(columns | 0b11 | 0b11 << 62, u64::MAX, "{columns:064b}");
+    }
+}

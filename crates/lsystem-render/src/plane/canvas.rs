@@ -1,0 +1,690 @@
+//! The subsamples of a picture: one bit each for "covered", and a colour number in binary, a bit plane per digit.
+//!
+//! Bits lie in vertical strips of 64 columns, a word per row, so that stamping a tile at any offset is a loop over
+//! consecutive words with one shift. Painting goes from the last drawn to the first: what is covered stays.
+//!
+//! What a broad stroke covers throughout is one number to eight words of each plane, so that large pictures of little
+//! take little memory traffic; and nothing is cleared before it is painted upon.
+
+use super::inks::{Dye, PLANES};
+use super::tile::{Bits, Planes};
+use core::ops::Range;
+use lsystem_syntax::{Meter, Progress};
+
+/// Columns in a strip.
+const STRIP: usize = u64::BITS as usize;
+/// Rows in a cell; a cell is a strip's word range that is made pixels of at once.
+const CELL: usize = 64;
+/// Rows in a group; a group is a strip's word range for which it is remembered how it is covered.
+pub(super) const GROUP: usize = 8;
+/// So many subsamples of a group, of 512, may stay bare on a canvas that leaves holes: what a whole picture is off by
+/// is 1/255 at most, and what 8x8 pixels are off by 2/255. The last holes of a crowd take longest to fill.
+const HOLES: u32 = 2;
+/// Groups in a word of bits.
+const GROUPS: usize = u64::BITS as usize;
+
+/// The words of a group.
+pub(super) type Block = [u64; GROUP];
+
+/// The first and the last column of a shape in each row of a group.
+pub(super) type Spans = [[i64; 2]; GROUP];
+/// A row that a shape does not reach.
+pub(super) const NOTHING: [i64; 2] = [1 << 40, -1];
+
+/// A bit picture. Coordinates are subsamples, y down.
+#[derive(Default)]
+pub(super) struct Canvas {
+    pub strips: usize,
+    /// Whole groups of them.
+    pub rows: usize,
+    /// As many of the rows as were asked for.
+    pub height: usize,
+    /// Cells in a strip.
+    pub cells: usize,
+    /// Bit planes of colours.
+    pub planes: usize,
+    /// Whether what is covered but for a few holes counts as covered.
+    pub holes: bool,
+    /// By strip, then row. These are there where a group is mixed; elsewhere they are left over from other pictures.
+    pub covered: Vec<u64>,
+    /// The same by plane, then strip, then row. Only bits that are covered are ever set.
+    pub colours: Vec<u64>,
+    /// By strip: a bit for each group that is not covered throughout, or as good as that.
+    open: Vec<u64>,
+    /// By strip: a bit for each group whose subsamples differ.
+    mixed: Vec<u64>,
+    /// By strip, then group: the colour of one that is neither open nor mixed.
+    plain: Vec<u16>,
+    /// Units of work done since it was asked last, beside what painters count.
+    work: u64,
+    /// While room is made: for how many words, by plane, and for how many there is some.
+    room: ([usize; 2], usize),
+}
+
+/// Strips, or words of bits, that are looked at in a unit of work.
+const LOOKS: usize = 16;
+/// Groups that are painted in a unit of work.
+const PAINTED: usize = 4;
+/// Words that are cleared or copied in a unit of work.
+const COPIED: usize = 128;
+/// Words that room is made for between two looks at the meter.
+const AT_ONCE: usize = COPIED << 12;
+
+/// What a group holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Group {
+    /// Nothing.
+    Bare,
+    /// One colour throughout.
+    Plain(u16),
+    /// What its words tell.
+    Mixed,
+}
+
+impl Canvas {
+    /// Makes it empty and at least `width` by `height` subsamples.
+    pub(super) fn reset(&mut self, width: usize, height: usize, planes: usize) {
+        let (strips, rows) = (width.div_ceil(STRIP), height.next_multiple_of(GROUP));
+        self.height = height;
+        (self.strips, self.rows, self.planes) = (strips, rows, planes);
+        self.cells = rows.div_ceil(CELL);
+        let (words, size) = (strips * self.words(), strips * rows);
+        self.covered.resize(size, 0);
+        self.colours.resize(size * planes, 0);
+        self.plain.resize(size / GROUP, 0);
+        self.open.clear();
+        self.open.resize(words, u64::MAX);
+        self.mixed.clear();
+        self.mixed.resize(words, 0);
+        self.work += ((words + size * (1 + planes)) / COPIED) as u64;
+    }
+
+    /// Makes room for so many subsamples, in pieces. What emptying a large canvas takes is the first touch of its memory.
+    pub(super) fn make_room(&mut self, [width, height]: [usize; 2], planes: usize, meter: &mut Meter) -> Progress {
+        let size = width.div_ceil(STRIP) * height.next_multiple_of(GROUP);
+        let all = size * (1 + planes);
+        let (wanted, done) = &mut self.room;
+        if *wanted != [size, planes] {
+            (*wanted, *done) = ([size, planes], 0);
+        }
+        while *done < all {
+            let next = all.min(*done + AT_ONCE);
+            grow(&mut self.covered, next.min(size), size);
+            grow(&mut self.colours, next.saturating_sub(size), size * planes);
+            meter.charge((1 + (next - *done) / COPIED) as u64);
+            *done = next;
+            // Whatever the meter says, a piece is done each time.
+            if meter.is_spent() && next < all {
+                return Progress::More;
+            }
+        }
+        *done = 0;
+        Progress::Done
+    }
+
+    /// The units of work done since this was asked last, beside what painters count.
+    pub(super) fn take_work(&mut self) -> u64 {
+        core::mem::take(&mut self.work)
+    }
+
+    /// What a group of a strip holds.
+    #[inline]
+    pub(super) fn group(&self, strip: usize, group: usize) -> Group {
+        let (word, bit) = (strip * self.words() + group / GROUPS, 1 << (group % GROUPS));
+        if self.mixed[word] & bit != 0 {
+            Group::Mixed
+        } else if self.open[word] & bit != 0 {
+            Group::Bare
+        } else {
+            Group::Plain(self.plain[strip * (self.rows / GROUP) + group])
+        }
+    }
+
+    /// The groups of a cell.
+    pub(super) fn groups(&self, cell: usize) -> Range<usize> {
+        cell * (CELL / GROUP)..((cell + 1) * (CELL / GROUP)).min(self.rows / GROUP)
+    }
+
+    /// Whether anything was painted in a cell of a strip.
+    pub(super) fn is_touched(&self, strip: usize, cell: usize) -> bool {
+        let groups = self.groups(cell);
+        let word = strip * self.words() + groups.start / GROUPS;
+        let bits = columns(groups.start / GROUPS, [groups.start, groups.end - 1]);
+        (self.mixed[word] | !self.open[word]) & bits != 0
+    }
+
+    /// Lets the words of every group tell what it holds.
+    pub(super) fn settle(&mut self) {
+        self.work += (self.covered.len() * (1 + self.planes) / COPIED) as u64;
+        for strip in 0..self.strips {
+            for group in 0..self.rows / GROUP {
+                let at = strip * self.rows + group * GROUP;
+                match self.group(strip, group) {
+                    Group::Mixed => {}
+                    Group::Bare => self.begin_group(at, [0; GROUP]),
+                    Group::Plain(colour) => {
+                        self.begin_group(at, [u64::MAX; GROUP]);
+                        self.colour(at, &[u64::MAX; GROUP], u32::from(colour));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Sets the words of a group, which begins at a word of every plane: what is covered, and no colours.
+    fn begin_group(&mut self, at: usize, bits: Block) {
+        let size = self.covered.len();
+        if let Some(words) = self.covered[at..].first_chunk_mut() {
+            *words = bits;
+        }
+        for plane in 0..self.planes {
+            if let Some(words) = self.colours[plane * size + at..].first_chunk_mut() {
+                *words = [0; GROUP];
+            }
+        }
+    }
+
+    /// Words of bits for the groups of a strip.
+    fn words(&self) -> usize {
+        (self.rows / GROUP).div_ceil(GROUPS)
+    }
+
+    /// Those of the groups `first..=last` of a strip, which lie in one word, that are not covered throughout: bits.
+    #[inline]
+    fn open(&self, strip: usize, groups: [usize; 2]) -> u64 {
+        let word = groups[0] / GROUPS;
+        self.open[strip * self.words() + word] & columns(word, groups)
+    }
+
+    /// The planes of colours, each laid out as what is covered.
+    pub(super) fn colour_planes(&self) -> impl Iterator<Item = &[u64]> {
+        self.colours.chunks_exact(self.covered.len().max(1))
+    }
+
+    /// In subsamples, whole strips and groups.
+    pub(super) fn size(&self) -> [f64; 2] {
+        [self.strips * STRIP, self.rows].map(|side| side as f64)
+    }
+
+    /// Whether the rectangle of columns `x` and rows `y`, ends included, is covered throughout (the part outside
+    /// counts as covered).
+    pub(super) fn is_full(&mut self, x: [i64; 2], y: [i64; 2]) -> bool {
+        let Some((x, y)) = self.clip(x, y) else { return true };
+        let groups = y.map(|row| row / GROUP);
+        let words = groups[1] / GROUPS - groups[0] / GROUPS + 1;
+        let mut looks = 0;
+        for strip in x[0] / STRIP..=x[1] / STRIP {
+            looks += words;
+            if looks >= LOOKS {
+                self.work += (looks / LOOKS) as u64;
+                looks %= LOOKS;
+            }
+            let outside = !columns(strip, x);
+            let column = &self.covered[strip * self.rows..][..self.rows];
+            for word in groups[0] / GROUPS..=groups[1] / GROUPS {
+                let index = strip * self.words() + word;
+                let mut open = self.open[index] & columns(word, groups);
+                while open != 0 {
+                    if self.mixed[index] & (open & open.wrapping_neg()) == 0 {
+                        return false;
+                    }
+                    let first = (word * GROUPS + open.trailing_zeros() as usize) * GROUP;
+                    let rows = &column[first.max(y[0])..(first + GROUP).min(y[1] + 1)];
+                    if rows.iter().any(|word| word | outside != u64::MAX) {
+                        if !(self.holes && has_only_holes(&column[first..first + GROUP])) {
+                            return false;
+                        }
+                        // Not before it is asked for: what fills a picture from one side to the other leaves no holes.
+                        self.open[index] &= !(open & open.wrapping_neg());
+                    }
+                    open &= open - 1;
+                }
+            }
+        }
+        true
+    }
+
+    /// The part of a rectangle that lies on the canvas.
+    fn clip(&self, x: [i64; 2], y: [i64; 2]) -> Option<([usize; 2], [usize; 2])> {
+        let right = (self.strips * STRIP) as i64 - 1;
+        let bottom = self.rows as i64 - 1;
+        let x = [x[0].max(0), x[1].min(right)];
+        let y = [y[0].max(0), y[1].min(bottom)];
+        (x[0] <= x[1] && y[0] <= y[1]).then_some((x.map(|v| v as usize), y.map(|v| v as usize)))
+    }
+
+    /// Paints a tile with its upper left corner at (`x`, `y`), dyed.
+    pub(super) fn stamp(&mut self, tile: &Bits<'_>, [x, y]: [i64; 2], dye: &Dye) {
+        let shift = x.rem_euclid(STRIP as i64) as u32;
+        let strips = tile.extents.len();
+        let extent = |strip: usize| match tile.extents.get(strip) {
+            Some(&extent) => [extent & u64::from(u32::MAX), extent >> 32].map(|row| row as i64),
+            None => [i64::MAX, 0],
+        };
+        for strip in 0..strips + usize::from(shift > 0) {
+            let to = x.div_euclid(STRIP as i64) + strip as i64;
+            let Some(to) = usize::try_from(to).ok().filter(|&to| to < self.strips) else { continue };
+            // Bits of this strip of the tile, and those that the one before it leaves over.
+            let (mut rows, mut sources) = (extent(strip), [strip.min(strips - 1); 2]);
+            if shift > 0 && strip > 0 {
+                let before = extent(strip - 1);
+                (rows, sources[0]) = ([rows[0].min(before[0]), rows[1].max(before[1])], strip - 1);
+            }
+            let above = rows[0].max(-y);
+            let below = rows[1].min(self.rows as i64 - y);
+            if above < below {
+                let words = Words {
+                    at: sources.map(|strip| strip * tile.rows),
+                    masks: [strip > 0, strip < strips].map(|is| u64::from(is).wrapping_neg()),
+                    shift,
+                };
+                self.stamp_strip(tile, words, y, above..below, to, dye);
+            }
+        }
+    }
+
+    /// Paints `rows` of a tile, whose first is in row `top`, into a strip.
+    fn stamp_strip(&mut self, tile: &Bits<'_>, words: Words, top: i64, rows: Range<i64>, to: usize, dye: &Dye) {
+        let [first, end] = [rows.start, rows.end].map(|row| (row + top) as usize);
+        let groups = [first / GROUP, (end - 1) / GROUP];
+        let strip_words = self.words();
+        for word in groups[0] / GROUPS..=groups[1] / GROUPS {
+            let mut open = self.open[to * strip_words + word] & columns(word, groups);
+            while open != 0 {
+                let group = word * GROUPS + open.trailing_zeros() as usize;
+                open &= open - 1;
+                // Before the first and behind the last of the tile's rows there are others.
+                let skipped = (group * GROUP) as i64 - top;
+                let words = Words { at: words.at.map(|at| at.wrapping_add_signed(skipped as isize)), ..words };
+                let mut bits = words.masked(&tile.covered);
+                if group * GROUP < first || group * GROUP + GROUP > end {
+                    for (row, bits) in (group * GROUP..).zip(&mut bits) {
+                        *bits = if (first..end).contains(&row) { *bits } else { 0 };
+                    }
+                }
+                if any(&bits)
+                    && let Some(new) = self.cover(to, group, bits)
+                    && self.planes > 0
+                {
+                    self.dye(to * self.rows + group * GROUP, &new, tile, &words, dye);
+                }
+            }
+        }
+    }
+
+    /// Paints these subsamples of a group, in colours whose digits are given by plane.
+    pub(super) fn put(&mut self, strip: usize, group: usize, bits: Block, digit: impl Fn(usize) -> Block) {
+        if let Some(new) = self.cover(strip, group, bits) {
+            for plane in 0..self.planes {
+                self.add(plane, strip * self.rows + group * GROUP, &new, &digit(plane));
+            }
+        }
+    }
+
+    /// Covers these subsamples of a group; those that were not covered, if there are any.
+    #[inline(always)]
+    fn cover(&mut self, strip: usize, group: usize, bits: Block) -> Option<Block> {
+        let at = strip * self.rows + group * GROUP;
+        let (word, bit) = (strip * self.words() + group / GROUPS, 1 << (group % GROUPS));
+        if self.mixed[word] & bit == 0 {
+            if !any(&bits) {
+                return None;
+            }
+            self.mixed[word] |= bit;
+            self.begin_group(at, bits);
+            if bits == [u64::MAX; GROUP] {
+                self.open[word] &= !bit;
+            }
+            return Some(bits);
+        }
+        let covered = self.covered[at..].first_chunk_mut::<GROUP>()?;
+        let mut new = bits;
+        for (new, covered) in new.iter_mut().zip(&mut *covered) {
+            let before = *covered;
+            *covered |= *new;
+            *new &= !before;
+        }
+        if !any(&new) {
+            return None;
+        }
+        let [a, b, c, d, e, f, g, h] = *covered;
+        let pair = [a & c & e & g, b & d & f & h];
+        if pair[0] & pair[1] == u64::MAX {
+            self.open[word] &= !bit;
+        }
+        Some(new)
+    }
+
+    /// Gives colours to what is `new` in a group that begins at a word of every plane: those of a tile's `words`, dyed.
+    #[inline(always)]
+    fn dye(&mut self, at: usize, new: &Block, tile: &Bits<'_>, words: &Words, dye: &Dye) {
+        if dye.is_even(tile.colours.count) {
+            return self.colour(at, new, dye.entry.code(dye.digits));
+        }
+        let fixed = || if tile.colours.count > dye.digits { words.of(&tile.colours, dye.digits) } else { [0; GROUP] };
+        if let Some(dyed) = &tile.dyed {
+            for digit in 0..dye.digits {
+                self.add(digit, at, new, &words.of(dyed, digit));
+            }
+        } else {
+            let mut numbers = [[0; GROUP]; PLANES];
+            for (digit, number) in numbers.iter_mut().enumerate().take(dye.digits) {
+                *number = words.of(&tile.colours, digit);
+            }
+            dye.apply(&mut numbers[..dye.digits], &fixed());
+            for (digit, number) in numbers.iter().enumerate().take(dye.digits) {
+                self.add(digit, at, new, number);
+            }
+        }
+        if self.planes > dye.digits {
+            self.add(dye.digits, at, new, &if dye.entry.fixed { *new } else { fixed() });
+        }
+    }
+
+    /// Sets what is `new` of some bits in a plane of a group that begins at this word.
+    #[inline(always)]
+    fn add(&mut self, plane: usize, at: usize, new: &Block, bits: &Block) {
+        if let Some(words) = self.colours[plane * self.covered.len() + at..].first_chunk_mut::<GROUP>() {
+            for ((word, bits), new) in words.iter_mut().zip(bits).zip(new) {
+                *word |= bits & new;
+            }
+        }
+    }
+
+    /// Gives a colour to what is `new` in a group that begins at a word of every plane.
+    #[inline(always)]
+    fn colour(&mut self, at: usize, new: &Block, colour: u32) {
+        for plane in (0..self.planes).filter(|plane| colour >> plane & 1 != 0) {
+            self.add(plane, at, new, new);
+        }
+    }
+
+    /// Paints a shape, as [`Canvas::trace`] goes along it.
+    #[inline]
+    pub(super) fn fill(
+        &mut self,
+        rows: Range<usize>,
+        colour: u32,
+        bounds: impl Fn(Range<usize>) -> [i64; 2],
+        spans: impl Fn(Range<usize>, &mut Spans) -> [i64; 2],
+    ) {
+        self.trace(rows, bounds, spans, |canvas, group, reach, spans| {
+            canvas.fill_group(group, reach, spans, colour);
+            true
+        });
+    }
+
+    /// Goes along the groups of a shape that are not covered throughout, row by row, as long as `visit` says so. `spans`
+    /// sets the spans of some rows of a group, which reach nothing before, and gives the first and the last column of
+    /// them all; `bounds` gives columns between which the shape is in some rows.
+    #[inline(always)]
+    pub(super) fn trace(
+        &mut self,
+        rows: Range<usize>,
+        bounds: impl Fn(Range<usize>) -> [i64; 2],
+        spans: impl Fn(Range<usize>, &mut Spans) -> [i64; 2],
+        mut visit: impl FnMut(&mut Self, usize, [i64; 2], &Spans) -> bool,
+    ) {
+        let right = (self.strips * STRIP) as i64 - 1;
+        let mut start = rows.start;
+        while start < rows.end {
+            let cell = start / CELL;
+            let end = rows.end.min((cell + 1) * CELL);
+            let groups = [start / GROUP, (end - 1) / GROUP];
+            let reach = bounds(start..end);
+            let reach = [reach[0].max(0), reach[1].min(right)];
+            let strips =
+                if reach[0] <= reach[1] { reach[0] as usize / STRIP..reach[1] as usize / STRIP + 1 } else { 0..0 };
+            if strips.len() > LOOKS {
+                self.work += (strips.len() / LOOKS) as u64;
+            }
+            let mut open = strips.fold(0, |open, strip| open | self.open(strip, groups));
+            while open != 0 {
+                let group = groups[0] / GROUPS * GROUPS + open.trailing_zeros() as usize;
+                open &= open - 1;
+                let rows = start.max(group * GROUP)..end.min(group * GROUP + GROUP);
+                let mut places = [NOTHING; GROUP];
+                let reach = spans(rows, &mut places);
+                if !visit(self, group, reach, &places) {
+                    return;
+                }
+            }
+            start = end;
+        }
+    }
+
+    /// Whether some rows of a group are covered; `reach` is from the first to the last of all their columns.
+    pub(super) fn is_group_full(&mut self, group: usize, reach: [i64; 2], spans: &Spans) -> bool {
+        let right = (self.strips * STRIP) as i64 - 1;
+        if reach[0] > right || reach[1] < 0 {
+            return true;
+        }
+        let strips = reach.map(|column| column.clamp(0, right) as usize / STRIP);
+        self.work += (strips[1].saturating_sub(strips[0]) / PAINTED) as u64;
+        (strips[0]..=strips[1]).filter(|&strip| self.open(strip, [group; 2]) != 0).all(|strip| {
+            let bits = within(strip, spans);
+            let mixed = self.group(strip, group) == Group::Mixed;
+            let covered = &self.covered[strip * self.rows + group * GROUP..][..GROUP];
+            bits.iter().zip(covered).all(|(bits, covered)| bits & !(if mixed { *covered } else { 0 }) == 0)
+        })
+    }
+
+    /// Paints some rows of a group; `reach` is from the first to the last of all their columns.
+    #[inline(always)]
+    pub(super) fn fill_group(&mut self, group: usize, reach: [i64; 2], spans: &Spans, colour: u32) {
+        const LAST: i64 = STRIP as i64 - 1;
+        let right = (self.strips * STRIP) as i64 - 1;
+        let strips = reach.map(|column| column.clamp(0, right) as usize / STRIP);
+        if strips[0] == strips[1] && reach[0] >= 0 && reach[1] <= right {
+            // Mostly so: what is thin and steep.
+            let bits = |[first, last]: [i64; 2]| u64::MAX << (first & LAST) & u64::MAX >> (!last & LAST);
+            let bits = spans.map(|span| if span[0] <= span[1] { bits(span) } else { 0 });
+            return self.fill_strip(strips[0], group, bits, colour);
+        }
+        if reach[0] > right || reach[1] < 0 {
+            return;
+        }
+        self.work += (strips[1].saturating_sub(strips[0]) / PAINTED) as u64;
+        // Columns that all rows have: most of what is broad.
+        let inner = spans.iter().fold([i64::MIN, i64::MAX], |[a, b], &[first, last]| [a.max(first), b.min(last)]);
+        for strip in strips[0]..=strips[1] {
+            if self.open(strip, [group; 2]) == 0 {
+                continue;
+            }
+            let left = (strip * STRIP) as i64;
+            let bits = if inner[0] <= left && left + LAST <= inner[1] {
+                if self.fill_bare(strip, group, colour) {
+                    continue;
+                }
+                [u64::MAX; GROUP]
+            } else {
+                within(strip, spans)
+            };
+            self.fill_strip(strip, group, bits, colour);
+        }
+    }
+
+    /// Paints all of an open group, if it is bare.
+    #[inline]
+    fn fill_bare(&mut self, strip: usize, group: usize, colour: u32) -> bool {
+        let (word, bit) = (strip * self.words() + group / GROUPS, 1 << (group % GROUPS));
+        let bare = self.mixed[word] & bit == 0;
+        if bare {
+            self.open[word] &= !bit;
+            self.plain[strip * (self.rows / GROUP) + group] = (colour & !(u32::MAX << self.planes)) as u16;
+        }
+        bare
+    }
+
+    /// Paints these subsamples of a group.
+    #[inline(always)]
+    fn fill_strip(&mut self, strip: usize, group: usize, bits: Block, colour: u32) {
+        if self.open(strip, [group; 2]) != 0
+            && let Some(new) = self.cover(strip, group, bits)
+        {
+            self.colour(strip * self.rows + group * GROUP, &new, colour);
+        }
+    }
+}
+
+/// Where a group's words are in a plane of a tile: in two strips next to each other.
+#[derive(Clone, Copy)]
+struct Words {
+    /// Where they begin; the bits of the second move up by `shift`, and those of the first that this leaves over go below.
+    at: [usize; 2],
+    /// All ones where there is such a strip.
+    masks: [u64; 2],
+    shift: u32,
+}
+
+impl Words {
+    /// The words of a plane, in their places. Where the tile covers nothing they are anything.
+    #[inline(always)]
+    fn of(&self, planes: &Planes<'_>, plane: usize) -> Block {
+        self.moved(planes, plane, [u64::MAX; 2])
+    }
+
+    /// Those of a plane alone.
+    #[inline(always)]
+    fn masked(&self, planes: &Planes<'_>) -> Block {
+        self.moved(planes, 0, self.masks)
+    }
+
+    #[inline(always)]
+    fn moved(&self, planes: &Planes<'_>, plane: usize, masks: [u64; 2]) -> Block {
+        let first = planes.first + plane * planes.size;
+        let [before, own] = self.at.map(|at| {
+            planes.words.get(first.wrapping_add(at)..).and_then(<[u64]>::first_chunk::<GROUP>).unwrap_or(&[0; GROUP])
+        });
+        let pair = |i: usize| funnel([before, own].map(|words| [words[i], words[i + 1]]), masks, self.shift);
+        let [[a, b], [c, d], [e, f], [g, h]] = [pair(0), pair(2), pair(4), pair(6)];
+        [a, b, c, d, e, f, g, h]
+    }
+}
+
+/// Two words of a strip and two of the one before it as they are behind a shift; nothing is shifted where both are the
+/// same.
+#[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+#[inline(always)]
+fn funnel([before, own]: [[u64; 2]; 2], masks: [u64; 2], shift: u32) -> [u64; 2] {
+    let word =
+        |i: usize| (before[i] & masks[0]).wrapping_shr(shift.wrapping_neg()) | (own[i] & masks[1]).wrapping_shl(shift);
+    [word(0), word(1)]
+}
+
+/// The same at once: the compiler finds no vectors in it.
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+#[inline(always)]
+fn funnel(words: [[u64; 2]; 2], masks: [u64; 2], shift: u32) -> [u64; 2] {
+    use core::arch::wasm32::{u64x2, u64x2_extract_lane, u64x2_shl, u64x2_shr, u64x2_splat, v128_and, v128_or};
+    let [before, own] = [0, 1].map(|i| v128_and(u64x2(words[i][0], words[i][1]), u64x2_splat(masks[i])));
+    let moved = v128_or(u64x2_shr(before, shift.wrapping_neg()), u64x2_shl(own, shift));
+    [u64x2_extract_lane::<0>(moved), u64x2_extract_lane::<1>(moved)]
+}
+
+/// The bits of a strip that lie in these spans.
+#[inline(always)]
+fn within(strip: usize, spans: &Spans) -> Block {
+    const LAST: i64 = STRIP as i64 - 1;
+    let left = (strip * STRIP) as i64;
+    spans.map(|[first, last]| {
+        let (first, last) = ((first - left).max(0), (last - left).min(LAST));
+        if first <= last { u64::MAX << (first & LAST) & u64::MAX >> ((LAST - last) & LAST) } else { 0 }
+    })
+}
+
+/// Whether a group has any bits.
+#[inline(always)]
+fn any(group: &Block) -> bool {
+    let [a, b, c, d, e, f, g, h] = *group;
+    let pair = [a | c | e | g, b | d | f | h];
+    pair[0] | pair[1] != 0
+}
+
+/// Whether these rows are covered, but for the holes that may be left.
+fn has_only_holes(rows: &[u64]) -> bool {
+    let mut holes = 0;
+    rows.iter().all(|row| {
+        holes += row.count_zeros();
+        holes <= HOLES
+    })
+}
+
+/// The bits of a strip that lie in columns `x`, ends included.
+fn columns(strip: usize, x: [usize; 2]) -> u64 {
+    let low = x[0].saturating_sub(strip * STRIP).min(STRIP - 1);
+    let high = (x[1] - strip * STRIP).min(STRIP - 1);
+    u64::MAX << low & u64::MAX >> (STRIP - 1 - high)
+}
+
+/// Makes a list that will be `whole` long at least `length` long.
+fn grow(list: &mut Vec<u64>, length: usize, whole: usize) {
+    if list.len() < length {
+        list.reserve_exact(whole - list.len());
+        list.resize(length, 0);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::polygon;
+    use super::super::stroke::Capsule;
+    use super::*;
+
+    fn paint(canvas: &mut Canvas, colours: u32) {
+        for (colour, radius) in (0..colours).zip([2.0, 20.0, 45.0, 70.0].into_iter().cycle()) {
+            let along = f64::from(colour) * 37.0;
+            Capsule { from: [along, 90.0], to: [200.0 - along, along], radius }.paint(canvas, colour);
+            polygon::paint(canvas, &[[along, 0.0], [along + 90.0, 10.0], [150.0, 40.0 + along]], colour);
+        }
+        canvas.settle();
+    }
+
+    #[test]
+    fn room_is_made_in_pieces() {
+        let mut canvas = Canvas::default();
+        let (mut steps, mut largest) = (0, 0);
+        while {
+            let mut meter = Meter::new(1000);
+            let progress = canvas.make_room([32_768, 16_384], 1, &mut meter);
+            largest = largest.max(meter.spent());
+            steps += 1;
+            progress == Progress::More
+        } {}
+        assert!(steps > 10 && largest <= 1000 + Meter::PIECE, "{steps} steps, {largest}");
+        let room = canvas.covered.len();
+        canvas.reset(32_768, 16_384, 1);
+        assert_eq!(room, canvas.covered.len());
+    }
+
+    #[test]
+    fn nothing_is_left_of_the_picture_before() {
+        let mut used = Canvas::default();
+        for (width, height, planes) in [(256, 200, 3), (256, 200, 3), (130, 77, 0), (300, 160, 2), (256, 200, 3)] {
+            let mut fresh = Canvas::default();
+            for canvas in [&mut used, &mut fresh] {
+                canvas.reset(width, height, planes);
+                paint(canvas, 1 << planes);
+            }
+            assert!(used.covered == fresh.covered, "{width} {height} {planes}");
+            assert!(used.colours == fresh.colours, "{width} {height} {planes}");
+            used.reset(width, height, planes);
+            paint(&mut used, 0);
+            assert!(used.covered.iter().chain(&used.colours).all(|&word| word == 0));
+        }
+    }
+
+    #[test]
+    fn what_is_covered_throughout_is_painted_no_more() {
+        let mut canvas = Canvas::default();
+        canvas.reset(256, 64, 2);
+        let wide = |radius| Capsule { from: [-200.0, 32.0], to: [500.0, 32.0], radius };
+        wide(100.0).paint(&mut canvas, 2);
+        assert!(canvas.is_full([0, 255], [0, 63]));
+        assert!((0..4).all(|strip| canvas.groups(0).all(|group| canvas.group(strip, group) == Group::Plain(2))));
+        wide(10.0).paint(&mut canvas, 1);
+        canvas.settle();
+        let (low, high) = canvas.colours.split_at(canvas.covered.len());
+        assert!(canvas.covered.iter().chain(high).all(|&word| word == u64::MAX) && low.iter().all(|&word| word == 0));
+    }
+}

@@ -1,0 +1,140 @@
+//! How much ink blocks lay down, and where: sums over all their strokes, which are sums over the blocks inside.
+
+use crate::plane::Amount;
+use crate::plane::shape::Shape;
+use crate::plane::sweep::{Fact, Sweep};
+use lsystem_drawing::{Block, Drawing, Item};
+use lsystem_syntax::{Meter, Progress};
+
+/// The ink of one block, in its own frame.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Ink {
+    /// Of all strokes together, in block units.
+    pub length: Amount,
+    /// Of all polygons together, in square block units.
+    pub area: Amount,
+    /// The centre of gravity of the strokes; of the polygons where there are no strokes.
+    pub centre: [f64; 2],
+    /// About the centre: the mean of x x, x y and y y.
+    pub spread: [f64; 3],
+    /// Whether the line that the block's shape is has the same ink everywhere.
+    pub even: bool,
+}
+
+impl Ink {
+    /// Which part of a block's ink it is: by length, or by area where there are no strokes.
+    pub(super) fn share_of(&self, whole: &Self) -> f64 {
+        if whole.length.is_zero() { self.area.of(whole.area) } else { self.length.of(whole.length) }
+    }
+}
+
+/// A line is even where its length is that of all its strokes together, but for rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// The ink of blocks, found in steps.
+#[derive(Debug, Default)]
+pub(super) struct InkList {
+    /// By block, as far as they are known.
+    pub list: Vec<Ink>,
+    place: Sweep,
+    /// Of the block in hand, so far.
+    sum: Ink,
+}
+
+impl InkList {
+    /// Goes on until the ink of all blocks is known, which have these shapes.
+    pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], meter: &mut Meter) -> Progress {
+        let mut place = self.place;
+        let progress = place.step(&mut Summing { inks: self, shapes }, drawing, meter);
+        self.place = place;
+        progress
+    }
+}
+
+struct Summing<'a> {
+    inks: &'a mut InkList,
+    shapes: &'a [Shape],
+}
+
+impl Fact for Summing<'_> {
+    /// For all ink, for its centre of gravity, and for how it is spread about that.
+    const PASSES: usize = 3;
+
+    fn item(&mut self, drawing: &Drawing, pass: usize, _: usize, item: &Item) -> u64 {
+        // Found anew in each pass: to keep the parts of a long block would take more memory than the drawing.
+        let part = part(drawing, item, &self.inks.list);
+        let sum = &mut self.inks.sum;
+        if pass == 0 {
+            sum.length = sum.length.plus(part.length);
+            sum.area = sum.area.plus(part.area);
+        } else {
+            let share = part.share_of(sum);
+            if pass == 1 {
+                sum.centre = [0, 1].map(|i| sum.centre[i] + share * part.centre[i]);
+            } else {
+                let [dx, dy] = [0, 1].map(|i| part.centre[i] - sum.centre[i]);
+                let about = [dx * dx, dx * dy, dy * dy];
+                sum.spread = [0, 1, 2].map(|i| sum.spread[i] + share * (part.spread[i] + about[i]));
+            }
+        }
+        if let Item::Polygon(polygon) = item { 1 + u64::from(polygon.count) / 16 } else { 1 }
+    }
+
+    fn close(&mut self, _: &Drawing, _: &Block) -> u64 {
+        let mut ink = core::mem::take(&mut self.inks.sum);
+        ink.even = self.shapes[self.inks.list.len()].line.is_some_and(|line| {
+            let (dx, dy) = (line.to[0] - line.from[0], line.to[1] - line.from[1]);
+            let length = (dx * dx + dy * dy).sqrt();
+            (ink.length.units(0) - length).abs() <= ROUNDING * length
+        });
+        self.inks.list.push(ink);
+        0
+    }
+}
+
+/// The ink of an item, in the frame of the block that holds it, given the ink of the blocks inside.
+pub(super) fn part(drawing: &Drawing, item: &Item, inks: &[Ink]) -> Ink {
+    match item {
+        Item::Stroke(stroke) => {
+            let [dx, dy] = [0, 1].map(|i| stroke.to[i] - stroke.from[i]);
+            Ink {
+                length: Amount::new((dx * dx + dy * dy).sqrt()),
+                centre: [0, 1].map(|i| (stroke.from[i] + stroke.to[i]) / 2.0),
+                spread: [dx * dx, dx * dy, dy * dy].map(|v| v / 12.0),
+                ..Ink::default()
+            }
+        }
+        Item::Polygon(polygon) => {
+            let vertices = drawing.vertices_of(polygon);
+            let (area, centre) = area(vertices);
+            Ink { area: Amount::new(area), centre, ..Ink::default() }
+        }
+        Item::Block(placed) => {
+            let inner = &inks[placed.block.0 as usize];
+            let (c, s) = placed.heading.cos_sin();
+            let (c, s) = (c * placed.scale, s * placed.scale);
+            let [x, y] = inner.centre;
+            let [xx, xy, yy] = inner.spread;
+            Ink {
+                length: inner.length.times(placed.scale),
+                area: inner.area.times(placed.scale * placed.scale),
+                centre: [placed.at[0] + c * x - s * y, placed.at[1] + s * x + c * y],
+                spread: [
+                    c * c * xx - 2.0 * c * s * xy + s * s * yy,
+                    c * s * (xx - yy) + (c * c - s * s) * xy,
+                    s * s * xx + 2.0 * c * s * xy + c * c * yy,
+                ],
+                even: false,
+            }
+        }
+    }
+}
+
+/// A polygon's area, as far as its outline does not cross itself, and the mean of its vertices.
+fn area(vertices: &[[f64; 2]]) -> (f64, [f64; 2]) {
+    let next = vertices.iter().cycle().skip(1);
+    let twice: f64 = vertices.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum();
+    let count = vertices.len().max(1) as f64;
+    let centre = [0, 1].map(|i| vertices.iter().map(|vertex| vertex[i]).sum::<f64>() / count);
+    (twice.abs() / 2.0, centre)
+}

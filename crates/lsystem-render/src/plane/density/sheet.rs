@@ -1,0 +1,369 @@
+//! Sums of ink, pixel by pixel.
+//!
+//! The unit is one layer: a stroke as wide as a pixel or wider has 1 along its axis. What is thinner than a pixel or
+//! shorter is spread over the four pixels around it, by how near they are, so that neither moving nor magnifying a
+//! little makes ink jump or vanish.
+
+use crate::plane::polygon::{Crossing, MANY, Side, sides_in};
+use core::ops::Range;
+use lsystem_syntax::{Meter, Progress};
+
+/// What ink is added with it: how much it darkens red, green and blue ([`super::pigment`]).
+pub(super) type Pigment = [f32; 3];
+
+/// Wider strokes are filled, others put together from lines.
+const BROAD: f64 = 4.0;
+/// The least that is added of any ink: a 2^200th part of the most there can be. A trunk beside 10^100 twigs is there.
+pub(super) const LEAST: f64 = 1.0 / (1_u128 << 110) as f64;
+/// How many points of a line are drawn for each pixel of its length.
+const POINTS: f64 = 2.0;
+/// Numbers that are cleared in a unit of work, and pixels of a span to which ink is added.
+const CLEARED: usize = 256;
+/// Rows that are emptied between two looks at the meter.
+const ROWS_AT_ONCE: usize = 64;
+const ADDED: usize = 32;
+/// Rows into which a pixel is divided where areas are filled.
+const ROWS: usize = 4;
+
+/// Numbers of pixels, row by row. Coordinates are pixels, y down.
+#[derive(Default)]
+pub(super) struct Sheet {
+    pub width: usize,
+    pub height: usize,
+    /// Numbers of a pixel: 1, the ink, or 4, the ink and its pigments.
+    pub planes: usize,
+    /// One unit is `2^exponent` layers of ink.
+    pub exponent: i32,
+    pub values: Vec<f32>,
+    /// By row: where there may be anything.
+    pub reach: Vec<Range<u32>>,
+    filling: Filling,
+    /// Rows that are empty again, while it is emptied in pieces.
+    emptied: usize,
+}
+
+/// A polygon that is being filled.
+#[derive(Default)]
+struct Filling {
+    vertices: Vec<[f64; 2]>,
+    /// Parts of rows that are still to be filled.
+    parts: Range<usize>,
+    layer: f32,
+    pigment: Pigment,
+    /// The sides that the row in hand may cross, and where they cross a part of it.
+    sides: Vec<Side>,
+    crossings: Vec<Crossing>,
+    /// By column: how the winding changes there, where there are very many crossings.
+    changes: Vec<i32>,
+}
+
+/// Values to be added to a sheet: those of a small picture, in the same unit.
+pub(super) struct Stamp<'a> {
+    pub planes: usize,
+    /// By row: its first column, its end, and where its values begin.
+    pub rows: &'a [(u32, u32, u32)],
+    pub values: &'a [f32],
+}
+
+impl Sheet {
+    /// Makes it empty. Returns how much work it was.
+    pub(super) fn reset(&mut self, [width, height]: [usize; 2], planes: usize, exponent: i32) -> u64 {
+        self.exponent = exponent;
+        self.filling.parts = 0..0;
+        let units = 1 + (width * height * planes / CLEARED) as u64;
+        self.emptied = 0;
+        if (self.width, self.height, self.planes) == (width, height, planes) && self.reach.len() == height {
+            for (row, reach) in self.reach.iter_mut().enumerate() {
+                let at = row * width;
+                self.values[(at + reach.start as usize) * planes..(at + reach.end as usize) * planes].fill(0.0);
+                *reach = 0..0;
+            }
+            return units;
+        }
+        (self.width, self.height, self.planes) = (width, height, planes);
+        self.values.clear();
+        self.values.resize(width * height * planes, 0.0);
+        self.reach.clear();
+        self.reach.resize(height, 0..0);
+        units
+    }
+
+    /// The same in pieces.
+    pub(super) fn empty(&mut self, [width, height]: [usize; 2], planes: usize, meter: &mut Meter) -> Progress {
+        if (self.width, self.height, self.planes) != (width, height, planes) {
+            (self.width, self.height, self.planes) = (width, height, planes);
+            self.values.clear();
+            self.values.reserve_exact(width * height * planes);
+            self.reach.clear();
+            self.emptied = 0;
+        }
+        self.exponent = 0;
+        self.filling.parts = 0..0;
+        meter.charge(1);
+        while self.emptied < height {
+            let at = self.emptied * width;
+            if let Some(reach) = self.reach.get_mut(self.emptied) {
+                self.values[(at + reach.start as usize) * planes..(at + reach.end as usize) * planes].fill(0.0);
+                *reach = 0..0;
+            } else {
+                self.values.resize((at + width) * planes, 0.0);
+                self.reach.push(0..0);
+            }
+            self.emptied += 1;
+            meter.charge(1 + (width * planes / CLEARED) as u64);
+            // Whatever the meter says, some rows are done each time.
+            if meter.is_spent() && self.emptied < height && self.emptied.is_multiple_of(ROWS_AT_ONCE) {
+                return Progress::More;
+            }
+        }
+        self.emptied = 0;
+        Progress::Done
+    }
+
+    /// Only the size of one, to see what would lie on it.
+    pub(super) fn outline(&mut self, [width, height]: [usize; 2], planes: usize) {
+        *self = Self { width, height, planes, ..Self::default() };
+    }
+
+    /// How many numbers its pixels have.
+    pub(super) fn numbers(&self) -> usize {
+        self.width * self.height * self.planes
+    }
+
+    /// One layer of ink, in units of this sheet.
+    pub(super) fn layer(&self) -> f64 {
+        libm::scalbn(1.0, self.exponent.saturating_neg()).max(LEAST)
+    }
+
+    /// Whether something with these bounds does not show.
+    pub(super) fn misses(&self, low: [f64; 2], high: [f64; 2]) -> bool {
+        // Not a number shows nothing either.
+        !(high[0] > -1.0 && high[1] > -1.0 && low[0] < self.width as f64 + 1.0 && low[1] < self.height as f64 + 1.0)
+    }
+
+    fn extend(&mut self, row: usize, first: usize, end: usize) {
+        let reach = &mut self.reach[row];
+        let (first, end) = (first as u32, end as u32);
+        *reach = if reach.start == reach.end { first..end } else { reach.start.min(first)..reach.end.max(end) };
+    }
+
+    #[inline(always)]
+    fn add(&mut self, at: usize, weight: f32, pigment: Pigment) {
+        if self.planes == 1 {
+            self.values[at] += weight;
+        } else if let Some(values) = self.values.get_mut(at * 4..at * 4 + 4) {
+            values[0] += weight;
+            values[1] += weight * pigment[0];
+            values[2] += weight * pigment[1];
+            values[3] += weight * pigment[2];
+        }
+    }
+
+    /// Adds `weight`, in units of this sheet, at a point.
+    #[inline]
+    pub(super) fn dot(&mut self, [x, y]: [f64; 2], weight: f32, pigment: Pigment) {
+        let (left, top) = ((x - 0.5).floor(), (y - 0.5).floor());
+        if !(left >= -1.0 && top >= -1.0 && left < self.width as f64 && top < self.height as f64) {
+            return;
+        }
+        let (across, down) = ((x - 0.5 - left) as f32, (y - 0.5 - top) as f32);
+        let (left, top) = (left as i64, top as i64);
+        for (row, part) in [(top, 1.0 - down), (top + 1, down)] {
+            let Some(row) = usize::try_from(row).ok().filter(|&row| row < self.height) else { continue };
+            let first = left.max(0) as usize;
+            let end = ((left + 2) as usize).min(self.width);
+            self.extend(row, first, end);
+            for column in first..end {
+                let near = if column as i64 == left { 1.0 - across } else { across };
+                self.add(row * self.width + column, weight * part * near, pigment);
+            }
+        }
+    }
+
+    /// Adds a stroke with flat ends that lays down `layer` units of ink wherever it is, and is `width` pixels wide: less
+    /// than one means so much less ink. [`Sheet::go_on`] does the rest of a broad one. Returns how much work it was.
+    pub(super) fn stroke(&mut self, ends: [[f64; 2]; 2], width: f64, layer: f64, pigment: Pigment) -> u64 {
+        let Some([from, to]) = self.clipped(ends, width) else { return 1 };
+        let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+        let length = (dx * dx + dy * dy).sqrt();
+        if length == 0.0 {
+            return 1;
+        }
+        let aside = [-dy / length, dx / length];
+        if width > BROAD {
+            let side = |p: [f64; 2], sign: f64| [0, 1].map(|i| p[i] + sign * 0.5 * width * aside[i]);
+            let corners = [side(from, 1.0), side(to, 1.0), side(to, -1.0), side(from, -1.0)];
+            return self.fill(corners.into_iter(), layer, pigment);
+        }
+        let lines = width.ceil().max(1.0);
+        let points = (length * POINTS).ceil().max(1.0);
+        let weight = (layer * width * length / (lines * points)) as f32;
+        let step = [dx / points, dy / points];
+        for line in 0..lines as usize {
+            let off = ((line as f64 + 0.5) / lines - 0.5) * width;
+            let start = [0, 1].map(|i| from[i] + off * aside[i] + 0.5 * step[i]);
+            for point in 0..points as usize {
+                let point = point as f64;
+                self.dot([start[0] + point * step[0], start[1] + point * step[1]], weight, pigment);
+            }
+        }
+        (lines * points) as u64 / 4 + 1
+    }
+
+    /// The part of a segment that can be seen.
+    fn clipped(&self, [from, to]: [[f64; 2]; 2], width: f64) -> Option<[[f64; 2]; 2]> {
+        let margin = width / 2.0 + 2.0;
+        let size = [self.width as f64, self.height as f64];
+        let delta = [to[0] - from[0], to[1] - from[1]];
+        let (mut start, mut end) = (0.0_f64, 1.0_f64);
+        for axis in 0..2 {
+            let (low, high) = (-margin, size[axis] + margin);
+            if delta[axis] == 0.0 {
+                if !(from[axis] >= low && from[axis] <= high) {
+                    return None;
+                }
+                continue;
+            }
+            let (a, b) = ((low - from[axis]) / delta[axis], (high - from[axis]) / delta[axis]);
+            start = start.max(a.min(b));
+            end = end.min(a.max(b));
+        }
+        // Numbers out of range leave nothing either.
+        if !(start < end && delta.iter().chain(&from).all(|v| v.is_finite())) {
+            return None;
+        }
+        let at = |t: f64| [from[0] + t * delta[0], from[1] + t * delta[1]];
+        Some([if start > 0.0 { at(start) } else { from }, if end < 1.0 { at(end) } else { to }])
+    }
+
+    /// Starts to add `layer` units of ink inside an outline, where it winds around a number of times other than zero;
+    /// [`Sheet::go_on`] does it. Returns how much work it was.
+    pub(super) fn fill(&mut self, vertices: impl Iterator<Item = [f64; 2]>, layer: f64, pigment: Pigment) -> u64 {
+        let filling = &mut self.filling;
+        filling.vertices.clear();
+        filling.vertices.extend(vertices);
+        (filling.layer, filling.pigment, filling.parts) = ((layer / ROWS as f64) as f32, pigment, 0..0);
+        let (low, high) = filling
+            .vertices
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), vertex| (low.min(vertex[1]), high.max(vertex[1])));
+        if low < high && filling.vertices.iter().flatten().all(|v| v.is_finite()) {
+            let rows = (low.max(0.0) as usize).min(self.height)..(high.ceil().max(0.0) as usize).min(self.height);
+            filling.parts = rows.start * ROWS..rows.end * ROWS;
+        }
+        1 + filling.vertices.len() as u64 / 8
+    }
+
+    /// Whether all polygons are filled.
+    pub(super) fn is_filled(&self) -> bool {
+        self.filling.parts.is_empty()
+    }
+
+    /// Goes on with the polygon, a part of a row at a time.
+    pub(super) fn go_on(&mut self, meter: &mut Meter) {
+        let mut filling = core::mem::take(&mut self.filling);
+        while !meter.is_spent()
+            && let Some(part) = filling.parts.next()
+        {
+            if part % ROWS == 0 || filling.sides.is_empty() {
+                let centre = |part: usize| (part as f64 + 0.5) / ROWS as f64;
+                let ends = [part, part / ROWS * ROWS + ROWS - 1].map(centre);
+                meter.charge(sides_in(&filling.vertices, ends, &mut filling.sides));
+            }
+            meter.charge(1 + self.fill_part(&mut filling, part));
+        }
+        self.filling = filling;
+    }
+
+    /// Fills a part of a row.
+    fn fill_part(&mut self, filling: &mut Filling, part: usize) -> u64 {
+        let Filling { sides, crossings, changes, layer, pigment, .. } = filling;
+        let y = (part as f64 + 0.5) / ROWS as f64;
+        crossings.clear();
+        crossings.extend(sides.iter().filter_map(|[a, b]| {
+            let turn = i32::from(a[1] <= y) - i32::from(b[1] <= y);
+            (turn != 0).then(|| (a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]), turn))
+        }));
+        let mut work = 0;
+        if crossings.len() > MANY {
+            // By the column that is nearest.
+            changes.clear();
+            changes.resize(self.width + 1, 0);
+            for &(x, turn) in &*crossings {
+                changes[libm::round(x).clamp(0.0, self.width as f64) as usize] += turn;
+            }
+            let mut winding = 0;
+            for (column, change) in changes.iter().enumerate().take(self.width) {
+                winding += change;
+                if winding != 0 {
+                    work += self.span(part / ROWS, [column as f64, column as f64 + 1.0], *layer, *pigment);
+                }
+            }
+            work += self.width + crossings.len();
+        } else {
+            crossings.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+            let mut winding = 0;
+            for pair in crossings.windows(2) {
+                winding += pair[0].1;
+                if winding != 0 {
+                    work += self.span(part / ROWS, [pair[0].0, pair[1].0], *layer, *pigment);
+                }
+            }
+            work += 8 * crossings.len();
+        }
+        (work / ADDED + sides.len() / 8) as u64
+    }
+
+    /// Adds to a part of a row.
+    fn span(&mut self, row: usize, sides: [f64; 2], layer: f32, pigment: Pigment) -> usize {
+        let [left, right] = sides.map(|x| x.clamp(0.0, self.width as f64));
+        if left >= right {
+            return 1;
+        }
+        let (first, end) = (left as usize, (right.ceil() as usize).min(self.width));
+        self.extend(row, first, end);
+        for column in first..end {
+            let part = (right.min(column as f64 + 1.0) - left.max(column as f64)) as f32;
+            self.add(row * self.width + column, layer * part, pigment);
+        }
+        end - first
+    }
+
+    /// Adds a small picture with its upper left corner at (`x`, `y`). Without pigments of its own it takes this one.
+    pub(super) fn stamp(&mut self, stamp: &Stamp<'_>, [x, y]: [i64; 2], pigment: Pigment) -> u64 {
+        let mut work = 1;
+        let above = (-y).clamp(0, stamp.rows.len() as i64) as usize;
+        for (row, &(first, end, at)) in stamp.rows.iter().enumerate().skip(above) {
+            let to = (y + row as i64) as usize;
+            if to >= self.height {
+                break;
+            }
+            let left = (x + i64::from(first)).max(0);
+            let right = (x + i64::from(end)).min(self.width as i64);
+            if left >= right {
+                continue;
+            }
+            let from = at as usize + (left - x - i64::from(first)) as usize * stamp.planes;
+            let (left, right) = (left as usize, right as usize);
+            self.extend(to, left, right);
+            let source = &stamp.values[from..from + (right - left) * stamp.planes];
+            let at = to * self.width;
+            let target = &mut self.values[(at + left) * self.planes..(at + right) * self.planes];
+            if stamp.planes == self.planes {
+                for (value, more) in target.iter_mut().zip(source) {
+                    *value += more;
+                }
+            } else {
+                let [r, g, b] = pigment;
+                for (values, more) in target.chunks_exact_mut(4).zip(source) {
+                    values[0] += more;
+                    values[1] += more * r;
+                    values[2] += more * g;
+                    values[3] += more * b;
+                }
+            }
+            work += ((right - left) * self.planes) as u64;
+        }
+        (work + stamp.rows.len() as u64) / 32 + 1
+    }
+}

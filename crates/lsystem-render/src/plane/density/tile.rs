@@ -1,0 +1,138 @@
+//! Small pictures of blocks, made once and added wherever the block recurs.
+
+use super::sheet::{Sheet, Stamp};
+use crate::plane::mixer::Mixer;
+use crate::plane::tile::Key;
+use core::hash::BuildHasherDefault;
+use std::collections::HashMap;
+
+/// The sizes of tiles, as the largest extents of their blocks in pixels: each is put together from smaller ones, the
+/// smallest from dots and strokes.
+const EXTENTS: [f64; SIZES] = [64.0, 20.0, 7.0];
+/// By size of tile: blocks of fewer strokes are drawn stroke by stroke.
+const FEW: [u32; SIZES] = [64, 24, 12];
+/// Into how many steps a pixel is divided, each way, for the places of origins. A tile is off by half a step at most.
+const STEPS: f64 = 4.0;
+/// The same for blocks whose strokes can be told apart, as long as there is room.
+const SPARSE_STEPS: f64 = 8.0;
+/// Numbers in a chunk of memory; no tile needs more.
+const CHUNK: usize = 1 << 18;
+/// Chunks kept; when more are needed, all tiles are dropped and made again as needed.
+const CHUNKS: usize = 16;
+
+/// Rows of tiles kept, likewise.
+const ROWS: usize = 1 << 20;
+
+/// The bytes of all tiles: their numbers, and of each row where it begins.
+pub(in crate::plane) const TILES: u64 =
+    (CHUNKS * CHUNK * size_of::<f32>() + ROWS * size_of::<(u32, u32, u32)>()) as u64;
+/// The number of sizes.
+pub(super) const SIZES: usize = 3;
+
+/// The size of the tile for a block, if it should have one: 0 is the largest.
+pub(super) fn size(extent: f64, strokes: u32) -> Option<usize> {
+    EXTENTS.iter().rposition(|&largest| extent <= largest).filter(|&size| strokes >= FEW[size])
+}
+
+/// Whether the strokes of a block can be told apart.
+pub(super) fn is_sparse(extent: f64, strokes: u32) -> bool {
+    f64::from(strokes) < extent * extent
+}
+
+/// The nearest place for the origin of a block's tile, in `fine` or in ordinary steps: its pixel, the step in it, and
+/// that in pixels.
+pub(super) fn snap(at: [f64; 2], fine: bool) -> ([i64; 2], [u8; 2], [f64; 2]) {
+    let steps = if fine { SPARSE_STEPS } else { STEPS };
+    let whole = at.map(|v| (v * steps + 0.5).floor() as i64);
+    let offset = whole.map(|v| v.rem_euclid(steps as i64) as u8);
+    (whole.map(|v| v.div_euclid(steps as i64)), offset, offset.map(|v| f64::from(v) / steps))
+}
+
+/// What a tile depends on, apart from what holds for the whole picture: its scale, its thinnest stroke, its inks and the
+/// unit of its sums.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct InkKey {
+    pub key: Key,
+    /// The shade that its block is entered with, where it draws with several.
+    pub shade: Option<u32>,
+}
+
+/// Where a tile's numbers are, and where they go.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tile {
+    chunk: u32,
+    first_row: u32,
+    rows: u32,
+    planes: u32,
+    /// From the pixel of the block's origin to the upper left corner.
+    pub corner: [i64; 2],
+}
+
+/// The tiles made so far.
+#[derive(Default)]
+pub(super) struct Tiles {
+    places: HashMap<InkKey, Tile, BuildHasherDefault<Mixer>>,
+    chunks: Vec<Vec<f32>>,
+    /// Of all tiles: first column, end, and where in its chunk the row begins.
+    rows: Vec<(u32, u32, u32)>,
+    /// The chunk in use.
+    chunk: usize,
+    /// Whether there were more tiles than could be kept.
+    pub crowded: bool,
+}
+
+impl Tiles {
+    pub(super) fn clear(&mut self) {
+        self.places.clear();
+        self.rows.clear();
+        self.chunks.iter_mut().for_each(Vec::clear);
+        self.chunk = 0;
+        self.crowded = false;
+    }
+
+    /// Whether a tile of this size can be kept.
+    pub(super) fn fits([width, height]: [usize; 2], planes: usize) -> bool {
+        width.saturating_mul(height).saturating_mul(planes) <= CHUNK
+    }
+
+    pub(super) fn get(&self, key: &InkKey) -> Option<Tile> {
+        self.places.get(key).copied()
+    }
+
+    pub(super) fn stamp(&self, tile: &Tile) -> Stamp<'_> {
+        Stamp {
+            planes: tile.planes as usize,
+            rows: &self.rows[tile.first_row as usize..(tile.first_row + tile.rows) as usize],
+            values: &self.chunks[tile.chunk as usize],
+        }
+    }
+
+    /// Keeps what is on `sheet`, which [fits](Self::fits).
+    pub(super) fn insert(&mut self, key: InkKey, sheet: &Sheet, corner: [i64; 2]) -> Tile {
+        let planes = sheet.planes;
+        let needed: usize = sheet.reach.iter().map(|reach| reach.len() * planes).sum();
+        if self.chunks.get(self.chunk).is_some_and(|values| values.len() + needed > CHUNK) {
+            self.chunk += 1;
+        }
+        if self.chunk == CHUNKS || self.rows.len() > ROWS {
+            self.clear();
+            self.crowded = true;
+        }
+        if self.chunk == self.chunks.len() {
+            self.chunks.push(Vec::with_capacity(CHUNK));
+        }
+        let values = &mut self.chunks[self.chunk];
+        let first_row = self.rows.len() as u32;
+        for (row, reach) in sheet.reach.iter().enumerate() {
+            self.rows.push((reach.start, reach.end, values.len() as u32));
+            let at = row * sheet.width;
+            values.extend_from_slice(
+                &sheet.values[(at + reach.start as usize) * planes..(at + reach.end as usize) * planes],
+            );
+        }
+        let tile =
+            Tile { chunk: self.chunk as u32, first_row, rows: sheet.height as u32, planes: planes as u32, corner };
+        self.places.insert(key, tile);
+        tile
+    }
+}

@@ -1,0 +1,280 @@
+//! From sums of ink to pixels.
+//!
+//! How much ink lies at a place ranges over many powers of two, so what is shown is its logarithm, measured against the
+//! picture's own: a picture is exposed for what it shows. All of it depends on ratios alone, so that a view that is
+//! magnified a little is exposed a little differently, and never jumps.
+
+use super::Pass;
+use super::pigment::light;
+use super::sheet::{Pigment, Sheet};
+use crate::plane::Pane;
+use lsystem_syntax::{ColourBy, Meter, Progress, Style};
+
+/// Numbers that differ by less than a 64th of them are one: exponents of `f32` and the first bits of what follows.
+const KEYS: usize = 1 << 14;
+const SHIFT: u32 = 31 - KEYS.trailing_zeros();
+
+/// The darks, where ink begins to count by its logarithm, and the lights, which are exposed fully: the mean logarithms of
+/// what is between these parts of all places with ink, in the order of how much they have. A mean does not jump where
+/// there is nothing between one amount of ink and the next.
+const DARKS: [f64; 2] = [0.1, 0.4];
+const LIGHTS: [f64; 2] = [0.97, 1.0];
+/// By how many powers of two the lights have more than the darks, at least and at most.
+const RANGE: [f64; 2] = [3.0, 16.0];
+/// How much of what is shown of the lights the first layer of ink shows as, so that a single stroke beside 10^20 of them
+/// is seen.
+const FIRST: f64 = 0.15;
+/// How many layers of ink the lights show as.
+const LAYERS: f64 = 1.5;
+
+/// Steps of a table over pigment: as far as light falls below a 256th, and as fine as its levels.
+const STEPS: usize = 4096;
+const DARKEST: f64 = 8.0;
+
+/// The finished pixels and the way to them.
+#[derive(Default)]
+pub(super) struct Tone {
+    width: usize,
+    height: usize,
+    /// Pixels along the side of a sum.
+    side: usize,
+    paper: [u8; 3],
+    exposure: f64,
+    /// The palette, where colours follow how much ink there is.
+    ramp: Option<Vec<[u8; 3]>>,
+    pixels: Vec<u8>,
+    /// How many sums have each key.
+    counts: Vec<u32>,
+    /// By key: how many layers it shows as.
+    layers: Vec<f32>,
+    /// By key: the pixel, in a picture of one ink.
+    shades: Vec<[u8; 4]>,
+    /// By channel, then by pigment.
+    lights: [Vec<u8>; 3],
+    /// A row of sums between others.
+    row: Vec<f32>,
+    next: usize,
+    stage: Stage,
+    pass: Pass,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Stage {
+    #[default]
+    Counting,
+    Exposing,
+    Showing,
+    Done,
+}
+
+/// The key of a sum.
+fn key(sum: f32) -> usize {
+    (sum.to_bits() >> SHIFT) as usize & (KEYS - 1)
+}
+
+/// The sum that a key stands for.
+fn sum(key: usize) -> f64 {
+    f64::from(f32::from_bits((key as u32) << SHIFT | 1 << (SHIFT - 1)))
+}
+
+impl Tone {
+    /// Starts a pane with sums of so many pixels along their sides; the units of work that this took.
+    pub(super) fn begin(&mut self, style: &Style, pane: Pane, side: usize, pass: Pass) -> u64 {
+        let mut work = 1;
+        let size = if pass.shows() { (pane.width as usize, pane.height as usize) } else { (0, 0) };
+        if (self.width, self.height) != size {
+            (self.width, self.height) = size;
+            self.pixels.clear();
+            self.pixels.resize(self.width * self.height * 4, u8::MAX);
+            work += self.pixels.len() as u64 / 1024;
+        }
+        self.side = side;
+        self.exposure = libm::exp2(style.exposure.clamp(-10.0, 10.0));
+        self.ramp = (style.colour_by == ColourBy::Density)
+            .then(|| core::iter::once(&style.background).chain(&style.palette).map(|colour| colour.rgb).collect());
+        let paper = style.background.rgb;
+        if paper != self.paper || self.lights[0].is_empty() {
+            self.paper = paper;
+            work += 3 * STEPS as u64;
+            self.lights = paper.map(|paper| {
+                let pigment = |step: usize| (step as f64 / (STEPS - 1) as f64 * 2.0 - 1.0) * DARKEST;
+                (0..STEPS).map(|step| libm::round(255.0 * light(paper, pigment(step))) as u8).collect()
+            });
+        }
+        if matches!(pass, Pass::Only | Pass::Survey) {
+            self.counts.clear();
+            self.counts.resize(KEYS, 0);
+        }
+        self.next = 0;
+        self.pass = pass;
+        self.stage = match pass {
+            Pass::Only | Pass::Count => Stage::Counting,
+            Pass::Survey => Stage::Done,
+            Pass::Show => Stage::Exposing,
+        };
+        work
+    }
+
+    pub(super) fn pixels(&self) -> &[u8] {
+        &self.pixels
+    }
+
+    /// Goes on; `pigment` is that of a picture in one ink.
+    pub(super) fn step(&mut self, sums: &Sheet, pigment: Pigment, meter: &mut Meter) -> Progress {
+        while !meter.is_spent() {
+            match self.stage {
+                Stage::Counting if self.next < sums.height => {
+                    self.count(sums, self.next);
+                    meter.charge(1 + sums.reach.get(self.next).map_or(0, |reach| reach.len() as u64 / 16));
+                    self.next += 1;
+                }
+                Stage::Counting => {
+                    self.stage = if self.pass == Pass::Count { Stage::Done } else { Stage::Exposing };
+                }
+                Stage::Exposing => {
+                    // A stroke as wide as a pixel covers only a part of a larger place.
+                    let unit = self.side as f64 / sums.layer();
+                    self.expose(sums.planes, pigment, unit);
+                    meter.charge(2 * KEYS as u64);
+                    (self.stage, self.next) = (Stage::Showing, 0);
+                }
+                Stage::Showing if self.next < self.height => {
+                    self.show(sums, self.next);
+                    self.next += 1;
+                    // A coarse picture is put together from four sums at each pixel.
+                    meter.charge(1 + (self.width * sums.planes * if self.side > 1 { 4 } else { 1 }) as u64 / 16);
+                }
+                Stage::Showing | Stage::Done => return Progress::Done,
+            }
+        }
+        Progress::More
+    }
+
+    fn count(&mut self, sums: &Sheet, row: usize) {
+        let reach = &sums.reach[row];
+        let at = row * sums.width;
+        let values = &sums.values[(at + reach.start as usize) * sums.planes..(at + reach.end as usize) * sums.planes];
+        for &value in values.iter().step_by(sums.planes) {
+            self.counts[key(value)] += 1;
+        }
+    }
+
+    /// The mean logarithm, to the base of 2, of the sums between these parts of all that are not 0; each counts as at
+    /// least so much.
+    fn level(&self, parts: [f64; 2], least: f64) -> f64 {
+        let all: u64 = self.counts.iter().skip(1).map(|&count| u64::from(count)).sum();
+        let [low, high] = parts.map(|part| part * all as f64);
+        let (mut before, mut mean) = (0.0, 0.0);
+        for (key, &count) in self.counts.iter().enumerate().skip(1).filter(|(_, count)| **count > 0) {
+            let after = before + f64::from(count);
+            let within = after.min(high) - f64::max(before, low);
+            if within > 0.0 {
+                mean += within / (high - low) * libm::log2(sum(key)).max(least);
+            }
+            before = after;
+        }
+        mean
+    }
+
+    /// Makes the tables; a sum of 1 is so many layers of ink.
+    fn expose(&mut self, planes: usize, pigment: Pigment, unit: f64) {
+        let lights = self.level(LIGHTS, f64::NEG_INFINITY);
+        let darks = libm::exp2(self.level(DARKS, lights - RANGE[1]).min(lights - RANGE[0]));
+        let lights = libm::exp2(lights);
+        let full = libm::log2(1.0 + lights / darks);
+        self.layers.clear();
+        self.layers.resize(KEYS, 0.0);
+        self.shades.clear();
+        let [r, g, b] = self.paper;
+        self.shades.resize(KEYS, [r, g, b, u8::MAX]);
+        let first = self.counts.iter().skip(1).position(|&count| count > 0).map_or(KEYS, |key| key + 1);
+        let last = self.counts.iter().rposition(|&count| count > 0).unwrap_or(0);
+        // Between sums that are there may lie others, where sums are larger than pixels.
+        let first = if self.side > 1 { 1 } else { first };
+        for key in first..=last {
+            let sum = sum(key);
+            let first = (sum * unit).min(1.0);
+            let shown = self.exposure * (FIRST * first + (1.0 - FIRST) * libm::log2(1.0 + sum / darks) / full);
+            let layers = LAYERS * shown;
+            self.layers[key] = layers as f32;
+            if planes > 1 {
+                continue;
+            }
+            let [r, g, b] = match &self.ramp {
+                Some(ramp) => along(ramp, shown),
+                None => [0, 1, 2].map(|channel| self.light(channel, pigment[channel] * layers as f32)),
+            };
+            self.shades[key] = [r, g, b, u8::MAX];
+        }
+    }
+
+    #[inline]
+    fn light(&self, channel: usize, pigment: f32) -> u8 {
+        let step = (pigment / DARKEST as f32 + 1.0) * (0.5 * (STEPS - 1) as f32) + 0.5;
+        self.lights[channel][(step as usize).min(STEPS - 1)]
+    }
+
+    fn show(&mut self, sums: &Sheet, y: usize) {
+        let mut pixels = core::mem::take(&mut self.pixels);
+        let (out, _) = pixels[y * self.width * 4..(y + 1) * self.width * 4].as_chunks_mut::<4>();
+        let [r, g, b] = self.paper;
+        if self.side == 1 {
+            let reach = sums.reach[y].start as usize..sums.reach[y].end as usize;
+            out[..reach.start].fill([r, g, b, u8::MAX]);
+            out[reach.end..].fill([r, g, b, u8::MAX]);
+            let at = y * sums.width;
+            let values = &sums.values[(at + reach.start) * sums.planes..(at + reach.end) * sums.planes];
+            self.colour(values, sums.planes, &mut out[reach]);
+        } else {
+            let mut row = core::mem::take(&mut self.row);
+            self.between(sums, y, &mut row);
+            self.colour(&row, sums.planes, out);
+            self.row = row;
+        }
+        self.pixels = pixels;
+    }
+
+    fn colour(&self, values: &[f32], planes: usize, out: &mut [[u8; 4]]) {
+        if planes == 1 {
+            for (pixel, &value) in out.iter_mut().zip(values) {
+                *pixel = self.shades[key(value)];
+            }
+            return;
+        }
+        for (pixel, values) in out.iter_mut().zip(values.chunks_exact(4)) {
+            let shown = self.layers[key(values[0])];
+            let part = if values[0] > 0.0 { shown / values[0] } else { 0.0 };
+            let [r, g, b] = [0, 1, 2].map(|channel| self.light(channel, values[1 + channel] * part));
+            *pixel = [r, g, b, u8::MAX];
+        }
+    }
+
+    /// A row of sums, one for each pixel, between those of larger places.
+    fn between(&self, sums: &Sheet, y: usize, out: &mut Vec<f32>) {
+        out.clear();
+        let near = |pixel: usize, end: usize| {
+            let at = (pixel as f32 + 0.5) / self.side as f32 - 0.5;
+            let first = at.max(0.0) as usize;
+            (first.min(end - 1), (first + 1).min(end - 1), (at - first as f32).clamp(0.0, 1.0))
+        };
+        let (above, below, down) = near(y, sums.height);
+        for x in 0..self.width {
+            let (left, right, across) = near(x, sums.width);
+            for plane in 0..sums.planes {
+                let value = |row: usize, column: usize| sums.values[(row * sums.width + column) * sums.planes + plane];
+                let upper = value(above, left) + across * (value(above, right) - value(above, left));
+                let lower = value(below, left) + across * (value(below, right) - value(below, left));
+                out.push(upper + down * (lower - upper));
+            }
+        }
+    }
+}
+
+/// The colour at a place, from 0 to 1, along a ramp.
+fn along(ramp: &[[u8; 3]], place: f64) -> [u8; 3] {
+    let place = place.clamp(0.0, 1.0) * (ramp.len() - 1) as f64;
+    let from = (place as usize).min(ramp.len().saturating_sub(2));
+    let part = place - from as f64;
+    let [a, b] = [from, from + 1].map(|at| ramp.get(at).copied().unwrap_or_default());
+    [0, 1, 2].map(|i| libm::round(f64::from(a[i]) * (1.0 - part) + f64::from(b[i]) * part) as u8)
+}

@@ -1,0 +1,236 @@
+//! What is at a place of a picture in the plane.
+
+use super::descent::{Descent, Node};
+use super::inks::Choice;
+use super::search::{Aim, Order, Pick, Pointer, Sight, covers, nearest_on, search};
+use super::seen::Seen;
+use super::view::{Camera, View, Viewport};
+use lsystem_drawing::{BlockId, Drawing, Placed, Plane, Polygon, Stroke};
+
+/// What is near a place of a picture: what is drawn last of the polygons that are filled there and of the segments within
+/// a quarter of the tolerance; where there are none, the nearest, to a 32nd of the tolerance. It descends as the renderer
+/// does, so it is right at any magnification at which the picture is. Where many blocks overlap it gives the best of what
+/// it may look at. Segments and polygons beyond the first 2^128 - 1 are not found.
+#[must_use]
+pub fn pick(drawing: &Drawing, viewport: Viewport, view: View, pointer: &Pointer) -> Option<Pick> {
+    let camera = Camera::new(drawing, viewport, view, 1.0);
+    let mut descent = Descent::default();
+    let root = descent.root(drawing, camera)?;
+    let mut sight = Page { drawing, at: pointer.at, descent, seen: Seen::default(), step: camera.step };
+    search(drawing, pointer, &mut sight, root, Order::Best)
+}
+
+/// The plane beside a pointer.
+struct Page<'a> {
+    drawing: &'a Drawing,
+    at: [f64; 2],
+    descent: Descent,
+    seen: Seen,
+    /// Device pixels in a step length.
+    step: f64,
+}
+
+impl Page<'_> {
+    /// What is `distance` away.
+    fn aim(distance: f64) -> Aim {
+        Aim { distance, depth: 0.0, off: 0.0 }
+    }
+}
+
+impl Sight<Plane> for Page<'_> {
+    type Place = Node;
+
+    fn inside(&mut self, node: &Node, placed: &Placed) -> Node {
+        self.descent.child(self.drawing, Choice::default(), node, placed)
+    }
+
+    fn is_new(&mut self, id: BlockId, Node { place, pen, .. }: &Node) -> bool {
+        // Larger ones are few, and rounded.
+        const LARGE: f64 = (1_u64 << 24) as f64;
+        let along = [place.origin[0] + place.cos, place.origin[1] + place.sin];
+        place.scale > LARGE || self.seen.paint([u64::from(id.0), pen.width.to_bits()], [place.origin, along])
+    }
+
+    fn scale(&self, node: &Node) -> f64 {
+        node.place.scale
+    }
+
+    fn block(&self, id: BlockId, Node { place, pen, .. }: &Node) -> Option<Aim> {
+        /// In units of the block: what hulls and places on a canvas are rounded by.
+        const ROUGH: f64 = 1e-11;
+        let block = &self.drawing.blocks[id.0 as usize];
+        let corners = self.drawing.corners_of(block);
+        // In units of the block.
+        let at = place.within(self.at);
+        let (mut away, mut inside) = (f64::INFINITY, corners.len() > 2);
+        let mut from = *corners.last()?;
+        for &to in corners {
+            away = away.min(nearest_on(at, [from, to]).0);
+            // Corners go counter-clockwise.
+            inside &= (to[0] - from[0]) * (at[1] - from[1]) - (to[1] - from[1]) * (at[0] - from[0]) >= 0.0;
+            from = to;
+        }
+        let radius = self.step * block.widest.of(pen.width).max(0.0) / 2.0;
+        let distance = if inside { 0.0 } else { (place.scale * (away - ROUGH) - radius).max(0.0) };
+        Some(Self::aim(distance))
+    }
+
+    fn stroke(&self, node: &Node, stroke: &Stroke) -> Option<Aim> {
+        let axis = nearest_on(self.at, [stroke.from, stroke.to].map(|end| node.place.point(end))).0;
+        let width = self.drawing.styles[stroke.style.0 as usize].width.of(node.pen.width);
+        Some(Self::aim((axis - self.step * width / 2.0).max(0.0)))
+    }
+
+    fn polygon(&self, node: &Node, polygon: &Polygon) -> Option<Aim> {
+        let vertices = self.drawing.vertices_of(polygon).iter();
+        let outline: Vec<_> = vertices.map(|&vertex| node.place.point(vertex)).collect();
+        let sides = outline.iter().zip(outline.iter().cycle().skip(1));
+        let beside = sides.map(|(&from, &to)| nearest_on(self.at, [from, to]).0).fold(f64::INFINITY, f64::min);
+        Some(Self::aim(if covers(&outline, self.at) { 0.0 } else { beside }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::search::Target;
+    use super::super::tests::{hard, picture};
+    use super::*;
+    use crate::{PlaneRenderer, Renderer, fitted_ends};
+    use lsystem_drawing::Item;
+    use lsystem_syntax::{ColourBy, Style};
+    use std::sync::Arc;
+
+    const VIEWPORT: Viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+
+    /// Where the view shows the middle of a segment, in device pixels, and its ends.
+    fn shown(drawing: &Drawing, view: View, number: u128) -> [[f64; 2]; 2] {
+        let scale = crate::fitted_scale(drawing, VIEWPORT) * view.zoom;
+        fitted_ends(drawing, number).unwrap().map(|[x, y, fine_x, fine_y]| {
+            let [dx, dy] = [x - view.x + (fine_x - view.fine[0]), y - view.y + (fine_y - view.fine[1])];
+            [160.0 + scale * dx, 100.0 - scale * dy]
+        })
+    }
+
+    /// The number of some segment of the smallest blocks, in the midst of a drawing.
+    fn deep(drawing: &Drawing, way: usize) -> u128 {
+        let (mut block, mut number) = (drawing.root.unwrap(), 0);
+        for depth in 0.. {
+            let items = drawing.items_of(block);
+            let inner = |item: &Item| match item {
+                Item::Block(placed) => Some(placed.block),
+                _ => None,
+            };
+            let blocks: Vec<usize> = (0..items.len()).filter(|&i| inner(&items[i]).is_some()).collect();
+            let stroke = items.iter().position(|item| matches!(item, Item::Stroke(_)));
+            let chosen =
+                if blocks.is_empty() { stroke } else { Some(blocks[(way + depth % (2 + way)) % blocks.len()]) };
+            let chosen = chosen.unwrap();
+            number += items[..chosen].iter().map(|item| drawing.segments_in(item)).sum::<u128>();
+            match inner(&items[chosen]) {
+                Some(inside) => block = inside,
+                None => break,
+            }
+        }
+        number
+    }
+
+    /// At any magnification a segment is found where it is, what is found is there, and it is what the picture shows.
+    #[test]
+    fn segments_are_found_at_any_depth() {
+        let mut renderer = Renderer::new();
+        let mut deepest = 0;
+        for (name, sample) in hard() {
+            let style = Style { colour_by: ColourBy::Single, ..Style::default() };
+            let n = match name {
+                "dragon" => 120,
+                "plant f" | "plant d" => 60,
+                _ => 40,
+            };
+            let drawing = Arc::new(sample.draw(n));
+            assert!(drawing.segment_count() < u128::MAX);
+            let fitted = crate::fitted_scale(&drawing, VIEWPORT);
+            // Too many blocks lie upon each other to look into all of them.
+            let crowded = name == "bush" || name == "coloured c";
+            renderer.load(drawing.clone());
+            for (zoom, way) in [1.0, 1e6, 1e12, 1e15, 1e18].into_iter().flat_map(|zoom| [(zoom, 0), (zoom, 3)]) {
+                let number = deep(&drawing, way);
+                let [from, to] = fitted_ends(&drawing, number).unwrap();
+                // The segment goes through a place a little aside of the middle of the picture.
+                let aside = [23.0, -17.0].map(|pixels| pixels / (fitted * zoom));
+                let view = View { x: from[0], y: from[1], zoom, fine: [from[2] - aside[0], from[3] - aside[1]] };
+                let ends = shown(&drawing, view, number);
+                if (ends[1][0] - ends[0][0]).abs().max((ends[1][1] - ends[0][1]).abs()) > 1e6 {
+                    continue;
+                }
+                let at = [183.0, 117.0];
+                assert!(nearest_on(at, ends).0 < 1e-3, "{name} {zoom} {ends:?} {to:?}");
+                // Its outline is it, however short it is beside the drawing.
+                for end in [from, to] {
+                    let on = |corner: &[f64; 4]| {
+                        [0, 1].map(|i| fitted * zoom * (corner[i] - end[i] + (corner[i + 2] - end[i + 2])).abs())
+                    };
+                    let outline = crate::fitted_outline(&drawing, number..number + 1);
+                    assert!(
+                        outline.len() == 2 && outline.iter().any(|corner| on(corner).iter().all(|&off| off < 0.01))
+                    );
+                }
+                let pointer = Pointer { at, tolerance: 2.0, upto: None, visits: 20_000 };
+                let Some(found) = pick(&drawing, VIEWPORT, view, &pointer) else {
+                    assert!(crowded, "{name} {zoom}");
+                    continue;
+                };
+                let Target::Segment(segment) = found.target else { panic!("{name} has no polygons") };
+                let away = nearest_on(at, shown(&drawing, view, segment)).0;
+                assert!((found.distance - away).abs() < 1e-3 && away <= 0.5, "{name} {zoom} {found:?} {away}");
+                deepest += i32::from(zoom >= 1e15);
+                // Played up to there, it is not there any more.
+                let before = pick(&drawing, VIEWPORT, view, &Pointer { upto: Some(number), ..pointer });
+                assert!(
+                    before.is_none_or(|pick| matches!(pick.target, Target::Segment(other) if other < number)),
+                    "{name} {zoom} {before:?}"
+                );
+
+                if crowded {
+                    continue;
+                }
+                picture(&mut renderer, &style, VIEWPORT, view);
+                let ink = |x: usize, y: usize| renderer.pixels()[4 * (y * 320 + x)] != style.background.rgb[0];
+                for k in 0..60 {
+                    let (x, y) = (k * 67 % 320, k * 31 % 200);
+                    let pixel = [x as f64 + 0.5, y as f64 + 0.5];
+                    let near = |tolerance| Pointer { at: pixel, tolerance, ..pointer };
+                    if pick(&drawing, VIEWPORT, view, &near(0.2)).is_some() {
+                        assert!(ink(x, y), "{name} {zoom} {pixel:?}");
+                    } else if pick(&drawing, VIEWPORT, view, &near(1.3)).is_none() {
+                        assert!(!ink(x, y), "{name} {zoom} {pixel:?}");
+                    }
+                }
+            }
+        }
+        assert!(deepest > 12, "{deepest}");
+    }
+
+    /// Wherever there is something, soon something is found that is as near.
+    #[test]
+    fn crowds_are_picked_within_a_budget() {
+        let viewport = Viewport { width: 1280, height: 800, ratio: 1.0 };
+        for (name, sample) in hard() {
+            let drawing = sample.draw(40);
+            let fitted = crate::fitted_scale(&drawing, viewport);
+            for zoom in [1.0, 30.0, 1e3, 1e6, 1e9] {
+                for k in 0..50 {
+                    let number = drawing.segment_count() / 51 * (k + 1) + 977 * k;
+                    let [from, _] = fitted_ends(&drawing, number).unwrap();
+                    let aside = [23.0, -17.0].map(|pixels| pixels / (fitted * zoom));
+                    let view = View { x: from[0], y: from[1], zoom, fine: [from[2] - aside[0], from[3] - aside[1]] };
+                    let pointer = Pointer { at: [663.0, 417.0], tolerance: 2.0, upto: None, visits: 20_000 };
+                    let found = pick(&drawing, viewport, view, &pointer);
+                    assert!(
+                        found.is_some_and(|pick| pick.distance <= pointer.enough()),
+                        "{name} {zoom} {number} {found:?}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,231 @@
+//! A filled polygon, row by row.
+
+use super::canvas::{Canvas, GROUP, NOTHING, Spans};
+use core::ops::Range;
+use lsystem_syntax::{Meter, Progress};
+
+/// Where the outline crosses a row, and whether downwards.
+pub(super) type Crossing = (f64, i32);
+/// Side of an outline: from one corner to the next.
+pub(super) type Side = [[f64; 2]; 2];
+/// A row with more crossings than this is filled without sorting them.
+pub(super) const MANY: usize = 1 << 12;
+/// Sides of an outline that are looked at in a unit of work.
+const SIDES: usize = 8;
+
+/// A polygon that is being filled.
+#[derive(Debug, Default)]
+pub(super) struct Filling {
+    /// On the subsample lattice, y down.
+    vertices: Vec<[f64; 2]>,
+    colour: u32,
+    /// Those that are still to be filled.
+    rows: Range<usize>,
+    /// The sides that the rows in hand may cross.
+    sides: Vec<Side>,
+    crossings: Vec<Crossing>,
+    /// The first spans of the rows of a group, their second spans, and so on.
+    layers: Vec<Spans>,
+    /// By column: how the winding changes there, where a row has very many crossings.
+    changes: Vec<i32>,
+    /// Rows and spans so far.
+    pub work: usize,
+}
+
+impl Filling {
+    /// Starts to paint every subsample whose centre the outline winds around a number of times other than zero;
+    /// `vertices` on the subsample lattice, y down. The units of work that this took.
+    pub(super) fn begin(&mut self, canvas: &Canvas, vertices: impl Iterator<Item = [f64; 2]>, colour: u32) -> u64 {
+        let [_, height] = canvas.size();
+        (self.colour, self.rows, self.work) = (colour, 0..0, 0);
+        self.vertices.clear();
+        self.vertices.extend(vertices);
+        let ends = self
+            .vertices
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [_, y]| [low.min(*y), high.max(*y)]);
+        let first = (ends[0] - 0.5).ceil().max(0.0);
+        let last = (ends[1] - 0.5).floor().min(height - 1.0);
+        if first <= last && self.vertices.iter().flatten().all(|c| c.is_finite()) {
+            self.rows = first as usize..last as usize + 1;
+        }
+        1 + (self.vertices.len() / SIDES) as u64
+    }
+
+    /// Whether there is nothing to be filled.
+    pub(super) fn is_done(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// Goes on, a group of rows at a time.
+    pub(super) fn step(&mut self, canvas: &mut Canvas, meter: &mut Meter) -> Progress {
+        while !self.is_done() {
+            if meter.is_spent() {
+                return Progress::More;
+            }
+            meter.charge(self.group(canvas));
+        }
+        Progress::Done
+    }
+
+    /// Fills all of it at once, for outlines of few corners; the units of work that this took.
+    pub(super) fn finish(&mut self, canvas: &mut Canvas) -> u64 {
+        let mut units = 0;
+        while !self.is_done() {
+            units += self.group(canvas);
+        }
+        units
+    }
+
+    /// Fills the rows of the next group; the units of work that this took.
+    fn group(&mut self, canvas: &mut Canvas) -> u64 {
+        let right = canvas.size()[0];
+        let start = self.rows.start;
+        let rows = start..self.rows.end.min(start / GROUP * GROUP + GROUP);
+        self.rows.start = rows.end;
+        let mut units =
+            sides_in(&self.vertices, [rows.start, rows.end - 1].map(|row| row as f64 + 0.5), &mut self.sides);
+        self.layers.clear();
+        for row in rows.clone() {
+            units += crossings(&self.sides, row as f64 + 0.5, &mut self.crossings);
+            let layers = &mut self.layers;
+            let mut layer = 0;
+            let mut work = 0;
+            let mut span = |start: f64, x: f64| {
+                // From the first to the last centre between the two.
+                let from = (start - 0.5).ceil().clamp(0.0, right) as i64;
+                let to = (x - 0.5).floor().clamp(-1.0, right - 1.0) as i64;
+                if from <= to {
+                    if layer == layers.len() {
+                        layers.push([NOTHING; GROUP]);
+                    }
+                    layers[layer][row % GROUP] = [from, to];
+                    layer += 1;
+                }
+                work += 1;
+            };
+            if self.crossings.len() > MANY {
+                let columns = right as usize;
+                spans_of_many(&self.crossings, columns, &mut self.changes, |from, to| {
+                    span(from as f64 + 0.5, to as f64 + 0.5);
+                });
+                units += ((self.crossings.len() + columns) / SIDES) as u64;
+            } else {
+                spans_of_few(&mut self.crossings, &mut span);
+                units += self.crossings.len() as u64 / 2;
+            }
+            self.work += work + self.vertices.len() / 8;
+        }
+        for layer in &self.layers {
+            let reach = layer.iter().fold(NOTHING, |[a, b], &[first, last]| [a.min(first), b.max(last)]);
+            canvas.fill(
+                rows.clone(),
+                self.colour,
+                |_| reach,
+                |_, spans| {
+                    *spans = *layer;
+                    reach
+                },
+            );
+        }
+        units + self.layers.len() as u64 + canvas.take_work()
+    }
+}
+
+/// Collects the sides of an outline that lie between two heights, at least in part; the units of work that this took.
+pub(super) fn sides_in(vertices: &[[f64; 2]], [top, bottom]: [f64; 2], sides: &mut Vec<Side>) -> u64 {
+    sides.clear();
+    let next = vertices.iter().cycle().skip(1);
+    // A side that ends above the first row, or begins below the last, crosses none of them.
+    let crosses = |&(a, b): &(&[f64; 2], &[f64; 2])| a[1].max(b[1]) >= top && a[1].min(b[1]) <= bottom;
+    sides.extend(vertices.iter().zip(next).filter(crosses).map(|(&a, &b)| [a, b]));
+    1 + (vertices.len() / SIDES) as u64
+}
+
+/// Finds where sides cross a row; the units of work that this took.
+fn crossings(sides: &[Side], y: f64, crossings: &mut Vec<Crossing>) -> u64 {
+    crossings.clear();
+    for &[[x0, y0], [x1, y1]] in sides {
+        if (y0 <= y) != (y1 <= y) {
+            let x = x0 + (y - y0) / (y1 - y0) * (x1 - x0);
+            crossings.push((x, if y0 < y1 { 1 } else { -1 }));
+        }
+    }
+    (sides.len() / SIDES) as u64
+}
+
+/// Finds where a row is inside: from one crossing to another.
+fn spans_of_few(crossings: &mut [Crossing], mut span: impl FnMut(f64, f64)) {
+    crossings.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    let (mut winding, mut start) = (0, 0.0);
+    for &(x, way) in &*crossings {
+        if winding == 0 {
+            start = x;
+        }
+        winding += way;
+        if winding == 0 {
+            span(start, x);
+        }
+    }
+}
+
+/// The same from column to column, in a time that grows no faster than the number of crossings.
+fn spans_of_many(crossings: &[Crossing], columns: usize, changes: &mut Vec<i32>, mut span: impl FnMut(usize, usize)) {
+    changes.clear();
+    changes.resize(columns + 1, 0);
+    for &(x, way) in crossings {
+        changes[(x - 0.5).ceil().clamp(0.0, columns as f64) as usize] += way;
+    }
+    let (mut winding, mut start) = (0, 0);
+    for (column, change) in changes.iter().enumerate().take(columns) {
+        let before = winding;
+        winding += change;
+        if before == 0 {
+            start = column;
+        } else if winding == 0 {
+            span(start, column - 1);
+        }
+    }
+    if winding != 0 {
+        span(start, columns - 1);
+    }
+}
+
+/// Paints a polygon at once.
+#[cfg(test)]
+pub(super) fn paint(canvas: &mut Canvas, vertices: &[[f64; 2]], colour: u32) {
+    let mut filling = Filling::default();
+    filling.begin(canvas, vertices.iter().copied(), colour);
+    filling.finish(canvas);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn however_many_crossings_a_row_has_the_same_columns_are_inside() {
+        let mut state = 1_u32;
+        let mut number = |most: u32| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) % most
+        };
+        for count in [2, 4, 10, 60] {
+            let mut row: Vec<Crossing> = vec![];
+            for _ in 0..count / 2 {
+                // No crossing is at the centre of a column.
+                row.extend([1, -1].map(|way| (f64::from(number(1200)) / 10.0 - 10.03, way)));
+            }
+            let (mut few, mut many) = (vec![false; 100], vec![false; 100]);
+            spans_of_many(&row, 100, &mut vec![], |from, to| many[from..=to].fill(true));
+            spans_of_few(&mut row, |from, to| {
+                let from = (from - 0.5).ceil().clamp(0.0, 100.0) as usize;
+                let to = (to - 0.5).floor().clamp(-1.0, 99.0);
+                if to >= from as f64 {
+                    few[from..=to as usize].fill(true);
+                }
+            });
+            assert_eq!(few, many, "{row:?}");
+        }
+    }
+}

@@ -1,0 +1,263 @@
+//! From subsamples to pixels.
+
+use super::canvas::{Canvas, GROUP, Group};
+use super::{Detail, Pane};
+use core::ops::Range;
+use lsystem_syntax::{Meter, Progress, Style};
+
+/// The finished pixels and the way to them.
+#[derive(Default)]
+pub(super) struct Output {
+    width: usize,
+    height: usize,
+    pixels: Vec<u8>,
+    palette: Vec<[u32; 3]>,
+    background: [u32; 3],
+    /// By palette entry, then by how many of a pixel's subsamples have it: the pixel.
+    shades: Vec<[[u8; 4]; 32]>,
+    /// By cell, then strip: whether the pixels there are not background.
+    inked: Vec<bool>,
+    detail: Detail,
+    /// The next cell to do.
+    next: usize,
+}
+
+/// Bytes that are cleared in a unit of work.
+const CLEARED: usize = 1024;
+/// Pixels along the side of a cell of 4x4 subsamples each.
+const SIDE: usize = 16;
+
+impl Output {
+    /// Starts a pane of a picture whose colours have the palette entries `inks`, by number; the units of work that this
+    /// took.
+    pub(super) fn begin(&mut self, style: &Style, inks: &[u32], pane: Pane, detail: Detail) -> u64 {
+        let mut work = inks.len() as u64;
+        let (width, height) = (pane.width as usize, pane.height as usize);
+        let background = style.background.rgb.map(u32::from);
+        let known = (self.width, self.height, self.background, self.detail) == (width, height, background, detail);
+        if !known || self.pixels.is_empty() {
+            (self.width, self.height, self.background, self.detail) = (width, height, background, detail);
+            let [r, g, b] = style.background.rgb;
+            self.pixels.clear();
+            self.pixels.resize(width * height * 4, u8::MAX);
+            if style.background.rgb != [u8::MAX; 3] {
+                self.pixels.as_chunks_mut().0.fill([r, g, b, u8::MAX]);
+            }
+            self.inked.clear();
+            let side = 4 * SIDE / detail.samples();
+            self.inked.resize(width.div_ceil(side) * height.div_ceil(side), false);
+            work += (self.pixels.len() / CLEARED) as u64;
+        }
+        self.palette.clear();
+        self.palette.extend(inks.iter().map(|&ink| style.ink(ink).rgb.map(u32::from)));
+        if self.palette.is_empty() {
+            self.palette.push([0; 3]);
+        }
+        self.shades.clear();
+        self.shades.extend(self.palette.iter().map(|colour| {
+            core::array::from_fn(|count| {
+                let count = (count as u32).min(16);
+                let mix = |c: usize| ((colour[c] * count + background[c] * (16 - count) + 8) / 16) as u8;
+                [mix(0), mix(1), mix(2), u8::MAX]
+            })
+        }));
+        self.next = 0;
+        work
+    }
+
+    pub(super) fn pixels(&self) -> &[u8] {
+        &self.pixels
+    }
+
+    /// Makes pixels of the subsamples, cell by cell from side to side: downwards each row of pixels would be in another
+    /// page of memory, and with more rows than the processor knows addresses of pages that takes several times as long.
+    pub(super) fn step(&mut self, frame: &Canvas, meter: &mut Meter) -> Progress {
+        while self.next < self.inked.len() {
+            if meter.is_spent() {
+                return Progress::More;
+            }
+            let (cell, strip) = (self.next / frame.strips.max(1), self.next % frame.strips.max(1));
+            let touched = strip < frame.strips && cell < frame.cells && frame.is_touched(strip, cell);
+            if touched || self.inked[self.next] {
+                meter.charge(self.cell(frame, strip, cell));
+                self.inked[self.next] = touched;
+            }
+            meter.charge(1);
+            self.next += 1;
+        }
+        Progress::Done
+    }
+
+    /// Makes pixels of a cell; what that took.
+    fn cell(&mut self, frame: &Canvas, strip: usize, cell: usize) -> u64 {
+        let samples = self.detail.samples();
+        let side = u64::BITS as usize / samples;
+        let left = strip * side;
+        let right = (left + side).min(self.width);
+        let mut work = 0;
+        for group in frame.groups(cell) {
+            let rows = GROUP / samples;
+            let rows = group * rows..(group * rows + rows).min(self.height);
+            let plain = match frame.group(strip, group) {
+                Group::Bare => self.shades[0][0],
+                Group::Plain(ink) => self.shades[usize::from(ink).min(self.palette.len() - 1)][16],
+                Group::Mixed => {
+                    work += 4;
+                    for y in rows {
+                        let at = strip * frame.rows + y * samples;
+                        let pixels = y * self.width + left..y * self.width + right;
+                        match self.detail {
+                            Detail::Fine => self.row(frame, at, pixels),
+                            Detail::Coarse => self.coarse_row(frame, at, pixels),
+                        }
+                    }
+                    continue;
+                }
+            };
+            for y in rows {
+                let out = &mut self.pixels[(y * self.width + left) * 4..(y * self.width + right) * 4];
+                out.as_chunks_mut().0.fill(plain);
+            }
+        }
+        work
+    }
+
+    /// Makes pixels of the four words from one on.
+    fn row(&mut self, frame: &Canvas, at: usize, pixels: Range<usize>) {
+        let covered = rows(&frame.covered, at);
+        let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
+        if any(covered) == 0 {
+            out.fill(self.shades[0][0]);
+            return;
+        }
+        let planes = || planes(frame, at);
+        let (ink, same) = first_ink(planes(), covered);
+        let ink = ink.min(self.palette.len() - 1);
+        if same == [u64::MAX; 4] {
+            out.fill(self.shades[ink][16]);
+        } else if same == covered {
+            let counts = counts(same);
+            let shades = &self.shades[ink];
+            let (mut even, mut odd) = (counts.even, counts.odd);
+            for pair in out.chunks_mut(2) {
+                pair[0] = shades[(even & 31) as usize];
+                if let [_, second] = pair {
+                    *second = shades[(odd & 31) as usize];
+                }
+                (even, odd) = (even >> 8, odd >> 8);
+            }
+        } else {
+            self.mixed(planes, covered, pixels);
+        }
+    }
+
+    /// Makes pixels of a word whose subsamples are pixels.
+    fn coarse_row(&mut self, frame: &Canvas, at: usize, pixels: Range<usize>) {
+        let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
+        let covered = frame.covered[at];
+        for (x, pixel) in out.iter_mut().enumerate() {
+            let digits = frame.colour_planes().enumerate();
+            let ink: usize = digits.map(|(digit, plane)| ((plane[at] >> x & 1) as usize) << digit).sum();
+            let count = if covered >> x & 1 != 0 { 16 } else { 0 };
+            *pixel = self.shades[ink.min(self.palette.len() - 1)][count];
+        }
+    }
+
+    /// A row of pixels in a cell where colours meet.
+    fn mixed<'a, I: Iterator<Item = &'a [u64; 4]>>(
+        &mut self,
+        planes: impl Fn() -> I,
+        covered: [u64; 4],
+        pixels: Range<usize>,
+    ) {
+        const BYTES: u64 = 0x00ff_00ff_00ff_00ff;
+        // Of every fourth pixel, by the first of them and by channel: sixteenths, at most 16 * 255, in 16 bits each.
+        let mut sums = [[0x0008_0008_0008_0008_u64; 3]; 4];
+        let mut add = |words: [u64; 4], colour: [u32; 3]| {
+            let Counts { even, odd } = counts(words);
+            let counts = [even, odd, even >> 8, odd >> 8].map(|counts| counts & BYTES);
+            for (sums, counts) in sums.iter_mut().zip(counts) {
+                for (sum, channel) in sums.iter_mut().zip(colour) {
+                    *sum += counts * u64::from(channel);
+                }
+            }
+        };
+        let bare = covered.map(|word| !word);
+        if any(bare) != 0 {
+            add(bare, self.background);
+        }
+        let mut rest = covered;
+        while any(rest) != 0 {
+            let (ink, same) = first_ink(planes(), rest);
+            add(same, self.palette[ink.min(self.palette.len() - 1)]);
+            rest = [0, 1, 2, 3].map(|row| rest[row] & !same[row]);
+        }
+        let halves = sums.map(|[r, g, b]| {
+            let [r, g, b] = [r, g, b].map(|sum| sum >> 4 & BYTES);
+            [r | g << 8, b | BYTES << 8]
+        });
+        let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
+        for (x, pixel) in out.iter_mut().enumerate().take(SIDE) {
+            let [low, high] = halves[x % 4].map(|half| (half >> (x / 4 * 16)) as u16);
+            *pixel = (u32::from(low) | u32::from(high) << 16).to_le_bytes();
+        }
+    }
+}
+
+/// The four words of a row of pixels.
+#[inline(always)]
+fn rows(words: &[u64], at: usize) -> [u64; 4] {
+    words[at..].first_chunk().copied().unwrap_or_default()
+}
+
+/// The same of each plane of colours, where they are: to copy them all takes longer than to look at some.
+#[inline(always)]
+fn planes(frame: &Canvas, at: usize) -> impl Iterator<Item = &[u64; 4]> {
+    frame.colour_planes().filter_map(move |plane| plane[at..].first_chunk())
+}
+
+/// The columns in which any of the words has a bit.
+#[inline(always)]
+fn any([a, b, c, d]: [u64; 4]) -> u64 {
+    a | b | c | d
+}
+
+/// The ink of a subsample of `rest`, and all of `rest` that has the same, by the planes of a row of pixels.
+#[inline(always)]
+fn first_ink<'a>(planes: impl Iterator<Item = &'a [u64; 4]>, rest: [u64; 4]) -> (usize, [u64; 4]) {
+    let bit = any(rest).trailing_zeros() & 63;
+    // Its row, without a branch: nobody could foretell it.
+    let [a, b, c, _] = rest.map(|word| !(word >> bit) as usize & 1);
+    let row = a * (1 + b * (1 + c));
+    let (mut ink, mut same) = (0, rest);
+    for (digit, plane) in planes.enumerate() {
+        let one = plane[row] >> bit & 1;
+        ink |= (one as usize) << digit;
+        // All ones where the digit is 0, so that equal digits give ones.
+        let flip = one.wrapping_sub(1);
+        for (same, plane) in same.iter_mut().zip(plane) {
+            *same &= plane ^ flip;
+        }
+    }
+    (ink, same)
+}
+
+/// How many subsamples of each of 16 pixels are set; pixels of even and odd places apart, a byte each.
+struct Counts {
+    even: u64,
+    odd: u64,
+}
+
+fn counts(words: [u64; 4]) -> Counts {
+    const PAIRS: u64 = 0x5555_5555_5555_5555;
+    const FOURS: u64 = 0x3333_3333_3333_3333;
+    const BYTES: u64 = 0x0f0f_0f0f_0f0f_0f0f;
+    let mut sum = Counts { even: 0, odd: 0 };
+    for word in words {
+        let pairs = word - (word >> 1 & PAIRS);
+        let fours = (pairs & FOURS) + (pairs >> 2 & FOURS);
+        sum.even += fours & BYTES;
+        sum.odd += fours >> 4 & BYTES;
+    }
+    sum
+}

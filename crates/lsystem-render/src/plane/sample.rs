@@ -1,0 +1,190 @@
+//! Drawings and a brute-force picture for the tests of this module.
+
+use super::view::Camera;
+use super::{View, Viewport};
+use lsystem_drawing::{BlockId, Drawing, Item, StyleChange, System, draw};
+use lsystem_syntax::{Colour, Definition, Dialect, Limits, Style, Tint};
+
+/// Subsamples along one side of a pixel, by definition.
+const SAMPLES: f64 = 4.0;
+
+/// A system to be drawn at several n.
+#[derive(Clone, Debug)]
+pub(super) struct Sample(pub Definition);
+
+impl Sample {
+    pub(super) fn abop(axiom: &str, rules: &[(char, &str)], angle: f64) -> Self {
+        let rules: Vec<String> = rules.iter().map(|(predecessor, word)| format!("{predecessor} -> {word}")).collect();
+        Self(Definition { axiom: axiom.into(), rules: rules.join("\n"), angle, ..Definition::default() })
+    }
+
+    pub(super) fn lowercase(axiom: &str, rules: &[(char, &str)], angle: f64) -> Self {
+        let Self(abop) = Self::abop(axiom, rules, angle);
+        Self(Definition { dialect: Dialect::Lowercase, ..abop })
+    }
+
+    /// With this stroke width, in steps.
+    pub(super) fn wide(mut self, width: f64) -> Self {
+        self.0.style.width = width;
+        self
+    }
+
+    pub(super) fn draw(&self, n: u32) -> Drawing {
+        let (system, diagnostics) = System::new(&self.0);
+        let system = system.unwrap_or_else(|| panic!("{diagnostics:?}"));
+        draw(&system, n, &Limits::default()).unwrap_or_else(|d| panic!("{d:?}"))
+    }
+}
+
+/// The turtle's colour index, branch level and width in steps.
+#[derive(Clone, Copy)]
+struct Pen {
+    colour: i32,
+    level: u32,
+    width: f64,
+}
+
+impl Pen {
+    fn after(self, change: &StyleChange) -> Self {
+        Self {
+            colour: change.colour.of(self.colour),
+            level: self.level + change.level,
+            width: change.width.of(self.width),
+        }
+    }
+
+    fn colour(self, style: &Style, place: f64) -> Colour {
+        style.colour_of(Tint { index: self.colour, level: self.level, place })
+    }
+}
+
+/// The picture by definition: every segment in drawing order, every subsample by its distance.
+pub(super) fn brute_force(drawing: &Drawing, style: &Style, viewport: Viewport, view: View) -> Vec<u8> {
+    brute_force_until(drawing, style, viewport, view, usize::MAX)
+}
+
+/// As [`brute_force`], of the first `upto` segments.
+pub(super) fn brute_force_until(
+    drawing: &Drawing,
+    style: &Style,
+    viewport: Viewport,
+    view: View,
+    upto: usize,
+) -> Vec<u8> {
+    let (mut left, mut ended) = (upto, false);
+    let camera = Camera::new(drawing, viewport, view, SAMPLES);
+    let (width, height) = (viewport.width as i64 * 4, viewport.height as i64 * 4);
+    let mut inks = vec![None; (width * height) as usize];
+    let hairline = (style.min_width * viewport.ratio).max(1.0) * SAMPLES / 2.0;
+    // Complex numbers: multiply by the turn and scale, then add.
+    type Place = ([f64; 2], [f64; 2]);
+    fn at((origin, turn): Place, p: [f64; 2]) -> [f64; 2] {
+        [origin[0] + turn[0] * p[0] - turn[1] * p[1], origin[1] + turn[1] * p[0] + turn[0] * p[1]]
+    }
+    type Out<'a> = dyn FnMut(&[[f64; 2]], bool, Pen) + 'a;
+    fn visit(drawing: &Drawing, block: BlockId, place: Place, pen: Pen, out: &mut Out<'_>) {
+        let range = drawing.blocks[block.0 as usize].items.clone();
+        for item in &drawing.items[range.start as usize..range.end as usize] {
+            match item {
+                Item::Stroke(s) => {
+                    let ends = [at(place, s.from), at(place, s.to)];
+                    out(&ends, false, pen.after(&drawing.styles[s.style.0 as usize]));
+                }
+                Item::Polygon(p) => {
+                    let vertices: Vec<_> = drawing.vertices_of(p).iter().map(|&vertex| at(place, vertex)).collect();
+                    out(&vertices, true, pen.after(&drawing.styles[p.style.0 as usize]));
+                }
+                Item::Block(p) => {
+                    let (c, s) = p.heading.cos_sin();
+                    let turn = [c * p.scale, s * p.scale];
+                    let turned = at(([0.0; 2], place.1), turn);
+                    visit(
+                        drawing,
+                        p.block,
+                        (at(place, p.at), turned),
+                        pen.after(&drawing.styles[p.style.0 as usize]),
+                        out,
+                    );
+                }
+            }
+        }
+    }
+    let pen = Pen { colour: 0, width: drawing.width, level: 0 };
+    let [x, y] = camera.place(Default::default());
+    let start = ([x, -y], [camera.scale, 0.0]);
+    visit(drawing, drawing.root.unwrap(), start, pen, &mut |points, filled, pen| {
+        let all = drawing.segment_count() as f64;
+        let number = (upto - left) as f64;
+        if filled {
+            let colour = pen.colour(style, number / all);
+            let points: Vec<[f64; 2]> = points.iter().map(|p| [p[0], -p[1]]).collect();
+            let range = |axis: usize, end: i64| {
+                let all = || points.iter().map(|p| p[axis]);
+                let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
+                low.clamp(0.0, end as f64) as i64..(high + 1.0).clamp(0.0, end as f64) as i64
+            };
+            let (rows, columns) = (range(1, height), range(0, width));
+            for (row, column) in rows.flat_map(|row| columns.clone().map(move |column| (row, column))) {
+                if !ended && winding(&points, [column as f64 + 0.5, row as f64 + 0.5]) != 0 {
+                    inks[(row * width + column) as usize] = Some(colour);
+                }
+            }
+            return;
+        }
+        let Some(rest) = left.checked_sub(1) else {
+            ended = true;
+            return;
+        };
+        left = rest;
+        let colour = pen.colour(style, (number + 0.5) / all);
+        let (a, b) = (points[0], points[1]);
+        let r = (pen.width * camera.step / 2.0).max(hairline);
+        let (a, b) = ([a[0], -a[1]], [b[0], -b[1]]);
+        let range = |axis: usize, end: i64| {
+            let low = (a[axis].min(b[axis]) - r - 1.0).clamp(0.0, end as f64) as i64;
+            low..(a[axis].max(b[axis]) + r + 2.0).clamp(0.0, end as f64) as i64
+        };
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let norm = dx * dx + dy * dy;
+        for row in range(1, height) {
+            for column in range(0, width) {
+                let (px, py) = (column as f64 + 0.5 - a[0], row as f64 + 0.5 - a[1]);
+                let t = if norm > 0.0 { ((px * dx + py * dy) / norm).clamp(0.0, 1.0) } else { 0.0 };
+                let (qx, qy) = (px - t * dx, py - t * dy);
+                if qx * qx + qy * qy <= r * r {
+                    inks[(row * width + column) as usize] = Some(colour);
+                }
+            }
+        }
+    });
+    let mut pixels = vec![];
+    for y in 0..viewport.height as i64 {
+        for x in 0..viewport.width as i64 {
+            let mut sum = [0.0; 3];
+            for (sy, sx) in (0..4).flat_map(|sy| (0..4).map(move |sx| (sy, sx))) {
+                let ink = inks[((y * 4 + sy) * width + x * 4 + sx) as usize];
+                let colour = ink.unwrap_or(style.background);
+                for (sum, value) in sum.iter_mut().zip(colour.rgb) {
+                    *sum += f64::from(value) / 16.0;
+                }
+            }
+            pixels.extend(sum.map(|v| libm::round(v) as u8));
+            pixels.push(u8::MAX);
+        }
+    }
+    pixels
+}
+
+/// How often an outline goes round a point.
+fn winding(vertices: &[[f64; 2]], [x, y]: [f64; 2]) -> i32 {
+    let next = vertices.iter().cycle().skip(1);
+    let crossings = vertices.iter().zip(next).map(|(a, b)| {
+        let left = (b[0] - a[0]) * (y - a[1]) - (x - a[0]) * (b[1] - a[1]);
+        match (a[1] <= y, b[1] <= y) {
+            (true, false) if left > 0.0 => 1,
+            (false, true) if left < 0.0 => -1,
+            _ => 0,
+        }
+    });
+    crossings.sum()
+}

@@ -1,0 +1,238 @@
+//! Where on the drawing a picture looks.
+
+use super::Pane;
+use super::descent::Pen;
+use super::wide::Wide;
+use lsystem_drawing::{Block, Drawing};
+use lsystem_syntax::Style;
+use lsystem_syntax::{MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
+
+/// The size of a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Viewport {
+    /// In device pixels.
+    pub width: u32,
+    /// In device pixels.
+    pub height: u32,
+    /// Device pixels in one CSS pixel.
+    pub ratio: f64,
+}
+
+impl Viewport {
+    /// The same, or the upper left part of it where it is larger than pictures may be: [`MAX_PICTURE_SIDE`] each way
+    /// and [`MAX_PICTURE_PIXELS`] in all.
+    #[must_use]
+    pub fn within_limits(self) -> Self {
+        let width = self.width.min(MAX_PICTURE_SIDE);
+        let height = self.height.min(MAX_PICTURE_SIDE).min(MAX_PICTURE_PIXELS / width.max(1));
+        Self { width, height, ..self }
+    }
+
+    /// The least width of strokes, in device pixels.
+    pub(crate) fn least_width(self, style: &Style) -> f64 {
+        let width = (style.min_width * self.ratio).max(1.0);
+        if width.is_finite() { width } else { 1.0 }
+    }
+}
+
+/// A place and a magnification, relative to the fitted drawing, so that the drawing can change under it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// The picture's centre, right of the fitted centre, in fitted extents (the longer side of [`fit`]).
+    pub x: f64,
+    /// The picture's centre, above the fitted centre, in fitted extents.
+    pub y: f64,
+    /// 1 shows the whole drawing with a margin; 2 shows it twice as large.
+    pub zoom: f64,
+    /// What is to be added to `x` and `y`: the part below their precision, which counts where a single segment of a
+    /// drawing 10^19 steps wide fills the picture.
+    pub fine: [f64; 2],
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self { x: 0.0, y: 0.0, zoom: 1.0, fine: [0.0; 2] }
+    }
+}
+
+/// An upright rectangle, y up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rect {
+    /// Its left side.
+    pub x: f64,
+    /// Its lower side.
+    pub y: f64,
+    /// Not negative.
+    pub width: f64,
+    /// Not negative.
+    pub height: f64,
+}
+
+impl Rect {
+    pub(super) fn centre(&self) -> [f64; 2] {
+        [self.x + self.width / 2.0, self.y + self.height / 2.0]
+    }
+
+    pub(super) fn longer_side(&self) -> f64 {
+        self.width.max(self.height)
+    }
+}
+
+/// What the view at zoom 1 shows, without the margin, in model units: the bounds of all strokes' axes. A drawing that
+/// is only a point, or nothing, gives a square of one step around it.
+#[must_use]
+pub fn fit(drawing: &Drawing) -> Rect {
+    let (unit, rect) = root_bounds(drawing);
+    let [x, y] = drawing.start;
+    Rect { x: x + unit * rect.x, y: y + unit * rect.y, width: unit * rect.width, height: unit * rect.height }
+}
+
+/// Device pixels in one fitted extent (the longer side of [`fit`]) at zoom 1: what moves and magnifies a finished
+/// picture as the renderer would.
+#[must_use]
+pub fn fitted_scale(drawing: &Drawing, viewport: Viewport) -> f64 {
+    let (_, rect) = root_bounds(drawing);
+    Camera::new(drawing, viewport, View::default(), 1.0).scale * rect.longer_side()
+}
+
+/// The bounds of the drawing in units of its root block, never empty, and that unit in model units.
+pub(super) fn root_bounds(drawing: &Drawing) -> (f64, Rect) {
+    let Some(root) = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize)) else {
+        let unit = if drawing.step.is_normal() { drawing.step.abs() } else { 1.0 };
+        return (unit, Rect { x: -0.5, y: -0.5, width: 1.0, height: 1.0 });
+    };
+    let unit = libm::scalbn(drawing.step, root.exponent);
+    let mut low = [f64::INFINITY; 2];
+    let mut high = [f64::NEG_INFINITY; 2];
+    for corner in drawing.corners_of(root) {
+        for axis in 0..2 {
+            low[axis] = low[axis].min(corner[axis]);
+            high[axis] = high[axis].max(corner[axis]);
+        }
+    }
+    let rect = Rect { x: low[0], y: low[1], width: high[0] - low[0], height: high[1] - low[1] };
+    if rect.longer_side() > 0.0 && rect.longer_side().is_finite() {
+        return (unit, rect);
+    }
+    let [x, y] = if low[0].is_finite() && low[1].is_finite() { low } else { [0.0; 2] };
+    let side = libm::scalbn(1.0, -root.exponent);
+    (unit, Rect { x: x - side / 2.0, y: y - side / 2.0, width: side, height: side })
+}
+
+/// How closely a picture looks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Detail {
+    /// 4x4 subsamples a pixel: smooth edges.
+    #[default]
+    Fine,
+    /// One sample a pixel: rough edges, in a fraction of the time.
+    Coarse,
+}
+
+impl Detail {
+    /// Subsamples along one side of a pixel.
+    pub(super) const fn samples(self) -> usize {
+        match self {
+            Self::Fine => 4,
+            Self::Coarse => 1,
+        }
+    }
+}
+
+/// The size of things in a picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Look {
+    /// Half the smallest stroke width, in subsamples.
+    pub hairline: f64,
+    /// Subsamples in one step length.
+    pub step: f64,
+    /// Subsamples in one unit of the root block.
+    pub scale: f64,
+}
+
+/// The largest extent, in subsamples, at which a block is painted as a line.
+pub(super) const TINY: f64 = 2.0;
+
+impl Look {
+    /// Half the width of a stroke, in subsamples, from its width in step lengths.
+    pub(super) fn radius(&self, width: f64) -> f64 {
+        (width * self.step / 2.0).max(self.hairline)
+    }
+
+    /// The same of a block's widest stroke, at most, from the width at its entry.
+    pub(super) fn widest(&self, block: &Block, width: f64) -> f64 {
+        self.radius(block.widest.of(width))
+    }
+
+    /// With what one stroke after the other stands for all of a block, given the pen at its entry and that of its `last`
+    /// stroke: with this one and, if that is much wider, one as wide as its widest.
+    pub(super) fn pens(&self, block: &Block, entry: Pen, last: Pen) -> impl Iterator<Item = Pen> + use<> {
+        let pen = Pen { width: block.widest.of(entry.width), ..last };
+        let wider = self.radius(pen.width) > self.radius(last.width) + TINY;
+        core::iter::once(last).chain(wider.then_some(pen))
+    }
+}
+
+/// Empty space around a fitted drawing, as a part of the viewport's shorter side.
+const MARGIN: f64 = 0.04;
+
+/// How the root block's frame is placed on the subsample lattice: `scale` times the way from `centre`, which is in
+/// the `middle`; y down.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Camera {
+    /// What is in the middle of the picture, in units of the root block, y up.
+    pub centre: [Wide; 2],
+    /// The middle of the picture, in subsamples.
+    pub middle: [f64; 2],
+    /// Subsamples in one unit of the root block.
+    pub scale: f64,
+    /// Subsamples in one step length.
+    pub step: f64,
+}
+
+impl Camera {
+    /// With so many subsamples along one side of a pixel.
+    pub(super) fn new(drawing: &Drawing, viewport: Viewport, view: View, samples: f64) -> Self {
+        let (_, rect) = root_bounds(drawing);
+        let exponent = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize)).map_or(0, |root| root.exponent);
+        let (width, height) = (f64::from(viewport.width), f64::from(viewport.height));
+        // The widest stroke at the ends of a fitted drawing stays inside the picture.
+        let pad = {
+            let widest = drawing.root.map_or(0.0, |id| {
+                let widest = drawing.blocks[id.0 as usize].widest;
+                widest.factor * drawing.width + widest.offset
+            });
+            let pad = libm::scalbn(widest.max(0.0), -exponent);
+            if pad.is_finite() { pad } else { 0.0 }
+        };
+        let margin = 2.0 * MARGIN * width.min(height);
+        let usable = [width - margin, height - margin];
+        let fitted = (usable[0] / (rect.width + pad)).min(usable[1] / (rect.height + pad)) * samples;
+        let zoom = if view.zoom.is_finite() && view.zoom > 0.0 { view.zoom } else { 1.0 };
+        let scale = fitted * zoom;
+        let side = rect.longer_side();
+        let [cx, cy] = rect.centre();
+        let along = |centre: f64, offset: f64, fine: f64| {
+            let finite = |v: f64| if v.is_finite() { v } else { 0.0 };
+            Wide::product(finite(offset), side).plus_wide(Wide::product(finite(fine), side)).plus(centre)
+        };
+        Self {
+            centre: [along(cx, view.x, view.fine[0]), along(cy, view.y, view.fine[1])],
+            middle: [width * samples / 2.0, height * samples / 2.0],
+            scale,
+            step: libm::scalbn(scale, -exponent),
+        }
+    }
+
+    /// The same picture, seen from the corner of a pane of it.
+    pub(super) fn of_pane(self, pane: Pane, samples: f64) -> Self {
+        let [x, y] = [pane.x, pane.y].map(|corner| f64::from(corner) * samples);
+        Self { middle: [self.middle[0] - x, self.middle[1] - y], ..self }
+    }
+
+    /// Where a point of the root block's frame is, in subsamples.
+    pub(super) fn place(&self, at: [Wide; 2]) -> [f64; 2] {
+        let [x, y] = [0, 1].map(|axis| at[axis].minus(self.centre[axis]) * self.scale);
+        [self.middle[0] + x, self.middle[1] - y]
+    }
+}

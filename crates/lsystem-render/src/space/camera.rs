@@ -1,0 +1,183 @@
+//! From where a drawing in space is looked at.
+
+use crate::Viewport;
+use lsystem_drawing::rotation::{Vector, dot};
+use lsystem_drawing::{Drawing, Solid};
+
+/// A view of a drawing in space: the eye on a sphere about a target, upright, so that +y of the model is up in the
+/// picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Where the eye is around the vertical, in degrees: 0 looks from +z, 90 from +x.
+    pub azimuth: f64,
+    /// How high it is above the level of the target, in degrees, -90 to 90.
+    pub elevation: f64,
+    /// 1 shows the whole drawing with a margin, from whatever side; 2 shows it twice as large.
+    pub zoom: f64,
+    /// What is in the middle of the picture, from the fitted centre, in fitted extents (the diameter of a ball around
+    /// the drawing), in the directions of the model.
+    pub target: [f64; 3],
+    /// Whether what is nearer looks larger. The eye is two fitted extents from the target then; otherwise it is
+    /// infinitely far away.
+    pub perspective: bool,
+    /// How far the farthest part fades into the background, 0 to 1.
+    pub fade: f64,
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        Self { azimuth: 25.0, elevation: 12.0, zoom: 1.0, target: [0.0; 3], perspective: true, fade: 0.0 }
+    }
+}
+
+/// Device pixels in one fitted extent at zoom 1, on the plane through the target that faces the eye.
+#[must_use]
+pub fn solid_scale(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera) -> f64 {
+    Lens::new(drawing, viewport, &Camera { zoom: 1.0, ..*camera }, 1.0).extent
+}
+
+/// Right and up in the picture and towards the eye, as unit vectors of the model.
+#[must_use]
+pub fn camera_axes(camera: &Camera) -> [[f64; 3]; 3] {
+    let angle = |degrees: f64| if degrees.is_finite() { degrees.to_radians() } else { 0.0 };
+    let (azimuth, elevation) = (angle(camera.azimuth), angle(camera.elevation.clamp(-90.0, 90.0)));
+    let (sa, ca) = (libm::sin(azimuth), libm::cos(azimuth));
+    let (se, ce) = (libm::sin(elevation), libm::cos(elevation));
+    [[ca, 0.0, -sa], [-se * sa, ce, -se * ca], [ce * sa, se, ce * ca]]
+}
+
+/// Where the segment `number` (0-based) starts and ends: from the fitted centre, in fitted extents (the diameter of a
+/// ball around the drawing), in the directions of the model, as [`Camera::target`]; `None` beyond the last.
+#[must_use]
+pub fn fitted_solid_ends(drawing: &Drawing<Solid>, number: u128) -> Option<[[f64; 3]; 2]> {
+    let (centre, radius) = ball(drawing);
+    let segment = drawing.segments_from(number).next()?;
+    let unit = drawing.unit();
+    let sign = unit.signum();
+    Some(
+        [segment.from, segment.to]
+            .map(|end| [0, 1, 2].map(|i| sign * ((end[i] - drawing.start[i]) / unit - centre[i]) / (2.0 * radius))),
+    )
+}
+
+/// The vertices of the polygon `number` (0-based, in the order in which they are opened), as in [`fitted_solid_ends`], each
+/// joined to the next and the last to the first; none beyond the last polygon.
+#[must_use]
+pub fn fitted_solid_polygon(drawing: &Drawing<Solid>, number: u128) -> Vec<[f64; 3]> {
+    let Some((polygon, frame)) = drawing.polygon(number) else { return vec![] };
+    let (centre, radius) = ball(drawing);
+    let sign = drawing.unit().signum();
+    let fitted = |vertex: Vector| [0, 1, 2].map(|i| sign * (frame.lie(vertex)[i] - centre[i]) / (2.0 * radius));
+    drawing.vertices_of(polygon).iter().map(|&vertex| fitted(vertex)).collect()
+}
+
+/// The ball around a drawing in units of its root block: its centre, and its radius, which is not 0. A drawing that is
+/// only a point, or nothing, has one of one step around it.
+fn ball(drawing: &Drawing<Solid>) -> (Vector, f64) {
+    let root = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize));
+    let (centre, radius) = root.map_or(([0.0; 3], 0.0), |root| (root.hull.centre(), root.hull.radius));
+    let step = libm::scalbn(0.5, -root.map_or(0, |root| root.exponent));
+    (centre, if radius > 0.0 { radius } else { step })
+}
+
+/// The eye's distance from the target, in radii of the ball around the drawing.
+const DISTANCE: f64 = 4.0;
+/// Empty space around a fitted drawing, as a part of the viewport's shorter side.
+const MARGIN: f64 = 0.04;
+/// Places that are looked at on half a ring.
+const RING: u32 = 12;
+/// What is nearer to the eye than this part of the target's distance is not shown.
+pub(super) const NEAR: f64 = 0.05;
+
+/// A camera ready for a picture. It sees places in samples: x to the right and y down from the upper left corner of the
+/// picture, z away from the eye, 0 at the target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Lens {
+    /// Of the root block's frame: where its origin lies before perspective, from the middle of the picture.
+    pub origin: Vector,
+    /// Where its unit vectors lead.
+    pub axes: [Vector; 3],
+    /// One over the eye's distance from the target; 0 without perspective.
+    pub nearness: f64,
+    /// The middle of the picture.
+    pub middle: [f64; 2],
+    /// Samples in one step length, at the target.
+    pub step: f64,
+    /// The ball around the drawing: its centre as `origin`, and its radius.
+    pub centre: Vector,
+    pub radius: f64,
+    /// Samples in one fitted extent at this zoom.
+    pub extent: f64,
+}
+
+/// How far a ring about the upright axis reaches to the side and up or down in the picture, given its radius and its
+/// height, how upright things look, how much of them leads to the eye, and how far that is from the axis.
+fn reach([aside, height]: [f64; 2], [upright, back]: [f64; 2], distance: f64) -> [f64; 2] {
+    let mut reach = [0.0_f64; 2];
+    for step in 0..=RING {
+        let angle = core::f64::consts::PI * f64::from(step) / f64::from(RING);
+        let (side, near) = (aside * libm::sin(angle), aside * libm::cos(angle));
+        let larger = 1.0 / (1.0 - (height * back + near * upright) / distance).max(NEAR);
+        reach = [reach[0].max(side * larger), reach[1].max(((height * upright - near * back) * larger).abs())];
+    }
+    reach
+}
+
+impl Lens {
+    /// `samples` lie along the side of a pixel.
+    pub(super) fn new(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera, samples: f64) -> Self {
+        let root = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize));
+        let exponent = root.map_or(0, |root| root.exponent);
+        let sign = if drawing.step < 0.0 { -1.0 } else { 1.0 };
+        let (centre, radius) = ball(drawing);
+        let pad = root.map_or(0.0, |root| libm::scalbn(root.widest.of(drawing.width).max(0.0), -exponent));
+        let pad = if pad.is_finite() { pad } else { 0.0 };
+        let (width, height) = (f64::from(viewport.width), f64::from(viewport.height));
+        let margin = 2.0 * MARGIN * width.min(height);
+        let zoom = if camera.zoom.is_finite() && camera.zoom > 0.0 { camera.zoom } else { 1.0 };
+        let [right, up, back] = camera_axes(camera);
+        let distance = if camera.perspective { DISTANCE * radius } else { f64::INFINITY };
+        let girth = drawing.extent().and_then(|extent| extent.girth);
+        let ball = [[radius, 0.0], [0.0, radius], [0.0, -radius]];
+        let rings = girth.as_ref().map_or(&ball[..], |girth| girth);
+        let sides = rings.iter().map(|&[aside, height]| reach([aside, sign * height], [up[1], back[1]], distance));
+        let sides = sides.fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
+        let [across, down] = sides.map(|side| (2.0 * side + pad).max(1e-3 * radius));
+        let fitted = ((width - margin) / across).min((height - margin) / down);
+        let scale = fitted * zoom * samples;
+        let seen = |p: Vector| [dot(right, p), -dot(up, p), -dot(back, p)];
+        let axes = [0, 1, 2].map(|i| {
+            let mut unit = [0.0; 3];
+            unit[i] = scale * sign;
+            seen(unit)
+        });
+        let finite = |v: f64| if v.is_finite() { v } else { 0.0 };
+        let target = camera.target.map(|c| finite(c) * 2.0 * radius * scale);
+        let middle = seen(centre.map(|c| c * scale * sign));
+        let shift = seen(target);
+        let centre = shift.map(|c| -c);
+        Self {
+            origin: [0, 1, 2].map(|i| centre[i] - middle[i]),
+            axes,
+            nearness: if camera.perspective { 1.0 / (DISTANCE * radius * scale) } else { 0.0 },
+            middle: [width * samples / 2.0, height * samples / 2.0],
+            step: libm::scalbn(scale, -exponent),
+            centre,
+            radius: radius * scale,
+            extent: 2.0 * radius * scale,
+        }
+    }
+
+    /// How much larger than at the target things are that lie `z` behind it.
+    #[inline]
+    pub(super) fn factor(&self, z: f64) -> f64 {
+        1.0 / (1.0 + z * self.nearness).max(NEAR)
+    }
+
+    /// Where a place is in the picture, and how far behind the target, in a measure that keeps straight lines straight.
+    #[inline]
+    pub(super) fn project(&self, [x, y, z]: Vector) -> Vector {
+        let factor = self.factor(z);
+        [self.middle[0] + x * factor, self.middle[1] + y * factor, z * factor]
+    }
+}

@@ -1,0 +1,211 @@
+//! How strokes are lit.
+//!
+//! A fixed light comes from the viewer's upper left. A stroke is a round stick; besides, it is brighter where the whole
+//! drawing faces the light, and darker inside the drawing, as leaves in a crown are. Edges stand out from the
+//! background: lighter on dark ones, darker on light ones.
+//!
+//! All of it is polynomials of the normal, so that what a stick looks like on the average, and many sticks of a block
+//! too small to see, is known from the average of their directions.
+
+use super::camera::Lens;
+use super::lanes::{LANES, Lanes};
+use lsystem_drawing::rotation::{Vector, dot};
+use lsystem_syntax::Style;
+
+/// Towards the light, a unit vector: x to the right, y down, z away from the viewer.
+pub(super) const LIGHT: Vector = [-0.48, -0.64, -0.6];
+/// How much of the light's angle is a stroke's own, the rest being the place's in the drawing.
+const OWN: f32 = 0.7;
+/// Brightness without light, and what the light adds.
+const AMBIENT: f32 = 0.54;
+const DIFFUSE: f32 = 0.9;
+/// A soft highlight.
+const GLOSS: f32 = 0.16;
+/// How dark the middle of the drawing is.
+const SHADE: f32 = 0.25;
+/// How much edges are darkened on light backgrounds, and lightened on dark ones.
+const EDGE_DARK: f32 = -0.3;
+const EDGE_LIGHT: f32 = 0.42;
+/// The mean of the height of a half circle, and of its square.
+const HEIGHT: f32 = core::f32::consts::FRAC_PI_4;
+const HEIGHT_2: f32 = 2.0 / 3.0;
+
+/// What lighting depends on in a picture.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Light {
+    background: [f32; 3],
+    edge: f32,
+    fade: f32,
+    /// One over the radius of the ball around the drawing.
+    inverse: f64,
+    centre: Vector,
+}
+
+/// What the light does at a place in the drawing.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spot {
+    /// How the place faces the light.
+    facing: f32,
+    /// What is left of the light there.
+    open: f32,
+    /// How far the background shines through.
+    haze: f32,
+}
+
+/// What the directions of many sticks are on the average.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Bundle {
+    /// The mean of the products of direction vectors' coordinates: xx, yy, zz, xy, xz, yz.
+    pub spread: [f32; 6],
+}
+
+impl Light {
+    pub(super) fn new(style: &Style, lens: &Lens, fade: f64) -> Self {
+        let [r, g, b] = style.background.rgb.map(f32::from);
+        let dark = 0.3 * r + 0.59 * g + 0.11 * b < 110.0;
+        Self {
+            background: [r, g, b],
+            edge: if dark { EDGE_LIGHT } else { EDGE_DARK },
+            fade: if fade.is_finite() { fade.clamp(0.0, 1.0) as f32 } else { 0.0 },
+            inverse: 1.0 / lens.radius,
+            centre: lens.centre,
+        }
+    }
+
+    /// What the light does at a place as the lens sees it before perspective.
+    #[inline]
+    pub(super) fn spot(&self, at: Vector) -> Spot {
+        let [x, y, z] = [0, 1, 2].map(|i| ((at[i] - self.centre[i]) * self.inverse) as f32);
+        let out = (x * x + y * y + z * z).min(1.0);
+        let facing = -(x * 0.48 + y * 0.64 + z * 0.6);
+        let depth = (0.5 + 0.5 * z).clamp(0.0, 1.0);
+        Spot {
+            facing: facing.clamp(-1.0, 1.0) * (1.0 - OWN),
+            open: 1.0 - SHADE * (1.0 - out),
+            haze: self.fade * depth * (0.55 + 0.4 * depth),
+        }
+    }
+
+    /// The colour of a surface whose normal has these products with the directions towards the light and the viewer.
+    #[inline]
+    pub(super) fn surface(&self, ink: [f32; 3], spot: &Spot, light: f32, view: f32) -> u32 {
+        let wrap = 0.5 + 0.5 * (OWN * light + spot.facing);
+        let square = wrap * wrap;
+        let fourth = square * square;
+        let edge = (1.0 - view) * (1.0 - view);
+        self.colour(ink, spot, square, fourth * fourth, edge)
+    }
+
+    /// The same for several samples of a stroke, at `t` from one of its ends to the other.
+    #[inline(always)]
+    pub(super) fn surfaces(
+        &self,
+        ink: [f32; 3],
+        [from, to]: &[Spot; 2],
+        t: Lanes,
+        light: Lanes,
+        view: Lanes,
+    ) -> [u32; LANES] {
+        let mix = |a: f32, b: f32| t * (b - a) + a;
+        let (facing, open, haze) = (mix(from.facing, to.facing), mix(from.open, to.open), mix(from.haze, to.haze));
+        let wrap = (light * OWN + facing) * 0.5 + 0.5;
+        let square = wrap * wrap;
+        let fourth = square * square;
+        let away = Lanes::all(1.0) - view;
+        let strength = (square * DIFFUSE + AMBIENT) * open * (away * away * self.edge + 1.0);
+        let shine = fourth * fourth * (255.0 * GLOSS) * open;
+        let mut packed = [0xff00_0000; LANES];
+        for (i, (ink, background)) in ink.iter().zip(self.background).enumerate() {
+            let lit = strength * *ink + shine;
+            let hazy = lit + (Lanes::all(background) - lit) * haze;
+            let bytes = hazy.at_least(0.0).at_most(255.0).bytes();
+            packed.iter_mut().zip(bytes).for_each(|(packed, byte)| *packed |= byte << (8 * i));
+        }
+        packed
+    }
+
+    /// The colour of many sticks in a small place, as seen from `view` and lit from `light` in their own frame: unit
+    /// vectors towards viewer and light.
+    #[inline]
+    pub(super) fn bundle(&self, ink: [f32; 3], spot: &Spot, bundle: &Bundle, view: [f32; 3], light: [f32; 3]) -> u32 {
+        let [xx, yy, zz, xy, xz, yz] = bundle.spread;
+        let spread =
+            |[x, y, z]: [f32; 3]| [xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y + zz * z];
+        let product = |a: [f32; 3], b: [f32; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let of_view = spread(view);
+        // The squared cosine of the angle between sticks and view, and how sticks rise towards the viewer.
+        let end_on = product(of_view, view);
+        let rise = (1.0 - end_on).max(1e-3).sqrt();
+        let up = (product(view, light) - product(of_view, light)) / rise;
+        let side = (1.0 - product(spread(light), light) - up * up).max(0.0);
+        let mean = OWN * HEIGHT * up;
+        let square = OWN * OWN * (side * (1.0 - HEIGHT_2) + up * up * HEIGHT_2);
+        let facing = spot.facing;
+        let wrap = 0.25 * (1.0 + 2.0 * (mean + facing) + square + 2.0 * mean * facing + facing * facing);
+        let edge = 1.0 - 2.0 * HEIGHT * rise + HEIGHT_2 * rise * rise;
+        let fourth = wrap * wrap;
+        self.colour(ink, spot, wrap, fourth * fourth * 1.4, edge)
+    }
+
+    #[inline]
+    fn colour(&self, ink: [f32; 3], spot: &Spot, diffuse: f32, gloss: f32, edge: f32) -> u32 {
+        let strength = (AMBIENT + DIFFUSE * diffuse) * spot.open * (1.0 + self.edge * edge);
+        let shine = 255.0 * GLOSS * gloss * spot.open;
+        let mut packed = 0xff00_0000;
+        for (i, (ink, background)) in ink.iter().zip(self.background).enumerate() {
+            let lit = ink * strength + shine;
+            let hazy = lit + (background - lit) * spot.haze;
+            packed |= u32::from((hazy + 0.5) as u8) << (8 * i);
+        }
+        packed
+    }
+}
+
+impl Spot {
+    /// On the way to another place.
+    #[inline]
+    pub(super) fn towards(&self, other: &Self, t: f32) -> Self {
+        let mix = |a: f32, b: f32| a + t * (b - a);
+        Self {
+            facing: mix(self.facing, other.facing),
+            open: mix(self.open, other.open),
+            haze: mix(self.haze, other.haze),
+        }
+    }
+}
+
+impl Bundle {
+    /// Of one stick.
+    pub(super) fn of(direction: Vector) -> Self {
+        let square = dot(direction, direction);
+        if square <= 0.0 {
+            return Self { spread: [1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0, 0.0, 0.0, 0.0] };
+        }
+        let [x, y, z] = direction.map(|c| c / square.sqrt());
+        Self { spread: [x * x, y * y, z * z, x * y, x * z, y * z].map(|c| c as f32) }
+    }
+
+    /// Rotated, as `columns` do with the unit vectors.
+    pub(super) fn turned(&self, columns: &[Vector; 3]) -> Self {
+        let [xx, yy, zz, xy, xz, yz] = self.spread.map(f64::from);
+        let spread = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+        let entry = |i: usize, j: usize| {
+            let mut sum = 0.0;
+            for k in 0..3 {
+                for l in 0..3 {
+                    sum += columns[k][i] * spread[k][l] * columns[l][j];
+                }
+            }
+            sum as f32
+        };
+        Self { spread: [entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)] }
+    }
+
+    /// With another's, `weight` of it.
+    pub(super) fn add(&mut self, other: &Self, weight: f32) {
+        self.spread.iter_mut().zip(other.spread).for_each(|(sum, c)| *sum += weight * c);
+    }
+}
+
+/// Towards the light, and towards the viewer.
+pub(super) const DIRECTIONS: [Vector; 2] = [LIGHT, [0.0, 0.0, -1.0]];

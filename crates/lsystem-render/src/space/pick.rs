@@ -1,0 +1,119 @@
+//! What of a drawing in space is under a pointer.
+
+use super::camera::{Camera, Lens, NEAR};
+use super::walk::before_eye;
+use crate::plane::{Aim, Order, Sight, covers, nearest_on, search};
+use crate::{Pick, Pointer, Viewport};
+use lsystem_drawing::Frame;
+use lsystem_drawing::rotation::{Vector, combine, cross, dot, minus, norm};
+use lsystem_drawing::triangulate::facing;
+use lsystem_drawing::{BlockId, Drawing, Placed, Polygon, Solid, Stroke, StyleChange};
+
+/// What is under a pointer as the camera sees it. Of the polygons that are filled there, and of the segments whose strokes
+/// are within a quarter of the tolerance, it is the one nearest to the eye, to about that in depth; where there are none,
+/// the nearest to the pointer, to a 32nd of the tolerance. Where many blocks overlap it is the best of what may be looked
+/// at. Segments and polygons beyond the first 2^128 - 1 are not found.
+#[must_use]
+pub fn pick_solid(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera, pointer: &Pointer) -> Option<Pick> {
+    let lens = Lens::new(drawing, viewport, camera, 1.0);
+    let [x, y] = [0, 1].map(|i| pointer.at[i] - lens.middle[i]);
+    let towards = [x * lens.nearness, y * lens.nearness, 1.0];
+    let ray = [[x, y, 0.0], towards.map(|c| c / norm(towards))];
+    let mut sight = Sky { drawing, at: pointer.at, lens, unit: norm(lens.axes[0]), ray };
+    let root = Frame::new(1.0, StyleChange::start(drawing.width));
+    search(drawing, pointer, &mut sight, root, Order::Likely)
+}
+
+/// Space beside a pointer.
+struct Sky<'a> {
+    drawing: &'a Drawing<Solid>,
+    at: [f64; 2],
+    lens: Lens,
+    /// Pixels in a unit of the root block, at the target.
+    unit: f64,
+    /// What the pointer covers: a place and a direction, as the lens sees them before perspective.
+    ray: [Vector; 2],
+}
+
+impl Sight<Solid> for Sky<'_> {
+    type Place = Frame<Solid>;
+
+    fn inside(&mut self, frame: &Frame<Solid>, placed: &Placed<Solid>) -> Frame<Solid> {
+        frame.place(placed, self.drawing, &mut ())
+    }
+
+    fn scale(&self, frame: &Frame<Solid>) -> f64 {
+        self.unit * frame.scale
+    }
+
+    fn block(&self, id: BlockId, frame: &Frame<Solid>) -> Option<Aim> {
+        let (block, lens) = (&self.drawing.blocks[id.0 as usize], &self.lens);
+        let widest = block.widest.of(frame.style.width.of(0.0)).max(0.0) * lens.step / 2.0;
+        // Rounding may leave an end out.
+        let radius = (block.hull.radius + 1e-9) * frame.scale * self.unit + widest;
+        let centre = self.place(frame.lie(block.hull.centre()));
+        let [near, far] = [centre[2] - radius, centre[2] + radius];
+        if 1.0 + far * lens.nearness <= NEAR {
+            return None;
+        }
+        let [from, towards] = self.ray;
+        let away = norm(cross(minus(centre, from), towards));
+        Some(Aim { distance: (away - radius) * lens.factor(far), depth: near, off: away / radius })
+    }
+
+    fn stroke(&self, frame: &Frame<Solid>, stroke: &Stroke<Solid>) -> Option<Aim> {
+        let lens = &self.lens;
+        let ends = before_eye(lens, [stroke.from, stroke.to].map(|end| self.place(frame.lie(end))))?;
+        let (axis, depth) = self.beside(ends);
+        let style = frame.style.then(&self.drawing.styles[stroke.style.0 as usize]);
+        let radius = (style.width.of(0.0) * lens.step / 2.0).max(0.0);
+        let off = axis / lens.factor(depth);
+        let distance = (axis - radius * lens.factor(depth)).max(0.0);
+        // Its surface bulges towards the eye.
+        let depth = depth - (radius * radius - off * off).max(0.0).sqrt();
+        Some(Aim { distance, depth, off })
+    }
+
+    fn polygon(&self, frame: &Frame<Solid>, polygon: &Polygon) -> Option<Aim> {
+        let lens = &self.lens;
+        let vertices = self.drawing.vertices_of(polygon).iter();
+        let vertices: Vec<Vector> = vertices.map(|&vertex| self.place(frame.lie(vertex))).collect();
+        // What reaches behind the eye is not painted.
+        if vertices.iter().any(|vertex| 1.0 + vertex[2] * lens.nearness <= NEAR) {
+            return None;
+        }
+        let outline: Vec<_> = vertices.iter().map(|&vertex| lens.project(vertex)).map(|[x, y, _]| [x, y]).collect();
+        if covers(&outline, self.at) {
+            // Where the pointer meets the plane that it lies in.
+            let [from, towards] = self.ray;
+            let normal = facing(&vertices)?;
+            let depth = dot(normal, minus(vertices[0], from)) / dot(normal, towards) * towards[2];
+            return Some(Aim { distance: 0.0, depth, off: 0.0 });
+        }
+        let sides = vertices.iter().zip(vertices.iter().cycle().skip(1));
+        let (distance, depth) = sides.map(|(&from, &to)| self.beside([from, to])).min_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(Aim { distance, depth, off: 0.0 })
+    }
+}
+
+impl Sky<'_> {
+    /// Where a point of the root block lies, as the lens sees it before perspective.
+    // Once is enough in the wasm.
+    #[inline(never)]
+    fn place(&self, point: Vector) -> Vector {
+        let [x, y, z] = combine(&self.lens.axes, point);
+        let [x0, y0, z0] = self.lens.origin;
+        [x0 + x, y0 + y, z0 + z]
+    }
+
+    /// How far the pointer is from a line before the eye, in pixels, and how far behind the target the place nearest to it
+    /// is.
+    // Once is enough in the wasm.
+    #[inline(never)]
+    fn beside(&self, ends: [Vector; 2]) -> (f64, f64) {
+        let ends = ends.map(|end| self.lens.project(end));
+        let (axis, t) = nearest_on(self.at, ends.map(|[x, y, _]| [x, y]));
+        let shown = ends[0][2] + t * (ends[1][2] - ends[0][2]);
+        (axis, shown / (1.0 - shown * self.lens.nearness))
+    }
+}

@@ -1,0 +1,282 @@
+//! A stroke in space: a stick with round ends, as it looks from where the viewer is.
+//!
+//! In the picture's own space (samples to the right and down, and a depth that keeps straight lines straight) lines of
+//! sight are parallel, and where one meets a stick is known exactly: the stick's side is met at the place `along` the
+//! axis less what the bulge of the side hides, and beyond its ends the line of sight meets a ball or nothing.
+
+use super::lanes::{LANES, Lanes};
+use super::light::{LIGHT, Light, Spot};
+use super::tile::{CELL, Tile};
+use lsystem_drawing::rotation::Vector;
+
+/// A stick in the space of a picture; with perspective its ends differ in width.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stick {
+    pub ends: [Vector; 2],
+    pub radii: [f64; 2],
+    pub ink: [f32; 3],
+    pub spots: [Spot; 2],
+}
+
+/// Sticks reach at most so far from a tile before they are cut, in samples, so that single precision is enough.
+const REACH: f64 = 4096.0;
+/// Where a stick is at most so many samples wide, all of them are looked at in every row.
+const NARROW: usize = 6;
+/// A stick that is seen more end on than this is painted as its nearer end.
+const END_ON: f64 = 1e-3;
+
+impl Stick {
+    /// Paints it on a tile whose upper left corner is at `corner`; returns how many samples were looked at.
+    pub(super) fn paint(&self, tile: &mut Tile, corner: [f64; 2], light: &Light) -> usize {
+        let size = tile.size.map(|count| count as f64);
+        let Some(stick) = self.within(corner, size) else { return 0 };
+        let [[x0, y0, d0], [x1, y1, d1]] = stick.ends;
+        let widest = stick.radii[0].max(stick.radii[1]);
+        let aside = widest + tile.slack();
+        let Some(across) = span(x0.min(x1) - aside, x0.max(x1) + aside, size[0]) else { return 0 };
+        let Some(down) = span(y0.min(y1) - widest, y0.max(y1) + widest, size[1]) else { return 0 };
+        let way = [x1 - x0, y1 - y0, d1 - d0];
+        let flat = (way[0] * way[0] + way[1] * way[1]).sqrt();
+        let length = (flat * flat + way[2] * way[2]).sqrt();
+        if flat <= END_ON * length || flat < 1e-6 {
+            let near = usize::from(d1 < d0);
+            let ball = Ball {
+                at: stick.ends[near].map(|c| c as f32),
+                radius: stick.radii[near] as f32,
+                ink: stick.ink,
+                spot: stick.spots[near],
+            };
+            tile.touch(across, down);
+            return ball.fill(tile, across, down, light);
+        }
+        stick.fill(tile, across, down, [flat, length], light)
+    }
+
+    /// Relative to a tile's corner, what is far from the tile cut off; `None` if nothing is left.
+    fn within(&self, corner: [f64; 2], size: [f64; 2]) -> Option<Self> {
+        let mut ends = self.ends.map(|[x, y, d]| [x - corner[0], y - corner[1], d]);
+        let is_near = |end: &Vector| (0..2).all(|i| end[i].abs() < REACH);
+        if ends.iter().all(is_near) {
+            return Some(Self { ends, ..*self });
+        }
+        let radius = self.radii[0].max(self.radii[1]);
+        let (mut from, mut to) = (0.0_f64, 1.0_f64);
+        for ((start, end), side) in ends[0].iter().zip(ends[1]).zip(size) {
+            let way = end - start;
+            let bounds = [-REACH / 2.0 - 2.0 * radius, REACH / 2.0 + side + 2.0 * radius];
+            if way.abs() < 1e-9 {
+                if *start < bounds[0] || *start > bounds[1] {
+                    return None;
+                }
+                continue;
+            }
+            let [a, b] = bounds.map(|bound| (bound - start) / way);
+            from = from.max(a.min(b));
+            to = to.min(a.max(b));
+        }
+        if from >= to {
+            return None;
+        }
+        let [start, end] = ends;
+        let at = |t: f64| [0, 1, 2].map(|i| start[i] + t * (end[i] - start[i]));
+        ends = [at(from), at(to)];
+        let radius = |t: f64| self.radii[0] + t * (self.radii[1] - self.radii[0]);
+        let spot = |t: f64| self.spots[0].towards(&self.spots[1], t as f32);
+        Some(Self { ends, radii: [radius(from), radius(to)], spots: [spot(from), spot(to)], ink: self.ink })
+    }
+
+    fn fill(
+        &self,
+        tile: &mut Tile,
+        across: [usize; 2],
+        down: [usize; 2],
+        [flat, length]: [f64; 2],
+        light: &Light,
+    ) -> usize {
+        let [[x0, y0, d0], [x1, y1, d1]] = self.ends;
+        let widest = self.radii[0].max(self.radii[1]) as f32;
+        let [ex, ey] = [(x1 - x0) / flat, (y1 - y0) / flat];
+        let [rise, level] = [(d1 - d0) / length, flat / length];
+        // The normal of the side is `u` sideways and `h` upwards; of the round ends also `w` ahead.
+        let side_light = (LIGHT[1] * ex - LIGHT[0] * ey) as f32;
+        let up_light = ((ex * LIGHT[0] + ey * LIGHT[1]) * rise - level * LIGHT[2]) as f32;
+        let ahead_light = (LIGHT[0] * ex + LIGHT[1] * ey) as f32;
+        let view_light = -LIGHT[2] as f32;
+        let [x0, y0, d0, d1, ex, ey] = [x0, y0, d0, d1, ex, ey].map(|c| c as f32);
+        let [flat, rise, level] = [flat, rise, level].map(|c| c as f32);
+        let [r0, r1] = self.radii.map(|r| r as f32);
+        let (per, slope, steep) = (1.0 / flat, rise / level, 1.0 / level);
+        let grows = r1 - r0;
+        let mut looked = 0;
+        // Where a row crosses the band around the axis, and the slab between the ends: both at places that go on evenly
+        // from row to row. In the middle of the first one's distance, and half their lengths.
+        let narrow = across[1] - across[0] <= NARROW;
+        let slack = 0.01 + tile.slack() as f32;
+        let crossing = |along: f32, offset: f32, [low, high]: [f32; 2]| {
+            let per = 1.0 / if along.abs() > 1e-4 { along } else { 1e-4 };
+            [0.5 * (low + high) * per, -offset * per, 0.5 * (high - low) * per.abs() + slack]
+        };
+        let band = crossing(-ey, ex, [-widest, widest]);
+        let slab = crossing(ex, ey, [-widest, flat + widest]);
+        // What rows cross of both at most; empty where the second is less than the first.
+        let cross = |rows: [usize; 2], [first, last]: [usize; 2]| {
+            if narrow {
+                return [first, last];
+            }
+            let ends = rows.map(|row| row as f32 + 0.5 - y0);
+            let [a, b] = [band, slab].map(|[middle, slope, half]| {
+                let [a, b] = ends.map(|y| middle + slope * y);
+                [a.min(b) - half, a.max(b) + half]
+            });
+            let (low, high) = (a[0].max(b[0]) + x0, a[1].min(b[1]) + x0);
+            if high < 0.5 {
+                return [1, 0];
+            }
+            // From a sample's middle on; what is negative becomes 0.
+            [first.max((low + 0.5) as usize), last.min((high - 0.5) as usize)]
+        };
+        let near = d0.min(d1) - widest;
+        let mut within = [1, 0];
+        for row in down[0]..=down[1] {
+            if row == down[0] || row % CELL == 0 {
+                // Without cells that show something nearer.
+                let end = down[1].min(row / CELL * CELL + CELL - 1);
+                within = tile.seen(row / CELL, cross([row, end], across), near);
+                looked += 2;
+            }
+            let y = row as f32 + 0.5 - y0;
+            let columns = cross([row, row], within);
+            if columns[1] < columns[0] {
+                continue;
+            }
+            let [left, right] = columns;
+            let ahead = left as f32 + 0.5 + tile.lean(row) - x0;
+            let (depths, colours) = tile.lanes(row, columns);
+            looked += depths.len() * LANES;
+            let last = Lanes::all(right as f32 + 1.0 - x0);
+            for (i, (depths, colours)) in depths.iter_mut().zip(colours).enumerate() {
+                let x = Lanes::from(ahead + (i * LANES) as f32);
+                let along = x * ex + y * ey;
+                let sideways = x * -ey + y * ex;
+                let radius = (along * per).at_least(0.0).at_most(1.0) * grows + r0;
+                let inverse = radius.inverse();
+                let u = sideways * inverse;
+                let rest = Lanes::all(1.0) - u * u;
+                let h = rest.root();
+                let bulge = radius * h;
+                let met = along - bulge * rise;
+                let depth = Lanes(*depths);
+                let before = met.below(Lanes::all(0.0));
+                let beyond = Lanes::all(flat).below(met);
+                let mut shown = Lanes::all(-1e-6).below(rest).and(x.below(last));
+                let mut surface = along * slope + d0 - bulge * steep;
+                let mut t = met * per;
+                let mut to_light = u * side_light + h * up_light;
+                let mut to_view = h * level;
+                if before.any() || beyond.any() {
+                    // The ball at one of the ends.
+                    let end = before.with(beyond);
+                    let start = Lanes::all(0.0).or(before, Lanes::all(flat));
+                    let w = (along - start) * inverse;
+                    let inside = rest - w * w;
+                    let top = inside.root();
+                    let cap = Lanes::all(d0).or(before, Lanes::all(d1)) - radius * top;
+                    surface = cap.or(end, surface);
+                    shown = shown.and(Lanes::all(-1e-6).below(inside.or(end, rest)));
+                    t = (start * per).or(end, t);
+                    to_light = (w * ahead_light + u * side_light + top * view_light).or(end, to_light);
+                    to_view = top.or(end, to_view);
+                }
+                shown = shown.and(surface.below(depth));
+                if !shown.any() {
+                    continue;
+                }
+                *depths = surface.or(shown, depth).0;
+                let colour = light.surfaces(self.ink, &self.spots, t, to_light, to_view);
+                for ((old, new), shown) in colours.iter_mut().zip(colour).zip(shown.0) {
+                    *old = (new & shown) | (*old & !shown);
+                }
+            }
+        }
+        looked
+    }
+}
+
+/// A ball on a tile.
+struct Ball {
+    at: [f32; 3],
+    radius: f32,
+    ink: [f32; 3],
+    spot: Spot,
+}
+
+impl Ball {
+    fn fill(&self, tile: &mut Tile, across: [usize; 2], down: [usize; 2], light: &Light) -> usize {
+        let [x0, y0, d] = self.at;
+        let per = 1.0 / self.radius;
+        for row in down[0]..=down[1] {
+            let y = (row as f32 + 0.5 - y0) * per;
+            let ahead = 0.5 + tile.lean(row) - x0;
+            let (depths, colours) = tile.row(row, across);
+            for (i, (depth, colour)) in depths.iter_mut().zip(colours).enumerate() {
+                let x = ((across[0] + i) as f32 + ahead) * per;
+                let rest = 1.0 - x * x - y * y;
+                if rest < 0.0 {
+                    continue;
+                }
+                let h = rest.sqrt();
+                let surface = d - self.radius * h;
+                if surface < *depth {
+                    *depth = surface;
+                    let [lx, ly, lz] = LIGHT.map(|c| c as f32);
+                    *colour = light.surface(self.ink, &self.spot, x * lx + y * ly - h * lz, h);
+                }
+            }
+        }
+        (down[1] - down[0] + 1) * (across[1] - across[0] + 1)
+    }
+}
+
+/// A spot of one colour: what stands for things too small to be told apart.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Dot {
+    /// In the space of the picture.
+    pub at: Vector,
+    pub radius: f64,
+    pub colour: u32,
+}
+
+impl Dot {
+    /// Paints it on a tile whose upper left corner is at `corner`.
+    pub(super) fn paint(&self, tile: &mut Tile, corner: [f64; 2]) -> usize {
+        let [x, y] = [0, 1].map(|i| self.at[i] - corner[i]);
+        let [width, height] = tile.size.map(|count| count as f64);
+        let aside = self.radius + tile.slack();
+        let Some(across) = span(x - aside, x + aside, width) else { return 0 };
+        let Some(down) = span(y - self.radius, y + self.radius, height) else { return 0 };
+        tile.touch(across, down);
+        let (x, y, near) = (x as f32, y as f32, self.at[2] as f32);
+        let reach = (self.radius * self.radius) as f32;
+        for row in down[0]..=down[1] {
+            let dy = row as f32 + 0.5 - y;
+            let left = across[0] as f32 + 0.5 + tile.lean(row) - x;
+            let (depths, colours) = tile.row(row, across);
+            for (i, (depth, colour)) in depths.iter_mut().zip(colours).enumerate() {
+                let dx = left + i as f32;
+                if dx * dx + dy * dy <= reach && near < *depth {
+                    *depth = near;
+                    *colour = self.colour;
+                }
+            }
+        }
+        (down[1] - down[0] + 1) * (across[1] - across[0] + 1)
+    }
+}
+
+/// The samples of a tile whose middles lie between two places.
+#[inline]
+pub(super) fn span(from: f64, to: f64, side: f64) -> Option<[usize; 2]> {
+    let first = (from - 0.5).ceil().max(0.0);
+    let last = (to - 0.5).floor().min(side - 1.0);
+    (first <= last).then_some([first as usize, last as usize])
+}
