@@ -52,7 +52,7 @@ export class Log {
     /** @param {string} words */
     picture(words) {
         this.checks += 1;
-        const kind = words.replace(/[\d.]+ %/, 'a few pixels');
+        const kind = words.replace(/^[\d.]+ levels.*/, 'a little off');
         this.pictures.set(kind, (this.pictures.get(kind) ?? 0) + 1);
         if (this.verbose) console.log(`     picture: ${words}`);
     }
