@@ -1,9 +1,9 @@
 //! Drawings and files of unusual systems: what once did not end, or was no picture.
 
 use lsystem::{
-    Definition, Drawer, Expected, Kind, LimitName, Limits, MAX_TEXT, Mesh, Meter, Outlook, Pointer, Progress, Style,
-    SvgForm, SvgOptions, System, View, Viewport, draw, draw_solid, expand_symbol, pick, read_file, read_json,
-    write_csv, write_json, write_svg,
+    Camera, Definition, Drawer, Expected, Kind, LimitName, Limits, MAX_TEXT, Mesh, Meter, Outlook, Pointer, Progress,
+    Style, SvgForm, SvgOptions, System, View, Viewport, draw, draw_solid, expand_symbol, pick, pick_solid, read_file,
+    read_json, write_csv, write_json, write_svg,
 };
 
 fn system(definition: &Definition) -> System {
@@ -182,5 +182,28 @@ fn a_pointer_that_is_nowhere_finds_nothing() {
     assert!(found([32.0, 32.0]).is_some());
     for at in [[32.0, f64::NAN], [f64::NAN, f64::INFINITY], [f64::INFINITY, 32.0]] {
         assert_eq!(found(at), None, "{at:?}");
+    }
+}
+
+#[test]
+fn distances_at_any_magnification_are_numbers() {
+    let definition = Definition { axiom: "F{FFF}+F{FFFF}&F".into(), angle: 60.0, ..Definition::default() };
+    let system = system(&definition);
+    let (flat, solid) = (draw(&system, 0, &Limits::default()), draw_solid(&system, 0, &Limits::default()));
+    let (flat, solid) = (flat.unwrap(), solid.unwrap());
+    let viewport = Viewport { width: 64, height: 64, ratio: 1.0 };
+    for zoom in [1.0, 1e25, 1e150, 1e160, 1e300, f64::MAX] {
+        for at in [[0.0, 0.0], [32.0, 32.0], [1e9, 40.0]] {
+            let pointer = Pointer { at, tolerance: 8.0, upto: None, visits: 1000 };
+            let view = View { zoom, ..View::default() };
+            let mut found = vec![pick(&flat, viewport, view, &pointer)];
+            for perspective in [false, true] {
+                let camera = Camera { zoom, perspective, ..Camera::default() };
+                found.push(pick_solid(&solid, viewport, &camera, &pointer));
+            }
+            for pick in found.iter().flatten() {
+                assert!(pick.distance >= 0.0 && pick.distance <= pointer.tolerance, "{zoom} {at:?} {pick:?}");
+            }
+        }
     }
 }
