@@ -138,6 +138,43 @@ fn pictures_hold_numbers() {
 }
 
 #[test]
+fn files_hold_numbers_where_strokes_are_wider_than_any() {
+    for min_width in [0.0, 10.0] {
+        let style = Style { width: 1.0, min_width, ..Style::default() };
+        let definition = Definition {
+            axiom: format!("F{}[+F]FF", "W".repeat(40)),
+            overrides: "W: width times 1e9".into(),
+            angle: 30.0,
+            style,
+            ..Definition::default()
+        };
+        let system = system(&definition);
+        let drawing = draw(&system, 0, &Limits::default()).unwrap();
+        for form in [SvgForm::Flat, SvgForm::Compact] {
+            let options = SvgOptions { form, ..SvgOptions::default() };
+            let text = write_svg(&drawing, &definition.style, &options).unwrap().text;
+            assert!(!text.contains("NaN") && !text.contains("inf"), "{min_width} {form:?}\n{text}");
+        }
+        let solid = draw_solid(&system, 0, &Limits::default()).unwrap();
+        let mesh = Mesh::new(&solid, &definition.style, 1000).unwrap();
+        assert!(!mesh.positions.is_empty());
+        assert!(mesh.positions.iter().chain(&mesh.normals).flatten().all(|c| c.is_finite()), "{min_width}");
+    }
+}
+
+#[test]
+fn meshes_of_drawings_as_large_as_numbers_hold_numbers() {
+    for min_width in [0.0, 10.0, 10_000.0] {
+        let style = Style { min_width, ..Style::default() };
+        let definition = Definition { axiom: "F+Ff(1e308)F".into(), style, angle: 30.0, ..Definition::default() };
+        let drawing = draw_solid(&system(&definition), 0, &Limits::default()).unwrap();
+        let mesh = Mesh::new(&drawing, &definition.style, 1000).unwrap();
+        assert!(!mesh.positions.is_empty());
+        assert!(mesh.positions.iter().chain(&mesh.normals).flatten().all(|c| c.is_finite()), "{min_width}");
+    }
+}
+
+#[test]
 fn long_files_are_refused_by_their_size() {
     for bytes in [vec![b'\n'; 50 << 20], [b"[".repeat(8 << 20), b"]".repeat(8 << 20)].concat()] {
         let content = read_file(&bytes);

@@ -1,6 +1,6 @@
 //! Every segment, in drawing order.
 
-use super::paths::{Ink, Paths, Pen};
+use super::paths::{Ink, Paths, Pen, within};
 use super::{Decimals, Sheet, Svg, SvgOptions};
 use crate::drawing::MarkReader;
 use crate::{Diagnostic, Drawing, Mark, Meter, Plane, Progress, Style};
@@ -89,9 +89,4 @@ impl SvgWriter {
         text.push_str("</g>\n</svg>\n");
         Progress::Done
     }
-}
-
-/// Keeps what is beyond any picture within the numbers, sums of two included.
-fn within(coordinate: f64) -> f64 {
-    coordinate.clamp(-1e300, 1e300)
 }
