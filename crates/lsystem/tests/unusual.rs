@@ -50,6 +50,29 @@ fn extents_take_a_bounded_effort() {
 }
 
 #[test]
+fn long_words_of_modules_are_drawn_in_steps() {
+    let definition = Definition {
+        axiom: "FF[A(2)FFF]FF".into(),
+        rules: format!("r = 0.75\nF -> FF-{}\nA -> FFFFFFFFFFF", "FA".repeat(2000)),
+        angle: 36.0,
+        ..Definition::default()
+    };
+    let system = system(&definition);
+    let mut all = vec![];
+    for share in [1, 16_384, 1 << 40] {
+        let mut drawer = Drawer::new(&system, 8, Limits::default());
+        let mut before = 0;
+        while drawer.step(share) == Progress::More {
+            assert!(drawer.spent() - before <= share + Meter::PIECE, "{} of {share}", drawer.spent() - before);
+            before = drawer.spent();
+        }
+        let drawing = drawer.finish().unwrap();
+        all.push((drawing.segment_count(), drawing.block_count(), drawing.bounds().unwrap().map(f64::to_bits)));
+    }
+    assert!(all.iter().all(|one| *one == all[0]), "{all:?}");
+}
+
+#[test]
 fn long_words_are_drawn_in_parts() {
     let plain = Definition { axiom: "F+".repeat(100_000), angle: 0.01, ..Definition::default() };
     let drawing = draw(&system(&plain), 0, &Limits::default()).unwrap();
