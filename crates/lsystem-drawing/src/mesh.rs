@@ -33,7 +33,7 @@ const ROUND: f64 = 0.6;
 impl Mesh {
     /// Makes tubes of all strokes, with as many sides as their number allows: eight for some ten thousand, four for
     /// very many. A stroke is as wide as the style's least width makes it in a picture of 1024 pixels. Strokes without
-    /// length give nothing, and coordinates beyond the range of `f32` are the farthest there.
+    /// length give nothing, and coordinates and widths beyond the range of `f32` are the farthest there.
     ///
     /// # Errors
     /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) where there are more than `most` segments and vertices of polygons.
@@ -184,7 +184,8 @@ impl Tubes {
             return;
         }
         let along = way.map(|c| c / length);
-        let radius = (0.5 * segment.width).max(self.least);
+        // As coordinates: what is no number in `f32` is the largest there.
+        let radius = (0.5 * segment.width).max(self.least).min(f64::from(f32::MAX));
         let gap = |last: &Open| norm(minus(segment.from, last.to));
         let joined = self.last.filter(|last| gap(last) <= 1e-9 * length && dot(last.along, along) > SHARPEST);
         let (across, ring) = match joined {

@@ -98,6 +98,8 @@ pub(crate) struct Turning<S: Space> {
     pub turn: S::Turn,
     about: Axis,
     by: Heading,
+    /// Whether it is against the right-hand rule: half a turn is the same either way, but not a part of it.
+    back: bool,
 }
 
 /// What a branch multiplies widths and lengths by.
@@ -227,10 +229,10 @@ impl Turtle {
     /// An action, lengths in steps.
     fn op<S: Space>(&self, action: Action) -> Op<S> {
         let turn = |about: Axis, degrees: Option<f64>, own: Heading| {
-            Op::Turn(Turning::new(about, degrees.map_or(own, Heading::from_degrees)))
+            Op::Turn(Turning::new(about, degrees.map_or(own, Heading::from_degrees), false))
         };
         let back = |about: Axis, degrees: Option<f64>, own: Heading| {
-            Op::Turn(Turning::new(about, -degrees.map_or(own, Heading::from_degrees)))
+            Op::Turn(Turning::new(about, degrees.map_or(own, Heading::from_degrees), true))
         };
         let in_steps = |length: Option<f64>| length.map_or(self.steps(), |l| finite(l / self.unit()));
         match action {
@@ -246,7 +248,7 @@ impl Turtle {
             Action::RollLeft(degrees) => turn(Axis::Ahead, degrees, self.roll_left),
             Action::RollRight(degrees) => back(Axis::Ahead, degrees, self.roll_right),
             Action::RollUpright => Op::Upright,
-            Action::TurnRound => Op::Turn(Turning::new(Axis::Up, Heading::HALF)),
+            Action::TurnRound => Op::Turn(Turning::new(Axis::Up, Heading::HALF, false)),
             Action::Push => Op::Push(self.deeper()),
             Action::Pop => Op::Pop,
             // It acts when the word is derived.
@@ -360,12 +362,12 @@ impl<S: Space> Score<S> {
 }
 
 impl<S: Space> Turning<S> {
-    fn new(about: Axis, by: Heading) -> Self {
-        Self { turn: S::turn(about, by), about, by }
+    fn new(about: Axis, by: Heading, back: bool) -> Self {
+        Self { turn: S::turn(about, if back { -by } else { by }), about, by, back }
     }
 
     fn part(&self, factor: f64) -> Self {
-        if factor == 1.0 { *self } else { Self::new(self.about, self.by.part(factor)) }
+        if factor == 1.0 { *self } else { Self::new(self.about, self.by.part(factor), self.back) }
     }
 }
 

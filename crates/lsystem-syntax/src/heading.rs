@@ -47,7 +47,8 @@ impl Heading {
         self.0
     }
 
-    /// The shorter way round to this heading, `factor` times as far: for factors from 0 on.
+    /// The shorter way round to this heading, counter-clockwise to half a turn, `factor` times as far: for factors from 0
+    /// on.
     #[must_use]
     pub fn part(self, factor: f64) -> Self {
         let degrees = if self.0 > TURN / 2 { -(-self).degrees() } else { self.degrees() };

@@ -142,7 +142,7 @@ fn shown(text: &str) -> String {
 /// others, are replaced, character by character.
 ///
 /// ```
-/// assert_eq!(lsystem::visible("a\u{1b}[31m\n\u{202e}b"), "a␛[31m␊\u{fffd}b");
+/// assert_eq!(lsystem_syntax::visible("a\u{1b}[31m\n\u{202e}b"), "a␛[31m␊\u{fffd}b");
 /// ```
 #[must_use]
 pub fn visible(text: &str) -> String {

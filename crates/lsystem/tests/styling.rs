@@ -203,6 +203,26 @@ fn growing_begins_at_the_generation_before() {
 }
 
 #[test]
+fn half_a_turn_grows_to_its_own_side() {
+    let bent = |axiom: &str, rules: &str| {
+        let definition = Definition { growth: 0.5, ..abop(axiom, rules, 180.0) };
+        check(&definition, 1).unwrap();
+        let last = draw_solid(&system(&definition), 1, &Limits::default()).unwrap().segments().last().unwrap();
+        [0, 1, 2].map(|i| last.to[i] - last.from[i])
+    };
+    for (symbol, expected) in [
+        ("+", [-0.5, 0.0, 0.0]),
+        ("-", [0.5, 0.0, 0.0]),
+        ("|", [-0.5, 0.0, 0.0]),
+        ("&", [0.0, 0.0, -0.5]),
+        ("^", [0.0, 0.0, 0.5]),
+    ] {
+        let direction = bent("X", &format!("X -> {symbol}F"));
+        assert!((0..3).all(|i| (direction[i] - expected[i]).abs() < 1e-12), "{symbol} {direction:?}");
+    }
+}
+
+#[test]
 fn a_seed_varies_all_of_a_plant_and_growing_keeps_it() {
     let plant = Definition { angle_variation: 30.0, length_variation: 20.0, ..abop("X", "X -> F[+X][-X]FX", 25.7) };
     let first = |seed: u32, n: u32| -> Vec<Segment> {

@@ -1,9 +1,9 @@
 //! Drawings and files of unusual systems: what once did not end, or was no picture.
 
 use lsystem::{
-    Definition, Drawer, Expected, Kind, LimitName, Limits, MAX_TEXT, Mesh, Meter, Outlook, Pointer, Progress, Style,
-    SvgForm, SvgOptions, System, View, Viewport, draw, draw_solid, expand_symbol, pick, read_file, read_json,
-    write_csv, write_json, write_svg,
+    Camera, Definition, Drawer, Expected, Kind, LimitName, Limits, MAX_TEXT, Mesh, Meter, Outlook, Pointer, Progress,
+    Style, SvgForm, SvgOptions, System, View, Viewport, draw, draw_solid, expand_symbol, pick, pick_solid, read_file,
+    read_json, write_csv, write_json, write_svg,
 };
 
 fn system(definition: &Definition) -> System {
@@ -47,6 +47,29 @@ fn extents_take_a_bounded_effort() {
         all.push(drawer.finish().unwrap().bounds().unwrap().map(f64::to_bits));
     }
     assert_eq!(all[0], all[1]);
+}
+
+#[test]
+fn long_words_of_modules_are_drawn_in_steps() {
+    let definition = Definition {
+        axiom: "FF[A(2)FFF]FF".into(),
+        rules: format!("r = 0.75\nF -> FF-{}\nA -> FFFFFFFFFFF", "FA".repeat(2000)),
+        angle: 36.0,
+        ..Definition::default()
+    };
+    let system = system(&definition);
+    let mut all = vec![];
+    for share in [1, 16_384, 1 << 40] {
+        let mut drawer = Drawer::new(&system, 8, Limits::default());
+        let mut before = 0;
+        while drawer.step(share) == Progress::More {
+            assert!(drawer.spent() - before <= share + Meter::PIECE, "{} of {share}", drawer.spent() - before);
+            before = drawer.spent();
+        }
+        let drawing = drawer.finish().unwrap();
+        all.push((drawing.segment_count(), drawing.block_count(), drawing.bounds().unwrap().map(f64::to_bits)));
+    }
+    assert!(all.iter().all(|one| *one == all[0]), "{all:?}");
 }
 
 #[test]
@@ -138,6 +161,43 @@ fn pictures_hold_numbers() {
 }
 
 #[test]
+fn files_hold_numbers_where_strokes_are_wider_than_any() {
+    for min_width in [0.0, 10.0] {
+        let style = Style { width: 1.0, min_width, ..Style::default() };
+        let definition = Definition {
+            axiom: format!("F{}[+F]FF", "W".repeat(40)),
+            overrides: "W: width times 1e9".into(),
+            angle: 30.0,
+            style,
+            ..Definition::default()
+        };
+        let system = system(&definition);
+        let drawing = draw(&system, 0, &Limits::default()).unwrap();
+        for form in [SvgForm::Flat, SvgForm::Compact] {
+            let options = SvgOptions { form, ..SvgOptions::default() };
+            let text = write_svg(&drawing, &definition.style, &options).unwrap().text;
+            assert!(!text.contains("NaN") && !text.contains("inf"), "{min_width} {form:?}\n{text}");
+        }
+        let solid = draw_solid(&system, 0, &Limits::default()).unwrap();
+        let mesh = Mesh::new(&solid, &definition.style, 1000).unwrap();
+        assert!(!mesh.positions.is_empty());
+        assert!(mesh.positions.iter().chain(&mesh.normals).flatten().all(|c| c.is_finite()), "{min_width}");
+    }
+}
+
+#[test]
+fn meshes_of_drawings_as_large_as_numbers_hold_numbers() {
+    for min_width in [0.0, 10.0, 10_000.0] {
+        let style = Style { min_width, ..Style::default() };
+        let definition = Definition { axiom: "F+Ff(1e308)F".into(), style, angle: 30.0, ..Definition::default() };
+        let drawing = draw_solid(&system(&definition), 0, &Limits::default()).unwrap();
+        let mesh = Mesh::new(&drawing, &definition.style, 1000).unwrap();
+        assert!(!mesh.positions.is_empty());
+        assert!(mesh.positions.iter().chain(&mesh.normals).flatten().all(|c| c.is_finite()), "{min_width}");
+    }
+}
+
+#[test]
 fn long_files_are_refused_by_their_size() {
     for bytes in [vec![b'\n'; 50 << 20], [b"[".repeat(8 << 20), b"]".repeat(8 << 20)].concat()] {
         let content = read_file(&bytes);
@@ -182,5 +242,28 @@ fn a_pointer_that_is_nowhere_finds_nothing() {
     assert!(found([32.0, 32.0]).is_some());
     for at in [[32.0, f64::NAN], [f64::NAN, f64::INFINITY], [f64::INFINITY, 32.0]] {
         assert_eq!(found(at), None, "{at:?}");
+    }
+}
+
+#[test]
+fn distances_at_any_magnification_are_numbers() {
+    let definition = Definition { axiom: "F{FFF}+F{FFFF}&F".into(), angle: 60.0, ..Definition::default() };
+    let system = system(&definition);
+    let (flat, solid) = (draw(&system, 0, &Limits::default()), draw_solid(&system, 0, &Limits::default()));
+    let (flat, solid) = (flat.unwrap(), solid.unwrap());
+    let viewport = Viewport { width: 64, height: 64, ratio: 1.0 };
+    for zoom in [1.0, 1e25, 1e150, 1e160, 1e300, f64::MAX] {
+        for at in [[0.0, 0.0], [32.0, 32.0], [1e9, 40.0]] {
+            let pointer = Pointer { at, tolerance: 8.0, upto: None, visits: 1000 };
+            let view = View { zoom, ..View::default() };
+            let mut found = vec![pick(&flat, viewport, view, &pointer)];
+            for perspective in [false, true] {
+                let camera = Camera { zoom, perspective, ..Camera::default() };
+                found.push(pick_solid(&solid, viewport, &camera, &pointer));
+            }
+            for pick in found.iter().flatten() {
+                assert!(pick.distance >= 0.0 && pick.distance <= pointer.tolerance, "{zoom} {at:?} {pick:?}");
+            }
+        }
     }
 }

@@ -260,19 +260,16 @@ impl<S: Space> Writing<S> {
             meter.charge(2 + word.ops(symbol).len() as u64 + builder.take_work());
             self.done += 1;
         }
-        loop {
+        while !meter.is_spent() && !builder.is_full {
             // What is left open returns where it began only in the axiom, where nothing follows.
             let finished = tree.finish_one(builder);
             meter.charge(1 + builder.take_work());
-            match finished {
-                Some(block) => return Some(Piece { block, effect: effect(&self.pen, exponent) }),
-                None if meter.is_spent() || builder.is_full => {
-                    self.tree = Some(tree);
-                    return None;
-                }
-                None => {}
+            if let Some(block) = finished {
+                return Some(Piece { block, effect: effect(&self.pen, exponent) });
             }
         }
+        self.tree = Some(tree);
+        None
     }
 
     /// Looks how far a letter goes.

@@ -1,6 +1,6 @@
 //! Every segment, in drawing order.
 
-use super::paths::{Ink, Paths, Pen};
+use super::paths::{Ink, Paths, Pen, within};
 use super::{Decimals, Sheet, Svg, SvgOptions};
 use lsystem_drawing::MarkReader;
 use lsystem_drawing::{Drawing, Mark, Plane};
@@ -90,9 +90,4 @@ impl SvgWriter {
         text.push_str("</g>\n</svg>\n");
         Progress::Done
     }
-}
-
-/// Keeps what is beyond any picture within the numbers, sums of two included.
-fn within(coordinate: f64) -> f64 {
-    coordinate.clamp(-1e300, 1e300)
 }

@@ -19,7 +19,7 @@ pub(super) struct Ink {
 impl Ink {
     /// A stroke that is `width` wide, where a CSS pixel is `pixel`.
     pub(super) fn new(style: &Style, tint: Tint, width: f64, pixel: f64) -> Self {
-        let width = width.max(style.min_width * pixel);
+        let width = within(width.max(style.min_width * pixel));
         // Nothing has no width on paper: a stroke without one is a hairline, as on the screen.
         Self { rgb: style.colour_of(tint).rgb, width: if width > 0.0 { width } else { pixel } }
     }
@@ -130,4 +130,9 @@ pub(super) fn attribute(text: &mut String, name: &str, decimals: Decimals, value
     let _ = write!(text, " {name}=\"");
     decimals.write(text, value);
     text.push('"');
+}
+
+/// Keeps what is beyond any picture within the numbers, sums of two included.
+pub(super) fn within(length: f64) -> f64 {
+    length.clamp(-1e300, 1e300)
 }

@@ -277,7 +277,8 @@ impl<S: Space, V: Sight<S>> Search<'_, S, V> {
     /// Takes something, if it is better than what there is.
     fn consider(&mut self, Aim { distance, depth, .. }: Aim, beside: f64, target: Target, turn: u128) {
         let rank = Rank { beside, depth, turn };
-        if self.is_better(&rank) {
+        // What is magnified beyond all numbers is near nothing.
+        if !distance.is_nan() && self.is_better(&rank) {
             self.best = Some((rank, Pick { target, distance }));
         }
     }
@@ -287,10 +288,11 @@ impl<S: Space, V: Sight<S>> Search<'_, S, V> {
 pub(crate) fn nearest_on(point: [f64; 2], [from, to]: [[f64; 2]; 2]) -> (f64, f64) {
     let along = [to[0] - from[0], to[1] - from[1]];
     let away = [point[0] - from[0], point[1] - from[1]];
-    let length2 = along[0] * along[0] + along[1] * along[1];
-    let part = if length2 > 0.0 { ((away[0] * along[0] + away[1] * along[1]) / length2).clamp(0.0, 1.0) } else { 0.0 };
-    let (x, y) = (away[0] - part * along[0], away[1] - part * along[1]);
-    ((x * x + y * y).sqrt(), part)
+    // Squares of what is far beyond the picture are no numbers.
+    let reach = along[0].abs().max(along[1].abs());
+    let [x, y] = along.map(|c| c / reach);
+    let part = if reach > 0.0 { ((away[0] * x + away[1] * y) / (x * x + y * y) / reach).clamp(0.0, 1.0) } else { 0.0 };
+    (libm::hypot(away[0] - part * along[0], away[1] - part * along[1]), part)
 }
 
 /// Whether a polygon is filled at a point: whether its outline winds around that a number of times other than zero.

@@ -1,6 +1,6 @@
 //! A flat triangle: what filled polygons are made of.
 
-use super::stroke::span;
+use super::stroke::{Painted, band, span};
 use super::tile::Tile;
 use lsystem_drawing::rotation::Vector;
 
@@ -12,19 +12,19 @@ pub(super) struct Face {
 }
 
 impl Face {
-    /// Paints it on a tile whose upper left corner is at `corner`: the samples whose middles it covers. Returns how many
-    /// were looked at.
-    pub(super) fn paint(&self, tile: &mut Tile, corner: [f64; 2]) -> usize {
+    /// Paints a band of it on a tile whose upper left corner is at `corner`: the samples whose middles it covers.
+    pub(super) fn paint(&self, tile: &mut Tile, corner: [f64; 2], from: usize) -> Painted {
         let [width, height] = tile.size.map(|count| count as f64);
         let [a, b, c] = self.corners.map(|[x, y, d]| [x - corner[0], y - corner[1], d]);
         let least = |i: usize| a[i].min(b[i]).min(c[i]);
         let most = |i: usize| a[i].max(b[i]).max(c[i]);
         let slack = tile.slack();
-        let Some(across) = span(least(0) - slack, most(0) + slack, width) else { return 0 };
-        let Some(down) = span(least(1), most(1), height) else { return 0 };
+        let Some(across) = span(least(0) - slack, most(0) + slack, width) else { return Painted::default() };
+        let Some(down) = span(least(1), most(1), height) else { return Painted::default() };
+        let (down, rest) = band(across, down, from);
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
         if area.abs() < 1e-9 || tile.hides(across, down, least(2) as f32) {
-            return 0;
+            return Painted { looked: 0, rest };
         }
         tile.touch(across, down);
         // The plane that it lies in: how depth goes on from column to column and from row to row.
@@ -54,7 +54,7 @@ impl Face {
                 }
             }
         }
-        looked
+        Painted { looked, rest }
     }
 }
 
@@ -69,10 +69,10 @@ mod tests {
         let red = u32::from_le_bytes([255, 0, 0, 255]);
         let green = u32::from_le_bytes([0, 255, 0, 255]);
         let face = Face { corners: [[4.0, 4.0, 0.0], [60.0, 4.0, 56.0], [4.0, 60.0, 0.0]], colour: red };
-        face.paint(&mut tile, [0.0; 2]);
+        face.paint(&mut tile, [0.0; 2], 0);
         // Upright and nearer on the right half only.
         let other = Face { corners: [[0.0, 0.0, 28.0], [64.0, 0.0, 28.0], [0.0, 64.0, 28.0]], colour: green };
-        other.paint(&mut tile, [0.0; 2]);
+        other.paint(&mut tile, [0.0; 2], 0);
         let mut counts = [0; 2];
         for row in 0..64 {
             for colour in tile.row(row, [0, 63]).1.iter() {

@@ -26,15 +26,16 @@ const NARROW: usize = 6;
 const END_ON: f64 = 1e-3;
 
 impl Stick {
-    /// Paints it on a tile whose upper left corner is at `corner`; returns how many samples were looked at.
-    pub(super) fn paint(&self, tile: &mut Tile, corner: [f64; 2], light: &Light) -> usize {
+    /// Paints a band of it on a tile whose upper left corner is at `corner`.
+    pub(super) fn paint(&self, tile: &mut Tile, corner: [f64; 2], light: &Light, from: usize) -> Painted {
         let size = tile.size.map(|count| count as f64);
-        let Some(stick) = self.within(corner, size) else { return 0 };
+        let Some(stick) = self.within(corner, size) else { return Painted::default() };
         let [[x0, y0, d0], [x1, y1, d1]] = stick.ends;
         let widest = stick.radii[0].max(stick.radii[1]);
         let aside = widest + tile.slack();
-        let Some(across) = span(x0.min(x1) - aside, x0.max(x1) + aside, size[0]) else { return 0 };
-        let Some(down) = span(y0.min(y1) - widest, y0.max(y1) + widest, size[1]) else { return 0 };
+        let Some(across) = span(x0.min(x1) - aside, x0.max(x1) + aside, size[0]) else { return Painted::default() };
+        let Some(down) = span(y0.min(y1) - widest, y0.max(y1) + widest, size[1]) else { return Painted::default() };
+        let (down, rest) = band(across, down, from);
         let way = [x1 - x0, y1 - y0, d1 - d0];
         let flat = (way[0] * way[0] + way[1] * way[1]).sqrt();
         let length = (flat * flat + way[2] * way[2]).sqrt();
@@ -47,9 +48,9 @@ impl Stick {
                 spot: stick.spots[near],
             };
             tile.touch(across, down);
-            return ball.fill(tile, across, down, light);
+            return Painted { looked: ball.fill(tile, across, down, light), rest };
         }
-        stick.fill(tile, across, down, [flat, length], light)
+        Painted { looked: stick.fill(tile, across, down, [flat, length], light), rest }
     }
 
     /// Relative to a tile's corner, what is far from the tile cut off; `None` if nothing is left.
@@ -247,13 +248,14 @@ pub(super) struct Dot {
 }
 
 impl Dot {
-    /// Paints it on a tile whose upper left corner is at `corner`.
-    pub(super) fn paint(&self, tile: &mut Tile, corner: [f64; 2]) -> usize {
+    /// Paints a band of it on a tile whose upper left corner is at `corner`.
+    pub(super) fn paint(&self, tile: &mut Tile, corner: [f64; 2], from: usize) -> Painted {
         let [x, y] = [0, 1].map(|i| self.at[i] - corner[i]);
         let [width, height] = tile.size.map(|count| count as f64);
         let aside = self.radius + tile.slack();
-        let Some(across) = span(x - aside, x + aside, width) else { return 0 };
-        let Some(down) = span(y - self.radius, y + self.radius, height) else { return 0 };
+        let Some(across) = span(x - aside, x + aside, width) else { return Painted::default() };
+        let Some(down) = span(y - self.radius, y + self.radius, height) else { return Painted::default() };
+        let (down, rest) = band(across, down, from);
         tile.touch(across, down);
         let (x, y, near) = (x as f32, y as f32, self.at[2] as f32);
         let reach = (self.radius * self.radius) as f32;
@@ -269,8 +271,29 @@ impl Dot {
                 }
             }
         }
-        (down[1] - down[0] + 1) * (across[1] - across[0] + 1)
+        Painted { looked: (down[1] - down[0] + 1) * (across[1] - across[0] + 1), rest }
     }
+}
+
+/// What painting a band of something has taken.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Painted {
+    /// Samples that were looked at.
+    pub looked: usize,
+    /// The row from which on it is still to be painted.
+    pub rest: Option<usize>,
+}
+
+/// Samples of a band, at least a row of cells: few beside what a piece of work may take.
+const BAND: usize = 1 << 16;
+
+/// The rows of `down` that are painted at once, from the row `from` on, and the row from which on others are left. Bands
+/// end where cells do.
+pub(super) fn band([left, right]: [usize; 2], [top, bottom]: [usize; 2], from: usize) -> ([usize; 2], Option<usize>) {
+    let top = top.max(from);
+    let cells = (BAND / (CELL * (right - left + 1))).max(1);
+    let next = (top / CELL + cells) * CELL;
+    ([top, bottom.min(next - 1)], (next <= bottom).then_some(next))
 }
 
 /// The samples of a tile whose middles lie between two places.

@@ -276,6 +276,26 @@ fn pictures_do_not_depend_on_steps() {
 /// Made pane by pane, in any order and by several renderers, with the budgets that the picture has one after the other,
 /// it is the same picture.
 #[test]
+fn wide_strokes_are_painted_in_steps() {
+    let viewport = Viewport { width: 1920, height: 1080, ratio: 1.0 };
+    let drawing = drawing(&system(Dialect::Abop, "F+F{f+f+f}&F[^F]", "F -> FF{f-f-f}", 60.0), 3);
+    let style = Style { min_width: 10_000.0, ..Style::default() };
+    for (quality, zoom) in [(Quality(4), 1.0), (Quality(4), 30.0), (Quality::MOVING, 1.0), (Quality(15), 1.0)] {
+        let camera = Camera { zoom, ..Camera::default() };
+        let whole = picture(&drawing, &style, viewport, &camera, quality, usize::MAX);
+        let mut renderer = SolidRenderer::new();
+        renderer.load(drawing.clone());
+        renderer.begin(&style, viewport, &camera, quality);
+        let mut before = 0;
+        while renderer.step(16_384) == Progress::More {
+            assert!(renderer.spent() - before <= 16_384 + Meter::PIECE, "{quality:?} {zoom}");
+            before = renderer.spent();
+        }
+        assert!(renderer.pixels() == whole, "{quality:?} {zoom}");
+    }
+}
+
+#[test]
 fn panes_together_are_the_picture() {
     let viewport = Viewport { width: 560, height: 400, ratio: 1.0 };
     let mut rounds = 0;

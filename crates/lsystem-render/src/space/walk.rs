@@ -7,13 +7,14 @@ use super::face::Face;
 use super::light::{DIRECTIONS, LIGHT, Light};
 use super::path::Stretch;
 use super::scene::{Node, SAMPLES, Scene, WIDTH, direction};
-use super::stroke::{Dot, Stick, span};
+use super::stroke::{Dot, Painted, Stick, span};
 use super::tile::Tile;
 use crate::plane::{Pane, Shade};
 use crate::{RenderStats, Viewport};
 use lsystem_drawing::rotation::{Vector, combine, cross, dot, minus, norm};
 use lsystem_drawing::{Drawing, Solid};
 use lsystem_syntax::{Meter, Progress, Style};
+use std::collections::VecDeque;
 
 /// Whole blocks are looked for behind others from this size on, in samples.
 const HIDEABLE: f32 = 3.0;
@@ -62,6 +63,14 @@ struct Frame {
     towards: [[f32; 3]; 2],
 }
 
+/// What is painted on a tile.
+#[derive(Clone, Copy)]
+enum Shape {
+    Stick(Stick),
+    Face(Face),
+    Dot(Dot),
+}
+
 /// Where a node is, as the lens sees it before perspective.
 #[derive(Clone, Copy)]
 struct Place {
@@ -94,6 +103,8 @@ pub(super) struct Walk {
     tile: Tile,
     look: Option<Look>,
     stack: Vec<Frame>,
+    /// What is painted before anything else, and from which row on: wide strokes are painted band by band.
+    shapes: VecDeque<(Shape, usize)>,
     /// The tiles from this one on are still to be painted.
     next: usize,
     painting: bool,
@@ -193,6 +204,7 @@ impl Walk {
             self.wiped = 0;
         }
         self.stack.clear();
+        self.shapes.clear();
         self.next = 0;
         self.painting = false;
         (self.used, self.work, self.poor) = (0.0, 0, false);
@@ -209,6 +221,7 @@ impl Walk {
     pub(super) fn stop(&mut self) {
         self.look = None;
         self.stack.clear();
+        self.shapes.clear();
     }
 
     /// Starts again where the budget was too small. Whether it does.
@@ -311,6 +324,16 @@ impl Walk {
     /// Goes on with a tile.
     fn paint(&mut self, scene: &Scene, look: &Look, corner: [f64; 2], meter: &mut Meter) -> Progress {
         while !meter.is_spent() {
+            if let Some((shape, from)) = self.shapes.pop_front() {
+                let Painted { looked, rest } = self.band(look, corner, &shape, from);
+                if let Some(from) = rest {
+                    self.shapes.push_front((shape, from));
+                }
+                let cost = looked as i64 / SAMPLES_WORK;
+                self.work += cost;
+                meter.charge(cost.unsigned_abs());
+                continue;
+            }
             let Some(frame) = self.stack.last_mut() else { return Progress::Done };
             if frame.left == 0 {
                 let spare = frame.spare;
@@ -370,7 +393,27 @@ impl Walk {
         let spot = look.light.spot([0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0));
         let colour = look.light.surface(ink, &spot, dot(normal, LIGHT) as f32, -normal[2] as f32);
         let face = Face { corners: corners.map(|corner| lens.project(corner)), colour };
-        LINE_WORK + face.paint(&mut self.tile, tile) as i64 / SAMPLES_WORK
+        self.shape(look, tile, Shape::Face(face))
+    }
+
+    /// Paints the first band of something, unless something else is to be painted before; the rest follows.
+    fn shape(&mut self, look: &Look, corner: [f64; 2], shape: Shape) -> i64 {
+        if !self.shapes.is_empty() {
+            self.shapes.push_back((shape, 0));
+            return LINE_WORK;
+        }
+        let Painted { looked, rest } = self.band(look, corner, &shape, 0);
+        self.shapes.extend(rest.map(|from| (shape, from)));
+        LINE_WORK + looked as i64 / SAMPLES_WORK
+    }
+
+    /// Paints a band of something, from a row on.
+    fn band(&mut self, look: &Look, corner: [f64; 2], shape: &Shape, from: usize) -> Painted {
+        match shape {
+            Shape::Stick(stick) => stick.paint(&mut self.tile, corner, &look.light, from),
+            Shape::Face(face) => face.paint(&mut self.tile, corner, from),
+            Shape::Dot(dot) => dot.paint(&mut self.tile, corner, from),
+        }
     }
 
     /// Paints a stroke.
@@ -395,7 +438,7 @@ impl Walk {
             ink,
             spots: ends.map(|end| look.light.spot(end)),
         };
-        LINE_WORK + stick.paint(&mut self.tile, corner, &look.light) as i64 / SAMPLES_WORK
+        self.shape(look, corner, Shape::Stick(stick))
     }
 
     /// Paints a node inside the one on top of the stack, or puts it there itself.
@@ -451,7 +494,7 @@ impl Walk {
                 radius: f64::from(size.sqrt().max(0.71)),
                 colour,
             };
-            return LINE_WORK + dot.paint(&mut self.tile, corner) as i64 / SAMPLES_WORK;
+            return self.shape(look, corner, Shape::Dot(dot));
         }
         let size = ball + radius;
         if size > HIDEABLE && self.tile.hides(across, down, near - radius) {

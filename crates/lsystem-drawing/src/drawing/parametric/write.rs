@@ -20,8 +20,10 @@ pub(super) struct Writing<S: Space> {
     done: u32,
     unit: Option<i32>,
     symbols: u128,
-    /// Whether what all parts do is held at once.
-    is_held: bool,
+    /// The part after those whose deeds are held; none where no deeds are.
+    held: Option<u32>,
+    /// How many of those deeds are drawn.
+    drawn: usize,
     /// What the parts do at most, in items.
     weight: usize,
     pen: Pen<S>,
@@ -47,10 +49,10 @@ impl<S: Space> Parametric<S> {
             writing.measure(builder, score, &deeds);
             let symbols = (writing.done..next).map(|part| self.symbols_of(part)).fold(0, u128::saturating_add);
             writing.symbols = writing.symbols.saturating_add(symbols);
-            writing.is_held = writing.done == writing.parts.start && next == end;
+            writing.held = (writing.done == writing.parts.start && next == end).then_some(end);
             meter.charge(4 + 2 * u64::from(next - writing.done) + deeds.len() as u64);
             writing.done = next;
-            if meter.is_spent() && !writing.is_held {
+            if meter.is_spent() && writing.held.is_none() {
                 self.deeds = deeds;
                 return Ok(None);
             }
@@ -62,29 +64,29 @@ impl<S: Space> Parametric<S> {
             Tree::of_word(unit, writing.weight > WORD)
         });
         while writing.done < end {
-            let next = match writing.is_held {
-                true => end,
-                false => self.collect((turtle, score), writing.done..end, &mut deeds)?,
+            let next = match writing.held {
+                Some(next) => next,
+                None => self.collect((turtle, score), writing.done..end, &mut deeds)?,
             };
-            for deed in &deeds {
+            writing.held = Some(next);
+            while let Some(deed) = deeds.get(writing.drawn).filter(|_| !meter.is_spent() && !builder.is_full) {
                 writing.draw(builder, deed, (&mut tree, unit, scale));
+                writing.drawn += 1;
+                // Hulls of the blocks that it completes are most of it.
+                meter.charge(2 + builder.take_work());
             }
-            meter.charge(2 * deeds.len() as u64 + builder.take_work());
-            writing.done = next;
-            if meter.is_spent() || builder.is_full {
+            if writing.drawn < deeds.len() {
                 break;
             }
+            (writing.done, writing.held, writing.drawn) = (next, None, 0);
         }
         self.deeds = deeds;
-        while writing.done == end && !builder.is_full {
+        while writing.done == end && !meter.is_spent() && !builder.is_full {
             let finished = tree.finish_one(builder);
             meter.charge(1 + builder.take_work());
             if let Some(block) = finished {
                 let piece = Piece { block, effect: effect(&writing.pen, unit) };
                 return Ok(Some((piece, writing.symbols)));
-            }
-            if meter.is_spent() {
-                break;
             }
         }
         writing.tree = Some(tree);
@@ -139,7 +141,8 @@ impl<S: Space> Writing<S> {
             parts,
             unit: None,
             symbols: 0,
-            is_held: false,
+            held: None,
+            drawn: 0,
             weight: 0,
             pen: Pen { vertical, ..Pen::new(heading, StyleChange::NONE) },
             saved: vec![],
