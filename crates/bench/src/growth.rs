@@ -1,6 +1,7 @@
 //! Derivation one generation after the other: productions with contexts, and with parameters.
 
 use lsystem::{Definition, Limits, Rewriter, Rules, System};
+use std::sync::Arc;
 
 /// A system whose productions look around themselves or compute.
 #[derive(Clone, Copy, Debug)]
@@ -44,15 +45,15 @@ pub const GROWTHS: [Growth; 3] = [
 impl Growth {
     /// Its rules, compiled.
     #[must_use]
-    pub fn compile(&self) -> Rules {
+    pub fn compile(&self) -> Arc<Rules> {
         let definition = Definition { axiom: self.axiom.into(), rules: self.rules.into(), ..Definition::default() };
         let system = System::new(&definition).0.expect("the measured systems are right");
-        system.rules.expect("they look around themselves or compute")
+        system.rules
     }
 
     /// Derives; how many modules were read on the way, in all generations but the last.
     #[must_use]
-    pub fn derive(&self, rules: &Rules) -> u64 {
+    pub fn derive(&self, rules: &Arc<Rules>) -> u64 {
         let mut rewriter = Rewriter::new(rules.clone(), 0, Limits::default()).expect("finite numbers");
         let mut read = 0;
         while rewriter.generation() < self.n {

@@ -4,9 +4,8 @@
 //! down from the axiom, once per generation, however long the string is.
 
 use crate::counts::{Depths, drawn_by_letter};
-use crate::program::{Rewrite, SymbolId};
 use crate::space::Space;
-use crate::{BlockId, Drawing, Item, Key, Rules, System};
+use crate::{BlockId, Drawing, Item, Key, LetterId, Rule, System, Template};
 use core::ops::Range;
 use lsystem_syntax::{Code, MAX_ITERATIONS, Meter};
 
@@ -67,7 +66,7 @@ pub fn symbol_of_polygon<S: Space>(system: &System, n: u32, drawing: &Drawing<S>
 /// What polygons a drawing has, in whatever space.
 trait Filled {
     /// The block of what a letter that is rewritten becomes in `depth` steps, if it draws anything.
-    fn inner(&self, symbol: SymbolId, depth: u32) -> Option<Option<BlockId>>;
+    fn inner(&self, symbol: LetterId, depth: u32) -> Option<Option<BlockId>>;
 
     /// How many polygons a block fills.
     fn polygons(&self, block: BlockId) -> u128;
@@ -77,7 +76,7 @@ trait Filled {
 }
 
 impl<S: Space> Filled for Drawing<S> {
-    fn inner(&self, symbol: SymbolId, depth: u32) -> Option<Option<BlockId>> {
+    fn inner(&self, symbol: LetterId, depth: u32) -> Option<Option<BlockId>> {
         self.piece(symbol, depth).map(|piece| piece.block)
     }
 
@@ -94,7 +93,7 @@ impl<S: Space> Filled for Drawing<S> {
 /// A module on the way down.
 #[derive(Clone, Debug)]
 struct Node {
-    symbol: SymbolId,
+    symbol: LetterId,
     arguments: Vec<f64>,
     /// Without meaning where no argument is random.
     key: Key,
@@ -103,7 +102,7 @@ struct Node {
 /// The modules of the axiom or of a successor, made one by one: of a long one most are only passed by.
 struct Nodes<'a> {
     system: &'a System,
-    letters: &'a [SymbolId],
+    letters: &'a [LetterId],
     /// How the arguments of those to come are computed.
     codes: &'a [Code],
     /// What they replace; nothing for the axiom.
@@ -116,14 +115,13 @@ struct Nodes<'a> {
 
 impl<'a> Nodes<'a> {
     /// The letter of the next.
-    fn symbol(&self) -> Option<SymbolId> {
+    fn symbol(&self) -> Option<LetterId> {
         self.letters.get(self.passed).copied()
     }
 
     /// Passes the next by; how the arguments of that one are computed.
     fn pass(&mut self) -> &'a [Code] {
-        let letter = self.letters.get(self.passed).zip(self.system.rules.as_ref());
-        let arity = letter.map_or(0, |(&symbol, rules)| usize::from(rules.letters[usize::from(symbol)].arity));
+        let arity = self.symbol().map_or(0, |letter| self.system.rules.arity(letter));
         let (own, rest) = self.codes.split_at(arity.min(self.codes.len()));
         self.codes = rest;
         self.passed += 1;
@@ -164,27 +162,26 @@ impl<'a> Word<'a> {
     }
 
     fn within(system: &'a System, n: u32, meter: &mut Meter) -> Option<Self> {
-        let program = &system.program;
-        let cutting = system.rules.as_ref().is_some_and(Rules::is_cutting);
-        if n > MAX_ITERATIONS || cutting || !program.is_deterministic() {
+        let rules = &system.rules;
+        if n > MAX_ITERATIONS || rules.is_cutting() || !rules.is_deterministic() {
             return None;
         }
         let drawn = drawn_by_letter(system)?;
-        let symbols = Depths::new(program, n, |_| 1, meter)?;
-        let segments = Depths::new(program, n, |symbol| drawn[usize::from(symbol)], meter)?;
+        let symbols = Depths::new(rules, n, |_| 1, meter)?;
+        let segments = Depths::new(rules, n, |symbol| drawn[usize::from(symbol)], meter)?;
         Some(Self { system, n, symbols, segments })
     }
 
     /// How many symbols it has; `u128::MAX` stands for that many or more, of which only the first can be reached.
     #[must_use]
     pub fn symbols(&self) -> u128 {
-        self.symbols.sum(self.n as usize, &self.system.program.axiom)
+        self.symbols.sum(self.n as usize, &self.system.rules.axiom.letters)
     }
 
     /// How many segments it draws; `u128::MAX` stands for that many or more.
     #[must_use]
     pub fn segments(&self) -> u128 {
-        self.segments.sum(self.n as usize, &self.system.program.axiom)
+        self.segments.sum(self.n as usize, &self.system.rules.axiom.letters)
     }
 
     /// The symbols from position `start` (0-based) on, at most `length` of them, fewer at the end; with their arguments
@@ -192,7 +189,7 @@ impl<'a> Word<'a> {
     #[must_use]
     pub fn slice(&self, start: u128, length: usize) -> String {
         let mut text = String::new();
-        let plain = self.system.rules.is_none();
+        let plain = self.system.rules.is_plain();
         self.modules(start, length, &mut |symbol, arguments| {
             if plain { text.push(symbol) } else { lsystem_syntax::print_module(symbol, arguments, &mut text) }
         });
@@ -244,7 +241,7 @@ impl<'a> Word<'a> {
     /// As the function of that name. Every letter that is rewritten has a block of its own, and the polygons of those that
     /// stay are among the items of the block of their word.
     fn symbol_of_polygon(&self, drawing: &dyn Filled, root: BlockId, number: u128) -> Option<u128> {
-        let (mut word, mut depth, mut left) = (self.system.program.axiom.as_slice(), self.n, number);
+        let (mut word, mut depth, mut left) = (self.system.rules.axiom.letters.as_slice(), self.n, number);
         let (mut block, mut before) = (root, 0_u128);
         loop {
             // A word that draws nothing but what one of its letters does has that one's block.
@@ -278,7 +275,7 @@ impl<'a> Word<'a> {
     #[must_use]
     pub fn segments_before(&self, index: u128) -> u128 {
         let mut segments = 0_u128;
-        let (mut word, mut depth, mut skip) = (self.system.program.axiom.as_slice(), self.n as usize, index);
+        let (mut word, mut depth, mut skip) = (self.system.rules.axiom.letters.as_slice(), self.n as usize, index);
         loop {
             let inside = word.iter().find(|&&s| {
                 let count = self.symbols.get(depth, s);
@@ -300,7 +297,7 @@ impl<'a> Word<'a> {
     /// symbol.
     #[must_use]
     pub fn part(&self, generation: u32, index: u128) -> Option<Part> {
-        let mut word = self.system.program.axiom.as_slice();
+        let mut word = self.system.rules.axiom.letters.as_slice();
         let mut skip = index;
         let (mut symbols, mut segments) = (0_u128, 0_u128);
         for steps in (0..=generation).rev() {
@@ -333,7 +330,7 @@ impl<'a> Word<'a> {
         // By generation: how many of its symbols stand before the current letter.
         let mut before = vec![0_u128; self.n as usize + 1];
         // By letter: how often it has been passed by in a word.
-        let mut passed = vec![0_u32; self.system.program.alphabet.len()];
+        let mut passed = vec![0_u32; self.system.rules.letters.len()];
         let (mut nodes, mut made_by) = (self.axiom(), None);
         let mut skip = place;
         for generation in 0..=self.n {
@@ -378,40 +375,33 @@ impl<'a> Word<'a> {
         chain
     }
 
-    fn letter(&self, symbol: SymbolId) -> char {
-        self.system.program.alphabet[usize::from(symbol)]
+    fn letter(&self, symbol: LetterId) -> char {
+        self.system.rules.symbol(symbol)
     }
 
     /// The production that rewrites a letter.
-    fn production(&self, symbol: SymbolId) -> Option<usize> {
-        match &self.system.rules {
-            Some(rules) => rules.by_letter[usize::from(symbol)].first().map(|rule| rule.production),
-            None => {
-                let letter = self.letter(symbol);
-                self.system.grammar.productions.iter().position(|p| p.predecessor.symbol == letter)
-            }
-        }
+    fn production(&self, symbol: LetterId) -> Option<usize> {
+        self.rule(symbol).map(|rule| rule.production)
+    }
+
+    fn rule(&self, symbol: LetterId) -> Option<&'a Rule> {
+        self.system.rules.by_letter[usize::from(symbol)].first()
     }
 
     fn axiom(&self) -> Nodes<'a> {
-        let codes = self.system.rules.as_ref().map_or(&[][..], |rules| &rules.axiom.arguments);
-        Nodes { system: self.system, letters: &self.system.program.axiom, codes, parent: None, step: 0, passed: 0 }
+        let Template { letters, arguments } = &self.system.rules.axiom;
+        Nodes { system: self.system, letters, codes: arguments, parent: None, step: 0, passed: 0 }
     }
 
     /// The modules that derivation step `step` makes of `parent`, whose letters are `letters`.
-    fn children(&self, parent: Node, letters: &'a [SymbolId], step: u32) -> Nodes<'a> {
-        let rules = self.system.rules.as_ref();
-        let rule = rules.and_then(|rules| rules.by_letter[usize::from(parent.symbol)].first());
-        let codes = rule.map_or(&[][..], |rule| &rule.successor.arguments);
+    fn children(&self, parent: Node, letters: &'a [LetterId], step: u32) -> Nodes<'a> {
+        let codes = self.rule(parent.symbol).map_or(&[][..], |rule| &rule.successor.arguments);
         Nodes { system: self.system, letters, codes, parent: Some(parent), step, passed: 0 }
     }
 
     /// What a letter with `depth` steps to go becomes in the next; `None` where it stays as it is to the end.
-    fn successor(&self, symbol: SymbolId, depth: u32) -> Option<&'a [SymbolId]> {
-        match &self.system.program.rewrites[usize::from(symbol)] {
-            Rewrite::Always(successor) if depth > 0 => Some(successor),
-            _ => None,
-        }
+    fn successor(&self, symbol: LetterId, depth: u32) -> Option<&'a [LetterId]> {
+        self.system.rules.rewrites[usize::from(symbol)].always().filter(|_| depth > 0)
     }
 }
 
@@ -472,8 +462,8 @@ mod tests {
             length in 0_usize..300,
         ) {
             let mut system = system(&axiom, &[('A', &a, None), ('B', &b, None)], 0);
-            for (id, &symbol) in system.program.alphabet.iter().enumerate() {
-                let draws = match symbol { 'F' => 1, 'B' => 2, _ => 0 };
+            for (id, letter) in system.rules.letters.iter().enumerate() {
+                let draws = match letter.symbol { 'F' => 1, 'B' => 2, _ => 0 };
                 system.turtle.actions[id] = vec![Action::Draw(None); draws];
             }
             let strings: Vec<Vec<char>> =

@@ -3,8 +3,7 @@
 //! What a letter derives in d steps is what its successor's letters derive in d - 1 steps, so a count is a sum over
 //! the successor: d times |alphabet| additions, however long the string.
 
-use crate::program::{Program, Rewrite, SymbolId};
-use crate::{Rules, System, Tally};
+use crate::{LetterId, Rewrite, Rules, System, Tally};
 use lsystem_syntax::{MAX_COUNTING, Meter, Progress};
 
 /// How many symbols generation `n` has, modules with parameters counted as one; `None` where that depends on random
@@ -54,21 +53,21 @@ impl Counter {
     /// Ready to count the symbols of generation `n`.
     #[must_use]
     pub fn symbols(system: &System, n: u32) -> Self {
-        Self::new(&system.program, n, !is_cutting(system), |_| 1)
+        Self::new(&system.rules, n, !system.rules.is_cutting(), |_| 1)
     }
 
     /// Ready to count the segments of generation `n`.
     #[must_use]
     pub fn segments(system: &System, n: u32) -> Self {
-        let drawn = if is_cutting(system) { None } else { drawn_by_letter(system) };
+        let drawn = if system.rules.is_cutting() { None } else { drawn_by_letter(system) };
         let drawn = drawn.as_deref();
-        Self::new(&system.program, n, drawn.is_some(), |symbol| drawn.map_or(0, |drawn| drawn[usize::from(symbol)]))
+        Self::new(&system.rules, n, drawn.is_some(), |symbol| drawn.map_or(0, |drawn| drawn[usize::from(symbol)]))
     }
 
-    fn new(program: &Program, n: u32, known: bool, weight: impl Fn(SymbolId) -> u64) -> Self {
-        let sums = Sums::new(program);
+    fn new(rules: &Rules, n: u32, known: bool, weight: impl Fn(LetterId) -> u64) -> Self {
+        let sums = Sums::new(rules);
         let totals =
-            (0..program.alphabet.len()).map(|symbol| Some(Tally::from(weight(symbol as SymbolId)))).collect::<Vec<_>>();
+            (0..rules.letters.len()).map(|symbol| Some(Tally::from(weight(symbol as LetterId)))).collect::<Vec<_>>();
         let (next, at) = (vec![None; totals.len()], Place::default());
         let count = if known { None } else { Some(None) };
         Self { sums, totals, next, steps: 0, n, at, bytes: 0, count, spent: 0 }
@@ -169,24 +168,16 @@ impl Counter {
     }
 }
 
-fn is_cutting(system: &System) -> bool {
-    system.rules.as_ref().is_some_and(Rules::is_cutting)
-}
-
 /// By letter: how many segments it draws, 0 for one that never occurs; `None` where one that may occur does not always
 /// draw as many.
 pub(crate) fn drawn_by_letter(system: &System) -> Option<Vec<u64>> {
-    let drawn = |symbol| match &system.rules {
-        None => Some(segments_of(system, symbol)),
-        Some(rules) => drawn_as(system, rules, symbol),
-    };
-    let reachable = system.program.reachable();
-    (reachable.iter().enumerate()).map(|(id, reached)| if *reached { drawn(id as SymbolId) } else { Some(0) }).collect()
+    let drawn = |(id, reached): (usize, &bool)| if *reached { drawn_as(system, id as LetterId) } else { Some(0) };
+    system.rules.reachable().iter().enumerate().map(drawn).collect()
 }
 
 /// The segments of what a letter is drawn as; `None` where they are not always as many.
-fn drawn_as(system: &System, rules: &Rules, letter: SymbolId) -> Option<u64> {
-    let images = &rules.images[usize::from(letter)];
+fn drawn_as(system: &System, letter: LetterId) -> Option<u64> {
+    let images = &system.rules.images[usize::from(letter)];
     let mut all =
         images.iter().map(|image| image.successor.letters.iter().map(|&letter| segments_of(system, letter)).sum());
     let always = images.iter().any(|image| image.condition.is_none() && image.weight.is_none());
@@ -196,27 +187,27 @@ fn drawn_as(system: &System, rules: &Rules, letter: SymbolId) -> Option<u64> {
 }
 
 /// The segments that one letter draws by itself.
-pub(crate) fn segments_of(system: &System, symbol: SymbolId) -> u64 {
+pub(crate) fn segments_of(system: &System, symbol: LetterId) -> u64 {
     let actions = &system.turtle.actions[usize::from(symbol)];
     actions.iter().filter(|action| action.draws()).count() as u64
 }
 
 /// The sum of `weight` over the letters of generation `n`; `None` where it depends on random choices.
 #[must_use]
-pub fn count(program: &Program, n: u32, weight: impl Fn(SymbolId) -> u64) -> Option<Tally> {
-    Counter::new(program, n, true, weight).finish()
+pub fn count(rules: &Rules, n: u32, weight: impl Fn(LetterId) -> u64) -> Option<Tally> {
+    Counter::new(rules, n, true, weight).finish()
 }
 
 /// By generation from 0: the sum of `weight` over its letters, up to the first sum above `limit` or generation `n`.
 /// Ends early with what is known where a sum depends on random choices, or where the meter is spent.
 pub(crate) fn counts_until(
-    program: &Program,
+    rules: &Rules,
     n: u32,
     limit: u64,
-    weight: impl Fn(SymbolId) -> u64,
+    weight: impl Fn(LetterId) -> u64,
     meter: &mut Meter,
 ) -> Result<Vec<u128>, Unknown> {
-    let sums = Sums::new(program);
+    let sums = Sums::new(rules);
     let mut totals: Vec<Option<Saturating>> = sums.start(&weight);
     let mut generations = Vec::new();
     for generation in 0..=n {
@@ -239,13 +230,13 @@ pub(crate) fn counts_until(
 /// For each generation up to `last`: whether its letters weigh anything, as `nonzero(generation, known)` where that is
 /// known; ends where `nonzero` says so, or the meter is spent (false).
 pub(crate) fn weigh_until(
-    program: &Program,
+    rules: &Rules,
     last: u32,
-    weight: impl Fn(SymbolId) -> u64,
+    weight: impl Fn(LetterId) -> u64,
     meter: &mut Meter,
     mut nonzero: impl FnMut(u32, Option<bool>) -> bool,
 ) -> bool {
-    let sums = Sums::new(program);
+    let sums = Sums::new(rules);
     let mut totals: Vec<Option<Saturating>> = sums.start(&weight);
     for generation in 0..=last {
         if generation > 0 {
@@ -285,11 +276,11 @@ const FIXED: u32 = u32::MAX;
 impl Depths {
     /// The sums of `weight` of letters that occur. Letters with random choices count as themselves. `None` where they are
     /// more than [`MAX_CELLS`], or the meter is spent.
-    pub(crate) fn new(program: &Program, n: u32, weight: impl Fn(SymbolId) -> u64, meter: &mut Meter) -> Option<Self> {
-        let own: Vec<u64> = (0..program.alphabet.len()).map(|symbol| weight(symbol as SymbolId)).collect();
-        let sums = Sums::new(program);
-        let changing = |letter: SymbolId| matches!(program.rewrites[usize::from(letter)], Rewrite::Always(_));
-        let rewritten: Vec<SymbolId> = sums.rewritten.iter().copied().filter(|&letter| changing(letter)).collect();
+    pub(crate) fn new(rules: &Rules, n: u32, weight: impl Fn(LetterId) -> u64, meter: &mut Meter) -> Option<Self> {
+        let own: Vec<u64> = (0..rules.letters.len()).map(|symbol| weight(symbol as LetterId)).collect();
+        let sums = Sums::new(rules);
+        let changing = |letter: LetterId| matches!(rules.rewrites[usize::from(letter)], Rewrite::Always(_));
+        let rewritten: Vec<LetterId> = sums.rewritten.iter().copied().filter(|&letter| changing(letter)).collect();
         let width = rewritten.len();
         let rows = n as usize + 1;
         let cost = sums.size().saturating_mul(u64::from(n));
@@ -315,7 +306,7 @@ impl Depths {
     }
 
     /// The sum over what `letter` derives in `depth` steps.
-    pub(crate) fn get(&self, depth: usize, letter: SymbolId) -> u128 {
+    pub(crate) fn get(&self, depth: usize, letter: LetterId) -> u128 {
         match self.columns[usize::from(letter)] {
             FIXED => u128::from(self.own[usize::from(letter)]),
             column => self.cells[depth * self.width + column as usize],
@@ -323,7 +314,7 @@ impl Depths {
     }
 
     /// Where the sum of a letter stands among all, if it depends on the depth.
-    pub(crate) fn cell(&self, depth: usize, letter: SymbolId) -> Option<usize> {
+    pub(crate) fn cell(&self, depth: usize, letter: LetterId) -> Option<usize> {
         let column = self.columns[usize::from(letter)];
         (column != FIXED).then(|| depth * self.width + column as usize)
     }
@@ -334,7 +325,7 @@ impl Depths {
     }
 
     /// The sum over what a word derives in `depth` steps, saturating.
-    pub(crate) fn sum(&self, depth: usize, word: &[SymbolId]) -> u128 {
+    pub(crate) fn sum(&self, depth: usize, word: &[LetterId]) -> u128 {
         word.iter().fold(0, |sum: u128, &letter| sum.saturating_add(self.get(depth, letter)))
     }
 }
@@ -365,17 +356,17 @@ impl Total for Saturating {
 struct Sums {
     alternatives: Vec<Vec<Multiset>>,
     /// The letters that have any.
-    rewritten: Vec<SymbolId>,
+    rewritten: Vec<LetterId>,
     axiom: Multiset,
 }
 
-type Multiset = Vec<(SymbolId, u32)>;
+type Multiset = Vec<(LetterId, u32)>;
 
 impl Sums {
-    fn new(program: &Program) -> Self {
-        let reachable = program.reachable();
-        let mut times = vec![0; program.alphabet.len()];
-        let alternatives: Vec<Vec<Multiset>> = (program.rewrites.iter().zip(reachable))
+    fn new(rules: &Rules) -> Self {
+        let reachable = rules.reachable();
+        let mut times = vec![0; rules.letters.len()];
+        let alternatives: Vec<Vec<Multiset>> = (rules.rewrites.iter().zip(reachable))
             .map(|(rewrite, reached)| match rewrite {
                 // What never occurs need not be counted, and may be very much.
                 _ if !reached => vec![],
@@ -389,12 +380,12 @@ impl Sums {
             })
             .collect();
         let letters = alternatives.iter().enumerate().filter(|(_, all)| !all.is_empty());
-        let rewritten = letters.map(|(letter, _)| letter as SymbolId).collect();
-        Self { alternatives, rewritten, axiom: multiset(&program.axiom, &mut times) }
+        let rewritten = letters.map(|(letter, _)| letter as LetterId).collect();
+        Self { alternatives, rewritten, axiom: multiset(&rules.axiom.letters, &mut times) }
     }
 
-    fn start<T: Total>(&self, weight: &impl Fn(SymbolId) -> u64) -> Vec<Option<T>> {
-        (0..self.alternatives.len()).map(|symbol| Some(T::from(weight(symbol as SymbolId)))).collect()
+    fn start<T: Total>(&self, weight: &impl Fn(LetterId) -> u64) -> Vec<Option<T>> {
+        (0..self.alternatives.len()).map(|symbol| Some(T::from(weight(symbol as LetterId)))).collect()
     }
 
     /// The units of one step.
@@ -406,7 +397,7 @@ impl Sums {
 
     /// Goes one step on.
     fn step<T: Total>(&self, totals: &mut [Option<T>]) {
-        let of = |&letter: &SymbolId| {
+        let of = |&letter: &LetterId| {
             let (first, rest) = self.alternatives[usize::from(letter)].split_first()?;
             let total = sum(first, totals)?;
             rest.iter().all(|other| sum(other, totals).as_ref() == Some(&total)).then_some(total)
@@ -425,7 +416,7 @@ fn sum<T: Total>(letters: &Multiset, totals: &[Option<T>]) -> Option<T> {
 }
 
 /// The letters of `word` with how often each occurs, sorted; `counted` are zeros by letter, before and after.
-fn multiset(word: &[SymbolId], counted: &mut [u32]) -> Multiset {
+fn multiset(word: &[LetterId], counted: &mut [u32]) -> Multiset {
     let mut letters = Multiset::new();
     for &symbol in word {
         let count = &mut counted[usize::from(symbol)];

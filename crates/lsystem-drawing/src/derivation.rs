@@ -5,11 +5,11 @@
 //! be derived one after the other, depth first, and no generation in between is ever held.
 
 use crate::counts::{Depths, counts_until};
-use crate::program::{Program, Rewrite, SymbolId};
 use crate::walk::{Next, Walk};
-use crate::{Fault, Key, Letter, LetterId, Rewriter, Rule, Rules, System};
+use crate::{Fault, Key, Letter, LetterId, Rewrite, Rewriter, Rule, Rules, System};
 use lsystem_syntax::{Diagnostic, Kind, LimitName};
 use lsystem_syntax::{Field, Grammar, Limits, MAX_ITERATIONS, Meter};
+use std::sync::Arc;
 
 /// Texts up to this many bytes are copied whole; longer ones are composed of them. The source of a copy then stays
 /// in the processor's nearest cache, and only the writing costs.
@@ -20,14 +20,14 @@ const COPIED: u128 = 16 << 10;
 /// parameters: productions with contexts do not apply to it, and [`expand_once`] reads words of modules.
 #[must_use]
 pub fn expand_symbol(system: &System, symbol: char, roll: f64) -> String {
-    if let Some(rules) = &system.rules {
+    let rules = &system.rules;
+    if !rules.is_plain() {
         return alone(rules, symbol, roll);
     }
-    let program = &system.program;
-    let rewrite = program.alphabet.binary_search(&symbol).ok().map(|id| &program.rewrites[id]);
+    let rewrite = rules.letter(symbol, 0).map(|letter| &rules.rewrites[usize::from(letter)]);
     match rewrite.and_then(|rewrite| rewrite.successor(|| roll)) {
         None => symbol.to_string(),
-        Some(successor) => successor.iter().map(|&s| program.alphabet[usize::from(s)]).collect(),
+        Some(successor) => successor.iter().map(|&letter| rules.symbol(letter)).collect(),
     }
 }
 
@@ -37,8 +37,8 @@ pub fn expand_symbol(system: &System, symbol: char, roll: f64) -> String {
 /// which more would come than [`Limits::default`] allows.
 #[must_use]
 pub fn expand_once(system: &System, word: &str, step: u32) -> String {
-    if let Some(rules) = &system.rules {
-        return once(system, rules, word, step).unwrap_or_else(|| word.to_owned());
+    if !system.rules.is_plain() {
+        return once(system, word, step).unwrap_or_else(|| word.to_owned());
     }
     let mut text = String::new();
     for (index, symbol) in word.chars().enumerate() {
@@ -89,15 +89,16 @@ fn alone(rules: &Rules, symbol: char, roll: f64) -> String {
 }
 
 /// One derivation step of a word of modules; `None` where it cannot be read, or a number is not finite.
-fn once(system: &System, rules: &Rules, word: &str, step: u32) -> Option<String> {
+fn once(system: &System, word: &str, step: u32) -> Option<String> {
     let (read, diagnostics) = lsystem_syntax::parse(word, "");
     if diagnostics.iter().any(Diagnostic::is_error) {
         return None;
     }
     let grammar = Grammar { axiom: read.axiom, ..system.grammar.clone() };
-    let cutting = |symbol: char| rules.letters.iter().zip(&rules.cuts).any(|(l, cuts)| l.symbol == symbol && *cuts);
-    let rules = Rules::new(&grammar, vec![], cutting).ok()?;
-    let mut rewriter = Rewriter::new(rules, system.seed, Limits::default()).ok()?.at(step.saturating_sub(1));
+    let Rules { letters, cuts, .. } = &*system.rules;
+    let cutting = |symbol: char| letters.iter().zip(cuts).any(|(l, cuts)| l.symbol == symbol && *cuts);
+    let rules = Rules::new(&grammar, vec![], cutting, true).ok()?;
+    let mut rewriter = Rewriter::new(Arc::new(rules), system.seed, Limits::default()).ok()?.at(step.saturating_sub(1));
     while !rewriter.step(usize::MAX).ok()? {}
     let (word, mut text) = (rewriter.word(), String::new());
     write_word(rewriter.rules(), &word.letters, &word.arguments, u64::MAX, &mut text);
@@ -136,22 +137,22 @@ fn expand_by(system: &System, n: u32, limits: &Limits, text: &mut String, meter:
     if n > MAX_ITERATIONS {
         return Err(limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)));
     }
-    if let Some(rules) = &system.rules {
-        return write_modules(rules, system.seed, n, limits, text, meter);
+    if !system.rules.is_plain() {
+        return write_modules(&system.rules, system.seed, n, limits, text, meter);
     }
     let too_long = |largest| limit(LimitName::Symbols, limits.symbols, largest);
     let mut own = Meter::new(limits.work);
-    let known = counts_until(&system.program, n, limits.symbols, |_| 1, &mut own);
+    let known = counts_until(&system.rules, n, limits.symbols, |_| 1, &mut own);
     meter.charge(own.spent());
     if let Ok(generations) = &known
         && generations.last().is_some_and(|&symbols| symbols > u128::from(limits.symbols))
     {
         return Err(too_long((generations.len() as u32).checked_sub(2)));
     }
-    let bytes = |symbol: SymbolId| system.program.alphabet[usize::from(symbol)].len_utf8() as u64;
-    let lengths = Depths::new(&system.program, n, bytes, &mut Meter::new(limits.work));
-    let mut writer = Writer::new(&system.program, lengths, text);
-    if known.is_ok() && !writer.reserve(n, &system.program.axiom) {
+    let bytes = |symbol: LetterId| system.rules.symbol(symbol).len_utf8() as u64;
+    let lengths = Depths::new(&system.rules, n, bytes, &mut Meter::new(limits.work));
+    let mut writer = Writer::new(&system.rules, lengths, text);
+    if known.is_ok() && !writer.reserve(n, &system.rules.axiom.letters) {
         return Err(too_long(None));
     }
     let mut derivation = Derivation::new(system);
@@ -167,7 +168,7 @@ fn expand_by(system: &System, n: u32, limits: &Limits, text: &mut String, meter:
 
 /// Derives whole generations, and writes the last: symbols, with their arguments in parentheses.
 fn write_modules(
-    rules: &Rules,
+    rules: &Arc<Rules>,
     seed: u32,
     n: u32,
     limits: &Limits,
@@ -245,7 +246,7 @@ impl<'a> Modules<'a> {
 
 /// The last generation before `n` whose text, and those of all before it, is within the limits; an earlier one where it
 /// takes too long to find that.
-fn longest_within(rules: &Rules, seed: u32, n: u32, limits: &Limits, meter: &mut Meter) -> Option<u32> {
+fn longest_within(rules: &Arc<Rules>, seed: u32, n: u32, limits: &Limits, meter: &mut Meter) -> Option<u32> {
     /// Texts as long as the longest allowed that are written at most.
     const TEXTS: u64 = 4;
     let mut rewriter = Rewriter::new(rules.clone(), seed, *limits).ok()?;
@@ -286,7 +287,7 @@ struct Derivation<'a> {
 
 impl<'a> Derivation<'a> {
     fn new(system: &'a System) -> Self {
-        Self { system, fixed: fixed(&system.program), spent: 0 }
+        Self { system, fixed: fixed(&system.rules), spent: 0 }
     }
 
     /// Goes through generation `n` and hands over its letters, `work` of all generations at most: those that need no
@@ -296,16 +297,16 @@ impl<'a> Derivation<'a> {
         n: u32,
         limits: &Limits,
         work: u64,
-        mut visit: impl FnMut(SymbolId, u32),
+        mut visit: impl FnMut(LetterId, u32),
     ) -> Result<(), LimitName> {
         let Self { system, fixed, .. } = self;
         let mut meter = Meter::new(limits.work);
-        let symbols = Depths::new(&system.program, n, |_| 1, &mut meter);
+        let symbols = Depths::new(&system.rules, n, |_| 1, &mut meter);
         let mut walk = Walk::new(n, system.seed);
         let mut left = limits.symbols;
         let outcome = loop {
             // Without the sums every letter is gone to by itself.
-            match walk.next(&system.program, |symbol| symbols.is_some() && fixed[usize::from(symbol)], work) {
+            match walk.next(&system.rules, |symbol| symbols.is_some() && fixed[usize::from(symbol)], work) {
                 Next::Letter(symbol, depth) => {
                     let derived = symbols.as_ref().map_or(1, |symbols| symbols.get(depth as usize, symbol));
                     let derived = u64::try_from(derived).ok();
@@ -351,7 +352,7 @@ pub fn limit(limit: LimitName, value: u64, largest: Option<u32>) -> Diagnostic {
 
 /// Writes the texts of letters that need no choices, each once and then as a copy.
 struct Writer<'a> {
-    program: &'a Program,
+    rules: &'a Rules,
     text: &'a mut String,
     /// Bytes; unknown where there are too many letters and depths.
     lengths: Option<Depths>,
@@ -360,23 +361,23 @@ struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    fn new(program: &'a Program, lengths: Option<Depths>, text: &'a mut String) -> Self {
+    fn new(rules: &'a Rules, lengths: Option<Depths>, text: &'a mut String) -> Self {
         let written = vec![None; lengths.as_ref().map_or(0, Depths::len)];
-        Self { program, text, lengths, written }
+        Self { rules, text, lengths, written }
     }
 
     /// Makes room for what is known of the text of `word` after `n` steps; false where there is none.
-    fn reserve(&mut self, n: u32, word: &[SymbolId]) -> bool {
+    fn reserve(&mut self, n: u32, word: &[LetterId]) -> bool {
         let bytes = self.lengths.as_ref().map_or(0, |lengths| lengths.sum(n as usize, word));
         usize::try_from(bytes).is_ok_and(|bytes| self.text.try_reserve_exact(bytes).is_ok())
     }
 
     /// Appends the text of a letter after `depth` steps. Recursion is as deep as `depth`, at most 1,000.
-    fn write(&mut self, symbol: SymbolId, depth: u32) {
+    fn write(&mut self, symbol: LetterId, depth: u32) {
         let column = usize::from(symbol);
-        let successor = match &self.program.rewrites[column] {
+        let successor = match &self.rules.rewrites[column] {
             Rewrite::Always(successor) if depth > 0 => successor,
-            _ => return self.text.push(self.program.alphabet[column]),
+            _ => return self.text.push(self.rules.letters[column].symbol),
         };
         let cell = self.lengths.as_ref().and_then(|lengths| lengths.cell(depth as usize, symbol));
         let length = self.lengths.as_ref().map_or(0, |lengths| lengths.get(depth as usize, symbol));
@@ -394,14 +395,14 @@ impl<'a> Writer<'a> {
 }
 
 /// By letter: whether no random choice is ever made below it.
-pub(crate) fn fixed(program: &Program) -> Vec<bool> {
+pub(crate) fn fixed(rules: &Rules) -> Vec<bool> {
     // Pairs of letters, the second made of the first, in the order of what is made.
-    let mut makers: Vec<(SymbolId, SymbolId)> = Vec::new();
-    let mut open: Vec<SymbolId> = Vec::new();
-    let mut fixed = vec![true; program.rewrites.len()];
-    let mut seen = vec![SymbolId::MAX; program.rewrites.len()];
-    for (maker, rewrite) in program.rewrites.iter().enumerate() {
-        let maker = maker as SymbolId;
+    let mut makers: Vec<(LetterId, LetterId)> = Vec::new();
+    let mut open: Vec<LetterId> = Vec::new();
+    let mut fixed = vec![true; rules.rewrites.len()];
+    let mut seen = vec![LetterId::MAX; rules.rewrites.len()];
+    for (maker, rewrite) in rules.rewrites.iter().enumerate() {
+        let maker = maker as LetterId;
         match rewrite {
             Rewrite::Keep => {}
             Rewrite::Choose(_) => {
@@ -411,7 +412,7 @@ pub(crate) fn fixed(program: &Program) -> Vec<bool> {
             Rewrite::Always(word) => {
                 // Each pair once, or nearly so.
                 for &made in word {
-                    if maker == SymbolId::MAX || core::mem::replace(&mut seen[usize::from(made)], maker) != maker {
+                    if maker == LetterId::MAX || core::mem::replace(&mut seen[usize::from(made)], maker) != maker {
                         makers.push((made, maker));
                     }
                 }
@@ -446,13 +447,13 @@ mod tests {
 
     /// One generation after the other, every letter with its key: the definition, word for word.
     fn naive(system: &System, n: u32) -> String {
-        let program = &system.program;
-        let mut word: Vec<(SymbolId, Key)> =
-            program.axiom.iter().enumerate().map(|(i, &s)| (s, Key::root(i as u64))).collect();
+        let rules = &system.rules;
+        let mut word: Vec<(LetterId, Key)> =
+            rules.axiom.letters.iter().enumerate().map(|(i, &s)| (s, Key::root(i as u64))).collect();
         for step in 1..=n {
             let mut next = vec![];
             for (symbol, key) in word {
-                match program.rewrites[usize::from(symbol)].successor(|| key.choice(system.seed, step)) {
+                match rules.rewrites[usize::from(symbol)].successor(|| key.choice(system.seed, step)) {
                     None => next.push((symbol, key)),
                     Some(successor) => {
                         next.extend(successor.iter().enumerate().map(|(i, &s)| (s, key.child(step, i as u64))));
@@ -461,7 +462,7 @@ mod tests {
             }
             word = next;
         }
-        word.iter().map(|&(symbol, _)| program.alphabet[usize::from(symbol)]).collect()
+        word.iter().map(|&(symbol, _)| rules.letters[usize::from(symbol)].symbol).collect()
     }
 
     #[test]

@@ -1,8 +1,7 @@
 //! Systems and drawings in words: the legend of symbols, why nothing is drawn, a picture's text alternative.
 
 use crate::counts::{drawn_by_letter, weigh_until};
-use crate::program::Rewrite;
-use crate::{System, Tally};
+use crate::{Rewrite, System, Tally};
 use lsystem_syntax::message::grouped;
 use lsystem_syntax::sorted::set;
 use lsystem_syntax::{Action, Grammar, Heading, MAX_ITERATIONS, Meter, Pattern, Production};
@@ -22,9 +21,9 @@ pub struct LegendEntry {
 /// another number of parameters is another one.
 #[must_use]
 pub fn legend(system: &System) -> Vec<LegendEntry> {
-    let program = &system.program;
-    let mut shown = program.reachable();
-    let images = |id: usize| system.rules.as_ref().map_or(&[][..], |rules| &rules.images[id]);
+    let rules = &system.rules;
+    let mut shown = rules.reachable();
+    let images = |id: usize| rules.images[id].as_slice();
     for id in 0..shown.len() {
         if shown[id] {
             images(id).iter().flat_map(|image| &image.successor.letters).for_each(|&l| shown[usize::from(l)] = true);
@@ -32,11 +31,11 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
     }
     let Grammar { productions, images: drawn, .. } = &system.grammar;
     let by_predecessor = set(productions.iter().chain(drawn).enumerate().map(|(at, p)| (place_of(&p.predecessor), at)));
-    (0..program.alphabet.len())
+    (0..rules.letters.len())
         .filter(|&id| shown[id])
         .map(|id| {
-            let symbol = program.alphabet[id];
-            let arity = system.rules.as_ref().map_or(0, |rules| usize::from(rules.letters[id].arity));
+            let symbol = rules.letters[id].symbol;
+            let arity = usize::from(rules.letters[id].arity);
             let own = &system.turtle.actions[id];
             let from = by_predecessor.partition_point(|&(place, _)| place < (symbol, arity));
             let mine = by_predecessor[from..].iter().take_while(|&&(place, _)| place == (symbol, arity));
@@ -60,7 +59,7 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
             LegendEntry {
                 module: format!("{symbol}{names}"),
                 actions: if actions.is_empty() { "draws nothing".to_owned() } else { actions },
-                rewritten: !matches!(program.rewrites[id], Rewrite::Keep),
+                rewritten: !matches!(rules.rewrites[id], Rewrite::Keep),
             }
         })
         .collect()
@@ -109,11 +108,10 @@ fn numbered_words(system: &System, action: Action, name: &str) -> String {
 #[must_use]
 pub fn kind(system: &System) -> String {
     let productions = &system.grammar.productions;
-    let parametric = system.rules.as_ref().is_some_and(crate::Rules::is_parametric);
     let kinds = [
         ("stochastic", system.has_choices()),
         ("context-sensitive", productions.iter().any(Production::is_context_sensitive)),
-        ("parametric", parametric),
+        ("parametric", system.rules.is_parametric()),
     ];
     let kinds: Vec<&str> = kinds.into_iter().filter(|(_, holds)| *holds).map(|(kind, _)| kind).collect();
     if kinds.is_empty() { "deterministic".to_owned() } else { kinds.join(", ") }
@@ -160,17 +158,17 @@ fn action_words(system: &System, action: Action) -> String {
 pub fn why_empty(system: &System, n: u32) -> Option<String> {
     /// The units of work that are worth an explanation.
     const MOST: u64 = 1 << 20;
-    if system.rules.as_ref().is_some_and(crate::Rules::is_cutting) {
+    if system.rules.is_cutting() {
         return None;
     }
     let drawn = drawn_by_letter(system)?;
     // A letter that can be reached at all is reached within as many steps as there are letters.
-    let far = (n + 1 + system.program.alphabet.len() as u32).min(MAX_ITERATIONS);
+    let far = (n + 1 + system.rules.letters.len() as u32).min(MAX_ITERATIONS);
     let (mut at_first, mut here, mut later) = (false, None, None);
     let none = drawn.iter().all(|&segments| segments == 0);
     let known = none
         || weigh_until(
-            &system.program,
+            &system.rules,
             far.max(n),
             |symbol| drawn[usize::from(symbol)],
             &mut Meter::new(MOST),
@@ -187,10 +185,11 @@ pub fn why_empty(system: &System, n: u32) -> Option<String> {
     if !known || !none && here != Some(false) {
         return None;
     }
-    if system.program.axiom.is_empty() {
+    if system.rules.axiom.letters.is_empty() {
         return Some("The axiom is empty: type a symbol to start from, for example F.".to_owned());
     }
-    let first: String = system.program.axiom.iter().take(8).map(|&s| system.program.alphabet[usize::from(s)]).collect();
+    let first: String =
+        system.rules.axiom.letters.iter().take(8).map(|&s| system.rules.letters[usize::from(s)].symbol).collect();
     if let Some(later) = later {
         let subject = if n == 0 { first } else { format!("Generation {n}") };
         return Some(format!("{subject} draws nothing yet: try n = {later}."));

@@ -50,7 +50,7 @@ pub use solid::draw_solid;
 
 use crate::derivation::limit;
 use crate::turtle::finite;
-use crate::{Plane, Space, SymbolId};
+use crate::{LetterId, Plane, Space};
 use core::ops::Range;
 use lsystem_syntax::{Diagnostic, LimitName, Meter};
 use std::sync::OnceLock;
@@ -80,7 +80,7 @@ pub struct Drawing<S: Space = Plane> {
     pub width: f64,
     /// By depth from 1, sorted by letter: what every rewritten letter draws in that many steps and how it leaves the
     /// turtle; empty where blocks do not memoise.
-    pub pieces: Vec<Vec<(SymbolId, Piece<S>)>>,
+    pub pieces: Vec<Vec<(LetterId, Piece<S>)>>,
     /// Whether blocks are shared.
     pub memoised: bool,
     /// By stroke and polygon, in drawing order: where it is along the path, as in [`Tint`](lsystem_syntax::Tint); empty where
@@ -234,7 +234,7 @@ impl<S: Space> Drawing<S> {
     /// What `symbol`, which a production rewrites, does in `depth` more steps (at least 1), where this drawing
     /// memoises and contains it.
     #[must_use]
-    pub fn piece(&self, symbol: SymbolId, depth: u32) -> Option<&Piece<S>> {
+    pub fn piece(&self, symbol: LetterId, depth: u32) -> Option<&Piece<S>> {
         let level = self.pieces.get(depth.checked_sub(1)? as usize)?;
         let place = level.binary_search_by_key(&symbol, |(s, _)| *s).ok()?;
         Some(&level[place].1)

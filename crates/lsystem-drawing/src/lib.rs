@@ -3,13 +3,12 @@
 //! What comes in is a [`Definition`](lsystem_syntax::Definition); what goes out is a [`Drawing`], a small graph of
 //! memoised blocks, or the derived word itself.
 //!
-//! The way between: [`System`] understands a definition; a [`Program`] or [`Rules`] rewrite its axiom; a [`Turtle`] reads
+//! The way between: [`System`] understands a definition; [`Rules`] rewrite its axiom; a [`Turtle`] reads
 //! what was derived, in the [`Plane`] or in space ([`Solid`]); a [`Drawer`] remembers what it has drawn. [`Word`] reads
 //! any place of any generation without deriving it.
 
 // The order of the data.
 mod key;
-mod program;
 mod rewriting;
 pub mod rotation;
 mod turtle;
@@ -46,9 +45,8 @@ pub use drawing::{
 pub use key::{Key, Purpose};
 pub use mesh::{Mesh, MeshMaker};
 pub use plane::{Directions, Plane};
-pub use program::{Choice, Program, Rewrite, SymbolId};
 pub use rewriting::{
-    ContextPattern, Fault, History, Image, Letter, LetterId, Modules, Rewriter, Rule, Rules, Template,
+    Choice, ContextPattern, Fault, History, Image, Letter, LetterId, Modules, Rewrite, Rewriter, Rule, Rules, Template,
 };
 pub use rotation::Rotation;
 pub use solid::Solid;

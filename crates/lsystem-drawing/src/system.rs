@@ -1,6 +1,6 @@
 //! A system ready for derivation and drawing.
 
-use crate::{Colouring, Program, Rules, Tropism, Turtle};
+use crate::{Colouring, Letter, Rules, Tropism, Turtle};
 use core::ops::Range;
 use lsystem_syntax::notation::{self, Places, Reading};
 use lsystem_syntax::notes::Notes;
@@ -9,16 +9,15 @@ use lsystem_syntax::{
     Action, ColourBy, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, LimitName, MAX_ITERATIONS,
     MAX_LETTERS, MAX_PALETTE, Module, Production, Quantity, Style, parse_overrides,
 };
+use std::sync::Arc;
 
 /// A checked and compiled [`Definition`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct System {
     /// What its texts say.
     pub grammar: Grammar,
-    /// The grammar made ready for derivation; where there are `rules`, only an [outline](Program::outline) of them.
-    pub program: Program,
-    /// The grammar made ready for derivation, where it is not [plain](Grammar::is_plain) or cuts branches.
-    pub rules: Option<Rules>,
+    /// The same, ready for derivation.
+    pub rules: Arc<Rules>,
     /// What its symbols do.
     pub turtle: Turtle,
     /// Colours and widths.
@@ -38,12 +37,12 @@ impl System {
     /// The same where nobody asks what is doubtful.
     #[must_use]
     pub fn undoubted(definition: &Definition) -> Option<Self> {
-        Self::doubting(definition, |_, _, _, _| Vec::new()).0
+        Self::doubting(definition, |_, _, _| Vec::new()).0
     }
 
     fn doubting(
         definition: &Definition,
-        doubts: impl FnOnce(&Reading, &Program, Option<&Rules>, &Actions<'_>) -> Vec<Diagnostic>,
+        doubts: impl FnOnce(&Reading, &Rules, &Actions<'_>) -> Vec<Diagnostic>,
     ) -> (Option<Self>, Vec<Diagnostic>) {
         let mut reading = notation::read(&definition.axiom, &definition.rules);
         let (overrides, overrides_diagnostics) = parse_overrides(&definition.overrides);
@@ -66,31 +65,29 @@ impl System {
         let mut actions = Actions { dialect: definition.dialect, overrides, polygons: false };
         let cuts = |symbol: char| actions.of(symbol).contains(&Action::Cut);
         let grammar = &reading.grammar;
-        let is_cutting = || grammar.made().any(|module| cuts(module.symbol));
-        let rules =
-            (!grammar.is_plain() || is_cutting() || grammar.images.iter().any(|i| actions.are_many(i))).then(|| {
-                let places = reading.productions.iter().chain(&reading.images);
-                Rules::new(grammar, places.map(|places| places.predecessor.clone()).collect(), cuts)
-            });
-        // What could not be computed has been noted where it was read.
-        let rules = rules.and_then(Result::ok);
-        let program = rules.as_ref().map_or_else(|| Program::new(grammar), Program::outline);
-        actions.polygons = program.alphabet.iter().any(|&symbol| {
+        let places = reading.productions.iter().chain(&reading.images).map(|places| places.predecessor.clone());
+        let apart = grammar.images.iter().any(|image| actions.are_many(image));
+        // What cannot be computed has been noted where it was read.
+        let Ok(rules) = Rules::new(grammar, places.collect(), cuts, apart) else { return (None, diagnostics) };
+        let rules = Arc::new(rules);
+        actions.polygons = rules.letters.iter().any(|&Letter { symbol, .. }| {
             let drawn = image_of(&reading.grammar, &images, symbol).map_or(&[][..], |image| &image.successor);
             let opens = |symbol: char| actions.of(symbol).contains(&Action::OpenPolygon);
             opens(symbol) || drawn.iter().any(|module| opens(module.symbol))
         });
-        diagnostics.extend(doubts(&reading, &program, rules.as_ref(), &actions));
+        diagnostics.extend(doubts(&reading, &rules, &actions));
         let angle =
             |own: [Option<f64>; 2]| Heading::from_degrees(own.into_iter().flatten().next().unwrap_or(definition.angle));
         let Definition { right_angle, pitch_down, pitch_up, roll_left, roll_right, .. } = *definition;
         let tropism = Tropism { vector: definition.tropism, elasticity: definition.elasticity };
         let style = &definition.style;
         let turtle = Turtle {
-            actions: program
-                .alphabet
+            actions: rules
+                .letters
                 .iter()
-                .map(|&symbol| actions.drawn(symbol, image_of(grammar, &images, symbol), rules.is_some()))
+                .map(|letter| {
+                    actions.drawn(letter.symbol, image_of(grammar, &images, letter.symbol), !rules.is_plain())
+                })
                 .collect(),
             left: Heading::from_degrees(definition.angle),
             right: angle([right_angle, None]),
@@ -115,7 +112,7 @@ impl System {
             growth: definition.growth,
         };
         let grammar = reading.grammar;
-        let system = Self { grammar, program, rules, turtle, style: definition.style.clone(), seed: definition.seed };
+        let system = Self { grammar, rules, turtle, style: definition.style.clone(), seed: definition.seed };
         (Some(system), diagnostics)
     }
 
@@ -124,7 +121,7 @@ impl System {
     #[must_use]
     pub fn is_solid(&self) -> bool {
         // What is drawn below `draw:` is in no generation.
-        let reachable = self.program.reachable().into_iter().map(|reached| reached || self.rules.is_some());
+        let reachable = self.rules.reachable().into_iter().map(|reached| reached || !self.rules.is_plain());
         let leads_out = |actions: &[Action]| actions.iter().any(|action| action.is_solid());
         self.turtle.tropism.is_some_and(|tropism| tropism.vector[2] != 0.0)
             || self.turtle.actions.iter().zip(reachable).any(|(actions, reached)| reached && leads_out(actions))
@@ -139,10 +136,8 @@ impl System {
     /// Whether chance plays a part in its derivation.
     #[must_use]
     pub fn has_choices(&self) -> bool {
-        match &self.rules {
-            Some(rules) => rules.is_random(),
-            None => !self.program.is_deterministic(),
-        }
+        // What plain letters never become needs no choice.
+        if self.rules.is_plain() { !self.rules.is_deterministic() } else { self.rules.is_random() }
     }
 }
 
@@ -261,7 +256,7 @@ fn check_numbers(definition: &Definition) -> Vec<Diagnostic> {
 }
 
 /// What works but may not be meant.
-fn doubts(reading: &Reading, program: &Program, rules: Option<&Rules>, actions: &Actions<'_>) -> Vec<Diagnostic> {
+fn doubts(reading: &Reading, rules: &Rules, actions: &Actions<'_>) -> Vec<Diagnostic> {
     let Reading { grammar, .. } = reading;
     let mut axiom_notes = Notes::new(Field::Axiom);
     let mut notes = Notes::new(Field::Rules);
@@ -269,7 +264,7 @@ fn doubts(reading: &Reading, program: &Program, rules: Option<&Rules>, actions: 
     if grammar.axiom.is_empty() {
         axiom_notes.add(Kind::EmptyAxiom, 0..0);
     } else {
-        note_idle(reading, &occurring(program, rules), &mut notes);
+        note_idle(reading, &occurring(rules), &mut notes);
         note_arities(reading, &mut axiom_notes, &mut notes);
     }
 
@@ -350,11 +345,9 @@ fn is_idle(symbol: char, reading: &Reading, actions: &Actions<'_>) -> bool {
 }
 
 /// The symbols that may occur in some generation, with their numbers of parameters, sorted.
-fn occurring(program: &Program, rules: Option<&Rules>) -> Vec<(char, usize)> {
-    let arity = |id: usize| rules.map_or(0, |rules| usize::from(rules.letters[id].arity));
-    let reachable = program.reachable();
-    let letters = program.alphabet.iter().enumerate().filter(|(id, _)| reachable[*id]);
-    set(letters.map(|(id, &symbol)| (symbol, arity(id))))
+fn occurring(rules: &Rules) -> Vec<(char, usize)> {
+    let letters = rules.letters.iter().zip(rules.reachable()).filter(|(_, reached)| *reached);
+    set(letters.map(|(letter, _)| (letter.symbol, usize::from(letter.arity))))
 }
 
 /// More letters than this need not be told about one by one.

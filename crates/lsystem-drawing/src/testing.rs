@@ -1,7 +1,8 @@
 //! What the tests of several files share.
 
-use crate::{Program, System, Turtle};
+use crate::{Rules, System, Turtle};
 use lsystem_syntax::{Grammar, Module, Production, Style};
+use std::sync::Arc;
 
 /// How many cases a property test tries: 500, or what the environment variable `LSYSTEM_CASES` says.
 pub(crate) fn cases() -> u32 {
@@ -19,7 +20,7 @@ pub(crate) fn system(axiom: &str, rules: &[Rule], seed: u32) -> System {
         weight.map_or(production.clone(), |weight| production.weighted(weight))
     });
     let grammar = Grammar { axiom: modules(axiom), productions: productions.collect(), ..Grammar::default() };
-    let program = Program::new(&grammar);
-    let turtle = Turtle { actions: vec![vec![]; program.alphabet.len()], ..Turtle::default() };
-    System { grammar, program, rules: None, turtle, style: Style::default(), seed }
+    let rules = Arc::new(Rules::new(&grammar, vec![], |_| false, false).expect("weights are numbers"));
+    let turtle = Turtle { actions: vec![vec![]; rules.letters.len()], ..Turtle::default() };
+    System { grammar, rules, turtle, style: Style::default(), seed }
 }

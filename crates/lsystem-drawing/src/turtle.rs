@@ -1,15 +1,15 @@
-//! The turtle: what each letter of a program does, and from where it starts.
+//! The turtle: what each letter of a rules does, and from where it starts.
 
 use crate::drawing::{StyleChange, WidthChange, reserve};
 use crate::key::Purpose;
 use crate::space::{Axis, Space};
-use crate::{ColourChange, Key, Plane, SymbolId};
+use crate::{ColourChange, Key, LetterId, Plane};
 use lsystem_syntax::{Action, Heading};
 
-/// A turtle ready to read a program's words.
+/// A turtle ready to read a rules's words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turtle {
-    /// By letter ([`SymbolId`](crate::SymbolId)): what it does.
+    /// By letter ([`LetterId`](crate::LetterId)): what it does.
     pub actions: Vec<Vec<Action>>,
     /// Of a left turn.
     pub left: Heading,
@@ -270,7 +270,7 @@ impl Turtle {
 
 impl<S: Space> Score<S> {
     /// Whether a letter goes anywhere.
-    pub(crate) fn goes(&self, letter: SymbolId) -> bool {
+    pub(crate) fn goes(&self, letter: LetterId) -> bool {
         self.ops[usize::from(letter)].iter().any(|op| matches!(op, Op::Draw(_) | Op::Move(_)))
     }
 
@@ -349,12 +349,12 @@ impl<S: Space> Score<S> {
     }
 
     /// Whether a letter draws.
-    pub(crate) fn draws(&self, letter: SymbolId) -> bool {
+    pub(crate) fn draws(&self, letter: LetterId) -> bool {
         self.ops[usize::from(letter)].iter().any(|op| matches!(op, Op::Draw(_)))
     }
 
     /// Of the letters that have replaced `former`, the place of the one that goes on in its place.
-    pub(crate) fn heir(&self, former: SymbolId, successor: &[SymbolId]) -> Option<usize> {
+    pub(crate) fn heir(&self, former: LetterId, successor: &[LetterId]) -> Option<usize> {
         let same = successor.iter().position(|&letter| letter == former);
         let draws = || successor.iter().position(|&letter| self.draws(letter)).filter(|_| self.draws(former));
         same.or_else(draws)

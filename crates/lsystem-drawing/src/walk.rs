@@ -2,7 +2,7 @@
 //! Whoever knows what becomes of some letters takes these as soon as they occur.
 
 use crate::turtle::Fate;
-use crate::{Choice, Key, Program, Rewrite, SymbolId};
+use crate::{Choice, Key, LetterId, Rewrite, Rules};
 
 /// Where a derivation stands. It holds no references, so it can rest between two calls.
 #[derive(Clone, Debug)]
@@ -30,13 +30,13 @@ struct Word {
 enum Source {
     Axiom,
     /// The successor of a letter, by its place among the choices.
-    Successor(SymbolId, usize),
+    Successor(LetterId, usize),
 }
 
 /// What comes next.
 pub(crate) enum Next {
     /// A letter of the last generation, or one that is known, and the steps that it has yet to go.
-    Letter(SymbolId, u32),
+    Letter(LetterId, u32),
     /// The given work is spent.
     Pause,
     End,
@@ -48,12 +48,12 @@ impl Walk {
     }
 
     /// Goes on to the next letter that is `known` or of the last generation, until `self.work` is `until`.
-    pub(crate) fn next(&mut self, program: &Program, known: impl Fn(SymbolId) -> bool, until: u64) -> Next {
+    pub(crate) fn next(&mut self, rules: &Rules, known: impl Fn(LetterId) -> bool, until: u64) -> Next {
         loop {
             // The axiom's letters are generation 0.
             let generation = self.open.len() as u32 - 1;
             let Some(word) = self.open.last_mut() else { return Next::End };
-            let Some(&symbol) = letters(program, word.source).get(word.next) else {
+            let Some(&symbol) = letters(rules, word.source).get(word.next) else {
                 if generation == 0 {
                     return Next::End;
                 }
@@ -72,7 +72,7 @@ impl Walk {
             let key = word.key(generation, index);
             let since = word.since(generation, symbol);
             let step = generation + 1;
-            let choice = match &program.rewrites[usize::from(symbol)] {
+            let choice = match &rules.rewrites[usize::from(symbol)] {
                 Rewrite::Keep => return Next::Letter(symbol, 0),
                 Rewrite::Always(_) => 0,
                 Rewrite::Choose(choices) => Choice::of(choices, key.choice(self.seed, step)),
@@ -85,16 +85,16 @@ impl Walk {
     /// its place.
     pub(crate) fn fate(
         &self,
-        program: &Program,
-        symbol: SymbolId,
-        mut heir: impl FnMut(SymbolId, &[SymbolId]) -> Option<usize>,
+        rules: &Rules,
+        symbol: LetterId,
+        mut heir: impl FnMut(LetterId, &[LetterId]) -> Option<usize>,
     ) -> Fate {
         let generation = self.open.len().saturating_sub(1) as u32;
         let Some(word) = self.open.last() else { return Fate { key: Key::root(0), since: 0, grows: false } };
         let index = word.next.saturating_sub(1);
         let grows = match word.source {
             Source::Successor(former, _) if generation == self.n => {
-                heir(former, letters(program, word.source)) != Some(index)
+                heir(former, letters(rules, word.source)) != Some(index)
             }
             _ => false,
         };
@@ -112,7 +112,7 @@ impl Word {
     }
 
     /// Since which generation there has been a `symbol` in the place of one of its letters, in this generation.
-    fn since(&self, generation: u32, symbol: SymbolId) -> u32 {
+    fn since(&self, generation: u32, symbol: LetterId) -> u32 {
         match self.source {
             Source::Successor(former, _) if former == symbol => self.since,
             _ => generation,
@@ -120,10 +120,10 @@ impl Word {
     }
 }
 
-fn letters(program: &Program, source: Source) -> &[SymbolId] {
+fn letters(rules: &Rules, source: Source) -> &[LetterId] {
     match source {
-        Source::Axiom => &program.axiom,
-        Source::Successor(symbol, choice) => match &program.rewrites[usize::from(symbol)] {
+        Source::Axiom => &rules.axiom.letters,
+        Source::Successor(symbol, choice) => match &rules.rewrites[usize::from(symbol)] {
             Rewrite::Keep => &[],
             Rewrite::Always(word) => word,
             Rewrite::Choose(choices) => choices.get(choice).map_or(&[], |c| &c.successor),

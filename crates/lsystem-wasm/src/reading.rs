@@ -120,7 +120,7 @@ impl Playground {
     /// backquotes.
     #[wasm_bindgen(getter)]
     pub fn apart(&self) -> bool {
-        self.system.as_ref().is_some_and(|system| system.rules.is_some())
+        self.system.as_ref().is_some_and(|system| !system.rules.is_plain())
     }
 
     /// How many symbols a generation has, modules with arguments counted as one, as a decimal string; null where that is

@@ -6,11 +6,12 @@ mod naive;
 use cases::cases;
 use lsystem::{
     Action, Definition, Diagnostic, Dialect, Drawer, Drawing, Fitted, Grammar, Heading, Kind, LimitName, Limits,
-    Module, Pick, Pointer, Production, Program, Progress, Segment, SegmentArrays, Style, System, Target, Turtle, View,
+    Module, Pick, Pointer, Production, Progress, Rules, Segment, SegmentArrays, Style, System, Target, Turtle, View,
     Viewport, draw, fit, fitted_ends, fitted_outline, fitted_scale, pick,
 };
 use naive::systems::Features;
 use proptest::prelude::*;
+use std::sync::Arc;
 
 fn modules(text: &str) -> Vec<Module> {
     text.chars().map(Module::from).collect()
@@ -24,13 +25,13 @@ fn system(axiom: &str, rules: &[(char, &str, f64)], angle: f64) -> System {
     };
     let grammar =
         Grammar { axiom: modules(axiom), productions: rules.iter().map(production).collect(), ..Grammar::default() };
-    let program = Program::new(&grammar);
-    let actions = program.alphabet.iter().map(|&symbol| match symbol {
+    let rules = Arc::new(Rules::new(&grammar, vec![], |_| false, false).expect("weights are numbers"));
+    let actions = rules.letters.iter().map(|letter| match letter.symbol {
         'L' => vec![Action::Draw(Some(0.25)), Action::TurnLeft(Some(17.3))],
         'P' => vec![Action::Push, Action::Draw(None), Action::Pop],
         'M' => vec![Action::Move(Some(-1.5)), Action::SetColour(3)],
         'Z' => vec![Action::Draw(Some(0.0)), Action::SetWidth(2.5)],
-        _ => Dialect::Abop.actions(symbol).to_vec(),
+        symbol => Dialect::Abop.actions(symbol).to_vec(),
     });
     let turtle = Turtle {
         actions: actions.collect(),
@@ -41,7 +42,7 @@ fn system(axiom: &str, rules: &[(char, &str, f64)], angle: f64) -> System {
         width: 0.5,
         ..Turtle::default()
     };
-    System { grammar, program, rules: None, turtle, style: Style::default(), seed: 7 }
+    System { grammar, rules, turtle, style: Style::default(), seed: 7 }
 }
 
 /// Without weights.
@@ -257,7 +258,7 @@ fn pieces_say_how_they_leave_the_turtle() {
     // Half of a dragon turns by a right angle in every step; X alone draws nothing in one.
     let system = plain("FX", &DRAGON, 90.0);
     let drawing = drawn(&system, 8);
-    let id = |symbol| system.program.alphabet.binary_search(&symbol).unwrap() as u16;
+    let id = |symbol| system.rules.letter(symbol, 0).unwrap();
     let piece = drawing.piece(id('X'), 1).unwrap();
     let block = drawing.piece(id('Y'), 1).unwrap().block;
     assert!(piece.block.is_some() && block.is_some() && piece.block != block);
@@ -472,7 +473,7 @@ proptest! {
         system in naive::systems::system(Features { images: true, ..Features::default() }),
         n in 0_u32..5,
     ) {
-        prop_assert!(system.rules.is_none());
+        prop_assert!(system.rules.is_plain());
         check(&system, affordable(&system, n))?;
     }
 }

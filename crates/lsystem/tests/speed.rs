@@ -167,7 +167,7 @@ fn deriving() {
         ..Definition::default()
     };
     for (name, definition, n) in [("1.31a", signals, 60), ("2.6 a", honda, 17)] {
-        let rules = System::new(&definition).0.unwrap().rules.unwrap();
+        let rules = System::new(&definition).0.unwrap().rules;
         for _ in 0..8 {
             let mut rewriter = Rewriter::new(rules.clone(), 0, Limits::default()).unwrap();
             let (began, mut read) = (Instant::now(), 0);

@@ -17,9 +17,9 @@ const FEW: usize = 400;
 pub(super) fn is_judged(definition: &Definition, system: &System) -> bool {
     let Definition { dialect, overrides, .. } = definition;
     let abop = *dialect == Dialect::Abop;
-    let images = system.rules.is_none() && !system.grammar.images.is_empty();
+    let images = system.rules.is_plain() && !system.grammar.images.is_empty();
     let others_cut = overrides.contains("cut") || overrides.contains('%') || !abop;
-    !(others_cut && (overrides.contains("cut") || system.program.alphabet.contains(&'%')))
+    !(others_cut && (overrides.contains("cut") || system.rules.letters.iter().any(|letter| letter.symbol == '%')))
         && (!images || abop && overrides.is_empty())
 }
 
@@ -76,7 +76,7 @@ pub(super) fn derive(source: &mut Source<'_>, gauge: &mut Gauge) {
 fn printed(system: &System, word: &[Module]) -> String {
     let mut text = String::new();
     for module in word {
-        if system.rules.is_none() {
+        if system.rules.is_plain() {
             text.push(module.symbol);
         } else {
             print_module(module.symbol, &module.arguments, &mut text);

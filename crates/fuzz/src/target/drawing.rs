@@ -138,7 +138,7 @@ fn is_comparable(definition: &Definition, system: &System, n: u32) -> bool {
     let turns = [turtle.left, turtle.right, turtle.pitch_down, turtle.pitch_up, turtle.roll_left, turtle.roll_right];
     let varies = turtle.angle_variation != 0.0 && turns.contains(&Heading::HALF);
     // A letter that is drawn as others is one letter with more to do, where nothing is computed.
-    let images = system.rules.is_none() && !system.grammar.images.is_empty();
+    let images = system.rules.is_plain() && !system.grammar.images.is_empty();
     // Who overshoots when bending swings ever wider, from rounding alone.
     let swings = turtle.tropism.is_some_and(|tropism| tropism.elasticity.abs() > 1.0);
     let varies = varies || swings || images && (turtle.angle_variation != 0.0 || turtle.length_variation != 0.0);

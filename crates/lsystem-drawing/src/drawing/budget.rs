@@ -4,7 +4,7 @@ use super::Item;
 use super::materialise::{Census, Outcome};
 use crate::space::Space;
 use crate::turtle::{Op, Score};
-use crate::{Program, Rewrite, SymbolId};
+use crate::{LetterId, Rewrite, Rules};
 use lsystem_syntax::{LimitName, Limits, Meter};
 
 /// Letters added up between two looks at the meter.
@@ -55,13 +55,13 @@ impl Forecast {
     /// then has.
     pub(super) fn step(
         &mut self,
-        program: &Program,
+        rules: &Rules,
         limits: &Limits,
         n: u32,
         meter: &mut Meter,
     ) -> Option<Result<usize, Exceeded>> {
         let Some(axiom) = self.axiom else {
-            self.axiom = self.of(&program.axiom, meter);
+            self.axiom = self.of(&rules.axiom.letters, meter);
             return None;
         };
         if self.next.is_empty() && !self.is_looked_at {
@@ -70,7 +70,7 @@ impl Forecast {
             }
             self.is_looked_at = true;
         }
-        while let Some(rewrite) = program.rewrites.get(self.next.len()) {
+        while let Some(rewrite) = rules.rewrites.get(self.next.len()) {
             let sum = match rewrite {
                 Rewrite::Always(word) => self.of(word, meter)?,
                 Rewrite::Keep | Rewrite::Choose(_) => self.sums[self.next.len()],
@@ -104,7 +104,7 @@ impl Forecast {
     }
 
     /// Of what a word derives; `None` where the meter is spent before its end, which is where this goes on.
-    fn of(&mut self, word: &[SymbolId], meter: &mut Meter) -> Option<(u128, u128)> {
+    fn of(&mut self, word: &[LetterId], meter: &mut Meter) -> Option<(u128, u128)> {
         loop {
             let (done, mut sum) = self.part;
             let run = &word[done..word.len().min(done + READ)];
@@ -145,7 +145,7 @@ impl Search {
     /// Works on for as many letters as the meter allows; `Some` at the end.
     pub(super) fn step<S: Space>(
         &mut self,
-        program: &Program,
+        rules: &Rules,
         score: &Score<S>,
         limits: &Limits,
         seed: u32,
@@ -158,7 +158,7 @@ impl Search {
         // While a list grows the old one stands beside the new one, which is an eighth larger.
         let bytes = (size_of::<Item<S>>() as u64 + S::least_picture()) * 9 / 4;
         let sure = Limits { segments: limits.segments.min(limits.memory / bytes), ..*limits };
-        match self.census.step(program, score, &sure, meter, |_, _, _| Some(0)) {
+        match self.census.step(rules, score, &sure, meter, |_, _, _| Some(0)) {
             Outcome::Paused => return None,
             Outcome::Ended(()) => self.fits = Some(self.trial),
             Outcome::Passed(limit) => {

@@ -10,9 +10,9 @@ use super::{BlockId, Drawing};
 use crate::derivation::limit;
 use crate::space::Axis;
 use crate::turtle::Score;
-use crate::{Plane, Program, Rewrite, Rules, Space, SymbolId, System, Turtle};
+use crate::{LetterId, Plane, Rules, Space, System, Turtle};
 use lsystem_syntax::{Diagnostic, Kind, LimitName, Limits, MAX_ITERATIONS, Meter, Progress};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// Draws generation `n`.
 ///
@@ -27,7 +27,7 @@ pub fn draw(system: &System, n: u32, limits: &Limits) -> Result<Drawing, Diagnos
 /// anybody likes; one that is superseded is simply dropped.
 #[derive(Clone, Debug)]
 pub struct Drawer<S: Space = Plane> {
-    program: Program,
+    rules: Arc<Rules>,
     turtle: Turtle,
     score: Score<S>,
     memoises: bool,
@@ -52,7 +52,7 @@ enum State<S: Space> {
     Plan(Plan),
     /// Making the blocks of one depth after the other; the last level may be incomplete.
     Build {
-        needed: Vec<Vec<SymbolId>>,
+        needed: Vec<Vec<LetterId>>,
         pieces: Vec<Level<S>>,
         /// The next piece.
         writing: Option<Box<Writing<S>>>,
@@ -92,31 +92,28 @@ impl Drawer {
 impl<S: Space> Drawer<S> {
     /// Prepares to draw generation `n`.
     pub(super) fn within(system: &System, n: u32, limits: Limits) -> Self {
-        let (program, turtle, seed) = (system.program.clone(), system.turtle.clone(), system.seed);
+        let (rules, turtle, seed) = (system.rules.clone(), system.turtle.clone(), system.seed);
         // What is drawn below `draw:` is in no generation.
-        let reachable = if system.rules.is_some() { vec![true; turtle.actions.len()] } else { program.reachable() };
+        let reachable = if rules.is_plain() { rules.reachable() } else { vec![true; turtle.actions.len()] };
         let score = turtle.score(&reachable);
-        let memoises = match &system.rules {
-            None => graph::memoises(&program, &score),
-            Some(rules) => parametric::memoises(rules, &score),
-        };
+        let memoises =
+            if rules.is_plain() { graph::memoises(&rules, &score) } else { parametric::memoises(&rules, &score) };
         let state = if n > MAX_ITERATIONS {
             State::Failed(limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)))
-        } else if let Some(rules) = &system.rules {
-            if memoises {
-                planned(rules, (&turtle, &score), seed, &limits, n)
-            } else {
-                whole(rules, seed, &limits, &score)
+        } else if !rules.is_plain() {
+            match memoises {
+                true => planned(&rules, (&turtle, &score), seed, &limits, n),
+                false => whole(&rules, seed, &limits, &score),
             }
         } else if memoises {
-            State::Plan(Plan::new(&program))
-        } else if program.is_deterministic() {
+            State::Plan(Plan::new(&rules))
+        } else if rules.is_deterministic() {
             State::Forecast(Forecast::new(&score))
         } else {
             State::Materialise(Box::new(Materialiser::new(start::<S>(&turtle), &score, seed, n)))
         };
         Self {
-            program,
+            rules,
             turtle,
             score,
             memoises,
@@ -213,11 +210,11 @@ impl<S: Space> Drawer<S> {
     // Once is enough in the wasm.
     #[inline(never)]
     fn advance(&mut self, meter: &mut Meter) -> Option<State<S>> {
-        let Self { program, turtle, score, memoises, seed, n, limits, builder, memoised, symbols, held, .. } = self;
+        let Self { rules, turtle, score, memoises, seed, n, limits, builder, memoised, symbols, held, .. } = self;
         match &mut self.state {
             State::Plan(plan) => {
                 let Some(depths) = plan.depths() else {
-                    plan.step(program, meter);
+                    plan.step(rules, meter);
                     return None;
                 };
                 if plan.cost > limits.segments {
@@ -225,7 +222,7 @@ impl<S: Space> Drawer<S> {
                     return Some(State::Failed(limit(LimitName::Segments, limits.segments, largest)));
                 }
                 if depths < *n {
-                    plan.step(program, meter);
+                    plan.step(rules, meter);
                     return None;
                 }
                 Some(State::Build { needed: plan.levels(), pieces: vec![], writing: None })
@@ -242,10 +239,7 @@ impl<S: Space> Drawer<S> {
                 };
                 match needed.get(depth).and_then(|letters| letters.get(done)) {
                     Some(&symbol) => {
-                        let letters: &[SymbolId] = match &program.rewrites[usize::from(symbol)] {
-                            Rewrite::Always(word) => word,
-                            Rewrite::Keep | Rewrite::Choose(_) => &[],
-                        };
+                        let letters = rules.rewrites[usize::from(symbol)].always().unwrap_or_default();
                         let below = depth.checked_sub(1).map(|below| &pieces[below]);
                         let origin = Origin { former: Some(symbol), step: n.saturating_sub(depth as u32) };
                         let piece = write(Word { score, below, letters, origin, heading: S::AHEAD })?;
@@ -262,21 +256,21 @@ impl<S: Space> Drawer<S> {
                         None
                     }
                     None => {
-                        let (letters, origin) = (program.axiom.as_slice(), Origin { former: None, step: 0 });
+                        let (letters, origin) = (rules.axiom.letters.as_slice(), Origin { former: None, step: 0 });
                         let heading = start::<S>(turtle);
                         let root = write(Word { score, below: pieces.last(), letters, origin, heading })?.block;
                         Some(made(root, core::mem::take(pieces)))
                     }
                 }
             }
-            State::Forecast(forecast) => match forecast.step(program, limits, *n, meter)? {
+            State::Forecast(forecast) => match forecast.step(rules, limits, *n, meter)? {
                 Ok(segments) => {
                     builder.expect(segments);
                     Some(State::Materialise(Box::new(Materialiser::new(start::<S>(turtle), score, *seed, *n))))
                 }
                 Err(exceeded) => Some(failed(&exceeded, limits)),
             },
-            State::Materialise(materialiser) => match materialiser.step(program, score, builder, limits, meter) {
+            State::Materialise(materialiser) => match materialiser.step(rules, score, builder, limits, meter) {
                 Outcome::Paused => None,
                 Outcome::Ended(root) => {
                     *symbols = Some(materialiser.symbols());
@@ -295,7 +289,7 @@ impl<S: Space> Drawer<S> {
                 }
                 parametric::Outcome::TooMany(largest) => {
                     (*memoises, *memoised) = (false, largest);
-                    Some(whole(memo.rules(), *seed, limits, score))
+                    Some(whole(rules, *seed, limits, score))
                 }
                 parametric::Outcome::Failed(diagnostic) => Some(State::Failed(diagnostic)),
             },
@@ -313,7 +307,7 @@ impl<S: Space> Drawer<S> {
                 }
             },
             State::Search(search) => {
-                let exceeded = search.step(program, score, limits, *seed, meter)?;
+                let exceeded = search.step(rules, score, limits, *seed, meter)?;
                 Some(failed(&exceeded, limits))
             }
             State::Survey { survey, root, pieces } => {
@@ -334,7 +328,7 @@ fn made<S: Space>(root: Option<BlockId>, pieces: Vec<Level<S>>) -> State<S> {
 }
 
 /// Modules with parameters, whose pieces are shared.
-fn planned<S: Space>(rules: &Rules, with: (&Turtle, &Score<S>), seed: u32, limits: &Limits, n: u32) -> State<S> {
+fn planned<S: Space>(rules: &Arc<Rules>, with: (&Turtle, &Score<S>), seed: u32, limits: &Limits, n: u32) -> State<S> {
     match Parametric::new(rules, with, seed, limits, n) {
         Ok(parametric) => State::Parametric(Box::new(parametric)),
         Err(diagnostic) => State::Failed(diagnostic),
@@ -342,7 +336,7 @@ fn planned<S: Space>(rules: &Rules, with: (&Turtle, &Score<S>), seed: u32, limit
 }
 
 /// Whole generations.
-fn whole<S: Space>(rules: &Rules, seed: u32, limits: &Limits, score: &Score<S>) -> State<S> {
+fn whole<S: Space>(rules: &Arc<Rules>, seed: u32, limits: &Limits, score: &Score<S>) -> State<S> {
     match Modular::new(rules, seed, limits, score) {
         Ok(modular) => State::Modules(Box::new(modular)),
         Err(diagnostic) => State::Failed(diagnostic),

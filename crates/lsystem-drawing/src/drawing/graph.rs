@@ -5,7 +5,7 @@ use super::tree::{Tree, WORD};
 use super::{BlockId, ColourChange, Piece, Placed, StyleChange};
 use crate::space::{Space, reach, times, unit_of};
 use crate::turtle::{LARGEST, Op, Pen, Score};
-use crate::{Plane, Program, Rewrite, SymbolId};
+use crate::{LetterId, Plane, Rewrite, Rules};
 use lsystem_syntax::Meter;
 
 /// How a piece of a drawing leaves the turtle, in the frame in which it entered: at the origin heading along +x.
@@ -24,14 +24,14 @@ pub struct Effect<S: Space = Plane> {
 /// Whether every reachable letter always draws the same: no choices, no variation, nothing that looks to the directions
 /// of the model, no rewritten letter or successor that ends on another branch than it began on or returns from branches
 /// it did not open, and no polygon that is made by more than one production.
-pub(crate) fn memoises<S: Space>(program: &Program, score: &Score<S>) -> bool {
+pub(crate) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     let looks_out = |op: &Op<S>| matches!(op, Op::Bend(_)) || matches!(op, Op::Upright) && !S::LEVEL;
-    let is_kept = |s: SymbolId| matches!(program.rewrites[usize::from(s)], Rewrite::Keep);
+    let is_kept = |s: LetterId| matches!(rules.rewrites[usize::from(s)], Rewrite::Keep);
     !score.varies()
         && !score.ops.iter().flatten().any(looks_out)
-        && is_filled_at_once(&program.axiom, score, is_kept)
-        && (program.rewrites.iter().zip(program.reachable()).enumerate()).all(|(symbol, (rewrite, reached))| {
-            let balanced = |word: &[SymbolId]| {
+        && is_filled_at_once(&rules.axiom.letters, score, is_kept)
+        && (rules.rewrites.iter().zip(rules.reachable()).enumerate()).all(|(symbol, (rewrite, reached))| {
+            let balanced = |word: &[LetterId]| {
                 let kept = word.iter().filter(|&&s| is_kept(s));
                 is_balanced(kept.flat_map(|&s| &score.ops[usize::from(s)])) && is_filled_at_once(word, score, is_kept)
             };
@@ -39,7 +39,7 @@ pub(crate) fn memoises<S: Space>(program: &Program, score: &Score<S>) -> bool {
                 _ if !reached => true,
                 Rewrite::Keep => true,
                 Rewrite::Always(word) => {
-                    let alone = [symbol as SymbolId];
+                    let alone = [symbol as LetterId];
                     balanced(word) && is_balanced(&score.ops[symbol]) && is_filled_at_once(&alone, score, |_| true)
                 }
                 Rewrite::Choose(_) => false,
@@ -62,7 +62,7 @@ pub(super) fn is_balanced<'a, S: Space>(ops: impl IntoIterator<Item = &'a Op<S>>
 
 /// Whether every polygon that is opened or closed by the letters of `word` that stay is opened and closed by them, and
 /// only they stand inside.
-fn is_filled_at_once<S: Space>(word: &[SymbolId], score: &Score<S>, stays: impl Fn(SymbolId) -> bool) -> bool {
+fn is_filled_at_once<S: Space>(word: &[LetterId], score: &Score<S>, stays: impl Fn(LetterId) -> bool) -> bool {
     let mut open = 0_i64;
     let fits = word.iter().all(|&symbol| {
         let stays = stays(symbol);
@@ -82,9 +82,9 @@ fn is_filled_at_once<S: Space>(word: &[SymbolId], score: &Score<S>, stays: impl 
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
     /// By depth from `n` down to 1: the rewritten letters, sorted.
-    levels: Vec<Vec<SymbolId>>,
+    levels: Vec<Vec<LetterId>>,
     /// The letters that the next level needs; `None` while the axiom is read.
-    next: Option<Vec<SymbolId>>,
+    next: Option<Vec<LetterId>>,
     /// Which of them is read, and how many letters of its successor have been.
     at: (usize, usize),
     /// By letter: whether one that has been read makes it.
@@ -97,8 +97,8 @@ pub(super) struct Plan {
 const READ: usize = 256;
 
 impl Plan {
-    pub(super) fn new(program: &Program) -> Self {
-        let (made, cost) = (vec![false; program.rewrites.len()], program.axiom.len() as u64);
+    pub(super) fn new(rules: &Rules) -> Self {
+        let (made, cost) = (vec![false; rules.rewrites.len()], rules.axiom.letters.len() as u64);
         Self { levels: vec![], next: None, at: (0, 0), made, cost }
     }
 
@@ -108,13 +108,13 @@ impl Plan {
     }
 
     /// Plans one depth more, or goes on with that until the meter is spent.
-    pub(super) fn step(&mut self, program: &Program, meter: &mut Meter) {
+    pub(super) fn step(&mut self, rules: &Rules, meter: &mut Meter) {
         loop {
             let word = match &self.next {
-                None if self.at.0 == 0 => program.axiom.as_slice(),
+                None if self.at.0 == 0 => rules.axiom.letters.as_slice(),
                 None => break,
                 Some(next) => match next.get(self.at.0) {
-                    Some(&symbol) => successor(program, symbol),
+                    Some(&symbol) => successor(rules, symbol),
                     None => break,
                 },
             };
@@ -123,7 +123,7 @@ impl Plan {
                 self.cost += word.len() as u64;
             }
             for &symbol in run {
-                self.made[usize::from(symbol)] |= is_rewritten(program, symbol);
+                self.made[usize::from(symbol)] |= is_rewritten(rules, symbol);
             }
             self.at.1 += run.len();
             if self.at.1 == word.len() {
@@ -136,7 +136,7 @@ impl Plan {
             }
         }
         let is_made = |letter: &usize| self.made[*letter];
-        let needed = (0..self.made.len()).filter(is_made).map(|letter| letter as SymbolId).collect();
+        let needed = (0..self.made.len()).filter(is_made).map(|letter| letter as LetterId).collect();
         meter.charge(1 + self.made.len() as u64 / 8);
         self.levels.extend(self.next.replace(needed));
         self.made.fill(false);
@@ -144,33 +144,30 @@ impl Plan {
     }
 
     /// By depth from 1: the letters to make the pieces of.
-    pub(super) fn levels(&mut self) -> Vec<Vec<SymbolId>> {
+    pub(super) fn levels(&mut self) -> Vec<Vec<LetterId>> {
         let mut levels = core::mem::take(&mut self.levels);
         levels.reverse();
         levels
     }
 }
 
-fn is_rewritten(program: &Program, symbol: SymbolId) -> bool {
-    !matches!(program.rewrites[usize::from(symbol)], Rewrite::Keep)
+fn is_rewritten(rules: &Rules, symbol: LetterId) -> bool {
+    !matches!(rules.rewrites[usize::from(symbol)], Rewrite::Keep)
 }
 
 /// What always replaces a letter.
-fn successor(program: &Program, symbol: SymbolId) -> &[SymbolId] {
-    match &program.rewrites[usize::from(symbol)] {
-        Rewrite::Always(word) => word,
-        Rewrite::Keep | Rewrite::Choose(_) => &[],
-    }
+fn successor(rules: &Rules, symbol: LetterId) -> &[LetterId] {
+    rules.rewrites[usize::from(symbol)].always().unwrap_or_default()
 }
 
 /// The pieces of one depth, sorted by letter.
-pub(super) type Level<S = Plane> = Vec<(SymbolId, Piece<S>)>;
+pub(super) type Level<S = Plane> = Vec<(LetterId, Piece<S>)>;
 
 /// Where a word comes from.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Origin {
     /// The letter that it replaces; `None` for the axiom.
-    pub former: Option<SymbolId>,
+    pub former: Option<LetterId>,
     /// The derivation step that makes it.
     pub step: u32,
 }
@@ -181,19 +178,19 @@ pub(super) struct Word<'a, S: Space> {
     pub score: &'a Score<S>,
     /// The pieces of its rewritten letters; at depth 0, where there are none, every letter acts by itself.
     pub below: Option<&'a Level<S>>,
-    pub letters: &'a [SymbolId],
+    pub letters: &'a [LetterId],
     pub origin: Origin,
     /// With which the turtle enters.
     pub heading: S::Turn,
 }
 
 impl<'a, S: Space> Word<'a, S> {
-    fn lower(&self, symbol: SymbolId) -> Option<&'a Piece<S>> {
+    fn lower(&self, symbol: LetterId) -> Option<&'a Piece<S>> {
         let below = self.below?;
         below.binary_search_by_key(&symbol, |(s, _)| *s).ok().map(|place| &below[place].1)
     }
 
-    fn ops(&self, symbol: SymbolId) -> &'a [Op<S>] {
+    fn ops(&self, symbol: LetterId) -> &'a [Op<S>] {
         &self.score.ops[usize::from(symbol)]
     }
 }
@@ -273,7 +270,7 @@ impl<S: Space> Writing<S> {
     }
 
     /// Looks how far a letter goes.
-    fn measure(&mut self, builder: &Builder<S>, word: &Word<'_, S>, symbol: SymbolId) {
+    fn measure(&mut self, builder: &Builder<S>, word: &Word<'_, S>, symbol: LetterId) {
         let score = word.score;
         let below = word.lower(symbol);
         let own = match below {
@@ -297,7 +294,7 @@ impl<S: Space> Writing<S> {
         &mut self,
         builder: &mut Builder<S>,
         word: &Word<'_, S>,
-        symbol: SymbolId,
+        symbol: LetterId,
         (tree, exponent): (&mut Tree<S>, i32),
     ) {
         let Self { done, young, pen, saved, .. } = self;

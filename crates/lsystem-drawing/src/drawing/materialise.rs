@@ -7,7 +7,7 @@ use super::{BlockId, Item, StyleChange};
 use crate::space::Space;
 use crate::turtle::{Op, Pen, Score};
 use crate::walk::{Next, Walk};
-use crate::{Program, SymbolId};
+use crate::{LetterId, Rules};
 use lsystem_syntax::{LimitName, Limits, Meter};
 
 /// What a derivation has cost so far.
@@ -38,17 +38,17 @@ impl Census {
     /// cannot go on.
     pub(super) fn step<S: Space>(
         &mut self,
-        program: &Program,
+        rules: &Rules,
         score: &Score<S>,
         limits: &Limits,
         meter: &mut Meter,
-        mut act: impl FnMut(&Walk, (u64, SymbolId), &[Op<S>]) -> Option<u64>,
+        mut act: impl FnMut(&Walk, (u64, LetterId), &[Op<S>]) -> Option<u64>,
     ) -> Outcome<()> {
         let began = self.walk.work;
         let mut acted = 0_u64;
         let outcome = loop {
             let until = began.saturating_add(meter.left().saturating_sub(acted)).min(limits.work);
-            match self.walk.next(program, |_| false, until) {
+            match self.walk.next(rules, |_| false, until) {
                 Next::Letter(symbol, _) => {
                     let ops = &score.ops[usize::from(symbol)];
                     let place = self.symbols;
@@ -87,7 +87,7 @@ pub(crate) struct Materialiser<S: Space> {
     seed: u32,
     /// The word that was asked about last (what it replaces, its address and length), and which of its letters goes on in
     /// the place of what it replaces.
-    heir: Option<((SymbolId, usize, usize), Option<usize>)>,
+    heir: Option<((LetterId, usize, usize), Option<usize>)>,
     /// What a module does that is not like the others of its letter.
     own: Vec<Op<S>>,
 }
@@ -118,17 +118,17 @@ impl<S: Space> Materialiser<S> {
     /// Goes on until the meter is spent.
     pub(super) fn step(
         &mut self,
-        program: &Program,
+        rules: &Rules,
         score: &Score<S>,
         builder: &mut Builder<S>,
         limits: &Limits,
         meter: &mut Meter,
     ) -> Outcome<Option<BlockId>> {
         let Self { census, pen, saved, tree, seed, heir, own } = self;
-        let outcome = census.step(program, score, limits, meter, |walk, (place, symbol), ops| {
+        let outcome = census.step(rules, score, limits, meter, |walk, (place, symbol), ops| {
             let mut ops = ops;
             if score.is_personal() {
-                let fate = walk.fate(program, symbol, |former, successor| {
+                let fate = walk.fate(rules, symbol, |former, successor| {
                     let word = (former, successor.as_ptr().addr(), successor.len());
                     match heir {
                         Some((of, at)) if *of == word => *at,

@@ -11,6 +11,7 @@ use crate::space::{Space, unit_of};
 use crate::turtle::{Fate, Op, Pen, Score};
 use crate::{Fault, Image, Rewriter, Rules, Turtle};
 use lsystem_syntax::{Diagnostic, LimitName, Limits, Meter};
+use std::sync::Arc;
 
 /// Modules read between two looks at the caller's budget.
 const PIECE: usize = 1 << 12;
@@ -57,7 +58,7 @@ pub(super) enum Outcome {
 
 impl<S: Space> Modular<S> {
     /// Ready to draw from the axiom on.
-    pub(super) fn new(rules: &Rules, seed: u32, limits: &Limits, score: &Score<S>) -> Result<Self, Diagnostic> {
+    pub(super) fn new(rules: &Arc<Rules>, seed: u32, limits: &Limits, score: &Score<S>) -> Result<Self, Diagnostic> {
         let mut rewriter =
             Rewriter::new(rules.clone(), seed, *limits).map_err(|fault_| fault(rules, fault_, 0, limits, None))?;
         if score.is_personal() {

@@ -21,6 +21,7 @@ use crate::{Fault, LetterId, Rules, Template, Turtle};
 use core::ops::Range;
 use lsystem_syntax::{Diagnostic, Limits, Meter};
 use std::collections::HashMap;
+use std::sync::Arc;
 use write::Writing;
 
 /// The most states: some hundred bytes each. More of them than this hardly ever come together.
@@ -53,7 +54,7 @@ pub(crate) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
 /// A drawing in the making: plans the states from the axiom on, then makes their pieces from the last step back.
 #[derive(Clone, Debug)]
 pub(crate) struct Parametric<S: Space> {
-    rules: Rules,
+    rules: Arc<Rules>,
     keys: Keys,
     scales: Scales,
     /// By letter, whether its pieces look to the vertical; none where nothing does.
@@ -151,7 +152,7 @@ pub(super) enum Outcome {
 impl<S: Space> Parametric<S> {
     /// Ready to draw generation `n` from the axiom on.
     pub(super) fn new(
-        rules: &Rules,
+        rules: &Arc<Rules>,
         (turtle, score): (&Turtle, &Score<S>),
         seed: u32,
         limits: &Limits,
@@ -187,11 +188,6 @@ impl<S: Space> Parametric<S> {
         let planning = Planning { letters, done: 0, argument: 0, made: None, first: 0, depth: n, course };
         new.planning = Some(planning);
         Ok(new)
-    }
-
-    /// The rules it derives by.
-    pub(super) fn rules(&self) -> &Rules {
-        &self.rules
     }
 
     /// The bytes that it takes.

@@ -1,5 +1,6 @@
 //! Making a grammar ready: letters become small integers, names become slots.
 
+use super::rewrite::Rewrite;
 use super::rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
 use core::ops::Range;
 use lsystem_syntax::Expr;
@@ -10,16 +11,29 @@ use lsystem_syntax::{Grammar, Module, Pattern, Production};
 
 impl Rules {
     /// Compiles `grammar`. `spans` says where its productions stand in the text, then those for drawing; `cuts` which
-    /// symbols cut off the rest of their branch.
+    /// symbols cut off the rest of their branch. Where each symbol is drawn in one way only, the images are left to
+    /// whoever knows what symbols do, unless they are to be made `apart`, module by module.
     ///
     /// # Errors
     /// Where an expression cannot be computed.
-    pub fn new(grammar: &Grammar, spans: Vec<Range<usize>>, cuts: impl Fn(char) -> bool) -> Result<Self, Unusable> {
-        Self::compiled(grammar, spans, &cuts)
+    pub fn new(
+        grammar: &Grammar,
+        spans: Vec<Range<usize>>,
+        cuts: impl Fn(char) -> bool,
+        apart: bool,
+    ) -> Result<Self, Unusable> {
+        Self::compiled(grammar, spans, &cuts, apart)
     }
 
-    fn compiled(grammar: &Grammar, spans: Vec<Range<usize>>, cuts: &dyn Fn(char) -> bool) -> Result<Self, Unusable> {
-        let productions = || grammar.productions.iter().chain(&grammar.images);
+    fn compiled(
+        grammar: &Grammar,
+        spans: Vec<Range<usize>>,
+        cuts: &dyn Fn(char) -> bool,
+        apart: bool,
+    ) -> Result<Self, Unusable> {
+        let plain = !apart && grammar.is_plain() && !grammar.made().any(|module| cuts(module.symbol));
+        let drawn = if plain { &[][..] } else { &grammar.images };
+        let productions = || grammar.productions.iter().chain(drawn);
         let matched = productions().flat_map(Production::patterns).map(letter_of_pattern);
         let made = grammar.axiom.iter().chain(productions().flat_map(|p| &p.successor)).map(letter_of_module);
         let letters: Vec<Letter> = set(matched.chain(made));
@@ -38,7 +52,12 @@ impl Rules {
             rules.extend(first.into_iter().chain(rest));
         }
         let axiom = compiler.word(&grammar.axiom, &[], &mut 0)?;
-        Ok(Self { letters, considered, cuts, by_letter, images, axiom, spans })
+        let rewrite = |(letter, rules): (usize, &Vec<Rule>)| match plain {
+            true => Rewrite::plain(rules),
+            false => Rewrite::outline(letter as LetterId, rules),
+        };
+        let rewrites = by_letter.iter().enumerate().map(rewrite).collect();
+        Ok(Self { letters, considered, cuts, by_letter, images, rewrites, axiom, spans, plain })
     }
 }
 

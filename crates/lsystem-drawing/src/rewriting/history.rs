@@ -8,13 +8,14 @@ mod making;
 
 use super::choices::{Choice, Choices};
 use super::modules::{Chance, Modules, NotFinite};
-use super::rules::{Letter, Rule, Rules};
+use super::rules::{Letter, LetterId, Rule, Rules};
 use super::step::Rewriter;
 use crate::System;
 use crate::access::{Ancestor, Part};
 use crate::counts::segments_of;
 use core::ops::Range;
 use lsystem_syntax::{Limits, MAX_ITERATIONS, Meter, Progress};
+use std::sync::Arc;
 
 /// Modules between two sums: a place is found by one sum and a look at fewer modules than this.
 const BLOCK: usize = 256;
@@ -33,7 +34,7 @@ const SPARE: u64 = 1 << 16;
 /// so far can be read.
 #[derive(Clone, Debug)]
 pub struct History {
-    rules: Rules,
+    rules: Arc<Rules>,
     seed: u32,
     n: u32,
     /// By letter: how many segments it draws.
@@ -154,20 +155,8 @@ impl History {
         if n > MAX_ITERATIONS {
             return None;
         }
-        let plain = system.rules.is_none();
-        let mut rules = match &system.rules {
-            Some(rules) => rules.clone(),
-            None => Rules::new(&system.grammar, vec![], |_| false).ok()?,
-        };
-        // Letters of plain systems do what their images do.
-        if plain {
-            rules.images.iter_mut().for_each(Vec::clear);
-        }
-        let drawn = |(id, letter): (usize, &Letter)| {
-            let id = if plain { system.program.alphabet.binary_search(&letter.symbol).ok()? } else { id };
-            Some(segments_of(system, id as u16))
-        };
-        let drawn: Vec<u64> = rules.letters.iter().enumerate().map(|entry| drawn(entry).unwrap_or(0)).collect();
+        let rules = &system.rules;
+        let drawn: Vec<u64> = (0..rules.letters.len()).map(|letter| segments_of(system, letter as LetterId)).collect();
         let count = system.grammar.productions.len() + system.grammar.images.len();
         let mut productions = vec![None; count];
         for (image, lists) in [(false, &rules.by_letter), (true, &rules.images)] {
@@ -188,7 +177,7 @@ impl History {
         let axiom = rewriter.word().clone();
         let mut history = Self {
             words: (surrounded && rules.is_parametric()).then(Vec::new),
-            rules,
+            rules: rules.clone(),
             seed: system.seed,
             n,
             drawn,

@@ -1,5 +1,6 @@
 //! Compiled productions.
 
+use super::rewrite::Rewrite;
 use core::ops::Range;
 use lsystem_syntax::Code;
 
@@ -15,7 +16,7 @@ pub struct Letter {
     pub arity: u8,
 }
 
-/// A compiled grammar with contexts or parameters.
+/// A grammar made ready for derivation: letters are small integers, productions tables over them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rules {
     /// Every letter of the axiom and the productions, sorted.
@@ -26,12 +27,16 @@ pub struct Rules {
     pub cuts: Vec<bool>,
     /// By letter: its productions, those with a context first, in text order within each class.
     pub by_letter: Vec<Vec<Rule>>,
-    /// By letter: its productions below `draw:`, in text order.
+    /// By letter: its productions below `draw:`, in text order. None where the rules are [plain](Rules::is_plain): the
+    /// letters do then what their images do.
     pub images: Vec<Vec<Rule>>,
+    /// By letter: what a derivation step does with it, or may do.
+    pub rewrites: Vec<Rewrite>,
     /// The axiom; its arguments use no slots.
     pub axiom: Template,
     /// Where the productions stand in the text, then those below `draw:`; may be shorter.
     pub spans: Vec<Range<usize>>,
+    pub(super) plain: bool,
 }
 
 /// One production.
@@ -97,6 +102,24 @@ impl Template {
 }
 
 impl Rules {
+    /// Whether every letter derives by itself and by its name alone, and chance only as beforehand known weights say.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        self.plain
+    }
+
+    /// The symbol of a letter.
+    #[must_use]
+    pub fn symbol(&self, letter: LetterId) -> char {
+        self.letters[usize::from(letter)].symbol
+    }
+
+    /// How many parameters a letter has.
+    #[must_use]
+    pub fn arity(&self, letter: LetterId) -> usize {
+        usize::from(self.letters[usize::from(letter)].arity)
+    }
+
     /// The letter for a symbol with `arity` parameters.
     #[must_use]
     pub fn letter(&self, symbol: char, arity: u8) -> Option<LetterId> {

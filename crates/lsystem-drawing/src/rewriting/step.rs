@@ -13,6 +13,7 @@ use super::table::{Sides, Table};
 use core::ops::Range;
 use lsystem_syntax::Code;
 use lsystem_syntax::{LimitName, Limits, Meter};
+use std::sync::Arc;
 
 /// Why a derivation cannot go on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +56,7 @@ struct Record {
 /// What does not change from step to step.
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
-    pub(super) rules: Rules,
+    pub(super) rules: Arc<Rules>,
     pub(super) roles: Vec<Role>,
     /// By letter: how many arguments it has.
     pub(super) arities: Vec<u8>,
@@ -116,7 +117,7 @@ impl Rewriter {
     ///
     /// # Errors
     /// Where an argument of the axiom is not finite.
-    pub fn new(rules: Rules, seed: u32, limits: Limits) -> Result<Self, Fault> {
+    pub fn new(rules: Arc<Rules>, seed: u32, limits: Limits) -> Result<Self, Fault> {
         let random = rules.is_random();
         let arities: Vec<u8> = rules.letters.iter().map(|letter| letter.arity).collect();
         let mut word = Modules::default();
@@ -191,7 +192,7 @@ impl Rewriter {
 
     /// The rules it derives by.
     #[must_use]
-    pub fn rules(&self) -> &Rules {
+    pub fn rules(&self) -> &Arc<Rules> {
         &self.plan.rules
     }
 

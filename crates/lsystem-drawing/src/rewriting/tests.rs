@@ -3,6 +3,7 @@ use crate::Key;
 use lsystem_syntax::Code;
 use lsystem_syntax::Operator;
 use lsystem_syntax::{LimitName, Limits};
+use std::sync::Arc;
 
 /// Rules from `left, strict, right, successor` in single characters; `ignored` letters are not seen.
 fn rules(axiom: &str, productions: &[(&str, char, &str, &str)], ignored: &str) -> Rules {
@@ -38,11 +39,21 @@ fn rules(axiom: &str, productions: &[(&str, char, &str, &str)], ignored: &str) -
     let considered = symbols.iter().map(|&symbol| !ignored.contains(symbol)).collect();
     let images = vec![vec![]; letters.len()];
     let cuts = symbols.iter().map(|&symbol| symbol == '%').collect();
-    Rules { letters, considered, cuts, by_letter, images, axiom: word(axiom), spans: vec![] }
+    Rules {
+        letters,
+        considered,
+        cuts,
+        by_letter,
+        images,
+        rewrites: vec![],
+        axiom: word(axiom),
+        spans: vec![],
+        plain: false,
+    }
 }
 
 fn derive(rules: Rules, n: u32, piece: usize) -> Rewriter {
-    let mut rewriter = Rewriter::new(rules, 0, Limits::default()).unwrap();
+    let mut rewriter = Rewriter::new(Arc::new(rules), 0, Limits::default()).unwrap();
     while rewriter.generation() < n {
         rewriter.step(piece).unwrap();
     }
@@ -134,8 +145,17 @@ fn parameters_grow_and_conditions_hold() {
     };
     let axiom = Template { letters: vec![0], arguments: vec![Code::Constant(1.0)] };
     let (by_letter, images) = (vec![vec![rule], vec![]], vec![vec![]; 2]);
-    let rules =
-        Rules { letters, considered: vec![true; 2], cuts: vec![false; 2], by_letter, images, axiom, spans: vec![] };
+    let rules = Rules {
+        letters,
+        considered: vec![true; 2],
+        cuts: vec![false; 2],
+        by_letter,
+        images,
+        rewrites: vec![],
+        axiom,
+        spans: vec![],
+        plain: false,
+    };
     let rewriter = derive(rules.clone(), 5, 2);
     assert_eq!(rewriter.word().letters, [1, 1, 0]);
     assert_eq!(rewriter.word().arguments, [1.0, 2.0, 3.0]);
@@ -143,7 +163,7 @@ fn parameters_grow_and_conditions_hold() {
     let mut endless = rules;
     endless.by_letter[0][0].condition = None;
     endless.by_letter[0][0].successor.arguments[1] = Code::Scaled(0, 1e200);
-    let mut rewriter = Rewriter::new(endless, 0, Limits::default()).unwrap();
+    let mut rewriter = Rewriter::new(Arc::new(endless), 0, Limits::default()).unwrap();
     assert_eq!(rewriter.step(9), Ok(true));
     assert_eq!(rewriter.step(9), Err(Fault::NotFinite(Some(0))));
 }
@@ -151,7 +171,7 @@ fn parameters_grow_and_conditions_hold() {
 #[test]
 fn limits_stop_it() {
     let doubling = || rules("A", &[("", 'A', "", "AA")], "");
-    let mut rewriter = Rewriter::new(doubling(), 0, Limits { modules: 1000, ..Limits::default() }).unwrap();
+    let mut rewriter = Rewriter::new(Arc::new(doubling()), 0, Limits { modules: 1000, ..Limits::default() }).unwrap();
     let fault = loop {
         if let Err(fault) = rewriter.step(100) {
             break fault;

@@ -23,7 +23,7 @@ fn the_longest_texts_are_read_and_told_about_in_few_words() {
             assert_eq!(classes.rules.len(), definition.rules.len());
             if let Some(system) = system {
                 assert!(!kind(&system).is_empty());
-                assert!(legend(&system).len() <= system.program.alphabet.len());
+                assert!(legend(&system).len() <= system.rules.letters.len());
             }
         }
     }

@@ -168,9 +168,9 @@ fn slot(actions: &[Action], index: usize) -> usize {
 
 /// What a symbol does by itself.
 fn actions(system: &System, symbol: char) -> &[Action] {
-    match system.program.alphabet.binary_search(&symbol) {
+    match system.rules.letters.binary_search_by_key(&symbol, |letter| letter.symbol) {
         // Where images are symbols alone, the turtle's actions are those of the images; such systems are of this dialect.
-        _ if system.rules.is_none() && !system.grammar.images.is_empty() => Dialect::Abop.actions(symbol),
+        _ if system.rules.is_plain() && !system.grammar.images.is_empty() => Dialect::Abop.actions(symbol),
         Ok(id) => &system.turtle.actions[id],
         Err(_) => &[],
     }
