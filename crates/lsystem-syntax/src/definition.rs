@@ -3,7 +3,7 @@
 use crate::{Dialect, Field, Style};
 use serde::{Deserialize, Serialize};
 
-/// Everything that decides the picture, as text and plain numbers. [`System::new`](crate::System::new) makes it
+/// Everything that decides the picture, as text and plain numbers. `System::new` makes it
 /// ready for use and reports what is wrong with it. Field names in camel case are those of the page's state.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
@@ -40,7 +40,7 @@ pub struct Definition {
     pub step: f64,
     /// Where the turtle starts, in model units, y up.
     pub start: [f64; 2],
-    /// What branches bend towards: x, y and z (towards the viewer), of any length ([`Tropism`](crate::Tropism)).
+    /// What branches bend towards: x, y and z (towards the viewer), of any length (`Tropism`).
     pub tropism: [f64; 3],
     /// How easily they bend, in radians per segment for a `tropism` of length 1 across the heading; 0 for not at all.
     pub elasticity: f64,
@@ -54,7 +54,7 @@ pub struct Definition {
     pub angle_variation: f64,
     /// By how much lengths differ at random from what they should be, at most: percent of them, 0 to 100.
     pub length_variation: f64,
-    /// How far what the last derivation step made has grown, from 0 to 1 ([`Turtle::growth`](crate::Turtle::growth)).
+    /// How far what the last derivation step made has grown, from 0 to 1 (`Turtle::growth`).
     pub growth: f64,
     /// Selects among the outcomes of stochastic productions.
     pub seed: u32,

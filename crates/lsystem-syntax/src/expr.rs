@@ -207,7 +207,7 @@ impl Function {
         }
     }
 
-    /// Of one or two arguments; [`Function::Random`] of its bounds and a number in `0.0..1.0` is left to [`Code`].
+    /// Of one or two arguments; [`Function::Random`] of its bounds and a number in `0.0..1.0` is left to `Code`.
     pub fn apply(self, a: f64, b: f64) -> f64 {
         match self {
             Self::Sin => crate::Heading::from_degrees(a).cos_sin().1 + 0.0 * a,

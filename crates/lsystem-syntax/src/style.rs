@@ -26,7 +26,7 @@ pub enum ColourBy {
     Level,
     /// The turns: the palette's entries that [`Style::turn_colours`] names, from the first turn on; branches restore it.
     Turn,
-    /// The derivation step in which the module that draws was made ([`Colouring::Generations`](crate::Colouring)).
+    /// The derivation step in which the module that draws was made (`Colouring::Generations`).
     Generation,
     /// The place among all segments: the whole palette as a gradient, from the first segment to the last.
     Path,

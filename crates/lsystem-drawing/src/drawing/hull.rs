@@ -19,7 +19,7 @@ type Cell = [i64; 2];
 
 /// Replaces `points`, with coordinates from -1 to 1, by the corners of their convex hull, counter-clockwise. One or
 /// two corners remain of points that coincide or lie on a line. The hull may be smaller than the truth by half a
-/// [`GRID`]; returns how far it may be larger, and the units of work that this has taken.
+/// `GRID`; returns how far it may be larger, and the units of work that this has taken.
 pub fn hull(points: &mut Vec<Point>) -> (f64, u64) {
     let all = points.len() as u64;
     if points.len() > 48 {
