@@ -84,7 +84,7 @@ const WHOLE: u128 = 1 << 24;
 
 fn expand(file: &Path, changes: &args::Changes) -> Result<(), Failure> {
     let input = input::read(file, changes)?;
-    match Word::new(&input.system, input.iterations).filter(|word| word.symbols() > WHOLE) {
+    match input.system.word(input.iterations).filter(|word| word.symbols() > WHOLE) {
         Some(word) => print(|out| write_pieces(out, &word)),
         None => {
             let text = input.expand()?;

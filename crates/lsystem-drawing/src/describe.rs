@@ -1,7 +1,8 @@
 //! Systems and drawings in words: the legend of symbols, why nothing is drawn, a picture's text alternative.
 
-use crate::counts::{drawn_by_letter, weigh_until};
-use crate::{Rewrite, System, Tally};
+use crate::System;
+use crate::drawn::drawn_by_letter;
+use lsystem_derive::{Rewrite, Tally, weigh_until};
 use lsystem_syntax::message::grouped;
 use lsystem_syntax::sorted::set;
 use lsystem_syntax::{Action, Grammar, Heading, MAX_ITERATIONS, Meter, Pattern, Production};

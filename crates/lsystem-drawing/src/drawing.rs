@@ -20,6 +20,7 @@ mod materialise;
 mod modules;
 mod parametric;
 mod projection;
+mod scales;
 mod scene;
 mod segments;
 mod shape;
@@ -48,10 +49,10 @@ pub use segments::Segments;
 pub use shape::{Line, Shape, shapes};
 pub use solid::draw_solid;
 
-use crate::derivation::limit;
 use crate::turtle::finite;
-use crate::{LetterId, Plane, Space};
+use crate::{Plane, Space};
 use core::ops::Range;
+use lsystem_derive::LetterId;
 use lsystem_syntax::{Diagnostic, LimitName, Meter};
 use std::sync::OnceLock;
 
@@ -194,7 +195,7 @@ impl<S: Space> Drawing<S> {
     /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) otherwise.
     pub fn check_size(&self, most: u64) -> Result<(), Diagnostic> {
         let fits = self.size() <= u128::from(most);
-        if fits { Ok(()) } else { Err(limit(LimitName::Segments, most, None)) }
+        if fits { Ok(()) } else { Err(Diagnostic::limit(LimitName::Segments, most, None)) }
     }
 
     /// How many segments and vertices of polygons there are; `u128::MAX` stands for that many or more.

@@ -3,7 +3,6 @@
 //! Strokes that follow each other end to end share a ring of corners on the plane that halves the angle between them,
 //! so that a bent path is one closed tube. Where widths differ a tube tapers to the width of the stroke that follows.
 
-use crate::derivation::limit;
 use crate::drawing::MarkReader;
 use crate::rotation::{Vector, cross, dot, minus, norm};
 use crate::triangulate::{Triangles, triangulate};
@@ -119,7 +118,7 @@ impl MeshMaker {
             self.tubes.mesh.reserve(corners);
             if self.tubes.mesh.bytes() > self.memory {
                 self.tubes.mesh = Mesh::default();
-                return Err(limit(LimitName::Memory, self.memory, None));
+                return Err(Diagnostic::limit(LimitName::Memory, self.memory, None));
             }
             match mark {
                 Some(Mark::Segment(segment, tint)) => self.tubes.add(&segment, style.colour_of(tint).rgb),

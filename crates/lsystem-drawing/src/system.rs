@@ -1,7 +1,8 @@
 //! A system ready for derivation and drawing.
 
-use crate::{Colouring, Letter, Rules, Tropism, Turtle};
+use crate::{Colouring, Tropism, Turtle};
 use core::ops::Range;
+use lsystem_derive::{Letter, Rules};
 use lsystem_syntax::notation::{self, Places, Reading};
 use lsystem_syntax::notes::Notes;
 use lsystem_syntax::sorted::{set, sort};

@@ -1,15 +1,15 @@
 //! The turtle: what each letter of a rules does, and from where it starts.
 
 use crate::drawing::{StyleChange, WidthChange, reserve};
-use crate::key::Purpose;
 use crate::space::{Axis, Space};
-use crate::{ColourChange, Key, LetterId, Plane};
+use crate::{ColourChange, Plane};
+use lsystem_derive::{Fate, LetterId, Purpose};
 use lsystem_syntax::{Action, Heading};
 
 /// A turtle ready to read a rules's words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turtle {
-    /// By letter ([`LetterId`](crate::LetterId)): what it does.
+    /// By letter ([`LetterId`](lsystem_derive::LetterId)): what it does.
     pub actions: Vec<Vec<Action>>,
     /// Of a left turn.
     pub left: Heading,
@@ -107,16 +107,6 @@ pub(crate) struct Turning<S: Space> {
 pub(crate) struct Deeper {
     width: f64,
     length: f64,
-}
-
-/// What is special about a module.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Fate {
-    pub key: Key,
-    /// The derivation step in which it was made, or the first of its letter in its place.
-    pub since: u32,
-    /// Whether it is still growing.
-    pub grows: bool,
 }
 
 /// A turtle's actions made ready to run, in units that keep every length at most 1.

@@ -623,6 +623,12 @@ pub enum LimitName {
 }
 
 impl Diagnostic {
+    /// A limit that was passed; `largest` is the most derivation steps within it, where that is known.
+    #[must_use]
+    pub fn limit(limit: LimitName, value: u64, largest: Option<u32>) -> Self {
+        Self { kind: Kind::Limit { limit, value, largest }, field: Field::Numbers, span: 0..0 }
+    }
+
     /// How bad it is.
     #[must_use]
     pub fn severity(&self) -> Severity {

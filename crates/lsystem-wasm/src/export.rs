@@ -8,9 +8,9 @@ use crate::viewer::WORK;
 use crate::{HISTORY, LIMITS, to_js};
 use core::cell::RefCell;
 use lsystem::{
-    Camera, CsvWriter, Definition, Diagnostic, Drawer, Drawing, Field, GlbWriter, History, Kind, LimitName, Limits,
-    Mesh, MeshMaker, ObjWriter, Outlook, Progress, Solid, Space, Style, SvgForm, SvgOptions, SvgWriter, System, Word,
-    write_json, write_svg,
+    Camera, CsvWriter, Definition, Diagnostic, Drawer, Drawing, Field, GlbWriter, Kind, LimitName, Limits, Mesh,
+    MeshMaker, ObjWriter, Outlook, Progress, Solid, Space, Style, SvgForm, SvgOptions, SvgWriter, System, write_json,
+    write_svg,
 };
 use serde::Serialize;
 use std::rc::Rc;
@@ -276,7 +276,7 @@ fn glb(mesh: Mesh, name: &str) -> Writer {
 
 /// The string of generation `n`, read piece by piece: by counts, or by what is remembered of the derivation.
 fn string(system: System, n: u32) -> Result<Writer, Diagnostic> {
-    let symbols = |n: u32| Word::new(&system, n).map(|word| word.symbols());
+    let symbols = |n: u32| system.word(n).map(|word| word.symbols());
     let too_long = |count: u128| count > u128::from(LIMITS.symbols);
     let mut history = None;
     match symbols(n) {
@@ -288,13 +288,13 @@ fn string(system: System, n: u32) -> Result<Writer, Diagnostic> {
             return Err(limit(LimitName::Symbols, LIMITS.symbols, largest));
         }
         Some(_) => {}
-        None => history = Some(History::new(&system, n, &HISTORY).ok_or_else(|| limit_of_memory(None))?),
+        None => history = Some(system.history(n, &HISTORY).ok_or_else(|| limit_of_memory(None))?),
     }
     let mut at = 0;
     Ok(as_text(move |text| {
         let before = text.len();
         match &mut history {
-            None => text.push_str(&Word::new(&system, n).map(|word| word.slice(at, SYMBOLS)).unwrap_or_default()),
+            None => text.push_str(&system.word(n).map(|word| word.slice(at, SYMBOLS)).unwrap_or_default()),
             Some(history) => {
                 if history.symbols(n).is_none() {
                     if history.step(WORK) == Progress::Done && history.symbols(n).is_none() {

@@ -140,7 +140,7 @@ impl Playground {
         } else {
             self.upto = None;
             self.report = known;
-            let mut counters = [Counter::symbols(&system, n), Counter::segments(&system, n)];
+            let mut counters = [system.symbols(n), system.segments(n)];
             counters.iter_mut().for_each(|counter| {
                 counter.step(COUNTING);
             });

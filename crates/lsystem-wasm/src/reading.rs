@@ -5,7 +5,7 @@ use crate::viewer::{Views, WORK};
 use crate::{HISTORY, to_js};
 use core::ops::Range;
 use lsystem::{
-    Ancestor, Counter, Drawing, History, Pointer, Progress, Segment, Space, StyleChange, Target, Word, fitted_ends,
+    Ancestor, Drawing, History, Pointer, Progress, Segment, Space, StyleChange, Target, Word, fitted_ends,
     fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, pick, pick_solid, print_module,
     symbol_of_polygon,
 };
@@ -94,7 +94,7 @@ impl Playground {
     pub fn remember(&mut self, generation: u32, budget: f64) -> bool {
         let end = self.clock.now() + budget;
         let Some(system) = &self.system else { return true };
-        if Word::new(system, generation).is_some() {
+        if system.word(generation).is_some() {
             return true;
         }
         if self.is_saving() {
@@ -102,7 +102,7 @@ impl Playground {
         }
         let n = self.shown_iterations();
         if self.history.is_none() {
-            self.history = History::new(system, n, &HISTORY);
+            self.history = system.history(n, &HISTORY);
         }
         let Some(history) = &mut self.history else { return true };
         loop {
@@ -133,7 +133,7 @@ impl Playground {
                 if symbols < u128::MAX {
                     return Some(symbols.to_string());
                 }
-                let mut counter = Counter::symbols(self.system.as_ref()?, generation);
+                let mut counter = self.system.as_ref()?.symbols(generation);
                 counter.step(COUNTING);
                 // All that can be reached is told where the rest takes too long to count.
                 Some(counter.count().map_or_else(|| symbols.to_string(), ToString::to_string))
@@ -297,7 +297,7 @@ impl Playground {
     }
 
     fn reader(&self, generation: u32) -> Option<Reader<'_>> {
-        let word = Word::new(self.system.as_ref()?, generation).map(Reader::Counted);
+        let word = self.system.as_ref()?.word(generation).map(Reader::Counted);
         word.or_else(|| self.history.as_ref().map(Reader::Remembered))
     }
 

@@ -33,13 +33,16 @@
 //! assert_eq!(renderer.pixels().len(), 320 * 100 * 4);
 //! ```
 
+pub use lsystem_derive::{
+    Ancestor, Choice, ContextPattern, Counter, Fault, History, Image, Key, Letter, LetterId, Modules, Part, Purpose,
+    Rewrite, Rewriter, Rule, Rules, Tally, Template, Word,
+};
 pub use lsystem_drawing::{
-    Ancestor, Axis, Block, BlockId, Body, Choice, ColourChange, Colouring, ContextPattern, Counter, Drawer, Drawing,
-    Effect, Fault, History, Image, Item, Key, LegendEntry, Letter, LetterId, Mark, Mesh, MeshMaker, Modules, Outlook,
-    Part, Piece, Placed, Plane, Polygon, Purpose, Rewrite, Rewriter, Rotation, Rule, Rules, Segment, SegmentArrays,
-    SegmentChunk, Segments, Solid, Space, Stroke, StyleChange, StyleId, System, Tally, Template, Tropism, Turtle,
-    WidthChange, Word, count, count_segments, count_symbols, describe, draw, draw_solid, expand, expand_counted,
-    expand_into, expand_once, expand_symbol, kind, legend, short_count, symbol_of_polygon, why_empty,
+    Axis, Block, BlockId, Body, ColourChange, Colouring, Drawer, Drawing, Effect, Item, LegendEntry, Mark, Mesh,
+    MeshMaker, Outlook, Piece, Placed, Plane, Polygon, Rotation, Segment, SegmentArrays, SegmentChunk, Segments, Solid,
+    Space, Stroke, StyleChange, StyleId, System, Tropism, Turtle, WidthChange, count_segments, count_symbols, describe,
+    draw, draw_solid, expand, expand_counted, expand_into, expand_once, expand_symbol, kind, legend, short_count,
+    symbol_of_polygon, why_empty,
 };
 pub use lsystem_files::{
     CsvWriter, FileContent, GlbWriter, ObjWriter, Svg, SvgForm, SvgOptions, SvgWriter, read_file, read_json, tag_png,

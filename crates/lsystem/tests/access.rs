@@ -27,7 +27,7 @@ struct Counted<'a>(&'a System, u32);
 
 impl Counted<'_> {
     fn word(&self, n: u32) -> Word<'_> {
-        Word::new(self.0, n).unwrap()
+        self.0.word(n).unwrap()
     }
 }
 
@@ -133,7 +133,7 @@ fn check(reader: &dyn Reader, words: &[Vec<Module>], drawn: &[usize], place: usi
 }
 
 fn remember(system: &System, n: u32, piece: usize) -> History {
-    let mut history = History::new(system, n, &Limits::default()).unwrap();
+    let mut history = system.history(n, &Limits::default()).unwrap();
     while history.step(piece) == Progress::More {}
     history
 }
@@ -158,7 +158,7 @@ proptest! {
         let history = remember(&system, n, piece);
         prop_assert!(history.is_complete());
         check(&Remembered(history, n), &words, &drawn, place.into())?;
-        if Word::new(&system, n).is_some() {
+        if system.word(n).is_some() {
             check(&Counted(&system, n), &words, &drawn, place.into())?;
         }
         // The segments are numbered as in the drawing.
@@ -257,7 +257,7 @@ fn polygons_of_a_generation_without_end() {
     let system = read("X", "X -> F[+X{.f-f-f.}]{}{f}F[-X]{.+f+f+f.}X\nF -> FF");
     let n = 60;
     let drawing = draw(&system, n, &Limits::default()).unwrap();
-    let word = Word::new(&system, n).unwrap();
+    let word = system.word(n).unwrap();
     assert!(drawing.is_memoised());
     let count = drawing.polygon_count();
     // Beside a stem of more than 2^53 steps a leaf is a point, which counts for nothing either.
@@ -291,13 +291,13 @@ fn modules_with_parameters_in_a_generation_without_end() {
          B(l,w) -> !(w)F(l)[-(45)$C(l*r2,w*wr)]C(l*r1,w*wr)\n\
          C(l,w) -> !(w)F(l)[+(45)$B(l*r2,w*wr)]B(l*r1,w*wr)",
     );
-    let word = Word::new(&honda, 100).unwrap();
+    let word = honda.word(100).unwrap();
     assert!(word.symbols() > 1 << 100);
     assert_eq!(word.slice(0, 5), "!(10)F(1)[&(45)!(7.069999999999999)");
     let last = word.ancestry(word.symbols() - 1).pop().unwrap();
     assert_eq!((last.symbol, last.production, last.position), ('A', Some(0), 7));
     assert!((last.arguments[0] - libm::pow(0.9, 100.0)).abs() < 1e-15);
-    assert_eq!(Word::new(&honda, 10).unwrap().symbols(), 7_162);
+    assert_eq!(honda.word(10).unwrap().symbols(), 7_162);
 }
 
 #[test]
@@ -318,7 +318,7 @@ fn signals_are_traced_through_all_generations() {
     }
     // Generations that would be too long end it; those before can be read.
     let limits = Limits { modules: 1_000, ..Limits::default() };
-    let mut short = History::new(&signals, 30, &limits).unwrap();
+    let mut short = signals.history(30, &limits).unwrap();
     while short.step(100) == Progress::More {}
     assert!(!short.is_complete() && short.symbols(30).is_none());
     assert_eq!(short.symbols(10), history.symbols(10));

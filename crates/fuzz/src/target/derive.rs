@@ -5,7 +5,7 @@ use crate::make;
 use crate::naive::{self, Module};
 use crate::{Gauge, Source};
 use lsystem::{
-    Ancestor, Definition, Dialect, History, Limits, Part, System, Tally, Word, count_segments, count_symbols, describe,
+    Ancestor, Definition, Dialect, History, Limits, Part, System, Tally, count_segments, count_symbols, describe,
     expand, expand_once, expand_symbol, kind, legend, print_module, why_empty,
 };
 
@@ -97,7 +97,7 @@ impl Reader<'_> {
         let mut visit = |symbol: char, arguments: &[f64]| found.push((symbol, arguments.to_vec()));
         match self {
             Self::Counted(system, _) => {
-                if let Some(word) = Word::new(system, generation) {
+                if let Some(word) = system.word(generation) {
                     word.modules(start, 17, &mut visit);
                 }
             }
@@ -108,30 +108,28 @@ impl Reader<'_> {
 
     fn ancestry(&self, generation: u32, index: u128) -> Vec<Ancestor> {
         match self {
-            Self::Counted(system, _) => {
-                Word::new(system, generation).map_or_else(Vec::new, |word| word.ancestry(index))
-            }
+            Self::Counted(system, _) => system.word(generation).map_or_else(Vec::new, |word| word.ancestry(index)),
             Self::Remembered(history, _) => history.ancestry(generation, index),
         }
     }
 
     fn part(&self, generation: u32, index: u128) -> Option<Part> {
         match self {
-            Self::Counted(system, n) => Word::new(system, *n)?.part(generation, index),
+            Self::Counted(system, n) => system.word(*n)?.part(generation, index),
             Self::Remembered(history, n) => history.part(generation, index, *n),
         }
     }
 
     fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
         match self {
-            Self::Counted(system, n) => Word::new(system, *n)?.symbol_of_segment(segment),
+            Self::Counted(system, n) => system.word(*n)?.symbol_of_segment(segment),
             Self::Remembered(history, _) => history.symbol_of_segment(segment),
         }
     }
 
     fn segments_before(&self, index: u128) -> Option<u128> {
         match self {
-            Self::Counted(system, n) => Some(Word::new(system, *n)?.segments_before(index)),
+            Self::Counted(system, n) => Some(system.word(*n)?.segments_before(index)),
             Self::Remembered(history, _) => history.segments_before(index),
         }
     }
@@ -144,11 +142,11 @@ pub(super) fn access(source: &mut Source<'_>, gauge: &mut Gauge) {
     let mut limits = make::limits(source);
     limits.modules = limits.modules.min(200_000);
     let mut readers = vec![];
-    if gauge.call("word", || Word::new(&system, n)).is_some() {
+    if gauge.call("word", || system.word(n)).is_some() {
         gauge.reach("counted");
         readers.push(Reader::Counted(&system, n));
     }
-    if let Some(mut history) = gauge.call("history", || History::new(&system, n, &limits)) {
+    if let Some(mut history) = gauge.call("history", || system.history(n, &limits)) {
         gauge.steps("history step", WORK, || {
             let before = history.spent();
             (history.step(WORK), history.spent() - before)

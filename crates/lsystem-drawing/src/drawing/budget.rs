@@ -4,7 +4,7 @@ use super::Item;
 use super::materialise::{Census, Outcome};
 use crate::space::Space;
 use crate::turtle::{Op, Score};
-use crate::{LetterId, Rewrite, Rules};
+use lsystem_derive::{LetterId, Rewrite, Rules};
 use lsystem_syntax::{LimitName, Limits, Meter};
 
 /// Letters added up between two looks at the meter.

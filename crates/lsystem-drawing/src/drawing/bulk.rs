@@ -2,7 +2,6 @@
 
 use super::segments::{Frame, Strokes};
 use super::{BlockId, ColourChange, Drawing, Item, StyleChange};
-use crate::derivation::limit;
 use crate::plane::Directions;
 use lsystem_syntax::{Diagnostic, Heading, LimitName};
 
@@ -62,7 +61,7 @@ impl Drawing {
         let count = usize::try_from(self.segment_count()).ok().filter(|&count| count as u64 <= most);
         arrays.resize(count.unwrap_or(0));
         if count.is_none() {
-            return Err(limit(LimitName::Segments, most, None));
+            return Err(Diagnostic::limit(LimitName::Segments, most, None));
         }
         let mut done = 0;
         Emitter::new(self).run(&mut |len, write| {

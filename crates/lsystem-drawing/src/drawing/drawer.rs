@@ -7,10 +7,10 @@ use super::materialise::{Materialiser, Outcome};
 use super::modules::{self, Modular};
 use super::parametric::{self, Parametric};
 use super::{BlockId, Drawing};
-use crate::derivation::limit;
 use crate::space::Axis;
 use crate::turtle::Score;
-use crate::{LetterId, Plane, Rules, Space, System, Turtle};
+use crate::{Plane, Space, System, Turtle};
+use lsystem_derive::{LetterId, Rules};
 use lsystem_syntax::{Diagnostic, Kind, LimitName, Limits, MAX_ITERATIONS, Meter, Progress};
 use std::sync::{Arc, OnceLock};
 
@@ -99,7 +99,7 @@ impl<S: Space> Drawer<S> {
         let memoises =
             if rules.is_plain() { graph::memoises(&rules, &score) } else { parametric::memoises(&rules, &score) };
         let state = if n > MAX_ITERATIONS {
-            State::Failed(limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)))
+            State::Failed(Diagnostic::limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)))
         } else if !rules.is_plain() {
             match memoises {
                 true => planned(&rules, (&turtle, &score), seed, &limits, n),
@@ -144,7 +144,7 @@ impl<S: Space> Drawer<S> {
                 self.builder = Builder::new();
                 self.state = match self.state {
                     State::Materialise(_) => State::Search(Search::new(LimitName::Memory, self.n, self.seed)),
-                    _ => State::Failed(limit(LimitName::Memory, self.limits.memory, None)),
+                    _ => State::Failed(Diagnostic::limit(LimitName::Memory, self.limits.memory, None)),
                 };
             }
             if matches!(self.state, State::Done { .. } | State::Failed(_)) {
@@ -219,7 +219,7 @@ impl<S: Space> Drawer<S> {
                 };
                 if plan.cost > limits.segments {
                     let largest = depths.checked_sub(1);
-                    return Some(State::Failed(limit(LimitName::Segments, limits.segments, largest)));
+                    return Some(State::Failed(Diagnostic::limit(LimitName::Segments, limits.segments, largest)));
                 }
                 if depths < *n {
                     plan.step(rules, meter);
@@ -344,7 +344,7 @@ fn whole<S: Space>(rules: &Arc<Rules>, seed: u32, limits: &Limits, score: &Score
 }
 
 fn failed<S: Space>(exceeded: &Exceeded, limits: &Limits) -> State<S> {
-    State::Failed(limit(exceeded.limit, limits.value(exceeded.limit), exceeded.largest))
+    State::Failed(Diagnostic::limit(exceeded.limit, limits.value(exceeded.limit), exceeded.largest))
 }
 
 /// How the turtle starts.

@@ -3,9 +3,10 @@
 use super::builder::{Builder, bytes_of};
 use super::tree::{Tree, WORD};
 use super::{BlockId, ColourChange, Piece, Placed, StyleChange};
+use crate::Plane;
 use crate::space::{Space, reach, times, unit_of};
 use crate::turtle::{LARGEST, Op, Pen, Score};
-use crate::{LetterId, Plane, Rewrite, Rules};
+use lsystem_derive::{LetterId, Rewrite, Rules};
 use lsystem_syntax::Meter;
 
 /// How a piece of a drawing leaves the turtle, in the frame in which it entered: at the origin heading along +x.

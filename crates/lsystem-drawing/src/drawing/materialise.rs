@@ -6,8 +6,7 @@ use super::tree::Tree;
 use super::{BlockId, Item, StyleChange};
 use crate::space::Space;
 use crate::turtle::{Op, Pen, Score};
-use crate::walk::{Next, Walk};
-use crate::{LetterId, Rules};
+use lsystem_derive::{LetterId, Next, Rules, Walk};
 use lsystem_syntax::{LimitName, Limits, Meter};
 
 /// What a derivation has cost so far.

@@ -5,11 +5,10 @@ use super::drawer::start;
 use super::tally::Tally;
 use super::tree::Tree;
 use super::{BlockId, StyleChange};
-use crate::derivation::{fault, limit};
-use crate::rewriting::{Age, LetterId};
+use crate::Turtle;
 use crate::space::{Space, unit_of};
-use crate::turtle::{Fate, Op, Pen, Score};
-use crate::{Fault, Image, Rewriter, Rules, Turtle};
+use crate::turtle::{Op, Pen, Score};
+use lsystem_derive::{Age, Fate, Fault, Image, LetterId, Rewriter, Rules, fault};
 use lsystem_syntax::{Diagnostic, LimitName, Limits, Meter};
 use std::sync::Arc;
 
@@ -159,7 +158,7 @@ impl<S: Space> Modular<S> {
                 }
             }
             Stage::Recount { passed, before, next, fits, measure } => {
-                let over = limit(*passed, limits.value(*passed), *fits);
+                let over = Diagnostic::limit(*passed, limits.value(*passed), *fits);
                 if next >= before {
                     return Outcome::Failed(over);
                 }
@@ -188,7 +187,7 @@ impl<S: Space> Modular<S> {
 
     /// Starts again, to find the last generation before `before` that is within all limits.
     fn recount(&mut self, passed: LimitName, before: u32, limits: &Limits) -> Outcome {
-        let failed = || Outcome::Failed(limit(passed, limits.value(passed), None));
+        let failed = || Outcome::Failed(Diagnostic::limit(passed, limits.value(passed), None));
         let Ok(rewriter) = Rewriter::new(self.rewriter.rules().clone(), self.seed, *limits) else { return failed() };
         self.rewriter = rewriter;
         self.reader = Reader::default();

@@ -11,14 +11,14 @@ mod write;
 use super::builder::{Builder, bytes_of, reserve};
 use super::drawer::start;
 use super::graph::is_balanced;
+use super::scales::{Keys, Scales, applying};
 use super::vertical::{self, Course, Tilt, vertical_of};
 use super::{BlockId, Piece};
-use crate::derivation::fault;
-use crate::rewriting::{Keys, Scales, applying};
+use crate::Turtle;
 use crate::space::Space;
 use crate::turtle::{Op, Score};
-use crate::{Fault, LetterId, Rules, Template, Turtle};
 use core::ops::Range;
+use lsystem_derive::{Fault, LetterId, Rules, Template, fault};
 use lsystem_syntax::{Diagnostic, Limits, Meter};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -180,7 +180,7 @@ impl<S: Space> Parametric<S> {
             deeds: vec![],
         };
         // The axiom's arguments are computed as everywhere.
-        let started = crate::Rewriter::new(rules.clone(), seed, *limits);
+        let started = lsystem_derive::Rewriter::new(rules.clone(), seed, *limits);
         let started = started.map_err(|error| fault(rules, error, 0, limits, None))?;
         let word = started.word();
         new.arguments.extend_from_slice(&word.arguments);

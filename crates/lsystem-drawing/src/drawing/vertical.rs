@@ -3,7 +3,7 @@
 
 use crate::space::Space;
 use crate::turtle::{Op, Score};
-use crate::{LetterId, Rules, Template};
+use lsystem_derive::{LetterId, Rules, Template};
 
 /// A vertical rounded, so that frames that came by different ways to the same tilt have equal ones.
 pub(super) type Tilt = [i64; 3];

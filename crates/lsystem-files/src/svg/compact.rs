@@ -8,7 +8,6 @@ use super::plan::{Part, Plan, Scene};
 use super::{Decimals, MANY, Sheet, Svg, SvgOptions};
 use core::fmt::Write;
 use lsystem_drawing::finite;
-use lsystem_drawing::limit;
 use lsystem_drawing::{BlockId, Drawing, StyleChange};
 use lsystem_syntax::{Diagnostic, Heading, LimitName, Style};
 use std::collections::HashMap;
@@ -33,7 +32,7 @@ pub(super) fn write(drawing: &Drawing, root: BlockId, style: &Style, options: &S
     let [mut small, largest] = SMALL;
     let (plan, instances) = loop {
         let plan = Plan::new(&scene, root, scale, &start, small, options.most);
-        let plan = plan.ok_or_else(|| limit(LimitName::Segments, options.most, None))?;
+        let plan = plan.ok_or_else(|| Diagnostic::limit(LimitName::Segments, options.most, None))?;
         let instances = plan.instances();
         if instances <= MANY || small >= largest {
             break (plan, instances);

@@ -2,9 +2,7 @@
 
 use crate::record::{Record, SHARE};
 use crate::systems::{Case, LENGTHS, cases, generations, is_thorough, shrinking};
-use lsystem::{
-    Counter, Definition, Fault, History, LimitName, Limits, Meter, Progress, Rewriter, System, Word, why_empty,
-};
+use lsystem::{Definition, Fault, LimitName, Limits, Meter, Progress, Rewriter, System, why_empty};
 
 /// Small limits, so that they are passed soon.
 const LIMITS: Limits =
@@ -42,7 +40,7 @@ fn a_step_of_a_derivation_is_bounded() {
                 record.finish(16 * LIMITS.work);
             }
             let mut record = Record::new("history", &name, n);
-            if let Some(mut history) = History::new(&system, n, &LIMITS) {
+            if let Some(mut history) = system.history(n, &LIMITS) {
                 while {
                     let before = history.spent();
                     let progress = history.step(SHARE as usize);
@@ -59,7 +57,7 @@ fn a_step_of_a_derivation_is_bounded() {
 
 /// Symbols and segments are counted in bounded steps, however large the numbers are.
 fn counts(name: &str, system: &System, n: u32) {
-    for mut counter in [Counter::symbols(system, n), Counter::segments(system, n)] {
+    for mut counter in [system.symbols(n), system.segments(n)] {
         let mut record = Record::new("counts", name, n);
         let mut steps = 0;
         // Of those that take long the first steps are like the others.
@@ -82,7 +80,7 @@ fn whole_strings(name: &str, system: &System, n: u32) {
     record.call(spent);
     record.finish(MOST_OF_A_CALL);
     let mut record = Record::new("word", name, n);
-    let (word, spent) = Word::counted(system, n);
+    let (word, spent) = system.word_counted(n);
     record.call(spent);
     record.finish(MOST_OF_A_CALL);
     if let Some(word) = word {

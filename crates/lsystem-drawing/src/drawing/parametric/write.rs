@@ -2,7 +2,6 @@
 
 use super::{Deed, Made, Parametric, Part};
 use crate::Turtle;
-use crate::derivation::fault;
 use crate::drawing::builder::{Builder, bytes_of};
 use crate::drawing::graph::{effect, exponent, follow, place};
 use crate::drawing::tree::{Tree, WORD};
@@ -10,6 +9,7 @@ use crate::drawing::{Piece, StyleChange};
 use crate::space::{Space, unit_of};
 use crate::turtle::{Op, Pen, Score};
 use core::ops::Range;
+use lsystem_derive::fault;
 use lsystem_syntax::{Diagnostic, Limits, Meter};
 
 /// A piece in the making.

@@ -8,8 +8,8 @@ use super::choose::Scratch;
 use super::context::{Neighbours, Role, roles};
 use super::modules::{Modules, NotFinite};
 use super::room::held;
-use super::rules::{Rule, Rules};
 use super::table::{Sides, Table};
+use crate::rules::{Rule, Rules};
 use core::ops::Range;
 use lsystem_syntax::Code;
 use lsystem_syntax::{LimitName, Limits, Meter};
@@ -159,7 +159,7 @@ impl Rewriter {
 
     /// Keeps the keys of all modules, and their ages where it is given which letters draw. Nothing must have been derived
     /// yet.
-    pub(crate) fn remember(&mut self, draws: Option<Vec<bool>>) {
+    pub fn remember(&mut self, draws: Option<Vec<bool>>) {
         self.word.remember(true, draws.is_some());
         self.plan.random = true;
         self.plan.table = None;
@@ -197,7 +197,7 @@ impl Rewriter {
     }
 
     /// The bytes that it may hold from now on, beside others of its owner.
-    pub(crate) fn allow(&mut self, memory: u64) {
+    pub fn allow(&mut self, memory: u64) {
         self.plan.limits.memory = memory;
     }
 

@@ -1,5 +1,5 @@
 use super::*;
-use crate::Key;
+use crate::{ContextPattern, Key, Letter, LetterId, Rule, Rules, Template};
 use lsystem_syntax::Code;
 use lsystem_syntax::Operator;
 use lsystem_syntax::{LimitName, Limits};

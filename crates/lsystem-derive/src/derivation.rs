@@ -6,7 +6,7 @@
 
 use crate::counts::{Depths, counts_until};
 use crate::walk::{Next, Walk};
-use crate::{Fault, Key, Letter, LetterId, Rewrite, Rewriter, Rule, Rules, System};
+use crate::{Fault, Key, Letter, LetterId, Rewrite, Rewriter, Rule, Rules};
 use lsystem_syntax::{Diagnostic, Kind, LimitName};
 use lsystem_syntax::{Field, Grammar, Limits, MAX_ITERATIONS, Meter};
 use std::sync::Arc;
@@ -19,8 +19,7 @@ const COPIED: u128 = 16 << 10;
 /// stochastic production; others ignore it. A symbol that no production rewrites stays. It stands alone and without
 /// parameters: productions with contexts do not apply to it, and [`expand_once`] reads words of modules.
 #[must_use]
-pub fn expand_symbol(system: &System, symbol: char, roll: f64) -> String {
-    let rules = &system.rules;
+pub fn expand_symbol(rules: &Rules, symbol: char, roll: f64) -> String {
     if !rules.is_plain() {
         return alone(rules, symbol, roll);
     }
@@ -36,13 +35,13 @@ pub fn expand_symbol(system: &System, symbol: char, roll: f64) -> String {
 /// arguments in parentheses; one that cannot be read, or from which no finite numbers come, stays, and so does one of
 /// which more would come than [`Limits::default`] allows.
 #[must_use]
-pub fn expand_once(system: &System, word: &str, step: u32) -> String {
-    if !system.rules.is_plain() {
-        return once(system, word, step).unwrap_or_else(|| word.to_owned());
+pub fn expand_once(grammar: &Grammar, rules: &Rules, seed: u32, word: &str, step: u32) -> String {
+    if !rules.is_plain() {
+        return once(grammar, rules, seed, word, step).unwrap_or_else(|| word.to_owned());
     }
     let mut text = String::new();
     for (index, symbol) in word.chars().enumerate() {
-        text += &expand_symbol(system, symbol, Key::root(index as u64).choice(system.seed, step));
+        text += &expand_symbol(rules, symbol, Key::root(index as u64).choice(seed, step));
         if text.len() as u64 > Limits::default().symbols {
             return word.to_owned();
         }
@@ -89,80 +88,67 @@ fn alone(rules: &Rules, symbol: char, roll: f64) -> String {
 }
 
 /// One derivation step of a word of modules; `None` where it cannot be read, or a number is not finite.
-fn once(system: &System, word: &str, step: u32) -> Option<String> {
+fn once(grammar: &Grammar, rules: &Rules, seed: u32, word: &str, step: u32) -> Option<String> {
     let (read, diagnostics) = lsystem_syntax::parse(word, "");
     if diagnostics.iter().any(Diagnostic::is_error) {
         return None;
     }
-    let grammar = Grammar { axiom: read.axiom, ..system.grammar.clone() };
-    let Rules { letters, cuts, .. } = &*system.rules;
+    let grammar = Grammar { axiom: read.axiom, ..grammar.clone() };
+    let Rules { letters, cuts, .. } = rules;
     let cutting = |symbol: char| letters.iter().zip(cuts).any(|(l, cuts)| l.symbol == symbol && *cuts);
     let rules = Rules::new(&grammar, vec![], cutting, true).ok()?;
-    let mut rewriter = Rewriter::new(Arc::new(rules), system.seed, Limits::default()).ok()?.at(step.saturating_sub(1));
+    let mut rewriter = Rewriter::new(Arc::new(rules), seed, Limits::default()).ok()?.at(step.saturating_sub(1));
     while !rewriter.step(usize::MAX).ok()? {}
     let (word, mut text) = (rewriter.word(), String::new());
     write_word(rewriter.rules(), &word.letters, &word.arguments, u64::MAX, &mut text);
     Some(text)
 }
 
-/// The string of generation `n`.
+/// Writes the string of generation `n` in place of what `text` held. A buffer that is used again saves the first touch of
+/// its memory, which costs more than the derivation. It takes about [`Limits::symbols`] and some times [`Limits::work`]
+/// units at most.
 ///
 /// # Errors
-/// [`Kind::Limit`] where the string would have more than [`Limits::symbols`] symbols, or `n` is above
-/// [`MAX_ITERATIONS`].
-pub fn expand(system: &System, n: u32, limits: &Limits) -> Result<String, Diagnostic> {
-    let mut text = String::new();
-    expand_into(system, n, limits, &mut text)?;
-    Ok(text)
-}
-
-/// The string of generation `n`, in place of what `text` held. A buffer that is used again saves the first touch of
-/// its memory, which costs more than the derivation.
-///
-/// # Errors
-/// As [`expand`]; `text` is then empty.
-pub fn expand_into(system: &System, n: u32, limits: &Limits, text: &mut String) -> Result<(), Diagnostic> {
-    expand_by(system, n, limits, text, &mut Meter::new(u64::MAX))
-}
-
-/// The same, with the units of work that it takes: about [`Limits::symbols`] and some times [`Limits::work`] at most.
-pub fn expand_counted(system: &System, n: u32, limits: &Limits) -> (Result<String, Diagnostic>, u64) {
-    let (mut text, mut meter) = (String::new(), Meter::new(u64::MAX));
-    let outcome = expand_by(system, n, limits, &mut text, &mut meter);
-    (outcome.map(|()| text), meter.spent())
-}
-
-fn expand_by(system: &System, n: u32, limits: &Limits, text: &mut String, meter: &mut Meter) -> Result<(), Diagnostic> {
+/// [`Kind::Limit`](lsystem_syntax::Kind::Limit) where the string would have more than [`Limits::symbols`] symbols, or `n`
+/// is above [`MAX_ITERATIONS`]; `text` is then empty.
+pub fn expand(
+    rules: &Arc<Rules>,
+    seed: u32,
+    n: u32,
+    limits: &Limits,
+    text: &mut String,
+    meter: &mut Meter,
+) -> Result<(), Diagnostic> {
     text.clear();
     if n > MAX_ITERATIONS {
-        return Err(limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)));
+        return Err(Diagnostic::limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)));
     }
-    if !system.rules.is_plain() {
-        return write_modules(&system.rules, system.seed, n, limits, text, meter);
+    if !rules.is_plain() {
+        return write_modules(rules, seed, n, limits, text, meter);
     }
-    let too_long = |largest| limit(LimitName::Symbols, limits.symbols, largest);
+    let too_long = |largest| Diagnostic::limit(LimitName::Symbols, limits.symbols, largest);
     let mut own = Meter::new(limits.work);
-    let known = counts_until(&system.rules, n, limits.symbols, |_| 1, &mut own);
+    let known = counts_until(rules, n, limits.symbols, |_| 1, &mut own);
     meter.charge(own.spent());
     if let Ok(generations) = &known
         && generations.last().is_some_and(|&symbols| symbols > u128::from(limits.symbols))
     {
         return Err(too_long((generations.len() as u32).checked_sub(2)));
     }
-    let bytes = |symbol: LetterId| system.rules.symbol(symbol).len_utf8() as u64;
-    let lengths = Depths::new(&system.rules, n, bytes, &mut Meter::new(limits.work));
-    let mut writer = Writer::new(&system.rules, lengths, text);
-    if known.is_ok() && !writer.reserve(n, &system.rules.axiom.letters) {
+    let bytes = |symbol: LetterId| rules.symbol(symbol).len_utf8() as u64;
+    let lengths = Depths::new(rules, n, bytes, &mut Meter::new(limits.work));
+    let mut writer = Writer::new(rules, lengths, text);
+    if known.is_ok() && !writer.reserve(n, &rules.axiom.letters) {
         return Err(too_long(None));
     }
-    let mut derivation = Derivation::new(system);
+    let mut derivation = Derivation::new(rules, seed);
     let outcome = derivation.run(n, limits, limits.work, |symbol, depth| writer.write(symbol, depth));
     meter.charge(derivation.spent + writer.text.len() as u64 / 64);
     outcome.map_err(|stopped| {
         text.clear();
         let largest = derivation.largest_within(n, limits);
         meter.charge(derivation.spent);
-        limit(stopped, limits.value(stopped), largest)
+        Diagnostic::limit(stopped, limits.value(stopped), largest)
     })
 }
 
@@ -191,7 +177,7 @@ fn write_modules(
     }
     drop(rewriter);
     *text = String::new();
-    Err(limit(LimitName::Symbols, limits.symbols, longest_within(rules, seed, n, limits, meter)))
+    Err(Diagnostic::limit(LimitName::Symbols, limits.symbols, longest_within(rules, seed, n, limits, meter)))
 }
 
 /// Appends modules with their arguments in parentheses; false once the text is longer than `most` bytes.
@@ -265,9 +251,9 @@ fn longest_within(rules: &Arc<Rules>, seed: u32, n: u32, limits: &Limits, meter:
 }
 
 /// What went wrong while deriving from generation `reached` on; `largest` is the largest n within a limit.
-pub(crate) fn fault(rules: &Rules, fault: Fault, reached: u32, limits: &Limits, largest: Option<u32>) -> Diagnostic {
+pub fn fault(rules: &Rules, fault: Fault, reached: u32, limits: &Limits, largest: Option<u32>) -> Diagnostic {
     match fault {
-        Fault::Limit(name) => limit(name, limits.value(name), largest),
+        Fault::Limit(name) => Diagnostic::limit(name, limits.value(name), largest),
         Fault::NotFinite(None) => Diagnostic { kind: Kind::NotFinite { step: 0 }, field: Field::Axiom, span: 0..0 },
         Fault::NotFinite(Some(production)) => {
             let span = rules.spans.get(production).cloned().unwrap_or_default();
@@ -278,7 +264,8 @@ pub(crate) fn fault(rules: &Rules, fault: Fault, reached: u32, limits: &Limits, 
 
 /// Goes through generations depth first.
 struct Derivation<'a> {
-    system: &'a System,
+    rules: &'a Rules,
+    seed: u32,
     /// By letter: whether no random choice is ever made below it.
     fixed: Vec<bool>,
     /// The letters met so far, in all that was gone through.
@@ -286,8 +273,8 @@ struct Derivation<'a> {
 }
 
 impl<'a> Derivation<'a> {
-    fn new(system: &'a System) -> Self {
-        Self { system, fixed: fixed(&system.rules), spent: 0 }
+    fn new(rules: &'a Rules, seed: u32) -> Self {
+        Self { rules, seed, fixed: fixed(rules), spent: 0 }
     }
 
     /// Goes through generation `n` and hands over its letters, `work` of all generations at most: those that need no
@@ -299,14 +286,14 @@ impl<'a> Derivation<'a> {
         work: u64,
         mut visit: impl FnMut(LetterId, u32),
     ) -> Result<(), LimitName> {
-        let Self { system, fixed, .. } = self;
+        let Self { rules, seed, fixed, .. } = self;
         let mut meter = Meter::new(limits.work);
-        let symbols = Depths::new(&system.rules, n, |_| 1, &mut meter);
-        let mut walk = Walk::new(n, system.seed);
+        let symbols = Depths::new(rules, n, |_| 1, &mut meter);
+        let mut walk = Walk::new(n, *seed);
         let mut left = limits.symbols;
         let outcome = loop {
             // Without the sums every letter is gone to by itself.
-            match walk.next(&system.rules, |symbol| symbols.is_some() && fixed[usize::from(symbol)], work) {
+            match walk.next(rules, |symbol| symbols.is_some() && fixed[usize::from(symbol)], work) {
                 Next::Letter(symbol, depth) => {
                     let derived = symbols.as_ref().map_or(1, |symbols| symbols.get(depth as usize, symbol));
                     let derived = u64::try_from(derived).ok();
@@ -344,12 +331,6 @@ impl<'a> Derivation<'a> {
     }
 }
 
-/// A limit that was passed; `largest` is the most derivation steps within it, where that is known.
-#[must_use]
-pub fn limit(limit: LimitName, value: u64, largest: Option<u32>) -> Diagnostic {
-    Diagnostic { kind: Kind::Limit { limit, value, largest }, field: Field::Numbers, span: 0..0 }
-}
-
 /// Writes the texts of letters that need no choices, each once and then as a copy.
 struct Writer<'a> {
     rules: &'a Rules,
@@ -362,7 +343,7 @@ struct Writer<'a> {
 
 impl<'a> Writer<'a> {
     fn new(rules: &'a Rules, lengths: Option<Depths>, text: &'a mut String) -> Self {
-        let written = vec![None; lengths.as_ref().map_or(0, Depths::len)];
+        let written = vec![None; lengths.as_ref().map_or(0, Depths::cells)];
         Self { rules, text, lengths, written }
     }
 
@@ -395,7 +376,7 @@ impl<'a> Writer<'a> {
 }
 
 /// By letter: whether no random choice is ever made below it.
-pub(crate) fn fixed(rules: &Rules) -> Vec<bool> {
+pub fn fixed(rules: &Rules) -> Vec<bool> {
     // Pairs of letters, the second made of the first, in the order of what is made.
     let mut makers: Vec<(LetterId, LetterId)> = Vec::new();
     let mut open: Vec<LetterId> = Vec::new();
@@ -437,8 +418,7 @@ pub(crate) fn fixed(rules: &Rules) -> Vec<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::count_symbols;
-    use crate::testing::{Rule, cases, system};
+    use crate::testing::{Rule, System, cases, count_symbols, expand, system};
     use proptest::prelude::*;
 
     fn rules<'a>(text: &[(char, &'a str)]) -> Vec<Rule<'a>> {
@@ -540,7 +520,7 @@ mod tests {
                 prop_assert_eq!(count, (expected.chars().count() as u64).into());
             }
             if n == 1 {
-                prop_assert_eq!(expand_once(&system, &axiom, 1), expected);
+                prop_assert_eq!(expand_once(&system.grammar, &system.rules, seed, &axiom, 1), expected);
             }
         }
     }

@@ -4,7 +4,7 @@
 use super::choices::{Choice, Choices};
 use super::context::Role;
 use super::room::{held, renew, room_for};
-use super::rules::{ContextPattern, LetterId, Rules};
+use crate::rules::{ContextPattern, LetterId, Rules};
 
 /// By letter, left neighbour and right neighbour: the successor.
 #[derive(Clone, Debug)]
@@ -127,7 +127,7 @@ impl Table {
     /// The table, where the rules allow one.
     pub(super) fn new(rules: &Rules, roles: &[Role]) -> Option<Self> {
         let letters = rules.letters.len();
-        let short = |rule: &super::rules::Rule| rule.is_plain() && rule.successor.letters.len() <= LONGEST;
+        let short = |rule: &crate::rules::Rule| rule.is_plain() && rule.successor.letters.len() <= LONGEST;
         if letters > MAX_LETTERS || !rules.by_letter.iter().flatten().all(short) {
             return None;
         }

@@ -2,8 +2,8 @@
 
 use super::context::Neighbours;
 use super::modules::{Chance, Modules};
-use super::rules::Rule;
 use super::step::Plan;
+use crate::rules::Rule;
 
 /// Memory that is used again.
 #[derive(Clone, Debug, Default)]

@@ -2,8 +2,8 @@
 
 use super::choose::{MOST_LOOKS, Place, Scratch};
 use super::modules::{Chance, Modules, NotFinite};
-use super::rules::Rule;
 use super::step::{Fault, Rewriter};
+use crate::rules::Rule;
 
 /// The derivation step that images count as: the same for every generation, so that a module that stays looks the
 /// same in the next.
@@ -20,7 +20,7 @@ pub struct Image {
 
 impl Image {
     /// What has been done since the last call, in units of a [`Meter`](lsystem_syntax::Meter).
-    pub(crate) fn take_spent(&mut self) -> u64 {
+    pub fn take_spent(&mut self) -> u64 {
         core::mem::take(&mut self.work) / 4
     }
 }

@@ -1,7 +1,7 @@
 //! Making a grammar ready: letters become small integers, names become slots.
 
-use super::rewrite::Rewrite;
-use super::rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
+use crate::rewrite::Rewrite;
+use crate::rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
 use core::ops::Range;
 use lsystem_syntax::Expr;
 use lsystem_syntax::grammar::Values;

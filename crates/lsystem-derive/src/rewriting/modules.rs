@@ -1,8 +1,8 @@
 //! Words of modules.
 
 use super::room::{held, room_for, while_growing};
-use super::rules::{LetterId, Template};
 use crate::Key;
+use crate::rules::{LetterId, Template};
 use core::ops::Range;
 
 /// A word of modules.
@@ -20,7 +20,7 @@ pub struct Modules {
 
 /// How old a module is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Age {
+pub struct Age {
     /// The derivation step in which it was made, or the first of its letter in its place.
     pub since: u16,
     /// The step in which it was made, unless it goes on in the place of another; 0 for those of the axiom.
@@ -66,7 +66,7 @@ impl Modules {
     }
 
     /// How old the module at `place` is, where that is kept.
-    pub(crate) fn age_of(&self, place: usize) -> Option<Age> {
+    pub fn age_of(&self, place: usize) -> Option<Age> {
         self.ages.get(place).copied()
     }
 
@@ -84,7 +84,7 @@ impl Modules {
     }
 
     /// The key of the module at `place`; without meaning where chance plays no part.
-    pub(crate) fn key_of(&self, place: usize) -> Key {
+    pub fn key_of(&self, place: usize) -> Key {
         self.keys.get(place).copied().unwrap_or(Key::root(0))
     }
 

@@ -1,6 +1,6 @@
 //! What a derivation step does with a letter, as far as that is known without looking around.
 
-use super::rules::{LetterId, Rule, Rules};
+use crate::rules::{LetterId, Rule, Rules};
 
 /// What one derivation step does with a letter: exactly where the rules are [plain](Rules::is_plain). Otherwise only what
 /// it may do: a letter that may become several things chooses among them with equal chances here, whatever decides.
@@ -50,7 +50,7 @@ impl Rewrite {
 
     /// Of a letter with these productions, weights being numbers. The first decides: unweighted, it always applies;
     /// weighted, the choice is among all that are.
-    pub(super) fn plain(rules: &[Rule]) -> Self {
+    pub(crate) fn plain(rules: &[Rule]) -> Self {
         let weight = |rule: &Rule| rule.weight.as_ref().map(|weight| weight.value(&[], &|_| 0.0));
         let Some(first) = rules.first() else { return Self::Keep };
         let mut until = 0.0;
@@ -68,7 +68,7 @@ impl Rewrite {
     }
 
     /// Of a letter with these productions, whatever they look at.
-    pub(super) fn outline(letter: LetterId, rules: &[Rule]) -> Self {
+    pub(crate) fn outline(letter: LetterId, rules: &[Rule]) -> Self {
         let always = |rule: &Rule| !rule.is_context_sensitive() && rule.condition.is_none();
         let last = rules.iter().position(|rule| always(rule) && rule.weight.is_none());
         // Weights may come out as 0.

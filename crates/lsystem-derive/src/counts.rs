@@ -3,22 +3,8 @@
 //! What a letter derives in d steps is what its successor's letters derive in d - 1 steps, so a count is a sum over
 //! the successor: d times |alphabet| additions, however long the string.
 
-use crate::{LetterId, Rewrite, Rules, System, Tally};
+use crate::{LetterId, Rewrite, Rules, Tally};
 use lsystem_syntax::{MAX_COUNTING, Meter, Progress};
-
-/// How many symbols generation `n` has, modules with parameters counted as one; `None` where that depends on random
-/// choices, contexts, conditions or cut branches, or where the numbers on the way would take more than
-/// [`MAX_COUNTING`]. [`Counter`] does the same in steps.
-#[must_use]
-pub fn count_symbols(system: &System, n: u32) -> Option<Tally> {
-    Counter::symbols(system, n).finish()
-}
-
-/// How many segments generation `n` draws; `None` as for [`count_symbols`].
-#[must_use]
-pub fn count_segments(system: &System, n: u32) -> Option<Tally> {
-    Counter::segments(system, n).finish()
-}
 
 /// A count of a generation in the making, in steps. It holds no references, so it can rest between two of them.
 #[derive(Clone, Debug)]
@@ -50,30 +36,25 @@ struct Place {
 }
 
 impl Counter {
-    /// Ready to count the symbols of generation `n`.
+    /// Ready to count the symbols of generation `n`, modules with parameters counted as one.
     #[must_use]
-    pub fn symbols(system: &System, n: u32) -> Self {
-        Self::new(&system.rules, n, !system.rules.is_cutting(), |_| 1)
+    pub fn symbols(rules: &Rules, n: u32) -> Self {
+        Self::weighing(rules, n, Some(&vec![1; rules.letters.len()]))
     }
 
-    /// Ready to count the segments of generation `n`.
+    /// Ready to add up `weights` of letters over generation `n`; where there are none, nothing is known.
     #[must_use]
-    pub fn segments(system: &System, n: u32) -> Self {
-        let drawn = if system.rules.is_cutting() { None } else { drawn_by_letter(system) };
-        let drawn = drawn.as_deref();
-        Self::new(&system.rules, n, drawn.is_some(), |symbol| drawn.map_or(0, |drawn| drawn[usize::from(symbol)]))
-    }
-
-    fn new(rules: &Rules, n: u32, known: bool, weight: impl Fn(LetterId) -> u64) -> Self {
-        let sums = Sums::new(rules);
-        let totals =
-            (0..rules.letters.len()).map(|symbol| Some(Tally::from(weight(symbol as LetterId)))).collect::<Vec<_>>();
+    pub fn weighing(rules: &Rules, n: u32, weights: Option<&[u64]>) -> Self {
+        let known = weights.is_some() && !rules.is_cutting();
+        let weight = |letter: usize| weights.map_or(0, |weights| weights[letter]);
+        let totals: Vec<_> = (0..rules.letters.len()).map(|letter| Some(Tally::from(weight(letter)))).collect();
         let (next, at) = (vec![None; totals.len()], Place::default());
         let count = if known { None } else { Some(None) };
-        Self { sums, totals, next, steps: 0, n, at, bytes: 0, count, spent: 0 }
+        Self { sums: Sums::new(rules), totals, next, steps: 0, n, at, bytes: 0, count, spent: 0 }
     }
 
-    /// The count; `None` as for [`count_symbols`], and while it is being made.
+    /// The count; `None` while it is being made, where it depends on random choices, contexts, conditions or cut branches,
+    /// and where the numbers on the way would take more than [`MAX_COUNTING`].
     #[must_use]
     pub fn count(&self) -> Option<&Tally> {
         self.count.as_ref()?.as_ref()
@@ -168,39 +149,9 @@ impl Counter {
     }
 }
 
-/// By letter: how many segments it draws, 0 for one that never occurs; `None` where one that may occur does not always
-/// draw as many.
-pub(crate) fn drawn_by_letter(system: &System) -> Option<Vec<u64>> {
-    let drawn = |(id, reached): (usize, &bool)| if *reached { drawn_as(system, id as LetterId) } else { Some(0) };
-    system.rules.reachable().iter().enumerate().map(drawn).collect()
-}
-
-/// The segments of what a letter is drawn as; `None` where they are not always as many.
-fn drawn_as(system: &System, letter: LetterId) -> Option<u64> {
-    let images = &system.rules.images[usize::from(letter)];
-    let mut all =
-        images.iter().map(|image| image.successor.letters.iter().map(|&letter| segments_of(system, letter)).sum());
-    let always = images.iter().any(|image| image.condition.is_none() && image.weight.is_none());
-    let own = (!always).then(|| segments_of(system, letter));
-    let first: u64 = own.or_else(|| all.next())?;
-    all.all(|other| other == first).then_some(first)
-}
-
-/// The segments that one letter draws by itself.
-pub(crate) fn segments_of(system: &System, symbol: LetterId) -> u64 {
-    let actions = &system.turtle.actions[usize::from(symbol)];
-    actions.iter().filter(|action| action.draws()).count() as u64
-}
-
-/// The sum of `weight` over the letters of generation `n`; `None` where it depends on random choices.
-#[must_use]
-pub fn count(rules: &Rules, n: u32, weight: impl Fn(LetterId) -> u64) -> Option<Tally> {
-    Counter::new(rules, n, true, weight).finish()
-}
-
 /// By generation from 0: the sum of `weight` over its letters, up to the first sum above `limit` or generation `n`.
 /// Ends early with what is known where a sum depends on random choices, or where the meter is spent.
-pub(crate) fn counts_until(
+pub fn counts_until(
     rules: &Rules,
     n: u32,
     limit: u64,
@@ -229,7 +180,7 @@ pub(crate) fn counts_until(
 
 /// For each generation up to `last`: whether its letters weigh anything, as `nonzero(generation, known)` where that is
 /// known; ends where `nonzero` says so, or the meter is spent (false).
-pub(crate) fn weigh_until(
+pub fn weigh_until(
     rules: &Rules,
     last: u32,
     weight: impl Fn(LetterId) -> u64,
@@ -255,14 +206,14 @@ pub(crate) fn weigh_until(
 
 /// A count depends on random choices, or takes too long.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Unknown;
+pub struct Unknown;
 
 /// The most cells of [`Depths`], 16 bytes each.
-pub(crate) const MAX_CELLS: usize = 1 << 19;
+pub const MAX_CELLS: usize = 1 << 19;
 
 /// By depth from 0 to `n`, then letter: a sum over what the letter derives in that many steps, saturating.
 #[derive(Clone, Debug)]
-pub(crate) struct Depths {
+pub struct Depths {
     /// By letter: its column; [`FIXED`] where it has the same sum at every depth.
     columns: Vec<u32>,
     width: usize,
@@ -276,7 +227,7 @@ const FIXED: u32 = u32::MAX;
 impl Depths {
     /// The sums of `weight` of letters that occur. Letters with random choices count as themselves. `None` where they are
     /// more than [`MAX_CELLS`], or the meter is spent.
-    pub(crate) fn new(rules: &Rules, n: u32, weight: impl Fn(LetterId) -> u64, meter: &mut Meter) -> Option<Self> {
+    pub fn new(rules: &Rules, n: u32, weight: impl Fn(LetterId) -> u64, meter: &mut Meter) -> Option<Self> {
         let own: Vec<u64> = (0..rules.letters.len()).map(|symbol| weight(symbol as LetterId)).collect();
         let sums = Sums::new(rules);
         let changing = |letter: LetterId| matches!(rules.rewrites[usize::from(letter)], Rewrite::Always(_));
@@ -306,7 +257,7 @@ impl Depths {
     }
 
     /// The sum over what `letter` derives in `depth` steps.
-    pub(crate) fn get(&self, depth: usize, letter: LetterId) -> u128 {
+    pub fn get(&self, depth: usize, letter: LetterId) -> u128 {
         match self.columns[usize::from(letter)] {
             FIXED => u128::from(self.own[usize::from(letter)]),
             column => self.cells[depth * self.width + column as usize],
@@ -314,18 +265,18 @@ impl Depths {
     }
 
     /// Where the sum of a letter stands among all, if it depends on the depth.
-    pub(crate) fn cell(&self, depth: usize, letter: LetterId) -> Option<usize> {
+    pub fn cell(&self, depth: usize, letter: LetterId) -> Option<usize> {
         let column = self.columns[usize::from(letter)];
         (column != FIXED).then(|| depth * self.width + column as usize)
     }
 
     /// How many sums there are that depend on the depth.
-    pub(crate) fn len(&self) -> usize {
+    pub fn cells(&self) -> usize {
         self.cells.len()
     }
 
     /// The sum over what a word derives in `depth` steps, saturating.
-    pub(crate) fn sum(&self, depth: usize, word: &[LetterId]) -> u128 {
+    pub fn sum(&self, depth: usize, word: &[LetterId]) -> u128 {
         word.iter().fold(0, |sum: u128, &letter| sum.saturating_add(self.get(depth, letter)))
     }
 }

@@ -5,7 +5,7 @@
 //! are skipped, and the axis ends at the `]` of its own branch.
 
 use super::room::{held, renew, room_for};
-use super::rules::{ContextPattern, LetterId, Rules};
+use crate::rules::{ContextPattern, LetterId, Rules};
 
 /// No neighbour.
 pub(super) const NONE: u32 = u32::MAX;

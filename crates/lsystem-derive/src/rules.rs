@@ -1,6 +1,6 @@
 //! Compiled productions.
 
-use super::rewrite::Rewrite;
+use crate::rewrite::Rewrite;
 use core::ops::Range;
 use lsystem_syntax::Code;
 
@@ -36,7 +36,7 @@ pub struct Rules {
     pub axiom: Template,
     /// Where the productions stand in the text, then those below `draw:`; may be shorter.
     pub spans: Vec<Range<usize>>,
-    pub(super) plain: bool,
+    pub(crate) plain: bool,
 }
 
 /// One production.
@@ -66,7 +66,7 @@ impl Rule {
     }
 
     /// Whether it applies by its letters alone, at most one to each side.
-    pub(super) fn is_plain(&self) -> bool {
+    pub(crate) fn is_plain(&self) -> bool {
         self.left.len() <= 1
             && matches!(self.right.as_slice(), [] | [ContextPattern::Letter(_)])
             && self.condition.is_none()
@@ -96,7 +96,7 @@ pub struct Template {
 
 impl Template {
     /// How many modules, and arguments, it makes.
-    pub(super) fn size(&self) -> [usize; 2] {
+    pub(crate) fn size(&self) -> [usize; 2] {
         [self.letters.len(), self.arguments.len()]
     }
 }

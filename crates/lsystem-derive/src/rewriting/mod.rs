@@ -5,25 +5,17 @@
 
 mod choices;
 mod choose;
-mod compile;
 mod context;
 mod history;
 mod image;
 mod modules;
-mod rewrite;
 mod room;
-mod rules;
-mod scales;
 mod step;
 mod table;
 
 pub use history::History;
 pub use image::Image;
-pub(crate) use modules::Age;
-pub use modules::Modules;
-pub use rewrite::{Choice, Rewrite};
-pub use rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
-pub(crate) use scales::{Keys, Scales, applying};
+pub use modules::{Age, Modules};
 pub use step::{Fault, Rewriter};
 
 #[cfg(test)]

@@ -1,12 +1,11 @@
 //! A derivation gone through depth first: the letters of the last generation in order, none before it held.
 //! Whoever knows what becomes of some letters takes these as soon as they occur.
 
-use crate::turtle::Fate;
 use crate::{Choice, Key, LetterId, Rewrite, Rules};
 
 /// Where a derivation stands. It holds no references, so it can rest between two calls.
 #[derive(Clone, Debug)]
-pub(crate) struct Walk {
+pub struct Walk {
     n: u32,
     seed: u32,
     /// The words that are being gone through, outermost first.
@@ -33,22 +32,36 @@ enum Source {
     Successor(LetterId, usize),
 }
 
+/// What is special about a module.
+#[derive(Clone, Copy, Debug)]
+pub struct Fate {
+    /// Its key.
+    pub key: Key,
+    /// The derivation step in which it was made, or the first of its letter in its place.
+    pub since: u32,
+    /// Whether it is still growing.
+    pub grows: bool,
+}
+
 /// What comes next.
-pub(crate) enum Next {
+pub enum Next {
     /// A letter of the last generation, or one that is known, and the steps that it has yet to go.
     Letter(LetterId, u32),
     /// The given work is spent.
     Pause,
+    /// The whole derivation has been gone through.
     End,
 }
 
 impl Walk {
-    pub(crate) fn new(n: u32, seed: u32) -> Self {
+    /// Before the first letter of generation `n`.
+    #[must_use]
+    pub fn new(n: u32, seed: u32) -> Self {
         Self { n, seed, open: vec![Word { source: Source::Axiom, next: 0, key: Key::root(0), since: 0 }], work: 0 }
     }
 
     /// Goes on to the next letter that is `known` or of the last generation, until `self.work` is `until`.
-    pub(crate) fn next(&mut self, rules: &Rules, known: impl Fn(LetterId) -> bool, until: u64) -> Next {
+    pub fn next(&mut self, rules: &Rules, known: impl Fn(LetterId) -> bool, until: u64) -> Next {
         loop {
             // The axiom's letters are generation 0.
             let generation = self.open.len() as u32 - 1;
@@ -83,7 +96,7 @@ impl Walk {
 
     /// What is special about the letter that was given last; `heir` says which of the letters that replace one goes on in
     /// its place.
-    pub(crate) fn fate(
+    pub fn fate(
         &self,
         rules: &Rules,
         symbol: LetterId,

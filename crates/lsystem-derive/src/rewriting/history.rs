@@ -8,11 +8,9 @@ mod making;
 
 use super::choices::{Choice, Choices};
 use super::modules::{Chance, Modules, NotFinite};
-use super::rules::{Letter, LetterId, Rule, Rules};
 use super::step::Rewriter;
-use crate::System;
 use crate::access::{Ancestor, Part};
-use crate::counts::segments_of;
+use crate::rules::{Letter, Rule, Rules};
 use core::ops::Range;
 use lsystem_syntax::{Limits, MAX_ITERATIONS, Meter, Progress};
 use std::sync::Arc;
@@ -148,16 +146,15 @@ impl Sums {
 }
 
 impl History {
-    /// Ready to derive `system` up to generation `n`; `None` where that is more than [`MAX_ITERATIONS`], or where a number
-    /// in the axiom is not finite.
+    /// Ready to derive up to generation `n`, where letters draw so many segments (`drawn`) by themselves; `None` where that
+    /// is more than [`MAX_ITERATIONS`], or where a number in the axiom is not finite.
     #[must_use]
-    pub fn new(system: &System, n: u32, limits: &Limits) -> Option<Self> {
+    pub fn new(rules: &Arc<Rules>, seed: u32, n: u32, drawn: Vec<u64>, limits: &Limits) -> Option<Self> {
         if n > MAX_ITERATIONS {
             return None;
         }
-        let rules = &system.rules;
-        let drawn: Vec<u64> = (0..rules.letters.len()).map(|letter| segments_of(system, letter as LetterId)).collect();
-        let count = system.grammar.productions.len() + system.grammar.images.len();
+        let all = || rules.by_letter.iter().chain(&rules.images).flatten();
+        let count = all().map(|rule| rule.production + 1).max().unwrap_or(0);
         let mut productions = vec![None; count];
         for (image, lists) in [(false, &rules.by_letter), (true, &rules.images)] {
             for (letter, list) in lists.iter().enumerate() {
@@ -171,14 +168,14 @@ impl History {
         }
         // The drawing has been made within that: contexts are matched once more.
         let limits = Limits { work: limits.work.saturating_mul(8), ..*limits };
-        let mut rewriter = Rewriter::new(rules.clone(), system.seed, limits).ok()?;
+        let mut rewriter = Rewriter::new(rules.clone(), seed, limits).ok()?;
         rewriter.note(count);
         let surrounded = rules.by_letter.iter().flatten().any(Rule::is_context_sensitive);
         let axiom = rewriter.word().clone();
         let mut history = Self {
             words: (surrounded && rules.is_parametric()).then(Vec::new),
             rules: rules.clone(),
-            seed: system.seed,
+            seed,
             n,
             drawn,
             productions,

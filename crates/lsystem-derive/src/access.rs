@@ -3,9 +3,8 @@
 //! The counts of every letter's derivation say which letter holds a given position, so a position is found by going
 //! down from the axiom, once per generation, however long the string is.
 
-use crate::counts::{Depths, drawn_by_letter};
-use crate::space::Space;
-use crate::{BlockId, Drawing, Item, Key, LetterId, Rule, System, Template};
+use crate::counts::Depths;
+use crate::{Key, LetterId, Rule, Rules, Template};
 use core::ops::Range;
 use lsystem_syntax::{Code, MAX_ITERATIONS, Meter};
 
@@ -13,7 +12,8 @@ use lsystem_syntax::{Code, MAX_ITERATIONS, Meter};
 /// parameters, even random ones, but what becomes of them must not depend on these.
 #[derive(Clone, Debug)]
 pub struct Word<'a> {
-    system: &'a System,
+    rules: &'a Rules,
+    seed: u32,
     n: u32,
     /// Symbols derived; `u128::MAX` stands for that many or more.
     symbols: Depths,
@@ -52,44 +52,6 @@ pub struct Part {
     pub segments: Range<u128>,
 }
 
-/// The position of the symbol that opens the polygon `number` (0-based, in the order in which they are opened) of
-/// generation `n`, which `drawing` shows; saturating. `None` beyond the last polygon.
-#[must_use]
-pub fn symbol_of_polygon<S: Space>(system: &System, n: u32, drawing: &Drawing<S>, number: u128) -> Option<u128> {
-    if drawing.is_memoised() {
-        Word::new(system, n)?.symbol_of_polygon(drawing, drawing.root?, number)
-    } else {
-        drawing.polygon(number).map(|(polygon, _)| polygon.symbol.into())
-    }
-}
-
-/// What polygons a drawing has, in whatever space.
-trait Filled {
-    /// The block of what a letter that is rewritten becomes in `depth` steps, if it draws anything.
-    fn inner(&self, symbol: LetterId, depth: u32) -> Option<Option<BlockId>>;
-
-    /// How many polygons a block fills.
-    fn polygons(&self, block: BlockId) -> u128;
-
-    /// The places of the symbols that open those among its items.
-    fn opened(&self, block: BlockId) -> Vec<u32>;
-}
-
-impl<S: Space> Filled for Drawing<S> {
-    fn inner(&self, symbol: LetterId, depth: u32) -> Option<Option<BlockId>> {
-        self.piece(symbol, depth).map(|piece| piece.block)
-    }
-
-    fn polygons(&self, block: BlockId) -> u128 {
-        self.blocks[block.0 as usize].polygons
-    }
-
-    fn opened(&self, block: BlockId) -> Vec<u32> {
-        let opened = |item: &Item<S>| if let Item::Polygon(polygon) = item { Some(polygon.symbol) } else { None };
-        self.items_of(block).iter().filter_map(opened).collect()
-    }
-}
-
 /// A module on the way down.
 #[derive(Clone, Debug)]
 struct Node {
@@ -101,7 +63,8 @@ struct Node {
 
 /// The modules of the axiom or of a successor, made one by one: of a long one most are only passed by.
 struct Nodes<'a> {
-    system: &'a System,
+    rules: &'a Rules,
+    seed: u32,
     letters: &'a [LetterId],
     /// How the arguments of those to come are computed.
     codes: &'a [Code],
@@ -121,7 +84,7 @@ impl<'a> Nodes<'a> {
 
     /// Passes the next by; how the arguments of that one are computed.
     fn pass(&mut self) -> &'a [Code] {
-        let arity = self.symbol().map_or(0, |letter| self.system.rules.arity(letter));
+        let arity = self.symbol().map_or(0, |letter| self.rules.arity(letter));
         let (own, rest) = self.codes.split_at(arity.min(self.codes.len()));
         self.codes = rest;
         self.passed += 1;
@@ -134,7 +97,7 @@ impl Iterator for Nodes<'_> {
 
     fn next(&mut self) -> Option<Node> {
         let symbol = self.symbol()?;
-        let (place, step, seed) = (self.passed as u64, self.step, self.system.seed);
+        let (place, step, seed) = (self.passed as u64, self.step, self.seed);
         let key = self.parent.as_ref().map_or_else(|| Key::root(place), |parent| parent.key.child(step, place));
         let maker = self.parent.as_ref().map_or(key, |parent| parent.key);
         let random = |place| maker.number(seed, step, place);
@@ -145,43 +108,42 @@ impl Iterator for Nodes<'_> {
 }
 
 impl<'a> Word<'a> {
-    /// Generation `n` of `system`; `None` where chance, conditions or neighbours decide what becomes of a symbol or how
-    /// much it draws ([`History`](crate::History) reads such systems), where branches are cut, where `n` is above
-    /// [`MAX_ITERATIONS`], or where there are so many letters and steps that the counts of all would take more than 16
-    /// megabytes.
+    /// Generation `n`, where letters draw so many segments (`drawn`). `None` where that is not known or chance, conditions
+    /// or neighbours decide what becomes of a symbol ([`History`](crate::History) reads such systems), where branches are
+    /// cut, where `n` is above [`MAX_ITERATIONS`], or where there are so many letters and steps that the counts of all would
+    /// take more than 16 megabytes. Also the units of work that this takes.
     #[must_use]
-    pub fn new(system: &'a System, n: u32) -> Option<Self> {
-        Self::counted(system, n).0
-    }
-
-    /// The same, with the units of work that it takes.
-    #[must_use]
-    pub fn counted(system: &'a System, n: u32) -> (Option<Self>, u64) {
+    pub fn new(rules: &'a Rules, seed: u32, n: u32, drawn: Option<&[u64]>) -> (Option<Self>, u64) {
         let mut meter = Meter::new(MOST);
-        (Self::within(system, n, &mut meter), meter.spent())
+        (Self::within(rules, seed, n, drawn, &mut meter), meter.spent())
     }
 
-    fn within(system: &'a System, n: u32, meter: &mut Meter) -> Option<Self> {
-        let rules = &system.rules;
+    fn within(rules: &'a Rules, seed: u32, n: u32, drawn: Option<&[u64]>, meter: &mut Meter) -> Option<Self> {
         if n > MAX_ITERATIONS || rules.is_cutting() || !rules.is_deterministic() {
             return None;
         }
-        let drawn = drawn_by_letter(system)?;
+        let drawn = drawn?;
         let symbols = Depths::new(rules, n, |_| 1, meter)?;
-        let segments = Depths::new(rules, n, |symbol| drawn[usize::from(symbol)], meter)?;
-        Some(Self { system, n, symbols, segments })
+        let segments = Depths::new(rules, n, |letter| drawn[usize::from(letter)], meter)?;
+        Some(Self { rules, seed, n, symbols, segments })
+    }
+
+    /// How many symbols a letter derives in `depth` steps, at most `n`; saturating.
+    #[must_use]
+    pub fn derived(&self, letter: LetterId, depth: u32) -> u128 {
+        self.symbols.get(depth as usize, letter)
     }
 
     /// How many symbols it has; `u128::MAX` stands for that many or more, of which only the first can be reached.
     #[must_use]
     pub fn symbols(&self) -> u128 {
-        self.symbols.sum(self.n as usize, &self.system.rules.axiom.letters)
+        self.symbols.sum(self.n as usize, &self.rules.axiom.letters)
     }
 
     /// How many segments it draws; `u128::MAX` stands for that many or more.
     #[must_use]
     pub fn segments(&self) -> u128 {
-        self.segments.sum(self.n as usize, &self.system.rules.axiom.letters)
+        self.segments.sum(self.n as usize, &self.rules.axiom.letters)
     }
 
     /// The symbols from position `start` (0-based) on, at most `length` of them, fewer at the end; with their arguments
@@ -189,7 +151,7 @@ impl<'a> Word<'a> {
     #[must_use]
     pub fn slice(&self, start: u128, length: usize) -> String {
         let mut text = String::new();
-        let plain = self.system.rules.is_plain();
+        let plain = self.rules.is_plain();
         self.modules(start, length, &mut |symbol, arguments| {
             if plain { text.push(symbol) } else { lsystem_syntax::print_module(symbol, arguments, &mut text) }
         });
@@ -238,44 +200,11 @@ impl<'a> Word<'a> {
         Some(self.descend(segment, &self.segments).last()?.index)
     }
 
-    /// As the function of that name. Every letter that is rewritten has a block of its own, and the polygons of those that
-    /// stay are among the items of the block of their word.
-    fn symbol_of_polygon(&self, drawing: &dyn Filled, root: BlockId, number: u128) -> Option<u128> {
-        let (mut word, mut depth, mut left) = (self.system.rules.axiom.letters.as_slice(), self.n, number);
-        let (mut block, mut before) = (root, 0_u128);
-        loop {
-            // A word that draws nothing but what one of its letters does has that one's block.
-            let alone = word.iter().any(|&symbol| drawing.inner(symbol, depth) == Some(Some(block)));
-            let mut own = if alone { vec![] } else { drawing.opened(block) }.into_iter().peekable();
-            let held = word.iter().enumerate().find(|&(place, &symbol)| {
-                let mut count = 0_u128;
-                match drawing.inner(symbol, depth) {
-                    Some(inner) => count = inner.map_or(0, |inner| drawing.polygons(inner)),
-                    None => {
-                        while own.next_if_eq(&(place as u32)).is_some() {
-                            count += 1;
-                        }
-                    }
-                }
-                if left < count {
-                    return true;
-                }
-                left -= count;
-                before = before.saturating_add(self.symbols.get(depth as usize, symbol));
-                false
-            });
-            let (_, &symbol) = held?;
-            let Some(inner) = drawing.inner(symbol, depth) else { return Some(before) };
-            block = inner?;
-            (word, depth) = (self.successor(symbol, depth)?, depth - 1);
-        }
-    }
-
     /// How many segments the symbols before position `index` draw.
     #[must_use]
     pub fn segments_before(&self, index: u128) -> u128 {
         let mut segments = 0_u128;
-        let (mut word, mut depth, mut skip) = (self.system.rules.axiom.letters.as_slice(), self.n as usize, index);
+        let (mut word, mut depth, mut skip) = (self.rules.axiom.letters.as_slice(), self.n as usize, index);
         loop {
             let inside = word.iter().find(|&&s| {
                 let count = self.symbols.get(depth, s);
@@ -297,7 +226,7 @@ impl<'a> Word<'a> {
     /// symbol.
     #[must_use]
     pub fn part(&self, generation: u32, index: u128) -> Option<Part> {
-        let mut word = self.system.rules.axiom.letters.as_slice();
+        let mut word = self.rules.axiom.letters.as_slice();
         let mut skip = index;
         let (mut symbols, mut segments) = (0_u128, 0_u128);
         for steps in (0..=generation).rev() {
@@ -330,7 +259,7 @@ impl<'a> Word<'a> {
         // By generation: how many of its symbols stand before the current letter.
         let mut before = vec![0_u128; self.n as usize + 1];
         // By letter: how often it has been passed by in a word.
-        let mut passed = vec![0_u32; self.system.rules.letters.len()];
+        let mut passed = vec![0_u32; self.rules.letters.len()];
         let (mut nodes, mut made_by) = (self.axiom(), None);
         let mut skip = place;
         for generation in 0..=self.n {
@@ -376,7 +305,7 @@ impl<'a> Word<'a> {
     }
 
     fn letter(&self, symbol: LetterId) -> char {
-        self.system.rules.symbol(symbol)
+        self.rules.symbol(symbol)
     }
 
     /// The production that rewrites a letter.
@@ -385,38 +314,43 @@ impl<'a> Word<'a> {
     }
 
     fn rule(&self, symbol: LetterId) -> Option<&'a Rule> {
-        self.system.rules.by_letter[usize::from(symbol)].first()
+        self.rules.by_letter[usize::from(symbol)].first()
     }
 
     fn axiom(&self) -> Nodes<'a> {
-        let Template { letters, arguments } = &self.system.rules.axiom;
-        Nodes { system: self.system, letters, codes: arguments, parent: None, step: 0, passed: 0 }
+        let Template { letters, arguments } = &self.rules.axiom;
+        Nodes { rules: self.rules, seed: self.seed, letters, codes: arguments, parent: None, step: 0, passed: 0 }
     }
 
     /// The modules that derivation step `step` makes of `parent`, whose letters are `letters`.
     fn children(&self, parent: Node, letters: &'a [LetterId], step: u32) -> Nodes<'a> {
         let codes = self.rule(parent.symbol).map_or(&[][..], |rule| &rule.successor.arguments);
-        Nodes { system: self.system, letters, codes, parent: Some(parent), step, passed: 0 }
+        Nodes { rules: self.rules, seed: self.seed, letters, codes, parent: Some(parent), step, passed: 0 }
     }
 
     /// What a letter with `depth` steps to go becomes in the next; `None` where it stays as it is to the end.
-    fn successor(&self, symbol: LetterId, depth: u32) -> Option<&'a [LetterId]> {
-        self.system.rules.rewrites[usize::from(symbol)].always().filter(|_| depth > 0)
+    #[must_use]
+    pub fn successor(&self, symbol: LetterId, depth: u32) -> Option<&'a [LetterId]> {
+        self.rules.rewrites[usize::from(symbol)].always().filter(|_| depth > 0)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expand;
-    use crate::testing::{cases, system};
-    use lsystem_syntax::{Action, Limits};
+    use crate::testing::{System, cases, expand, system};
+    use lsystem_syntax::Limits;
     use proptest::prelude::*;
+
+    /// Nothing draws.
+    fn word(system: &System, n: u32) -> Word<'_> {
+        Word::new(&system.rules, 0, n, Some(&vec![0; system.rules.letters.len()])).0.unwrap()
+    }
 
     #[test]
     fn a_page_of_an_endless_string() {
         let system = system("X", &[('X', "F[+X]F[-X]+X", None), ('F', "FF", None)], 0);
-        let word = Word::new(&system, 60).unwrap();
+        let word = word(&system, 60);
         assert_eq!(word.slice(0, 8), "FFFFFFFF");
         assert!(word.symbols() > 1 << 90);
         assert_eq!(word.slice(word.symbols() - 12, 99), "F[+X]F[-X]+X");
@@ -431,7 +365,7 @@ mod tests {
     fn long_productions_are_read_in_place() {
         // Modules that were all kept on the way down took gigabytes here.
         let long = system("F", &[('F', &"F+".repeat(100_000), None)], 0);
-        let word = Word::new(&long, 1000).unwrap();
+        let word = word(&long, 1000);
         assert_eq!(word.slice(1, 4), "+F+F");
         assert_eq!(word.ancestry(200_000).last().unwrap().index, 200_000);
         assert_eq!(word.ancestry(200_000)[999].position, 1);
@@ -440,7 +374,7 @@ mod tests {
     #[test]
     fn what_was_made_one_by_one_is_found() {
         let slow = system("A", &[('A', &("F".repeat(2000) + "A"), None)], 0);
-        let word = Word::new(&slow, 1000).unwrap();
+        let word = word(&slow, 1000);
         assert_eq!(word.symbols(), 2_000_001);
         let chain = word.ancestry(2_000_000);
         assert!(chain.iter().all(|link| (link.symbol, link.index) == ('A', 2000 * u128::from(link.generation))));
@@ -461,15 +395,14 @@ mod tests {
             start in 0_usize..2000,
             length in 0_usize..300,
         ) {
-            let mut system = system(&axiom, &[('A', &a, None), ('B', &b, None)], 0);
-            for (id, letter) in system.rules.letters.iter().enumerate() {
-                let draws = match letter.symbol { 'F' => 1, 'B' => 2, _ => 0 };
-                system.turtle.actions[id] = vec![Action::Draw(None); draws];
-            }
+            let system = system(&axiom, &[('A', &a, None), ('B', &b, None)], 0);
+            let drawn: Vec<u64> = (system.rules.letters.iter())
+                .map(|letter| match letter.symbol { 'F' => 1, 'B' => 2, _ => 0 })
+                .collect();
             let strings: Vec<Vec<char>> =
                 (0..=n).map(|n| expand(&system, n, &Limits::default()).unwrap().chars().collect()).collect();
             let string = strings.last().unwrap();
-            let word = Word::new(&system, n).unwrap();
+            let word = Word::new(&system.rules, 0, n, Some(&drawn)).0.unwrap();
             prop_assert_eq!(word.symbols(), string.len() as u128);
             let expected: String = string.iter().skip(start).take(length).collect();
             prop_assert_eq!(word.slice(start as u128, length), expected);

@@ -4,8 +4,8 @@
 //! is a parameter, every such parameter is computed from others homogeneously in the first degree, and nothing else
 //! depends on them, modules that differ by a common factor of these parameters need not be told apart.
 
-use super::rules::{LetterId, Rule, Rules, Template};
 use crate::Turtle;
+use lsystem_derive::{LetterId, Rule, Rules, Template};
 use lsystem_syntax::{Action, MAX_PARAMETERS};
 use lsystem_syntax::{Code, Op};
 use lsystem_syntax::{Function, Operator};

@@ -1,0 +1,40 @@
+//! What the tests of several files share.
+
+use crate::{Counter, Rules, Tally};
+use lsystem_syntax::{Diagnostic, Grammar, Limits, Meter, Module, Production};
+use std::sync::Arc;
+
+/// How many cases a property test tries: 500, or what the environment variable `LSYSTEM_CASES` says.
+pub(crate) fn cases() -> u32 {
+    std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500)
+}
+
+/// Predecessor, successor, weight.
+pub(crate) type Rule<'a> = (char, &'a str, Option<f64>);
+
+/// What is derived.
+pub(crate) struct System {
+    pub(crate) grammar: Grammar,
+    pub(crate) rules: Arc<Rules>,
+    pub(crate) seed: u32,
+}
+
+pub(crate) fn system(axiom: &str, rules: &[Rule], seed: u32) -> System {
+    let modules = |text: &str| text.chars().map(Module::from).collect::<Vec<_>>();
+    let productions = rules.iter().map(|&(predecessor, successor, weight)| {
+        let production = Production::new(predecessor, modules(successor));
+        weight.map_or(production.clone(), |weight| production.weighted(weight))
+    });
+    let grammar = Grammar { axiom: modules(axiom), productions: productions.collect(), ..Grammar::default() };
+    let rules = Arc::new(Rules::new(&grammar, vec![], |_| false, false).expect("weights are numbers"));
+    System { grammar, rules, seed }
+}
+
+pub(crate) fn expand(system: &System, n: u32, limits: &Limits) -> Result<String, Diagnostic> {
+    let mut text = String::new();
+    crate::expand(&system.rules, system.seed, n, limits, &mut text, &mut Meter::new(u64::MAX)).map(|()| text)
+}
+
+pub(crate) fn count_symbols(system: &System, n: u32) -> Option<Tally> {
+    Counter::symbols(&system.rules, n).finish()
+}

@@ -1,0 +1,33 @@
+//! How many segments letters draw.
+
+use crate::System;
+use lsystem_derive::LetterId;
+
+/// By letter: how many segments it draws, 0 for one that never occurs; `None` where one that may occur does not always
+/// draw as many.
+pub(crate) fn drawn_by_letter(system: &System) -> Option<Vec<u64>> {
+    let drawn = |(id, reached): (usize, &bool)| if *reached { drawn_as(system, id as LetterId) } else { Some(0) };
+    system.rules.reachable().iter().enumerate().map(drawn).collect()
+}
+
+/// The segments of what a letter is drawn as; `None` where they are not always as many.
+fn drawn_as(system: &System, letter: LetterId) -> Option<u64> {
+    let images = &system.rules.images[usize::from(letter)];
+    let mut all =
+        images.iter().map(|image| image.successor.letters.iter().map(|&letter| segments_of(system, letter)).sum());
+    let always = images.iter().any(|image| image.condition.is_none() && image.weight.is_none());
+    let own = (!always).then(|| segments_of(system, letter));
+    let first: u64 = own.or_else(|| all.next())?;
+    all.all(|other| other == first).then_some(first)
+}
+
+/// The segments that one letter draws by itself.
+fn segments_of(system: &System, symbol: LetterId) -> u64 {
+    let actions = &system.turtle.actions[usize::from(symbol)];
+    actions.iter().filter(|action| action.draws()).count() as u64
+}
+
+/// By letter: how many segments it draws by itself.
+pub(crate) fn drawn_alone(system: &System) -> Vec<u64> {
+    (0..system.rules.letters.len()).map(|letter| segments_of(system, letter as LetterId)).collect()
+}
