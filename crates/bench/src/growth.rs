@@ -1,6 +1,7 @@
 //! Derivation one generation after the other: productions with contexts, and with parameters.
 
-use lsystem::{Definition, Limits, Rewriter, Rules, System};
+use lsystem::derive::{Rewriter, Rules};
+use lsystem::{Definition, Limits, System};
 use std::sync::Arc;
 
 /// A system whose productions look around themselves or compute.

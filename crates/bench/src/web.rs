@@ -1,7 +1,8 @@
 //! The same measurements for a browser's script to time.
 
 use crate::{Buffers, GROWTHS, Growth, WORKS, Work};
-use lsystem::{Rules, System};
+use lsystem::System;
+use lsystem::derive::Rules;
 use wasm_bindgen::prelude::*;
 
 /// One work with its system and buffers.

@@ -66,7 +66,7 @@ pub struct Buffers {
 impl Buffers {
     /// Derives the string and returns how many symbols it has.
     pub fn expand(&mut self, system: &System, n: u32) -> u64 {
-        lsystem::expand_into(system, n, &limits(), &mut self.text).expect("within the limits");
+        lsystem::drawing::expand_into(system, n, &limits(), &mut self.text).expect("within the limits");
         self.text.len() as u64
     }
 

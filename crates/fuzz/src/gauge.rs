@@ -1,7 +1,8 @@
 //! What an execution takes, and whether that is too much.
 
 use crate::ALLOCATOR;
-use lsystem::{Meter, Progress};
+use lsystem::Progress;
+use lsystem::syntax::Meter;
 use std::time::{Duration, Instant};
 
 /// Bytes that one instance in the page may hold.

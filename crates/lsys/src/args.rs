@@ -2,7 +2,9 @@
 
 use crate::memory;
 use lexopt::prelude::{Long, Short, Value};
-use lsystem::{MAX_ITERATIONS, MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE, SvgForm, Viewport};
+use lsystem::Viewport;
+use lsystem::files::SvgForm;
+use lsystem::syntax::{MAX_ITERATIONS, MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 

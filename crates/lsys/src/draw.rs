@@ -5,7 +5,8 @@ use crate::input::{self, Input};
 use crate::pending::{Pending, with_extension};
 use crate::progress::Progress;
 use crate::{Failure, picture, print};
-use lsystem::{Drawing, Mesh, Outlook, Solid, SvgOptions, write_csv, write_glb, write_json, write_obj, write_svg};
+use lsystem::drawing::Outlook;
+use lsystem::{Drawing, Mesh, Solid, SvgOptions, write_csv, write_glb, write_json, write_obj, write_svg};
 use std::io::IsTerminal;
 
 /// Does all `jobs`. One that fails is reported, and the others are still done.

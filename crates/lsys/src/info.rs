@@ -4,7 +4,10 @@ use crate::args::Changes;
 use crate::input::{self, Input};
 use crate::output::escape_json;
 use crate::{Failure, print};
-use lsystem::{Diagnostic, Drawing, Limits, Space, System, Tally, count_segments, count_symbols, visible};
+use lsystem::derive::Tally;
+use lsystem::drawing::Space;
+use lsystem::syntax::visible;
+use lsystem::{Diagnostic, Drawing, Limits, System, count_segments, count_symbols};
 use serde::Serialize;
 use std::fmt::{self, Display};
 use std::path::PathBuf;
@@ -15,7 +18,7 @@ struct Facts {
     file: String,
     name: String,
     title: String,
-    /// As [`lsystem::kind`].
+    /// As [`lsystem::drawing::kind`].
     kind: String,
     iterations: u32,
     seed: u32,
@@ -93,7 +96,7 @@ fn facts_in<S: Space>(
         file: input.file.display().to_string(),
         name: input.definition.name.clone(),
         title: input.definition.title.clone(),
-        kind: lsystem::kind(system),
+        kind: lsystem::drawing::kind(system),
         iterations: n,
         seed: system.seed,
         growth: Growth { symbols: ratio(|c| &c.symbols), segments: ratio(|c| &c.segments) },
@@ -180,7 +183,7 @@ impl Display for Facts {
 #[cfg(test)]
 mod tests {
     use super::ratio;
-    use lsystem::Tally;
+    use lsystem::derive::Tally;
 
     fn power(base: u32, exponent: u32) -> Tally {
         (0..exponent).fold(Tally::from(1_u64), |power, _| {

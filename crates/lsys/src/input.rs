@@ -2,7 +2,9 @@
 
 use crate::args::Changes;
 use crate::{Failure, say, settings};
-use lsystem::{Definition, Diagnostic, FileContent, Limits, MAX_TEXT, System, read_file, render_diagnostic, visible};
+use lsystem::files::FileContent;
+use lsystem::syntax::{MAX_TEXT, visible};
+use lsystem::{Definition, Diagnostic, Limits, System, read_file, render_diagnostic};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};

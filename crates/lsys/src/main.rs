@@ -13,7 +13,8 @@ mod progress;
 mod settings;
 
 use args::Command;
-use lsystem::{Word, visible};
+use lsystem::derive::Word;
+use lsystem::syntax::visible;
 use progress::Progress;
 use std::io::{self, Write};
 use std::path::Path;

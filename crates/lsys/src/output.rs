@@ -1,6 +1,6 @@
 //! Standard output, and how foreign text is made harmless for a terminal.
 
-use lsystem::visible;
+use lsystem::syntax::visible;
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 

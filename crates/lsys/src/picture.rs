@@ -2,9 +2,12 @@
 
 use crate::args::Size;
 use crate::progress::Progress as Bar;
+use lsystem::files::tag_png;
+use lsystem::render::{Pane, Pass, Quality};
+use lsystem::syntax::Ink;
 use lsystem::{
-    Camera, DensityRenderer, Drawing, Ink, Pane, Pass, PlaneRenderer, Progress, Quality, Renderer, Solid,
-    SolidRenderer, Style, View, Viewport, fit, tag_png,
+    Camera, DensityRenderer, Drawing, PlaneRenderer, Progress, Renderer, Solid, SolidRenderer, Style, View, Viewport,
+    fit,
 };
 use std::io::Write;
 use std::sync::Arc;

@@ -151,7 +151,7 @@ impl Counter {
 
 /// By generation from 0: the sum of `weight` over its letters, up to the first sum above `limit` or generation `n`.
 /// Ends early with what is known where a sum depends on random choices, or where the meter is spent.
-pub fn counts_until(
+pub(crate) fn counts_until(
     rules: &Rules,
     n: u32,
     limit: u64,
@@ -206,14 +206,14 @@ pub fn weigh_until(
 
 /// A count depends on random choices, or takes too long.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Unknown;
+pub(crate) struct Unknown;
 
 /// The most cells of [`Depths`], 16 bytes each.
-pub const MAX_CELLS: usize = 1 << 19;
+pub(crate) const MAX_CELLS: usize = 1 << 19;
 
 /// By depth from 0 to `n`, then letter: a sum over what the letter derives in that many steps, saturating.
 #[derive(Clone, Debug)]
-pub struct Depths {
+pub(crate) struct Depths {
     /// By letter: its column; [`FIXED`] where it has the same sum at every depth.
     columns: Vec<u32>,
     width: usize,
@@ -227,7 +227,7 @@ const FIXED: u32 = u32::MAX;
 impl Depths {
     /// The sums of `weight` of letters that occur. Letters with random choices count as themselves. `None` where they are
     /// more than [`MAX_CELLS`], or the meter is spent.
-    pub fn new(rules: &Rules, n: u32, weight: impl Fn(LetterId) -> u64, meter: &mut Meter) -> Option<Self> {
+    pub(crate) fn new(rules: &Rules, n: u32, weight: impl Fn(LetterId) -> u64, meter: &mut Meter) -> Option<Self> {
         let own: Vec<u64> = (0..rules.letters.len()).map(|symbol| weight(symbol as LetterId)).collect();
         let sums = Sums::new(rules);
         let changing = |letter: LetterId| matches!(rules.rewrites[usize::from(letter)], Rewrite::Always(_));
@@ -257,7 +257,7 @@ impl Depths {
     }
 
     /// The sum over what `letter` derives in `depth` steps.
-    pub fn get(&self, depth: usize, letter: LetterId) -> u128 {
+    pub(crate) fn get(&self, depth: usize, letter: LetterId) -> u128 {
         match self.columns[usize::from(letter)] {
             FIXED => u128::from(self.own[usize::from(letter)]),
             column => self.cells[depth * self.width + column as usize],
@@ -265,18 +265,18 @@ impl Depths {
     }
 
     /// Where the sum of a letter stands among all, if it depends on the depth.
-    pub fn cell(&self, depth: usize, letter: LetterId) -> Option<usize> {
+    pub(crate) fn cell(&self, depth: usize, letter: LetterId) -> Option<usize> {
         let column = self.columns[usize::from(letter)];
         (column != FIXED).then(|| depth * self.width + column as usize)
     }
 
     /// How many sums there are that depend on the depth.
-    pub fn cells(&self) -> usize {
+    pub(crate) fn cells(&self) -> usize {
         self.cells.len()
     }
 
     /// The sum over what a word derives in `depth` steps, saturating.
-    pub fn sum(&self, depth: usize, word: &[LetterId]) -> u128 {
+    pub(crate) fn sum(&self, depth: usize, word: &[LetterId]) -> u128 {
         word.iter().fold(0, |sum: u128, &letter| sum.saturating_add(self.get(depth, letter)))
     }
 }

@@ -376,7 +376,7 @@ impl<'a> Writer<'a> {
 }
 
 /// By letter: whether no random choice is ever made below it.
-pub fn fixed(rules: &Rules) -> Vec<bool> {
+fn fixed(rules: &Rules) -> Vec<bool> {
     // Pairs of letters, the second made of the first, in the order of what is made.
     let mut makers: Vec<(LetterId, LetterId)> = Vec::new();
     let mut open: Vec<LetterId> = Vec::new();

@@ -27,11 +27,13 @@ mod rewriting;
 mod testing;
 
 pub use access::{Ancestor, Part, Word};
-pub use counts::{Counter, Depths, MAX_CELLS, Unknown, counts_until, weigh_until};
-pub use derivation::{expand, expand_once, expand_symbol, fault, fixed};
+pub use counts::{Counter, weigh_until};
+pub use derivation::{expand, expand_once, expand_symbol, fault};
 pub use key::{Key, Purpose};
-pub use rewrite::{Choice, Rewrite};
-pub use rewriting::{Age, Fault, History, Image, Modules, Rewriter};
-pub use rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
+pub use rewrite::Rewrite;
+pub use rewriting::{Age, Fault, History, Image, Rewriter};
+pub use rules::{Letter, LetterId, Rule, Rules, Template};
 pub use tally::Tally;
 pub use walk::{Fate, Next, Walk};
+
+pub(crate) use rewrite::Choice;

@@ -207,7 +207,7 @@ pub fn why_empty(system: &System, n: u32) -> Option<String> {
 
 /// A count for people: whole with separators up to nine digits, then as `1.23 × 10^45`.
 #[must_use]
-pub fn short_count(count: &Tally) -> String {
+pub(crate) fn short_count(count: &Tally) -> String {
     let digits = count.to_string();
     if digits.len() > 9 {
         return format!("{}.{} × 10^{}", &digits[..1], &digits[1..3], digits.len() - 1);

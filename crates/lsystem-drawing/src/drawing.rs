@@ -31,21 +31,21 @@ mod tally;
 mod tree;
 mod vertical;
 
-pub use body::Body;
+pub(crate) use body::Body;
 pub(crate) use body::{Extent as SolidExtent, Survey as SolidSurvey};
 pub(crate) use builder::{Builder, Enclosed, reserve};
-pub use bulk::{SegmentArrays, SegmentChunk};
+pub use bulk::SegmentArrays;
 pub(crate) use contents::Contents;
 pub use drawer::{Drawer, draw};
 pub(crate) use extent::Survey as PlaneSurvey;
-pub use graph::Effect;
+pub(crate) use graph::Effect;
 pub use hull::hull;
 pub use marks::Mark;
 pub use marks::MarkReader;
 pub use projection::Outlook;
 pub use scene::SceneSize;
 pub use segments::Frame;
-pub use segments::Segments;
+pub(crate) use segments::Segments;
 pub use shape::{Line, Shape, shapes};
 pub use solid::draw_solid;
 

@@ -28,18 +28,19 @@ mod describe;
 #[cfg(test)]
 mod testing;
 
-pub use describe::{LegendEntry, describe, kind, legend, short_count, why_empty};
+pub use describe::{describe, kind, legend, why_empty};
 pub use drawing::{
-    Block, BlockId, Body, ColourChange, Drawer, Drawing, Effect, Frame, Item, Line, Mark, MarkReader, Outlook, Piece,
-    Placed, Polygon, SceneSize, Segment, SegmentArrays, SegmentChunk, Segments, Shape, Stroke, StyleChange, StyleId,
-    WidthChange, draw, draw_solid, hull, shapes,
+    Block, BlockId, ColourChange, Drawer, Drawing, Frame, Item, Line, Mark, MarkReader, Outlook, Placed, Polygon,
+    SceneSize, Segment, SegmentArrays, Shape, Stroke, StyleChange, StyleId, WidthChange, draw, draw_solid, hull,
+    shapes,
 };
 pub use mesh::{Mesh, MeshMaker};
 pub use opening::symbol_of_polygon;
 pub use plane::{Directions, Plane};
-pub use rotation::Rotation;
 pub use solid::Solid;
-pub use space::{Axis, Space, times};
+pub use space::{Space, times};
 pub use strings::{count_segments, count_symbols, expand, expand_counted, expand_into, expand_once, expand_symbol};
 pub use system::System;
-pub use turtle::{Colouring, Tropism, Turtle, exponent_of, finite};
+pub use turtle::{Colouring, Turtle, exponent_of, finite};
+
+pub(crate) use turtle::Tropism;

@@ -39,7 +39,7 @@ pub enum Op {
 }
 
 /// Values that a stack holds; deeper expressions do not compile.
-pub const STACK: usize = 32;
+pub(crate) const STACK: usize = 32;
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +55,7 @@ pub enum Meaning {
 pub enum Unusable {
     /// A name that stands for nothing.
     Unknown(String),
-    /// It needs more than [`STACK`] values at once.
+    /// It needs more than `STACK` values at once.
     TooDeep,
 }
 

@@ -614,7 +614,7 @@ pub enum LimitName {
     Letters,
     /// Parameters of a module ([`MAX_PARAMETERS`](crate::MAX_PARAMETERS)).
     Parameters,
-    /// Modules in a context ([`MAX_CONTEXT`](crate::MAX_CONTEXT)).
+    /// Modules in a context (`MAX_CONTEXT`).
     Context,
     /// Actions of a symbol ([`MAX_ACTIONS`](crate::MAX_ACTIONS)).
     Actions,

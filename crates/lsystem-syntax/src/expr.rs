@@ -83,7 +83,7 @@ impl Operator {
         }
     }
 
-    /// How tightly it binds: 1 (`||`) to 7 (`^`). Between 5 and 7 stand the signs, [`SIGN`]. All group to the left
+    /// How tightly it binds: 1 (`||`) to 7 (`^`). Between 5 and 7 stand the signs, `SIGN`. All group to the left
     /// except `^`.
     #[must_use]
     pub fn precedence(self) -> u8 {
@@ -126,7 +126,7 @@ impl Operator {
 }
 
 /// How tightly `-a` and `!a` bind: `-2^2` is -4.
-pub const SIGN: u8 = 6;
+pub(crate) const SIGN: u8 = 6;
 
 /// How tightly comparisons bind, and `not`, which may stand before one.
 const COMPARISON: u8 = 3;

@@ -48,23 +48,26 @@ mod place;
 
 pub use action::Action;
 pub use class::Class;
-pub use classify::{Classes, classify};
-pub use code::{Code, Meaning, Op, STACK, Unusable};
+pub use classify::classify;
+pub use code::{Code, Meaning, Op, Unusable};
 pub use definition::Definition;
-pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Quantity, Role, Severity};
+pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Quantity, Severity};
 pub use dialect::Dialect;
-pub use expr::{Expr, Function, Operator, SIGN};
+pub use expr::{Expr, Function, Operator};
 pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
 pub use heading::Heading;
 pub use limits::{
-    Limits, MAX_ACTIONS, MAX_CONTEXT, MAX_COUNTING, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS,
-    MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE, MAX_TEXT,
+    Limits, MAX_ACTIONS, MAX_COUNTING, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS, MAX_PICTURE_PIXELS,
+    MAX_PICTURE_SIDE, MAX_TEXT,
 };
 pub use meter::Meter;
 pub use notation::constants::ConstantPlace;
 pub use notation::{parse, plain_word};
-pub use overrides::{Override, parse_overrides, print_actions, print_overrides};
+pub use overrides::{parse_overrides, print_overrides};
 pub use place::{render_diagnostic, utf16_letters, utf16_span, visible};
 pub use print::{print_axiom, print_module, print_rules};
 pub use progress::Progress;
 pub use style::{Colour, ColourBy, GRADIENT, Ink, Style, Tint};
+
+pub(crate) use diagnostic::Role;
+pub(crate) use limits::MAX_CONTEXT;

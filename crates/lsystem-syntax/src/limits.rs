@@ -72,7 +72,7 @@ pub const MAX_LETTERS: usize = 1 << 16;
 pub const MAX_PARAMETERS: usize = 8;
 
 /// The most modules in a context on either side, brackets counted.
-pub const MAX_CONTEXT: usize = 64;
+pub(crate) const MAX_CONTEXT: usize = 64;
 
 /// The most actions of a symbol: one piece of work does all that a symbol does.
 pub const MAX_ACTIONS: usize = 256;

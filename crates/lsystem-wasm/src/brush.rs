@@ -2,8 +2,11 @@
 
 use crate::viewer::Scene;
 #[cfg(feature = "full")]
-use lsystem::{DensityRenderer, Ink, Pane, Pass, Spent};
-use lsystem::{Detail, Drawing, PlaneRenderer, Progress, RenderStats, Renderer, Style, Viewport};
+use lsystem::DensityRenderer;
+use lsystem::render::{Detail, RenderStats};
+use lsystem::render::{Pane, Pass, Spent};
+use lsystem::syntax::Ink;
+use lsystem::{Drawing, PlaneRenderer, Progress, Renderer, Style, Viewport};
 use std::sync::Arc;
 
 /// A picture that needs more tiles than this is mostly made of them.

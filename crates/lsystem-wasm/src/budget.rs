@@ -4,7 +4,7 @@
 //! |---|---|
 //! | 70 | the drawing that is shown; of one in space, with what its pictures are made from |
 //! | 70 | the drawing in the making, a file in the making, or what is remembered of a derivation with the counts that a string is read by: one at a time ([`HISTORY`], 24 and 16) |
-//! | 16 | counts of any size ([`lsystem::MAX_COUNTING`]) |
+//! | 16 | counts of any size ([`lsystem::syntax::MAX_COUNTING`]) |
 //! | 84 | pictures, and what the drawing that is shown leaves of its share ([`picture_room`]) |
 //! | 16 | texts, compiled systems and what is passed on |
 
@@ -55,12 +55,14 @@ pub(crate) fn halved(Viewport { width, height, ratio }: Viewport) -> Viewport {
 #[cfg(all(test, feature = "full"))]
 mod tests {
     use super::*;
-    use lsystem::{Definition, DensityRenderer, Detail, Ink, Renderer, SolidRenderer, Style, System, draw};
+    use lsystem::render::Detail;
+    use lsystem::syntax::Ink;
+    use lsystem::{Definition, DensityRenderer, Renderer, SolidRenderer, Style, System, draw};
 
     const SCREENS: [[u32; 2]; 6] = [[300, 200], [1280, 800], [1920, 1080], [2560, 1440], [3840, 2160], [7680, 4320]];
 
     // The shares of an instance add up.
-    const _: () = assert!(2 * LIMITS.memory + PICTURES + lsystem::MAX_COUNTING + REST <= INSTANCE);
+    const _: () = assert!(2 * LIMITS.memory + PICTURES + lsystem::syntax::MAX_COUNTING + REST <= INSTANCE);
     const _: () = assert!(HISTORY.memory + 16 * MIB <= LIMITS.memory);
 
     #[test]
@@ -73,7 +75,7 @@ mod tests {
             for bytes in [drawing.bytes(), LIMITS.memory] {
                 for ink in [Ink::Solid, Ink::Density] {
                     for colours in [1, 2, 16, 256] {
-                        let palette = vec![lsystem::Colour { rgb: [0; 3] }; colours];
+                        let palette = vec![lsystem::syntax::Colour { rgb: [0; 3] }; colours];
                         let style = Style { palette, ink, ..Style::default() };
                         let most = |viewport| {
                             [Detail::Fine, Detail::Coarse].map(|detail| match ink {

@@ -7,10 +7,12 @@ use crate::report::{Problem, problems};
 use crate::viewer::WORK;
 use crate::{HISTORY, LIMITS, to_js};
 use core::cell::RefCell;
+use lsystem::drawing::{MeshMaker, Outlook, Space};
+use lsystem::files::{CsvWriter, GlbWriter, ObjWriter, SvgForm, SvgWriter};
+use lsystem::syntax::{Field, Kind, LimitName};
 use lsystem::{
-    Camera, CsvWriter, Definition, Diagnostic, Drawer, Drawing, Field, GlbWriter, Kind, LimitName, Limits, Mesh,
-    MeshMaker, ObjWriter, Outlook, Progress, Solid, Space, Style, SvgForm, SvgOptions, SvgWriter, System, write_json,
-    write_svg,
+    Camera, Definition, Diagnostic, Drawer, Drawing, Limits, Mesh, Progress, Solid, Style, SvgOptions, System,
+    write_json, write_svg,
 };
 use serde::Serialize;
 use std::rc::Rc;

@@ -6,7 +6,8 @@ use crate::report::{Problem, problems};
 use crate::surface::Surface;
 use crate::viewer::{Scene, Snapshot};
 use crate::{from_js, to_js};
-use lsystem::{Definition, FileContent, Progress, Viewport, write_json};
+use lsystem::files::FileContent;
+use lsystem::{Definition, Progress, Viewport, write_json};
 use serde::Serialize;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
@@ -38,7 +39,7 @@ pub fn read_file(bytes: &[u8]) -> Result<JsValue, JsValue> {
 #[wasm_bindgen]
 pub fn tag_png(bytes: Vec<u8>, definition: JsValue) -> Result<Vec<u8>, JsValue> {
     let definition = from_js(definition)?;
-    Ok(lsystem::tag_png(&bytes, &write_json(&definition)).unwrap_or(bytes))
+    Ok(lsystem::files::tag_png(&bytes, &write_json(&definition)).unwrap_or(bytes))
 }
 
 #[wasm_bindgen]

@@ -2,7 +2,7 @@
 //! Numbers travel as arrays, which ports take as they are.
 
 use crate::playground::Playground;
-use lsystem::{Pane, Spent};
+use lsystem::render::{Pane, Spent};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]

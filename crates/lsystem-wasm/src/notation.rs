@@ -1,11 +1,12 @@
 //! How the texts of a definition read, for showing them in colours and for changing their constants.
 
 use crate::{from_js, to_js};
-use lsystem::{Definition, classify, utf16_letters, utf16_span};
+use lsystem::Definition;
+use lsystem::syntax::{classify, utf16_letters, utf16_span};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// The letter of its class ([`lsystem::Class`]) for each UTF-16 unit of a text.
+/// The letter of its class ([`lsystem::syntax::Class`]) for each UTF-16 unit of a text.
 #[derive(Serialize)]
 struct Notation {
     axiom: String,
@@ -36,7 +37,7 @@ pub fn notation(definition: JsValue) -> Result<JsValue, JsValue> {
     let definition = from_js(definition)?;
     let classes = classify(&definition);
     let Definition { axiom, rules, overrides, .. } = &definition;
-    let constant = |place: lsystem::ConstantPlace| {
+    let constant = |place: lsystem::syntax::ConstantPlace| {
         let span = utf16_span(rules, place.span);
         Constant { name: place.name, value: place.value, start: span.start, end: span.end, number: place.is_number }
     };

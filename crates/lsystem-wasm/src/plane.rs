@@ -11,9 +11,13 @@ use crate::surface::Surface;
 #[cfg(feature = "full")]
 use crate::viewer::Snapshot;
 use crate::viewer::{Drawn, SLOW, Scene, Viewer, WORK, describe_drawing, go_on};
-use lsystem::{Counter, Detail, Diagnostic, Drawer, Drawing, Ink, Progress, System, fitted_scale};
 #[cfg(feature = "full")]
-use lsystem::{Pane, Pass, Spent, Viewport};
+use lsystem::Viewport;
+use lsystem::derive::Counter;
+use lsystem::render::{Detail, fitted_scale};
+use lsystem::render::{Pane, Pass, Spent};
+use lsystem::syntax::Ink;
+use lsystem::{Diagnostic, Drawer, Drawing, Progress, System};
 use std::sync::Arc;
 use wasm_bindgen::JsValue;
 

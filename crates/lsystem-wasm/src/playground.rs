@@ -5,7 +5,10 @@ use crate::report::{Report, legend_of, problems, understood};
 use crate::surface::Surface;
 use crate::viewer::{Drawn, Realm, Scene, Views, WORK};
 use crate::{from_js, to_js};
-use lsystem::{Counter, Definition, Diagnostic, Kind, Progress, System, View, Viewport, kind, why_empty};
+use lsystem::derive::Counter;
+use lsystem::drawing::{kind, why_empty};
+use lsystem::syntax::Kind;
+use lsystem::{Definition, Diagnostic, Progress, System, View, Viewport};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
@@ -22,7 +25,7 @@ pub struct Playground {
     pub(crate) system: Option<System>,
     /// Of its derivation, once somebody asks.
     #[cfg(feature = "full")]
-    pub(crate) history: Option<lsystem::History>,
+    pub(crate) history: Option<lsystem::derive::History>,
     pub(crate) views: Views,
     /// Where a drawing is being built.
     building: Option<Realm>,
@@ -50,7 +53,7 @@ pub struct Playground {
     pub(crate) files: std::rc::Rc<()>,
     /// As one of those: what to make.
     #[cfg(feature = "full")]
-    pub(crate) pane: Option<(lsystem::Pane, f32)>,
+    pub(crate) pane: Option<(lsystem::render::Pane, f32)>,
 }
 
 /// While a picture is refined newer input is listened for after so many milliseconds.

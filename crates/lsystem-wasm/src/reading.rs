@@ -4,11 +4,13 @@ use crate::playground::Playground;
 use crate::viewer::{Views, WORK};
 use crate::{HISTORY, to_js};
 use core::ops::Range;
-use lsystem::{
-    Ancestor, Drawing, History, Pointer, Progress, Segment, Space, StyleChange, Target, Word, fitted_ends,
-    fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, pick, pick_solid, print_module,
-    symbol_of_polygon,
+use lsystem::derive::{Ancestor, History, Word};
+use lsystem::drawing::{Segment, Space, StyleChange, symbol_of_polygon};
+use lsystem::render::{
+    Pointer, Target, fitted_ends, fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, pick_solid,
 };
+use lsystem::syntax::print_module;
+use lsystem::{Drawing, Progress, pick};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -189,7 +191,7 @@ impl Playground {
             Reader::Counted(word) => word.part(generation, index),
             Reader::Remembered(history) => history.part(generation, index, later),
         });
-        to_js(&part.map(|lsystem::Part { symbols, segments }| {
+        to_js(&part.map(|lsystem::derive::Part { symbols, segments }| {
             let outline = if later == self.shown_iterations() { self.outline(segments.clone()) } else { vec![] };
             Part { symbols: ends(symbols), segments: ends(segments), outline }
         }))

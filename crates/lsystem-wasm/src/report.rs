@@ -1,8 +1,9 @@
 //! Structured results for the page.
 
+use lsystem::drawing::legend;
 #[cfg(feature = "full")]
-use lsystem::Severity;
-use lsystem::{Definition, Diagnostic, System, legend};
+use lsystem::syntax::Severity;
+use lsystem::{Definition, Diagnostic, System};
 use serde::Serialize;
 
 /// A diagnostic in words, with its place in UTF-16 units.
@@ -89,11 +90,12 @@ pub(crate) fn problems(_: &[Diagnostic], _: &Definition, _: &str) -> Vec<Problem
     vec![]
 }
 
-/// Diagnostics in words; `file` is the text that [`lsystem::Field::File`] spans point into.
+/// Diagnostics in words; `file` is the text that [`lsystem::syntax::Field::File`] spans point into.
 #[cfg(feature = "full")]
 pub(crate) fn problems(diagnostics: &[Diagnostic], definition: &Definition, file: &str) -> Vec<Problem> {
     let problem = |diagnostic: &Diagnostic| {
-        let span = lsystem::utf16_span(definition.text(diagnostic.field).unwrap_or(file), diagnostic.span.clone());
+        let span =
+            lsystem::syntax::utf16_span(definition.text(diagnostic.field).unwrap_or(file), diagnostic.span.clone());
         Problem {
             field: diagnostic.field.name(),
             severity: match diagnostic.severity() {

@@ -1,7 +1,7 @@
 //! A picture that several workers make together: who makes which pane of it, here and at the mates.
 
 use core::sync::atomic::{AtomicU32, Ordering};
-use lsystem::{Pane, Spent};
+use lsystem::render::{Pane, Spent};
 
 /// The number of the newest round of panes.
 static ROUNDS: AtomicU32 = AtomicU32::new(0);

@@ -8,10 +8,9 @@ use crate::report::Report;
 use crate::sharing::{Sharing, Turn};
 use crate::surface::Surface;
 use crate::viewer::{Drawn, SLOW, Scene, Snapshot, Viewer, WORK, describe_drawing, go_on};
-use lsystem::{
-    Camera, Counter, Diagnostic, Drawer, Drawing, Effort, Pane, Progress, Quality, Solid, SolidRenderer, Spent, System,
-    Viewport, solid_scale,
-};
+use lsystem::derive::Counter;
+use lsystem::render::{Effort, Pane, Quality, Spent, solid_scale};
+use lsystem::{Camera, Diagnostic, Drawer, Drawing, Progress, Solid, SolidRenderer, System, Viewport};
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 

@@ -1,6 +1,7 @@
 //! Where pixels meet the browser.
 
-use lsystem::{Pane, Viewport};
+use lsystem::Viewport;
+use lsystem::render::Pane;
 use wasm_bindgen::{Clamped, JsCast, JsValue};
 use web_sys::{ImageData, OffscreenCanvas, OffscreenCanvasRenderingContext2d};
 

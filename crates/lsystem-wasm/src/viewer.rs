@@ -8,11 +8,12 @@ use crate::sharing::Sharing;
 #[cfg(feature = "full")]
 use crate::solid::SolidView;
 use crate::surface::Surface;
-use lsystem::{
-    Counter, Diagnostic, Drawer, Drawing, Ink, Progress, Space, Style, System, Tally, View, Viewport, describe,
-};
+use lsystem::derive::{Counter, Tally};
+use lsystem::drawing::{Space, describe};
 #[cfg(feature = "full")]
-use lsystem::{Pane, Spent};
+use lsystem::render::{Pane, Spent};
+use lsystem::syntax::Ink;
+use lsystem::{Diagnostic, Drawer, Drawing, Progress, Style, System, View, Viewport};
 use serde::Serialize;
 use std::sync::Arc;
 use wasm_bindgen::JsValue;

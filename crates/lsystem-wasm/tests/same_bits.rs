@@ -7,10 +7,14 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 #[cfg(target_arch = "wasm32")]
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_dedicated_worker);
 
+use lsystem::derive::Key;
+use lsystem::drawing::Outlook;
+use lsystem::files::SvgForm;
+use lsystem::render::{Detail, Quality};
 use lsystem::{
-    Camera, Definition, DensityRenderer, Detail, Key, Limits, Mesh, Outlook, PlaneRenderer, Progress, Quality,
-    Renderer, SegmentArrays, SolidRenderer, SvgForm, SvgOptions, System, View, Viewport, draw, draw_solid, expand,
-    read_json, write_csv, write_glb, write_obj, write_svg,
+    Camera, Definition, DensityRenderer, Limits, Mesh, PlaneRenderer, Progress, Renderer, SegmentArrays, SolidRenderer,
+    SvgOptions, System, View, Viewport, draw, draw_solid, expand, read_json, write_csv, write_glb, write_obj,
+    write_svg,
 };
 use std::fmt::Write as _;
 use std::sync::Arc;

@@ -4,10 +4,10 @@ mod cases;
 mod naive;
 
 use cases::cases;
-use lsystem::{
-    Ancestor, Definition, History, Limits, Part, Progress, System, Word, draw, draw_solid, fitted_polygon,
-    symbol_of_polygon,
-};
+use lsystem::derive::{Ancestor, History, Part, Word};
+use lsystem::drawing::symbol_of_polygon;
+use lsystem::render::fitted_polygon;
+use lsystem::{Definition, Limits, Progress, System, draw, draw_solid};
 use naive::Module;
 use naive::systems::{Features, system};
 use proptest::prelude::*;

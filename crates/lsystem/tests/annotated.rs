@@ -14,7 +14,8 @@
 //! hint. `UPDATE_EXPECT=1 cargo test -p lsystem --test annotated` writes them: look at the difference.
 
 use expect_test::expect_file;
-use lsystem::{Definition, Diagnostic, Field, Severity, System, parse, read_json};
+use lsystem::syntax::{Field, Severity, parse};
+use lsystem::{Definition, Diagnostic, System, read_json};
 use std::path::{Path, PathBuf};
 
 #[test]

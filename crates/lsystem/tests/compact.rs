@@ -1,9 +1,8 @@
 //! Compact SVG pictures: what they show, how large they are, what they cost.
 
-use lsystem::{
-    ColourBy, Definition, Drawing, Kind, LimitName, Limits, Svg, SvgForm, SvgOptions, System, Tint, draw, read_json,
-    write_svg,
-};
+use lsystem::files::{Svg, SvgForm};
+use lsystem::syntax::{ColourBy, Kind, LimitName, Tint};
+use lsystem::{Definition, Drawing, Limits, SvgOptions, System, draw, read_json, write_svg};
 use std::collections::HashMap;
 use std::path::Path;
 

@@ -6,7 +6,9 @@
 
 mod naive;
 
-use lsystem::{Limits, Rewriter, System, parse};
+use lsystem::derive::Rewriter;
+use lsystem::syntax::parse;
+use lsystem::{Limits, System};
 use std::path::Path;
 
 #[test]

@@ -4,10 +4,13 @@ mod cases;
 mod naive;
 
 use cases::cases;
+use lsystem::derive::Rules;
+use lsystem::drawing::{Segment, Turtle};
+use lsystem::render::{Fitted, Pick, Pointer, Target, fitted_ends, fitted_outline, fitted_scale};
+use lsystem::syntax::{Action, Grammar, Heading, Kind, LimitName, Module, Production};
 use lsystem::{
-    Action, Definition, Diagnostic, Dialect, Drawer, Drawing, Fitted, Grammar, Heading, Kind, LimitName, Limits,
-    Module, Pick, Pointer, Production, Progress, Rules, Segment, SegmentArrays, Style, System, Target, Turtle, View,
-    Viewport, draw, fit, fitted_ends, fitted_outline, fitted_scale, pick,
+    Definition, Diagnostic, Dialect, Drawer, Drawing, Limits, Progress, SegmentArrays, Style, System, View, Viewport,
+    draw, fit, pick,
 };
 use naive::systems::Features;
 use proptest::prelude::*;

@@ -1,10 +1,8 @@
 //! Drawings as files.
 
 use expect_test::{Expect, expect};
-use lsystem::{
-    ColourBy, Definition, Dialect, Drawing, Kind, LimitName, Limits, Style, SvgOptions, System, draw, write_csv,
-    write_svg,
-};
+use lsystem::syntax::{ColourBy, Kind, LimitName};
+use lsystem::{Definition, Dialect, Drawing, Limits, Style, SvgOptions, System, draw, write_csv, write_svg};
 
 fn drawing(definition: &Definition) -> Drawing {
     let (system, diagnostics) = System::new(definition);

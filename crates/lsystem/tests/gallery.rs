@@ -1,9 +1,9 @@
 //! Every file of `data_in` is fit for the gallery.
 
-use lsystem::{
-    Camera, Limits, Pointer, System, View, Viewport, camera_axes, draw, draw_solid, fitted_ends, fitted_polygon,
-    fitted_scale, fitted_solid_ends, pick, pick_solid, read_json, solid_scale, write_json,
+use lsystem::render::{
+    Pointer, camera_axes, fitted_ends, fitted_polygon, fitted_scale, fitted_solid_ends, pick_solid, solid_scale,
 };
+use lsystem::{Camera, Limits, System, View, Viewport, draw, draw_solid, pick, read_json, write_json};
 use std::collections::BTreeSet;
 use std::path::Path;
 

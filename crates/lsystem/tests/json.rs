@@ -4,9 +4,8 @@ mod cases;
 
 use cases::cases;
 use expect_test::expect;
-use lsystem::{
-    Colour, ColourBy, Definition, Diagnostic, Dialect, Ink, Style, System, read_json, render_diagnostic, write_json,
-};
+use lsystem::syntax::{Colour, ColourBy, Ink};
+use lsystem::{Definition, Diagnostic, Dialect, Style, System, read_json, render_diagnostic, write_json};
 use proptest::prelude::*;
 use std::path::Path;
 

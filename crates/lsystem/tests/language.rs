@@ -4,7 +4,8 @@ mod cases;
 mod naive;
 
 use cases::cases;
-use lsystem::{Fault, Letter, Limits, Rewriter, System};
+use lsystem::derive::{Fault, Letter, Rewriter};
+use lsystem::{Limits, System};
 use naive::systems::{Features, system};
 use proptest::prelude::*;
 

@@ -1,6 +1,7 @@
 //! Meshes as files: what the formats say of themselves holds.
 
-use lsystem::{Definition, Kind, LimitName, Limits, Mesh, System, draw_solid, write_glb, write_obj};
+use lsystem::syntax::{Kind, LimitName};
+use lsystem::{Definition, Limits, Mesh, System, draw_solid, write_glb, write_obj};
 use serde_json::Value;
 
 fn mesh(axiom: &str, n: u32, most: u64) -> Result<Mesh, lsystem::Diagnostic> {

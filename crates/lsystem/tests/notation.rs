@@ -3,10 +3,11 @@
 mod cases;
 
 use cases::cases;
-use lsystem::{
-    Constant, Definition, Diagnostic, Expr, Function, Grammar, Kind, Module, Operator, Pattern, Production, Seen,
-    System, parse, parse_overrides, print_axiom, print_overrides, print_rules,
+use lsystem::syntax::{
+    Constant, Expr, Function, Grammar, Kind, Module, Operator, Pattern, Production, Seen, parse, parse_overrides,
+    print_axiom, print_overrides, print_rules,
 };
+use lsystem::{Definition, Diagnostic, System};
 use proptest::prelude::*;
 
 /// Letters, everything that the notation gives a meaning, look-alikes, things that cannot be seen, and the rest.
@@ -165,9 +166,9 @@ proptest! {
         prop_assert_eq!(system.is_none(), diagnostics.iter().any(Diagnostic::is_error));
         for diagnostic in diagnostics {
             let text = match diagnostic.field {
-                lsystem::Field::Axiom => &definition.axiom,
-                lsystem::Field::Rules => &definition.rules,
-                lsystem::Field::Overrides => &definition.overrides,
+                lsystem::syntax::Field::Axiom => &definition.axiom,
+                lsystem::syntax::Field::Rules => &definition.rules,
+                lsystem::syntax::Field::Overrides => &definition.overrides,
                 _ => continue,
             };
             prop_assert!(text.get(diagnostic.span.clone()).is_some(), "{:?} in {:?}", diagnostic, text);

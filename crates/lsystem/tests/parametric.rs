@@ -4,7 +4,8 @@ mod cases;
 mod naive;
 
 use cases::cases;
-use lsystem::{Definition, Drawing, Kind, Limits, System, count_segments, count_symbols, draw};
+use lsystem::syntax::Kind;
+use lsystem::{Definition, Drawing, Limits, System, count_segments, count_symbols, draw};
 use proptest::prelude::*;
 
 fn system(axiom: &str, rules: &str) -> System {

@@ -3,11 +3,12 @@
 mod cases;
 
 use cases::cases;
-use lsystem::{
-    Camera, Definition, Drawing, Limits, Mark, Pick, Plane, Pointer, Solid, Space, Style, System, Target, View,
-    Viewport, camera_axes, draw, draw_solid, fitted_ends, fitted_polygon, fitted_scale, fitted_solid_ends,
-    fitted_solid_polygon, pick, pick_solid, solid_scale,
+use lsystem::drawing::{Mark, Plane, Space};
+use lsystem::render::{
+    Pick, Pointer, Target, camera_axes, fitted_ends, fitted_polygon, fitted_scale, fitted_solid_ends,
+    fitted_solid_polygon, pick_solid, solid_scale,
 };
+use lsystem::{Camera, Definition, Drawing, Limits, Solid, Style, System, View, Viewport, draw, draw_solid, pick};
 use proptest::prelude::*;
 
 const VIEWPORT: Viewport = Viewport { width: 400, height: 300, ratio: 1.0 };

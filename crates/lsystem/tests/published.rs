@@ -2,9 +2,10 @@
 
 mod naive;
 
-use lsystem::{
-    Definition, Kind, Limits, Rewriter, System, Template, count_symbols, expand, expand_once, expand_symbol,
-};
+use lsystem::derive::{Rewriter, Template};
+use lsystem::drawing::{expand_once, expand_symbol};
+use lsystem::syntax::Kind;
+use lsystem::{Definition, Limits, System, count_symbols, expand};
 use std::sync::Arc;
 
 fn system(axiom: &str, rules: &str) -> System {

@@ -1,7 +1,8 @@
 //! Diagnostics as printed, and spans in JavaScript's units.
 
 use expect_test::{Expect, expect};
-use lsystem::{parse, read_json, render_diagnostic, utf16_span};
+use lsystem::syntax::{parse, utf16_span};
+use lsystem::{read_json, render_diagnostic};
 use proptest::prelude::*;
 
 fn check(rules: &str, expected: &Expect) {

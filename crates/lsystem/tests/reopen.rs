@@ -1,9 +1,8 @@
 //! Files that carry a system give it back.
 
-use lsystem::{
-    Definition, Diagnostic, Kind, Limits, MAX_TEXT, SvgForm, SvgOptions, System, draw, read_file, read_json, tag_png,
-    write_json, write_svg,
-};
+use lsystem::files::{SvgForm, tag_png};
+use lsystem::syntax::{Kind, MAX_TEXT};
+use lsystem::{Definition, Diagnostic, Limits, SvgOptions, System, draw, read_file, read_json, write_json, write_svg};
 use proptest::prelude::*;
 use std::path::Path;
 

@@ -3,7 +3,8 @@
 
 mod naive;
 
-use lsystem::{Definition, Limits, Segment, Space, System, count_segments, count_symbols, draw, draw_solid, expand};
+use lsystem::drawing::{Segment, Space};
+use lsystem::{Definition, Limits, System, count_segments, count_symbols, draw, draw_solid, expand};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 

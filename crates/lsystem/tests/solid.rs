@@ -4,10 +4,9 @@ mod cases;
 mod naive;
 
 use cases::cases;
-use lsystem::{
-    Action, Definition, Dialect, Drawing, Kind, LimitName, Limits, Mark, Outlook, Segment, Solid, System, draw,
-    draw_solid,
-};
+use lsystem::drawing::{Mark, Outlook, Segment};
+use lsystem::syntax::{Action, Kind, LimitName};
+use lsystem::{Definition, Dialect, Drawing, Limits, Solid, System, draw, draw_solid};
 use proptest::prelude::*;
 
 fn system(definition: &Definition) -> System {

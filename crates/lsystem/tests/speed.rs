@@ -1,6 +1,8 @@
 //! Timings of drawing, printed: `cargo test --release -p lsystem --test speed -- --ignored --nocapture`.
 
-use lsystem::{Definition, Dialect, Limits, Outlook, Rewriter, SegmentArrays, System, draw, draw_solid, expand_into};
+use lsystem::derive::Rewriter;
+use lsystem::drawing::{Outlook, expand_into};
+use lsystem::{Definition, Dialect, Limits, SegmentArrays, System, draw, draw_solid};
 use std::hint::black_box;
 use std::time::Instant;
 

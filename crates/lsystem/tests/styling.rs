@@ -4,9 +4,9 @@ mod cases;
 mod naive;
 
 use cases::cases;
-use lsystem::{
-    ColourBy, Definition, Limits, Mark, Segment, Style, System, Tint, draw, draw_solid, read_json, write_json,
-};
+use lsystem::drawing::{Mark, Segment};
+use lsystem::syntax::{ColourBy, Tint};
+use lsystem::{Definition, Limits, Style, System, draw, draw_solid, read_json, write_json};
 use proptest::prelude::*;
 
 fn system(definition: &Definition) -> System {
@@ -239,7 +239,7 @@ fn a_seed_varies_all_of_a_plant_and_growing_keeps_it() {
 
 #[test]
 fn palettes_wrap_or_hold() {
-    let colour = |text: &str| text.parse::<lsystem::Colour>().unwrap();
+    let colour = |text: &str| text.parse::<lsystem::syntax::Colour>().unwrap();
     let style = Style { palette: vec![colour("red"), colour("lime")], colour_by: ColourBy::Level, ..Style::default() };
     let tint = |level| Tint { level, ..Tint::default() };
     assert_eq!(style.colour_of(tint(4)), colour("red"));

@@ -1,9 +1,12 @@
 //! Drawings and files of unusual systems: what once did not end, or was no picture.
 
+use lsystem::drawing::{Outlook, expand_symbol};
+use lsystem::files::SvgForm;
+use lsystem::render::{Pointer, pick_solid};
+use lsystem::syntax::{Expected, Kind, LimitName, MAX_TEXT, Meter};
 use lsystem::{
-    Camera, Definition, Drawer, Expected, Kind, LimitName, Limits, MAX_TEXT, Mesh, Meter, Outlook, Pointer, Progress,
-    Style, SvgForm, SvgOptions, System, View, Viewport, draw, draw_solid, expand_symbol, pick, pick_solid, read_file,
-    read_json, write_csv, write_json, write_svg,
+    Camera, Definition, Drawer, Limits, Mesh, Progress, Style, SvgOptions, System, View, Viewport, draw, draw_solid,
+    pick, read_file, read_json, write_csv, write_json, write_svg,
 };
 
 fn system(definition: &Definition) -> System {

@@ -2,7 +2,9 @@
 
 use crate::files;
 use anyhow::{Context, Result, bail};
-use lsystem::{Definition, Diagnostic, Field, Limits, System, draw, draw_solid, kind, read_json, render_diagnostic};
+use lsystem::drawing::kind;
+use lsystem::syntax::Field;
+use lsystem::{Definition, Diagnostic, Limits, System, draw, draw_solid, read_json, render_diagnostic};
 use serde_json::{Value, json};
 use std::path::Path;
 

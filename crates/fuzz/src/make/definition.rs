@@ -3,7 +3,8 @@
 use super::text::{Features, overrides, rules, soup, word};
 use super::view::style;
 use crate::Source;
-use lsystem::{ColourBy, Definition, Dialect, Ink, Limits, System};
+use lsystem::syntax::{ColourBy, Ink};
+use lsystem::{Definition, Dialect, Limits, System};
 
 /// What a page may spend; as in `crates/lsystem-wasm`.
 const PAGE: Limits =

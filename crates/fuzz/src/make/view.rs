@@ -1,7 +1,8 @@
 //! How pictures look, and where they look at.
 
 use crate::Source;
-use lsystem::{Camera, Colour, ColourBy, Ink, Style, View, Viewport};
+use lsystem::syntax::{Colour, ColourBy, Ink};
+use lsystem::{Camera, Style, View, Viewport};
 
 /// A style.
 pub(crate) fn style(source: &mut Source<'_>) -> Style {

@@ -4,10 +4,10 @@ use crate::gauge::WORK;
 use crate::make;
 use crate::naive::{self, Module};
 use crate::{Gauge, Source};
-use lsystem::{
-    Ancestor, Definition, Dialect, History, Limits, Part, System, Tally, count_segments, count_symbols, describe,
-    expand, expand_once, expand_symbol, kind, legend, print_module, why_empty,
-};
+use lsystem::derive::{Ancestor, History, Part, Tally};
+use lsystem::drawing::{describe, expand_once, expand_symbol, kind, legend, why_empty};
+use lsystem::syntax::print_module;
+use lsystem::{Definition, Dialect, Limits, System, count_segments, count_symbols, expand};
 
 /// Words longer than this are not compared: the naive way is quadratic here and there.
 const FEW: usize = 400;

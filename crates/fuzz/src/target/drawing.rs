@@ -3,10 +3,10 @@
 use super::derive::{is_judged, words};
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make, naive};
-use lsystem::{
-    Definition, Drawer, Drawing, Heading, Limits, Outlook, Progress, Segment, SegmentArrays, Solid, Space, System, fit,
-    fitted_ends, fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, symbol_of_polygon,
-};
+use lsystem::drawing::{Outlook, Segment, Space, symbol_of_polygon};
+use lsystem::render::{fitted_ends, fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon};
+use lsystem::syntax::Heading;
+use lsystem::{Definition, Drawer, Drawing, Limits, Progress, SegmentArrays, Solid, System, fit};
 use std::sync::Arc;
 
 /// A drawing in the plane, made in steps.
@@ -153,8 +153,8 @@ fn is_comparable(definition: &Definition, system: &System, n: u32) -> bool {
 }
 
 /// Whether an action has a number of usual size, if any.
-fn is_usual(action: lsystem::Action) -> bool {
-    use lsystem::Action::{
+fn is_usual(action: lsystem::syntax::Action) -> bool {
+    use lsystem::syntax::Action::{
         Draw, DrawUnmarked, Move, MoveUnmarked, PitchDown, PitchUp, RollLeft, RollRight, ScaleWidth, SetWidth,
         TurnLeft, TurnRight,
     };

@@ -2,9 +2,11 @@
 
 use super::drawing::{drawn, drawn_in_space};
 use crate::{Gauge, Source, make};
+use lsystem::drawing::Outlook;
+use lsystem::files::SvgForm;
 use lsystem::{
-    Definition, Diagnostic, Drawing, Mesh, Outlook, Style, SvgForm, SvgOptions, read_file, write_csv, write_glb,
-    write_json, write_obj, write_svg,
+    Definition, Diagnostic, Drawing, Mesh, Style, SvgOptions, read_file, write_csv, write_glb, write_json, write_obj,
+    write_svg,
 };
 
 /// The most segments of a file here.

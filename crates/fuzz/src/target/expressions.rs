@@ -2,7 +2,9 @@
 
 use crate::make::{expression, soup};
 use crate::{Gauge, Source, naive};
-use lsystem::{Definition, Limits, Rewriter, System, parse, print_axiom, print_rules};
+use lsystem::derive::Rewriter;
+use lsystem::syntax::{parse, print_axiom, print_rules};
+use lsystem::{Definition, Limits, System};
 
 /// Expressions in the axiom, in successors, conditions and weights.
 pub(super) fn expressions(source: &mut Source<'_>, gauge: &mut Gauge) {

@@ -2,9 +2,11 @@
 
 use crate::make::{self, soup};
 use crate::{Gauge, Source};
+use lsystem::files::tag_png;
+use lsystem::syntax::Field;
 use lsystem::{
-    Definition, Diagnostic, Field, Limits, SvgOptions, System, draw, read_file, read_json, render_diagnostic, tag_png,
-    write_json, write_svg,
+    Definition, Diagnostic, Limits, SvgOptions, System, draw, read_file, read_json, render_diagnostic, write_json,
+    write_svg,
 };
 
 /// JSON that is right, and JSON with something wrong in it.

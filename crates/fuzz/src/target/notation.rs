@@ -2,10 +2,10 @@
 
 use crate::make::{self, soup};
 use crate::{Gauge, Source};
-use lsystem::{
-    Definition, Diagnostic, Field, System, classify, parse, parse_overrides, print_axiom, print_overrides, print_rules,
-    render_diagnostic, utf16_letters, utf16_span,
+use lsystem::syntax::{
+    Field, classify, parse, parse_overrides, print_axiom, print_overrides, print_rules, utf16_letters, utf16_span,
 };
+use lsystem::{Definition, Diagnostic, System, render_diagnostic};
 
 /// Axiom, rules and overrides as text.
 pub(super) fn notation(source: &mut Source<'_>, gauge: &mut Gauge) {

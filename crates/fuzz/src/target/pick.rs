@@ -2,7 +2,8 @@
 
 use super::drawing::{drawn, drawn_in_space};
 use crate::{Gauge, Source, make};
-use lsystem::{Pick, Pointer, Target, pick as pick_in_plane, pick_solid};
+use lsystem::pick as pick_in_plane;
+use lsystem::render::{Pick, Pointer, Target, pick_solid};
 
 /// A few pointers on a picture.
 pub(super) fn pick(source: &mut Source<'_>, gauge: &mut Gauge) {

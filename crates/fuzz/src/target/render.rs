@@ -3,9 +3,10 @@
 use super::drawing::drawn;
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
+use lsystem::render::{Detail, Pane, Pass, RenderStats, fitted_scale};
 use lsystem::{
-    Definition, DensityRenderer, Detail, Dialect, Drawing, Pane, Pass, PlaneRenderer, Progress, RenderStats, Renderer,
-    Style, System, View, Viewport, fit, fitted_scale,
+    Definition, DensityRenderer, Dialect, Drawing, PlaneRenderer, Progress, Renderer, Style, System, View, Viewport,
+    fit,
 };
 use std::sync::Arc;
 

@@ -3,7 +3,8 @@
 use super::drawing::drawn_in_space;
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
-use lsystem::{Effort, Pane, Progress, Quality, SolidRenderer, Spent, Style, camera_axes, solid_scale};
+use lsystem::render::{Effort, Pane, Quality, Spent, camera_axes, solid_scale};
+use lsystem::{Progress, SolidRenderer, Style};
 
 /// Drawings in space, still, moving and in panes.
 pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {

@@ -15,7 +15,7 @@ mod table;
 
 pub use history::History;
 pub use image::Image;
-pub use modules::{Age, Modules};
+pub use modules::Age;
 pub use step::{Fault, Rewriter};
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 use super::*;
-use crate::{ContextPattern, Key, Letter, LetterId, Rule, Rules, Template};
+use crate::rules::ContextPattern;
+use crate::{Key, Letter, LetterId, Rule, Rules, Template};
 use lsystem_syntax::Code;
 use lsystem_syntax::Operator;
 use lsystem_syntax::{LimitName, Limits};

@@ -44,7 +44,7 @@ pub use pane::Pane;
 pub use pick::pick;
 pub(crate) use search::{Aim, Order, Sight, covers, nearest_on, search};
 pub use search::{Pick, Pointer, Target};
-pub use view::{Detail, Rect, View, Viewport, fit, fitted_scale};
+pub use view::{Detail, View, Viewport, fit, fitted_scale};
 
 use lsystem_drawing::Drawing;
 use lsystem_syntax::{Meter, Progress, Style};

@@ -2,7 +2,10 @@
 
 use crate::record::{Record, SHARE};
 use crate::systems::{Case, LENGTHS, cases, generations, is_thorough, shrinking};
-use lsystem::{Definition, Fault, LimitName, Limits, Meter, Progress, Rewriter, System, why_empty};
+use lsystem::derive::{Fault, Rewriter};
+use lsystem::drawing::why_empty;
+use lsystem::syntax::{LimitName, Meter};
+use lsystem::{Definition, Limits, Progress, System};
 
 /// Small limits, so that they are passed soon.
 const LIMITS: Limits =
@@ -76,7 +79,7 @@ fn counts(name: &str, system: &System, n: u32) {
 fn whole_strings(name: &str, system: &System, n: u32) {
     let limits = Limits { symbols: 1 << 20, work: 50_000, ..LIMITS };
     let mut record = Record::new("expand", name, n);
-    let (_, spent) = lsystem::expand_counted(system, n, &limits);
+    let (_, spent) = lsystem::drawing::expand_counted(system, n, &limits);
     record.call(spent);
     record.finish(MOST_OF_A_CALL);
     let mut record = Record::new("word", name, n);

@@ -1,9 +1,9 @@
 //! Drawing: what steps and synchronous calls cost.
 
 use super::systems::{LENGTHS, cases, generations};
-use lsystem::{
-    Definition, Dialect, Drawer, Drawing, Kind, LimitName, Limits, Meter, Progress, Space, System, draw, draw_solid,
-};
+use lsystem::drawing::Space;
+use lsystem::syntax::{Kind, LimitName, Meter};
+use lsystem::{Definition, Dialect, Drawer, Drawing, Limits, Progress, System, draw, draw_solid};
 
 /// What a page may spend.
 pub(crate) const LIMITS: Limits =

@@ -2,7 +2,10 @@
 
 use super::drawing::{LIMITS, Largest, finished};
 use super::systems::cases;
-use lsystem::{CsvWriter, Drawer, GlbWriter, MeshMaker, Meter, ObjWriter, Progress, SvgOptions, SvgWriter};
+use lsystem::drawing::MeshMaker;
+use lsystem::files::{CsvWriter, GlbWriter, ObjWriter, SvgWriter};
+use lsystem::syntax::Meter;
+use lsystem::{Drawer, Progress, SvgOptions};
 
 /// Units that a step may do.
 const SHARE: u64 = 1 << 14;

@@ -1,9 +1,11 @@
 //! What the steps of pictures may cost.
 
 use crate::systems::{Case, LENGTHS, LONGEST, cases, generations, is_thorough};
+use lsystem::render::{Detail, Pointer, Quality, pick_solid};
+use lsystem::syntax::{Ink, Meter};
 use lsystem::{
-    Camera, DensityRenderer, Detail, Drawing, Ink, Limits, Meter, PlaneRenderer, Pointer, Progress, Quality, Renderer,
-    Solid, SolidRenderer, Style, View, Viewport, draw, draw_solid, pick, pick_solid,
+    Camera, DensityRenderer, Drawing, Limits, PlaneRenderer, Progress, Renderer, Solid, SolidRenderer, Style, View,
+    Viewport, draw, draw_solid, pick,
 };
 use std::collections::BTreeMap;
 use std::sync::Arc;

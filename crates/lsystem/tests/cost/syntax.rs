@@ -1,7 +1,9 @@
 //! The cost of reading texts. Where reading took the square of a text's length, the longest of these would never end.
 
 use crate::systems::{LONGEST, texts};
-use lsystem::{MAX_ACTIONS, System, classify, kind, legend, parse_overrides};
+use lsystem::System;
+use lsystem::drawing::{kind, legend};
+use lsystem::syntax::{MAX_ACTIONS, classify, parse_overrides};
 use std::time::{Duration, Instant};
 
 /// Diagnostics of one text at most, and one that tells how many more there are.

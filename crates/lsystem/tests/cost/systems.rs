@@ -3,7 +3,8 @@
 // Each phase uses what it needs.
 #![allow(dead_code, reason = "a phase may need only some of the generators")]
 
-use lsystem::{Definition, Dialect, MAX_TEXT, System};
+use lsystem::syntax::MAX_TEXT;
+use lsystem::{Definition, Dialect, System};
 
 /// Lengths of successors and axioms, in symbols; the last is about the longest that a text can hold.
 pub(crate) const LENGTHS: [usize; 4] = [1, 100, 10_000, LONGEST];

@@ -1,6 +1,7 @@
 //! Derivation as the book defines it: the word as a tree of branches, expressions evaluated as they are written.
 
-use lsystem::{Expr, Function, Grammar, Heading, Key, Operator, Pattern, Production};
+use lsystem::derive::Key;
+use lsystem::syntax::{Expr, Function, Grammar, Heading, Operator, Pattern, Production};
 
 /// A module of a word.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,7 +4,10 @@
 //! program, and headings are floating-point degrees that are summed up.
 #![allow(dead_code, unreachable_pub, unused_imports, reason = "each test binary uses its own part")]
 
-use lsystem::{Action, Colouring, Dialect, Grammar, Purpose, Segment, Space, System, Turtle};
+use lsystem::derive::Purpose;
+use lsystem::drawing::{Colouring, Segment, Space, Turtle};
+use lsystem::syntax::{Action, Grammar};
+use lsystem::{Dialect, System};
 
 mod derive;
 mod space;

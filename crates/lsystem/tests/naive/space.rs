@@ -1,7 +1,9 @@
 //! The turtle in space, the plain way: three vectors that are rotated by Rodrigues' formula.
 
 use super::{Pen, actions, drawn, replaced, shorter, slot, whims};
-use lsystem::{Action, Segment, Solid, System};
+use lsystem::drawing::Segment;
+use lsystem::syntax::Action;
+use lsystem::{Solid, System};
 
 type Vector = [f64; 3];
 
@@ -84,7 +86,7 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
             let number = module.arguments.first().filter(|_| index == 0);
             let [longer, farther] = whims(system, n, &module, slot(actions(system, module.symbol), index));
             let longer = longer * state.pen.scale;
-            let by = |degrees: Option<f64>, own: lsystem::Heading| {
+            let by = |degrees: Option<f64>, own: lsystem::syntax::Heading| {
                 (shorter(degrees.unwrap_or(own.degrees())) * farther).to_radians()
             };
             let before = state.at;
