@@ -7,7 +7,7 @@ use crate::{Failure, print};
 use lsystem::derive::Tally;
 use lsystem::drawing::Space;
 use lsystem::syntax::visible;
-use lsystem::{Diagnostic, Drawing, Limits, System, count_segments, count_symbols};
+use lsystem::{Diagnostic, Drawing, Limits, Progress, System, count_segments, count_symbols};
 use serde::Serialize;
 use std::fmt::{self, Display};
 use std::path::PathBuf;
@@ -87,10 +87,7 @@ fn facts_in<S: Space>(
     let drawing = draw(system, n, &input.limits);
     let (drawn, limit) = (drawing.as_ref().ok(), drawing.as_ref().err());
     let now = Counts::new(input, n, drawn);
-    let before = n.checked_sub(1).map(|n| match now.derived {
-        true => Counts::new(input, n, draw(system, n, &input.limits).ok().as_ref()),
-        false => Counts::new(input, n, None::<&Drawing<S>>),
-    });
+    let before = n.checked_sub(1).map(|n| Counts::new(input, n, None::<&Drawing<S>>));
     let ratio = |of: fn(&Counts) -> &Option<Tally>| ratio(of(&now).as_ref()?, of(before.as_ref()?).as_ref()?);
     Facts {
         file: input.file.display().to_string(),
@@ -110,23 +107,39 @@ fn facts_in<S: Space>(
 }
 
 /// Of one generation; `None` where a limit is passed before they are known.
+#[derive(Default)]
 struct Counts {
     symbols: Option<Tally>,
     segments: Option<Tally>,
-    /// Whether they depend on random choices, so that deriving was the only way.
-    derived: bool,
 }
 
 impl Counts {
-    /// Of generation `n`, which `drawing` shows; `None` where it is too large to be drawn.
+    /// Of generation `n`: added up, or as its drawing knows, or derived.
     fn new<S: Space>(input: &Input, n: u32, drawing: Option<&Drawing<S>>) -> Self {
-        let (symbols, segments) = (count_symbols(&input.system, n), count_segments(&input.system, n));
-        let derived = symbols.is_none() || segments.is_none();
-        Self {
-            symbols: symbols.or_else(|| Some(drawing?.symbol_count()?.into())),
-            segments: segments.or_else(|| Some(drawing?.segment_count().into())),
-            derived,
+        let summed = Self { symbols: count_symbols(&input.system, n), segments: count_segments(&input.system, n) };
+        let drawn = || Self {
+            symbols: drawing.and_then(|drawing| Some(drawing.symbol_count()?.into())),
+            segments: drawing.map(|drawing| drawing.segment_count().into()),
+        };
+        summed.or(drawn).or(|| Self::derived(input, n))
+    }
+
+    /// Of generation `n`, derived.
+    fn derived(input: &Input, n: u32) -> Self {
+        let Some(mut history) = input.system.history(n, &input.limits) else { return Self::default() };
+        while history.step(1 << 20) == Progress::More {}
+        let symbols = history.symbols(n);
+        let segments = symbols.and_then(|symbols| history.segments_before(symbols));
+        Self { symbols: symbols.map(Tally::from), segments: segments.map(Tally::from) }
+    }
+
+    /// With what is not known from elsewhere.
+    fn or(self, elsewhere: impl FnOnce() -> Self) -> Self {
+        if self.symbols.is_some() && self.segments.is_some() {
+            return self;
         }
+        let other = elsewhere();
+        Self { symbols: self.symbols.or(other.symbols), segments: self.segments.or(other.segments) }
     }
 }
 
