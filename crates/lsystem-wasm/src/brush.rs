@@ -4,7 +4,9 @@ use crate::viewer::Scene;
 #[cfg(feature = "full")]
 use lsystem::DensityRenderer;
 use lsystem::render::{Detail, RenderStats};
+#[cfg(feature = "full")]
 use lsystem::render::{Pane, Pass, Spent};
+#[cfg(feature = "full")]
 use lsystem::syntax::Ink;
 use lsystem::{Drawing, PlaneRenderer, Progress, Renderer, Style, Viewport};
 use std::sync::Arc;

@@ -15,6 +15,7 @@ use crate::viewer::{Drawn, SLOW, Scene, Viewer, WORK, describe_drawing, go_on};
 use lsystem::Viewport;
 use lsystem::derive::Counter;
 use lsystem::render::{Detail, fitted_scale};
+#[cfg(feature = "full")]
 use lsystem::render::{Pane, Pass, Spent};
 use lsystem::syntax::Ink;
 use lsystem::{Diagnostic, Drawer, Drawing, Progress, System};
