@@ -5,11 +5,11 @@
 //! order. Systems whose pieces are not all alike (stochastic or unbalanced productions) are materialised into a
 //! tree of blocks of the same type, so every reader sees one shape of data.
 
+mod block;
 mod body;
 mod budget;
 mod builder;
 mod bulk;
-mod contents;
 mod drawer;
 mod extent;
 mod girth;
@@ -26,18 +26,13 @@ mod segments;
 mod shape;
 mod sheet;
 mod solid;
-mod style;
 mod tally;
 mod tree;
 mod vertical;
 
-pub(crate) use body::Body;
-pub(crate) use body::{Extent as SolidExtent, Survey as SolidSurvey};
-pub(crate) use builder::{Builder, Enclosed, reserve};
+pub use block::{Block, BlockId, Item, Placed, Polygon, Space, Stroke};
 pub use bulk::SegmentArrays;
-pub(crate) use contents::Contents;
 pub use drawer::{Drawer, draw};
-pub(crate) use extent::Survey as PlaneSurvey;
 pub(crate) use graph::Effect;
 pub use hull::hull;
 pub use marks::Mark;
@@ -49,9 +44,11 @@ pub(crate) use segments::Segments;
 pub use shape::{Line, Shape, shapes};
 pub use solid::draw_solid;
 
-use crate::turtle::finite;
-use crate::{Plane, Space};
-use core::ops::Range;
+use self::block::Contents;
+use crate::Plane;
+use crate::room::bytes_of;
+use crate::space::finite;
+use crate::style::StyleChange;
 use lsystem_derive::LetterId;
 use lsystem_syntax::{Diagnostic, LimitName, Meter};
 use std::sync::OnceLock;
@@ -158,13 +155,13 @@ impl<S: Space> Drawing<S> {
     /// pictures are made from.
     #[must_use]
     pub fn bytes(&self) -> u64 {
-        let pieces: u64 = self.pieces.iter().map(builder::bytes_of).sum();
-        builder::bytes_of(&self.blocks)
-            + builder::bytes_of(&self.items)
-            + builder::bytes_of(&self.corners)
-            + builder::bytes_of(&self.vertices)
-            + builder::bytes_of(&self.styles)
-            + builder::bytes_of(&self.places)
+        let pieces: u64 = self.pieces.iter().map(bytes_of).sum();
+        bytes_of(&self.blocks)
+            + bytes_of(&self.items)
+            + bytes_of(&self.corners)
+            + bytes_of(&self.vertices)
+            + bytes_of(&self.styles)
+            + bytes_of(&self.places)
             + pieces
             + self.scene.bytes(self.memoised)
     }
@@ -331,122 +328,6 @@ impl<S: Space> Drawing<S> {
         let exponent = self.root.map_or(0, |root| self.blocks[root.0 as usize].exponent);
         finite(libm::scalbn(self.step, exponent))
     }
-}
-
-/// Which of a drawing's blocks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct BlockId(pub u32);
-
-/// Which of a drawing's style changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct StyleId(pub u32);
-
-/// A piece of a drawing, in its own frame: the turtle enters at the origin heading along +x.
-#[derive(Clone, Debug)]
-pub struct Block<S: Space = Plane> {
-    /// Its contents in drawing order.
-    pub items: Range<u32>,
-    /// One unit of this block's frame is `2^exponent` step lengths, chosen so that its farthest coordinate is at least
-    /// 0.5 and less than 1 away from its origin. Powers of two cost no precision and keep n = 1,000 within range.
-    pub exponent: i32,
-    /// How many segments it draws; `u128::MAX` stands for that many or more.
-    pub segments: u128,
-    /// How many polygons it fills; `u128::MAX` stands for that many or more.
-    pub polygons: u128,
-    /// A convex body that contains every segment's axis (strokes' widths apart), in block units.
-    pub hull: S::Hull,
-    /// How far the hull may be larger than the smallest one of its sort, in block units: nothing to speak of, unless
-    /// the smallest one is very complicated.
-    pub slack: f64,
-    /// No stroke inside is wider than this change makes the width at entry.
-    pub widest: WidthChange,
-}
-
-/// Something a block contains.
-#[derive(Clone, Copy, Debug)]
-pub enum Item<S: Space = Plane> {
-    /// One segment.
-    Stroke(Stroke<S>),
-    /// A filled polygon.
-    Polygon(Polygon),
-    /// A smaller block.
-    Block(Placed<S>),
-}
-
-/// One segment, in block units.
-#[derive(Clone, Copy, Debug)]
-pub struct Stroke<S: Space = Plane> {
-    /// Where it starts.
-    pub from: S::Point,
-    /// Where it ends.
-    pub to: S::Point,
-    /// The style it is drawn in, relative to the block's entry.
-    pub style: StyleId,
-}
-
-/// A filled polygon: inside is what its outline winds around a number of times other than zero.
-#[derive(Clone, Copy, Debug)]
-pub struct Polygon {
-    /// Its first vertex among the drawing's.
-    pub first: u32,
-    /// How many vertices it has: at least 3, each joined to the next and the last to the first. Block units.
-    pub count: u32,
-    /// The style it is filled in, relative to the block's entry.
-    pub style: StyleId,
-    /// The place of the symbol that opens it: where blocks are shared in the axiom or the successor that its block comes
-    /// of, otherwise in the whole string; 0-based.
-    pub symbol: u32,
-}
-
-impl Polygon {
-    /// Its vertices among the drawing's.
-    pub fn range(&self) -> Range<usize> {
-        self.first as usize..(self.first + self.count) as usize
-    }
-}
-
-/// A block placed in another block's frame: `p -> at + scale * rotate(heading, p)`.
-#[derive(Clone, Copy, Debug)]
-pub struct Placed<S: Space = Plane> {
-    /// Which block.
-    pub block: BlockId,
-    /// The style at its entry, relative to the containing block's entry.
-    pub style: StyleId,
-    /// Its origin, in the containing block's units.
-    pub at: S::Point,
-    /// How it is turned.
-    pub heading: S::Turn,
-    /// Containing units for one of its own: length factor times `2^(its exponent - the container's)`.
-    pub scale: f64,
-}
-
-/// What has happened to the style since a block's entry. Changes compose, which is why styled drawings memoise.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StyleChange {
-    /// What has happened to the colour index.
-    pub colour: ColourChange,
-    /// What has happened to the width.
-    pub width: WidthChange,
-    /// How many branches deeper.
-    pub level: u32,
-}
-
-/// A change of the colour index.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ColourChange {
-    /// Becomes this.
-    Set(i32),
-    /// Goes up by this.
-    Add(i32),
-}
-
-/// A change of the stroke width: `w -> factor * w + offset`, in multiples of the step length.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WidthChange {
-    /// What the width is multiplied by.
-    pub factor: f64,
-    /// What is added then.
-    pub offset: f64,
 }
 
 /// One segment of a drawing, in model units, y up.

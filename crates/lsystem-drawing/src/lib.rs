@@ -7,12 +7,15 @@
 //! reads what was derived, in the [`Plane`] or in space ([`Solid`]); a [`Drawer`] remembers what it has drawn.
 
 // The order of the data.
-pub mod rotation;
-mod turtle;
+mod room;
 
 mod plane;
+pub mod rotation;
 mod solid;
 mod space;
+mod style;
+mod turtle;
+
 mod system;
 
 mod drawn;
@@ -30,17 +33,15 @@ mod testing;
 
 pub use describe::{describe, kind, legend, why_empty};
 pub use drawing::{
-    Block, BlockId, ColourChange, Drawer, Drawing, Frame, Item, Line, Mark, MarkReader, Outlook, Placed, Polygon,
-    SceneSize, Segment, SegmentArrays, Shape, Stroke, StyleChange, StyleId, WidthChange, draw, draw_solid, hull,
-    shapes,
+    Block, BlockId, Drawer, Drawing, Frame, Item, Line, Mark, MarkReader, Outlook, Placed, Polygon, SceneSize, Segment,
+    SegmentArrays, Shape, Space, Stroke, draw, draw_solid, hull, shapes,
 };
 pub use mesh::{Mesh, MeshMaker};
 pub use opening::symbol_of_polygon;
 pub use plane::{Directions, Plane};
 pub use solid::Solid;
-pub use space::{Space, times};
+pub use space::{Geometry, exponent_of, finite, times};
 pub use strings::{count_segments, count_symbols, expand, expand_counted, expand_into, expand_once, expand_symbol};
+pub use style::{ColourChange, StyleChange, StyleId, WidthChange};
 pub use system::System;
-pub use turtle::{Colouring, Turtle, exponent_of, finite};
-
-pub(crate) use turtle::Tropism;
+pub use turtle::{Colouring, Turtle};

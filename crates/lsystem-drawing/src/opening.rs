@@ -1,7 +1,7 @@
 //! Which symbol opens a polygon.
 
-use crate::space::Space;
-use crate::{BlockId, Drawing, Item, System};
+use crate::drawing::{BlockId, Item, Space};
+use crate::{Drawing, System};
 use lsystem_derive::{LetterId, Word};
 
 /// The position of the symbol that opens the polygon `number` (0-based, in the order in which they are opened) of

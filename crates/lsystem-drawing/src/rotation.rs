@@ -1,7 +1,17 @@
 //! Rotations in space.
 
-use crate::space::Axis;
 use lsystem_syntax::Heading;
+
+/// One of the turtle's own axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// The heading: a positive turn about it rolls the turtle's left upwards.
+    Ahead,
+    /// To the left: a positive turn about it pitches the heading down.
+    Left,
+    /// Upwards: a positive turn about it turns the heading to the left.
+    Up,
+}
 
 /// A vector or a point: x, y, z.
 pub type Vector = [f64; 3];

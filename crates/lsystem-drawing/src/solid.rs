@@ -1,26 +1,21 @@
-//! Space of three dimensions: frames are rotation matrices, hulls are boxes and balls.
+//! Space of three dimensions: frames are rotation matrices.
 
-use crate::Tropism;
-use crate::drawing::SceneSize;
-use crate::drawing::{BlockId, Body, Builder, Contents, Enclosed, Item, SolidExtent, SolidSurvey as Survey};
+use crate::rotation::Axis;
 use crate::rotation::{Rotation, Vector, combine};
-use crate::space::{Axis, Space};
-use lsystem_syntax::{Heading, Meter};
+use crate::space::{Geometry, Tropism};
+use lsystem_syntax::Heading;
 
 /// Drawings in space: x to the right, y up, z towards the viewer. A turtle with the usual heading of 90 degrees starts
 /// with its heading up, its left along -x and its own up towards the viewer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Solid;
 
-impl Space for Solid {
+impl Geometry for Solid {
     type Point = Vector;
     type Turn = Rotation;
     /// Heading, left and up.
     type Axes = [Vector; 3];
     type Directions = ();
-    type Hull = Body;
-    type Extent = SolidExtent;
-    type Survey = Survey;
 
     const AHEAD: Rotation = Rotation::NONE;
     const AXES: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -68,25 +63,5 @@ impl Space for Solid {
 
     fn point(model: [f64; 3]) -> Vector {
         model
-    }
-
-    fn enclose(builder: &mut Builder<Self>, items: &[Item<Self>]) -> Enclosed<Self> {
-        Body::enclose(builder.contents(), items)
-    }
-
-    fn measure(size: &mut SceneSize, items: &[Item<Self>]) {
-        size.add(items);
-    }
-
-    fn least_picture() -> u64 {
-        SceneSize::LEAST
-    }
-
-    fn survey(root: BlockId) -> Survey {
-        Survey::new(root)
-    }
-
-    fn advance(survey: &mut Survey, contents: Contents<'_, Self>, meter: &mut Meter) -> Option<SolidExtent> {
-        survey.step(contents, meter)
     }
 }

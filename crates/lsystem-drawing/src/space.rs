@@ -1,15 +1,12 @@
-//! The spaces that a turtle moves in: one drawing, one builder and one reader serve all of them.
+//! The spaces that a turtle moves in: points, turns, and how they lie in each other.
 
-use crate::Tropism;
-use crate::drawing::SceneSize;
-use crate::drawing::{BlockId, Builder, Contents, Enclosed, Item};
-use crate::turtle::exponent_of;
+use crate::rotation::Axis;
 use core::fmt::Debug;
-use lsystem_syntax::{Heading, Meter};
+use lsystem_syntax::Heading;
 
-/// What a drawing needs to know of its space. In every space a block's frame is the turtle's at its entry: at the
+/// What a turtle needs to know of its space. In every space a block's frame is the turtle's at its entry: at the
 /// origin, heading along +x, its left along +y; in [`Solid`](crate::Solid) space its up along +z.
-pub trait Space: Copy + Debug + PartialEq + 'static {
+pub trait Geometry: Copy + Debug + PartialEq + 'static {
     /// Coordinates: x, y, and z where there is one.
     type Point: Copy + Debug + Default + PartialEq + AsRef<[f64]> + AsMut<[f64]>;
     /// How one frame is turned against another.
@@ -18,16 +15,9 @@ pub trait Space: Copy + Debug + PartialEq + 'static {
     type Axes: Copy + Debug;
     /// Remembers axes of turns met before, where that pays.
     type Directions: Clone + Debug;
-    /// A convex body that contains what a block draws, in block units.
-    type Hull: Clone + Debug;
-    /// The smallest box around a drawing.
-    type Extent: Copy + Debug;
-    /// Looks for that box.
-    type Survey: Clone + Debug;
-
     /// Straight ahead.
     const AHEAD: Self::Turn;
-    /// The axes of [`Space::AHEAD`].
+    /// The axes of [`Geometry::AHEAD`].
     const AXES: Self::Axes;
     /// Upwards in the model.
     const UPWARDS: Self::Point;
@@ -67,35 +57,6 @@ pub trait Space: Copy + Debug + PartialEq + 'static {
 
     /// A point from the first coordinates of the model.
     fn point(model: [f64; 3]) -> Self::Point;
-
-    /// What contains all `items`, which may place blocks that the builder has made.
-    fn enclose(builder: &mut Builder<Self>, items: &[Item<Self>]) -> Enclosed<Self>;
-
-    /// Counts what a block with these items takes where pictures are made of it, beside the drawing itself.
-    fn measure(_size: &mut SceneSize, _items: &[Item<Self>]) {}
-
-    /// What a segment takes there at least, in bytes.
-    fn least_picture() -> u64 {
-        0
-    }
-
-    /// Ready to look for the extent of a block in its own units.
-    fn survey(root: BlockId) -> Self::Survey;
-
-    /// Looks on until the meter is spent; the extent when it is found, after a bounded number of calls. It does not
-    /// depend on how much each of them may do.
-    fn advance(survey: &mut Self::Survey, contents: Contents<'_, Self>, meter: &mut Meter) -> Option<Self::Extent>;
-}
-
-/// One of the turtle's own axes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
-    /// The heading: a positive turn about it rolls the turtle's left upwards.
-    Ahead,
-    /// To the left: a positive turn about it pitches the heading down.
-    Left,
-    /// Upwards: a positive turn about it turns the heading to the left.
-    Up,
 }
 
 /// The exponent of the unit in which something that reaches this far is at least 0.5 and less than 1 long. What is
@@ -122,4 +83,24 @@ pub(crate) fn minus<P: AsMut<[f64]> + AsRef<[f64]>>(mut a: P, b: &P) -> P {
 /// The farthest coordinate.
 pub(crate) fn reach<P: AsRef<[f64]>>(point: &P) -> f64 {
     point.as_ref().iter().fold(0.0, |reach, c| reach.max(c.abs()))
+}
+
+/// A pull upon the turtle's heading (ABOP, section 2.1): after each segment the heading H turns towards the vector T by
+/// `elasticity * |H x T|` radians.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tropism {
+    /// T, in the directions of the model: x to the right, y up, z towards the viewer.
+    pub vector: [f64; 3],
+    /// How easily branches bend.
+    pub elasticity: f64,
+}
+
+/// The least `e` with `size < 2^e`; 0 for zero.
+pub fn exponent_of(size: f64) -> i32 {
+    libm::frexp(size).1
+}
+
+/// `value`, or the nearest finite number; 0 where there is none.
+pub fn finite(value: f64) -> f64 {
+    if value.is_nan() { 0.0 } else { value.clamp(-f64::MAX, f64::MAX) }
 }

@@ -1,6 +1,7 @@
 //! A system ready for derivation and drawing.
 
-use crate::{Colouring, Tropism, Turtle};
+use crate::space::Tropism;
+use crate::{Colouring, Turtle};
 use core::ops::Range;
 use lsystem_derive::{Letter, Rules};
 use lsystem_syntax::notation::{self, Places, Reading};

@@ -1,8 +1,10 @@
 //! The turtle: what each letter of a rules does, and from where it starts.
 
-use crate::drawing::{StyleChange, WidthChange, reserve};
-use crate::space::{Axis, Space};
-use crate::{ColourChange, Plane};
+use crate::Plane;
+use crate::room::reserve;
+use crate::rotation::Axis;
+use crate::space::{Geometry, Tropism, exponent_of, finite};
+use crate::style::{ColourChange, StyleChange, WidthChange};
 use lsystem_derive::{Fate, LetterId, Purpose};
 use lsystem_syntax::{Action, Heading};
 
@@ -62,19 +64,9 @@ pub enum Colouring {
     Generations,
 }
 
-/// A pull upon the turtle's heading (ABOP, section 2.1): after each segment the heading H turns towards the vector T by
-/// `elasticity * |H x T|` radians.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tropism {
-    /// T, in the directions of the model: x to the right, y up, z towards the viewer.
-    pub vector: [f64; 3],
-    /// How easily branches bend.
-    pub elasticity: f64,
-}
-
 /// An action with every default filled in.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Op<S: Space = Plane> {
+pub(crate) enum Op<S: Geometry = Plane> {
     /// Go forward and draw; in units of [`Score::unit`].
     Draw(f64),
     /// Go forward without drawing; in the same units.
@@ -94,7 +86,7 @@ pub(crate) enum Op<S: Space = Plane> {
 
 /// A rotation about one of the turtle's own axes, also ready for use.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Turning<S: Space> {
+pub(crate) struct Turning<S: Geometry> {
     pub turn: S::Turn,
     about: Axis,
     by: Heading,
@@ -111,7 +103,7 @@ pub(crate) struct Deeper {
 
 /// A turtle's actions made ready to run, in units that keep every length at most 1.
 #[derive(Clone, Debug)]
-pub(crate) struct Score<S: Space = Plane> {
+pub(crate) struct Score<S: Geometry = Plane> {
     /// By letter; empty for letters that are out of reach.
     pub ops: Vec<Vec<Op<S>>>,
     /// A length of 1 is `2^exponent` steps.
@@ -157,8 +149,13 @@ impl Default for Turtle {
 }
 
 impl Turtle {
+    /// How it is turned at the start.
+    pub(crate) fn start_turn<S: Geometry>(&self) -> S::Turn {
+        S::turn(Axis::Up, self.heading)
+    }
+
     /// The actions of the `reachable` letters.
-    pub(crate) fn score<S: Space>(&self, reachable: &[bool]) -> Score<S> {
+    pub(crate) fn score<S: Geometry>(&self, reachable: &[bool]) -> Score<S> {
         let mut ops: Vec<Vec<Op<S>>> = (self.actions.iter().zip(reachable))
             .map(|(actions, &reached)| if reached { self.ops(actions) } else { vec![] })
             .collect();
@@ -190,7 +187,7 @@ impl Turtle {
     }
 
     /// What a letter does, lengths in steps.
-    fn ops<S: Space>(&self, actions: &[Action]) -> Vec<Op<S>> {
+    fn ops<S: Geometry>(&self, actions: &[Action]) -> Vec<Op<S>> {
         let mut ops = Vec::with_capacity(actions.len());
         let corners = self.actions.iter().flatten().any(|action| *action == Action::OpenPolygon);
         for &action in actions {
@@ -217,7 +214,7 @@ impl Turtle {
     }
 
     /// An action, lengths in steps.
-    fn op<S: Space>(&self, action: Action) -> Op<S> {
+    fn op<S: Geometry>(&self, action: Action) -> Op<S> {
         let turn = |about: Axis, degrees: Option<f64>, own: Heading| {
             Op::Turn(Turning::new(about, degrees.map_or(own, Heading::from_degrees), false))
         };
@@ -258,7 +255,7 @@ impl Turtle {
     }
 }
 
-impl<S: Space> Score<S> {
+impl<S: Geometry> Score<S> {
     /// Whether a letter goes anywhere.
     pub(crate) fn goes(&self, letter: LetterId) -> bool {
         self.ops[usize::from(letter)].iter().any(|op| matches!(op, Op::Draw(_) | Op::Move(_)))
@@ -351,7 +348,7 @@ impl<S: Space> Score<S> {
     }
 }
 
-impl<S: Space> Turning<S> {
+impl<S: Geometry> Turning<S> {
     fn new(about: Axis, by: Heading, back: bool) -> Self {
         Self { turn: S::turn(about, if back { -by } else { by }), about, by, back }
     }
@@ -361,7 +358,7 @@ impl<S: Space> Turning<S> {
     }
 }
 
-impl<S: Space> Op<S> {
+impl<S: Geometry> Op<S> {
     /// The same with lengths times `2^exponent`.
     fn scaled(self, exponent: i32) -> Self {
         match self {
@@ -374,7 +371,7 @@ impl<S: Space> Op<S> {
 
 /// Where the turtle is and how it draws.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Pen<S: Space = Plane> {
+pub(crate) struct Pen<S: Geometry = Plane> {
     pub at: S::Point,
     pub heading: S::Turn,
     pub style: StyleChange,
@@ -385,7 +382,7 @@ pub(crate) struct Pen<S: Space = Plane> {
 }
 
 /// What a pen draws upon.
-pub(crate) trait Paper<S: Space> {
+pub(crate) trait Paper<S: Geometry> {
     /// A segment.
     fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange);
     /// A polygon begins.
@@ -396,7 +393,7 @@ pub(crate) trait Paper<S: Space> {
     fn close(&mut self);
 }
 
-impl<S: Space> Pen<S> {
+impl<S: Geometry> Pen<S> {
     /// At the origin.
     pub(crate) fn new(heading: S::Turn, style: StyleChange) -> Self {
         Self { at: S::Point::default(), heading, style, scale: 1.0, vertical: S::UPWARDS }
@@ -446,13 +443,3 @@ impl<S: Space> Pen<S> {
 
 /// Branches in branches do not make lengths larger than this many times: far beyond any picture.
 pub(crate) const LARGEST: f64 = 1e30;
-
-/// The least `e` with `size < 2^e`; 0 for zero.
-pub fn exponent_of(size: f64) -> i32 {
-    libm::frexp(size).1
-}
-
-/// `value`, or the nearest finite number; 0 where there is none.
-pub fn finite(value: f64) -> f64 {
-    if value.is_nan() { 0.0 } else { value.clamp(-f64::MAX, f64::MAX) }
-}

@@ -4,8 +4,9 @@
 //! slack does not add up from block to block, as it would where bodies were made from bodies alone.
 
 use super::girth::{self, Girth, Outwards};
-use super::{Block, BlockId, Contents, Enclosed, Item, Placed};
 use crate::Solid;
+use crate::drawing::block::{Block, BlockId, Contents, Enclosed, Ground, Item, Placed, Space};
+use crate::drawing::scene::SceneSize;
 use crate::rotation::{Vector, dot, norm};
 use crate::space::unit_of;
 use core::cmp::Ordering;
@@ -22,6 +23,42 @@ pub struct Body {
     pub high: [f64; 3],
     /// Of the ball.
     pub radius: f64,
+}
+
+impl Space for Solid {
+    type Hull = Body;
+    type Extent = Extent;
+    type Survey = Survey;
+
+    fn enclose(ground: Ground<'_, Self>, items: &[Item<Self>]) -> Enclosed<Self> {
+        let Ground { blocks, items: made, corners, vertices, .. } = ground;
+        Body::enclose(Contents { blocks, items: made, corners, vertices }, items)
+    }
+
+    fn measure(size: &mut SceneSize, items: &[Item<Self>]) {
+        let (mut lines, mut links) = (0, 0);
+        for item in items {
+            match item {
+                Item::Stroke(_) => lines += 1,
+                // Or less: a polygon of so many vertices has two triangles fewer.
+                Item::Polygon(polygon) => lines += (polygon.count as usize).saturating_sub(2),
+                Item::Block(_) => links += 1,
+            }
+        }
+        size.add(lines, links);
+    }
+
+    fn least_picture() -> u64 {
+        SceneSize::LEAST
+    }
+
+    fn survey(root: BlockId) -> Survey {
+        Survey::new(root)
+    }
+
+    fn advance(survey: &mut Survey, contents: Contents<'_, Self>, meter: &mut Meter) -> Option<Extent> {
+        survey.step(contents, meter)
+    }
 }
 
 /// How exact a block's body is, compared with its size, where that takes few steps.

@@ -1,8 +1,7 @@
 //! Whether a drawing stays within its limits, and up to which n it would.
 
-use super::Item;
 use super::materialise::{Census, Outcome};
-use crate::space::Space;
+use crate::drawing::block::{Item, Space};
 use crate::turtle::{Op, Score};
 use lsystem_derive::{LetterId, Rewrite, Rules};
 use lsystem_syntax::{LimitName, Limits, Meter};

@@ -1,14 +1,15 @@
 //! Blocks in the making: every block gets its exponent, hull, count and widest stroke here.
 
-use super::SceneSize;
-use super::style::Styles;
-use super::{Block, BlockId, Contents, Item, Placed, Stroke, StyleChange, StyleId, WidthChange};
 use crate::Plane;
-use crate::space::{Space, times};
+use crate::drawing::block::{Block, BlockId, Contents, Enclosed, Ground, Item, Placed, Space, Stroke};
+use crate::drawing::scene::SceneSize;
+use crate::room::{bytes_for, bytes_of, reserve};
+use crate::space::times;
+use crate::style::{StyleChange, StyleId, Styles, WidthChange};
 
 /// The growing vectors of a [`Drawing`](super::Drawing).
 #[derive(Clone, Debug)]
-pub struct Builder<S: Space = Plane> {
+pub(crate) struct Builder<S: Space = Plane> {
     pub blocks: Vec<Block<S>>,
     pub items: Vec<Item<S>>,
     pub corners: Vec<S::Point>,
@@ -28,26 +29,13 @@ pub struct Builder<S: Space = Plane> {
     pub is_full: bool,
 }
 
-/// What contains some items.
-#[derive(Clone, Debug)]
-pub struct Enclosed<S: Space> {
-    /// In units that are `2^shift` times those of the items, so that the farthest coordinate is within 1.
-    pub hull: S::Hull,
-    /// As in [`Block::slack`].
-    pub slack: f64,
-    /// The exponent that is added to the items'.
-    pub shift: i32,
-    /// The units of work that finding it has taken.
-    pub work: u64,
-}
-
 impl<S: Space> Builder<S> {
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self::within(u64::MAX)
     }
 
     /// A builder that takes at most so many bytes.
-    pub fn within(memory: u64) -> Self {
+    pub(crate) fn within(memory: u64) -> Self {
         Self {
             scene: SceneSize::default(),
             work: 0,
@@ -63,17 +51,17 @@ impl<S: Space> Builder<S> {
         }
     }
 
-    pub fn contents(&self) -> Contents<'_, S> {
+    pub(crate) fn contents(&self) -> Contents<'_, S> {
         Contents { blocks: &self.blocks, items: &self.items, corners: &self.corners, vertices: &self.vertices }
     }
 
     /// The units of work since this was called last.
-    pub fn take_work(&mut self) -> u64 {
+    pub(crate) fn take_work(&mut self) -> u64 {
         core::mem::take(&mut self.work)
     }
 
     /// The bytes that it takes.
-    pub fn bytes(&self) -> u64 {
+    pub(crate) fn bytes(&self) -> u64 {
         bytes_of(&self.blocks)
             + bytes_of(&self.items)
             + bytes_of(&self.corners)
@@ -83,7 +71,7 @@ impl<S: Space> Builder<S> {
     }
 
     /// Makes room for so many strokes and the blocks of a tree of them, where there is memory for that.
-    pub fn expect(&mut self, strokes: usize) {
+    pub(crate) fn expect(&mut self, strokes: usize) {
         let items = strokes.saturating_add(strokes / 256);
         if bytes_for(&self.items, items).saturating_add(self.bytes()) <= self.memory {
             self.items.reserve_exact(items);
@@ -113,7 +101,7 @@ impl<S: Space> Builder<S> {
     /// Makes a block of `items`, whose coordinates are in units of `2^exponent` steps; `None` without items.
     /// A block that would hold nothing but another one as it is, is that other one. `None`, too, where there is no memory
     /// for it; the builder is then full.
-    pub fn block(&mut self, items: &[Item<S>], exponent: i32) -> Option<BlockId> {
+    pub(crate) fn block(&mut self, items: &[Item<S>], exponent: i32) -> Option<BlockId> {
         match *items {
             [] => return None,
             [Item::Block(only)] if only.is_plain(self, exponent) => return Some(only.block),
@@ -139,7 +127,9 @@ impl<S: Space> Builder<S> {
                 }
             }
         }
-        let Enclosed { hull, slack, shift, work } = S::enclose(self, items);
+        let Self { blocks, items: made, vertices, corners, directions, points, .. } = self;
+        let ground = Ground { blocks, items: made, vertices, corners, directions, points };
+        let Enclosed { hull, slack, shift, work } = S::enclose(ground, items);
         self.work += work + 2 * (1 + items.len() as u64);
         let unit = libm::scalbn(1.0, -shift);
         let first = self.items.len() as u32;
@@ -164,32 +154,6 @@ impl<S: Space> Builder<S> {
 
     fn width(&self, style: StyleId) -> WidthChange {
         self.styles.list[style.0 as usize].width
-    }
-}
-
-/// The bytes that a list takes.
-pub(super) fn bytes_of<T>(list: &Vec<T>) -> u64 {
-    (list.capacity() * size_of::<T>()) as u64
-}
-
-/// How many elements a list has after it has got room for `more`; `None` where it has that already. Short lists
-/// double; long ones grow by an eighth, so that little stays unused.
-fn grown<T>(list: &Vec<T>, more: usize) -> Option<usize> {
-    const SHORT: usize = 1 << 14;
-    let len = list.len();
-    let more_than_asked = if len < SHORT { len } else { len / 8 };
-    (list.capacity() - len < more).then(|| len.saturating_add(more.max(more_than_asked)))
-}
-
-/// The bytes that are taken when a list gets room for `more` elements; 0 where it has that already.
-fn bytes_for<T>(list: &Vec<T>, more: usize) -> u64 {
-    grown(list, more).map_or(0, |elements| elements.saturating_mul(size_of::<T>()) as u64)
-}
-
-/// Makes room for `more` elements.
-pub(crate) fn reserve<T>(list: &mut Vec<T>, more: usize) {
-    if let Some(elements) = grown(list, more) {
-        list.reserve_exact(elements - list.len());
     }
 }
 

@@ -1,8 +1,10 @@
 //! Segments by the million: small blocks are written out once and copied ever after, turned and moved.
 
+use super::Drawing;
 use super::segments::{Frame, Strokes};
-use super::{BlockId, ColourChange, Drawing, Item, StyleChange};
+use crate::drawing::block::{BlockId, Item};
 use crate::plane::Directions;
+use crate::style::{ColourChange, StyleChange};
 use lsystem_syntax::{Diagnostic, Heading, LimitName};
 
 /// Blocks of up to this many segments are copied whole: enough to make a copy's preparation cheap, few enough to

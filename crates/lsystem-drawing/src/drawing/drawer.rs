@@ -1,15 +1,16 @@
 //! Drawing in resumable steps: planned and shared where blocks memoise, derived letter by letter otherwise.
 
+use super::Drawing;
 use super::budget::{Exceeded, Forecast, Search};
-use super::builder::{Builder, bytes_of};
+use super::builder::Builder;
 use super::graph::{self, Level, Origin, Plan, Word, Writing};
 use super::materialise::{Materialiser, Outcome};
 use super::modules::{self, Modular};
 use super::parametric::{self, Parametric};
-use super::{BlockId, Drawing};
-use crate::space::Axis;
+use crate::drawing::block::{BlockId, Space};
+use crate::room::bytes_of;
 use crate::turtle::Score;
-use crate::{Plane, Space, System, Turtle};
+use crate::{Plane, System, Turtle};
 use lsystem_derive::{LetterId, Rules};
 use lsystem_syntax::{Diagnostic, Kind, LimitName, Limits, MAX_ITERATIONS, Meter, Progress};
 use std::sync::{Arc, OnceLock};
@@ -110,7 +111,7 @@ impl<S: Space> Drawer<S> {
         } else if rules.is_deterministic() {
             State::Forecast(Forecast::new(&score))
         } else {
-            State::Materialise(Box::new(Materialiser::new(start::<S>(&turtle), &score, seed, n)))
+            State::Materialise(Box::new(Materialiser::new(turtle.start_turn::<S>(), &score, seed, n)))
         };
         Self {
             rules,
@@ -257,7 +258,7 @@ impl<S: Space> Drawer<S> {
                     }
                     None => {
                         let (letters, origin) = (rules.axiom.letters.as_slice(), Origin { former: None, step: 0 });
-                        let heading = start::<S>(turtle);
+                        let heading = turtle.start_turn::<S>();
                         let root = write(Word { score, below: pieces.last(), letters, origin, heading })?.block;
                         Some(made(root, core::mem::take(pieces)))
                     }
@@ -266,7 +267,7 @@ impl<S: Space> Drawer<S> {
             State::Forecast(forecast) => match forecast.step(rules, limits, *n, meter)? {
                 Ok(segments) => {
                     builder.expect(segments);
-                    Some(State::Materialise(Box::new(Materialiser::new(start::<S>(turtle), score, *seed, *n))))
+                    Some(State::Materialise(Box::new(Materialiser::new(turtle.start_turn::<S>(), score, *seed, *n))))
                 }
                 Err(exceeded) => Some(failed(&exceeded, limits)),
             },
@@ -345,9 +346,4 @@ fn whole<S: Space>(rules: &Arc<Rules>, seed: u32, limits: &Limits, score: &Score
 
 fn failed<S: Space>(exceeded: &Exceeded, limits: &Limits) -> State<S> {
     State::Failed(Diagnostic::limit(exceeded.limit, limits.value(exceeded.limit), exceeded.largest))
-}
-
-/// How the turtle starts.
-pub(super) fn start<S: Space>(turtle: &Turtle) -> S::Turn {
-    S::turn(Axis::Up, turtle.heading)
 }

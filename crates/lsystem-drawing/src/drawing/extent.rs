@@ -1,11 +1,82 @@
 //! How far a drawing reaches, more exactly than hulls of few corners tell.
 
-use super::{BlockId, Contents, Item, Placed};
+use super::hull::hull;
 use crate::Plane;
+use crate::drawing::block::{BlockId, Contents, Enclosed, Ground, Item, Placed, Space};
 use crate::plane::Directions;
+use crate::space::{Geometry, times, unit_of};
+use core::ops::Range;
 use lsystem_syntax::sorted::sort;
 use lsystem_syntax::{Heading, Meter};
 use std::collections::HashMap;
+
+impl Space for Plane {
+    /// Corners of a convex polygon, counter-clockwise; one or two where all is on a point or a line. Rounding may leave
+    /// the end of a segment's axis out by 1e-11.
+    type Hull = Range<u32>;
+    /// Min x, min y, max x, max y.
+    type Extent = [f64; 4];
+    type Survey = Survey;
+
+    fn enclose(ground: Ground<'_, Self>, items: &[Item]) -> Enclosed<Self> {
+        let Ground { blocks, corners, vertices, directions, points, .. } = ground;
+        points.clear();
+        let (mut slack, mut work, mut boxed) = (0.0_f64, 0, 0.0_f64);
+        for item in items {
+            match item {
+                Item::Stroke(stroke) => {
+                    // Most strokes begin where the one before ended.
+                    if points.last() != Some(&stroke.from) {
+                        points.push(stroke.from);
+                    }
+                    points.push(stroke.to);
+                }
+                Item::Polygon(polygon) if polygon.count > LONG => {
+                    let [low, high] = around(&vertices[polygon.range()]);
+                    points.extend([low, [high[0], low[1]], high, [low[0], high[1]]]);
+                    boxed = boxed.max(high[0] - low[0]).max(high[1] - low[1]);
+                    work += u64::from(polygon.count) / 8;
+                }
+                Item::Polygon(polygon) => points.extend(&vertices[polygon.range()]),
+                Item::Block(placed) => {
+                    let block = &blocks[placed.block.0 as usize];
+                    let axes = Self::scaled(directions.cos_sin(placed.heading), placed.scale);
+                    let corners = &corners[block.hull.start as usize..block.hull.end as usize];
+                    points.extend(corners.iter().map(|&corner| Self::lie(&axes, placed.at, corner)));
+                    slack = slack.max(placed.scale * block.slack);
+                }
+            }
+        }
+        let reach = points.iter().flatten().fold(0.0_f64, |reach, c| reach.max(c.abs()));
+        let shift = unit_of(reach);
+        let unit = libm::scalbn(1.0, -shift);
+        points.iter_mut().for_each(|point| *point = times(*point, unit));
+        let (outside, hulled) = hull(points);
+        // Nothing in a box is farther from its sides than the longer one is long.
+        let slack = slack.max(boxed) * unit + outside;
+        let first = corners.len() as u32;
+        corners.extend(&*points);
+        Enclosed { hull: first..corners.len() as u32, slack, shift, work: work + hulled }
+    }
+
+    fn survey(root: BlockId) -> Survey {
+        Survey::new(root)
+    }
+
+    fn advance(survey: &mut Survey, contents: Contents<'_, Self>, meter: &mut Meter) -> Option<[f64; 4]> {
+        survey.step(contents, meter)
+    }
+}
+
+/// Polygons of more vertices than this count for their boxes, where hulls are made: their own hulls would take too long.
+const LONG: u32 = 1 << 14;
+
+/// The least and the greatest coordinates.
+fn around(points: &[[f64; 2]]) -> [[f64; 2]; 2] {
+    points.iter().fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], p| {
+        [[low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])]]
+    })
+}
 
 /// How exact the answer is, in units of the root block, where that takes no more than the effort below.
 const TOLERANCE: f64 = 1e-11;

@@ -1,9 +1,9 @@
 //! How far a drawing in space reaches from its upright axis, at every height: what it needs of a picture, however it is
 //! turned about that axis.
 
-use super::Placed;
 use super::body::{Body, Probe};
 use crate::Solid;
+use crate::drawing::block::Placed;
 use crate::rotation::{Vector, dot, norm};
 
 /// Directions in which a drawing is measured, from straight down to straight up.

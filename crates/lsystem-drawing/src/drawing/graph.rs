@@ -1,10 +1,13 @@
 //! The graph of shared blocks: what each letter draws in each number of steps, built once, from the last step back.
 
-use super::builder::{Builder, bytes_of};
+use super::Piece;
+use super::builder::Builder;
 use super::tree::{Tree, WORD};
-use super::{BlockId, ColourChange, Piece, Placed, StyleChange};
 use crate::Plane;
-use crate::space::{Space, reach, times, unit_of};
+use crate::drawing::block::{BlockId, Placed, Space};
+use crate::room::bytes_of;
+use crate::space::{reach, times, unit_of};
+use crate::style::{ColourChange, StyleChange};
 use crate::turtle::{LARGEST, Op, Pen, Score};
 use lsystem_derive::{LetterId, Rewrite, Rules};
 use lsystem_syntax::Meter;

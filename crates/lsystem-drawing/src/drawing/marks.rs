@@ -1,8 +1,9 @@
 //! What is drawn, segments and polygons, one by one.
 
 use super::segments::{Part, Standing};
-use super::{Drawing, Frame, Segment, StyleChange};
-use crate::space::Space;
+use super::{Drawing, Frame, Segment};
+use crate::drawing::block::Space;
+use crate::style::StyleChange;
 use lsystem_syntax::Tint;
 
 /// Something drawn, in model units.
@@ -41,7 +42,7 @@ impl<S: Space> MarkReader<S> {
     /// The next mark; of the same drawing each time.
     pub fn next(&mut self, drawing: &Drawing<S>) -> Option<Mark<S>> {
         let (part, frame) = self.standing.next_part(drawing)?;
-        let change = |id: super::StyleId| frame.style.then(&drawing.styles[id.0 as usize]);
+        let change = |id: crate::style::StyleId| frame.style.then(&drawing.styles[id.0 as usize]);
         let own = if self.all > 0.0 { (self.segments as f64 + 0.5) / self.all } else { 0.0 };
         let place = drawing.places.get(self.marks).copied().unwrap_or(own);
         self.marks += 1;

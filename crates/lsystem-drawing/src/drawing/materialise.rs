@@ -1,10 +1,11 @@
 //! Drawing letter by letter, where no two pieces need be alike.
 
-use super::builder::{Builder, bytes_of};
+use super::builder::Builder;
 use super::tally::Tally;
 use super::tree::Tree;
-use super::{BlockId, Item, StyleChange};
-use crate::space::Space;
+use crate::drawing::block::{BlockId, Item, Space};
+use crate::room::bytes_of;
+use crate::style::StyleChange;
 use crate::turtle::{Op, Pen, Score};
 use lsystem_derive::{LetterId, Next, Rules, Walk};
 use lsystem_syntax::{LimitName, Limits, Meter};

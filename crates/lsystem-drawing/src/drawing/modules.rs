@@ -1,12 +1,13 @@
 //! Drawing a whole generation, for productions that look around themselves or compute.
 
-use super::builder::{Builder, bytes_of};
-use super::drawer::start;
+use super::builder::Builder;
 use super::tally::Tally;
 use super::tree::Tree;
-use super::{BlockId, StyleChange};
 use crate::Turtle;
-use crate::space::{Space, unit_of};
+use crate::drawing::block::{BlockId, Space};
+use crate::room::bytes_of;
+use crate::space::unit_of;
+use crate::style::StyleChange;
 use crate::turtle::{Op, Pen, Score};
 use lsystem_derive::{Age, Fate, Fault, Image, LetterId, Rewriter, Rules, fault};
 use lsystem_syntax::{Diagnostic, LimitName, Limits, Meter};
@@ -130,7 +131,7 @@ impl<S: Space> Modular<S> {
                         let shift = unit_of(measure.longest);
                         *reader = Reader::default();
                         *stage = Stage::Draw {
-                            pen: Pen::new(start::<S>(turtle), StyleChange::start(score.width)),
+                            pen: Pen::new(turtle.start_turn::<S>(), StyleChange::start(score.width)),
                             saved: Vec::new(),
                             tree: Tree::new(score.exponent.saturating_add(shift)),
                             scale: libm::scalbn(1.0, -shift),

@@ -8,14 +8,14 @@
 
 mod write;
 
-use super::builder::{Builder, bytes_of, reserve};
-use super::drawer::start;
+use super::Piece;
+use super::builder::Builder;
 use super::graph::is_balanced;
 use super::scales::{Keys, Scales, applying};
 use super::vertical::{self, Course, Tilt, vertical_of};
-use super::{BlockId, Piece};
 use crate::Turtle;
-use crate::space::Space;
+use crate::drawing::block::{BlockId, Space};
+use crate::room::{bytes_of, reserve};
 use crate::turtle::{Op, Score};
 use core::ops::Range;
 use lsystem_derive::{Fault, LetterId, Rules, Template, fault};
@@ -184,7 +184,7 @@ impl<S: Space> Parametric<S> {
         let started = started.map_err(|error| fault(rules, error, 0, limits, None))?;
         let word = started.word();
         new.arguments.extend_from_slice(&word.arguments);
-        let (letters, course) = (word.letters.clone(), Course::new(start::<S>(turtle), S::UPWARDS));
+        let (letters, course) = (word.letters.clone(), Course::new(turtle.start_turn::<S>(), S::UPWARDS));
         let planning = Planning { letters, done: 0, argument: 0, made: None, first: 0, depth: n, course };
         new.planning = Some(planning);
         Ok(new)
@@ -220,7 +220,7 @@ impl<S: Space> Parametric<S> {
         }
         let is_top = self.levels.is_empty();
         let begun = match self.levels.last().map(|level| level.get(self.done)) {
-            None => (self.top.clone(), (start::<S>(turtle), S::UPWARDS)),
+            None => (self.top.clone(), (turtle.start_turn::<S>(), S::UPWARDS)),
             Some(Some(state)) => (state.parts.clone(), (S::AHEAD, vertical_of(&state.tilt))),
             Some(None) => {
                 meter.charge(1);

@@ -1,12 +1,13 @@
 //! Drawings in space as drawings in the plane, for everything that is made for paper.
 
+use super::Drawing;
 use super::builder::Builder;
 use super::segments::{Frame, Part, Strokes};
 use super::tree::Tree;
-use super::{Drawing, StyleChange};
 use crate::Solid;
 use crate::plane::Plane;
 use crate::rotation::dot;
+use crate::style::StyleChange;
 use crate::turtle::Paper;
 use lsystem_syntax::Diagnostic;
 use std::sync::OnceLock;

@@ -1,9 +1,6 @@
 //! What pictures in space are made from, counted while the drawing is made: as much again as the drawing itself, so that
 //! the limit of memory holds for both.
 
-use super::Item;
-use crate::Solid;
-
 /// The parts of a scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SceneSize {
@@ -38,17 +35,8 @@ impl SceneSize {
     /// The bytes of a line at least.
     pub const LEAST: u64 = Self::LINE as u64;
 
-    /// Adds what a block with these items becomes, or less: a polygon of so many vertices has two triangles fewer.
-    pub fn add(&mut self, items: &[Item<Solid>]) {
-        let mut lines = 0;
-        let mut links = 0;
-        for item in items {
-            match item {
-                Item::Stroke(_) => lines += 1,
-                Item::Polygon(polygon) => lines += (polygon.count as usize).saturating_sub(2),
-                Item::Block(_) => links += 1,
-            }
-        }
+    /// Adds what a block with so many strokes and triangles, and so many blocks inside, becomes.
+    pub fn add(&mut self, lines: usize, links: usize) {
         self.lines += lines;
         self.links += links;
         let mut row = (lines + links).div_ceil(Self::WIDTH);

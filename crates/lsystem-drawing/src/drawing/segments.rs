@@ -1,8 +1,9 @@
 //! The segments of a drawing, one by one.
 
-use super::{BlockId, Drawing, Item, Placed, Polygon, Segment, Stroke, StyleChange};
+use super::{Drawing, Segment};
 use crate::Plane;
-use crate::space::Space;
+use crate::drawing::block::{BlockId, Item, Placed, Polygon, Space, Stroke};
+use crate::style::StyleChange;
 use lsystem_syntax::Heading;
 
 /// Iterates over a drawing's segments in drawing order. Made by [`Drawing::segments`].

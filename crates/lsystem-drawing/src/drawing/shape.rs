@@ -1,7 +1,9 @@
 //! What blocks look like from so far away that only their main features show.
 
-use super::{Drawing, Frame, Item, Stroke, StyleChange};
+use super::{Drawing, Frame};
+use crate::drawing::block::{Item, Stroke};
 use crate::plane::Directions;
+use crate::style::StyleChange;
 
 /// How far rounding may move the ends of strokes that meet, in block units, and bend strokes on a line, in radians.
 const EXACT: f64 = 1e-9;

@@ -1,9 +1,10 @@
 //! Strokes and polygons on their way into a block.
 
-use super::builder::{Builder, bytes_of, reserve};
-use super::style::Styles;
-use super::{Item, Polygon, Stroke, StyleChange};
-use crate::space::{Space, minus};
+use super::builder::Builder;
+use crate::drawing::block::{Item, Polygon, Space, Stroke};
+use crate::room::{bytes_of, reserve};
+use crate::space::minus;
+use crate::style::{StyleChange, Styles};
 use crate::turtle::Paper;
 
 /// What will be the items of one block.

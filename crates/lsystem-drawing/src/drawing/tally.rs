@@ -1,6 +1,6 @@
 //! What a drawing made letter by letter will take: segments, and branches open at the same time.
 
-use crate::space::Space;
+use crate::drawing::block::Space;
 use crate::turtle::Op;
 
 /// What an open branch costs in units of work: its turtle's state takes the memory of as many letters.

@@ -1,9 +1,11 @@
 //! A drawing whose pieces are all different: a tree of blocks of consecutive strokes.
 
-use super::builder::{Builder, bytes_of};
+use super::builder::Builder;
 use super::sheet::{Desk, Sheet, is_hollow, origin, shift};
-use super::{BlockId, Item, Placed, StyleChange};
-use crate::space::{Space, minus};
+use crate::drawing::block::{BlockId, Item, Placed, Space};
+use crate::room::bytes_of;
+use crate::space::minus;
+use crate::style::StyleChange;
 
 /// Strokes and polygons of a block at the bottom: enough to make work by block cheap, few enough to stay in the nearest cache.
 const STROKES: usize = 1024;

@@ -1,7 +1,7 @@
 //! What `$` has to do with sharing: a piece with it depends on where the vertical is in its frame, and on nothing else
 //! of how it stands in the model.
 
-use crate::space::Space;
+use crate::drawing::block::Space;
 use crate::turtle::{Op, Score};
 use lsystem_derive::{LetterId, Rules, Template};
 

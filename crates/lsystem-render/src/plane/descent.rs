@@ -7,7 +7,7 @@ use super::shape::Shape;
 use super::view::Camera;
 use super::wide::Wide;
 use lsystem_drawing::Directions;
-use lsystem_drawing::{BlockId, Drawing, Item, Placed, Plane, Space, StyleChange};
+use lsystem_drawing::{BlockId, Drawing, Geometry, Item, Placed, Plane, StyleChange};
 use lsystem_syntax::{Heading, Meter, Progress};
 
 /// What the turtle carries apart from its position.

@@ -7,7 +7,7 @@ use lsystem_drawing::Directions;
 use lsystem_drawing::exponent_of;
 use lsystem_drawing::hull;
 use lsystem_drawing::times;
-use lsystem_drawing::{Block, BlockId, Drawing, Item, Placed, Plane, Space};
+use lsystem_drawing::{Block, BlockId, Drawing, Geometry, Item, Placed, Plane};
 use lsystem_syntax::Heading;
 
 /// A place relative to the fitted view: right of and above its centre, in fitted extents (the longer side of

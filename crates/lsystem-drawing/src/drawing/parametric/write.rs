@@ -2,11 +2,14 @@
 
 use super::{Deed, Made, Parametric, Part};
 use crate::Turtle;
-use crate::drawing::builder::{Builder, bytes_of};
+use crate::drawing::Piece;
+use crate::drawing::block::Space;
+use crate::drawing::builder::Builder;
 use crate::drawing::graph::{effect, exponent, follow, place};
 use crate::drawing::tree::{Tree, WORD};
-use crate::drawing::{Piece, StyleChange};
-use crate::space::{Space, unit_of};
+use crate::room::bytes_of;
+use crate::space::unit_of;
+use crate::style::StyleChange;
 use crate::turtle::{Op, Pen, Score};
 use core::ops::Range;
 use lsystem_derive::fault;

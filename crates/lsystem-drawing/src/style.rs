@@ -1,8 +1,40 @@
-//! How style changes compose.
+//! What happens to the pen's style, and how such changes compose.
 
-use super::{ColourChange, StyleChange, StyleId, WidthChange};
-use crate::turtle::finite;
+use crate::space::finite;
 use std::collections::HashMap;
+
+/// Which of a drawing's style changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct StyleId(pub u32);
+
+/// What has happened to the style since a block's entry. Changes compose, which is why styled drawings memoise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StyleChange {
+    /// What has happened to the colour index.
+    pub colour: ColourChange,
+    /// What has happened to the width.
+    pub width: WidthChange,
+    /// How many branches deeper.
+    pub level: u32,
+}
+
+/// A change of the colour index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ColourChange {
+    /// Becomes this.
+    Set(i32),
+    /// Goes up by this.
+    Add(i32),
+}
+
+/// A change of the stroke width: `w -> factor * w + offset`, in multiples of the step length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WidthChange {
+    /// What the width is multiplied by.
+    pub factor: f64,
+    /// What is added then.
+    pub offset: f64,
+}
 
 impl StyleChange {
     /// Nothing has happened.
