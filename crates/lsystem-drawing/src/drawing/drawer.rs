@@ -207,63 +207,75 @@ impl<S: Space> Drawer<S> {
         })
     }
 
+    /// Finds which letters are needed at which depth.
+    fn plan(&mut self, meter: &mut Meter) -> Option<State<S>> {
+        let Self { rules, n, limits, .. } = self;
+        let State::Plan(plan) = &mut self.state else { return None };
+        let Some(depths) = plan.depths() else {
+            plan.step(rules, meter);
+            return None;
+        };
+        if plan.cost > limits.segments {
+            let largest = depths.checked_sub(1);
+            return Some(State::Failed(Diagnostic::limit(LimitName::Segments, limits.segments, largest)));
+        }
+        if depths < *n {
+            plan.step(rules, meter);
+            return None;
+        }
+        Some(State::Build { needed: plan.levels(), pieces: vec![], writing: None })
+    }
+
+    /// Makes the pieces of one depth after the other.
+    fn build(&mut self, meter: &mut Meter) -> Option<State<S>> {
+        let Self { rules, turtle, score, n, builder, held, .. } = self;
+        let State::Build { needed, pieces, writing } = &mut self.state else { return None };
+        let depth = pieces.len().saturating_sub(1);
+        let done = pieces.last().map_or(0, Vec::len);
+        let mut write = |word: Word<'_, S>| {
+            let piece = writing.get_or_insert_with(|| Box::new(Writing::new(&word))).step(builder, &word, meter)?;
+            *writing = None;
+            meter.charge(8);
+            Some(piece)
+        };
+        match needed.get(depth).and_then(|letters| letters.get(done)) {
+            Some(&symbol) => {
+                let letters = rules.rewrites[usize::from(symbol)].always().unwrap_or_default();
+                let below = depth.checked_sub(1).map(|below| &pieces[below]);
+                let origin = Origin { former: Some(symbol), step: n.saturating_sub(depth as u32) };
+                let piece = write(Word { score, below, letters, origin, heading: S::AHEAD })?;
+                if pieces.is_empty() {
+                    pieces.push(vec![]);
+                }
+                pieces[depth].push((symbol, piece));
+                None
+            }
+            None if pieces.len() < needed.len() => {
+                *held += pieces.last().map_or(0, bytes_of);
+                pieces.push(vec![]);
+                meter.charge(8);
+                None
+            }
+            None => {
+                let (letters, origin) = (rules.axiom.letters.as_slice(), Origin { former: None, step: 0 });
+                let heading = turtle.start_turn::<S>();
+                let root = write(Word { score, below: pieces.last(), letters, origin, heading })?.block;
+                Some(made(root, core::mem::take(pieces)))
+            }
+        }
+    }
+
     /// Works on in the present state; returns the next one when this one is over.
     // Once is enough in the wasm.
     #[inline(never)]
     fn advance(&mut self, meter: &mut Meter) -> Option<State<S>> {
-        let Self { rules, turtle, score, memoises, seed, n, limits, builder, memoised, symbols, held, .. } = self;
+        match self.state {
+            State::Plan(_) => return self.plan(meter),
+            State::Build { .. } => return self.build(meter),
+            _ => {}
+        }
+        let Self { rules, turtle, score, memoises, seed, n, limits, builder, memoised, symbols, .. } = self;
         match &mut self.state {
-            State::Plan(plan) => {
-                let Some(depths) = plan.depths() else {
-                    plan.step(rules, meter);
-                    return None;
-                };
-                if plan.cost > limits.segments {
-                    let largest = depths.checked_sub(1);
-                    return Some(State::Failed(Diagnostic::limit(LimitName::Segments, limits.segments, largest)));
-                }
-                if depths < *n {
-                    plan.step(rules, meter);
-                    return None;
-                }
-                Some(State::Build { needed: plan.levels(), pieces: vec![], writing: None })
-            }
-            State::Build { needed, pieces, writing } => {
-                let depth = pieces.len().saturating_sub(1);
-                let done = pieces.last().map_or(0, Vec::len);
-                let mut write = |word: Word<'_, S>| {
-                    let piece =
-                        writing.get_or_insert_with(|| Box::new(Writing::new(&word))).step(builder, &word, meter)?;
-                    *writing = None;
-                    meter.charge(8);
-                    Some(piece)
-                };
-                match needed.get(depth).and_then(|letters| letters.get(done)) {
-                    Some(&symbol) => {
-                        let letters = rules.rewrites[usize::from(symbol)].always().unwrap_or_default();
-                        let below = depth.checked_sub(1).map(|below| &pieces[below]);
-                        let origin = Origin { former: Some(symbol), step: n.saturating_sub(depth as u32) };
-                        let piece = write(Word { score, below, letters, origin, heading: S::AHEAD })?;
-                        if pieces.is_empty() {
-                            pieces.push(vec![]);
-                        }
-                        pieces[depth].push((symbol, piece));
-                        None
-                    }
-                    None if pieces.len() < needed.len() => {
-                        *held += pieces.last().map_or(0, bytes_of);
-                        pieces.push(vec![]);
-                        meter.charge(8);
-                        None
-                    }
-                    None => {
-                        let (letters, origin) = (rules.axiom.letters.as_slice(), Origin { former: None, step: 0 });
-                        let heading = turtle.start_turn::<S>();
-                        let root = write(Word { score, below: pieces.last(), letters, origin, heading })?.block;
-                        Some(made(root, core::mem::take(pieces)))
-                    }
-                }
-            }
             State::Forecast(forecast) => match forecast.step(rules, limits, *n, meter)? {
                 Ok(segments) => {
                     builder.expect(segments);
@@ -315,7 +327,7 @@ impl<S: Space> Drawer<S> {
                 let extent = S::advance(survey, builder.contents(), meter)?;
                 Some(State::Done { root: Some(*root), pieces: core::mem::take(pieces), extent: Some(extent) })
             }
-            State::Done { .. } | State::Failed(_) => None,
+            State::Plan(_) | State::Build { .. } | State::Done { .. } | State::Failed(_) => None,
         }
     }
 }

@@ -91,99 +91,131 @@ impl<S: Space> Modular<S> {
     /// Works on for as many modules as the meter allows.
     pub(super) fn step(
         &mut self,
-        (turtle, score): (&Turtle, &Score<S>),
+        with: (&Turtle, &Score<S>),
         builder: &mut Builder<S>,
         limits: &Limits,
         n: u32,
         meter: &mut Meter,
     ) -> Outcome {
-        let Self { rewriter, seed, reader, stage } = self;
-        match stage {
-            Stage::Derive if rewriter.generation() < n => {
-                rewriter.allow(limits.memory.saturating_sub(builder.bytes()));
-                if let Err(passed) = rewriter.advance(meter) {
-                    let reached = rewriter.generation();
-                    let Fault::Limit(passed) = passed else {
-                        return Outcome::Failed(fault(rewriter.rules(), passed, reached, limits, None));
-                    };
-                    return self.recount(passed, reached + 1, limits);
-                }
-                Outcome::Paused
-            }
+        match &self.stage {
+            Stage::Derive if self.rewriter.generation() < n => self.derive(builder, limits, meter),
             Stage::Derive => {
-                rewriter.rest();
-                *stage = Stage::Measure(Measure::default());
+                self.rewriter.rest();
+                self.stage = Stage::Measure(Measure::default());
                 Outcome::Paused
             }
-            Stage::Measure(measure) => {
-                let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| {
-                    measure.add(ops);
-                    Some(0)
-                });
-                let generation = rewriter.generation();
-                match (measure.passed(limits), done) {
-                    (Some(passed), _) => return self.recount(passed, n, limits),
-                    (None, Err(error)) => {
-                        return Outcome::Failed(fault(rewriter.rules(), error, generation, limits, None));
-                    }
-                    (None, Ok(false)) => {}
-                    (None, Ok(true)) => {
-                        let shift = unit_of(measure.longest);
-                        *reader = Reader::default();
-                        *stage = Stage::Draw {
-                            pen: Pen::new(turtle.start_turn::<S>(), StyleChange::start(score.width)),
-                            saved: Vec::new(),
-                            tree: Tree::new(score.exponent.saturating_add(shift)),
-                            scale: libm::scalbn(1.0, -shift),
-                        };
-                    }
-                }
-                Outcome::Paused
+            Stage::Measure(_) => self.measure(with, limits, n, meter),
+            Stage::Draw { .. } => self.draw(with, builder, limits, meter),
+            Stage::Recount { .. } => self.try_less(with, builder, limits, meter),
+        }
+    }
+
+    fn derive(&mut self, builder: &Builder<S>, limits: &Limits, meter: &mut Meter) -> Outcome {
+        let rewriter = &mut self.rewriter;
+        rewriter.allow(limits.memory.saturating_sub(builder.bytes()));
+        let Err(passed) = rewriter.advance(meter) else { return Outcome::Paused };
+        let reached = rewriter.generation();
+        match passed {
+            Fault::Limit(passed) => self.recount(passed, reached + 1, limits),
+            Fault::NotFinite(_) => Outcome::Failed(fault(rewriter.rules(), passed, reached, limits, None)),
+        }
+    }
+
+    /// Looks whether the last generation stays within the limits, and how long its longest stroke is.
+    fn measure(
+        &mut self,
+        (turtle, score): (&Turtle, &Score<S>),
+        limits: &Limits,
+        n: u32,
+        meter: &mut Meter,
+    ) -> Outcome {
+        let Self { rewriter, seed, reader, stage } = self;
+        let Stage::Measure(measure) = stage else { return Outcome::Paused };
+        let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| {
+            measure.add(ops);
+            Some(0)
+        });
+        let generation = rewriter.generation();
+        match (measure.passed(limits), done) {
+            (Some(passed), _) => return self.recount(passed, n, limits),
+            (None, Err(error)) => {
+                return Outcome::Failed(fault(rewriter.rules(), error, generation, limits, None));
             }
-            Stage::Draw { pen, saved, tree, scale } => {
-                let derived = rewriter.bytes();
-                let mut act = |place: usize, ops: &[Op<S>]| {
-                    tree.draw(builder, place as u64, |desk, directions| pen.act(ops, saved, *scale, directions, desk));
-                    let bytes = builder.bytes() + derived + bytes_of(saved) + tree.bytes();
-                    let is_full = builder.is_full || bytes > limits.memory;
-                    (!is_full).then(|| builder.take_work())
-                };
-                match reader.read(rewriter, (turtle, score, *seed), meter, &mut act) {
-                    Ok(false) => Outcome::Paused,
-                    Ok(true) => {
-                        let finished = tree.finish_one(builder);
-                        meter.charge(builder.take_work());
-                        finished.map_or(Outcome::Paused, Outcome::Ended)
-                    }
-                    Err(error) => Outcome::Failed(fault(rewriter.rules(), error, rewriter.generation(), limits, None)),
-                }
-            }
-            Stage::Recount { passed, before, next, fits, measure } => {
-                let over = Diagnostic::limit(*passed, limits.value(*passed), *fits);
-                if next >= before {
-                    return Outcome::Failed(over);
-                }
-                if rewriter.generation() < *next {
-                    rewriter.allow(limits.memory.saturating_sub(builder.bytes()));
-                    return if rewriter.advance(meter).is_ok() { Outcome::Paused } else { Outcome::Failed(over) };
-                }
-                let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| {
-                    measure.add(ops);
-                    Some(0)
-                });
-                let within = measure.passed(limits).is_none();
-                if within && done == Ok(false) {
-                    return Outcome::Paused;
-                }
-                if within && done == Ok(true) {
-                    *fits = Some(*next);
-                }
-                *measure = Measure::default();
+            (None, Ok(false)) => {}
+            (None, Ok(true)) => {
+                let shift = unit_of(measure.longest);
                 *reader = Reader::default();
-                *next += 1;
-                Outcome::Paused
+                *stage = Stage::Draw {
+                    pen: Pen::new(turtle.start_turn::<S>(), StyleChange::start(score.width)),
+                    saved: Vec::new(),
+                    tree: Tree::new(score.exponent.saturating_add(shift)),
+                    scale: libm::scalbn(1.0, -shift),
+                };
             }
         }
+        Outcome::Paused
+    }
+
+    fn draw(
+        &mut self,
+        (turtle, score): (&Turtle, &Score<S>),
+        builder: &mut Builder<S>,
+        limits: &Limits,
+        meter: &mut Meter,
+    ) -> Outcome {
+        let Self { rewriter, seed, reader, stage } = self;
+        let Stage::Draw { pen, saved, tree, scale } = stage else { return Outcome::Paused };
+        let derived = rewriter.bytes();
+        let mut act = |place: usize, ops: &[Op<S>]| {
+            tree.draw(builder, place as u64, |desk, directions| pen.act(ops, saved, *scale, directions, desk));
+            let bytes = builder.bytes() + derived + bytes_of(saved) + tree.bytes();
+            let is_full = builder.is_full || bytes > limits.memory;
+            (!is_full).then(|| builder.take_work())
+        };
+        match reader.read(rewriter, (turtle, score, *seed), meter, &mut act) {
+            Ok(false) => Outcome::Paused,
+            Ok(true) => {
+                let finished = tree.finish_one(builder);
+                meter.charge(builder.take_work());
+                finished.map_or(Outcome::Paused, Outcome::Ended)
+            }
+            Err(error) => Outcome::Failed(fault(rewriter.rules(), error, rewriter.generation(), limits, None)),
+        }
+    }
+
+    /// Looks whether a smaller n is within the limits.
+    fn try_less(
+        &mut self,
+        (turtle, score): (&Turtle, &Score<S>),
+        builder: &Builder<S>,
+        limits: &Limits,
+        meter: &mut Meter,
+    ) -> Outcome {
+        let Self { rewriter, seed, reader, stage } = self;
+        let Stage::Recount { passed, before, next, fits, measure } = stage else { return Outcome::Paused };
+        let over = Diagnostic::limit(*passed, limits.value(*passed), *fits);
+        if next >= before {
+            return Outcome::Failed(over);
+        }
+        if rewriter.generation() < *next {
+            rewriter.allow(limits.memory.saturating_sub(builder.bytes()));
+            return if rewriter.advance(meter).is_ok() { Outcome::Paused } else { Outcome::Failed(over) };
+        }
+        let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| {
+            measure.add(ops);
+            Some(0)
+        });
+        let within = measure.passed(limits).is_none();
+        if within && done == Ok(false) {
+            return Outcome::Paused;
+        }
+        if within && done == Ok(true) {
+            *fits = Some(*next);
+        }
+        *measure = Measure::default();
+        *reader = Reader::default();
+        *next += 1;
+        Outcome::Paused
     }
 
     /// Starts again, to find the last generation before `before` that is within all limits.
