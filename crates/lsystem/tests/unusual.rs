@@ -1,10 +1,11 @@
 //! Drawings and files of unusual systems: what once did not end, or was no picture.
 
 use lsystem::{
-    Camera, Definition, Drawer, Expected, Kind, LimitName, Limits, MAX_TEXT, Mesh, Meter, Outlook, Pointer, Progress,
-    Style, SvgForm, SvgOptions, System, View, Viewport, draw, draw_solid, expand_symbol, pick, pick_solid, read_file,
-    read_json, write_csv, write_json, write_svg,
+    Camera, Definition, Drawer, Effort, Expected, Kind, LimitName, Limits, MAX_TEXT, Mesh, Meter, Outlook, Pointer,
+    Progress, Quality, SolidRenderer, Spent, Style, SvgForm, SvgOptions, System, View, Viewport, draw, draw_solid,
+    expand_symbol, pick, pick_solid, read_file, read_json, write_csv, write_json, write_svg,
 };
+use std::sync::Arc;
 
 fn system(definition: &Definition) -> System {
     let (system, diagnostics) = System::new(definition);
@@ -266,4 +267,65 @@ fn distances_at_any_magnification_are_numbers() {
             }
         }
     }
+}
+
+#[test]
+fn wide_strokes_in_space_cover_the_picture_alone() {
+    let definition = Definition {
+        axiom: "YF+-!".into(),
+        rules: "F -> -F".into(),
+        overrides: "-: previous colour 7, turn right 17.3, draw 1".into(),
+        angle: 1e-7,
+        iterations: 1000,
+        style: Style { width: 0.0, min_width: 10_000.0, ..Style::default() },
+        ..Definition::default()
+    };
+    let drawing = draw_solid(&system(&definition), 1000, &Limits::default()).unwrap();
+    let mut renderer = SolidRenderer::new();
+    renderer.load(Arc::new(drawing));
+    let viewport = Viewport { width: 100, height: 2, ratio: 1.0 };
+    let camera = Camera { azimuth: 0.0, perspective: false, ..Camera::default() };
+    renderer.begin(&definition.style, viewport, &camera, Quality::FINEST);
+    while renderer.step(1 << 20) == Progress::More {}
+    // A thousand strokes on so many samples, eight of which are a unit.
+    assert!(renderer.spent() < 1000 * 100 * 8 * 16 / 8, "{}", renderer.spent());
+}
+
+#[test]
+fn panes_of_wide_strokes_in_space_are_the_picture() {
+    let definition = Definition {
+        axiom: "-+".into(),
+        rules: "F -> `é`X\n- -> G`é`B-A\ndraw:\nB -> F`🌱`A+".into(),
+        angle: 30.0,
+        iterations: 7,
+        style: Style { width: 100.0, width_factor: 0.7, min_width: 10.0, ..Style::default() },
+        ..Definition::default()
+    };
+    let drawing = Arc::new(draw_solid(&system(&definition), definition.iterations, &Limits::default()).unwrap());
+    let (viewport, camera) = (Viewport { width: 1920, height: 1080, ratio: 1.0 }, Camera::default());
+    let mut renderer = SolidRenderer::new();
+    renderer.load(drawing);
+    renderer.begin(&definition.style, viewport, &camera, Quality::FINEST);
+    while renderer.step(1 << 20) == Progress::More {}
+    let (whole, spent) = (renderer.pixels().to_vec(), renderer.effort_spent());
+    // More than all its pixels are worth four times over.
+    assert!(spent.work > 4.0 * 2.0 * 1920.0 * 1080.0, "{spent:?}");
+    let mut pixels = vec![0; whole.len()];
+    let mut effort = Effort::new(Quality::FINEST, viewport);
+    loop {
+        let mut spent = Spent::default();
+        for pane in SolidRenderer::panes(viewport) {
+            renderer.begin_pane(&definition.style, viewport, &camera, pane, effort.budget());
+            while renderer.step(1 << 20) == Progress::More {}
+            spent.add(renderer.effort_spent());
+            for (y, row) in renderer.pixels().chunks(pane.width as usize * 4).enumerate() {
+                let at = ((pane.y as usize + y) * 1920 + pane.x as usize) * 4;
+                pixels[at..at + row.len()].copy_from_slice(row);
+            }
+        }
+        if !effort.is_too_small(spent) {
+            break;
+        }
+    }
+    assert!(pixels == whole);
 }

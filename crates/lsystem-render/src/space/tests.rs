@@ -273,8 +273,6 @@ fn pictures_do_not_depend_on_steps() {
     assert_eq!(whole, renderer.pixels());
 }
 
-/// Made pane by pane, in any order and by several renderers, with the budgets that the picture has one after the other,
-/// it is the same picture.
 #[test]
 fn wide_strokes_are_painted_in_steps() {
     let viewport = Viewport { width: 1920, height: 1080, ratio: 1.0 };
@@ -295,6 +293,8 @@ fn wide_strokes_are_painted_in_steps() {
     }
 }
 
+/// Made pane by pane, in any order and by several renderers, with the budgets that the picture has one after the other,
+/// it is the same picture.
 #[test]
 fn panes_together_are_the_picture() {
     let viewport = Viewport { width: 560, height: 400, ratio: 1.0 };
