@@ -1,9 +1,10 @@
 //! Drawings and files of unusual systems: what once did not end, or was no picture.
 
 use lsystem::{
-    Camera, Definition, Drawer, Effort, Expected, Kind, LimitName, Limits, MAX_TEXT, Mesh, Meter, Outlook, Pointer,
-    Progress, Quality, SolidRenderer, Spent, Style, SvgForm, SvgOptions, System, View, Viewport, draw, draw_solid,
-    expand_symbol, pick, pick_solid, read_file, read_json, write_csv, write_json, write_svg,
+    Camera, ColourBy, Definition, DensityRenderer, Detail, Drawer, Effort, Expected, Kind, LimitName, Limits, MAX_TEXT,
+    Mesh, Meter, Outlook, PlaneRenderer, Pointer, Progress, Quality, SolidRenderer, Spent, Style, SvgForm, SvgOptions,
+    System, View, Viewport, draw, draw_solid, expand_symbol, pick, pick_solid, read_file, read_json, write_csv,
+    write_json, write_svg,
 };
 use std::sync::Arc;
 
@@ -266,6 +267,74 @@ fn distances_at_any_magnification_are_numbers() {
                 assert!(pick.distance >= 0.0 && pick.distance <= pointer.tolerance, "{zoom} {at:?} {pick:?}");
             }
         }
+    }
+}
+
+/// A picture of strokes as wide as it, or as long; what it took.
+fn spent_on(
+    renderer: &mut impl PlaneRenderer,
+    definition: &Definition,
+    [width, height]: [u32; 2],
+    ratio: f64,
+    upto: Option<u128>,
+) -> u64 {
+    let drawing = draw(&system(definition), definition.iterations, &Limits::default()).unwrap();
+    renderer.load(Arc::new(drawing));
+    let viewport = Viewport { width, height, ratio };
+    renderer.begin_with(&definition.style, viewport, View::default(), Detail::Fine, upto);
+    while renderer.step(1 << 20) == Progress::More {}
+    renderer.spent()
+}
+
+#[test]
+fn ink_of_strokes_wider_than_the_picture_is_added_in_time() {
+    let several = Definition {
+        axiom: "F".into(),
+        rules: "F -> A[FX-[F-AB-F]Fz]F\nF -> *".into(),
+        angle: 36.0,
+        iterations: 12,
+        style: Style { width: 0.5, min_width: 10_000.0, ..Style::default() },
+        ..Definition::default()
+    };
+    let crossing = Definition {
+        axiom: "A".into(),
+        rules: format!(
+            "B -> AF-\nA -> [FAA]{}A-+B\nF -> {}{}AFF",
+            "fBFB".repeat(5),
+            "FB+A".repeat(31),
+            "A-+FfF".repeat(5)
+        ),
+        angle: -90.0,
+        iterations: 5,
+        style: Style { width: 5.0, ..Style::default() },
+        ..Definition::default()
+    };
+    let straight = Definition {
+        axiom: "G+-f+f".into(),
+        rules: "X -> FFFF+\nP -> -X--A\n+ -> AG[Pf+Y]FB\nQ -> FFF+\nG -> [F[FfF]A]F+GY\nX -> [F]".into(),
+        angle: 180.0,
+        iterations: 181,
+        style: Style { width: 0.5, min_width: 10_000.0, colour_by: ColourBy::Level, ..Style::default() },
+        ..Definition::default()
+    };
+    let turning = Definition {
+        axiom: "FAAA".into(),
+        rules: "A -> FF+[B[XBF+f]F]-\nX -> y[ABA[+]]P-F".into(),
+        angle: 32.729_649_972_170_59,
+        iterations: 153,
+        style: Style { width: 2.0, min_width: 10_000.0, colour_by: ColourBy::Single, ..Style::default() },
+        ..Definition::default()
+    };
+    for (definition, size, ratio, upto) in [
+        (several, [160, 64], 2.0, None),
+        (crossing, [320, 255], 836.0, Some(805_145_473)),
+        (straight, [255, 64], 1.0, None),
+        (turning, [160, 64], 0.5, Some(936_236_962)),
+    ] {
+        let spent = spent_on(&mut DensityRenderer::new(), &definition, size, ratio, upto);
+        // A step of a picture is worth 16 units, and there are some more while ever larger blocks are taken together.
+        let steps = 200_000 + 16 * u64::from(size[0] * size[1]);
+        assert!(spent < 4 * 16 * steps, "{} {size:?}: {spent}", definition.axiom);
     }
 }
 
