@@ -2,9 +2,9 @@
 
 use lsystem::{
     Camera, ColourBy, Definition, DensityRenderer, Detail, Drawer, Effort, Expected, Kind, LimitName, Limits, MAX_TEXT,
-    Mesh, Meter, Outlook, PlaneRenderer, Pointer, Progress, Quality, SolidRenderer, Spent, Style, SvgForm, SvgOptions,
-    System, View, Viewport, draw, draw_solid, expand_symbol, pick, pick_solid, read_file, read_json, write_csv,
-    write_json, write_svg,
+    Mesh, Meter, Outlook, PlaneRenderer, Pointer, Progress, Quality, Renderer, SolidRenderer, Spent, Style, SvgForm,
+    SvgOptions, System, View, Viewport, draw, draw_solid, expand_symbol, pick, pick_solid, read_file, read_json,
+    write_csv, write_json, write_svg,
 };
 use std::sync::Arc;
 
@@ -336,6 +336,21 @@ fn ink_of_strokes_wider_than_the_picture_is_added_in_time() {
         let steps = 200_000 + 16 * u64::from(size[0] * size[1]);
         assert!(spent < 4 * 16 * steps, "{} {size:?}: {spent}", definition.axiom);
     }
+}
+
+#[test]
+fn long_strokes_that_turn_by_next_to_nothing_are_painted_in_time() {
+    let definition = Definition {
+        axiom: "`(`F!".into(),
+        rules: "F -> F+F.A1".into(),
+        angle: 89.999_999,
+        iterations: 98,
+        growth: 0.0,
+        style: Style { width: 2.0, width_factor: 1.5, min_width: 0.0, colour_by: ColourBy::Turn, ..Style::default() },
+        ..Definition::default()
+    };
+    let spent = spent_on(&mut Renderer::new(), &definition, [1920, 1080], 2.0, Some(2_999_074_099));
+    assert!(spent < 150_000_000, "{spent}");
 }
 
 #[test]
