@@ -17,7 +17,7 @@ pub(super) struct Ink {
     pub centre: [f64; 2],
     /// About the centre: the mean of x x, x y and y y.
     pub spread: [f64; 3],
-    /// The same of the directions across the strokes, each a step long.
+    /// The same of the directions across the strokes, each of length 1.
     pub across: [f64; 3],
     /// Whether the line that the block's shape is has the same ink everywhere.
     pub even: bool,
