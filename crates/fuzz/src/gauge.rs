@@ -17,6 +17,8 @@ pub struct Gauge {
     memory: usize,
     /// The most units of work that a step spent.
     work: u64,
+    /// The units of work of all steps.
+    total: u64,
     /// The slowest step or call.
     slowest: (&'static str, Duration),
     /// How far the execution came, by name.
@@ -30,7 +32,7 @@ impl Gauge {
     pub(crate) fn new() -> Self {
         ALLOCATOR.reset_peak_usage();
         let before = ALLOCATOR.current_usage();
-        Self { before, memory: MEMORY, work: 0, slowest: ("", Duration::ZERO), reached: vec![] }
+        Self { before, memory: MEMORY, work: 0, total: 0, slowest: ("", Duration::ZERO), reached: vec![] }
     }
 
     /// Allows so many bytes more, for pixels.
@@ -52,6 +54,7 @@ impl Gauge {
     /// A step with a share of work: what it spends is at most one piece more.
     pub(crate) fn charge(&mut self, name: &'static str, share: u64, spent: u64) {
         self.work = self.work.max(spent);
+        self.total += spent;
         assert!(spent <= share.max(1) + Meter::PIECE, "work: a step of {name} with {share} units spent {spent}");
     }
 
@@ -88,6 +91,12 @@ impl Gauge {
     #[must_use]
     pub fn work(&self) -> u64 {
         self.work
+    }
+
+    /// The units of work of all steps.
+    #[must_use]
+    pub fn total(&self) -> u64 {
+        self.total
     }
 
     /// Bytes held at most, beyond those before.

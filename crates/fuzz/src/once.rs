@@ -64,6 +64,7 @@ pub fn replay(target: &Target, path: &Path) -> Result<()> {
     }
     let (gauge, outcome) = once(target, &mut source);
     let (name, time) = gauge.slowest();
-    println!("{}: peak {} KiB, slowest call {name} {time:?}", target.name, gauge.peak() >> 10);
+    let (peak, total) = (gauge.peak() >> 10, gauge.total());
+    println!("{}: peak {peak} KiB, {total} units of work, slowest call {name} {time:?}", target.name);
     outcome.map_err(|message| anyhow::anyhow!("{message}"))
 }

@@ -2,12 +2,13 @@
 
 use lsystem::drawing::{Outlook, expand_symbol};
 use lsystem::files::SvgForm;
-use lsystem::render::{Pointer, pick_solid};
-use lsystem::syntax::{Expected, Kind, LimitName, MAX_TEXT, Meter};
+use lsystem::render::{Detail, Effort, Pointer, Quality, Spent, pick_solid};
+use lsystem::syntax::{ColourBy, Expected, Kind, LimitName, MAX_TEXT, Meter};
 use lsystem::{
-    Camera, Definition, Drawer, Limits, Mesh, Progress, Style, SvgOptions, System, View, Viewport, draw, draw_solid,
-    pick, read_file, read_json, write_csv, write_json, write_svg,
+    Camera, Definition, DensityRenderer, Drawer, Limits, Mesh, PlaneRenderer, Progress, Renderer, SolidRenderer, Style,
+    SvgOptions, System, View, Viewport, draw, draw_solid, pick, read_file, read_json, write_csv, write_json, write_svg,
 };
+use std::sync::Arc;
 
 fn system(definition: &Definition) -> System {
     let (system, diagnostics) = System::new(definition);
@@ -269,4 +270,148 @@ fn distances_at_any_magnification_are_numbers() {
             }
         }
     }
+}
+
+/// A picture of strokes as wide as it, or as long; what it took.
+fn spent_on(
+    renderer: &mut impl PlaneRenderer,
+    definition: &Definition,
+    [width, height]: [u32; 2],
+    ratio: f64,
+    upto: Option<u128>,
+) -> u64 {
+    let drawing = draw(&system(definition), definition.iterations, &Limits::default()).unwrap();
+    renderer.load(Arc::new(drawing));
+    let viewport = Viewport { width, height, ratio };
+    renderer.begin_with(&definition.style, viewport, View::default(), Detail::Fine, upto);
+    while renderer.step(1 << 20) == Progress::More {}
+    renderer.spent()
+}
+
+#[test]
+fn ink_of_strokes_wider_than_the_picture_is_added_in_time() {
+    let several = Definition {
+        axiom: "F".into(),
+        rules: "F -> A[FX-[F-AB-F]Fz]F\nF -> *".into(),
+        angle: 36.0,
+        iterations: 12,
+        style: Style { width: 0.5, min_width: 10_000.0, ..Style::default() },
+        ..Definition::default()
+    };
+    let crossing = Definition {
+        axiom: "A".into(),
+        rules: format!(
+            "B -> AF-\nA -> [FAA]{}A-+B\nF -> {}{}AFF",
+            "fBFB".repeat(5),
+            "FB+A".repeat(31),
+            "A-+FfF".repeat(5)
+        ),
+        angle: -90.0,
+        iterations: 5,
+        style: Style { width: 5.0, ..Style::default() },
+        ..Definition::default()
+    };
+    let straight = Definition {
+        axiom: "G+-f+f".into(),
+        rules: "X -> FFFF+\nP -> -X--A\n+ -> AG[Pf+Y]FB\nQ -> FFF+\nG -> [F[FfF]A]F+GY\nX -> [F]".into(),
+        angle: 180.0,
+        iterations: 181,
+        style: Style { width: 0.5, min_width: 10_000.0, colour_by: ColourBy::Level, ..Style::default() },
+        ..Definition::default()
+    };
+    let turning = Definition {
+        axiom: "FAAA".into(),
+        rules: "A -> FF+[B[XBF+f]F]-\nX -> y[ABA[+]]P-F".into(),
+        angle: 32.729_649_972_170_59,
+        iterations: 153,
+        style: Style { width: 2.0, min_width: 10_000.0, colour_by: ColourBy::Single, ..Style::default() },
+        ..Definition::default()
+    };
+    for (definition, size, ratio, upto) in [
+        (several, [160, 64], 2.0, None),
+        (crossing, [320, 255], 836.0, Some(805_145_473)),
+        (straight, [255, 64], 1.0, None),
+        (turning, [160, 64], 0.5, Some(936_236_962)),
+    ] {
+        let spent = spent_on(&mut DensityRenderer::new(), &definition, size, ratio, upto);
+        // A step of a picture is worth 16 units, and there are some more while ever larger blocks are taken together.
+        let steps = 200_000 + 16 * u64::from(size[0] * size[1]);
+        assert!(spent < 4 * 16 * steps, "{} {size:?}: {spent}", definition.axiom);
+    }
+}
+
+#[test]
+fn long_strokes_that_turn_by_next_to_nothing_are_painted_in_time() {
+    let definition = Definition {
+        axiom: "`(`F!".into(),
+        rules: "F -> F+F.A1".into(),
+        angle: 89.999_999,
+        iterations: 98,
+        growth: 0.0,
+        style: Style { width: 2.0, width_factor: 1.5, min_width: 0.0, colour_by: ColourBy::Turn, ..Style::default() },
+        ..Definition::default()
+    };
+    let spent = spent_on(&mut Renderer::new(), &definition, [1920, 1080], 2.0, Some(2_999_074_099));
+    assert!(spent < 150_000_000, "{spent}");
+}
+
+#[test]
+fn wide_strokes_in_space_cover_the_picture_alone() {
+    let definition = Definition {
+        axiom: "YF+-!".into(),
+        rules: "F -> -F".into(),
+        overrides: "-: previous colour 7, turn right 17.3, draw 1".into(),
+        angle: 1e-7,
+        iterations: 1000,
+        style: Style { width: 0.0, min_width: 10_000.0, ..Style::default() },
+        ..Definition::default()
+    };
+    let drawing = draw_solid(&system(&definition), 1000, &Limits::default()).unwrap();
+    let mut renderer = SolidRenderer::new();
+    renderer.load(Arc::new(drawing));
+    let viewport = Viewport { width: 100, height: 2, ratio: 1.0 };
+    let camera = Camera { azimuth: 0.0, perspective: false, ..Camera::default() };
+    renderer.begin(&definition.style, viewport, &camera, Quality::FINEST);
+    while renderer.step(1 << 20) == Progress::More {}
+    // A thousand strokes on so many samples, eight of which are a unit.
+    assert!(renderer.spent() < 1000 * 100 * 8 * 16 / 8, "{}", renderer.spent());
+}
+
+#[test]
+fn panes_of_wide_strokes_in_space_are_the_picture() {
+    let definition = Definition {
+        axiom: "-+".into(),
+        rules: "F -> `é`X\n- -> G`é`B-A\ndraw:\nB -> F`🌱`A+".into(),
+        angle: 30.0,
+        iterations: 7,
+        style: Style { width: 100.0, width_factor: 0.7, min_width: 10.0, ..Style::default() },
+        ..Definition::default()
+    };
+    let drawing = Arc::new(draw_solid(&system(&definition), definition.iterations, &Limits::default()).unwrap());
+    let (viewport, camera) = (Viewport { width: 1920, height: 1080, ratio: 1.0 }, Camera::default());
+    let mut renderer = SolidRenderer::new();
+    renderer.load(drawing);
+    renderer.begin(&definition.style, viewport, &camera, Quality::FINEST);
+    while renderer.step(1 << 20) == Progress::More {}
+    let (whole, spent) = (renderer.pixels().to_vec(), renderer.effort_spent());
+    // More than all its pixels are worth four times over.
+    assert!(spent.work > 4.0 * 2.0 * 1920.0 * 1080.0, "{spent:?}");
+    let mut pixels = vec![0; whole.len()];
+    let mut effort = Effort::new(Quality::FINEST, viewport);
+    loop {
+        let mut spent = Spent::default();
+        for pane in SolidRenderer::panes(viewport) {
+            renderer.begin_pane(&definition.style, viewport, &camera, pane, effort.budget());
+            while renderer.step(1 << 20) == Progress::More {}
+            spent.add(renderer.effort_spent());
+            for (y, row) in renderer.pixels().chunks(pane.width as usize * 4).enumerate() {
+                let at = ((pane.y as usize + y) * 1920 + pane.x as usize) * 4;
+                pixels[at..at + row.len()].copy_from_slice(row);
+            }
+        }
+        if !effort.is_too_small(spent) {
+            break;
+        }
+    }
+    assert!(pixels == whole);
 }

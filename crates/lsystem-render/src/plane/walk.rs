@@ -30,8 +30,8 @@ const CROWD: u64 = 50;
 const PANES: u64 = 4;
 /// The largest extent, in subsamples, of the outlines at first, and the steps after which it doubles.
 const ROUGH: (f64, u64) = (16.0, 100_000);
-/// A stroke of so many rows takes as long as two steps.
-const MANY_ROWS: u64 = 256;
+/// A stroke of so many units of work takes as long as two steps.
+const UNITS: u64 = 32;
 /// Strokes wider than twice this, in subsamples, are broad: they are not painted into tiles.
 const BROAD: f64 = 64.0;
 /// From pass to pass the grain becomes finer by this.
@@ -422,7 +422,10 @@ impl Walk {
                     meter.charge(self.block(drawing, shapes, &child));
                 }
             }
-            meter.charge(self.canvases[canvas].take_work());
+            // Looking whether broad strokes are covered takes as long as they do.
+            let work = self.canvases[canvas].take_work();
+            self.extra += work / UNITS;
+            meter.charge(work);
         }
         Progress::More
     }
@@ -468,8 +471,9 @@ impl Walk {
         self.painted += u64::from(canvas == 0);
         let colour = self.inks.code(pen.shade);
         let rows = Capsule { from, to, radius }.paint(&mut self.canvases[canvas], colour);
-        self.extra += rows as u64 / MANY_ROWS;
-        rows as u64 / 4
+        let work = rows as u64 / 4 + self.canvases[canvas].take_work();
+        self.extra += work / UNITS;
+        work
     }
 
     /// What tells a canvas from others, former tiles included.

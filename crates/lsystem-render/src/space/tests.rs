@@ -273,8 +273,6 @@ fn pictures_do_not_depend_on_steps() {
     assert_eq!(whole, renderer.pixels());
 }
 
-/// Made pane by pane, in any order and by several renderers, with the budgets that the picture has one after the other,
-/// it is the same picture.
 #[test]
 fn wide_strokes_are_painted_in_steps() {
     let viewport = Viewport { width: 1920, height: 1080, ratio: 1.0 };
@@ -295,6 +293,34 @@ fn wide_strokes_are_painted_in_steps() {
     }
 }
 
+/// The picture made pane by pane, in any order and by several renderers, with the budgets that it has one after the other;
+/// and how many those are.
+fn in_panes(drawing: &Arc<Drawing<Solid>>, style: &Style, viewport: Viewport, camera: &Camera) -> (Vec<u8>, usize) {
+    let mut renderers = [SolidRenderer::new(), SolidRenderer::new()];
+    renderers.iter_mut().for_each(|renderer| renderer.load(drawing.clone()));
+    let mut effort = Effort::new(Quality::FINEST, viewport);
+    let width = viewport.width as usize;
+    let mut pixels = vec![0; width * viewport.height as usize * 4];
+    let mut rounds = 0;
+    loop {
+        let mut spent = Spent::default();
+        for (number, pane) in SolidRenderer::panes(viewport).into_iter().rev().enumerate() {
+            let renderer = &mut renderers[number % 2];
+            renderer.begin_pane(style, viewport, camera, pane, effort.budget());
+            while renderer.step(10_000) == Progress::More {}
+            spent.add(renderer.effort_spent());
+            for (y, row) in renderer.pixels().chunks(pane.width as usize * 4).enumerate() {
+                let at = ((pane.y as usize + y) * width + pane.x as usize) * 4;
+                pixels[at..at + row.len()].copy_from_slice(row);
+            }
+        }
+        rounds += 1;
+        if !effort.is_too_small(spent) {
+            return (pixels, rounds);
+        }
+    }
+}
+
 #[test]
 fn panes_together_are_the_picture() {
     let viewport = Viewport { width: 560, height: 400, ratio: 1.0 };
@@ -305,31 +331,26 @@ fn panes_together_are_the_picture() {
         let drawing = drawing(&system, n);
         for style in &styles() {
             let whole = picture(&drawing, style, viewport, &camera, Quality::FINEST, usize::MAX);
-            let mut renderers = [SolidRenderer::new(), SolidRenderer::new()];
-            renderers.iter_mut().for_each(|renderer| renderer.load(drawing.clone()));
-            let mut effort = Effort::new(Quality::FINEST, viewport);
-            let mut pixels = vec![0; 560 * 400 * 4];
-            loop {
-                let mut spent = Spent::default();
-                for (number, pane) in SolidRenderer::panes(viewport).into_iter().rev().enumerate() {
-                    let renderer = &mut renderers[number % 2];
-                    renderer.begin_pane(style, viewport, &camera, pane, effort.budget());
-                    while renderer.step(10_000) == Progress::More {}
-                    spent.add(renderer.effort_spent());
-                    for (y, row) in renderer.pixels().chunks(pane.width as usize * 4).enumerate() {
-                        let at = ((pane.y as usize + y) * 560 + pane.x as usize) * 4;
-                        pixels[at..at + row.len()].copy_from_slice(row);
-                    }
-                }
-                rounds += 1;
-                if !effort.is_too_small(spent) {
-                    break;
-                }
-            }
+            let (pixels, count) = in_panes(&drawing, style, viewport, &camera);
+            rounds += count;
             assert!(pixels == whole, "n = {n}, {camera:?}");
         }
     }
     assert!(rounds > 12, "some are made again: {rounds}");
+}
+
+/// Where strokes are so wide that no tile has time for all of them.
+#[test]
+fn panes_of_wide_strokes_are_the_picture() {
+    let viewport = Viewport { width: 300, height: 270, ratio: 1.0 };
+    let camera = Camera::default();
+    for min_width in [200.0, 10_000.0] {
+        let style = Style { min_width, ..Style::default() };
+        for drawing in [drawing(&tree(), 4), drawing(&bush(), 9)] {
+            let whole = picture(&drawing, &style, viewport, &camera, Quality::FINEST, usize::MAX);
+            assert!(in_panes(&drawing, &style, viewport, &camera).0 == whole, "{min_width}");
+        }
+    }
 }
 
 /// Every tile's work is bounded, at any number of segments, also where they all lie in the same place.

@@ -15,6 +15,8 @@ const LEAN: [f32; 4] = [-0.375, 0.125, -0.125, 0.375];
 pub(super) struct Tile {
     /// Samples across and down, multiples of [`CELL`].
     pub(super) size: [usize; 2],
+    /// How many of them there is room for.
+    room: [usize; 2],
     /// From one row to the next.
     stride: usize,
     /// How far behind the target; infinite where nothing is.
@@ -33,23 +35,24 @@ pub(super) struct Tile {
 }
 
 impl Tile {
-    /// Empties it, with at least so many samples across and down.
-    pub(super) fn reset(&mut self, size: [usize; 2], [r, g, b]: [u8; 3]) {
+    /// Empties it, with at least so many samples across and down, and room for others of the same picture.
+    pub(super) fn reset(&mut self, size: [usize; 2], room: [usize; 2], [r, g, b]: [u8; 3]) {
         let background = u32::from_le_bytes([r, g, b, u8::MAX]);
-        let size = size.map(|count| count.next_multiple_of(CELL));
-        let [cells, rows] = size.map(|count| count / CELL);
-        if (size, background) != (self.size, self.background) {
-            (self.size, self.background) = (size, background);
-            self.stride = size[0] + LANES;
-            refill(&mut self.depth, self.stride * size[1], f32::INFINITY);
-            refill(&mut self.colour, self.stride * size[1], background);
+        let [size, room] = [size, room].map(|sides| sides.map(|count| count.next_multiple_of(CELL)));
+        let [cells, rows] = room.map(|count| count / CELL);
+        self.size = size;
+        if (room, background) != (self.room, self.background) {
+            (self.room, self.background) = (room, background);
+            self.stride = room[0] + LANES;
+            refill(&mut self.depth, self.stride * room[1], f32::INFINITY);
+            refill(&mut self.colour, self.stride * room[1], background);
             refill(&mut self.far, cells * rows, f32::INFINITY);
             refill(&mut self.stale, cells * rows, 0);
-            refill(&mut self.reach, rows, [size[0], 0]);
+            refill(&mut self.reach, rows, [room[0], 0]);
             return;
         }
         for (row, reach) in self.reach.iter_mut().enumerate() {
-            let [left, right] = core::mem::replace(reach, [size[0], 0]);
+            let [left, right] = core::mem::replace(reach, [room[0], 0]);
             if left > right {
                 continue;
             }
@@ -80,7 +83,7 @@ impl Tile {
     pub(super) fn hides(&mut self, [left, right]: [usize; 2], [top, bottom]: [usize; 2], near: f32) -> bool {
         for row in top / CELL..=bottom / CELL {
             for column in left / CELL..=right / CELL {
-                let cell = row * (self.size[0] / CELL) + column;
+                let cell = row * (self.room[0] / CELL) + column;
                 if !self.is_hidden(cell, near) {
                     return false;
                 }
@@ -92,7 +95,7 @@ impl Tile {
     /// What of the samples `left..=right` of a row of cells is not behind something nearer than `near`, as far as cells
     /// tell, and notes that it is about to be painted; the other way round where nothing is.
     pub(super) fn seen(&mut self, row: usize, [mut left, mut right]: [usize; 2], near: f32) -> [usize; 2] {
-        let first = row * (self.size[0] / CELL);
+        let first = row * (self.room[0] / CELL);
         while left <= right && self.is_hidden(first + left / CELL, near) {
             left = (left / CELL + 1) * CELL;
         }
@@ -116,7 +119,7 @@ impl Tile {
 
     /// Looks up how far a cell reaches.
     fn farthest(&mut self, cell: usize) -> f32 {
-        let (stride, cells) = (self.stride, self.size[0] / CELL);
+        let (stride, cells) = (self.stride, self.room[0] / CELL);
         let first = cell / cells * CELL * stride + cell % cells * CELL;
         let mut far = [f32::NEG_INFINITY; CELL];
         for row in self.depth[first..first + (CELL - 1) * stride + CELL].chunks(stride) {
@@ -135,7 +138,7 @@ impl Tile {
         for row in top / CELL..=bottom / CELL {
             let reach = &mut self.reach[row];
             *reach = [reach[0].min(left), reach[1].max(right)];
-            let first = row * (self.size[0] / CELL);
+            let first = row * (self.room[0] / CELL);
             let cells = &mut self.stale[first + left / CELL..=first + right / CELL];
             cells.iter_mut().for_each(|times| *times = times.saturating_add(1));
         }

@@ -32,6 +32,9 @@ const OUTSTANDING: f64 = 2.0;
 const ROUNDS: usize = 2;
 /// So many strokes and nodes are drawn in time in any case, and each of them tells in so small a drawing.
 const FEW: f32 = 16_000.0;
+/// After so many shapes that were seen all over a tile what is behind them is hardly looked into, and after twice as many
+/// not at all.
+const COATS: f64 = 16.0;
 /// Enough for everything.
 const MOST: f32 = 1e30;
 /// What a node, a line, and a dot cost, in units of work, apart from the samples.
@@ -117,9 +120,13 @@ pub(super) struct Walk {
     painted: Vec<[usize; 2]>,
     /// The rows before this one hold nothing of the picture before.
     wiped: usize,
-    /// What has been looked into, and the work it took, in all tiles.
-    used: f32,
+    /// What all tiles so far have taken.
     work: i64,
+    /// The work of the tiles before this one.
+    before: i64,
+    /// How often this tile has been painted over, and how much of it the shape in hand has so far.
+    coats: f64,
+    coat: f64,
     /// Whether something had to go without.
     poor: bool,
     pub(super) stats: RenderStats,
@@ -207,7 +214,7 @@ impl Walk {
         self.shapes.clear();
         self.next = 0;
         self.painting = false;
-        (self.used, self.work, self.poor) = (0.0, 0, false);
+        (self.work, self.poor) = (0, false);
         self.stats = RenderStats::default();
         1 + size as u64 / 1024
     }
@@ -231,7 +238,7 @@ impl Walk {
         if !look.effort.is_too_small(spent) {
             return false;
         }
-        (self.used, self.work, self.poor) = (0.0, 0, false);
+        (self.work, self.poor) = (0, false);
         (self.next, self.wiped) = (0, 0);
         true
     }
@@ -259,11 +266,15 @@ impl Walk {
             }
             let at = [self.next % across, self.next / across];
             let corner = [0, 1].map(|i| look.corner[i] + (at[i] * look.side[i]) as f64);
+            // What lies beside the picture is not painted.
+            let rest = [self.width, self.height].map(|pixels| pixels * look.samples);
+            let size = [0, 1].map(|i| look.side[i].min(rest[i] - at[i] * look.side[i]));
             if !self.painting {
                 self.painting = true;
+                (self.before, self.coats, self.coat) = (self.work, 0.0, 0.0);
                 self.tile.leans = look.samples == 4;
-                self.tile.reset(look.side, look.background);
-                meter.charge((look.side[0] * look.side[1]) as u64 / TILE_WORK);
+                self.tile.reset(size, look.side, look.background);
+                meter.charge((size[0] * size[1]) as u64 / TILE_WORK);
                 if let Some(root) = scene.root {
                     let Lens { origin, axes, .. } = look.lens;
                     let place = Place { origin, axes, scale: dot(axes[0], axes[0]).sqrt() };
@@ -278,7 +289,7 @@ impl Walk {
             }
             self.painting = false;
             self.finish(at, side, look.samples);
-            meter.charge((look.side[0] * look.side[1]) as u64 / TILE_WORK);
+            meter.charge((size[0] * size[1]) as u64 / TILE_WORK);
             self.next += 1;
         }
         Progress::More
@@ -321,9 +332,22 @@ impl Walk {
         }
     }
 
+    /// Whether this tile alone has taken so many times what it may. What others have taken does not count: made by itself,
+    /// as a pane, it is to be the same.
+    fn is_tired(&self, look: &Look, times: u8) -> bool {
+        let most = 2 * look.effort.work * i64::from(times);
+        most > 0 && self.work - self.before > most || self.coats > COATS * f64::from(times)
+    }
+
     /// Goes on with a tile.
     fn paint(&mut self, scene: &Scene, look: &Look, corner: [f64; 2], meter: &mut Meter) -> Progress {
         while !meter.is_spent() {
+            if self.is_tired(look, 2) {
+                // What is left is behind most of what is there.
+                self.shapes.clear();
+                self.stack.clear();
+                return Progress::Done;
+            }
             if let Some((shape, from)) = self.shapes.pop_front() {
                 let Painted { looked, rest } = self.band(look, corner, &shape, from);
                 if let Some(from) = rest {
@@ -361,7 +385,6 @@ impl Walk {
     /// Paints a line of the node on top of the stack.
     fn line(&mut self, scene: &Scene, look: &Look, tile: [f64; 2], line: usize) -> i64 {
         let Some(frame) = self.stack.last_mut() else { return 0 };
-        self.used += 1.0;
         let line = &scene.lines[line];
         let shade = scene.choice.then(frame.shade, scene.shade(line.style));
         let ink = scene.ink(shade, frame.path, f64::from(line.before));
@@ -409,11 +432,19 @@ impl Walk {
 
     /// Paints a band of something, from a row on.
     fn band(&mut self, look: &Look, corner: [f64; 2], shape: &Shape, from: usize) -> Painted {
-        match shape {
+        let painted = match shape {
             Shape::Stick(stick) => stick.paint(&mut self.tile, corner, &look.light, from),
             Shape::Face(face) => face.paint(&mut self.tile, corner, from),
             Shape::Dot(dot) => dot.paint(&mut self.tile, corner, from),
+        };
+        let [width, height] = self.tile.size;
+        self.coat += painted.looked as f64 / (width * height) as f64;
+        if painted.rest.is_none() {
+            // So that what is small does not count, however much there is of it.
+            self.coats += self.coat * self.coat;
+            self.coat = 0.0;
         }
+        painted
     }
 
     /// Paints a stroke.
@@ -443,6 +474,7 @@ impl Walk {
 
     /// Paints a node inside the one on top of the stack, or puts it there itself.
     fn link(&mut self, scene: &Scene, look: &Look, corner: [f64; 2], node: &Node, lane: usize) -> i64 {
+        let tired = self.is_tired(look, 1);
         let Some(frame) = self.stack.last_mut() else { return 0 };
         let link = &scene.links[node.first_link as usize + lane];
         let [x, y, ball, near] = [0, 1, 2, 3].map(|i| frame.seen[i][lane]);
@@ -459,7 +491,7 @@ impl Walk {
             frame.spare -= more;
             share += more;
         }
-        let [width, height] = look.side.map(|side| side as f64);
+        let [width, height] = self.tile.size.map(|side| side as f64);
         let (Some(across), Some(down)) = (span(px - aside, px + aside, width), span(py - reach, py + reach, height))
         else {
             frame.spare += share.min(MOST);
@@ -469,15 +501,15 @@ impl Walk {
         let path = frame.path.part(link.before, link.part);
         let inner = &scene.nodes[link.node as usize];
         let fine = 2.0 * ball > look.detail;
-        if look.effort.work > 0 && self.work > 4 * look.effort.work {
+        let is_short = |share: f32| fine && share < f32::from(inner.links + inner.lines) && share < inner.own.need;
+        self.poor |= is_short(share);
+        if tired {
             share = 0.0;
         }
-        let poor = fine && share < f32::from(inner.links + inner.lines) && share < inner.own.need;
-        self.poor |= poor;
+        let poor = is_short(share);
         if !fine || poor && ball <= 0.5 * BLUR * look.detail {
             frame.spare += (share - 1.0).clamp(0.0, MOST);
             self.stats.stamps += 1;
-            self.used += 1.0;
             let [bx, by, bz] = [0, 1, 2].map(|i| f64::from(node.balls[i][lane]));
             let spot = look.light.spot(frame.place.lie([bx, by, bz]));
             let ink = scene.mean(link.node, shade, path);
@@ -513,7 +545,6 @@ impl Walk {
         if thin && (!scene.along || path.is_short()) {
             // Nothing stands out: the whole node is that line, in the colour that it has on the whole.
             frame.spare += (share - 1.0).clamp(0.0, MOST);
-            self.used += 1.0;
             let ends = [limb.from, limb.to].map(|end| place.lie(end));
             return self.stick(look, corner, ends, limb.style.width.of(width), 1.0, scene.mean(link.node, shade, path));
         }
@@ -529,7 +560,6 @@ impl Walk {
             // As much as there is, on the whole, but not much wider than a pixel where they are not.
             let thicker = own.length / (count as f32 * own.sampled);
             let mut cost = 0;
-            self.used += count as f32;
             if outstanding {
                 let ends = [limb.from, limb.to].map(|end| place.lie(end));
                 let ink = scene.ink(scene.choice.then(shade, scene.choice.shade(&limb.style)), path, limb.before);
@@ -543,7 +573,6 @@ impl Walk {
             }
             return cost;
         }
-        self.used += 1.0;
         self.open(scene, look, corner, link.node, Inside { place, shade, path, width, share: share - 1.0 });
         NODE_WORK
     }
@@ -604,7 +633,7 @@ impl Walk {
                 let [low, high] = [low, high].map(|corner| corner.map(|c| c as f32));
                 x + reach >= low[0] && x - reach <= high[0] && y + reach >= low[1] && y - reach <= high[1]
             };
-            if within([0.0; 2], look.side.map(|side| side as f64)) {
+            if within([0.0; 2], self.tile.size.map(|side| side as f64)) {
                 frame.order[kept] = lane as u8;
                 kept += 1;
             }

@@ -17,6 +17,8 @@ pub(super) struct Ink {
     pub centre: [f64; 2],
     /// About the centre: the mean of x x, x y and y y.
     pub spread: [f64; 3],
+    /// The same of the directions across the strokes, each of length 1.
+    pub across: [f64; 3],
     /// Whether the line that the block's shape is has the same ink everywhere.
     pub even: bool,
 }
@@ -75,6 +77,7 @@ impl Fact for Summing<'_> {
                 let [dx, dy] = [0, 1].map(|i| part.centre[i] - sum.centre[i]);
                 let about = [dx * dx, dx * dy, dy * dy];
                 sum.spread = [0, 1, 2].map(|i| sum.spread[i] + share * (part.spread[i] + about[i]));
+                sum.across = [0, 1, 2].map(|i| sum.across[i] + share * part.across[i]);
             }
         }
         if let Item::Polygon(polygon) = item { 1 + u64::from(polygon.count) / 16 } else { 1 }
@@ -97,10 +100,13 @@ pub(super) fn part(drawing: &Drawing, item: &Item, inks: &[Ink]) -> Ink {
     match item {
         Item::Stroke(stroke) => {
             let [dx, dy] = [0, 1].map(|i| stroke.to[i] - stroke.from[i]);
+            let length = (dx * dx + dy * dy).sqrt();
+            let [ux, uy] = if length > 0.0 { [dx / length, dy / length] } else { [0.0; 2] };
             Ink {
-                length: Amount::new((dx * dx + dy * dy).sqrt()),
+                length: Amount::new(length),
                 centre: [0, 1].map(|i| (stroke.from[i] + stroke.to[i]) / 2.0),
                 spread: [dx * dx, dx * dy, dy * dy].map(|v| v / 12.0),
+                across: [uy * uy, -ux * uy, ux * ux],
                 ..Ink::default()
             }
         }
@@ -111,23 +117,28 @@ pub(super) fn part(drawing: &Drawing, item: &Item, inks: &[Ink]) -> Ink {
         }
         Item::Block(placed) => {
             let inner = &inks[placed.block.0 as usize];
-            let (c, s) = placed.heading.cos_sin();
-            let (c, s) = (c * placed.scale, s * placed.scale);
+            let (cos, sin) = placed.heading.cos_sin();
+            let (c, s) = (cos * placed.scale, sin * placed.scale);
             let [x, y] = inner.centre;
-            let [xx, xy, yy] = inner.spread;
             Ink {
                 length: inner.length.times(placed.scale),
                 area: inner.area.times(placed.scale * placed.scale),
                 centre: [placed.at[0] + c * x - s * y, placed.at[1] + s * x + c * y],
-                spread: [
-                    c * c * xx - 2.0 * c * s * xy + s * s * yy,
-                    c * s * (xx - yy) + (c * c - s * s) * xy,
-                    s * s * xx + 2.0 * c * s * xy + c * c * yy,
-                ],
+                spread: turned(inner.spread, [c, s]),
+                across: turned(inner.across, [cos, sin]),
                 even: false,
             }
         }
     }
+}
+
+/// The means of x x, x y and y y after a turn, by so many times its cosine and sine.
+pub(super) fn turned([xx, xy, yy]: [f64; 3], [c, s]: [f64; 2]) -> [f64; 3] {
+    [
+        c * c * xx - 2.0 * c * s * xy + s * s * yy,
+        c * s * (xx - yy) + (c * c - s * s) * xy,
+        s * s * xx + 2.0 * c * s * xy + c * c * yy,
+    ]
 }
 
 /// A polygon's area, as far as its outline does not cross itself, and the mean of its vertices.

@@ -123,6 +123,34 @@ fn a_drawing_has_the_ink_of_its_strokes_at_any_depth() {
     }
 }
 
+/// Also where they are much wider than all of it is: it is no dot.
+#[test]
+fn small_drawings_of_wide_strokes_have_their_ink() {
+    let viewport = Viewport { width: 160, height: 120, ratio: 1.0 };
+    let mut renderer = DensityRenderer::new();
+    for (name, sample) in hard() {
+        let drawing = Arc::new(sample.draw(6));
+        renderer.load(drawing.clone());
+        let style = Style { colour_by: ColourBy::Single, min_width: 50.0, ..Style::default() };
+        let zoom = 1e-3;
+        picture(&mut renderer, &style, viewport, View { zoom, ..View::default() });
+        let ink = renderer.facts.inks.list[drawing.root.unwrap().0 as usize].length;
+        let (_, rect) = root_bounds(&drawing);
+        let scale = zoom * fitted_scale(&drawing, viewport) / rect.width.max(rect.height);
+        let sums = renderer.walk.sums();
+        let expected = 50.0 * ink.times(scale).units(sums.exponent);
+        let got: f64 = sums.values.iter().map(|&sum| f64::from(sum)).sum();
+        assert!((got / expected - 1.0).abs() < 0.1, "{name}: {got} of {expected}");
+        // As far from the middle as half a stroke is wide, and no farther.
+        let far = |(at, _): (usize, &f32)| {
+            let [x, y] = [at % 160, at / 160].map(|v| v as f64);
+            libm::hypot(x - 79.5, y - 59.5)
+        };
+        let reach = sums.values.iter().enumerate().filter(|(_, sum)| **sum > 0.0).map(far).fold(0.0, f64::max);
+        assert!((23.0..28.0).contains(&reach), "{name}: {reach}");
+    }
+}
+
 #[test]
 fn a_thousand_generations_look_like_two_hundred() {
     let viewport = Viewport { width: 160, height: 120, ratio: 1.0 };

@@ -2,7 +2,7 @@
 
 use super::Pass;
 use super::haze::Haze;
-use super::ink::{Ink, InkList};
+use super::ink::{Ink, InkList, turned};
 use super::pigment::{Pigments, Source};
 use super::sheet::{LEAST, Pigment, Sheet};
 use super::tile::{self, InkKey, Tiles};
@@ -19,7 +19,7 @@ use lsystem_syntax::{Meter, Progress, Style};
 const TINY: f64 = 1.0;
 /// A straight block longer than this, in pixels, is taken apart, so that rounding stays far below a pixel.
 const LONG: f64 = 1e6;
-/// Strokes wider than twice this, in pixels, are not drawn into tiles.
+/// Strokes wider than twice this, in pixels, are not drawn into tiles, and a block of them is no dot.
 const BROAD: f64 = 16.0;
 /// Sums are kept below this power of two.
 const LARGEST: i32 = 100;
@@ -32,6 +32,10 @@ const PATIENCE: u64 = 40_000;
 /// strokes and stamps. Then ever larger blocks are taken for dots.
 const TIRED: u64 = 200_000;
 const EACH: u64 = 16;
+/// Units of work that strokes and areas take, beside, in the time of a step.
+const UNITS: u64 = 16;
+/// The part of a whole that may be rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// What is being done for a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -142,6 +146,8 @@ pub(super) struct Walk {
     tiny: f64,
     /// The steps after which it becomes larger.
     patience: u64,
+    /// Units of work that strokes and areas took.
+    laid: u64,
     descent: Descent,
     table: InkTable,
     pigments: Pigments,
@@ -235,7 +241,7 @@ impl Walk {
             return Progress::More;
         }
         let Plan { camera, upto, .. } = plan;
-        self.patience = TIRED + EACH * (size[0] * size[1]) as u64;
+        (self.patience, self.laid) = (TIRED + EACH * (size[0] * size[1]) as u64, 0);
         self.start.extend(self.descent.root(drawing, camera));
         self.cut = upto.map(Cut::new);
         (self.stage, self.pass) = (Stage::Cut, pass);
@@ -308,7 +314,11 @@ impl Walk {
                     meter.charge(self.look_around());
                 }
                 Stage::Survey { .. } => meter.charge(self.look(drawing, facts)),
-                Stage::Draw { .. } if !self.sheets[self.filled].is_filled() => self.sheets[self.filled].go_on(meter),
+                Stage::Draw { .. } if !self.sheets[self.filled].is_filled() => {
+                    let before = meter.spent();
+                    self.sheets[self.filled].go_on(meter);
+                    self.laid += meter.spent() - before;
+                }
                 Stage::Draw { .. } if self.pigments.is_asked() => {
                     let source = Source { drawing, table: &self.table, inks: &facts.inks.list };
                     self.pigments.step(source, meter);
@@ -435,7 +445,41 @@ impl Walk {
         let (width, pigment) = (self.width(width), self.pigments.of(shade));
         self.filled = node.canvas;
         let sheet = &mut self.sheets[node.canvas];
-        sheet.stroke(ends, width, sheet.layer(), pigment)
+        let work = sheet.stroke(ends, width, sheet.layer(), pigment);
+        self.laid += work;
+        work
+    }
+
+    /// Lays down all ink of a block that is small beside the width of its strokes: as two bands that cross where its centre
+    /// is, as long as its strokes are wide. They lie along the axes of its strokes' directions, and each is as broad as the
+    /// block is there, the second by so much less as fewer strokes have its direction.
+    fn bands(&mut self, ink: &Ink, node: &Node, pigment: Pigment) -> u64 {
+        let [xx, xy, yy] = ink.across;
+        let (apart, most) = (xx - yy, libm::hypot(xx - yy, 2.0 * xy));
+        // Where no direction stands out, those of the block's own frame.
+        let angle = if most > ROUNDING { libm::atan2(2.0 * xy, apart) / 2.0 } else { 0.0 };
+        let (sin, cos) = libm::sincos(angle);
+        let (c, s) = node.place.heading.cos_sin();
+        let (centre, width) = (node.place.point(ink.centre), self.width(node.pen.width));
+        let band = |[x, y]: [f64; 2], part: f64| {
+            // Along the band, and aside; an even distribution over a length has a twelfth of its square.
+            let [along, aside] = [[c * x - s * y, -s * x - c * y], [s * x + c * y, c * x - s * y]];
+            let square = y * y * ink.spread[0] - 2.0 * x * y * ink.spread[1] + x * x * ink.spread[2];
+            let breadth = part * ((12.0 * square.max(0.0)).sqrt() * node.place.scale.abs()).max(1.0);
+            let corner = |u: f64, v: f64| [0, 1].map(|i| centre[i] + u * width * along[i] + v * breadth * aside[i]);
+            ([corner(0.5, 0.5), corner(-0.5, 0.5), corner(-0.5, -0.5), corner(0.5, -0.5)], width * breadth)
+        };
+        let (first, area) = band([cos, sin], 1.0);
+        let (second, more) = band([-sin, cos], (1.0 - most).max(0.0) / (1.0 + most));
+        // From one to the other and back.
+        let corners = first.into_iter().chain([first[0]]).chain(second).chain([second[0]]);
+        let amount = amount(&self.look, ink, node);
+        self.filled = node.canvas;
+        let sheet = &mut self.sheets[node.canvas];
+        let layer = (amount.units(sheet.exponent) / (area + more)).max(LEAST);
+        let work = sheet.fill(corners, layer, pigment);
+        self.laid += work;
+        work
     }
 
     fn stamp(&mut self, tile: &tile::Tile, sheet: usize, pixel: [i64; 2], pigment: Pigment) -> u64 {
@@ -467,8 +511,9 @@ impl Walk {
 
     /// Takes ever larger blocks for dots, the longer the picture takes.
     fn grow_tiny(&mut self) {
-        let work = self.stats.blocks + self.stats.strokes + self.stats.stamps;
-        if self.repeats && work > self.patience {
+        // Without repeats there are no more steps than the drawing has segments, but each may be wide.
+        let steps = self.stats.blocks + self.stats.strokes + self.stats.stamps;
+        if self.laid / UNITS + if self.repeats { steps } else { 0 } > self.patience {
             self.tiny *= 2.0;
             self.patience += self.patience / 4;
         }
@@ -490,6 +535,9 @@ impl Walk {
         if extent <= self.tiny {
             let Some(pigment) = self.pigment(&node) else { return 1 };
             self.stats.strokes += 1;
+            if width > 2.0 * BROAD && !ink.length.is_zero() {
+                return self.bands(ink, &node, pigment);
+            }
             let amount = amount(&self.look, ink, &node);
             let sheet = &mut self.sheets[node.canvas];
             sheet.dot(place.point(ink.centre), amount.units(sheet.exponent).max(LEAST) as f32, pigment);
@@ -498,13 +546,9 @@ impl Walk {
         if extent <= grain {
             let Some(pigment) = self.pigment(&node) else { return 1 };
             self.stats.strokes += 1;
-            let (cos, sin, [xx, xy, yy]) = (place.cos, place.sin, ink.spread);
-            let squares = [
-                cos * cos * xx - 2.0 * cos * sin * xy + sin * sin * yy,
-                sin * sin * xx + 2.0 * cos * sin * xy + cos * cos * yy,
-            ];
+            let [across, _, down] = squares(&self.look, ink, &node);
             let amount = amount(&self.look, ink, &node).units(self.sheets[0].exponent);
-            self.haze.add(place.point(ink.centre), squares, amount, pigment);
+            self.haze.add(place.point(ink.centre), [across, down], amount, pigment);
             return 1;
         }
         let mut cleared = 0;
@@ -560,6 +604,17 @@ impl Walk {
 fn amount(look: &Look, ink: &Ink, node: &Node) -> Amount {
     let scale = node.place.scale.abs();
     ink.length.times(scale).times(look.width(node.pen.width)).plus(ink.area.times(scale).times(scale))
+}
+
+/// How the ink of a block lies about its centre, in pixels, up and to the right: the mean of x x, x y and y y. What its
+/// strokes reach across, as wide as it is entered with, counts as what they reach along.
+fn squares(look: &Look, ink: &Ink, node: &Node) -> [f64; 3] {
+    let (cos, sin) = node.place.heading.cos_sin();
+    let width = look.width(node.pen.width);
+    let along = turned(ink.spread, [node.place.cos, node.place.sin]);
+    let across = turned(ink.across, [cos, sin]);
+    // An even distribution over a length has a twelfth of its square.
+    [0, 1, 2].map(|i| along[i] + width * width / 12.0 * across[i])
 }
 
 /// The exponent of a unit in which so much ink can be held.
