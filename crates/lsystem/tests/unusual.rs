@@ -356,6 +356,21 @@ fn long_strokes_that_turn_by_next_to_nothing_are_painted_in_time() {
 }
 
 #[test]
+fn wide_strokes_side_by_side_are_painted_in_time() {
+    let definition = Definition {
+        axiom: "`=`B".into(),
+        rules: "F -> +XF-+F\nA -> +F\nB -> A[F]FA".into(),
+        overrides: "+: turn right 90".into(),
+        angle: 25.7,
+        iterations: 267,
+        style: Style { width: 0.5, min_width: 10_000.0, ..Style::default() },
+        ..Definition::default()
+    };
+    let spent = spent_on(&mut Renderer::new(), &definition, [32_768, 3], 0.5, None);
+    assert!(spent < 120_000_000, "{spent}");
+}
+
+#[test]
 fn wide_strokes_in_space_cover_the_picture_alone() {
     let definition = Definition {
         axiom: "YF+-!".into(),

@@ -175,15 +175,15 @@ pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
         while other.step(work) == Progress::More {}
         assert!(other.pixels() == renderer.pixels(), "the picture depends on the size of steps");
     }
-    let RenderStats { blocks, strokes, stamps, tiles, .. } = renderer.stats();
+    let RenderStats { blocks, strokes, stamps, tiles, outlines, .. } = renderer.stats();
     // Beyond these it takes larger blocks for dots, the whole sooner than its panes.
-    let is_exact = scene.view.zoom.abs() < MOST_EXACT && tiles == 0 && blocks + strokes + stamps < 40_000;
+    let is_exact = scene.view.zoom.abs() < MOST_EXACT && tiles + outlines == 0 && blocks + strokes + stamps < 40_000;
     if is_exact && detail == Detail::Fine && source.once_in(2) {
         let Scene { style, viewport, view, upto } = &scene;
         let size = [source.pick(&[64, 16, 144]), source.pick(&[16, 48, 64])];
         let mut other = DensityRenderer::new();
         other.load(drawing);
-        let mut apart = 0;
+        let (mut apart, mut rough) = (0, false);
         let all = Pass::all(*viewport, size);
         if all.len() > 128 {
             return;
@@ -194,7 +194,11 @@ pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
                 let before = other.spent();
                 (other.step(WORK), other.spent() - before)
             });
+            rough |= other.stats().outlines > 0;
             apart += if pass.shows() { differing(other.pixels(), renderer.pixels(), pane, viewport.width) } else { 0 };
+        }
+        if rough {
+            return;
         }
         gauge.reach("panes");
         let whole = renderer.pixels().len() / 4;

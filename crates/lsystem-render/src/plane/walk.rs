@@ -309,13 +309,13 @@ impl Walk {
         let middle = self.canvases[0].size().map(|side| side / 2.0);
         let away = |p: [f64; 2]| libm::hypot(p[0] - middle[0], p[1] - middle[1]);
         let mut looked_at = 0;
-        loop {
+        let work = loop {
             // The last pass paints every stroke, so that none need be found here.
             let items = drawing.items_of(node.block);
             let every = items.len().div_ceil(LOOKED_AT[0]).max(1);
             looked_at += items.len() / every;
             if looked_at > LOOKED_AT[1] {
-                return looked_at as u64;
+                break 0;
             }
             // Always on into what is nearest.
             let (mut least, mut next, mut nearest) = (f64::INFINITY, None, None);
@@ -340,14 +340,16 @@ impl Walk {
                 }
             }
             if let Some((ends, pen)) = nearest {
-                return looked_at as u64 + self.stroke(0, ends, pen);
+                break self.stroke(0, ends, pen);
             }
-            let Some(child) = next else { return looked_at as u64 };
+            let Some(child) = next else { break 0 };
             if let Some(work) = self.straight(drawing, &shapes[child.block.0 as usize], &child, true) {
-                return looked_at as u64 + work;
+                break work;
             }
             node = child;
-        }
+        };
+        self.extra += looked_at as u64 / UNITS;
+        looked_at as u64 + work
     }
 
     pub(super) fn frame(&self) -> &Canvas {

@@ -535,6 +535,7 @@ impl Walk {
         if extent <= self.tiny {
             let Some(pigment) = self.pigment(&node) else { return 1 };
             self.stats.strokes += 1;
+            self.stats.outlines += u64::from(self.tiny > TINY);
             if width > 2.0 * BROAD && !ink.length.is_zero() {
                 return self.bands(ink, &node, pigment);
             }
