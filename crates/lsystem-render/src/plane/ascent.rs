@@ -5,17 +5,18 @@
 //! each other that adds up to some cells.
 
 use super::RenderStats;
+use super::bits::{Bits, Planes};
 use super::canvas::{Block, Canvas, GROUP};
-use super::descent::{Descent, Node, Pen};
+use super::descent::{Descent, Node};
 use super::inks::{Dye, InkTable, Shade};
 use super::layout::{Layout, Trials, is_empty, size};
-use super::parts::{Part, Parts};
+use super::parts::{Parts, Scene};
+use super::pen::Pen;
 use super::polygon::Filling;
-use super::shape::Shape;
 use super::stroke::Capsule;
-use super::tile::{self, Bits, Planes};
+use super::tile;
 use super::view::Look;
-use lsystem_drawing::{Drawing, Item, StyleId};
+use lsystem_drawing::{Item, StyleId};
 use lsystem_syntax::{Meter, Progress};
 
 /// The finished picture of a part.
@@ -68,21 +69,6 @@ impl Picture {
             0 => word(strip),
             shift => word(strip) >> shift | word(strip + 1) << (u64::BITS - shift),
         }
-    }
-}
-
-/// What a picture is made of.
-#[derive(Clone, Copy)]
-pub(super) struct Scene<'a> {
-    pub drawing: &'a Drawing,
-    pub shapes: &'a [Shape],
-    pub inks: &'a InkTable,
-}
-
-impl Scene<'_> {
-    /// The bit planes of a part's picture.
-    fn planes(&self, part: &Part) -> usize {
-        self.inks.planes(self.inks.of(part.block.0 as usize))
     }
 }
 

@@ -6,8 +6,8 @@
 //! What a broad stroke covers throughout is one number to eight words of each plane, so that large pictures of little
 //! take little memory traffic; and nothing is cleared before it is painted upon.
 
+use super::bits::{Bits, Planes};
 use super::inks::{Dye, PLANES};
-use super::tile::{Bits, Planes};
 use core::ops::Range;
 use lsystem_syntax::{Meter, Progress};
 

@@ -3,27 +3,13 @@
 use super::inks::{Choice, Shade};
 use super::parts::Part;
 use super::path::{Path, Span};
+use super::pen::Pen;
 use super::shape::Shape;
 use super::view::Camera;
 use super::wide::Wide;
 use lsystem_drawing::Directions;
-use lsystem_drawing::{BlockId, Drawing, Geometry, Item, Placed, Plane, StyleChange};
+use lsystem_drawing::{BlockId, Drawing, Geometry, Item, Placed, Plane};
 use lsystem_syntax::{Heading, Meter, Progress};
-
-/// What the turtle carries apart from its position.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Pen {
-    /// Relative to what is painted on the canvas: the whole drawing, or a tile's block.
-    pub shade: Shade,
-    /// In step lengths.
-    pub width: f64,
-}
-
-impl Pen {
-    pub(super) fn after(self, choice: Choice, change: &StyleChange) -> Self {
-        Self { shade: choice.then(self.shade, choice.shade(change)), width: change.width.of(self.width) }
-    }
-}
 
 /// A block being painted, from its last item to its first.
 #[derive(Clone, Copy, Debug)]

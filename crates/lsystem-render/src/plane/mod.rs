@@ -7,6 +7,7 @@
 
 mod amount;
 mod ascent;
+mod bits;
 mod canvas;
 mod density;
 mod descent;
@@ -17,6 +18,7 @@ mod mixer;
 mod pane;
 mod parts;
 mod path;
+mod pen;
 mod pick;
 mod polygon;
 mod resolve;

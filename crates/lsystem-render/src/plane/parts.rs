@@ -1,8 +1,8 @@
 //! Which parts a picture is made of: its blocks, told apart by whatever makes their pictures differ. What recurs at far
 //! too many places to look into each of them still recurs in few ways.
 
-use super::ascent::Scene;
 use super::descent::{Descent, Node};
+use super::inks::InkTable;
 use super::mixer::Mixer;
 use super::shape::Shape;
 use super::tile;
@@ -12,6 +12,21 @@ use core::ops::Range;
 use lsystem_drawing::{BlockId, Drawing, Item};
 use lsystem_syntax::{Heading, Meter, Progress};
 use std::collections::{BTreeSet, HashMap};
+
+/// What a picture is made of.
+#[derive(Clone, Copy)]
+pub(super) struct Scene<'a> {
+    pub drawing: &'a Drawing,
+    pub shapes: &'a [Shape],
+    pub inks: &'a InkTable,
+}
+
+impl Scene<'_> {
+    /// The bit planes of a part's picture.
+    pub(super) fn planes(&self, part: &Part) -> usize {
+        self.inks.planes(self.inks.of(part.block.0 as usize))
+    }
+}
 
 /// The most parts, and the most items in all of them.
 const MOST: [usize; 2] = [20_000, 200_000];

@@ -3,6 +3,7 @@
 //! A tile is what a block covers at one size and heading, with its origin at one of a few places between two
 //! subsamples. Colours are relative to the colour at entry, so that one tile serves them all.
 
+use super::bits::{Bits, Planes};
 use super::canvas::{Canvas, GROUP};
 use super::inks::{Dye, Inks, PLANES};
 use super::mixer::Mixer;
@@ -131,28 +132,6 @@ impl Tile {
     fn len(&self) -> usize {
         self.colours() + self.strips * self.rows * self.planes - self.first
     }
-}
-
-/// Bit planes of a tile, each laid out as on a [`Canvas`]: by strip, then row.
-pub(super) struct Planes<'a> {
-    /// Before and behind the planes there are [`GROUP`] words more, at least.
-    pub words: &'a [u64],
-    /// Where the first plane begins.
-    pub first: usize,
-    /// Words of a plane.
-    pub size: usize,
-    pub count: usize,
-}
-
-/// The bits of a tile.
-pub(super) struct Bits<'a> {
-    pub rows: usize,
-    /// By strip: the first row that has bits, and 2^32 times the row after the last.
-    pub extents: &'a [u64],
-    pub covered: Planes<'a>,
-    pub colours: Planes<'a>,
-    /// The digits of colours that are dyed already.
-    pub dyed: Option<Planes<'a>>,
 }
 
 /// The tiles made so far.

@@ -1,7 +1,7 @@
 //! Where on the drawing a picture looks.
 
 use super::Pane;
-use super::descent::Pen;
+use super::pen::Pen;
 use super::wide::Wide;
 use lsystem_drawing::{Block, Drawing};
 use lsystem_syntax::Style;

@@ -1,9 +1,11 @@
 //! The descent through a drawing's graph, last item first, on an explicit stack so that it can stop anywhere.
 
-use super::ascent::{Ascent, Climb, Scene, Start};
+use super::ascent::{Ascent, Climb, Start};
 use super::canvas::Canvas;
-use super::descent::{Cut, Descent, Node, Pen, Place};
+use super::descent::{Cut, Descent, Node, Place};
 use super::inks::{InkTable, Inks, Shade};
+use super::parts::Scene;
+use super::pen::Pen;
 use super::polygon::Filling;
 use super::seen::Seen;
 use super::shape::Shape;
