@@ -6,7 +6,7 @@
 
 use super::RenderStats;
 use super::bits::{Bits, Planes};
-use super::canvas::{Block, Canvas, GROUP};
+use super::canvas::Canvas;
 use super::descent::{Descent, Node};
 use super::inks::{Dye, InkTable, Shade};
 use super::layout::{Layout, Trials, is_empty, size};
@@ -16,6 +16,7 @@ use super::polygon::Filling;
 use super::stroke::Capsule;
 use super::tile;
 use super::view::Look;
+use super::words::{Block, GROUP};
 use lsystem_drawing::{Item, StyleId};
 use lsystem_syntax::{Meter, Progress};
 

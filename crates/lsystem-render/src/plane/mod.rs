@@ -32,6 +32,7 @@ mod tile;
 mod view;
 mod walk;
 mod wide;
+mod words;
 
 #[cfg(test)]
 mod sample;

@@ -1,6 +1,7 @@
 //! A filled polygon, row by row.
 
-use super::canvas::{Canvas, GROUP, NOTHING, Spans};
+use super::canvas::Canvas;
+use super::words::{GROUP, NOTHING, Spans};
 use core::ops::Range;
 use lsystem_syntax::{Meter, Progress};
 

@@ -1,6 +1,7 @@
 //! From subsamples to pixels.
 
-use super::canvas::{Canvas, GROUP, Group};
+use super::canvas::{Canvas, Group};
+use super::words::GROUP;
 use super::{Detail, Pane};
 use core::ops::Range;
 use lsystem_syntax::{Meter, Progress, Style};

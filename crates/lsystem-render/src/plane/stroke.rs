@@ -1,7 +1,8 @@
 //! A stroke with round caps, row by row.
 
-use super::canvas::{Canvas, GROUP, NOTHING, Spans};
+use super::canvas::Canvas;
 use super::search::nearest_on;
+use super::words::{GROUP, NOTHING, Spans};
 use core::ops::Range;
 
 /// A segment on the subsample lattice, y down, and half its width.

@@ -4,10 +4,11 @@
 //! subsamples. Colours are relative to the colour at entry, so that one tile serves them all.
 
 use super::bits::{Bits, Planes};
-use super::canvas::{Canvas, GROUP};
+use super::canvas::Canvas;
 use super::inks::{Dye, Inks, PLANES};
 use super::mixer::Mixer;
 use super::view::Detail;
+use super::words::GROUP;
 use core::hash::BuildHasherDefault;
 use lsystem_drawing::BlockId;
 use lsystem_syntax::Heading;

@@ -1,0 +1,83 @@
+//! The colours of nodes.
+
+use super::*;
+
+impl Scene {
+    /// Goes on with making the mean colours for a style, until they are there.
+    pub(in crate::space) fn dye(&mut self, style: &Style, meter: &mut Meter) -> Progress {
+        let choice = Choice::new(style, &self.styles);
+        let colours = choice.colours;
+        let palette: Vec<[f32; 3]> = (0..colours).map(|ink| style.ink(ink).rgb.map(f32::from)).collect();
+        if choice != self.choice || palette != self.palette || self.means.is_empty() && !self.along {
+            (self.choice, self.palette) = (choice, palette);
+            // What does not memoise has its colours as they are, whatever is at the entry.
+            let few = !self.memoised || self.whole[0].saturating_mul(colours as usize) > MEANS;
+            // Along the path they follow from that.
+            self.along = style.colour_by == ColourBy::Path;
+            self.entries = if self.along {
+                0
+            } else if few {
+                1
+            } else {
+                colours
+            };
+            self.means.clear();
+            self.means.reserve_exact(self.nodes.len() * self.entries as usize);
+        }
+        let known = self.means.len() / self.entries.max(1) as usize;
+        for node in self.nodes.get(known..).unwrap_or_default().iter().filter(|_| self.entries > 0) {
+            if meter.is_spent() {
+                return Progress::More;
+            }
+            meter.charge(1 + u64::from(self.entries) * u64::from(node.links + node.lines) / 4);
+            for entry in 0..self.entries {
+                let (mut sum, mut weight) = ([0.0_f32; 3], 0.0_f32);
+                let mut add = |colour: [f32; 3], length: f32| {
+                    // What has no length counts where there is nothing else.
+                    let length = length.max(1e-30);
+                    weight += length;
+                    sum.iter_mut().zip(colour).for_each(|(sum, c)| *sum += length * c);
+                };
+                for link in &self.links[node.first_link as usize..][..usize::from(node.links)] {
+                    let shade = self.choice.then(Shade { number: entry, fixed: true }, self.shade(link.style));
+                    add(self.mean(link.node, shade, Stretch::default()), link.length);
+                }
+                for line in &self.lines[node.first_line as usize..][..usize::from(node.lines)] {
+                    let shade = self.choice.then(Shade { number: entry, fixed: true }, self.shade(line.style));
+                    add(self.ink(shade, Stretch::default(), 0.0), norm(line.way()) as f32);
+                }
+                let mean = if weight.is_finite() {
+                    sum.map(|c| c / weight)
+                } else {
+                    self.ink(Shade { number: entry, fixed: true }, Stretch::default(), 0.0)
+                };
+                self.means.push(mean);
+            }
+        }
+        Progress::Done
+    }
+
+    /// What a style does to the colour.
+    #[inline]
+    pub(in crate::space) fn shade(&self, style: u32) -> Shade {
+        self.choice.shade(&self.styles[style as usize])
+    }
+
+    /// The mean colour of a node that is entered with a shade and has a part of the path.
+    #[inline]
+    pub(in crate::space) fn mean(&self, node: u32, shade: Shade, path: Stretch) -> [f32; 3] {
+        if self.along {
+            return path.mean(&self.palette);
+        }
+        let entry = shade.number;
+        let entry = if entry < self.entries { entry } else { 0 };
+        self.means.get((node * self.entries + entry) as usize).copied().unwrap_or_default()
+    }
+
+    /// The colour of a stroke with a shade, before which there is a part of the path's stretch.
+    #[inline]
+    pub(in crate::space) fn ink(&self, shade: Shade, path: Stretch, before: f64) -> [f32; 3] {
+        let entry = if self.along { Stretch { size: self.one, ..path.part(before, 0.0) }.ink() } else { shade.number };
+        self.palette.get(entry as usize).copied().unwrap_or_default()
+    }
+}
