@@ -32,14 +32,32 @@ export async function close() {
     browser = undefined;
 }
 
+/** Waits until the first picture is there, and what it does not need has followed it. @param {Page} page @param {string} [drawing] */
+export async function ready(page, drawing = '#stage.inked') {
+    await page.waitForSelector(drawing);
+    await page.waitForSelector('[data-later]', { state: 'detached' });
+}
+
 /**
  * Opens the page, or the one at `address`, lets `use` work with it, and checks that nothing went wrong on the way
  * but what the test brings about: `expected` lines of the console. `also` names another address that may be asked, and
- * `drawing` the element that tells that the drawing is there, or null.
- * @param {{address?: string, also?: string, drawing?: string | null, hash?: string, expected?: RegExp, options?: import('playwright-core').BrowserContextOptions, before?: (page: Page) => Promise<unknown>}} how
+ * `drawing` the element that tells that the drawing is there, or null. What fails is tried once more with a fresh page,
+ * and told: a browser on a busy machine is not the same every time, but what is wrong is wrong twice.
+ * @typedef {{address?: string, also?: string, drawing?: string | null, hash?: string, expected?: RegExp, options?: import('playwright-core').BrowserContextOptions, before?: (page: Page) => Promise<unknown>}} How
+ * @param {How} how
  * @param {(page: Page) => Promise<unknown>} use
  */
-export async function withPage({ address = ADDRESS, also = address, drawing = '#stage.inked', hash = '', expected, options = DESKTOP, before }, use) {
+export async function withPage(how, use) {
+    try {
+        await once(how, use);
+    } catch (error) {
+        console.error('failed once, tried again:', error);
+        await once(how, use);
+    }
+}
+
+/** @param {How} how @param {(page: Page) => Promise<unknown>} use */
+async function once({ address = ADDRESS, also = address, drawing = '#stage.inked', hash = '', expected, options = DESKTOP, before }, use) {
     const context = await (await launch()).newContext({ reducedMotion: 'reduce', acceptDownloads: true, ...options });
     try {
         const page = await context.newPage();
@@ -53,11 +71,7 @@ export async function withPage({ address = ADDRESS, also = address, drawing = '#
         });
         await before?.(page);
         await page.goto(address + hash);
-        if (drawing) {
-            await page.waitForSelector(drawing);
-            // What the first picture does not need follows it.
-            await page.waitForSelector('[data-later]', { state: 'detached' });
-        }
+        if (drawing) await ready(page, drawing);
         await use(page);
         assert.deepEqual(wrong, []);
     } finally {

@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { deflateSync } from 'node:zlib';
-import { close, nextPicture, stillPicture, until, withPage } from './browser.mjs';
+import { close, nextPicture, ready, stillPicture, until, withPage } from './browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -68,7 +68,7 @@ test('wasm that never comes is told of, and asked for again with the next input'
             await page.waitForSelector('#trouble-again:visible', { timeout: 15_000 });
             broken = false;
             await page.fill('#axiom', 'F+F');
-            await page.waitForSelector('#stage.inked');
+            await ready(page);
             await page.waitForSelector('#trouble', { state: 'hidden' });
         },
     );

@@ -8,7 +8,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { ADDRESS, DESKTOP, PHONE, close, picture, until, withPage } from './browser.mjs';
+import { ADDRESS, DESKTOP, PHONE, close, picture, ready, until, withPage } from './browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 /** @typedef {import('playwright-core').Frame} Frame */
@@ -219,7 +219,7 @@ test('the playground opens with what the visitor has made of it', () =>
         await frame.fill('#iterations', '3');
         await until(async () => (await frame.getAttribute('#open', 'href'))?.includes('&n=3'), 'the address follows');
         const [opened] = await Promise.all([page.context().waitForEvent('page'), frame.click('#open')]);
-        await opened.waitForSelector('#stage.inked');
+        await ready(opened);
         assert.ok(opened.url().startsWith(`${ADDRESS}#v=1`), opened.url());
         assert.equal(await opened.inputValue('#iterations'), '3');
         assert.equal(await opened.textContent('#specimen-title'), 'Weed');
@@ -233,7 +233,7 @@ test('mistakes are told in words', () =>
         await until(async () => /->/.test((await wrong.textContent('#mistake')) ?? '') && (await wrong.isVisible('#mistake')), 'the wrong arrow');
         assert.match((await nothing.textContent('#mistake')) ?? '', /no drawing in the address/);
         await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
-        await damaged.waitForSelector('#stage.inked');
+        await ready(damaged);
         assert.match((await damaged.textContent('#toast')) ?? '', /“angle”/);
     }));
 

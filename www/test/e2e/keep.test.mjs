@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, test } from 'node:test';
-import { ADDRESS, DESKTOP, PHONE, close, drag, stillPicture, until, withPage } from './browser.mjs';
+import { ADDRESS, DESKTOP, PHONE, close, drag, ready, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -17,7 +17,7 @@ const text = async (page, selector) => (await page.textContent(selector)) ?? '';
 async function another(page, hash) {
     const other = await page.context().newPage();
     await other.goto(ADDRESS + hash);
-    await other.waitForSelector('#stage.inked');
+    await ready(other);
     return other;
 }
 
@@ -50,7 +50,7 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
             assert.match(await text(back, '#toast'), /where you left off/);
             await until(() => back.evaluate(() => location.hash.includes('angle=31')), 'the address says what is shown');
             await back.reload();
-            await back.waitForSelector('#stage.inked');
+            await ready(back);
             assert.equal(await back.locator('#toast.shown').count(), 0);
             // What Reset returns to has come back, too.
             await back.click('#reset');
@@ -131,7 +131,7 @@ test('a reload goes on with the same visit, whatever was not yet in the address'
         await kept(page, 'angle=50');
         await page.fill('#angle', '51');
         await page.reload();
-        await page.waitForSelector('#stage.inked');
+        await ready(page);
         assert.equal(await page.inputValue('#angle'), '51');
         assert.equal(await page.locator('#toast.shown').count(), 0);
         assert.ok(await page.isVisible('#edited'));
@@ -228,7 +228,7 @@ test('names and storage may hold anything', () =>
         });
         await page.goto('about:blank');
         await page.goto(ADDRESS);
-        await page.waitForSelector('#stage.inked');
+        await ready(page);
         await page.click('#tab-keep');
         await page.click('#open-favourites');
         assert.deepEqual(await names(page), ['odd']);
@@ -274,7 +274,7 @@ for (const [what, area] of /** @type {const} */ ([['refused', 'refused'], ['full
                 }
                 await until(() => page.evaluate(() => location.hash.includes('angle=50')), 'the address follows');
                 await page.reload();
-                await page.waitForSelector('#stage.inked');
+                await ready(page);
                 assert.equal(await page.inputValue('#angle'), '50');
             },
         ));

@@ -7,7 +7,7 @@ import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { close, picture, stillPicture, until, withPage } from './browser.mjs';
+import { close, picture, ready, stillPicture, until, withPage } from './browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -82,7 +82,7 @@ const title = (page) => page.textContent('h1');
 async function reopened(page) {
     await kept(page);
     await page.reload();
-    await page.waitForSelector('#stage.inked');
+    await ready(page);
     return title(page);
 }
 
@@ -95,7 +95,7 @@ test('the page, the gallery, exports, embedded drawings and the course page work
             await kept(page);
             down = true;
             await page.reload();
-            await page.waitForSelector('#stage.inked');
+            await ready(page);
             assert.equal((await stillPicture(page)).digest, before.digest);
             asked = [];
             await page.click('#open-gallery');
@@ -105,9 +105,9 @@ test('the page, the gallery, exports, embedded drawings and the course page work
             const [saved] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=json]')]);
             assert.ok(JSON.parse(await readFile(await saved.path(), 'utf8')).initial);
             await page.goto(`${origin}index.html`);
-            await page.waitForSelector('#stage.inked');
+            await ready(page);
             await page.goto(`${origin}embed.html${KOCH}`);
-            await page.waitForSelector('#stage.inked');
+            await ready(page);
             await page.goto(`${origin}course.html`);
             // Those out of sight wait.
             await until(async () => {
@@ -129,13 +129,13 @@ test('a new version is told of, and opens with the next visit', () =>
             assert.equal(await title(page), old);
             await page.reload();
             await until(async () => (await title(page)) === 'Second', 'the new version is open');
-            await page.waitForSelector('#stage.inked');
+            await ready(page);
             assert.equal(await page.isVisible('#renewal'), false);
             assert.equal((await page.evaluate(() => caches.keys())).length, 1);
             // And stays.
             down = true;
             await page.reload();
-            await page.waitForSelector('#stage.inked');
+            await ready(page);
             assert.equal(await title(page), 'Second');
         }),
     ));
@@ -151,7 +151,7 @@ test('a new version opens at once if the reader likes, and keeps the drawing', (
             await until(async () => (await page.evaluate(() => location.hash)).includes('n=3'), 'the address follows');
             await page.click('#renew');
             await until(async () => (await title(page)) === 'Third', 'the new version is open');
-            await page.waitForSelector('#stage.inked');
+            await ready(page);
             assert.equal(await page.inputValue('#iterations'), '3');
             assert.ok((await picture(page)).ink > 0.001);
         }),
@@ -176,7 +176,7 @@ test('half an upload is not kept, and nothing that is not of the site', () =>
             });
             assert.equal(state, 'redundant');
             await page.reload();
-            await page.waitForSelector('#stage.inked');
+            await ready(page);
             assert.equal(await title(page), old);
             const names = await page.evaluate(async () => {
                 await fetch('elsewhere.json').catch(() => {});

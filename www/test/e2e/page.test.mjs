@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, test } from 'node:test';
 import { brotliCompressSync } from 'node:zlib';
-import { PHONE, close, drag, nextPicture, picture, sameAgain, stillPicture, until, withPage } from './browser.mjs';
+import { PHONE, close, drag, nextPicture, picture, ready, sameAgain, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -673,7 +673,7 @@ test('the dark theme is followed, chosen and kept', () =>
         await page.click('#theme');
         assert.notEqual(await dark(), night);
         await page.reload();
-        await page.waitForSelector('#stage.inked');
+        await ready(page);
         assert.equal(await page.getAttribute('#theme', 'aria-pressed'), 'false');
         assert.notEqual(await dark(), night);
     }));

@@ -6,7 +6,7 @@
 import assert from 'node:assert/strict';
 import { createServer } from 'node:http';
 import { after, test } from 'node:test';
-import { ADDRESS, close, nextPicture, picture, stillPicture, until, withPage } from './browser.mjs';
+import { ADDRESS, close, nextPicture, picture, ready, stillPicture, until, withPage } from './browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -133,7 +133,7 @@ test('a state that stopped a worker waits for the reader on the next visit, from
             assert.equal(await page.locator('#stage.inked').count(), 0);
         }
         await page.fill('#axiom', 'F+F');
-        await page.waitForSelector('#stage.inked');
+        await ready(page);
         await page.waitForSelector('#trouble', { state: 'hidden' });
     }));
 
