@@ -27,8 +27,6 @@
     let playground = null;
     /** Of the wasm. @type {WebAssembly.Memory | null} */
     let memory = null;
-    /** A second one, for the gallery's small pictures. @type {any} */
-    let easel = null;
     /** @type {any} the newest message of each kind that was not yet acted on */
     let newDefine = null;
     /** @type {any} */
@@ -37,9 +35,11 @@
     const questions = [];
     /** The file being made, and those asked for after it. */
     let saving = Promise.resolve();
+    /** How many those are. */
+    let unsaved = 0;
     /** @type {any[]} small pictures to make while nothing else is to do */
     const thumbs = [];
-    /** The small picture being made. @type {any} */
+    /** The small picture being made, and the playground that is there for it alone. @type {any} */
     let thumb = null;
     /** Whether the picture just shown is one of many while things move. */
     let moving = false;
@@ -134,6 +134,8 @@
 
     function work() {
         let report = null;
+        // What is made for others takes the memory of a small picture.
+        if (thumb && (newDefine || newView || questions.length > 0 || unsaved > 0)) putOff();
         const free = begun === null || performance.now() - begun > PATIENCE_MS;
         if (free) begun = newDefine || newView ? performance.now() : null;
         if (free && newDefine) {
@@ -172,12 +174,12 @@
         // Questions are about the newest definition, whose drawing may still be in the making.
         const newest = !newDefine && !newView && playground.built;
         if (newest && questions.length > 0 && canRead(questions[0])) answer(questions.shift());
-        if (idle && questions.length === 0) {
-            if (thumb ?? thumbs[0]) tellAt((thumb ?? thumbs[0]).id);
+        if (idle && questions.length === 0 && unsaved === 0) {
+            if (thumb ?? thumbs[0]) tellAt((thumb?.request ?? thumbs[0]).id);
             if (!thumb && thumbs.length > 0) thumb = beginThumb(thumbs.shift());
             if (thumb) paintThumb();
         }
-        if (newDefine || newView || (questions.length > 0 && newest) || thumb || thumbs.length > 0) wake();
+        if (newDefine || newView || (questions.length > 0 && newest) || thumb || (thumbs.length > 0 && unsaved === 0)) wake();
         else if (!idle) {
             const pause = moving ? PAUSE_MS : playground.waits ? WAIT_MS : 0;
             pause > 0 ? setTimeout(wake, pause) : wake();
@@ -273,9 +275,12 @@
      * @param {any} question @param {(question: any) => Promise<object>} work @param {object} without the answer where it fails
      */
     function save(question, work, without) {
-        saving = saving.then(() => {
+        unsaved += 1;
+        saving = saving.then(async () => {
             tellAt(question.id);
-            return later(question, work, without);
+            await later(question, work, without);
+            unsaved -= 1;
+            wake();
         });
     }
 
@@ -288,7 +293,7 @@
             self.postMessage({ id: question.id, ...(await work(question)) });
         } catch (error) {
             if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) guard(() => { throw error; });
-            else self.postMessage({ id: question.id, ...without });
+            else self.postMessage({ id: question.id, ...without, reason: typeof error === 'string' ? error : null });
         }
     }
 
@@ -351,28 +356,44 @@
         return { type: 'png', blob };
     }
 
-    /** @param {any} thumb */
-    function beginThumb({ id, definition, width, height }) {
-        if (!easel) {
-            const sheet = new OffscreenCanvas(1, 1);
-            easel = { playground: new wasm.Playground(sheet), canvas: sheet };
-        }
-        const { ok, beyond } = easel.playground.define(definition);
-        easel.playground.view(width, height, 1, 0, 0, 1, 0, 0);
-        return { id, bitmap: null, beyond, steps: ok && !beyond ? THUMB_STEPS : 0 };
+    /** @param {any} request */
+    function beginThumb(request) {
+        const { definition, width, height } = request;
+        // Only the full wasm remembers anything.
+        playground.forget?.();
+        const sheet = new OffscreenCanvas(1, 1);
+        const easel = wasm.Playground.small(sheet);
+        const { ok, beyond } = easel.define(definition);
+        easel.view(width, height, 1, 0, 0, 1, 0, 0);
+        return { request, easel, sheet, bitmap: null, beyond, steps: ok && !beyond ? THUMB_STEPS : 0 };
+    }
+
+    /** Begins the small picture again later. */
+    function putOff() {
+        thumbs.unshift(thumb.request);
+        endThumb()?.close();
+    }
+
+    /** What there is of the small picture. @returns {ImageBitmap | null} */
+    function endThumb() {
+        const { easel, bitmap } = thumb;
+        easel.free();
+        thumb = null;
+        return bitmap;
     }
 
     /** One step of a small picture; a system that takes too many is shown as far as it came. */
     function paintThumb() {
-        const { drawn, idle } = thumb.steps > 0 ? easel.playground.step(STEP_MS) : { drawn: null, idle: true };
+        const { drawn, idle } = thumb.steps > 0 ? thumb.easel.step(STEP_MS) : { drawn: null, idle: true };
         thumb.steps -= 1;
         if (drawn) {
             thumb.bitmap?.close();
-            thumb.bitmap = easel.canvas.transferToImageBitmap();
+            thumb.bitmap = thumb.sheet.transferToImageBitmap();
         }
         if (!idle && !drawn?.complete && thumb.steps > 0) return;
-        self.postMessage({ type: 'thumb', id: thumb.id, bitmap: thumb.bitmap, beyond: thumb.beyond }, { transfer: thumb.bitmap ? [thumb.bitmap] : [] });
-        thumb = null;
+        const { request, beyond } = thumb;
+        const bitmap = endThumb();
+        self.postMessage({ type: 'thumb', id: request.id, bitmap, beyond }, { transfer: bitmap ? [bitmap] : [] });
     }
 
     /**

@@ -96,8 +96,12 @@ export function asking(ask, askFull) {
         /** @param {'svg' | 'svg-compact' | 'csv' | 'txt' | 'json' | 'obj' | 'glb'} format @returns {Promise<Exported>} */
         export: (format) => askFull({ type: 'export', format }),
 
-        /** @param {number} width @param {number} height @param {Definition} carried in the file, to open it again @returns {Promise<Blob | null>} */
-        png: async (width, height, carried) => (await askFull({ type: 'png', width, height, definition: carried })).blob,
+        /** @param {number} width @param {number} height @param {Definition} carried in the file, to open it again @returns {Promise<Blob>} */
+        png: async (width, height, carried) => {
+            const { blob, reason } = await askFull({ type: 'png', width, height, definition: carried });
+            if (!blob) throw new Error(reason ?? 'the browser could not make the picture');
+            return blob;
+        },
 
         /** The modules of a text's QR code, row by row, 1 for dark; null where it is too long. @param {string} text @returns {Promise<Uint8Array | null>} */
         qr: async (text) => (await askFull({ type: 'qr', text })).modules,

@@ -23,8 +23,9 @@ enum Maker {
 
 impl Maker {
     /// For ink that covers.
-    fn covering() -> Self {
-        Self::Covering(Box::new(if cfg!(feature = "full") { Renderer::new() } else { Renderer::light() }))
+    fn covering(light: bool) -> Self {
+        let light = light || cfg!(not(feature = "full"));
+        Self::Covering(Box::new(if light { Renderer::light() } else { Renderer::new() }))
     }
 
     fn of(&mut self) -> &mut dyn PlaneRenderer {
@@ -47,6 +48,9 @@ impl Maker {
 /// Makes pictures in the ink that they ask for.
 pub(crate) struct Brush {
     maker: Maker,
+    /// Whether it does without what takes memory for pictures of crowds.
+    #[cfg(feature = "full")]
+    light: bool,
     drawing: Option<Arc<Drawing>>,
     /// Whether the renderer has the drawing.
     loaded: bool,
@@ -54,11 +58,26 @@ pub(crate) struct Brush {
 
 impl Default for Brush {
     fn default() -> Self {
-        Self { maker: Maker::covering(), drawing: None, loaded: false }
+        Self::of(false)
     }
 }
 
 impl Brush {
+    /// For small pictures.
+    pub(crate) fn light() -> Self {
+        Self::of(true)
+    }
+
+    fn of(light: bool) -> Self {
+        Self {
+            maker: Maker::covering(light),
+            #[cfg(feature = "full")]
+            light,
+            drawing: None,
+            loaded: false,
+        }
+    }
+
     /// The most bytes that a fine and a coarse picture take together.
     pub(crate) fn most_bytes(drawing: &Drawing, style: &Style, viewport: Viewport) -> u64 {
         let most = |detail| match style.ink {
@@ -100,7 +119,7 @@ impl Brush {
             (Ink::Solid, Maker::Covering(_)) | (Ink::Density, Maker::Adding(_)) => {}
             (ink, _) => {
                 self.maker = match ink {
-                    Ink::Solid => Maker::covering(),
+                    Ink::Solid => Maker::covering(self.light),
                     Ink::Density => Maker::Adding(Box::new(DensityRenderer::new())),
                 };
                 self.loaded = false;

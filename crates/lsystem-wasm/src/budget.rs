@@ -3,9 +3,9 @@
 //! | MiB | for |
 //! |---|---|
 //! | 70 | the drawing that is shown; of one in space, with what its pictures are made from |
-//! | 70 | the drawing in the making, a file in the making, or what is remembered of a derivation with the counts that a string is read by: one at a time ([`HISTORY`], 24 and 16) |
+//! | 70 | one at a time: the drawing in the making; a file in the making; what is remembered of a derivation with the counts that a string is read by ([`HISTORY`], 24 and 16); a small picture with its drawing ([`SMALL`]) |
 //! | 16 | counts of any size ([`lsystem::syntax::MAX_COUNTING`]) |
-//! | 84 | pictures, and what the drawing that is shown leaves of its share ([`picture_room`]) |
+//! | 84 | pictures, and what the drawing that is shown leaves of its share ([`picture_room`]); what shows only a part of a drawing in space takes of it |
 //! | 16 | texts, compiled systems and what is passed on |
 
 use lsystem::{Limits, Viewport};
@@ -31,9 +31,12 @@ pub(crate) const LIMITS: Limits =
 #[cfg(feature = "full")]
 pub(crate) const HISTORY: Limits = Limits { memory: 24 * MIB, ..LIMITS };
 
+/// For a small picture beside a drawing: what its pixels and their tiles leave of the share.
+pub(crate) const SMALL: Limits = Limits { memory: 32 * MIB, ..LIMITS };
+
 /// The bytes that pictures of a drawing may take.
 pub(crate) fn picture_room(drawing: u64) -> u64 {
-    PICTURES + LIMITS.memory.saturating_sub(drawing)
+    (PICTURES + LIMITS.memory).saturating_sub(drawing)
 }
 
 /// The picture with as many of its pixels as there is room for: its sides are cut by an eighth until it fits.

@@ -1,11 +1,12 @@
 //! Files of the system, written in steps and taken away piece by piece, so that none of them stands whole in the memory
 //! of the wasm.
 
+use crate::budget::{HISTORY, LIMITS};
 use crate::clock::Clock;
 use crate::playground::Playground;
 use crate::report::{Problem, problems};
+use crate::to_js;
 use crate::viewer::WORK;
-use crate::{HISTORY, LIMITS, to_js};
 use core::cell::RefCell;
 use lsystem::drawing::{MeshMaker, Outlook, Space};
 use lsystem::files::{CsvWriter, GlbWriter, ObjWriter, SvgForm, SvgWriter};

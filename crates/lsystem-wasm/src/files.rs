@@ -4,7 +4,7 @@ use crate::clock::Clock;
 use crate::playground::Playground;
 use crate::report::{Problem, problems};
 use crate::surface::Surface;
-use crate::viewer::{Scene, Snapshot};
+use crate::viewer::{NOTHING, Scene, Snapshot};
 use crate::{from_js, to_js};
 use lsystem::files::FileContent;
 use lsystem::{Definition, Progress, Viewport, write_json};
@@ -47,16 +47,13 @@ impl Playground {
     /// Starts a picture of the current view on `canvas`, at another size.
     ///
     /// # Errors
-    /// Throws where nothing has been drawn, or where the canvas has no 2D context.
+    /// Throws the reason where nothing has been drawn or there is too little memory, or where the canvas has no 2D context.
     pub fn snapshot(&mut self, canvas: OffscreenCanvas, width: u32, height: u32) -> Result<Picture, JsValue> {
         self.history = None;
         let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
         let viewport = Viewport { width, height, ratio };
-        let snapshot = self
-            .shown
-            .zip(self.scene())
-            .and_then(|(realm, scene)| self.views.get(realm).snapshot(Scene { viewport, screen: viewport, ..scene }));
-        let snapshot = snapshot.ok_or("nothing has been drawn yet")?;
+        let (realm, scene) = self.shown.zip(self.scene()).ok_or(NOTHING)?;
+        let snapshot = self.views.get(realm).snapshot(Scene { viewport, screen: viewport, ..scene })?;
         Ok(Picture { snapshot, surface: Surface::new(canvas)?, clock: Clock::new(), _busy: Rc::clone(&self.files) })
     }
 }

@@ -47,9 +47,6 @@ pub use playground::Playground;
 pub use qr::qr_code;
 pub use report::{Problem, Report};
 
-#[cfg(feature = "full")]
-use budget::HISTORY;
-use budget::LIMITS;
 use lsystem::Definition;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;

@@ -1,7 +1,8 @@
 //! The two plain functions: a definition in, a string or typed arrays out.
 
+use crate::budget::LIMITS;
 use crate::report::{Failure, problems};
-use crate::{LIMITS, from_js, to_js};
+use crate::{from_js, to_js};
 use lsystem::{Definition, Diagnostic, System};
 use wasm_bindgen::prelude::*;
 

@@ -1,6 +1,5 @@
 //! Drawings in the plane: built in steps, shown on time, coarse first where the fine picture takes longer than a frame.
 
-use crate::LIMITS;
 use crate::brush::Brush;
 use crate::budget::affordable;
 use crate::clock::Clock;
@@ -8,9 +7,9 @@ use crate::report::Report;
 #[cfg(feature = "full")]
 use crate::sharing::{Sharing, Turn};
 use crate::surface::Surface;
-#[cfg(feature = "full")]
-use crate::viewer::Snapshot;
 use crate::viewer::{Drawn, SLOW, Scene, Viewer, WORK, describe_drawing, go_on};
+#[cfg(feature = "full")]
+use crate::viewer::{NOTHING, Snapshot};
 #[cfg(feature = "full")]
 use lsystem::Viewport;
 use lsystem::derive::Counter;
@@ -18,7 +17,7 @@ use lsystem::render::{Detail, fitted_scale};
 #[cfg(feature = "full")]
 use lsystem::render::{Pane, Pass, Spent};
 use lsystem::syntax::Ink;
-use lsystem::{Diagnostic, Drawer, Drawing, Progress, System};
+use lsystem::{Diagnostic, Drawer, Drawing, Limits, Progress, System};
 use std::sync::Arc;
 use wasm_bindgen::JsValue;
 
@@ -44,7 +43,8 @@ pub(crate) struct PlaneView {
     /// The drawing that is being built.
     drawer: Option<Box<Drawer>>,
     fine: Brush,
-    coarse: Brush,
+    /// Small pictures do with one brush: the coarse one always comes first.
+    coarse: Option<Brush>,
     scene: Option<Scene>,
     stage: Stage,
     /// Milliseconds spent on the fine picture so far.
@@ -78,7 +78,7 @@ impl Default for PlaneView {
             drawing: None,
             drawer: None,
             fine: Brush::default(),
-            coarse: Brush::default(),
+            coarse: Some(Brush::default()),
             scene: None,
             stage: Stage::Done,
             spent: 0.0,
@@ -92,8 +92,8 @@ impl Default for PlaneView {
 }
 
 impl Viewer for PlaneView {
-    fn start(&mut self, system: &System, n: u32) {
-        self.drawer = Some(Box::new(Drawer::new(system, n, LIMITS)));
+    fn start(&mut self, system: &System, n: u32, limits: Limits) {
+        self.drawer = Some(Box::new(Drawer::new(system, n, limits)));
     }
 
     fn stop(&mut self) {
@@ -103,7 +103,9 @@ impl Viewer for PlaneView {
     fn build(&mut self) -> Option<Result<(), Diagnostic>> {
         Some(go_on(&mut self.drawer)?.map(|drawing| {
             self.fine.load(drawing.clone());
-            self.coarse.load(drawing.clone());
+            if let Some(coarse) = &mut self.coarse {
+                coarse.load(drawing.clone());
+            }
             self.drawing = Some(drawing);
         }))
     }
@@ -120,8 +122,8 @@ impl Viewer for PlaneView {
 
     fn begin(&mut self, scene: Scene) {
         self.scene = Some(self.within_room(scene));
-        if self.sketches > 0 {
-            self.sketches -= 1;
+        if self.sketches > 0 || self.coarse.is_none() {
+            self.sketches = self.sketches.saturating_sub(1);
             self.begin_coarse(false);
         } else {
             self.begin_fine();
@@ -134,10 +136,11 @@ impl Viewer for PlaneView {
         match self.stage {
             Stage::Done => Ok(None),
             Stage::Coarse { begun } => {
-                if self.coarse.step(WORK) == Progress::More {
+                let coarse = self.coarse.as_mut().unwrap_or(&mut self.fine);
+                if coarse.step(WORK) == Progress::More {
                     return Ok(None);
                 }
-                surface.show(self.coarse.pixels(), viewport)?;
+                surface.show(coarse.pixels(), viewport)?;
                 if !begun {
                     self.begin_fine();
                 }
@@ -228,11 +231,11 @@ impl Viewer for PlaneView {
     }
 
     #[cfg(feature = "full")]
-    fn snapshot(&self, scene: Scene) -> Option<Box<dyn Snapshot>> {
+    fn snapshot(&self, scene: Scene) -> Result<Box<dyn Snapshot>, &'static str> {
         let viewport = scene.viewport.within_limits();
         let scene = Scene { viewport, ..scene };
         let mut brush = Brush::default();
-        brush.load(self.drawing.clone()?);
+        brush.load(self.drawing.clone().ok_or(NOTHING)?);
         let rows = (BAND / viewport.width.max(1) / CELL).max(1) * CELL;
         let bands = [viewport.width, rows];
         let mut parts = match scene.style.ink {
@@ -242,7 +245,7 @@ impl Viewer for PlaneView {
         parts.reverse();
         let mut snapshot = PlaneSnapshot { brush, scene, parts, part: (Pane::whole(viewport), Pass::Only) };
         snapshot.next();
-        Some(Box::new(snapshot))
+        Ok(Box::new(snapshot))
     }
 }
 
@@ -290,6 +293,10 @@ fn bands(viewport: Viewport, workers: u32) -> [u32; 2] {
 }
 
 impl PlaneView {
+    pub(crate) fn small() -> Self {
+        Self { fine: Brush::light(), coarse: None, ..Self::default() }
+    }
+
     /// With as many pixels as there is room for.
     fn within_room(&self, scene: Scene) -> Scene {
         let Some(drawing) = &self.drawing else { return scene };
@@ -307,7 +314,7 @@ impl PlaneView {
 
     fn begin_coarse(&mut self, begun: bool) {
         if let Some(scene) = &self.scene {
-            self.coarse.begin(scene, Detail::Coarse);
+            self.coarse.as_mut().unwrap_or(&mut self.fine).begin(scene, Detail::Coarse);
         }
         self.stage = Stage::Coarse { begun };
     }

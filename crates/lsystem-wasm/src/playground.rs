@@ -1,5 +1,6 @@
 //! The page's handle: keeps a system between edits and works in steps that end on time.
 
+use crate::budget::{LIMITS, SMALL};
 use crate::clock::Clock;
 use crate::report::{Report, legend_of, problems, understood};
 use crate::surface::Surface;
@@ -8,7 +9,7 @@ use crate::{from_js, to_js};
 use lsystem::derive::Counter;
 use lsystem::drawing::{kind, why_empty};
 use lsystem::syntax::Kind;
-use lsystem::{Definition, Diagnostic, Progress, System, View, Viewport};
+use lsystem::{Definition, Diagnostic, Limits, Progress, System, View, Viewport};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
@@ -27,6 +28,8 @@ pub struct Playground {
     #[cfg(feature = "full")]
     pub(crate) history: Option<lsystem::derive::History>,
     pub(crate) views: Views,
+    /// Of drawings.
+    limits: Limits,
     /// Where a drawing is being built.
     building: Option<Realm>,
     /// Where what is shown has been drawn.
@@ -78,32 +81,15 @@ impl Playground {
     /// Throws where the canvas has no 2D context.
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
-        Ok(Self {
-            surface: Surface::new(canvas)?,
-            clock: Clock::new(),
-            definition: Definition::default(),
-            system: None,
-            #[cfg(feature = "full")]
-            history: None,
-            views: Views::default(),
-            building: None,
-            shown: None,
-            report: Report::default(),
-            counters: None,
-            news: false,
-            viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
-            view: View::default(),
-            upto: None,
-            stale: false,
-            #[cfg(feature = "full")]
-            refused: false,
-            #[cfg(feature = "full")]
-            mates: 0,
-            #[cfg(feature = "full")]
-            files: std::rc::Rc::default(),
-            #[cfg(feature = "full")]
-            pane: None,
-        })
+        Self::of(canvas, Views::default(), LIMITS)
+    }
+
+    /// One for small pictures, which takes little memory and tells nothing but whether there is something to see.
+    ///
+    /// # Errors
+    /// Throws where the canvas has no 2D context.
+    pub fn small(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
+        Self::of(canvas, Views::small(), SMALL)
     }
 
     /// Takes a new state of the system and says what it means; the drawing follows in [`Playground::step`]. Where
@@ -143,11 +129,10 @@ impl Playground {
         } else {
             self.upto = None;
             self.report = known;
-            let mut counters = [system.symbols(n), system.segments(n)];
-            counters.iter_mut().for_each(|counter| {
+            self.counters = (self.limits == LIMITS).then(|| [system.symbols(n), system.segments(n)]);
+            self.counters.iter_mut().flatten().for_each(|counter| {
                 counter.step(COUNTING);
             });
-            self.counters = Some(counters);
             self.tell_counts();
             self.start(&system, n);
         }
@@ -221,6 +206,36 @@ impl Playground {
 }
 
 impl Playground {
+    fn of(canvas: OffscreenCanvas, views: Views, limits: Limits) -> Result<Self, JsValue> {
+        Ok(Self {
+            surface: Surface::new(canvas)?,
+            clock: Clock::new(),
+            definition: Definition::default(),
+            system: None,
+            #[cfg(feature = "full")]
+            history: None,
+            views,
+            limits,
+            building: None,
+            shown: None,
+            report: Report::default(),
+            counters: None,
+            news: false,
+            viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
+            view: View::default(),
+            upto: None,
+            stale: false,
+            #[cfg(feature = "full")]
+            refused: false,
+            #[cfg(feature = "full")]
+            mates: 0,
+            #[cfg(feature = "full")]
+            files: std::rc::Rc::default(),
+            #[cfg(feature = "full")]
+            pane: None,
+        })
+    }
+
     #[cfg(feature = "full")]
     pub(crate) fn shown_iterations(&self) -> u32 {
         self.definition.iterations
@@ -233,7 +248,7 @@ impl Playground {
         }
         self.building = Realm::of(system);
         if let Some(realm) = self.building {
-            self.views.at(realm).start(system, n);
+            self.views.at(realm).start(system, n, self.limits);
         }
     }
 

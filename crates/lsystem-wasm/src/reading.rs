@@ -1,8 +1,9 @@
 //! Reading a derivation in place: pages of its strings, where a symbol comes from, what a segment is.
 
+use crate::budget::HISTORY;
 use crate::playground::Playground;
+use crate::to_js;
 use crate::viewer::{Views, WORK};
-use crate::{HISTORY, to_js};
 use core::ops::Range;
 use lsystem::derive::{Ancestor, History, Word};
 use lsystem::drawing::{Segment, Space, StyleChange, symbol_of_polygon};
@@ -91,6 +92,11 @@ const COUNTING: u64 = 1 << 20;
 
 #[wasm_bindgen]
 impl Playground {
+    /// Forgets what reading needs: it is derived again when somebody asks.
+    pub fn forget(&mut self) {
+        self.history = None;
+    }
+
     /// Works towards what [`Playground::slice`] and others need to read generation `generation`, for about `budget`
     /// milliseconds; whether nothing is left to do. What cannot be had after that is too long.
     pub fn remember(&mut self, generation: u32, budget: f64) -> bool {

@@ -1,16 +1,15 @@
 //! Drawings in space: built in steps, shown coarse at once and finer while nothing changes.
 
-use crate::LIMITS;
-use crate::budget::{affordable, halved};
+use crate::budget::{LIMITS, affordable, halved};
 use crate::clock::Clock;
 use crate::playground::Playground;
 use crate::report::Report;
 use crate::sharing::{Sharing, Turn};
 use crate::surface::Surface;
-use crate::viewer::{Drawn, SLOW, Scene, Snapshot, Viewer, WORK, describe_drawing, go_on};
+use crate::viewer::{Drawn, NOTHING, SLOW, Scene, Snapshot, Viewer, WORK, describe_drawing, go_on};
 use lsystem::derive::Counter;
 use lsystem::render::{Effort, Pane, Quality, Spent, solid_scale};
-use lsystem::{Camera, Diagnostic, Drawer, Drawing, Progress, Solid, SolidRenderer, System, Viewport};
+use lsystem::{Camera, Diagnostic, Drawer, Drawing, Limits, Progress, Solid, SolidRenderer, System, Viewport};
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
@@ -88,8 +87,8 @@ impl Default for SolidView {
 }
 
 impl Viewer for SolidView {
-    fn start(&mut self, system: &System, n: u32) {
-        self.drawer = Some(Box::new(Drawer::solid(system, n, LIMITS)));
+    fn start(&mut self, system: &System, n: u32, limits: Limits) {
+        self.drawer = Some(Box::new(Drawer::solid(system, n, limits)));
     }
 
     fn stop(&mut self) {
@@ -191,24 +190,64 @@ impl Viewer for SolidView {
         self.renderer.pixels()
     }
 
-    fn snapshot(&self, scene: Scene) -> Option<Box<dyn Snapshot>> {
+    fn snapshot(&self, scene: Scene) -> Result<Box<dyn Snapshot>, &'static str> {
+        let drawing = self.drawing.clone().ok_or(NOTHING)?;
+        let scene = Scene { viewport: scene.viewport.within_limits(), ..scene };
+        let panes = SolidRenderer::panes(scene.viewport);
+        let pane = panes.first().map_or(0, |pane| {
+            SolidRenderer::most_bytes(Viewport { width: pane.width, height: pane.height, ..scene.viewport })
+        });
+        let parts = if scene.upto.is_some() { 2 } else { 1 };
+        if parts * SolidRenderer::scene_bytes(&drawing) + pane > LIMITS.memory {
+            return Err(
+                "so large a drawing in space leaves too little memory for a picture beside the one that is shown",
+            );
+        }
         let mut renderer = SolidRenderer::new();
-        renderer.load(self.drawing.clone()?);
+        renderer.load(drawing);
         renderer.play(scene.upto);
-        renderer.begin(&scene.style, scene.viewport, &self.camera, Quality::BEST);
-        Some(Box::new(SolidSnapshot { renderer, viewport: scene.viewport }))
+        let effort = Effort::new(Quality::BEST, scene.viewport);
+        let spent = Spent::default();
+        let mut snapshot = SolidSnapshot { renderer, scene, camera: self.camera, panes, at: 0, effort, spent };
+        snapshot.begin();
+        Ok(Box::new(snapshot))
     }
 }
 
-/// A picture for a file, in one band.
+/// A picture for a file, made pane by pane; once more, with a larger budget, where that was too small.
 struct SolidSnapshot {
     renderer: SolidRenderer,
-    viewport: Viewport,
+    scene: Scene,
+    camera: Camera,
+    panes: Vec<Pane>,
+    /// The pane that is being made.
+    at: usize,
+    effort: Effort,
+    spent: Spent,
+}
+
+impl SolidSnapshot {
+    fn begin(&mut self) {
+        if let Some(pane) = self.panes.get(self.at) {
+            let Scene { style, viewport, .. } = &self.scene;
+            self.renderer.begin_pane(style, *viewport, &self.camera, *pane, self.effort.budget());
+        }
+    }
 }
 
 impl Snapshot for SolidSnapshot {
     fn next(&mut self) -> bool {
-        false
+        self.spent.add(self.renderer.effort_spent());
+        self.at += 1;
+        if self.at >= self.panes.len() {
+            let spent = core::mem::take(&mut self.spent);
+            if !self.effort.is_too_small(spent) {
+                return false;
+            }
+            self.at = 0;
+        }
+        self.begin();
+        true
     }
 
     fn step(&mut self) -> Progress {
@@ -216,14 +255,17 @@ impl Snapshot for SolidSnapshot {
     }
 
     fn band(&self) -> Option<(&[u8], Viewport, Pane)> {
-        Some((self.renderer.pixels(), self.viewport, Pane::whole(self.viewport)))
+        Some((self.renderer.pixels(), self.scene.viewport, *self.panes.get(self.at)?))
     }
 }
 
 impl SolidView {
     /// With as many pixels as there is room for.
     fn within_room(&self, scene: Scene) -> Scene {
-        let drawing = self.drawing.as_ref().map_or(0, |drawing| drawing.bytes());
+        let drawing = self.drawing.as_ref().map_or(0, |drawing| {
+            let part = if scene.upto.is_some() { SolidRenderer::scene_bytes(drawing) } else { 0 };
+            drawing.bytes() + part
+        });
         Scene { viewport: affordable(scene.viewport, drawing, SolidRenderer::most_bytes), ..scene }
     }
 

@@ -13,7 +13,7 @@ use lsystem::drawing::{Space, describe};
 #[cfg(feature = "full")]
 use lsystem::render::{Pane, Spent};
 use lsystem::syntax::Ink;
-use lsystem::{Diagnostic, Drawer, Drawing, Progress, Style, System, View, Viewport};
+use lsystem::{Diagnostic, Drawer, Drawing, Limits, Progress, Style, System, View, Viewport};
 use serde::Serialize;
 use std::sync::Arc;
 use wasm_bindgen::JsValue;
@@ -57,7 +57,7 @@ pub(crate) struct Drawn {
 /// Builds a drawing and makes its pictures, both in steps.
 pub(crate) trait Viewer {
     /// Starts building the drawing of a generation; the former one is shown until it is there.
-    fn start(&mut self, system: &System, n: u32);
+    fn start(&mut self, system: &System, n: u32, limits: Limits);
 
     /// Gives up the drawing that is being built.
     fn stop(&mut self);
@@ -101,10 +101,14 @@ pub(crate) trait Viewer {
     #[cfg(feature = "full")]
     fn pane_pixels(&self) -> &[u8];
 
-    /// Starts the whole picture for another canvas, if there is a drawing.
+    /// Starts the whole picture for another canvas, or tells why it cannot be made.
     #[cfg(feature = "full")]
-    fn snapshot(&self, scene: Scene) -> Option<Box<dyn Snapshot>>;
+    fn snapshot(&self, scene: Scene) -> Result<Box<dyn Snapshot>, &'static str>;
 }
+
+/// Why there is no picture.
+#[cfg(feature = "full")]
+pub(crate) const NOTHING: &str = "nothing has been drawn yet";
 
 /// A picture for a file, made band by band to save memory, and in steps, so that the worker answers the page meanwhile.
 /// The first band is begun already.
@@ -160,6 +164,15 @@ pub(crate) struct Views {
 }
 
 impl Views {
+    /// For small pictures, within [`SMALL`](crate::budget::SMALL).
+    pub(crate) fn small() -> Self {
+        Self {
+            plane: PlaneView::small(),
+            #[cfg(feature = "full")]
+            solid: SolidView::default(),
+        }
+    }
+
     pub(crate) fn get(&self, realm: Realm) -> &dyn Viewer {
         match realm {
             Realm::Plane => &self.plane,

@@ -99,7 +99,7 @@ fn wasm(workspace: &Workspace) -> Result<()> {
         .env("CHROMEDRIVER", browser.driver)
         .env("TMPDIR", temporary.path())
         // The time for all tests of a binary, on a slow machine.
-        .env("WASM_BINDGEN_TEST_TIMEOUT", "120"))
+        .env("WASM_BINDGEN_TEST_TIMEOUT", "300"))
 }
 
 #[cfg(test)]

@@ -60,7 +60,6 @@ export function keepPanel(store, engine, page) {
             const wanted = Number(byId('png-size', HTMLSelectElement).value);
             const factor = wanted === 0 ? 1 : wanted / Math.max(width, height);
             const blob = await engine.png(Math.round(width * factor), Math.round(height * factor), definitionOf(store.state));
-            if (!blob) throw new Error('the browser could not make the picture');
             return download(blob, `${name}.png`);
         }
         const { blob, diagnostics } = await engine.export(/** @type {'svg'} */ (format));

@@ -32,7 +32,7 @@ export async function close() {
     browser = undefined;
 }
 
-/** Waits until the first picture is there, and what it does not need has followed it. @param {Page} page @param {string} [drawing] */
+/** Waits until the first picture is there, and what it does not need has followed it. @param {Page | import('playwright-core').Frame} page @param {string} [drawing] */
 export async function ready(page, drawing = '#stage.inked') {
     await page.waitForSelector(drawing);
     await page.waitForSelector('[data-later]', { state: 'detached' });

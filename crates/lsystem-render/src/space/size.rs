@@ -3,13 +3,20 @@
 use super::SolidRenderer;
 use super::scene::{Line, Link, Node, Sample};
 use crate::Viewport;
-use lsystem_drawing::SceneSize;
+use lsystem_drawing::{Drawing, SceneSize, Solid};
 
 // What the drawing is counted to need for its pictures is enough.
 const _: () = assert!(size_of::<Node>() <= SceneSize::NODE && size_of::<Sample>() <= SceneSize::SAMPLE);
 const _: () = assert!(size_of::<Link>() <= SceneSize::LINK && size_of::<Line>() <= SceneSize::LINE);
 
 impl SolidRenderer {
+    /// The bytes that the drawing is made ready in for its pictures, [counted with it](lsystem_drawing::Drawing::bytes);
+    /// what shows only its first segments takes as many again at most.
+    #[must_use]
+    pub fn scene_bytes(drawing: &Drawing<Solid>) -> u64 {
+        drawing.scene.bytes(drawing.memoised)
+    }
+
     /// The most bytes that a renderer takes which makes pictures of this size, whole and halved and in panes, beside the
     /// drawing and what is [counted with it](lsystem_drawing::Drawing::bytes).
     #[must_use]

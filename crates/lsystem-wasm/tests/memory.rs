@@ -1,0 +1,92 @@
+//! What one instance takes at most, whatever it shows and makes beside: an instance of its own.
+#![cfg(target_family = "wasm")]
+
+use js_sys::{JSON, Reflect};
+use lsystem_wasm::Playground;
+use wasm_bindgen::JsValue;
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+use web_sys::OffscreenCanvas;
+
+wasm_bindgen_test_configure!(run_in_dedicated_worker);
+
+/// What the page promises.
+const MOST: usize = 256 << 20;
+
+fn is(value: &JsValue, key: &str) -> bool {
+    Reflect::get(value, &key.into()).unwrap().is_truthy()
+}
+
+/// Works until there is nothing more to do.
+fn settle(playground: &mut Playground) {
+    while !is(&playground.step(50.0).unwrap(), "idle") {}
+}
+
+fn playground(make: fn(OffscreenCanvas) -> Result<Playground, JsValue>, width: u32, height: u32) -> Playground {
+    let mut playground = make(OffscreenCanvas::new(1, 1).unwrap()).unwrap();
+    playground.view(width, height, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0);
+    playground
+}
+
+/// Draws the largest of these systems that is not refused, whose axiom has `refused` letters or fewer; how many.
+fn largest(playground: &mut Playground, turn: char, refused: usize) -> usize {
+    for count in (1..=refused).rev() {
+        let (axiom, first, second) = ("F".repeat(count), format!("F{turn}F"), format!("F[{turn}F]"));
+        let definition = format!(
+            r#"{{"axiom": "{axiom}", "rules": "F -> {first} : 1\nF -> {second} : 1", "angle": 20, "iterations": 16}}"#
+        );
+        playground.define(JSON::parse(&definition).unwrap()).unwrap();
+        let mut drawn = false;
+        loop {
+            let step = playground.step(50.0).unwrap();
+            let report = Reflect::get(&step, &"report".into()).unwrap();
+            drawn |= !report.is_null() && !Reflect::get(&report, &"memoised".into()).unwrap().is_null();
+            if is(&step, "idle") {
+                break;
+            }
+        }
+        if drawn {
+            return count;
+        }
+    }
+    0
+}
+
+fn within(what: &str) {
+    let bytes = core::arch::wasm32::memory_size(0) << 16;
+    wasm_bindgen_test::console_log!("{what}: {} MiB", bytes >> 20);
+    assert!(bytes <= MOST, "{what}: {} MiB", bytes >> 20);
+}
+
+#[wasm_bindgen_test]
+fn the_largest_drawings_stay_within_what_is_promised() {
+    for (turn, refused, place) in [('+', 12, "in the plane"), ('&', 5, "in space")] {
+        let mut shown = playground(Playground::new, 1920, 1080);
+        let count = largest(&mut shown, turn, refused);
+        assert!(0 < count && count < refused, "{count}");
+        within(&format!("{count} x 2^16 segments {place}"));
+        shown.play(Some(400_000));
+        settle(&mut shown);
+        within("a part of them");
+        while !shown.remember(8, 50.0) {}
+        within("read");
+        shown.forget();
+        let mut small = playground(Playground::small, 336, 336);
+        let count = largest(&mut small, turn, refused / 2 + 1);
+        assert!(0 < count && count <= refused / 2, "{count}");
+        within("with a small picture");
+        drop(small);
+        if let Ok(mut picture) = shown.snapshot(OffscreenCanvas::new(1, 1).unwrap(), 4096, 2304) {
+            while !picture.step(50.0).unwrap() {}
+        }
+        within("with a picture for a file");
+        for format in ["svg", "csv", "txt", "glb"] {
+            let mut file = shown.export(format).unwrap();
+            while !file.step(50.0) {
+                file.take();
+            }
+            within(format);
+        }
+        largest(&mut shown, turn, refused);
+        within("drawn anew");
+    }
+}
