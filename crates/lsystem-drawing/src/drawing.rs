@@ -37,11 +37,11 @@ pub(crate) use graph::Effect;
 pub use hull::hull;
 pub use marks::Mark;
 pub use marks::MarkReader;
-pub use projection::Outlook;
+pub use projection::{Outlook, Projection};
 pub use scene::SceneSize;
 pub use segments::Frame;
 pub(crate) use segments::Segments;
-pub use shape::{Line, Shape, shapes};
+pub use shape::{Line, Shape};
 pub use solid::draw_solid;
 
 use self::block::Contents;

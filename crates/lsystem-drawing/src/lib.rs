@@ -33,8 +33,8 @@ mod testing;
 
 pub use describe::{describe, kind, legend, why_empty};
 pub use drawing::{
-    Block, BlockId, Drawer, Drawing, Frame, Item, Line, Mark, MarkReader, Outlook, Placed, Polygon, SceneSize, Segment,
-    SegmentArrays, Shape, Space, Stroke, draw, draw_solid, hull, shapes,
+    Block, BlockId, Drawer, Drawing, Frame, Item, Line, Mark, MarkReader, Outlook, Placed, Polygon, Projection,
+    SceneSize, Segment, SegmentArrays, Shape, Space, Stroke, draw, draw_solid, hull,
 };
 pub use mesh::{Mesh, MeshMaker};
 pub use opening::symbol_of_polygon;

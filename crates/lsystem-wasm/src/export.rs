@@ -8,12 +8,12 @@ use crate::report::{Problem, problems};
 use crate::to_js;
 use crate::viewer::WORK;
 use core::cell::RefCell;
-use lsystem::drawing::{MeshMaker, Outlook, Space};
+use lsystem::drawing::{MeshMaker, Outlook, Projection, Space};
 use lsystem::files::{CsvWriter, GlbWriter, ObjWriter, SvgForm, SvgWriter};
 use lsystem::syntax::{Field, Kind, LimitName};
 use lsystem::{
     Camera, Definition, Diagnostic, Drawer, Drawing, Limits, Mesh, Progress, Solid, Style, SvgOptions, System,
-    write_json, write_svg,
+    write_json,
 };
 use serde::Serialize;
 use std::rc::Rc;
@@ -22,8 +22,8 @@ use wasm_bindgen::prelude::*;
 
 /// Segments that are written as text at most: more than any program opens.
 const TEXT_SEGMENTS: u64 = 2_000_000;
-/// Segments of a mesh, of a drawing in space on paper and strokes and placed blocks of a compact picture at most. The
-/// last two are made in one go, which takes some tenths of a second for so many.
+/// Segments of a mesh, of a drawing in space on paper and strokes and placed blocks of a compact picture at most: all of
+/// them are in memory at once, with some hundred bytes each.
 const FEW_SEGMENTS: u64 = 200_000;
 /// Bytes of a mesh at most, and of a drawing that is made for one: together as much as a file may take.
 const MESH: u64 = 42 << 20;
@@ -35,6 +35,8 @@ const SYMBOLS: usize = 1 << 15;
 type Writer = Box<dyn FnMut(&mut Vec<u8>) -> Result<Progress, Diagnostic>>;
 /// What follows when the drawing in space is there.
 type Then = Box<dyn FnOnce(Arc<Drawing<Solid>>) -> Result<Writer, Diagnostic>>;
+/// A remark on a file, known when it has been written.
+type Remark = Rc<RefCell<Option<Diagnostic>>>;
 
 /// How far a file is.
 enum Stage {
@@ -61,8 +63,7 @@ pub struct Export {
     complete: bool,
     diagnostics: Vec<Problem>,
     definition: Definition,
-    /// A remark on the file, known when it has been written.
-    remark: Rc<RefCell<Option<Diagnostic>>>,
+    remark: Remark,
     clock: Clock,
     /// Tells the playground that a file is being made.
     _busy: Rc<()>,
@@ -142,7 +143,7 @@ impl Playground {
     /// Throws where there is no such format.
     pub fn export(&mut self, format: &str) -> Result<Export, JsValue> {
         self.history = None;
-        let remark = Rc::default();
+        let remark = Remark::default();
         let mut export = Export {
             stage: Stage::Done,
             piece: vec![],
@@ -171,17 +172,14 @@ impl Playground {
             ("csv", None) => self.solid(system, Box::new(csv)),
             ("svg" | "svg-compact", Some(drawing)) => {
                 let form = if format == "svg" { SvgForm::Flat } else { SvgForm::Compact };
-                let written = svg(drawing, style, &self.svg_options(form), &remark);
+                let written = svg(drawing, style, &self.svg_options(form), remark);
                 export.go_on(written, |writer, _| Stage::Write(writer))
             }
             ("svg" | "svg-compact", None) => {
                 let Camera { azimuth, elevation, .. } = self.views.solid.camera;
                 let options = self.svg_options(SvgForm::Flat);
-                let seen = move |drawing: Arc<Drawing<Solid>>| {
-                    let drawing = drawing.seen_from(&Outlook { azimuth, elevation }, FEW_SEGMENTS)?;
-                    svg(Arc::new(drawing), style, &options, &remark)
-                };
-                self.solid(system, Box::new(seen))
+                let outlook = Outlook { azimuth, elevation };
+                self.solid(system, Box::new(move |drawing| seen(drawing, outlook, style, options, remark)))
             }
             ("obj" | "glb", _) => {
                 let text = format == "obj";
@@ -210,7 +208,7 @@ impl Playground {
     }
 }
 
-/// A short text.
+/// A system as text, which is short: those that can be read have texts of a mebibyte at most.
 fn whole(text: String) -> Writer {
     let mut bytes = text.into_bytes();
     Box::new(move |file| {
@@ -234,20 +232,41 @@ fn csv<S: Space + 'static>(drawing: Arc<Drawing<S>>) -> Result<Writer, Diagnosti
     Ok(as_text(move |text| Ok(writer.step(&drawing, text, WORK as u64))))
 }
 
-fn svg(
-    drawing: Arc<Drawing>,
-    style: Style,
-    options: &SvgOptions,
-    remark: &RefCell<Option<Diagnostic>>,
-) -> Result<Writer, Diagnostic> {
-    if options.form == SvgForm::Compact && drawing.is_memoised() {
-        let svg = write_svg(&drawing, &style, options)?;
-        remark.replace(svg.warning());
-        return Ok(whole(svg.text));
-    }
-    remark.replace(SvgWriter::warning(&style));
+fn svg(drawing: Arc<Drawing>, style: Style, options: &SvgOptions, remark: Remark) -> Result<Writer, Diagnostic> {
     let mut writer = SvgWriter::new(&drawing, &style, options)?;
-    Ok(as_text(move |text| Ok(writer.step(&drawing, &style, text, WORK as u64))))
+    Ok(as_text(move |text| {
+        let progress = writer.step(&drawing, &style, text, WORK as u64)?;
+        if progress == Progress::Done {
+            remark.replace(writer.warning());
+        }
+        Ok(progress)
+    }))
+}
+
+/// A drawing in space as it is seen on paper.
+fn seen(
+    drawing: Arc<Drawing<Solid>>,
+    outlook: Outlook,
+    style: Style,
+    options: SvgOptions,
+    remark: Remark,
+) -> Result<Writer, Diagnostic> {
+    // The drawing in space is let go of when it is on paper.
+    let mut making = Some((Projection::new(&drawing, &outlook, FEW_SEGMENTS)?, drawing));
+    let mut writer: Option<Writer> = None;
+    Ok(Box::new(move |file| {
+        if let Some(writer) = &mut writer {
+            return writer(file);
+        }
+        if let Some((projection, drawing)) = &mut making
+            && projection.step(drawing, WORK as u64) == Progress::Done
+            && let Some((projection, drawing)) = making.take()
+        {
+            let seen = Arc::new(projection.finish(&drawing));
+            writer = Some(svg(seen, style.clone(), &options, Rc::clone(&remark))?);
+        }
+        Ok(Progress::More)
+    }))
 }
 
 fn mesh(drawing: Arc<Drawing<Solid>>, style: Style, name: String, text: bool) -> Result<Writer, Diagnostic> {

@@ -1,8 +1,14 @@
 //! Drawings as files.
 
 use expect_test::{Expect, expect};
+use lsystem::drawing::{Outlook, Projection};
+use lsystem::files::{Svg, SvgForm, SvgWriter};
 use lsystem::syntax::{ColourBy, Kind, LimitName};
-use lsystem::{Definition, Dialect, Drawing, Limits, Style, SvgOptions, System, draw, write_csv, write_svg};
+use lsystem::{
+    Definition, Dialect, Drawing, Limits, Progress, Style, SvgOptions, System, draw, draw_solid, read_json, write_csv,
+    write_svg,
+};
+use std::path::Path;
 
 fn drawing(definition: &Definition) -> Drawing {
     let (system, diagnostics) = System::new(definition);
@@ -183,4 +189,73 @@ fn beyond_floating_point() {
     assert_eq!(write_csv(&drawing, 9).unwrap().lines().count(), 4);
     let svg = write_svg(&drawing, &far.style, &SvgOptions::default()).unwrap().text;
     assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+}
+
+/// The file written in the smallest steps, taken away after each.
+fn in_steps(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Svg {
+    let mut writer = SvgWriter::new(drawing, style, options).unwrap();
+    let (mut text, mut progress) = (String::new(), Progress::More);
+    while progress == Progress::More {
+        let mut piece = String::new();
+        progress = writer.step(drawing, style, &mut piece, 1).unwrap();
+        text.push_str(&piece);
+    }
+    Svg { text, instances: writer.instances(), ink: style.ink }
+}
+
+#[test]
+fn files_do_not_depend_on_the_size_of_steps() {
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data_in");
+    let folders = std::fs::read_dir(data).unwrap().flatten();
+    let files = folders.flat_map(|folder| std::fs::read_dir(folder.path()).unwrap().flatten());
+    let (mut compact, mut solid) = (0, 0);
+    for file in files {
+        let name = file.path().display().to_string();
+        let definition = read_json(&std::fs::read_to_string(file.path()).unwrap()).0.unwrap();
+        let (system, style) = (System::new(&definition).0.unwrap(), &definition.style);
+        let n = definition.iterations.min(4);
+        let drawing = draw(&system, n, &Limits::default()).unwrap();
+        for form in [SvgForm::Flat, SvgForm::Compact] {
+            let options = SvgOptions { title: name.clone(), form, ..SvgOptions::default() };
+            let whole = write_svg(&drawing, style, &options).unwrap();
+            assert_eq!(in_steps(&drawing, style, &options), whole, "{name}");
+            compact += u32::from(whole.instances > 0);
+        }
+        if system.is_solid() {
+            let drawing = draw_solid(&system, n, &Limits::default()).unwrap();
+            let outlook = Outlook::default();
+            let whole = drawing.seen_from(&outlook, u64::MAX).unwrap();
+            let mut projection = Projection::new(&drawing, &outlook, u64::MAX).unwrap();
+            while projection.step(&drawing, 1) == Progress::More {}
+            let seen = projection.finish(&drawing);
+            assert_eq!((seen.bounds(), &seen.places), (whole.bounds(), &whole.places), "{name}");
+            let options = SvgOptions::default();
+            assert_eq!(in_steps(&seen, style, &options), write_svg(&whole, style, &options).unwrap(), "{name}");
+            solid += u32::from(seen.segment_count() > 0);
+        }
+    }
+    assert!(compact > 20 && solid > 5, "{compact} {solid}");
+}
+
+/// Many symbols are planned more than once, and what is too much is refused before anything is written.
+#[test]
+fn compact_files_do_not_depend_on_the_size_of_steps() {
+    let bush = Definition { angle: 25.0, ..definition("F", "F -> FF-[-F+F+F]+[+F-F-F]") };
+    let drawing = drawing(&Definition { iterations: 12, ..bush.clone() });
+    let options = SvgOptions { form: SvgForm::Compact, ..SvgOptions::default() };
+    let whole = write_svg(&drawing, &bush.style, &options).unwrap();
+    assert!(whole.instances > 100_000 && whole.warning().is_some());
+    assert_eq!(in_steps(&drawing, &bush.style, &options), whole);
+
+    let few = SvgOptions { most: 9, ..options };
+    let refused = write_svg(&drawing, &bush.style, &few).unwrap_err();
+    let mut writer = SvgWriter::new(&drawing, &bush.style, &few).unwrap();
+    let mut text = String::new();
+    let error = loop {
+        match writer.step(&drawing, &bush.style, &mut text, 1) {
+            Ok(progress) => assert_eq!(progress, Progress::More),
+            Err(error) => break error,
+        }
+    };
+    assert_eq!((error, text.as_str()), (refused, ""));
 }

@@ -117,7 +117,7 @@ struct Look {
 }
 
 /// A number that falls as `value` grows, in the order of [`f64::total_cmp`].
-fn falling(value: f64) -> i64 {
+pub(super) fn falling(value: f64) -> i64 {
     let bits = value.to_bits().cast_signed();
     // Negative values are in the opposite order of their bits.
     if bits < 0 { bits ^ i64::MIN } else { !bits }

@@ -1,7 +1,7 @@
 //! What blocks look like from so far away that only their main features show.
 
 use super::{Drawing, Frame};
-use crate::drawing::block::{Item, Stroke};
+use crate::drawing::block::{Block, Item, Stroke};
 use crate::plane::Directions;
 use crate::style::StyleChange;
 
@@ -31,12 +31,11 @@ pub struct Shape {
     pub longest: Line,
 }
 
-/// The shapes of all blocks, in their order.
-pub fn shapes(drawing: &Drawing) -> Vec<Shape> {
-    let mut shapes: Vec<Shape> = Vec::with_capacity(drawing.blocks.len());
-    let mut directions = Directions::default();
-    let home = Frame::new(1.0, StyleChange::NONE);
-    for block in &drawing.blocks {
+impl Shape {
+    /// The shape of a block; `inner` are those of all blocks before it, in their order.
+    #[must_use]
+    pub fn new(block: &Block, inner: &[Self], drawing: &Drawing, directions: &mut Directions) -> Self {
+        let home = Frame::new(1.0, StyleChange::NONE);
         let mut straight: Option<Line> = None;
         let (mut bent, mut filled) = (false, false);
         let mut last = StyleChange::NONE;
@@ -53,8 +52,8 @@ pub fn shapes(drawing: &Drawing) -> Vec<Shape> {
                     continue;
                 }
                 Item::Block(placed) => {
-                    let frame = home.place(placed, drawing, &mut directions);
-                    let inner = &shapes[placed.block.0 as usize];
+                    let frame = home.place(placed, drawing, directions);
+                    let inner = &inner[placed.block.0 as usize];
                     filled |= inner.filled;
                     last = frame.style.then(&inner.longest.style);
                     inner.straight.map(|line| line.within(&frame))
@@ -69,9 +68,16 @@ pub fn shapes(drawing: &Drawing) -> Vec<Shape> {
         }
         let straight = straight.filter(|_| !bent && !filled);
         let corners = drawing.corners_of(block);
-        shapes.push(Shape { straight, filled, longest: Line { style: last, ..longest(corners) } });
+        Self { straight, filled, longest: Line { style: last, ..longest(corners) } }
     }
-    shapes
+
+    /// The units of work that finding it takes: blocks have some hundred items at most, and few corners, all pairs of
+    /// which are looked at.
+    #[must_use]
+    pub fn work(block: &Block, drawing: &Drawing) -> u64 {
+        let corners = drawing.corners_of(block).len() as u64;
+        2 * drawing.contents(block).len() as u64 + corners * corners / 8
+    }
 }
 
 impl Line {

@@ -73,16 +73,8 @@ impl<S: Space> Tree<S> {
         }
     }
 
-    /// The root, in a frame with the axes and the origin of the coordinates.
-    pub(super) fn finish(&mut self, builder: &mut Builder<S>) -> Option<BlockId> {
-        loop {
-            if let Some(root) = self.finish_one(builder) {
-                return root;
-            }
-        }
-    }
-
-    /// Makes one more block at the bottom, or where none is left to make the root.
+    /// Makes one more block at the bottom, or where none is left to make the root, in a frame with the axes and the origin of
+    /// the coordinates.
     pub(crate) fn finish_one(&mut self, builder: &mut Builder<S>) -> Option<Option<BlockId>> {
         if self.is_word && self.rows.is_empty() && self.done == 0 {
             self.sheet.finish();

@@ -1,38 +1,25 @@
 //! Every segment, in drawing order.
 
-use super::paths::{Ink, Paths, Pen, within};
-use super::{Decimals, Sheet, Svg, SvgOptions};
+use super::paths::{Ink, Paths, within};
+use super::{Decimals, Sheet, SvgOptions, VERTEX_WORK};
 use lsystem_drawing::MarkReader;
 use lsystem_drawing::{Drawing, Mark, Plane};
 use lsystem_syntax::{Diagnostic, Meter, Progress, Style};
 
-pub(super) fn write(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Svg, Diagnostic> {
-    let mut text = String::new();
-    let mut writer = SvgWriter::new(drawing, style, options)?;
-    while writer.step(drawing, style, &mut text, u64::MAX) == Progress::More {}
-    Ok(Svg { text, instances: 0, ink: style.ink })
-}
-
-/// A flat SVG file in steps. It holds no drawing, and what it has written may be taken away between two steps.
+/// A flat file that is being written.
 #[derive(Clone, Debug)]
-pub struct SvgWriter {
+pub(super) struct Flat {
     reader: MarkReader<Plane>,
     /// All that comes before the drawing, until it is written.
     head: String,
-    decimals: Decimals,
+    paths: Paths,
     /// One CSS pixel, in the units of the file.
     pixel: f64,
-    pen: Option<Pen>,
     is_done: bool,
-    spent: u64,
 }
 
-impl SvgWriter {
-    /// Ready to write a drawing, whatever form the options name.
-    ///
-    /// # Errors
-    /// As [`write_svg`](crate::write_svg).
-    pub fn new(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Self, Diagnostic> {
+impl Flat {
+    pub(super) fn new(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Self, Diagnostic> {
         drawing.check_size(options.most)?;
         let [x, y] = drawing.start;
         let [x0, y0, x1, y1] = drawing.bounds().unwrap_or([x, y, x, y]).map(within);
@@ -41,53 +28,36 @@ impl SvgWriter {
         let longer = width.max(height);
         let pixel = longer / options.size;
         let head = Sheet { x: x0 - margin, y: -y1 - margin, width, height, pixel }.open(style, options, "");
-        let (reader, decimals) = (MarkReader::new(drawing), Decimals::for_size(longer));
-        Ok(Self { reader, head, decimals, pixel, pen: None, is_done: false, spent: 0 })
+        let paths = Paths::new(Decimals::for_size(longer), None);
+        Ok(Self { reader: MarkReader::new(drawing), head, paths, pixel, is_done: false })
     }
 
-    /// A warning where the file will not look like the drawing.
-    #[must_use]
-    pub fn warning(style: &Style) -> Option<Diagnostic> {
-        Svg { text: String::new(), instances: 0, ink: style.ink }.warning()
-    }
-
-    /// The units of work of all steps so far, as [`Meter`] counts them.
-    #[must_use]
-    pub fn spent(&self) -> u64 {
-        self.spent
-    }
-
-    /// Appends to the file for about `work` units; the drawing and the style are the same each time.
-    pub fn step(&mut self, drawing: &Drawing, style: &Style, text: &mut String, work: u64) -> Progress {
-        if self.is_done {
-            return Progress::Done;
-        }
+    pub(super) fn step(&mut self, drawing: &Drawing, style: &Style, text: &mut String, meter: &mut Meter) -> Progress {
         text.push_str(&core::mem::take(&mut self.head));
-        let mut meter = Meter::new(work);
-        let mut paths = Paths::new(text, self.decimals, None);
-        paths.pen = self.pen;
         let down = |[x, y]: [f64; 2]| [within(x), within(-y)];
-        while !meter.is_spent() {
-            let Some(mark) = self.reader.next(drawing) else {
-                self.is_done = true;
-                break;
-            };
-            meter.charge(mark.work());
-            match mark {
-                Mark::Segment(segment, tint) => {
+        while !self.is_done && !meter.is_spent() {
+            if self.paths.vertex(text) {
+                meter.charge(VERTEX_WORK);
+                continue;
+            }
+            meter.charge(8);
+            match self.reader.next(drawing) {
+                Some(Mark::Segment(segment, tint)) => {
                     let ink = Ink::new(style, tint, segment.width, self.pixel);
-                    paths.stroke(down(segment.from), down(segment.to), ink);
+                    self.paths.stroke(text, down(segment.from), down(segment.to), ink);
                 }
-                Mark::Polygon(vertices, tint) => paths.fill(vertices.into_iter().map(down), style.colour_of(tint).rgb),
+                Some(Mark::Polygon(vertices, tint)) => {
+                    meter.charge(vertices.len() as u64 / 8);
+                    let vertices = vertices.into_iter().map(down).collect();
+                    self.paths.fill(text, vertices, style.colour_of(tint).rgb);
+                }
+                None => {
+                    self.paths.close(text);
+                    text.push_str("</g>\n</svg>\n");
+                    self.is_done = true;
+                }
             }
         }
-        self.spent = self.spent.saturating_add(meter.spent());
-        self.pen = paths.pen;
-        if !self.is_done {
-            return Progress::More;
-        }
-        paths.close();
-        text.push_str("</g>\n</svg>\n");
-        Progress::Done
+        if self.is_done { Progress::Done } else { Progress::More }
     }
 }

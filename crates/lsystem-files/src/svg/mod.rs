@@ -1,16 +1,19 @@
 //! Drawings as Scalable Vector Graphics, in two forms.
 
 mod compact;
+mod features;
 mod flat;
 mod paths;
 mod plan;
+mod scene;
+mod writer;
 
 use super::number::Decimals;
 use core::fmt::Write;
-pub use flat::SvgWriter;
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{ColourBy, Diagnostic, Field, Ink, Kind, Style};
+use lsystem_syntax::{Diagnostic, Field, Ink, Kind, Progress, Style};
 use paths::attribute;
+pub use writer::SvgWriter;
 
 /// How a drawing becomes an SVG picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,18 +59,24 @@ pub struct Svg {
 
 /// More copies than this take browsers seconds.
 const MANY: u128 = 100_000;
+/// The units of work that writing a vertex of a polygon takes.
+const VERTEX_WORK: u64 = 4;
 
 impl Svg {
     /// A warning where showing the file takes long, or it does not look like the drawing.
     #[must_use]
     pub fn warning(&self) -> Option<Diagnostic> {
-        let kind = match self.ink {
-            _ if self.instances > MANY => Kind::Instances { count: self.instances },
-            Ink::Density => Kind::CoveringInk,
-            Ink::Solid => return None,
-        };
-        Some(Diagnostic { kind, field: Field::Numbers, span: 0..0 })
+        warning(self.instances, self.ink)
     }
+}
+
+fn warning(instances: u128, ink: Ink) -> Option<Diagnostic> {
+    let kind = match ink {
+        _ if instances > MANY => Kind::Instances { count: instances },
+        Ink::Density => Kind::CoveringInk,
+        Ink::Solid => return None,
+    };
+    Some(Diagnostic { kind, field: Field::Numbers, span: 0..0 })
 }
 
 impl Default for SvgOptions {
@@ -90,12 +99,10 @@ impl Default for SvgOptions {
 /// # Errors
 /// [`Kind::Limit`] where there is more to write than [`SvgOptions::most`].
 pub fn write_svg(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Svg, Diagnostic> {
-    match (options.form, drawing.root) {
-        (SvgForm::Compact, Some(root)) if drawing.is_memoised() && style.colour_by != ColourBy::Path => {
-            compact::write(drawing, root, style, options)
-        }
-        _ => flat::write(drawing, style, options),
-    }
+    let mut text = String::new();
+    let mut writer = SvgWriter::new(drawing, style, options)?;
+    while writer.step(drawing, style, &mut text, u64::MAX)? == Progress::More {}
+    Ok(Svg { text, instances: writer.instances(), ink: style.ink })
 }
 
 /// The paper, in the units of the file, y down.

@@ -1,4 +1,4 @@
-//! Strokes as `<path>` elements.
+//! Strokes and polygons as `<path>` elements.
 
 use super::Decimals;
 use core::fmt::Write;
@@ -39,88 +39,101 @@ impl Ink {
     }
 }
 
-/// Writes strokes, joining those of one ink that follow each other in one path.
-pub(super) struct Paths<'a> {
-    pub(super) text: &'a mut String,
+/// Writes strokes, joining those of one ink that follow each other in one path, and polygons. It holds no text, so it can
+/// rest between two calls.
+#[derive(Clone, Debug)]
+pub(super) struct Paths {
     decimals: Decimals,
     /// The ink of the elements around.
     around: Option<Ink>,
     /// What the next path is called.
     pub(super) id: Option<String>,
     /// The open path.
-    pub(super) pen: Option<Pen>,
+    pen: Option<Pen>,
+    /// The vertices of the open polygon, and how many of them are written.
+    outline: Option<(Vec<[f64; 2]>, usize)>,
 }
 
 /// A path that is open.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pen {
+struct Pen {
     ink: Ink,
     /// Where it ended, in units of the last decimal place.
     at: [f64; 2],
     segments: usize,
 }
 
-impl<'a> Paths<'a> {
-    pub(super) fn new(text: &'a mut String, decimals: Decimals, around: Option<Ink>) -> Self {
-        Self { text, decimals, around, id: None, pen: None }
+impl Paths {
+    pub(super) fn new(decimals: Decimals, around: Option<Ink>) -> Self {
+        Self { decimals, around, id: None, pen: None, outline: None }
     }
 
     /// A stroke, in the units of the file, y down.
-    pub(super) fn stroke(&mut self, from: [f64; 2], to: [f64; 2], ink: Ink) {
+    pub(super) fn stroke(&mut self, text: &mut String, from: [f64; 2], to: [f64; 2], ink: Ink) {
         let [start, end] = [from, to].map(|point| point.map(|c| self.decimals.round(c)));
         match self.pen {
             Some(pen) if pen.ink == ink && pen.segments < PATH => {
-                self.text.push(if pen.at == start { ' ' } else { 'M' });
+                text.push(if pen.at == start { ' ' } else { 'M' });
                 if pen.at != start {
-                    self.point(from);
-                    self.text.push('L');
+                    self.point(text, from);
+                    text.push('L');
                 }
             }
             _ => {
-                self.close();
-                self.text.push_str("<path");
+                self.close(text);
+                text.push_str("<path");
                 if let Some(id) = self.id.take() {
-                    let _ = write!(self.text, " id=\"{id}\"");
+                    let _ = write!(text, " id=\"{id}\"");
                 }
                 if self.around != Some(ink) {
-                    self.text.push_str(&ink.attributes());
+                    text.push_str(&ink.attributes());
                 }
-                self.text.push_str(" d=\"M");
-                self.point(from);
-                self.text.push('L');
+                text.push_str(" d=\"M");
+                self.point(text, from);
+                text.push('L');
             }
         }
-        self.point(to);
+        self.point(text, to);
         let segments = self.pen.map_or(0, |pen| pen.segments) + 1;
         self.pen = Some(Pen { ink, at: end, segments });
     }
 
-    /// A filled polygon without a stroke.
-    pub(super) fn fill(&mut self, vertices: impl Iterator<Item = [f64; 2]>, [r, g, b]: [u8; 3]) {
-        self.close();
+    /// Begins a filled polygon without a stroke, whose vertices [`Paths::vertex`] writes.
+    pub(super) fn fill(&mut self, text: &mut String, vertices: Vec<[f64; 2]>, [r, g, b]: [u8; 3]) {
+        self.close(text);
         // Writing to a `String` cannot fail.
-        let _ = write!(self.text, "<path fill=\"#{r:02x}{g:02x}{b:02x}\" stroke=\"none\" d=\"");
-        for (index, vertex) in vertices.enumerate() {
-            self.text.push_str(match index {
-                0 => "M",
-                1 => "L",
-                _ => " ",
-            });
-            self.point(vertex);
-        }
-        self.text.push_str("z\"/>\n");
+        let _ = write!(text, "<path fill=\"#{r:02x}{g:02x}{b:02x}\" stroke=\"none\" d=\"");
+        self.outline = Some((vertices, 0));
     }
 
-    fn point(&mut self, [x, y]: [f64; 2]) {
-        self.decimals.write(self.text, x);
-        self.text.push(' ');
-        self.decimals.write(self.text, y);
+    /// Goes on with the open polygon, or ends it; whether there was one.
+    pub(super) fn vertex(&mut self, text: &mut String) -> bool {
+        let Some((vertices, written)) = &mut self.outline else { return false };
+        let Some(&vertex) = vertices.get(*written) else {
+            text.push_str("z\"/>\n");
+            self.outline = None;
+            return true;
+        };
+        text.push_str(match *written {
+            0 => "M",
+            1 => "L",
+            _ => " ",
+        });
+        *written += 1;
+        self.point(text, vertex);
+        true
+    }
+
+    fn point(&self, text: &mut String, [x, y]: [f64; 2]) {
+        self.decimals.write(text, x);
+        text.push(' ');
+        self.decimals.write(text, y);
     }
 
     /// Ends the open path, so that other elements can follow.
-    pub(super) fn close(&mut self) {
+    pub(super) fn close(&mut self, text: &mut String) {
         if self.pen.take().is_some() {
-            self.text.push_str("\"/>\n");
+            text.push_str("\"/>\n");
         }
     }
 }

@@ -2,10 +2,10 @@
 
 use super::drawing::{LIMITS, Largest, finished};
 use super::systems::cases;
-use lsystem::drawing::MeshMaker;
-use lsystem::files::{CsvWriter, GlbWriter, ObjWriter, SvgWriter};
+use lsystem::drawing::{MeshMaker, Outlook, Projection};
+use lsystem::files::{CsvWriter, GlbWriter, ObjWriter, SvgForm, SvgWriter};
 use lsystem::syntax::Meter;
-use lsystem::{Drawer, Progress, SvgOptions};
+use lsystem::{Definition, Drawer, Drawing, Progress, Solid, SvgOptions, System, draw, draw_solid};
 
 /// Units that a step may do.
 const SHARE: u64 = 1 << 14;
@@ -15,49 +15,101 @@ const BYTES: u64 = 32;
 /// Segments that are written in these tests.
 const MOST: u64 = 100_000;
 
-#[test]
-fn no_step_of_a_writer_takes_more_than_its_share_and_a_piece() {
-    let (mut csv, mut svg) = (Largest::default(), Largest::default());
-    for length in [1, 100, 10_000] {
-        for case in cases(length) {
-            let system = case.system();
-            for n in [0, 1, 12] {
-                if system.is_solid() {
-                    continue;
-                }
-                let Some(drawing) = finished(Drawer::new(&system, n, LIMITS)) else { continue };
-                let name = || format!("{}, n = {n}", case.name);
-                let see = |largest: &mut Largest, step: &mut dyn FnMut(&mut String) -> (Progress, u64)| {
-                    let mut before = 0;
-                    loop {
-                        let mut text = String::new();
-                        let (progress, spent) = step(&mut text);
-                        largest.see(spent - before, name);
-                        assert!(text.len() as u64 <= 4096 + BYTES * (spent - before), "{}", name());
-                        before = spent;
-                        if progress == Progress::Done {
-                            break;
-                        }
-                    }
-                };
-                if let Ok(mut writer) = CsvWriter::new(&drawing, MOST) {
-                    see(&mut csv, &mut |text| (writer.step(&drawing, text, SHARE), writer.spent()));
-                }
-                let (style, options) = (&case.definition.style, SvgOptions { most: MOST, ..SvgOptions::default() });
-                if let Ok(mut writer) = SvgWriter::new(&drawing, style, &options) {
-                    see(&mut svg, &mut |text| (writer.step(&drawing, style, text, SHARE), writer.spent()));
-                }
-            }
-        }
+/// Takes steps until the end; what they write must be in keeping with their work.
+fn see(largest: &mut Largest, name: &str, mut step: impl FnMut(&mut String) -> (Progress, u64)) {
+    let (mut before, mut progress) = (0, Progress::More);
+    while progress == Progress::More {
+        let mut text = String::new();
+        let spent;
+        (progress, spent) = step(&mut text);
+        largest.see(spent - before, || name.to_owned());
+        assert!(text.len() as u64 <= 4096 + BYTES * (spent - before), "{name}");
+        before = spent;
     }
-    for (name, largest) in [("csv", csv), ("svg", svg)] {
+}
+
+fn see_svg(largest: &mut Largest, name: &str, drawing: &Drawing, definition: &Definition, form: SvgForm) {
+    let (style, options) = (&definition.style, SvgOptions { most: MOST, form, ..SvgOptions::default() });
+    let Ok(mut writer) = SvgWriter::new(drawing, style, &options) else { return };
+    see(largest, name, |text| {
+        let progress = writer.step(drawing, style, text, SHARE);
+        (progress.unwrap_or(Progress::Done), writer.spent())
+    });
+}
+
+/// The drawing on paper, unless it is too large.
+fn see_projection(largest: &mut Largest, name: &str, drawing: &Drawing<Solid>) -> Option<Drawing> {
+    let mut projection = Projection::new(drawing, &Outlook::default(), MOST).ok()?;
+    see(largest, name, |_| (projection.step(drawing, SHARE), projection.spent()));
+    Some(projection.finish(drawing))
+}
+
+fn print(all: &[(&str, &Largest)]) {
+    for (name, largest) in all {
         println!(
             "{name}: {} units beyond a share of {SHARE} at most ({})",
             largest.most.saturating_sub(SHARE),
             largest.name
         );
-        assert!(largest.most <= SHARE + Meter::PIECE, "{} {}", largest.most, largest.name);
+        assert!(largest.most <= SHARE + Meter::PIECE, "{name}: {} {}", largest.most, largest.name);
     }
+}
+
+#[test]
+fn no_step_of_a_writer_takes_more_than_its_share_and_a_piece() {
+    let (mut csv, mut svg, mut compact) = (Largest::default(), Largest::default(), Largest::default());
+    for length in [1, 100, 10_000] {
+        for case in cases(length) {
+            let system = case.system();
+            for n in [0, 1, 12, 40] {
+                if system.is_solid() {
+                    continue;
+                }
+                let Some(drawing) = finished(Drawer::new(&system, n, LIMITS)) else { continue };
+                let name = format!("{}, n = {n}", case.name);
+                if let Ok(mut writer) = CsvWriter::new(&drawing, MOST) {
+                    see(&mut csv, &name, |text| (writer.step(&drawing, text, SHARE), writer.spent()));
+                }
+                see_svg(&mut svg, &name, &drawing, &case.definition, SvgForm::Flat);
+                see_svg(&mut compact, &name, &drawing, &case.definition, SvgForm::Compact);
+            }
+        }
+    }
+    print(&[("csv", &csv), ("svg", &svg), ("compact svg", &compact)]);
+}
+
+#[test]
+fn no_step_of_a_projection_takes_more_than_its_share_and_a_piece() {
+    let (mut projection, mut svg) = (Largest::default(), Largest::default());
+    for length in [1, 100, 10_000] {
+        for case in cases(length) {
+            let system = case.system();
+            for n in [0, 3, 12] {
+                let Some(drawing) = finished(Drawer::solid(&system, n, LIMITS)) else { continue };
+                let name = format!("{}, n = {n}", case.name);
+                let Some(seen) = see_projection(&mut projection, &name, &drawing) else { continue };
+                see_svg(&mut svg, &name, &seen, &case.definition, SvgForm::Flat);
+            }
+        }
+    }
+    print(&[("projection", &projection), ("svg of a projection", &svg)]);
+}
+
+#[test]
+fn polygons_of_many_vertices_are_written_in_steps() {
+    let rules = format!("G -> {{{}}}", "F+".repeat(45_000));
+    let definition = Definition { axiom: "G".into(), rules, angle: 0.01, ..Definition::default() };
+    let system = System::new(&definition).0.unwrap();
+    let plane = draw(&system, 1, &LIMITS).unwrap();
+    let solid = draw_solid(&system, 1, &LIMITS).unwrap();
+    assert!(plane.is_memoised() && plane.polygon_count() == 1);
+    let (mut svg, mut projection) = (Largest::default(), Largest::default());
+    for form in [SvgForm::Flat, SvgForm::Compact] {
+        see_svg(&mut svg, "a polygon", &plane, &definition, form);
+    }
+    let seen = see_projection(&mut projection, "a polygon", &solid).unwrap();
+    see_svg(&mut svg, "a polygon on paper", &seen, &definition, SvgForm::Flat);
+    print(&[("svg of a polygon", &svg), ("projection of a polygon", &projection)]);
 }
 
 #[test]

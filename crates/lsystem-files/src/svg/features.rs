@@ -1,0 +1,57 @@
+//! What draws the blocks of a drawing at a size.
+
+use lsystem_drawing::{BlockId, Directions, Drawing, Item, Line, Shape};
+use lsystem_syntax::{Meter, Progress};
+
+/// Blocks less than this across are one stroke, in pixels.
+const DOT: f64 = 1.0;
+
+/// By block, as far as they have been looked at.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Features {
+    shapes: Vec<Shape>,
+    /// How many strokes draw it at this size, saturating. A block that lengths are scaled for may have others where it is
+    /// placed.
+    strokes: Vec<u32>,
+    directions: Directions,
+}
+
+impl Features {
+    /// Looks at one block after the other until the meter is spent; one unit of the root is `scale` pixels.
+    pub(super) fn step(&mut self, drawing: &Drawing, root: BlockId, scale: f64, meter: &mut Meter) -> Progress {
+        let exponent = drawing.blocks[root.0 as usize].exponent;
+        while let Some(block) = drawing.blocks.get(self.shapes.len()) {
+            if meter.is_spent() {
+                return Progress::More;
+            }
+            meter.charge(1 + Shape::work(block, drawing));
+            let shape = Shape::new(block, &self.shapes, drawing, &mut self.directions);
+            let own = scale * libm::scalbn(1.0, block.exponent.saturating_sub(exponent));
+            self.strokes.push(match one_stroke(&shape, own) {
+                Some(_) => 1,
+                None => (drawing.contents(block).iter())
+                    .map(|item| match item {
+                        Item::Stroke(_) | Item::Polygon(_) => 1,
+                        Item::Block(placed) => self.strokes(placed.block),
+                    })
+                    .fold(0, u32::saturating_add),
+            });
+            self.shapes.push(shape);
+        }
+        Progress::Done
+    }
+
+    pub(super) fn strokes(&self, block: BlockId) -> u32 {
+        self.strokes[block.0 as usize]
+    }
+
+    /// The stroke that draws a block where one of its units is `scale` pixels, if one does.
+    pub(super) fn one_stroke(&self, block: BlockId, scale: f64) -> Option<&Line> {
+        one_stroke(&self.shapes[block.0 as usize], scale)
+    }
+}
+
+fn one_stroke(shape: &Shape, scale: f64) -> Option<&Line> {
+    let dot = (shape.longest.length() * scale.abs() < DOT).then_some(&shape.longest);
+    shape.straight.as_ref().or(dot)
+}

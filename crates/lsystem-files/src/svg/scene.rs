@@ -1,0 +1,52 @@
+//! A drawing at a size: how its parts look.
+
+use super::features::Features;
+use super::paths::Ink;
+use lsystem_drawing::{BlockId, ColourChange, Drawing, StyleChange, WidthChange};
+use lsystem_syntax::{ColourBy, Style};
+
+/// A drawing and what is known of it.
+pub(super) struct Scene<'a> {
+    pub(super) drawing: &'a Drawing,
+    pub(super) style: &'a Style,
+    pub(super) features: &'a Features,
+    /// The step length, in pixels.
+    pub(super) step: f64,
+}
+
+/// A style at a block's entry.
+#[derive(Clone, Copy)]
+pub(super) struct Entry {
+    pub(super) colour: i32,
+    pub(super) level: u32,
+    pub(super) width: f64,
+}
+
+impl From<Entry> for StyleChange {
+    fn from(Entry { colour, level, width }: Entry) -> Self {
+        Self { colour: ColourChange::Set(colour), width: WidthChange { factor: 0.0, offset: width }, level }
+    }
+}
+
+impl Scene<'_> {
+    pub(super) fn ink(&self, change: &StyleChange) -> Ink {
+        Ink::of(self.style, change, self.step, 1.0)
+    }
+
+    /// The style in which a block is entered, as far as that shows.
+    pub(super) fn entry(&self, block: BlockId, style: &StyleChange) -> Entry {
+        let colours = self.style.palette.len().clamp(1, i32::MAX as usize) as i32;
+        let seen = |index: i32| {
+            if self.style.holds() { index.clamp(0, colours - 1) } else { index.rem_euclid(colours) }
+        };
+        let (colour, level) = match self.style.colour_by {
+            ColourBy::Single | ColourBy::Path | ColourBy::Density => (0, 0),
+            ColourBy::Symbol | ColourBy::Turn | ColourBy::Generation => (seen(style.colour.of(0)), 0),
+            ColourBy::Level => (0, seen(i32::try_from(style.level).unwrap_or(i32::MAX)).cast_unsigned()),
+        };
+        let width = style.width.of(0.0);
+        // Where all strokes are as thin as strokes can be, the width does not show.
+        let widest = self.drawing.blocks[block.0 as usize].widest.of(width) * self.step;
+        Entry { colour, level, width: if widest <= self.style.min_width { 0.0 } else { width } }
+    }
+}

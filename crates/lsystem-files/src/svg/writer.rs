@@ -1,0 +1,78 @@
+//! A file of either form, in steps.
+
+use super::compact::Compact;
+use super::flat::Flat;
+use super::{SvgForm, SvgOptions, warning};
+use lsystem_drawing::Drawing;
+use lsystem_syntax::{ColourBy, Diagnostic, Ink, Meter, Progress, Style};
+
+/// An SVG file in steps. It holds no drawing, and what it has written may be taken away between two steps.
+#[derive(Clone, Debug)]
+pub struct SvgWriter {
+    form: Form,
+    ink: Ink,
+    spent: u64,
+}
+
+#[derive(Clone, Debug)]
+enum Form {
+    Flat(Box<Flat>),
+    Compact(Box<Compact>),
+}
+
+impl SvgWriter {
+    /// Ready to write a drawing.
+    ///
+    /// # Errors
+    /// As [`write_svg`](crate::write_svg) with the flat form.
+    pub fn new(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Self, Diagnostic> {
+        let form = match (options.form, drawing.root) {
+            (SvgForm::Compact, Some(root)) if drawing.is_memoised() && style.colour_by != ColourBy::Path => {
+                Form::Compact(Box::new(Compact::new(drawing, root, style, options)))
+            }
+            _ => Form::Flat(Box::new(Flat::new(drawing, style, options)?)),
+        };
+        Ok(Self { form, ink: style.ink, spent: 0 })
+    }
+
+    /// As [`Svg::instances`](crate::Svg::instances), when all steps are done.
+    #[must_use]
+    pub fn instances(&self) -> u128 {
+        match &self.form {
+            Form::Flat(_) => 0,
+            Form::Compact(compact) => compact.instances(),
+        }
+    }
+
+    /// A warning where showing the file takes long, or it does not look like the drawing; when all steps are done.
+    #[must_use]
+    pub fn warning(&self) -> Option<Diagnostic> {
+        warning(self.instances(), self.ink)
+    }
+
+    /// The units of work of all steps so far, as [`Meter`] counts them.
+    #[must_use]
+    pub fn spent(&self) -> u64 {
+        self.spent
+    }
+
+    /// Appends to the file for about `work` units; the drawing and the style are the same each time.
+    ///
+    /// # Errors
+    /// As [`write_svg`](crate::write_svg) with the compact form, before anything is written.
+    pub fn step(
+        &mut self,
+        drawing: &Drawing,
+        style: &Style,
+        text: &mut String,
+        work: u64,
+    ) -> Result<Progress, Diagnostic> {
+        let mut meter = Meter::new(work);
+        let progress = match &mut self.form {
+            Form::Flat(flat) => Ok(flat.step(drawing, style, text, &mut meter)),
+            Form::Compact(compact) => compact.step(drawing, style, text, &mut meter),
+        };
+        self.spent = self.spent.saturating_add(meter.spent());
+        progress
+    }
+}
