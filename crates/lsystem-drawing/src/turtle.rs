@@ -5,7 +5,7 @@ use crate::room::reserve;
 use crate::rotation::Axis;
 use crate::space::{Geometry, Tropism, exponent_of, finite};
 use crate::style::{ColourChange, StyleChange, WidthChange};
-use lsystem_derive::{Fate, LetterId, Purpose};
+use lsystem_derive::{Fate, LetterId, Purpose, Rule, Rules};
 use lsystem_syntax::{Action, Heading};
 
 /// A turtle ready to read a rules's words.
@@ -323,16 +323,14 @@ impl<S: Geometry> Score<S> {
         }));
     }
 
-    /// What is done by a letter that is still growing.
-    pub(crate) fn growing(&self, ops: &[Op<S>]) -> Vec<Op<S>> {
-        let mut growing = Vec::with_capacity(ops.len());
-        growing.extend(ops.iter().map(|op| match *op {
+    /// What a letter does that is still growing, in the place of `op`.
+    pub(crate) fn growing(&self, op: Op<S>) -> Op<S> {
+        match op {
             Op::Draw(length) => Op::Draw(length * self.growth),
             Op::Move(length) => Op::Move(length * self.growth),
             Op::Turn(turning) => Op::Turn(turning.part(self.growth)),
             other => other,
-        }));
-        growing
+        }
     }
 
     /// Whether a letter draws.
@@ -340,12 +338,30 @@ impl<S: Geometry> Score<S> {
         self.ops[usize::from(letter)].iter().any(|op| matches!(op, Op::Draw(_)))
     }
 
+    /// By letter: whether it, or what is drawn in its place, draws.
+    pub(crate) fn shows(&self, rules: &Rules) -> Vec<bool> {
+        let shows = |(letter, images): (usize, &Vec<Rule>)| {
+            let mut letters = images.iter().flat_map(|image| &image.successor.letters);
+            if images.is_empty() { self.draws(letter as LetterId) } else { letters.any(|&letter| self.draws(letter)) }
+        };
+        rules.images.iter().enumerate().map(shows).collect()
+    }
+
     /// Of the letters that have replaced `former`, the place of the one that goes on in its place.
     pub(crate) fn heir(&self, former: LetterId, successor: &[LetterId]) -> Option<usize> {
-        let same = successor.iter().position(|&letter| letter == former);
-        let draws = || successor.iter().position(|&letter| self.draws(letter)).filter(|_| self.draws(former));
-        same.or_else(draws)
+        heir(former, successor.iter().copied(), |letter| self.draws(letter))
     }
+}
+
+/// Of the letters that have replaced `former`, the place of the one that goes on in its place: the first of that letter, or
+/// else the first that draws where that one did.
+pub(crate) fn heir(
+    former: LetterId,
+    mut successor: impl Iterator<Item = LetterId> + Clone,
+    draws: impl Fn(LetterId) -> bool,
+) -> Option<usize> {
+    let same = successor.clone().position(|letter| letter == former);
+    same.or_else(|| successor.position(&draws).filter(|_| draws(former)))
 }
 
 impl<S: Geometry> Turning<S> {

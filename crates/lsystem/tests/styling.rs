@@ -158,6 +158,55 @@ proptest! {
     }
 }
 
+/// A word of modules with a parameter `x`, with branches of its own.
+fn numbered() -> impl Strategy<Value = String> {
+    let parts = vec![
+        "F(x)",
+        "F",
+        "A(x*0.8)",
+        "B(x)",
+        "B(x*r)",
+        "C(x)",
+        "+(x*20)",
+        "-",
+        "|",
+        "f(x)",
+        "!(x)",
+        "[+F(x)]",
+        "[-A(x*0.7)F]",
+        "[&B(x)]",
+        "[C(x)+f(x)A(x)]",
+        "G(x)",
+        "E(x)",
+    ];
+    prop::collection::vec(prop::sample::select(parts), 1..5).prop_map(|parts| parts.concat())
+}
+
+fn with_parameters() -> impl Strategy<Value = (Definition, u32)> {
+    let factor = || prop_oneof![1 => Just(1.0), 2 => 0.3..1.6];
+    let numbers = (factor(), factor(), prop_oneof![1 => Just(1.0), 2 => 0.0..1.0]);
+    let images = ["", "draw:\nC(x) -> f(x)[+F(x)]F(x)", "draw:\nE(x) : x > 0.5 -> [+F(x)]F\nC(x) -> f(x)"];
+    let rest = (prop::sample::select(ColourBy::ALL.to_vec()), prop::sample::select(images.to_vec()), 0..4_u32);
+    (prop::array::uniform3(numbered()), numbers, rest).prop_map(|([a, b, f], numbers, (colour_by, images, n))| {
+        let rules = format!("r = 0.9\nA(x) : x > 0.2 -> {a}\nB(x) -> {b}\nF(x) : x > 0.5 -> {f}F(x)\n{images}");
+        let style = Style { colour_by, width: 0.5, width_factor: numbers.0, turn_colours: [3, 5], ..Style::default() };
+        let (length_factor, growth) = (numbers.1, numbers.2);
+        (Definition { length_factor, growth, style, ..abop("A(1)[+B(0.7)]F(0.8)", &rules, 25.0) }, n)
+    })
+}
+
+proptest! {
+    #![proptest_config(cases())]
+
+    #[test]
+    fn what_shares_by_parameters_is_as_the_naive_turtle_says((definition, n) in with_parameters()) {
+        let system = system(&definition);
+        prop_assume!(naive::modules(&system.grammar, system.seed, n).is_some_and(|word| word.len() < 600));
+        prop_assert!(draw(&system, n, &Limits::default()).unwrap().is_memoised());
+        check(&definition, n)?;
+    }
+}
+
 fn drawn(definition: &Definition, n: u32) -> lsystem::Drawing {
     draw(&system(definition), n, &Limits::default()).unwrap()
 }
@@ -169,6 +218,15 @@ fn what_composes_memoises() {
         for growth in [1.0, 0.3] {
             let style = Style { colour_by, width_factor: 0.7, ..Style::default() };
             let styled = Definition { length_factor: 0.8, growth, style, ..plant.clone() };
+            let drawing = drawn(&styled, 40);
+            assert!(drawing.is_memoised() && drawing.block_count() < 200, "{colour_by:?}");
+        }
+    }
+    let twig = abop("A(1)", "A(l) -> F(l)[+A(l*0.7)][-A(l*0.7)]L(l)\ndraw:\nL(l) -> [+F(l/3)][-F(l/3)]", 20.0);
+    for colour_by in ColourBy::ALL {
+        for growth in [1.0, 0.3] {
+            let style = Style { colour_by, width_factor: 0.7, ..Style::default() };
+            let styled = Definition { length_factor: 0.8, growth, style, ..twig.clone() };
             let drawing = drawn(&styled, 40);
             assert!(drawing.is_memoised() && drawing.block_count() < 200, "{colour_by:?}");
         }

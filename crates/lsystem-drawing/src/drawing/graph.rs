@@ -176,6 +176,14 @@ pub(crate) struct Origin {
     pub step: u32,
 }
 
+impl Origin {
+    /// The colour of a letter of the word, where that tells when it was made: what goes on keeps it.
+    pub(super) fn date_of(&self, letter: LetterId) -> ColourChange {
+        let goes_on = self.former == Some(letter);
+        if goes_on { ColourChange::Add(0) } else { ColourChange::Set(self.step.cast_signed()) }
+    }
+}
+
 /// What a piece is made of.
 #[derive(Clone, Copy)]
 pub(super) struct Word<'a, S: Space> {
@@ -304,9 +312,7 @@ impl<S: Space> Writing<S> {
         let Self { done, young, pen, saved, .. } = self;
         let score = word.score;
         if score.dated {
-            let goes_on = word.origin.former == Some(symbol);
-            let step = word.origin.step.cast_signed();
-            pen.style.colour = if goes_on { ColourChange::Add(0) } else { ColourChange::Set(step) };
+            pen.style.colour = word.origin.date_of(symbol);
         }
         match word.lower(symbol) {
             None => {
@@ -314,7 +320,7 @@ impl<S: Space> Writing<S> {
                 let grown;
                 let ops = match young {
                     Some(heir) if *heir != Some(*done) => {
-                        grown = score.growing(word.ops(symbol));
+                        grown = word.ops(symbol).iter().map(|&op| score.growing(op)).collect::<Vec<_>>();
                         grown.as_slice()
                     }
                     _ => word.ops(symbol),
@@ -333,7 +339,7 @@ impl<S: Space> Writing<S> {
 }
 
 /// The exponent of what lengths are multiplied by on a branch so many levels deep.
-fn smaller<S: Space>(score: &Score<S>, level: i32) -> i32 {
+pub(super) fn smaller<S: Space>(score: &Score<S>, level: i32) -> i32 {
     if score.shrinking == 1.0 || level == 0 {
         return 0;
     }

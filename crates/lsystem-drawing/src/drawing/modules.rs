@@ -9,7 +9,7 @@ use crate::room::bytes_of;
 use crate::space::unit_of;
 use crate::style::StyleChange;
 use crate::turtle::{Op, Pen, Score};
-use lsystem_derive::{Age, Fate, Fault, Image, LetterId, Rewriter, Rules, fault};
+use lsystem_derive::{Age, Fate, Fault, Image, Rewriter, Rules, fault};
 use lsystem_syntax::{Diagnostic, LimitName, Limits, Meter};
 use std::sync::Arc;
 
@@ -63,13 +63,7 @@ impl<S: Space> Modular<S> {
             Rewriter::new(rules.clone(), seed, *limits).map_err(|fault_| fault(rules, fault_, 0, limits, None))?;
         if score.is_personal() {
             let aged = score.dated || score.growth < 1.0;
-            // What is drawn as something else draws if that does.
-            let draws = |letter: usize| {
-                let images = rules.images[letter].iter().flat_map(|image| &image.successor.letters);
-                let own = score.draws(letter as LetterId);
-                if rules.images[letter].is_empty() { own } else { images.copied().any(|image| score.draws(image)) }
-            };
-            rewriter.remember(aged.then(|| (0..rules.letters.len()).map(draws).collect()));
+            rewriter.remember(aged.then(|| score.shows(rules)));
         }
         Ok(Self { rewriter, seed, reader: Reader::default(), stage: Stage::Derive })
     }

@@ -10,13 +10,14 @@ mod write;
 
 use super::Piece;
 use super::builder::Builder;
-use super::graph::is_balanced;
+use super::graph::{Origin, is_balanced};
 use super::scales::{Keys, Scales, applying};
 use super::vertical::{self, Course, Tilt, vertical_of};
 use crate::Turtle;
 use crate::drawing::block::{BlockId, Space};
 use crate::room::{bytes_of, reserve};
-use crate::turtle::{Op, Score};
+use crate::style::ColourChange;
+use crate::turtle::{Op, Score, heir};
 use core::ops::Range;
 use lsystem_derive::{Fault, LetterId, Rules, Template, fault};
 use lsystem_syntax::{Diagnostic, Limits, Meter};
@@ -40,10 +41,10 @@ pub(crate) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     };
     let shown = |word: &Template| is_balanced(word.letters.iter().flat_map(|&letter| ops(usize::from(letter))));
     let deeds = |word: &Template| word.letters.iter().map(|&letter| 1 + ops(usize::from(letter)).len()).sum::<usize>();
-    // What a module of its own does depends on more than its numbers; polygons are made letter by letter.
+    // Which symbol opens a polygon is known only where all are made one by one.
     let fills = |op: &Op<S>| matches!(op, Op::OpenPolygon | Op::ClosePolygon);
-    let special = score.is_personal() || score.shrinking != 1.0 || score.ops.iter().flatten().any(fills);
-    let decided_elsewhere = special || rules.is_random() || rules.is_cutting() || score.ops.iter().flatten().any(bends);
+    let special = score.varies() || score.ops.iter().flatten().any(|op| bends(op) || fills(op));
+    let decided_elsewhere = special || rules.is_random() || rules.is_cutting();
     !decided_elsewhere
         && rules.by_letter.iter().flatten().all(|rule| !rule.is_context_sensitive() && inside(&rule.successor))
         && rules.images.iter().flatten().all(|image| deeds(&image.successor) <= IMAGE && shown(&image.successor))
@@ -81,6 +82,8 @@ pub(crate) struct Parametric<S: Space> {
     /// The piece that is being made.
     writing: Option<Box<Writing<S>>>,
     deeds: Vec<Deed<S>>,
+    /// By letter, whether it shows anything, where that tells what goes on in another's place and does not grow.
+    shows: Vec<bool>,
 }
 
 /// A module to be rewritten.
@@ -100,8 +103,16 @@ struct State {
 enum Part {
     /// It acts as it is; where its arguments start.
     Module(LetterId, u32),
-    /// It is this state of the next step, so many times as long.
-    State(u32, f64),
+    /// It is rewritten, and this state of the next step, so many times as long.
+    State(LetterId, u32, f64),
+}
+
+impl Part {
+    fn letter(&self) -> LetterId {
+        match *self {
+            Self::Module(letter, _) | Self::State(letter, ..) => letter,
+        }
+    }
 }
 
 /// What tells states apart: letter, the keys of the arguments, the vertical.
@@ -135,6 +146,8 @@ type Made<S> = (Piece<S>, u128);
 #[derive(Clone, Copy, Debug)]
 enum Deed<S: Space> {
     Op(Op<S>),
+    /// The colour that tells when what follows was made.
+    Date(ColourChange),
     Piece(Piece<S>, f64),
 }
 
@@ -178,6 +191,7 @@ impl<S: Space> Parametric<S> {
             pieces: None,
             writing: None,
             deeds: vec![],
+            shows: if score.growth < 1.0 { score.shows(rules) } else { vec![] },
         };
         // The axiom's arguments are computed as everywhere.
         let started = lsystem_derive::Rewriter::new(rules.clone(), seed, *limits);
@@ -219,9 +233,16 @@ impl<S: Space> Parametric<S> {
             return self.plan((turtle, score), limits, meter);
         }
         let is_top = self.levels.is_empty();
+        let step = self.levels.len() as u32;
         let begun = match self.levels.last().map(|level| level.get(self.done)) {
-            None => (self.top.clone(), (turtle.start_turn::<S>(), S::UPWARDS)),
-            Some(Some(state)) => (state.parts.clone(), (S::AHEAD, vertical_of(&state.tilt))),
+            None => {
+                let origin = Origin { former: None, step };
+                (self.top.clone(), origin, (turtle.start_turn::<S>(), S::UPWARDS))
+            }
+            Some(Some(state)) => {
+                let origin = Origin { former: Some(state.letter), step };
+                (state.parts.clone(), origin, (S::AHEAD, vertical_of(&state.tilt)))
+            }
             Some(None) => {
                 meter.charge(1);
                 self.levels.pop();
@@ -232,7 +253,10 @@ impl<S: Space> Parametric<S> {
                 return Outcome::Paused;
             }
         };
-        let mut writing = self.writing.take().unwrap_or_else(|| Box::new(Writing::new(begun)));
+        let mut writing = self.writing.take().unwrap_or_else(|| {
+            let (parts, origin, way) = begun;
+            Box::new(Writing::new(parts.clone(), origin, self.young(parts, &origin, meter), way))
+        });
         match self.write(&mut writing, (turtle, score), builder, meter) {
             Err(diagnostic) => return Outcome::Failed(diagnostic),
             Ok(None) => self.writing = Some(writing),
@@ -245,6 +269,15 @@ impl<S: Space> Parametric<S> {
             }
         }
         Outcome::Paused
+    }
+
+    /// In the last step all but one of the parts that replace another are new: whether that is so, and which is not.
+    fn young(&self, parts: Range<u32>, origin: &Origin, meter: &mut Meter) -> Option<Option<u32>> {
+        let former = origin.former.filter(|_| !self.shows.is_empty() && origin.step == self.n)?;
+        meter.charge(parts.len() as u64 / 4);
+        let first = parts.start;
+        let letters = self.parts[parts.start as usize..parts.end as usize].iter().map(Part::letter);
+        Some(heir(former, letters, |letter| self.shows[usize::from(letter)]).map(|at| first + at as u32))
     }
 
     /// Goes on with the plan.
@@ -394,7 +427,7 @@ impl<S: Space> Parametric<S> {
                 state
             }
         };
-        Part::State(state, scale)
+        Part::State(letter, state, scale)
     }
 
     /// Begins a level with the states that were found.

@@ -5,7 +5,7 @@ use crate::Turtle;
 use crate::drawing::Piece;
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
-use crate::drawing::graph::{effect, exponent, follow, place};
+use crate::drawing::graph::{Origin, effect, exponent, follow, place, smaller};
 use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;
 use crate::space::unit_of;
@@ -19,6 +19,11 @@ use lsystem_syntax::{Diagnostic, Limits, Meter};
 #[derive(Clone, Debug)]
 pub(super) struct Writing<S: Space> {
     parts: Range<u32>,
+    origin: Origin,
+    /// As [`Parametric::young`].
+    young: Option<Option<u32>>,
+    /// How many branches are open behind what is measured.
+    level: i32,
     /// The parts done: measured while there is no tree, then drawn.
     done: u32,
     unit: Option<i32>,
@@ -48,7 +53,7 @@ impl<S: Space> Parametric<S> {
         let end = writing.parts.end;
         let mut deeds = core::mem::take(&mut self.deeds);
         while writing.tree.is_none() && (writing.done < end || writing.weight == 0) {
-            let next = self.collect((turtle, score), writing.done..end, &mut deeds)?;
+            let next = self.collect((turtle, score), writing, &mut deeds)?;
             writing.measure(builder, score, &deeds);
             let symbols = (writing.done..next).map(|part| self.symbols_of(part)).fold(0, u128::saturating_add);
             writing.symbols = writing.symbols.saturating_add(symbols);
@@ -69,7 +74,7 @@ impl<S: Space> Parametric<S> {
         while writing.done < end {
             let next = match writing.held {
                 Some(next) => next,
-                None => self.collect((turtle, score), writing.done..end, &mut deeds)?,
+                None => self.collect((turtle, score), writing, &mut deeds)?,
             };
             writing.held = Some(next);
             while let Some(deed) = deeds.get(writing.drawn).filter(|_| !meter.is_spent() && !builder.is_full) {
@@ -101,26 +106,36 @@ impl<S: Space> Parametric<S> {
     fn collect(
         &self,
         with: (&Turtle, &Score<S>),
-        parts: Range<u32>,
+        writing: &Writing<S>,
         deeds: &mut Vec<Deed<S>>,
     ) -> Result<u32, Diagnostic> {
         deeds.clear();
-        for part in parts.clone() {
+        for number in writing.done..writing.parts.end {
             if deeds.len() >= HELD {
-                return Ok(part);
+                return Ok(number);
             }
-            match self.parts[part as usize] {
+            let part = self.parts[number as usize];
+            deeds.extend(with.1.dated.then(|| Deed::Date(writing.origin.date_of(part.letter()))));
+            match part {
                 Part::Module(letter, argument) => {
+                    let before = deeds.len();
                     let acted = self.act(with, letter, argument as usize, deeds);
                     // Images count as a step of their own.
                     acted.map_err(|error| fault(&self.rules, error, self.n, &Limits::default(), None))?;
+                    if writing.young.is_some_and(|heir| heir != Some(number)) {
+                        deeds[before..].iter_mut().for_each(|deed| {
+                            if let Deed::Op(op) = deed {
+                                *op = with.1.growing(*op);
+                            }
+                        });
+                    }
                 }
-                Part::State(state, scale) => {
+                Part::State(_, state, scale) => {
                     deeds.extend(self.below(state).map(|(piece, _)| Deed::Piece(*piece, scale)));
                 }
             }
         }
-        Ok(parts.end)
+        Ok(writing.parts.end)
     }
 
     fn below(&self, state: u32) -> Option<&Made<S>> {
@@ -131,17 +146,25 @@ impl<S: Space> Parametric<S> {
     fn symbols_of(&self, part: u32) -> u128 {
         match self.parts[part as usize] {
             Part::Module(..) => 1,
-            Part::State(state, _) => self.below(state).map_or(0, |(_, symbols)| *symbols),
+            Part::State(_, state, _) => self.below(state).map_or(0, |(_, symbols)| *symbols),
         }
     }
 }
 
 impl<S: Space> Writing<S> {
     /// Of these parts; the turtle enters with this heading, in a frame with that vertical.
-    pub(super) fn new((parts, (heading, vertical)): (Range<u32>, (S::Turn, S::Point))) -> Self {
+    pub(super) fn new(
+        parts: Range<u32>,
+        origin: Origin,
+        young: Option<Option<u32>>,
+        (heading, vertical): (S::Turn, S::Point),
+    ) -> Self {
         Self {
             done: parts.start,
             parts,
+            origin,
+            young,
+            level: 0,
             unit: None,
             symbols: 0,
             held: None,
@@ -160,14 +183,24 @@ impl<S: Space> Writing<S> {
 
     /// Looks how far some deeds go.
     fn measure(&mut self, builder: &Builder<S>, score: &Score<S>, deeds: &[Deed<S>]) {
-        let unit = |deed: &Deed<S>| match deed {
-            Deed::Op(Op::Draw(length) | Op::Move(length)) if *length != 0.0 => {
-                Some(score.exponent.saturating_add(unit_of(*length)))
-            }
-            Deed::Op(_) => None,
-            Deed::Piece(piece, scale) => exponent(builder, piece).map(|own| own.saturating_add(unit_of(*scale))),
-        };
-        self.unit = self.unit.max(deeds.iter().filter_map(unit).max());
+        for deed in deeds {
+            let unit = match deed {
+                Deed::Op(Op::Draw(length) | Op::Move(length)) if *length != 0.0 => {
+                    Some(score.exponent.saturating_add(unit_of(*length)))
+                }
+                Deed::Op(Op::Push(_)) => {
+                    self.level = self.level.saturating_add(1);
+                    None
+                }
+                Deed::Op(Op::Pop) => {
+                    self.level = self.level.saturating_sub(1).max(0);
+                    None
+                }
+                Deed::Op(_) | Deed::Date(_) => None,
+                Deed::Piece(piece, scale) => exponent(builder, piece).map(|own| own.saturating_add(unit_of(*scale))),
+            };
+            self.unit = self.unit.max(unit.map(|unit| unit.saturating_add(smaller(score, self.level))));
+        }
         self.weight += 1 + deeds.len();
     }
 
@@ -175,6 +208,7 @@ impl<S: Space> Writing<S> {
         let Self { pen, saved, .. } = self;
         match deed {
             Deed::Op(op) => tree.draw(builder, 0, |desk, directions| pen.act(&[*op], saved, scale, directions, desk)),
+            Deed::Date(colour) => pen.style.colour = *colour,
             Deed::Piece(piece, scale) => {
                 if let Some(block) = piece.block {
                     let placed = place(builder, block, pen, unit, *scale);
