@@ -51,6 +51,9 @@ fn arguments<'a>(words: impl Iterator<Item = &'a str>) -> Vec<String> {
     words.retain(|word| word != "--all");
     // Each shard has mutants of all files, the same every time.
     words.extend(["--sharding=round-robin", "--no-shuffle", "--colors=never"].map(str::to_owned));
+    // A first run of the tests would be one of the changed crates alone, which have not all of them. A mutant that loops is
+    // ended after its time, in seconds.
+    words.extend(["--baseline=skip", "--timeout=120", "--build-timeout=900"].map(str::to_owned));
     words
 }
 
@@ -97,7 +100,8 @@ mod tests {
     #[test]
     fn a_sample_is_tried_unless_something_is_chosen() {
         let of = |line: &str| arguments(line.split_whitespace()).join(" ");
-        let fixed = "--sharding=round-robin --no-shuffle --colors=never";
+        let fixed =
+            "--sharding=round-robin --no-shuffle --colors=never --baseline=skip --timeout=120 --build-timeout=900";
         assert_eq!(of(""), format!("--shard {SAMPLE} {fixed}"));
         assert_eq!(of("--jobs 2"), format!("--jobs 2 --shard {SAMPLE} {fixed}"));
         assert_eq!(of("--shard 3/9"), format!("--shard 3/9 {fixed}"));
