@@ -2,38 +2,31 @@
 //!
 //! After n derivation steps a string is exponentially long but made of few distinct pieces: symbol `s` derived for
 //! `d` more steps is always the same piece, a [`Block`]. Blocks hold strokes and placed smaller blocks, in drawing
-//! order. Systems whose pieces are not all alike (stochastic or unbalanced productions) are materialised into a
-//! tree of blocks of the same type, so every reader sees one shape of data.
+//! order: such drawings are [shared](share). Systems whose pieces are not all alike (stochastic or unbalanced
+//! productions) are [unfolded](unfold) into a tree of blocks of the same type, so every reader sees one shape of data.
 
 mod block;
 mod body;
-mod budget;
 mod builder;
 mod bulk;
 mod drawer;
 mod extent;
 mod girth;
-mod graph;
 mod hull;
 mod marks;
-mod materialise;
-mod modules;
-mod parametric;
 mod projection;
-mod scales;
 mod scene;
 mod segments;
 mod shape;
+mod share;
 mod sheet;
 mod solid;
-mod tally;
 mod tree;
-mod vertical;
+mod unfold;
 
 pub use block::{Block, BlockId, Item, Placed, Polygon, Space, Stroke};
 pub use bulk::SegmentArrays;
 pub use drawer::{Drawer, draw};
-pub(crate) use graph::Effect;
 pub use hull::hull;
 pub use marks::Mark;
 pub use marks::MarkReader;
@@ -42,6 +35,7 @@ pub use scene::SceneSize;
 pub use segments::Frame;
 pub(crate) use segments::Segments;
 pub use shape::{Line, Shape};
+pub(crate) use share::Piece;
 pub use solid::draw_solid;
 
 use self::block::Contents;
@@ -90,15 +84,6 @@ pub struct Drawing<S: Space = Plane> {
     pub scene: SceneSize,
     /// The root's extent in its own units, when somebody has asked.
     pub extent: OnceLock<Option<S::Extent>>,
-}
-
-/// What a letter derived for some more steps does.
-#[derive(Clone, Copy, Debug)]
-pub struct Piece<S: Space = Plane> {
-    /// What it draws; `None` if nothing.
-    pub block: Option<BlockId>,
-    /// How it leaves the turtle.
-    pub effect: Effect<S>,
 }
 
 impl Drawing {

@@ -199,7 +199,7 @@ pub(crate) fn describe_drawing<S: Space>(
     bounds: Option<[f64; 4]>,
     counted: Option<&Counter>,
 ) {
-    // Where counts depend on chance the drawing has been materialised, and its count is exact.
+    // Where counts depend on chance the drawing is unfolded, and its count is exact.
     let exact = || Some(drawing.segment_count()).filter(|&count| count < u128::MAX).map(Tally::from);
     let segments = counted.and_then(Counter::count).cloned().or_else(exact);
     if let Some(symbols) = drawing.symbol_count() {

@@ -1,18 +1,15 @@
-//! Drawing in resumable steps: planned and shared where blocks memoise, derived letter by letter otherwise.
+//! Drawing in resumable steps: shared where pieces are alike, unfolded otherwise.
 
 use super::Drawing;
-use super::budget::{Exceeded, Forecast, Search};
+use super::block::{BlockId, Space};
 use super::builder::Builder;
-use super::graph::{self, Level, Origin, Plan, Word, Writing};
-use super::materialise::{Materialiser, Outcome};
-use super::modules::{self, Modular};
-use super::parametric::{self, Parametric};
-use crate::drawing::block::{BlockId, Space};
+use super::share::{Level, Made, Share};
+use super::unfold::Unfold;
 use crate::room::bytes_of;
 use crate::turtle::Score;
 use crate::{Plane, System, Turtle};
-use lsystem_derive::{LetterId, Rules};
-use lsystem_syntax::{Diagnostic, Kind, LimitName, Limits, MAX_ITERATIONS, Meter, Progress};
+use lsystem_derive::Rules;
+use lsystem_syntax::{Diagnostic, LimitName, Limits, MAX_ITERATIONS, Meter, Progress};
 use std::sync::{Arc, OnceLock};
 
 /// Draws generation `n`.
@@ -24,50 +21,45 @@ pub fn draw(system: &System, n: u32, limits: &Limits) -> Result<Drawing, Diagnos
     Drawer::new(system, n, *limits).finish()
 }
 
+/// What is to be drawn.
+#[derive(Clone, Debug)]
+pub(crate) struct Task<S: Space> {
+    pub rules: Arc<Rules>,
+    pub turtle: Turtle,
+    pub score: Score<S>,
+    pub seed: u32,
+    pub n: u32,
+    pub limits: Limits,
+}
+
+/// What came of working on.
+pub(super) enum Outcome<T> {
+    /// The work allowed is done, or a stage; there is more.
+    Paused,
+    Ended(T),
+    /// Pieces are too different to be shared; this is the largest n for which they are not.
+    Apart(Option<u32>),
+    Failed(Diagnostic),
+}
+
 /// A drawing in the making. It keeps what it needs of its system, so it can wait for its next step as long as
 /// anybody likes; one that is superseded is simply dropped.
 #[derive(Clone, Debug)]
 pub struct Drawer<S: Space = Plane> {
-    rules: Arc<Rules>,
-    turtle: Turtle,
-    score: Score<S>,
-    memoises: bool,
-    seed: u32,
-    n: u32,
-    limits: Limits,
+    task: Task<S>,
+    shares: bool,
     builder: Builder<S>,
-    /// The largest n that memoises within the limits, where that has been too much.
-    memoised: Option<u32>,
     /// The symbols of the generation, where it has been gone through.
     symbols: Option<u64>,
     state: State<S>,
     /// The units of work of all steps.
     spent: u64,
-    /// The bytes of complete levels of pieces.
-    held: u64,
 }
 
 #[derive(Clone, Debug)]
 enum State<S: Space> {
-    /// Finding which letters are needed at which depth.
-    Plan(Plan),
-    /// Making the blocks of one depth after the other; the last level may be incomplete.
-    Build {
-        needed: Vec<Vec<LetterId>>,
-        pieces: Vec<Level<S>>,
-        /// The next piece.
-        writing: Option<Box<Writing<S>>>,
-    },
-    /// Counting whether it will fit.
-    Forecast(Forecast),
-    /// Deriving and drawing letter by letter.
-    Materialise(Box<Materialiser<S>>),
-    /// Planning states of modules with parameters, and making their pieces.
-    Parametric(Box<Parametric<S>>),
-    /// Deriving whole generations, and drawing the last.
-    Modules(Box<Modular<S>>),
-    /// A limit was passed: finding the largest n that is within.
-    Search(Search),
+    Share(Share<S>),
+    Unfold(Unfold<S>),
     /// Finding the extent of what is made.
     Survey {
         survey: Box<S::Survey>,
@@ -97,37 +89,16 @@ impl<S: Space> Drawer<S> {
         // What is drawn below `draw:` is in no generation.
         let reachable = if rules.is_plain() { rules.reachable() } else { vec![true; turtle.actions.len()] };
         let score = turtle.score(&reachable);
-        let memoises =
-            if rules.is_plain() { graph::memoises(&rules, &score) } else { parametric::memoises(&rules, &score) };
+        let task = Task { rules, turtle, score, seed, n, limits };
+        let shares = Share::is_possible(&task);
         let state = if n > MAX_ITERATIONS {
             State::Failed(Diagnostic::limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)))
-        } else if !rules.is_plain() {
-            match memoises {
-                true => planned(&rules, (&turtle, &score), seed, &limits, n),
-                false => whole(&rules, seed, &limits, &score),
-            }
-        } else if memoises {
-            State::Plan(Plan::new(&rules))
-        } else if rules.is_deterministic() {
-            State::Forecast(Forecast::new(&score))
+        } else if shares {
+            Share::new(&task).map_or_else(State::Failed, State::Share)
         } else {
-            State::Materialise(Box::new(Materialiser::new(turtle.start_turn::<S>(), &score, seed, n)))
+            Unfold::new(&task, None).map_or_else(State::Failed, State::Unfold)
         };
-        Self {
-            rules,
-            turtle,
-            score,
-            memoises,
-            seed,
-            n,
-            limits,
-            builder: Builder::within(limits.memory),
-            memoised: None,
-            symbols: None,
-            state,
-            spent: 0,
-            held: 0,
-        }
+        Self { task, shares, builder: Builder::within(limits.memory), symbols: None, state, spent: 0 }
     }
 
     /// Works on, for about `work` letters (some hundred thousand take a few milliseconds), and says whether there is
@@ -138,15 +109,16 @@ impl<S: Space> Drawer<S> {
         let mut meter = Meter::new(work);
         let mut progress = Progress::More;
         while progress == Progress::More && !meter.is_spent() {
-            if let Some(next) = self.advance(&mut meter) {
-                self.state = next;
-            }
-            if self.builder.is_full || self.bytes() > self.limits.memory {
+            self.advance(&mut meter);
+            if self.builder.is_full || self.bytes() > self.task.limits.memory {
                 self.builder = Builder::new();
-                self.state = match self.state {
-                    State::Materialise(_) => State::Search(Search::new(LimitName::Memory, self.n, self.seed)),
-                    _ => State::Failed(Diagnostic::limit(LimitName::Memory, self.limits.memory, None)),
+                let searches = match &mut self.state {
+                    State::Unfold(unfold) => unfold.searches(&self.task),
+                    _ => false,
                 };
+                if !searches {
+                    self.state = State::Failed(Diagnostic::limit(LimitName::Memory, self.task.limits.memory, None));
+                }
             }
             if matches!(self.state, State::Done { .. } | State::Failed(_)) {
                 progress = Progress::Done;
@@ -167,13 +139,12 @@ impl<S: Space> Drawer<S> {
     #[must_use]
     pub fn bytes(&self) -> u64 {
         let state = match &self.state {
-            State::Build { writing, .. } => writing.as_ref().map_or(0, |writing| writing.bytes()),
-            State::Materialise(materialiser) => materialiser.bytes(),
-            State::Parametric(memo) => memo.bytes(),
-            State::Modules(modular) => modular.bytes(),
-            _ => 0,
+            State::Share(share) => share.bytes(),
+            State::Unfold(unfold) => unfold.bytes(),
+            State::Survey { pieces, .. } | State::Done { pieces, .. } => pieces.iter().map(bytes_of).sum(),
+            State::Failed(_) => 0,
         };
-        self.builder.bytes() + self.builder.scene.bytes(self.memoises) + self.held + state
+        self.builder.bytes() + self.builder.scene.bytes(self.shares) + state
     }
 
     /// Does all that is left, and returns the drawing.
@@ -195,11 +166,11 @@ impl<S: Space> Drawer<S> {
             vertices: self.builder.vertices,
             styles: self.builder.styles.list,
             root,
-            start: S::point([self.turtle.start[0], self.turtle.start[1], 0.0]),
-            step: self.score.step,
-            width: self.score.width,
+            start: S::point([self.task.turtle.start[0], self.task.turtle.start[1], 0.0]),
+            step: self.task.score.step,
+            width: self.task.score.width,
             pieces,
-            memoised: self.memoises,
+            memoised: self.shares,
             places: vec![],
             symbols: self.symbols,
             scene: self.builder.scene,
@@ -207,155 +178,41 @@ impl<S: Space> Drawer<S> {
         })
     }
 
-    /// Finds which letters are needed at which depth.
-    fn plan(&mut self, meter: &mut Meter) -> Option<State<S>> {
-        let Self { rules, n, limits, .. } = self;
-        let State::Plan(plan) = &mut self.state else { return None };
-        let Some(depths) = plan.depths() else {
-            plan.step(rules, meter);
-            return None;
-        };
-        if plan.cost > limits.segments {
-            let largest = depths.checked_sub(1);
-            return Some(State::Failed(Diagnostic::limit(LimitName::Segments, limits.segments, largest)));
-        }
-        if depths < *n {
-            plan.step(rules, meter);
-            return None;
-        }
-        Some(State::Build { needed: plan.levels(), pieces: vec![], writing: None })
-    }
-
-    /// Makes the pieces of one depth after the other.
-    fn build(&mut self, meter: &mut Meter) -> Option<State<S>> {
-        let Self { rules, turtle, score, n, builder, held, .. } = self;
-        let State::Build { needed, pieces, writing } = &mut self.state else { return None };
-        let depth = pieces.len().saturating_sub(1);
-        let done = pieces.last().map_or(0, Vec::len);
-        let mut write = |word: Word<'_, S>| {
-            let piece = writing.get_or_insert_with(|| Box::new(Writing::new(&word))).step(builder, &word, meter)?;
-            *writing = None;
-            meter.charge(8);
-            Some(piece)
-        };
-        match needed.get(depth).and_then(|letters| letters.get(done)) {
-            Some(&symbol) => {
-                let letters = rules.rewrites[usize::from(symbol)].always().unwrap_or_default();
-                let below = depth.checked_sub(1).map(|below| &pieces[below]);
-                let origin = Origin { former: Some(symbol), step: n.saturating_sub(depth as u32) };
-                let piece = write(Word { score, below, letters, origin, heading: S::AHEAD })?;
-                if pieces.is_empty() {
-                    pieces.push(vec![]);
-                }
-                pieces[depth].push((symbol, piece));
-                None
-            }
-            None if pieces.len() < needed.len() => {
-                *held += pieces.last().map_or(0, bytes_of);
-                pieces.push(vec![]);
-                meter.charge(8);
-                None
-            }
-            None => {
-                let (letters, origin) = (rules.axiom.letters.as_slice(), Origin { former: None, step: 0 });
-                let heading = turtle.start_turn::<S>();
-                let root = write(Word { score, below: pieces.last(), letters, origin, heading })?.block;
-                Some(made(root, core::mem::take(pieces)))
-            }
-        }
-    }
-
-    /// Works on in the present state; returns the next one when this one is over.
+    /// Works on in the present state, or goes over to the next.
     // Once is enough in the wasm.
     #[inline(never)]
-    fn advance(&mut self, meter: &mut Meter) -> Option<State<S>> {
-        match self.state {
-            State::Plan(_) => return self.plan(meter),
-            State::Build { .. } => return self.build(meter),
-            _ => {}
-        }
-        let Self { rules, turtle, score, memoises, seed, n, limits, builder, memoised, symbols, .. } = self;
-        match &mut self.state {
-            State::Forecast(forecast) => match forecast.step(rules, limits, *n, meter)? {
-                Ok(segments) => {
-                    builder.expect(segments);
-                    Some(State::Materialise(Box::new(Materialiser::new(turtle.start_turn::<S>(), score, *seed, *n))))
-                }
-                Err(exceeded) => Some(failed(&exceeded, limits)),
-            },
-            State::Materialise(materialiser) => match materialiser.step(rules, score, builder, limits, meter) {
-                Outcome::Paused => None,
-                Outcome::Ended(root) => {
-                    *symbols = Some(materialiser.symbols());
-                    Some(made(root, vec![]))
-                }
-                Outcome::Passed(name) => {
-                    *builder = Builder::within(limits.memory);
-                    Some(State::Search(Search::new(name, *n, *seed)))
-                }
-            },
-            State::Parametric(memo) => match memo.step((turtle, score), builder, limits, meter) {
-                parametric::Outcome::Paused => None,
-                parametric::Outcome::Ended(root, count) => {
-                    *symbols = u64::try_from(count).ok();
-                    Some(made(root, vec![]))
-                }
-                parametric::Outcome::TooMany(largest) => {
-                    (*memoises, *memoised) = (false, largest);
-                    Some(whole(rules, *seed, limits, score))
-                }
-                parametric::Outcome::Failed(diagnostic) => Some(State::Failed(diagnostic)),
-            },
-            State::Modules(modular) => match modular.step((turtle, score), builder, limits, *n, meter) {
-                modules::Outcome::Paused => None,
-                modules::Outcome::Ended(root) => {
-                    *symbols = Some(modular.symbols());
-                    Some(made(root, vec![]))
-                }
-                modules::Outcome::Failed(mut diagnostic) => {
-                    if let Kind::Limit { largest, .. } = &mut diagnostic.kind {
-                        *largest = (*largest).max(*memoised);
-                    }
-                    Some(State::Failed(diagnostic))
-                }
-            },
-            State::Search(search) => {
-                let exceeded = search.step(rules, score, limits, *seed, meter)?;
-                Some(failed(&exceeded, limits))
-            }
+    fn advance(&mut self, meter: &mut Meter) {
+        let Self { task, shares, builder, symbols, state, .. } = self;
+        let outcome = match state {
+            State::Share(share) => share.step(task, builder, meter),
+            State::Unfold(unfold) => unfold.step(task, builder, meter),
             State::Survey { survey, root, pieces } => {
-                let extent = S::advance(survey, builder.contents(), meter)?;
-                Some(State::Done { root: Some(*root), pieces: core::mem::take(pieces), extent: Some(extent) })
+                if let Some(extent) = S::advance(survey, builder.contents(), meter) {
+                    *state = State::Done { root: Some(*root), pieces: core::mem::take(pieces), extent: Some(extent) };
+                }
+                return;
             }
-            State::Plan(_) | State::Build { .. } | State::Done { .. } | State::Failed(_) => None,
+            State::Done { .. } | State::Failed(_) => return,
+        };
+        match outcome {
+            Outcome::Paused => {}
+            Outcome::Ended(made) => {
+                *symbols = made.symbols;
+                *state = complete(made);
+            }
+            Outcome::Apart(largest) => {
+                *shares = false;
+                *state = Unfold::new(task, largest).map_or_else(State::Failed, State::Unfold);
+            }
+            Outcome::Failed(diagnostic) => *state = State::Failed(diagnostic),
         }
     }
 }
 
 /// What comes when all blocks are made.
-fn made<S: Space>(root: Option<BlockId>, pieces: Vec<Level<S>>) -> State<S> {
+fn complete<S: Space>(Made { root, pieces, .. }: Made<S>) -> State<S> {
     match root {
         None => State::Done { root, pieces, extent: None },
         Some(root) => State::Survey { survey: Box::new(S::survey(root)), root, pieces },
     }
-}
-
-/// Modules with parameters, whose pieces are shared.
-fn planned<S: Space>(rules: &Arc<Rules>, with: (&Turtle, &Score<S>), seed: u32, limits: &Limits, n: u32) -> State<S> {
-    match Parametric::new(rules, with, seed, limits, n) {
-        Ok(parametric) => State::Parametric(Box::new(parametric)),
-        Err(diagnostic) => State::Failed(diagnostic),
-    }
-}
-
-/// Whole generations.
-fn whole<S: Space>(rules: &Arc<Rules>, seed: u32, limits: &Limits, score: &Score<S>) -> State<S> {
-    match Modular::new(rules, seed, limits, score) {
-        Ok(modular) => State::Modules(Box::new(modular)),
-        Err(diagnostic) => State::Failed(diagnostic),
-    }
-}
-
-fn failed<S: Space>(exceeded: &Exceeded, limits: &Limits) -> State<S> {
-    State::Failed(Diagnostic::limit(exceeded.limit, limits.value(exceeded.limit), exceeded.largest))
 }

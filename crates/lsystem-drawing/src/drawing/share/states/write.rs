@@ -1,11 +1,11 @@
 //! Pieces of modules with parameters: what the turtle does one after the other, drawn into a block.
 
-use super::{Deed, Made, Parametric, Part};
+use super::{Counted, Deed, Part, States};
 use crate::Turtle;
-use crate::drawing::Piece;
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
-use crate::drawing::graph::{Origin, effect, exponent, follow, place, smaller};
+use crate::drawing::share::piece::{Piece, effect, exponent, follow, place, smaller};
+use crate::drawing::share::word::Origin;
 use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;
 use crate::space::unit_of;
@@ -20,7 +20,7 @@ use lsystem_syntax::{Diagnostic, Limits, Meter};
 pub(super) struct Writing<S: Space> {
     parts: Range<u32>,
     origin: Origin,
-    /// As [`Parametric::young`].
+    /// As [`States::young`].
     young: Option<Option<u32>>,
     /// How many branches are open behind what is measured.
     level: i32,
@@ -41,7 +41,7 @@ pub(super) struct Writing<S: Space> {
 
 /// Deeds of a piece that are held at a time, about.
 const HELD: usize = 4096;
-impl<S: Space> Parametric<S> {
+impl<S: Space> States<S> {
     /// Goes on with a piece until the meter is spent; the piece when it is made.
     pub(super) fn write(
         &mut self,
@@ -49,7 +49,7 @@ impl<S: Space> Parametric<S> {
         (turtle, score): (&Turtle, &Score<S>),
         builder: &mut Builder<S>,
         meter: &mut Meter,
-    ) -> Result<Option<Made<S>>, Diagnostic> {
+    ) -> Result<Option<Counted<S>>, Diagnostic> {
         let end = writing.parts.end;
         let mut deeds = core::mem::take(&mut self.deeds);
         while writing.tree.is_none() && (writing.done < end || writing.weight == 0) {
@@ -138,7 +138,7 @@ impl<S: Space> Parametric<S> {
         Ok(writing.parts.end)
     }
 
-    fn below(&self, state: u32) -> Option<&Made<S>> {
+    fn below(&self, state: u32) -> Option<&Counted<S>> {
         self.pieces.as_ref().and_then(|[below, _]| below.get(state as usize))
     }
 

@@ -1,9 +1,10 @@
 //! Drawing letter by letter, where no two pieces need be alike.
 
-use super::builder::Builder;
 use super::tally::Tally;
-use super::tree::Tree;
 use crate::drawing::block::{BlockId, Item, Space};
+use crate::drawing::builder::Builder;
+use crate::drawing::drawer::Task;
+use crate::drawing::tree::Tree;
 use crate::room::bytes_of;
 use crate::style::StyleChange;
 use crate::turtle::{Op, Pen, Score};
@@ -18,8 +19,8 @@ pub(crate) struct Census {
     tally: Tally,
 }
 
-/// What came of working on.
-pub(super) enum Outcome<T> {
+/// How far a derivation has been gone through.
+pub(super) enum Gone<T> {
     /// The work allowed is done; there is more.
     Paused,
     /// The whole derivation has been gone through.
@@ -43,7 +44,7 @@ impl Census {
         limits: &Limits,
         meter: &mut Meter,
         mut act: impl FnMut(&Walk, (u64, LetterId), &[Op<S>]) -> Option<u64>,
-    ) -> Outcome<()> {
+    ) -> Gone<()> {
         let began = self.walk.work;
         let mut acted = 0_u64;
         let outcome = loop {
@@ -57,19 +58,19 @@ impl Census {
                     ops.iter().for_each(|op| self.tally.add(op));
                     self.walk.work += self.tally.work() - before;
                     if self.tally.segments > limits.segments {
-                        break Outcome::Passed(LimitName::Segments);
+                        break Gone::Passed(LimitName::Segments);
                     }
                     if self.tally.segments.saturating_mul(size_of::<Item<S>>() as u64) > limits.memory {
-                        break Outcome::Passed(LimitName::Memory);
+                        break Gone::Passed(LimitName::Memory);
                     }
                     match act(&self.walk, (place, symbol), ops) {
                         Some(work) => acted += work,
-                        None => break Outcome::Paused,
+                        None => break Gone::Paused,
                     }
                 }
-                Next::End => break Outcome::Ended(()),
-                Next::Pause if self.walk.work >= limits.work => break Outcome::Passed(LimitName::Work),
-                Next::Pause => break Outcome::Paused,
+                Next::End => break Gone::Ended(()),
+                Next::Pause if self.walk.work >= limits.work => break Gone::Passed(LimitName::Work),
+                Next::Pause => break Gone::Paused,
             }
         };
         meter.charge((self.walk.work - began).max(1) + acted);
@@ -79,7 +80,7 @@ impl Census {
 
 /// A tree of blocks in the making.
 #[derive(Clone, Debug)]
-pub(crate) struct Materialiser<S: Space> {
+pub(crate) struct Letters<S: Space> {
     census: Census,
     pen: Pen<S>,
     saved: Vec<Pen<S>>,
@@ -92,14 +93,14 @@ pub(crate) struct Materialiser<S: Space> {
     own: Vec<Op<S>>,
 }
 
-impl<S: Space> Materialiser<S> {
-    pub(super) fn new(heading: S::Turn, score: &Score<S>, seed: u32, n: u32) -> Self {
+impl<S: Space> Letters<S> {
+    pub(super) fn new(Task { turtle, score, seed, n, .. }: &Task<S>) -> Self {
         Self {
-            census: Census::new(n, seed),
-            pen: Pen::new(heading, StyleChange::start(score.width)),
+            census: Census::new(*n, *seed),
+            pen: Pen::new(turtle.start_turn::<S>(), StyleChange::start(score.width)),
             saved: vec![],
             tree: Tree::new(score.exponent),
-            seed,
+            seed: *seed,
             heir: None,
             own: vec![],
         }
@@ -118,12 +119,10 @@ impl<S: Space> Materialiser<S> {
     /// Goes on until the meter is spent.
     pub(super) fn step(
         &mut self,
-        rules: &Rules,
-        score: &Score<S>,
+        Task { rules, score, limits, .. }: &Task<S>,
         builder: &mut Builder<S>,
-        limits: &Limits,
         meter: &mut Meter,
-    ) -> Outcome<Option<BlockId>> {
+    ) -> Gone<Option<BlockId>> {
         let Self { census, pen, saved, tree, seed, heir, own } = self;
         let outcome = census.step(rules, score, limits, meter, |walk, (place, symbol), ops| {
             let mut ops = ops;
@@ -143,11 +142,11 @@ impl<S: Space> Materialiser<S> {
             (!is_full).then(|| ops.len() as u64 + builder.take_work())
         });
         let outcome = match outcome {
-            Outcome::Paused => Outcome::Paused,
-            Outcome::Passed(limit) => Outcome::Passed(limit),
-            Outcome::Ended(()) => match tree.finish_one(builder) {
-                Some(root) => Outcome::Ended(root),
-                None => Outcome::Paused,
+            Gone::Paused => Gone::Paused,
+            Gone::Passed(limit) => Gone::Passed(limit),
+            Gone::Ended(()) => match tree.finish_one(builder) {
+                Some(root) => Gone::Ended(root),
+                None => Gone::Paused,
             },
         };
         meter.charge(builder.take_work());

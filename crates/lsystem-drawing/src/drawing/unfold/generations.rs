@@ -1,24 +1,24 @@
 //! Drawing a whole generation, for productions that look around themselves or compute.
 
-use super::builder::Builder;
 use super::tally::Tally;
-use super::tree::Tree;
 use crate::Turtle;
 use crate::drawing::block::{BlockId, Space};
+use crate::drawing::builder::Builder;
+use crate::drawing::drawer::{Outcome, Task};
+use crate::drawing::tree::Tree;
 use crate::room::bytes_of;
 use crate::space::unit_of;
 use crate::style::StyleChange;
 use crate::turtle::{Op, Pen, Score};
-use lsystem_derive::{Age, Fate, Fault, Image, Rewriter, Rules, fault};
+use lsystem_derive::{Age, Fate, Fault, Image, Rewriter, fault};
 use lsystem_syntax::{Diagnostic, LimitName, Limits, Meter};
-use std::sync::Arc;
 
 /// Modules read between two looks at the caller's budget.
 const PIECE: usize = 1 << 12;
 
 /// A drawing in the making: derives generation after generation, measures the last, and draws it.
 #[derive(Clone, Debug)]
-pub(crate) struct Modular<S: Space> {
+pub(crate) struct Generations<S: Space> {
     rewriter: Rewriter,
     seed: u32,
     reader: Reader<S>,
@@ -47,18 +47,10 @@ enum Stage<S: Space> {
     },
 }
 
-/// What came of working on.
-pub(super) enum Outcome {
-    /// The work allowed is done; there is more.
-    Paused,
-    /// The root of the drawing.
-    Ended(Option<BlockId>),
-    Failed(Diagnostic),
-}
-
-impl<S: Space> Modular<S> {
+impl<S: Space> Generations<S> {
     /// Ready to draw from the axiom on.
-    pub(super) fn new(rules: &Arc<Rules>, seed: u32, limits: &Limits, score: &Score<S>) -> Result<Self, Diagnostic> {
+    pub(super) fn new(Task { rules, score, seed, limits, .. }: &Task<S>) -> Result<Self, Diagnostic> {
+        let seed = *seed;
         let mut rewriter =
             Rewriter::new(rules.clone(), seed, *limits).map_err(|fault_| fault(rules, fault_, 0, limits, None))?;
         if score.is_personal() {
@@ -85,12 +77,12 @@ impl<S: Space> Modular<S> {
     /// Works on for as many modules as the meter allows.
     pub(super) fn step(
         &mut self,
-        with: (&Turtle, &Score<S>),
+        task: &Task<S>,
         builder: &mut Builder<S>,
-        limits: &Limits,
-        n: u32,
         meter: &mut Meter,
-    ) -> Outcome {
+    ) -> Outcome<Option<BlockId>> {
+        let (Task { limits, .. }, n) = (task, task.n);
+        let with = (&task.turtle, &task.score);
         match &self.stage {
             Stage::Derive if self.rewriter.generation() < n => self.derive(builder, limits, meter),
             Stage::Derive => {
@@ -104,7 +96,7 @@ impl<S: Space> Modular<S> {
         }
     }
 
-    fn derive(&mut self, builder: &Builder<S>, limits: &Limits, meter: &mut Meter) -> Outcome {
+    fn derive(&mut self, builder: &Builder<S>, limits: &Limits, meter: &mut Meter) -> Outcome<Option<BlockId>> {
         let rewriter = &mut self.rewriter;
         rewriter.allow(limits.memory.saturating_sub(builder.bytes()));
         let Err(passed) = rewriter.advance(meter) else { return Outcome::Paused };
@@ -122,7 +114,7 @@ impl<S: Space> Modular<S> {
         limits: &Limits,
         n: u32,
         meter: &mut Meter,
-    ) -> Outcome {
+    ) -> Outcome<Option<BlockId>> {
         let Self { rewriter, seed, reader, stage } = self;
         let Stage::Measure(measure) = stage else { return Outcome::Paused };
         let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| {
@@ -156,7 +148,7 @@ impl<S: Space> Modular<S> {
         builder: &mut Builder<S>,
         limits: &Limits,
         meter: &mut Meter,
-    ) -> Outcome {
+    ) -> Outcome<Option<BlockId>> {
         let Self { rewriter, seed, reader, stage } = self;
         let Stage::Draw { pen, saved, tree, scale } = stage else { return Outcome::Paused };
         let derived = rewriter.bytes();
@@ -184,7 +176,7 @@ impl<S: Space> Modular<S> {
         builder: &Builder<S>,
         limits: &Limits,
         meter: &mut Meter,
-    ) -> Outcome {
+    ) -> Outcome<Option<BlockId>> {
         let Self { rewriter, seed, reader, stage } = self;
         let Stage::Recount { passed, before, next, fits, measure } = stage else { return Outcome::Paused };
         let over = Diagnostic::limit(*passed, limits.value(*passed), *fits);
@@ -213,7 +205,7 @@ impl<S: Space> Modular<S> {
     }
 
     /// Starts again, to find the last generation before `before` that is within all limits.
-    fn recount(&mut self, passed: LimitName, before: u32, limits: &Limits) -> Outcome {
+    fn recount(&mut self, passed: LimitName, before: u32, limits: &Limits) -> Outcome<Option<BlockId>> {
         let failed = || Outcome::Failed(Diagnostic::limit(passed, limits.value(passed), None));
         let Ok(rewriter) = Rewriter::new(self.rewriter.rules().clone(), self.seed, *limits) else { return failed() };
         self.rewriter = rewriter;

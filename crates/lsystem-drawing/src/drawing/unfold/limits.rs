@@ -1,6 +1,6 @@
 //! Whether a drawing stays within its limits, and up to which n it would.
 
-use super::materialise::{Census, Outcome};
+use super::letters::{Census, Gone};
 use crate::drawing::block::{Item, Space};
 use crate::turtle::{Op, Score};
 use lsystem_derive::{LetterId, Rewrite, Rules};
@@ -158,9 +158,9 @@ impl Search {
         let bytes = (size_of::<Item<S>>() as u64 + S::least_picture()) * 9 / 4;
         let sure = Limits { segments: limits.segments.min(limits.memory / bytes), ..*limits };
         match self.census.step(rules, score, &sure, meter, |_, _, _| Some(0)) {
-            Outcome::Paused => return None,
-            Outcome::Ended(()) => self.fits = Some(self.trial),
-            Outcome::Passed(limit) => {
+            Gone::Paused => return None,
+            Gone::Ended(()) => self.fits = Some(self.trial),
+            Gone::Passed(limit) => {
                 let is_memory = limit == LimitName::Segments && sure.segments < limits.segments;
                 (self.exceeds, self.limit) = (self.trial, if is_memory { LimitName::Memory } else { limit });
             }

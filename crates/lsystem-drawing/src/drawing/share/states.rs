@@ -8,13 +8,16 @@
 
 mod write;
 
-use super::Piece;
-use super::builder::Builder;
-use super::graph::{Origin, is_balanced};
+use super::Made;
+use super::letters::is_balanced;
+use super::piece::Piece;
 use super::scales::{Keys, Scales, applying};
 use super::vertical::{self, Course, Tilt, vertical_of};
+use super::word::Origin;
 use crate::Turtle;
-use crate::drawing::block::{BlockId, Space};
+use crate::drawing::block::Space;
+use crate::drawing::builder::Builder;
+use crate::drawing::drawer::{Outcome, Task};
 use crate::room::{bytes_of, reserve};
 use crate::style::ColourChange;
 use crate::turtle::{Op, Score, heir};
@@ -30,7 +33,7 @@ const STATES: usize = 1 << 16;
 
 /// Whether pieces depend on nothing but letters, parameters, the vertical and steps: no contexts, no chance, no cutting,
 /// nothing that bends towards directions of the model, and no rewritten module or image that ends on another branch than it began on.
-pub(crate) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
+pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     let bends = |op: &Op<S>| matches!(op, Op::Bend(_));
     let (letters, ops) = (rules.by_letter.len(), |letter: usize| score.ops[letter].iter());
     // Images stand for themselves, and rewritten modules for what they become.
@@ -54,7 +57,7 @@ pub(crate) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
 
 /// A drawing in the making: plans the states from the axiom on, then makes their pieces from the last step back.
 #[derive(Clone, Debug)]
-pub(crate) struct Parametric<S: Space> {
+pub(crate) struct States<S: Space> {
     rules: Arc<Rules>,
     keys: Keys,
     scales: Scales,
@@ -78,7 +81,7 @@ pub(crate) struct Parametric<S: Space> {
     /// The word whose parts are being found.
     planning: Option<Planning<S>>,
     /// While pieces are made: those of the level below, and of this one.
-    pieces: Option<[Vec<Made<S>>; 2]>,
+    pieces: Option<[Vec<Counted<S>>; 2]>,
     /// The piece that is being made.
     writing: Option<Box<Writing<S>>>,
     deeds: Vec<Deed<S>>,
@@ -140,7 +143,7 @@ struct Planning<S: Space> {
 const IMAGE: usize = 2 * 4096;
 
 /// A state's piece, and how many symbols it is made of.
-type Made<S> = (Piece<S>, u128);
+type Counted<S> = (Piece<S>, u128);
 
 /// What the turtle does one after the other.
 #[derive(Clone, Copy, Debug)]
@@ -151,26 +154,10 @@ enum Deed<S: Space> {
     Piece(Piece<S>, f64),
 }
 
-/// What came of working on.
-pub(super) enum Outcome {
-    /// The work allowed is done; there is more.
-    Paused,
-    /// The root of the drawing, and the symbols of its generation.
-    Ended(Option<BlockId>, u128),
-    /// There are too many states; this is the largest n with few enough.
-    TooMany(Option<u32>),
-    Failed(Diagnostic),
-}
-
-impl<S: Space> Parametric<S> {
+impl<S: Space> States<S> {
     /// Ready to draw generation `n` from the axiom on.
-    pub(super) fn new(
-        rules: &Arc<Rules>,
-        (turtle, score): (&Turtle, &Score<S>),
-        seed: u32,
-        limits: &Limits,
-        n: u32,
-    ) -> Result<Self, Diagnostic> {
+    pub(super) fn new(Task { rules, turtle, score, seed, n, limits }: &Task<S>) -> Result<Self, Diagnostic> {
+        let n = *n;
         let lookers = vertical::lookers(rules, score);
         let mut new = Self {
             keys: Keys::new(rules),
@@ -194,7 +181,7 @@ impl<S: Space> Parametric<S> {
             shows: if score.growth < 1.0 { score.shows(rules) } else { vec![] },
         };
         // The axiom's arguments are computed as everywhere.
-        let started = lsystem_derive::Rewriter::new(rules.clone(), seed, *limits);
+        let started = lsystem_derive::Rewriter::new(rules.clone(), *seed, *limits);
         let started = started.map_err(|error| fault(rules, error, 0, limits, None))?;
         let word = started.word();
         new.arguments.extend_from_slice(&word.arguments);
@@ -222,13 +209,8 @@ impl<S: Space> Parametric<S> {
     }
 
     /// Works on until the meter is spent.
-    pub(super) fn step(
-        &mut self,
-        (turtle, score): (&Turtle, &Score<S>),
-        builder: &mut Builder<S>,
-        limits: &Limits,
-        meter: &mut Meter,
-    ) -> Outcome {
+    pub(super) fn step(&mut self, task: &Task<S>, builder: &mut Builder<S>, meter: &mut Meter) -> Outcome<Made<S>> {
+        let Task { turtle, score, limits, .. } = task;
         if self.pieces.is_none() {
             return self.plan((turtle, score), limits, meter);
         }
@@ -260,7 +242,10 @@ impl<S: Space> Parametric<S> {
         match self.write(&mut writing, (turtle, score), builder, meter) {
             Err(diagnostic) => return Outcome::Failed(diagnostic),
             Ok(None) => self.writing = Some(writing),
-            Ok(Some(made)) if is_top => return Outcome::Ended(made.0.block, made.1),
+            Ok(Some((piece, symbols))) if is_top => {
+                let symbols = u64::try_from(symbols).ok();
+                return Outcome::Ended(Made { root: piece.block, pieces: vec![], symbols });
+            }
             Ok(Some(made)) => {
                 if let Some([_, here]) = &mut self.pieces {
                     here.push(made);
@@ -281,7 +266,7 @@ impl<S: Space> Parametric<S> {
     }
 
     /// Goes on with the plan.
-    fn plan(&mut self, with: (&Turtle, &Score<S>), limits: &Limits, meter: &mut Meter) -> Outcome {
+    fn plan(&mut self, with: (&Turtle, &Score<S>), limits: &Limits, meter: &mut Meter) -> Outcome<Made<S>> {
         let steps = self.levels.len() as u32;
         if self.planning.is_none() {
             meter.charge(1);
@@ -296,14 +281,14 @@ impl<S: Space> Parametric<S> {
                 return Outcome::Paused;
             };
             if self.is_crowded {
-                return Outcome::TooMany(steps.checked_sub(1));
+                return Outcome::Apart(steps.checked_sub(1));
             }
             let (letter, from) = (state.letter, state.argument as usize);
             let course = Course::new(S::AHEAD, vertical_of(&state.tilt));
             self.planning = Some(self.planned(letter, from, self.n - steps, course));
         }
         match self.find((with, limits), meter) {
-            Err(()) => return Outcome::TooMany(steps.checked_sub(1)),
+            Err(()) => return Outcome::Apart(steps.checked_sub(1)),
             Ok(Some(diagnostic)) => return Outcome::Failed(diagnostic),
             Ok(None) => {}
         }

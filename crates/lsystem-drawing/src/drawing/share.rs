@@ -1,0 +1,71 @@
+//! Drawing what is made once and placed wherever it comes again.
+//!
+//! What a module draws in some steps is one piece wherever it stands, as long as nothing else decides about it. Plain
+//! letters have one for each number of steps, found by its place in a list; modules with parameters one for each state.
+
+mod letters;
+mod piece;
+mod plan;
+mod scales;
+mod states;
+mod vertical;
+mod word;
+
+pub(super) use letters::Level;
+pub(crate) use piece::Piece;
+
+use self::letters::Letters;
+use self::states::States;
+use super::block::{BlockId, Space};
+use super::builder::Builder;
+use super::drawer::{Outcome, Task};
+use lsystem_syntax::{Diagnostic, Meter};
+
+/// A drawing in the making.
+#[derive(Clone, Debug)]
+pub(crate) enum Share<S: Space> {
+    Letters(Letters<S>),
+    States(Box<States<S>>),
+}
+
+/// A drawing whose blocks are all there.
+#[derive(Clone, Debug)]
+pub(crate) struct Made<S: Space> {
+    pub root: Option<BlockId>,
+    /// By steps from 1: the pieces of letters.
+    pub pieces: Vec<Level<S>>,
+    /// The symbols of the generation, where it has been gone through.
+    pub symbols: Option<u64>,
+}
+
+impl<S: Space> Share<S> {
+    /// Whether pieces depend on so little that they come again.
+    pub(super) fn is_possible(task: &Task<S>) -> bool {
+        let memoises = if task.rules.is_plain() { letters::memoises } else { states::memoises };
+        memoises(&task.rules, &task.score)
+    }
+
+    /// Ready to draw from the axiom on.
+    pub(super) fn new(task: &Task<S>) -> Result<Self, Diagnostic> {
+        if task.rules.is_plain() {
+            return Ok(Self::Letters(Letters::new(&task.rules)));
+        }
+        Ok(Self::States(Box::new(States::new(task)?)))
+    }
+
+    /// The bytes that it takes.
+    pub(super) fn bytes(&self) -> u64 {
+        match self {
+            Self::Letters(letters) => letters.bytes(),
+            Self::States(states) => states.bytes(),
+        }
+    }
+
+    /// Works on until the meter is spent, or a stage is over.
+    pub(super) fn step(&mut self, task: &Task<S>, builder: &mut Builder<S>, meter: &mut Meter) -> Outcome<Made<S>> {
+        match self {
+            Self::Letters(letters) => letters.step(task, builder, meter),
+            Self::States(states) => states.step(task, builder, meter),
+        }
+    }
+}

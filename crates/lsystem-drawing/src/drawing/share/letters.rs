@@ -1,0 +1,174 @@
+//! Letters that derive by themselves: what each draws in each number of steps, made once, from the last step back.
+
+use super::Made;
+use super::piece::Piece;
+use super::plan::Plan;
+use super::word::{Origin, Word, Writing};
+use crate::Plane;
+use crate::drawing::block::Space;
+use crate::drawing::builder::Builder;
+use crate::drawing::drawer::{Outcome, Task};
+use crate::room::bytes_of;
+use crate::turtle::{Op, Score};
+use lsystem_derive::{LetterId, Rewrite, Rules};
+use lsystem_syntax::{Diagnostic, LimitName, Meter};
+
+/// Whether every reachable letter always draws the same: no choices, no variation, nothing that looks to the directions
+/// of the model, no rewritten letter or successor that ends on another branch than it began on or returns from branches
+/// it did not open, and no polygon that is made by more than one production.
+pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
+    let looks_out = |op: &Op<S>| matches!(op, Op::Bend(_)) || matches!(op, Op::Upright) && !S::LEVEL;
+    let is_kept = |s: LetterId| matches!(rules.rewrites[usize::from(s)], Rewrite::Keep);
+    !score.varies()
+        && !score.ops.iter().flatten().any(looks_out)
+        && is_filled_at_once(&rules.axiom.letters, score, is_kept)
+        && (rules.rewrites.iter().zip(rules.reachable()).enumerate()).all(|(symbol, (rewrite, reached))| {
+            let balanced = |word: &[LetterId]| {
+                let kept = word.iter().filter(|&&s| is_kept(s));
+                is_balanced(kept.flat_map(|&s| &score.ops[usize::from(s)])) && is_filled_at_once(word, score, is_kept)
+            };
+            match rewrite {
+                _ if !reached => true,
+                Rewrite::Keep => true,
+                Rewrite::Always(word) => {
+                    let alone = [symbol as LetterId];
+                    balanced(word) && is_balanced(&score.ops[symbol]) && is_filled_at_once(&alone, score, |_| true)
+                }
+                Rewrite::Choose(_) => false,
+            }
+        })
+}
+
+pub(super) fn is_balanced<'a, S: Space>(ops: impl IntoIterator<Item = &'a Op<S>>) -> bool {
+    let mut level = 0_i64;
+    let never_below = ops.into_iter().all(|op| {
+        match op {
+            Op::Push(_) => level += 1,
+            Op::Pop => level -= 1,
+            _ => {}
+        }
+        level >= 0
+    });
+    never_below && level == 0
+}
+
+/// Whether every polygon that is opened or closed by the letters of `word` that stay is opened and closed by them, and
+/// only they stand inside.
+fn is_filled_at_once<S: Space>(word: &[LetterId], score: &Score<S>, stays: impl Fn(LetterId) -> bool) -> bool {
+    let mut open = 0_i64;
+    let fits = word.iter().all(|&symbol| {
+        let stays = stays(symbol);
+        for op in score.ops[usize::from(symbol)].iter().filter(|_| stays) {
+            match op {
+                Op::OpenPolygon => open += 1,
+                Op::ClosePolygon => open -= 1,
+                _ => {}
+            }
+        }
+        open == 0 || (open > 0 && stays)
+    });
+    fits && open == 0
+}
+
+/// The pieces of one depth, sorted by letter.
+pub(in crate::drawing) type Level<S = Plane> = Vec<(LetterId, Piece<S>)>;
+
+/// A drawing in the making.
+#[derive(Clone, Debug)]
+pub(crate) enum Letters<S: Space> {
+    /// Finding which letters are needed at which depth.
+    Plan(Plan),
+    /// Making the pieces of one depth after the other.
+    Build(Build<S>),
+}
+
+/// Pieces in the making; those of the last level may not all be there.
+#[derive(Clone, Debug)]
+pub(crate) struct Build<S: Space> {
+    needed: Vec<Vec<LetterId>>,
+    pieces: Vec<Level<S>>,
+    /// The next piece.
+    writing: Option<Box<Writing<S>>>,
+    /// The bytes of complete levels.
+    held: u64,
+}
+
+impl<S: Space> Letters<S> {
+    pub(super) fn new(rules: &Rules) -> Self {
+        Self::Plan(Plan::new(rules))
+    }
+
+    /// The bytes that it takes.
+    pub(super) fn bytes(&self) -> u64 {
+        match self {
+            Self::Plan(_) => 0,
+            Self::Build(build) => build.held + build.writing.as_ref().map_or(0, |writing| writing.bytes()),
+        }
+    }
+
+    /// Works on until the meter is spent, or a stage is over.
+    pub(super) fn step(&mut self, task: &Task<S>, builder: &mut Builder<S>, meter: &mut Meter) -> Outcome<Made<S>> {
+        match self {
+            Self::Plan(plan) => {
+                let Some(depths) = plan.depths() else {
+                    plan.step(&task.rules, meter);
+                    return Outcome::Paused;
+                };
+                if plan.cost > task.limits.segments {
+                    let (limit, largest) = (LimitName::Segments, depths.checked_sub(1));
+                    return Outcome::Failed(Diagnostic::limit(limit, task.limits.segments, largest));
+                }
+                if depths < task.n {
+                    plan.step(&task.rules, meter);
+                } else {
+                    let build = Build { needed: plan.levels(), pieces: vec![], writing: None, held: 0 };
+                    *self = Self::Build(build);
+                }
+                Outcome::Paused
+            }
+            Self::Build(build) => build.step(task, builder, meter),
+        }
+    }
+}
+
+impl<S: Space> Build<S> {
+    fn step(&mut self, task: &Task<S>, builder: &mut Builder<S>, meter: &mut Meter) -> Outcome<Made<S>> {
+        let Self { needed, pieces, writing, held } = self;
+        let Task { rules, turtle, score, n, .. } = task;
+        let depth = pieces.len().saturating_sub(1);
+        let done = pieces.last().map_or(0, Vec::len);
+        let mut write = |word: Word<'_, S>| {
+            let piece = writing.get_or_insert_with(|| Box::new(Writing::new(&word))).step(builder, &word, meter)?;
+            *writing = None;
+            meter.charge(8);
+            Some(piece)
+        };
+        match needed.get(depth).and_then(|letters| letters.get(done)) {
+            Some(&symbol) => {
+                let letters = rules.rewrites[usize::from(symbol)].always().unwrap_or_default();
+                let below = depth.checked_sub(1).map(|below| &pieces[below]);
+                let origin = Origin { former: Some(symbol), step: n.saturating_sub(depth as u32) };
+                let Some(piece) = write(Word { score, below, letters, origin, heading: S::AHEAD }) else {
+                    return Outcome::Paused;
+                };
+                if pieces.is_empty() {
+                    pieces.push(vec![]);
+                }
+                pieces[depth].push((symbol, piece));
+            }
+            None if pieces.len() < needed.len() => {
+                *held += pieces.last().map_or(0, bytes_of);
+                pieces.push(vec![]);
+                meter.charge(8);
+            }
+            None => {
+                let (letters, origin) = (rules.axiom.letters.as_slice(), Origin { former: None, step: 0 });
+                let heading = turtle.start_turn::<S>();
+                if let Some(root) = write(Word { score, below: pieces.last(), letters, origin, heading }) {
+                    return Outcome::Ended(Made { root: root.block, pieces: core::mem::take(pieces), symbols: None });
+                }
+            }
+        }
+        Outcome::Paused
+    }
+}

@@ -1,0 +1,86 @@
+//! Which letters are needed at which depth.
+
+use lsystem_derive::{LetterId, Rewrite, Rules};
+use lsystem_syntax::Meter;
+
+/// Which letters are needed at which depth.
+#[derive(Clone, Debug)]
+pub(crate) struct Plan {
+    /// By depth from `n` down to 1: the rewritten letters, sorted.
+    levels: Vec<Vec<LetterId>>,
+    /// The letters that the next level needs; `None` while the axiom is read.
+    next: Option<Vec<LetterId>>,
+    /// Which of them is read, and how many letters of its successor have been.
+    at: (usize, usize),
+    /// By letter: whether one that has been read makes it.
+    made: Vec<bool>,
+    /// The letters of the axiom and of the successors in all levels.
+    pub cost: u64,
+}
+
+/// Letters read between two looks at the meter.
+const READ: usize = 256;
+
+impl Plan {
+    pub(super) fn new(rules: &Rules) -> Self {
+        let (made, cost) = (vec![false; rules.rewrites.len()], rules.axiom.letters.len() as u64);
+        Self { levels: vec![], next: None, at: (0, 0), made, cost }
+    }
+
+    /// The depths planned; `None` while the axiom is read.
+    pub(super) fn depths(&self) -> Option<u32> {
+        self.next.is_some().then_some(self.levels.len() as u32)
+    }
+
+    /// Plans one depth more, or goes on with that until the meter is spent.
+    pub(super) fn step(&mut self, rules: &Rules, meter: &mut Meter) {
+        loop {
+            let word = match &self.next {
+                None if self.at.0 == 0 => rules.axiom.letters.as_slice(),
+                None => break,
+                Some(next) => match next.get(self.at.0) {
+                    Some(&symbol) => successor(rules, symbol),
+                    None => break,
+                },
+            };
+            let run = &word[self.at.1..word.len().min(self.at.1 + READ)];
+            if self.at.1 == 0 && self.next.is_some() {
+                self.cost += word.len() as u64;
+            }
+            for &symbol in run {
+                self.made[usize::from(symbol)] |= is_rewritten(rules, symbol);
+            }
+            self.at.1 += run.len();
+            if self.at.1 == word.len() {
+                self.at = (self.at.0 + 1, 0);
+            }
+            // Reading takes a quarter of what handling a symbol does.
+            meter.charge(1 + run.len() as u64 / 4);
+            if meter.is_spent() {
+                return;
+            }
+        }
+        let is_made = |letter: &usize| self.made[*letter];
+        let needed = (0..self.made.len()).filter(is_made).map(|letter| letter as LetterId).collect();
+        meter.charge(1 + self.made.len() as u64 / 8);
+        self.levels.extend(self.next.replace(needed));
+        self.made.fill(false);
+        self.at = (0, 0);
+    }
+
+    /// By depth from 1: the letters to make the pieces of.
+    pub(super) fn levels(&mut self) -> Vec<Vec<LetterId>> {
+        let mut levels = core::mem::take(&mut self.levels);
+        levels.reverse();
+        levels
+    }
+}
+
+fn is_rewritten(rules: &Rules, symbol: LetterId) -> bool {
+    !matches!(rules.rewrites[usize::from(symbol)], Rewrite::Keep)
+}
+
+/// What always replaces a letter.
+fn successor(rules: &Rules, symbol: LetterId) -> &[LetterId] {
+    rules.rewrites[usize::from(symbol)].always().unwrap_or_default()
+}

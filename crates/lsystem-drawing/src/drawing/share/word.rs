@@ -1,0 +1,183 @@
+//! What a letter draws in some steps: its successor, of whose letters each draws something in one step less.
+
+use super::letters::Level;
+use super::piece::{Piece, effect, exponent, follow, place, smaller};
+use crate::drawing::block::Space;
+use crate::drawing::builder::Builder;
+use crate::drawing::tree::{Tree, WORD};
+use crate::room::bytes_of;
+use crate::style::{ColourChange, StyleChange};
+use crate::turtle::{Op, Pen, Score};
+use lsystem_derive::LetterId;
+use lsystem_syntax::Meter;
+
+/// Where a word comes from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Origin {
+    /// The letter that it replaces; `None` for the axiom.
+    pub former: Option<LetterId>,
+    /// The derivation step that makes it.
+    pub step: u32,
+}
+
+impl Origin {
+    /// The colour of a letter of the word, where that tells when it was made: what goes on keeps it.
+    pub(super) fn date_of(&self, letter: LetterId) -> ColourChange {
+        let goes_on = self.former == Some(letter);
+        if goes_on { ColourChange::Add(0) } else { ColourChange::Set(self.step.cast_signed()) }
+    }
+}
+
+/// What a piece is made of.
+#[derive(Clone, Copy)]
+pub(super) struct Word<'a, S: Space> {
+    pub score: &'a Score<S>,
+    /// The pieces of its rewritten letters; at depth 0, where there are none, every letter acts by itself.
+    pub below: Option<&'a Level<S>>,
+    pub letters: &'a [LetterId],
+    pub origin: Origin,
+    /// With which the turtle enters.
+    pub heading: S::Turn,
+}
+
+impl<'a, S: Space> Word<'a, S> {
+    fn lower(&self, symbol: LetterId) -> Option<&'a Piece<S>> {
+        let below = self.below?;
+        below.binary_search_by_key(&symbol, |(s, _)| *s).ok().map(|place| &below[place].1)
+    }
+
+    fn ops(&self, symbol: LetterId) -> &'a [Op<S>] {
+        &self.score.ops[usize::from(symbol)]
+    }
+}
+
+/// A piece in the making, letter by letter.
+#[derive(Clone, Debug)]
+pub(super) struct Writing<S: Space> {
+    /// The letters done: measured while there is no tree, then drawn.
+    done: usize,
+    /// How many branches are open there.
+    level: i32,
+    exponent: Option<i32>,
+    /// What the letters do at most, in items.
+    weight: usize,
+    /// In the last step all but one of the letters that replace another are new: whether that is so, and which is not.
+    young: Option<Option<usize>>,
+    pen: Pen<S>,
+    saved: Vec<Pen<S>>,
+    tree: Option<Tree<S>>,
+}
+
+impl<S: Space> Writing<S> {
+    pub(super) fn new(word: &Word<'_, S>) -> Self {
+        let Word { score, below, letters, origin, heading } = *word;
+        let youngest = origin.former.filter(|_| below.is_none() && score.growth < 1.0);
+        Self {
+            done: 0,
+            level: 0,
+            exponent: None,
+            weight: 0,
+            young: youngest.map(|former| score.heir(former, letters)),
+            pen: Pen::new(heading, StyleChange::NONE),
+            saved: vec![],
+            tree: None,
+        }
+    }
+
+    /// The bytes that it takes.
+    pub(super) fn bytes(&self) -> u64 {
+        bytes_of(&self.saved) + self.tree.as_ref().map_or(0, Tree::bytes)
+    }
+
+    /// Goes on until the meter is spent; the piece when it is made.
+    pub(super) fn step(&mut self, builder: &mut Builder<S>, word: &Word<'_, S>, meter: &mut Meter) -> Option<Piece<S>> {
+        if self.tree.is_none() {
+            while let Some(&symbol) = word.letters.get(self.done) {
+                if meter.is_spent() {
+                    return None;
+                }
+                meter.charge(1);
+                self.measure(builder, word, symbol);
+                self.done += 1;
+            }
+            self.done = 0;
+        }
+        let exponent = self.exponent.unwrap_or(0);
+        let mut tree = self.tree.take().unwrap_or_else(|| Tree::of_word(exponent, self.weight > WORD));
+        while let Some(&symbol) = word.letters.get(self.done) {
+            if meter.is_spent() || builder.is_full {
+                self.tree = Some(tree);
+                return None;
+            }
+            self.draw(builder, word, symbol, (&mut tree, exponent));
+            meter.charge(2 + word.ops(symbol).len() as u64 + builder.take_work());
+            self.done += 1;
+        }
+        while !meter.is_spent() && !builder.is_full {
+            // What is left open returns where it began only in the axiom, where nothing follows.
+            let finished = tree.finish_one(builder);
+            meter.charge(1 + builder.take_work());
+            if let Some(block) = finished {
+                return Some(Piece { block, effect: effect(&self.pen, exponent) });
+            }
+        }
+        self.tree = Some(tree);
+        None
+    }
+
+    /// Looks how far a letter goes.
+    fn measure(&mut self, builder: &Builder<S>, word: &Word<'_, S>, symbol: LetterId) {
+        let score = word.score;
+        let below = word.lower(symbol);
+        let own = match below {
+            None => score.goes(symbol).then_some(score.exponent),
+            Some(piece) => exponent(builder, piece),
+        };
+        self.exponent = self.exponent.max(own.map(|own| own.saturating_add(smaller(score, self.level))));
+        self.weight += 1;
+        if below.is_none() {
+            self.weight += word.ops(symbol).len();
+            let depths = word.ops(symbol).iter().map(|op| match op {
+                Op::Push(_) => 1,
+                Op::Pop => -1,
+                _ => 0,
+            });
+            self.level = self.level.saturating_add(depths.sum::<i32>()).max(0);
+        }
+    }
+
+    fn draw(
+        &mut self,
+        builder: &mut Builder<S>,
+        word: &Word<'_, S>,
+        symbol: LetterId,
+        (tree, exponent): (&mut Tree<S>, i32),
+    ) {
+        let Self { done, young, pen, saved, .. } = self;
+        let score = word.score;
+        if score.dated {
+            pen.style.colour = word.origin.date_of(symbol);
+        }
+        match word.lower(symbol) {
+            None => {
+                let scale = libm::scalbn(1.0, score.exponent - exponent);
+                let grown;
+                let ops = match young {
+                    Some(heir) if *heir != Some(*done) => {
+                        grown = word.ops(symbol).iter().map(|&op| score.growing(op)).collect::<Vec<_>>();
+                        grown.as_slice()
+                    }
+                    _ => word.ops(symbol),
+                };
+                tree.draw(builder, *done as u64, |desk, directions| pen.act(ops, saved, scale, directions, desk));
+            }
+            Some(piece) => {
+                if let Some(block) = piece.block {
+                    let placed = place(builder, block, pen, exponent, 1.0);
+                    tree.place(builder, placed);
+                }
+                follow(builder, pen, &piece.effect, exponent, 1.0);
+            }
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! Drawing module by module, where no two pieces need be alike: by letter, each going its own way down to the last
+//! generation, or by whole generations where productions look around themselves or compute.
+
+mod generations;
+mod letters;
+mod limits;
+mod tally;
+
+use self::generations::Generations;
+use self::letters::{Gone, Letters};
+use self::limits::{Exceeded, Forecast, Search};
+use super::block::Space;
+use super::builder::Builder;
+use super::drawer::{Outcome, Task};
+use super::share::Made;
+use lsystem_syntax::{Diagnostic, Kind, LimitName, Meter};
+
+/// A drawing in the making.
+#[derive(Clone, Debug)]
+pub(crate) struct Unfold<S: Space> {
+    stage: Stage<S>,
+    /// The largest n that could be shared within the limits, where that was tried.
+    shared: Option<u32>,
+}
+
+#[derive(Clone, Debug)]
+enum Stage<S: Space> {
+    /// Counting whether it will fit.
+    Forecast(Forecast),
+    /// Deriving and drawing letter by letter.
+    Letters(Box<Letters<S>>),
+    /// A limit was passed: finding the largest n that is within.
+    Search(Search),
+    /// Deriving whole generations, and drawing the last.
+    Generations(Box<Generations<S>>),
+}
+
+impl<S: Space> Unfold<S> {
+    /// Ready to draw from the axiom on, where up to `shared` generations could be shared.
+    pub(super) fn new(task: &Task<S>, shared: Option<u32>) -> Result<Self, Diagnostic> {
+        let stage = if !task.rules.is_plain() {
+            Stage::Generations(Box::new(Generations::new(task)?))
+        } else if task.rules.is_deterministic() {
+            Stage::Forecast(Forecast::new(&task.score))
+        } else {
+            Stage::Letters(Box::new(Letters::new(task)))
+        };
+        Ok(Self { stage, shared })
+    }
+
+    /// The bytes that it takes.
+    pub(super) fn bytes(&self) -> u64 {
+        match &self.stage {
+            Stage::Letters(letters) => letters.bytes(),
+            Stage::Generations(generations) => generations.bytes(),
+            Stage::Forecast(_) | Stage::Search(_) => 0,
+        }
+    }
+
+    /// There is no more memory: whether it looks for the largest n for which there is enough.
+    pub(super) fn searches(&mut self, task: &Task<S>) -> bool {
+        let draws = matches!(self.stage, Stage::Letters(_));
+        if draws {
+            self.stage = Stage::Search(Search::new(LimitName::Memory, task.n, task.seed));
+        }
+        draws
+    }
+
+    /// Works on until the meter is spent, or a stage is over.
+    pub(super) fn step(&mut self, task: &Task<S>, builder: &mut Builder<S>, meter: &mut Meter) -> Outcome<Made<S>> {
+        let made = |root, symbols| Outcome::Ended(Made { root, pieces: vec![], symbols: Some(symbols) });
+        let failed =
+            |Exceeded { limit, largest }| Outcome::Failed(Diagnostic::limit(limit, task.limits.value(limit), largest));
+        match &mut self.stage {
+            Stage::Forecast(forecast) => match forecast.step(&task.rules, &task.limits, task.n, meter) {
+                None => {}
+                Some(Err(exceeded)) => return failed(exceeded),
+                Some(Ok(segments)) => {
+                    builder.expect(segments);
+                    self.stage = Stage::Letters(Box::new(Letters::new(task)));
+                }
+            },
+            Stage::Letters(letters) => match letters.step(task, builder, meter) {
+                Gone::Paused => {}
+                Gone::Ended(root) => return made(root, letters.symbols()),
+                Gone::Passed(limit) => {
+                    *builder = Builder::within(task.limits.memory);
+                    self.stage = Stage::Search(Search::new(limit, task.n, task.seed));
+                }
+            },
+            Stage::Search(search) => {
+                if let Some(exceeded) = search.step(&task.rules, &task.score, &task.limits, task.seed, meter) {
+                    return failed(exceeded);
+                }
+            }
+            Stage::Generations(generations) => match generations.step(task, builder, meter) {
+                Outcome::Ended(root) => return made(root, generations.symbols()),
+                Outcome::Failed(mut diagnostic) => {
+                    if let Kind::Limit { largest, .. } = &mut diagnostic.kind {
+                        *largest = (*largest).max(self.shared);
+                    }
+                    return Outcome::Failed(diagnostic);
+                }
+                Outcome::Paused | Outcome::Apart(_) => {}
+            },
+        }
+        Outcome::Paused
+    }
+}
