@@ -252,6 +252,17 @@ proptest! {
 }
 
 #[test]
+fn random_arguments_are_those_of_their_step() {
+    // No rule is chosen, so that counts tell where to read.
+    let system = read("A(0)A(1)", "A(x) -> B(x + random(0, 1))A(random(x, 9))\nB(x) -> B(x*2)A(x)");
+    for n in 0..7 {
+        let word = system.word(n).unwrap();
+        let whole = lsystem::expand(&system, n, &Limits::default()).unwrap();
+        assert_eq!(word.slice(0, usize::MAX), whole, "n = {n}");
+    }
+}
+
+#[test]
 fn polygons_of_a_generation_without_end() {
     // Each apex leaves a leaf of moves alone on either side; those that are no polygons count for nothing.
     let system = read("X", "X -> F[+X{.f-f-f.}]{}{f}F[-X]{.+f+f+f.}X\nF -> FF");

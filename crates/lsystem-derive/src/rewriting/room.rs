@@ -43,4 +43,13 @@ mod tests {
             assert!(room >= needed && (room <= LEAST || room <= needed / 2 * 3), "{needed}: {room}");
         }
     }
+
+    #[test]
+    fn room_that_is_enough_is_kept() {
+        let mut list = vec![1_u8; 1 << 20];
+        renew(&mut list, 100);
+        assert!(list.is_empty() && list.capacity() >= 1 << 20);
+        renew(&mut list, 2 << 20);
+        assert!(list.capacity() >= 2 << 20);
+    }
 }
