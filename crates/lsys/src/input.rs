@@ -56,6 +56,11 @@ pub(crate) fn read(file: &Path, changes: &Changes) -> Result<Input, Failure> {
 }
 
 impl Input {
+    /// What a drawing may spend: its memory ends it, not the number of segments that a text may have.
+    pub(crate) fn drawing(&self) -> Limits {
+        Limits { segments: u64::from(u32::MAX), work: 1 << 30, ..self.limits }
+    }
+
     /// The string.
     ///
     /// # Errors

@@ -203,7 +203,7 @@ fn pictures_have_the_size_that_is_asked_for() {
 
 #[test]
 fn counts_are_known_where_the_drawing_is_too_large() {
-    let told = good("info data_in/abop/1.31a.json -n 60");
+    let told = good("info data_in/abop/1.31a.json -n 60 --memory 150M");
     assert!(told.contains("limit       "), "{told}");
     assert!(told.contains("symbols     9239061"), "{told}");
     assert!(!told.contains("unknown"), "{told}");

@@ -40,6 +40,7 @@ pub use solid::draw_solid;
 
 use self::block::Contents;
 use crate::Plane;
+use crate::chunks::Chunks;
 use crate::room::bytes_of;
 use crate::space::finite;
 use crate::style::StyleChange;
@@ -54,7 +55,7 @@ pub struct Drawing<S: Space = Plane> {
     /// Children before parents.
     pub blocks: Vec<Block<S>>,
     /// The contents of all blocks; each block names its range.
-    pub items: Vec<Item<S>>,
+    pub items: Chunks<Item<S>>,
     /// The corners of all hulls that have some; each block names its range.
     pub corners: Vec<S::Point>,
     /// The vertices of all polygons; each names its range.
@@ -142,7 +143,7 @@ impl<S: Space> Drawing<S> {
     pub fn bytes(&self) -> u64 {
         let pieces: u64 = self.pieces.iter().map(bytes_of).sum();
         bytes_of(&self.blocks)
-            + bytes_of(&self.items)
+            + self.items.bytes()
             + bytes_of(&self.corners)
             + bytes_of(&self.vertices)
             + bytes_of(&self.styles)

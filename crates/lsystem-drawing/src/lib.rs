@@ -7,6 +7,7 @@
 //! reads what was derived, in the [`Plane`] or in space ([`Solid`]); a [`Drawer`] remembers what it has drawn.
 
 // The order of the data.
+mod chunks;
 mod room;
 
 mod plane;
@@ -31,6 +32,7 @@ mod describe;
 #[cfg(test)]
 mod testing;
 
+pub use chunks::Chunks;
 pub use describe::{describe, kind, legend, why_empty};
 pub use drawing::{
     Block, BlockId, Drawer, Drawing, Frame, Item, Line, Mark, MarkReader, Outlook, Placed, Polygon, Projection,

@@ -25,7 +25,7 @@ const FEWEST: u32 = 1 << 18;
 
 /// What a page may spend: a string that a browser can still hold, a drawing that fits its share.
 pub(crate) const LIMITS: Limits =
-    Limits { symbols: 64 << 20, modules: 16 << 20, segments: 1_000_000, work: 100_000_000, memory: 70 << 20 };
+    Limits { symbols: 64 << 20, modules: 16 << 20, segments: u32::MAX as u64, work: 100_000_000, memory: 70 << 20 };
 
 /// The same for a derivation that is remembered; a string that is read by counts takes 16 megabytes at most.
 #[cfg(feature = "full")]

@@ -59,7 +59,7 @@ fn within(what: &str) {
 
 #[wasm_bindgen_test]
 fn the_largest_drawings_stay_within_what_is_promised() {
-    for (turn, refused, place) in [('+', 12, "in the plane"), ('&', 5, "in space")] {
+    for (turn, refused, place) in [('+', 24, "in the plane"), ('&', 6, "in space")] {
         let mut shown = playground(Playground::new, 1920, 1080);
         let count = largest(&mut shown, turn, refused);
         assert!(0 < count && count < refused, "{count}");

@@ -8,7 +8,7 @@ use lsystem::{Definition, Dialect, Limits, System};
 
 /// What a page may spend; as in `crates/lsystem-wasm`.
 const PAGE: Limits =
-    Limits { symbols: 64 << 20, modules: 16 << 20, segments: 1_000_000, work: 100_000_000, memory: 70 << 20 };
+    Limits { symbols: 64 << 20, modules: 16 << 20, segments: u32::MAX as u64, work: 100_000_000, memory: 70 << 20 };
 /// What most executions may spend, so that there are many.
 const SMALL: Limits = Limits { symbols: 100_000, modules: 20_000, segments: 5_000, work: 200_000, memory: 70 << 20 };
 

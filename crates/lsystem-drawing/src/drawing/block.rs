@@ -2,6 +2,7 @@
 
 use super::scene::SceneSize;
 use crate::Plane;
+use crate::chunks::Chunks;
 use crate::space::Geometry;
 use crate::style::{StyleId, WidthChange};
 use core::fmt::Debug;
@@ -123,7 +124,7 @@ pub struct Placed<S: Space = Plane> {
 #[derive(Clone, Copy, Debug)]
 pub struct Contents<'a, S: Space> {
     pub blocks: &'a [Block<S>],
-    pub items: &'a [Item<S>],
+    pub items: &'a Chunks<Item<S>>,
     pub corners: &'a [S::Point],
     pub vertices: &'a [S::Point],
 }
@@ -141,7 +142,7 @@ impl<'a, S: Space> Contents<'a, S> {
 pub struct Ground<'a, S: Space> {
     /// The blocks made so far, with their items and the vertices of all polygons.
     pub blocks: &'a [Block<S>],
-    pub items: &'a [Item<S>],
+    pub items: &'a Chunks<Item<S>>,
     pub vertices: &'a [S::Point],
     /// The corners of bodies that have some.
     pub corners: &'a mut Vec<S::Point>,

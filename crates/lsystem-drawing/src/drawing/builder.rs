@@ -1,6 +1,7 @@
 //! Blocks in the making: every block gets its exponent, hull, count and widest stroke here.
 
 use crate::Plane;
+use crate::chunks::Chunks;
 use crate::drawing::block::{Block, BlockId, Contents, Enclosed, Ground, Item, Placed, Space, Stroke};
 use crate::drawing::scene::SceneSize;
 use crate::room::{bytes_for, bytes_of, reserve};
@@ -11,7 +12,7 @@ use crate::style::{StyleChange, StyleId, Styles, WidthChange};
 #[derive(Clone, Debug)]
 pub(crate) struct Builder<S: Space = Plane> {
     pub blocks: Vec<Block<S>>,
-    pub items: Vec<Item<S>>,
+    pub items: Chunks<Item<S>>,
     pub corners: Vec<S::Point>,
     /// Of polygons; each polygon has its own.
     pub vertices: Vec<S::Point>,
@@ -42,7 +43,7 @@ impl<S: Space> Builder<S> {
             memory,
             is_full: false,
             blocks: vec![],
-            items: vec![],
+            items: Chunks::new(),
             corners: vec![],
             vertices: vec![],
             styles: Styles::new(),
@@ -63,36 +64,27 @@ impl<S: Space> Builder<S> {
     /// The bytes that it takes.
     pub(crate) fn bytes(&self) -> u64 {
         bytes_of(&self.blocks)
-            + bytes_of(&self.items)
+            + self.items.bytes()
             + bytes_of(&self.corners)
             + bytes_of(&self.vertices)
             + bytes_of(&self.points)
             + self.styles.bytes()
     }
 
-    /// Makes room for so many strokes and the blocks of a tree of them, where there is memory for that.
-    pub(crate) fn expect(&mut self, strokes: usize) {
-        let items = strokes.saturating_add(strokes / 256);
-        if bytes_for(&self.items, items).saturating_add(self.bytes()) <= self.memory {
-            self.items.reserve_exact(items);
-        }
-    }
-
     /// Gives back what no list needs any more.
     pub(crate) fn shrink(&mut self) {
         self.blocks.shrink_to_fit();
-        self.items.shrink_to_fit();
+        self.items.shrink();
         self.corners.shrink_to_fit();
         self.vertices.shrink_to_fit();
     }
 
     /// Makes room for a block with so many items, where there is memory for it. While a list grows it is there twice.
     fn has_room(&mut self, items: usize) -> bool {
-        let more = bytes_for(&self.blocks, 1) + bytes_for(&self.items, items) + bytes_for(&self.corners, 64);
+        let more = bytes_for(&self.blocks, 1) + self.items.bytes_for(items) + bytes_for(&self.corners, 64);
         self.is_full |= more > 0 && self.bytes() + more > self.memory;
         if !self.is_full {
             reserve(&mut self.blocks, 1);
-            reserve(&mut self.items, items);
             reserve(&mut self.corners, 64);
         }
         !self.is_full
@@ -132,8 +124,7 @@ impl<S: Space> Builder<S> {
         let Enclosed { hull, slack, shift, work } = S::enclose(ground, items);
         self.work += work + 2 * (1 + items.len() as u64);
         let unit = libm::scalbn(1.0, -shift);
-        let first = self.items.len() as u32;
-        self.items.extend(items.iter().map(|item| item.scaled(unit)));
+        let numbers = self.items.push(items.iter().map(|item| item.scaled(unit)));
         for item in items {
             if let Item::Polygon(polygon) = item {
                 self.vertices[polygon.range()].iter_mut().for_each(|vertex| *vertex = times(*vertex, unit));
@@ -141,7 +132,7 @@ impl<S: Space> Builder<S> {
         }
         S::measure(&mut self.scene, items);
         self.blocks.push(Block {
-            items: first..self.items.len() as u32,
+            items: numbers,
             exponent: exponent.saturating_add(shift),
             segments,
             polygons,

@@ -75,10 +75,7 @@ impl<S: Space> Unfold<S> {
             Stage::Forecast(forecast) => match forecast.step(&task.rules, &task.limits, task.n, meter) {
                 None => {}
                 Some(Err(exceeded)) => return failed(exceeded),
-                Some(Ok(segments)) => {
-                    builder.expect(segments);
-                    self.stage = Stage::Letters(Box::new(Letters::new(task)));
-                }
+                Some(Ok(())) => self.stage = Stage::Letters(Box::new(Letters::new(task))),
             },
             Stage::Letters(letters) => match letters.step(task, builder, meter) {
                 Gone::Paused => {}

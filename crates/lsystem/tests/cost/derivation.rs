@@ -9,7 +9,7 @@ use lsystem::{Definition, Limits, Progress, System};
 
 /// Small limits, so that they are passed soon.
 const LIMITS: Limits =
-    Limits { symbols: 4 << 20, modules: 1 << 20, segments: 1_000_000, work: 100_000, memory: 24 << 20 };
+    Limits { symbols: 4 << 20, modules: 1 << 20, segments: u32::MAX as u64, work: 100_000, memory: 24 << 20 };
 
 /// The units that a call may take that is not resumable.
 const MOST_OF_A_CALL: u64 = 1 << 24;

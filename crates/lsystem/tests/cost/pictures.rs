@@ -16,7 +16,7 @@ const SHARE: u64 = 16_384;
 const STEPS: usize = 60;
 /// As in the page, but for the work that it takes to find that a drawing is too large.
 const LIMITS: Limits =
-    Limits { symbols: 64 << 20, modules: 16 << 20, segments: 1_000_000, work: 2_000_000, memory: 112 << 20 };
+    Limits { symbols: 64 << 20, modules: 16 << 20, segments: u32::MAX as u64, work: 2_000_000, memory: 112 << 20 };
 
 /// The largest step of each entry point, and what it was at.
 #[derive(Default)]

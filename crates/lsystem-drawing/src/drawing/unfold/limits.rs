@@ -50,15 +50,14 @@ impl Forecast {
         }
     }
 
-    /// Looks at generations until the meter is spent; `Some` when it is known whether generation `n` fits, and how many segments it
-    /// then has.
+    /// Looks at generations until the meter is spent; `Some` when it is known whether generation `n` fits.
     pub(super) fn step(
         &mut self,
         rules: &Rules,
         limits: &Limits,
         n: u32,
         meter: &mut Meter,
-    ) -> Option<Result<usize, Exceeded>> {
+    ) -> Option<Result<(), Exceeded>> {
         let Some(axiom) = self.axiom else {
             self.axiom = self.of(&rules.axiom.letters, meter);
             return None;
@@ -83,7 +82,7 @@ impl Forecast {
     }
 
     /// Looks at a generation that has so many segments after so much work.
-    fn look(&mut self, (segments, work): (u128, u128), limits: &Limits, n: u32) -> Option<Result<usize, Exceeded>> {
+    fn look(&mut self, (segments, work): (u128, u128), limits: &Limits, n: u32) -> Option<Result<(), Exceeded>> {
         let over = [
             (segments, limits.segments, LimitName::Segments),
             (work, limits.work, LimitName::Work),
@@ -91,7 +90,7 @@ impl Forecast {
         ];
         let passed = over.into_iter().find(|&(count, limit, _)| count > u128::from(limit)).map(|(.., name)| name);
         match passed {
-            None if self.generation == n => return Some(Ok(usize::try_from(segments).unwrap_or(usize::MAX))),
+            None if self.generation == n => return Some(Ok(())),
             None => self.largest = Some(self.generation),
             // Work never shrinks; segments may.
             Some(limit) if self.generation == n || work > u128::from(limits.work) => {
@@ -154,8 +153,8 @@ impl Search {
         if first >= self.exceeds {
             return Some(Exceeded { limit: self.limit, largest: self.fits });
         }
-        // While a list grows the old one stands beside the new one, which is an eighth larger.
-        let bytes = (size_of::<Item<S>>() as u64 + S::least_picture()) * 9 / 4;
+        // Blocks and their hulls take little beside their strokes.
+        let bytes = (size_of::<Item<S>>() as u64 + S::least_picture()) * 9 / 8;
         let sure = Limits { segments: limits.segments.min(limits.memory / bytes), ..*limits };
         match self.census.step(rules, score, &sure, meter, |_, _, _| Some(0)) {
             Gone::Paused => return None,
