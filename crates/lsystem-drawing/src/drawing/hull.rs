@@ -227,6 +227,20 @@ mod tests {
     }
 
     #[test]
+    fn corners_that_rounding_has_cut_meet_again() {
+        let corner = |at: usize| {
+            let (c, s) = Heading::from_degrees(60.0 * at as f64).cos_sin();
+            [c * 0.5, s * 0.5]
+        };
+        let near = |p: Point, towards: Point| [0, 1].map(|i| p[i] + 1e-13 * (towards[i] - p[i]));
+        let cut: Vec<Point> =
+            (0..6).flat_map(|at| [at + 5, at + 1].map(|other| near(corner(at), corner(other)))).collect();
+        let corners = hull_of(&cut);
+        assert_eq!(corners.len(), 6, "{corners:?}");
+        contains(&corners, &cut, 1e-13).unwrap();
+    }
+
+    #[test]
     fn a_circle_is_capped_from_outside() {
         let circle: Vec<Point> = (0..3600)
             .map(|tenth| {
