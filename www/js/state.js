@@ -2,7 +2,9 @@
  * The page's state: one flat value that controls, links, undo and the worker share. Nothing here touches the page.
  */
 
-/** @typedef {'abop' | 'every-letter' | 'practical' | 'lowercase' | 'axes'} Dialect */
+import { DIALECTS as TABLE } from './tables.js';
+
+/** @typedef {keyof typeof import('./tables.js').DIALECTS} Dialect */
 /** @typedef {'symbol' | 'single' | 'level' | 'turn' | 'generation' | 'path' | 'density'} ColourBy */
 /** @typedef {'solid' | 'density'} Ink */
 
@@ -73,8 +75,8 @@ export const MAX_CAMERA_ZOOM = 1e4;
 /** Longer texts are cut, in UTF-16 units. */
 export const MOST_TEXT = { axiom: 20_000, rules: 50_000, overrides: 20_000 };
 
-/** @type {readonly Dialect[]} */
-export const DIALECTS = ['abop', 'every-letter', 'practical', 'lowercase', 'axes'];
+/** In the order to offer them. */
+export const DIALECTS = /** @type {Dialect[]} */ (Object.keys(TABLE));
 /** @type {readonly ColourBy[]} */
 export const COLOUR_BY = ['symbol', 'level', 'generation', 'path', 'turn', 'density', 'single'];
 /** @type {readonly Ink[]} */

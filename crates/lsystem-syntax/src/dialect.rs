@@ -22,15 +22,62 @@ pub enum Dialect {
 
 impl Dialect {
     /// All dialects, in the order to offer them.
-    pub const ALL: [Self; 5] = [Self::Abop, Self::EveryLetter, Self::Practical, Self::Lowercase, Self::Axes];
+    pub const ALL: &[Self] = &[Self::Abop, Self::EveryLetter, Self::Practical, Self::Lowercase, Self::Axes];
 
     /// Their names in files, in the same order.
-    pub const NAMES: [&str; 5] = ["abop", "every-letter", "practical", "lowercase", "axes"];
+    pub const NAMES: [&str; Self::ALL.len()] = {
+        let mut names = [""; Self::ALL.len()];
+        let mut at = 0;
+        while at < names.len() {
+            names[at] = Self::ALL[at].name();
+            at += 1;
+        }
+        names
+    };
 
     /// Its name in files.
     #[must_use]
-    pub fn name(self) -> &'static str {
-        Self::NAMES[self as usize]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Abop => "abop",
+            Self::EveryLetter => "every-letter",
+            Self::Practical => "practical",
+            Self::Lowercase => "lowercase",
+            Self::Axes => "axes",
+        }
+    }
+
+    /// What it is called, and what its symbols do, in words.
+    #[must_use]
+    pub const fn words(self) -> [&'static str; 2] {
+        match self {
+            Self::Abop => [
+                "Algorithmic Beauty of Plants",
+                "F and G draw, f and g move; + and − turn, | turns round, [ and ] branch; ! thins and # thickens the \
+                 stroke, ' and ; step through the colours. { and } fill the polygon whose corners F, f and . mark. In \
+                 space & and ^ pitch down and up, \\ and / roll left and right, and $ rolls upright. Other symbols do \
+                 nothing.",
+            ],
+            Self::EveryLetter => [
+                "Every letter draws",
+                "Every symbol draws one step, except + and −, which turn, and [ and ], which branch.",
+            ],
+            Self::Practical => [
+                "Practical: F and G draw",
+                "F and G draw; + turns left and − turns right, each by its own angle; in space > and < pitch down and \
+                 up, & and ^ roll left and right; [ and ] branch. Other symbols do nothing.",
+            ],
+            Self::Lowercase => [
+                "Lower-case letters draw",
+                "Every lower-case letter draws; + turns left and takes the second colour, − turns right and takes the \
+                 third; [ and ] branch.",
+            ],
+            Self::Axes => [
+                "Turns about axes",
+                "F draws; > and < turn left and right, v and ^ pitch up and down, + and − roll left and right: turns \
+                 about the z, x and y axes of a turtle that goes along its y; [ and ] branch. Other symbols do nothing.",
+            ],
+        }
     }
 
     /// What `symbol` does; empty for a symbol without action.

@@ -26,7 +26,7 @@ mod workspace;
 use anyhow::{Result, bail};
 use std::ffi::OsString;
 use std::process::ExitCode;
-use workspace::Workspace;
+use workspace::{Workspace, run as run_program};
 
 const USAGE: &str = "\
 usage: cargo xtask COMMAND
@@ -37,6 +37,7 @@ usage: cargo xtask COMMAND
                          everything that must hold before a change is merged; PART is any of
                          lint, native, fuzz, wasm, size, page; --thorough makes the property tests long
   lint                   formatting, clippy and documentation, warnings being errors
+  tables                 writes www/js/tables.js, what the page knows from the core, anew; a test tells when it must be
   fuzz [TARGET ...] [--minutes M] [--seed N] [--guided]
                          inputs that nobody would write, M minutes (1) for all targets together; --guided lets
                          libFuzzer choose them by the code they reach (needs a C++ compiler)
@@ -95,6 +96,11 @@ fn run(program: &OsString, command: &str, rest: Vec<OsString>) -> Result<()> {
         "lint" => {
             no_more(words)?;
             test::test(&Workspace::find()?, &test::Options::read(["lint"].into_iter())?)
+        }
+        "tables" => {
+            no_more(words)?;
+            let tables = ["test", "--package=lsystem", "--test=tables"];
+            run_program(Workspace::find()?.cargo(tables).env("UPDATE_EXPECT", "1"))
         }
         "mutants" => mutants::mutants(&Workspace::find()?, words),
         "fuzz" => fuzz::fuzz(&Workspace::find()?, words),

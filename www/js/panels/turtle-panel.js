@@ -3,16 +3,8 @@
 import { byId, html, input, make, setChoice, setText } from '../dom.js';
 import { editor } from '../controls/editor.js';
 import { numberField, optionalField } from '../controls/number-field.js';
-import { DIALECTS } from '../state.js';
-
-/** @type {Record<import('../state.js').Dialect, string>} */
-const DIALECT_NOTES = {
-    abop: 'F and G draw, f and g move; + and − turn, | turns round, [ and ] branch; ! thins and # thickens the stroke, \' and ; step through the colours. { and } fill the polygon whose corners F, f and . mark. In space & and ^ pitch down and up, \\ and / roll left and right, and $ rolls upright. Other symbols do nothing.',
-    'every-letter': 'Every symbol draws one step, except + and −, which turn, and [ and ], which branch.',
-    practical: 'F and G draw; + turns left and − turns right, each by its own angle; in space > and < pitch down and up, & and ^ roll left and right; [ and ] branch. Other symbols do nothing.',
-    lowercase: 'Every lower-case letter draws; + turns left and takes the second colour, − turns right and takes the third; [ and ] branch.',
-    axes: 'F draws; > and < turn left and right, v and ^ pitch up and down, + and − roll left and right: turns about the z, x and y axes of a turtle that goes along its y; [ and ] branch. Other symbols do nothing.',
-};
+import { DIALECTS as NAMES } from '../state.js';
+import { DIALECTS } from '../tables.js';
 
 /** @typedef {import('../engine.js').Report} Report */
 
@@ -20,8 +12,9 @@ const DIALECT_NOTES = {
 export function turtlePanel(store) {
     const settle = () => store.settle();
     const dialect = byId('dialect', HTMLSelectElement);
+    dialect.replaceChildren(...Object.entries(DIALECTS).map(([name, { label }]) => make('option', { value: name }, label)));
     dialect.addEventListener('change', () => {
-        const chosen = DIALECTS.find((name) => name === dialect.value);
+        const chosen = NAMES.find((name) => name === dialect.value);
         if (chosen) store.change({ dialect: chosen }, '');
     });
     const overrides = editor(byId('overrides', HTMLTextAreaElement), html('overrides-problems'), 'overrides', {
@@ -85,7 +78,7 @@ export function turtlePanel(store) {
         /** @param {import('../state.js').State} state */
         show(state) {
             setChoice(dialect, state.dialect);
-            setText(html('dialect-note'), DIALECT_NOTES[state.dialect]);
+            setText(html('dialect-note'), DIALECTS[state.dialect].help);
             overrides.show(state.overrides);
             showHeading(state.heading);
             showStep(state.step);

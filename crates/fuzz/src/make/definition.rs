@@ -58,7 +58,7 @@ fn made(source: &mut Source<'_>) -> Definition {
         definition.overrides = overrides(source);
     }
     if source.once_in(4) {
-        definition.dialect = source.pick(&Dialect::ALL);
+        definition.dialect = source.pick(Dialect::ALL);
     }
     if source.once_in(3) {
         definition.style = style(source);
