@@ -3,14 +3,14 @@
 use super::Drawing;
 use super::block::{BlockId, Space};
 use super::builder::Builder;
-use super::share::{Level, Made, Share};
+use super::piece::Level;
+use super::share::Share;
+use super::task::{Made, Outcome, Task};
 use super::unfold::Unfold;
 use crate::room::bytes_of;
-use crate::turtle::Score;
-use crate::{Plane, System, Turtle};
-use lsystem_derive::Rules;
+use crate::{Plane, System};
 use lsystem_syntax::{Diagnostic, LimitName, Limits, MAX_ITERATIONS, Meter, Progress};
-use std::sync::{Arc, OnceLock};
+use std::sync::OnceLock;
 
 /// Draws generation `n`.
 ///
@@ -19,27 +19,6 @@ use std::sync::{Arc, OnceLock};
 /// `n` is above [`MAX_ITERATIONS`]. [`Kind::NotFinite`](lsystem_syntax::Kind::NotFinite): a production computes no finite number.
 pub fn draw(system: &System, n: u32, limits: &Limits) -> Result<Drawing, Diagnostic> {
     Drawer::new(system, n, *limits).finish()
-}
-
-/// What is to be drawn.
-#[derive(Clone, Debug)]
-pub(crate) struct Task<S: Space> {
-    pub rules: Arc<Rules>,
-    pub turtle: Turtle,
-    pub score: Score<S>,
-    pub seed: u32,
-    pub n: u32,
-    pub limits: Limits,
-}
-
-/// What came of working on.
-pub(super) enum Outcome<T> {
-    /// The work allowed is done, or a stage; there is more.
-    Paused,
-    Ended(T),
-    /// Pieces are too different to be shared; this is the largest n for which they are not.
-    Apart(Option<u32>),
-    Failed(Diagnostic),
 }
 
 /// A drawing in the making. It keeps what it needs of its system, so it can wait for its next step as long as

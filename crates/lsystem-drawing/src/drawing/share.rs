@@ -4,21 +4,17 @@
 //! letters have one for each number of steps, found by its place in a list; modules with parameters one for each state.
 
 mod letters;
-mod piece;
 mod plan;
 mod scales;
 mod states;
 mod vertical;
 mod word;
 
-pub(super) use letters::Level;
-pub(crate) use piece::Piece;
-
 use self::letters::Letters;
 use self::states::States;
-use super::block::{BlockId, Space};
+use super::block::Space;
 use super::builder::Builder;
-use super::drawer::{Outcome, Task};
+use super::task::{Made, Outcome, Task};
 use lsystem_syntax::{Diagnostic, Meter};
 
 /// A drawing in the making.
@@ -26,16 +22,6 @@ use lsystem_syntax::{Diagnostic, Meter};
 pub(crate) enum Share<S: Space> {
     Letters(Letters<S>),
     States(Box<States<S>>),
-}
-
-/// A drawing whose blocks are all there.
-#[derive(Clone, Debug)]
-pub(crate) struct Made<S: Space> {
-    pub root: Option<BlockId>,
-    /// By steps from 1: the pieces of letters.
-    pub pieces: Vec<Level<S>>,
-    /// The symbols of the generation, where it has been gone through.
-    pub symbols: Option<u64>,
 }
 
 impl<S: Space> Share<S> {

@@ -11,8 +11,7 @@ use self::letters::{Gone, Letters};
 use self::limits::{Exceeded, Forecast, Search};
 use super::block::Space;
 use super::builder::Builder;
-use super::drawer::{Outcome, Task};
-use super::share::Made;
+use super::task::{Made, Outcome, Task};
 use lsystem_syntax::{Diagnostic, Kind, LimitName, Meter};
 
 /// A drawing in the making.

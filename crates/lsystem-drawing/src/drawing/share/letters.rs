@@ -1,13 +1,11 @@
 //! Letters that derive by themselves: what each draws in each number of steps, made once, from the last step back.
 
-use super::Made;
-use super::piece::Piece;
 use super::plan::Plan;
 use super::word::{Origin, Word, Writing};
-use crate::Plane;
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
-use crate::drawing::drawer::{Outcome, Task};
+use crate::drawing::piece::Level;
+use crate::drawing::task::{Made, Outcome, Task};
 use crate::room::bytes_of;
 use crate::turtle::{Op, Score};
 use lsystem_derive::{LetterId, Rewrite, Rules};
@@ -69,9 +67,6 @@ fn is_filled_at_once<S: Space>(word: &[LetterId], score: &Score<S>, stays: impl 
     });
     fits && open == 0
 }
-
-/// The pieces of one depth, sorted by letter.
-pub(in crate::drawing) type Level<S = Plane> = Vec<(LetterId, Piece<S>)>;
 
 /// A drawing in the making.
 #[derive(Clone, Debug)]

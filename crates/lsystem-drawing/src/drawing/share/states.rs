@@ -8,16 +8,15 @@
 
 mod write;
 
-use super::Made;
 use super::letters::is_balanced;
-use super::piece::Piece;
 use super::scales::{Keys, Scales, applying};
 use super::vertical::{self, Course, Tilt, vertical_of};
 use super::word::Origin;
 use crate::Turtle;
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
-use crate::drawing::drawer::{Outcome, Task};
+use crate::drawing::piece::Piece;
+use crate::drawing::task::{Made, Outcome, Task};
 use crate::room::{bytes_of, reserve};
 use crate::style::ColourChange;
 use crate::turtle::{Op, Score, heir};

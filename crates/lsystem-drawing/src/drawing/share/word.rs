@@ -1,9 +1,8 @@
 //! What a letter draws in some steps: its successor, of whose letters each draws something in one step less.
 
-use super::letters::Level;
-use super::piece::{Piece, effect, exponent, follow, place, smaller};
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
+use crate::drawing::piece::{Level, Piece, effect, exponent, follow, place, smaller};
 use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;
 use crate::style::{ColourChange, StyleChange};

@@ -4,7 +4,7 @@ use super::tally::Tally;
 use crate::Turtle;
 use crate::drawing::block::{BlockId, Space};
 use crate::drawing::builder::Builder;
-use crate::drawing::drawer::{Outcome, Task};
+use crate::drawing::task::{Outcome, Task};
 use crate::drawing::tree::Tree;
 use crate::room::bytes_of;
 use crate::space::unit_of;

@@ -3,7 +3,7 @@
 use super::tally::Tally;
 use crate::drawing::block::{BlockId, Item, Space};
 use crate::drawing::builder::Builder;
-use crate::drawing::drawer::Task;
+use crate::drawing::task::Task;
 use crate::drawing::tree::Tree;
 use crate::room::bytes_of;
 use crate::style::StyleChange;

@@ -4,7 +4,7 @@ use super::{Counted, Deed, Part, States};
 use crate::Turtle;
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
-use crate::drawing::share::piece::{Piece, effect, exponent, follow, place, smaller};
+use crate::drawing::piece::{Piece, effect, exponent, follow, place, smaller};
 use crate::drawing::share::word::Origin;
 use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;

@@ -1,11 +1,12 @@
 //! What a piece of a drawing draws, how it leaves the turtle, and how it is placed.
 
+use super::block::{BlockId, Placed, Space};
+use super::builder::Builder;
 use crate::Plane;
-use crate::drawing::block::{BlockId, Placed, Space};
-use crate::drawing::builder::Builder;
 use crate::space::{reach, times, unit_of};
 use crate::style::StyleChange;
 use crate::turtle::{LARGEST, Pen, Score};
+use lsystem_derive::LetterId;
 
 /// How a piece of a drawing leaves the turtle, in the frame in which it entered: at the origin heading along +x.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,6 +29,9 @@ pub struct Piece<S: Space = Plane> {
     /// How it leaves the turtle.
     pub effect: Effect<S>,
 }
+
+/// The pieces of one depth, sorted by letter.
+pub(super) type Level<S = Plane> = Vec<(LetterId, Piece<S>)>;
 
 /// The exponent of what lengths are multiplied by on a branch so many levels deep.
 pub(super) fn smaller<S: Space>(score: &Score<S>, level: i32) -> i32 {

@@ -1,0 +1,40 @@
+//! What is to be drawn, and what came of it.
+
+use super::block::{BlockId, Space};
+use super::piece::Level;
+use crate::Turtle;
+use crate::turtle::Score;
+use lsystem_derive::Rules;
+use lsystem_syntax::{Diagnostic, Limits};
+use std::sync::Arc;
+
+/// What is to be drawn.
+#[derive(Clone, Debug)]
+pub(crate) struct Task<S: Space> {
+    pub rules: Arc<Rules>,
+    pub turtle: Turtle,
+    pub score: Score<S>,
+    pub seed: u32,
+    pub n: u32,
+    pub limits: Limits,
+}
+
+/// What came of working on.
+pub(super) enum Outcome<T> {
+    /// The work allowed is done, or a stage; there is more.
+    Paused,
+    Ended(T),
+    /// Pieces are too different to be shared; this is the largest n for which they are not.
+    Apart(Option<u32>),
+    Failed(Diagnostic),
+}
+
+/// A drawing whose blocks are all there.
+#[derive(Clone, Debug)]
+pub(crate) struct Made<S: Space> {
+    pub root: Option<BlockId>,
+    /// By steps from 1: the pieces of letters.
+    pub pieces: Vec<Level<S>>,
+    /// The symbols of the generation, where it has been gone through.
+    pub symbols: Option<u64>,
+}
