@@ -174,7 +174,7 @@ fn chance_and_limits_are_reported_when_they_are_known() {
 
     playground.define(object(&random.replace("\"iterations\": 6", "\"iterations\": 60"))).unwrap();
     let report = settled(&mut playground);
-    assert_eq!(get(&report, "largest").as_f64(), Some(19.0));
+    assert_eq!(get(&report, "largest").as_f64(), Some(20.0));
 }
 
 #[wasm_bindgen_test]
