@@ -1,11 +1,11 @@
 //! What is to be drawn, and what came of it.
 
-use super::block::{BlockId, Space};
+use super::block::{BlockId, Item, Space};
 use super::piece::Level;
 use crate::Turtle;
 use crate::turtle::Score;
 use lsystem_derive::Rules;
-use lsystem_syntax::{Diagnostic, Limits};
+use lsystem_syntax::{Diagnostic, LimitName, Limits};
 use std::sync::Arc;
 
 /// What is to be drawn.
@@ -17,6 +17,16 @@ pub(crate) struct Task<S: Space> {
     pub seed: u32,
     pub n: u32,
     pub limits: Limits,
+}
+
+impl<S: Space> Task<S> {
+    /// How many letters pieces may be made of, and the limit that says so: their memory would not do for more, where one
+    /// of two draws.
+    pub(super) fn most_letters(&self) -> (u64, LimitName) {
+        let Limits { segments, memory, .. } = self.limits;
+        let letters = memory / (size_of::<Item<S>>() as u64 / 2);
+        if letters < segments { (letters, LimitName::Memory) } else { (segments, LimitName::Segments) }
+    }
 }
 
 /// What came of working on.

@@ -9,7 +9,7 @@ use crate::drawing::task::{Made, Outcome, Task};
 use crate::room::bytes_of;
 use crate::turtle::{Op, Score};
 use lsystem_derive::{LetterId, Rewrite, Rules};
-use lsystem_syntax::{Diagnostic, LimitName, Meter};
+use lsystem_syntax::{Diagnostic, Meter};
 
 /// Whether every reachable letter always draws the same: no choices, no variation, nothing that looks to the directions
 /// of the model, no rewritten letter or successor that ends on another branch than it began on or returns from branches
@@ -109,9 +109,10 @@ impl<S: Space> Letters<S> {
                     plan.step(&task.rules, meter);
                     return Outcome::Paused;
                 };
-                if plan.cost > task.limits.segments {
-                    let (limit, largest) = (LimitName::Segments, depths.checked_sub(1));
-                    return Outcome::Failed(Diagnostic::limit(limit, task.limits.segments, largest));
+                let (most, limit) = task.most_letters();
+                if plan.cost > most {
+                    let largest = depths.checked_sub(1);
+                    return Outcome::Failed(Diagnostic::limit(limit, task.limits.value(limit), largest));
                 }
                 if depths < task.n {
                     plan.step(&task.rules, meter);

@@ -63,6 +63,8 @@ pub(crate) struct States<S: Space> {
     /// By letter, whether its pieces look to the vertical; none where nothing does.
     lookers: Vec<bool>,
     n: u32,
+    /// How many parts there may be.
+    most: u64,
     /// The axiom.
     top: Range<u32>,
     /// By derivation step: the states that are rewritten in it.
@@ -155,7 +157,8 @@ enum Deed<S: Space> {
 
 impl<S: Space> States<S> {
     /// Ready to draw generation `n` from the axiom on.
-    pub(super) fn new(Task { rules, turtle, score, seed, n, limits }: &Task<S>) -> Result<Self, Diagnostic> {
+    pub(super) fn new(task: &Task<S>) -> Result<Self, Diagnostic> {
+        let Task { rules, turtle, score, seed, n, limits } = task;
         let n = *n;
         let lookers = vertical::lookers(rules, score);
         let mut new = Self {
@@ -164,6 +167,7 @@ impl<S: Space> States<S> {
             lookers: if lookers.contains(&true) { lookers } else { vec![] },
             rules: rules.clone(),
             n,
+            most: task.most_letters().0,
             top: 0..0,
             levels: vec![],
             parts: vec![],
@@ -338,7 +342,7 @@ impl<S: Space> States<S> {
             if meter.is_spent() {
                 break;
             }
-            if self.parts.len() as u64 > limits.segments {
+            if self.parts.len() as u64 > self.most {
                 return Err(());
             }
             let arity = usize::from(self.rules.letters[usize::from(letter)].arity);
