@@ -243,6 +243,18 @@ fn svg(drawing: Arc<Drawing>, style: Style, options: &SvgOptions, remark: Remark
     }))
 }
 
+/// Makes something in steps, until `make` gives the writer of the file; then that writes.
+fn make_then_write(mut make: impl FnMut() -> Result<Option<Writer>, Diagnostic> + 'static) -> Writer {
+    let mut writer: Option<Writer> = None;
+    Box::new(move |file| {
+        if let Some(writer) = &mut writer {
+            return writer(file);
+        }
+        writer = make()?;
+        Ok(Progress::More)
+    })
+}
+
 /// A drawing in space as it is seen on paper.
 fn seen(
     drawing: Arc<Drawing<Solid>>,
@@ -253,36 +265,28 @@ fn seen(
 ) -> Result<Writer, Diagnostic> {
     // The drawing in space is let go of when it is on paper.
     let mut making = Some((Projection::new(&drawing, &outlook, FEW_SEGMENTS)?, drawing));
-    let mut writer: Option<Writer> = None;
-    Ok(Box::new(move |file| {
-        if let Some(writer) = &mut writer {
-            return writer(file);
-        }
+    Ok(make_then_write(move || {
         if let Some((projection, drawing)) = &mut making
             && projection.step(drawing, WORK as u64) == Progress::Done
             && let Some((projection, drawing)) = making.take()
         {
             let seen = Arc::new(projection.finish(&drawing));
-            writer = Some(svg(seen, style.clone(), &options, Rc::clone(&remark))?);
+            return svg(seen, style.clone(), &options, Rc::clone(&remark)).map(Some);
         }
-        Ok(Progress::More)
+        Ok(None)
     }))
 }
 
 fn mesh(drawing: Arc<Drawing<Solid>>, style: Style, name: String, text: bool) -> Result<Writer, Diagnostic> {
     let mut maker = Some(MeshMaker::new(&drawing, &style, FEW_SEGMENTS, MESH)?);
-    let mut writer: Option<Writer> = None;
-    Ok(Box::new(move |file| {
-        if let Some(writer) = &mut writer {
-            return writer(file);
-        }
+    Ok(make_then_write(move || {
         if let Some(making) = &mut maker
             && making.step(&drawing, &style, WORK as u64)? == Progress::Done
         {
             let mesh = maker.take().map(MeshMaker::finish).unwrap_or_default();
-            writer = Some(if text { obj(mesh, &name) } else { glb(mesh, &name) });
+            return Ok(Some(if text { obj(mesh, &name) } else { glb(mesh, &name) }));
         }
-        Ok(Progress::More)
+        Ok(None)
     }))
 }
 

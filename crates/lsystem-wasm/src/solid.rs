@@ -197,8 +197,7 @@ impl Viewer for SolidView {
         let pane = panes.first().map_or(0, |pane| {
             SolidRenderer::most_bytes(Viewport { width: pane.width, height: pane.height, ..scene.viewport })
         });
-        let parts = if scene.upto.is_some() { 2 } else { 1 };
-        if parts * SolidRenderer::scene_bytes(&drawing) + pane > LIMITS.memory {
+        if SolidRenderer::scene_bytes(&drawing) + part_bytes(&drawing, &scene) + pane > LIMITS.memory {
             return Err(
                 "so large a drawing in space leaves too little memory for a picture beside the one that is shown",
             );
@@ -212,6 +211,11 @@ impl Viewer for SolidView {
         snapshot.begin();
         Ok(Box::new(snapshot))
     }
+}
+
+/// The bytes that a picture of the first segments alone takes, beside what all of them take.
+fn part_bytes(drawing: &Drawing<Solid>, scene: &Scene) -> u64 {
+    if scene.upto.is_some() { SolidRenderer::scene_bytes(drawing) } else { 0 }
 }
 
 /// A picture for a file, made pane by pane; once more, with a larger budget, where that was too small.
@@ -262,10 +266,7 @@ impl Snapshot for SolidSnapshot {
 impl SolidView {
     /// With as many pixels as there is room for.
     fn within_room(&self, scene: Scene) -> Scene {
-        let drawing = self.drawing.as_ref().map_or(0, |drawing| {
-            let part = if scene.upto.is_some() { SolidRenderer::scene_bytes(drawing) } else { 0 };
-            drawing.bytes() + part
-        });
+        let drawing = self.drawing.as_ref().map_or(0, |drawing| drawing.bytes() + part_bytes(drawing, &scene));
         Scene { viewport: affordable(scene.viewport, drawing, SolidRenderer::most_bytes), ..scene }
     }
 
