@@ -134,7 +134,7 @@
 
     function work() {
         let report = null;
-        // What is made for others takes the memory of a small picture.
+        // A small picture shares its memory with drawings and files in the making: it begins again later.
         if (thumb && (newDefine || newView || questions.length > 0 || unsaved > 0)) putOff();
         const free = begun === null || performance.now() - begun > PATIENCE_MS;
         if (free) begun = newDefine || newView ? performance.now() : null;
@@ -175,9 +175,12 @@
         const newest = !newDefine && !newView && playground.built;
         if (newest && questions.length > 0 && canRead(questions[0])) answer(questions.shift());
         if (idle && questions.length === 0 && unsaved === 0) {
-            if (thumb ?? thumbs[0]) tellAt((thumb?.request ?? thumbs[0]).id);
-            if (!thumb && thumbs.length > 0) thumb = beginThumb(thumbs.shift());
-            if (thumb) paintThumb();
+            const request = thumb?.request ?? thumbs.shift();
+            if (request) {
+                tellAt(request.id);
+                thumb ??= beginThumb(request);
+                paintThumb();
+            }
         }
         if (newDefine || newView || (questions.length > 0 && newest) || thumb || (thumbs.length > 0 && unsaved === 0)) wake();
         else if (!idle) {

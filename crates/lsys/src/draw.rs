@@ -56,11 +56,11 @@ fn form(input: &Input, format: Format) -> Result<Vec<u8>, Failure> {
     let style = &input.system.style;
     let wrong = |limit| input.limit(&limit);
     let (system, n, limits) = (&input.system, input.iterations, &input.limits);
-    let solid = || lsystem::draw_solid(system, n, &input.drawing()).map_err(wrong);
+    let solid = || lsystem::draw_solid(system, n, &input.drawing_limits()).map_err(wrong);
     // What is in space is seen from where the page would look at it first.
     let drawing = || match system.is_solid() {
         true => solid()?.seen_from(&Outlook::default(), limits.segments).map_err(wrong),
-        false => lsystem::draw(system, n, &input.drawing()).map_err(wrong),
+        false => lsystem::draw(system, n, &input.drawing_limits()).map_err(wrong),
     };
     let mesh = |drawing: &Drawing<Solid>| Mesh::new(drawing, style, MESH_SEGMENTS).map_err(wrong);
     let name = input.definition.label();

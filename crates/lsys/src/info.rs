@@ -84,7 +84,7 @@ fn facts_in<S: Space>(
     bounds: fn(&Drawing<S>) -> Option<Vec<f64>>,
 ) -> Facts {
     let (system, n) = (&input.system, input.iterations);
-    let drawing = draw(system, n, &input.drawing());
+    let drawing = draw(system, n, &input.drawing_limits());
     let (drawn, limit) = (drawing.as_ref().ok(), drawing.as_ref().err());
     let now = Counts::new(input, n, drawn);
     let before = n.checked_sub(1).map(|n| Counts::new(input, n, None::<&Drawing<S>>));

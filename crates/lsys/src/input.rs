@@ -56,8 +56,8 @@ pub(crate) fn read(file: &Path, changes: &Changes) -> Result<Input, Failure> {
 }
 
 impl Input {
-    /// What a drawing may spend: its memory ends it, not the number of segments that a text may have.
-    pub(crate) fn drawing(&self) -> Limits {
+    /// The limits of a drawing. Memory ends a drawing; [`Limits::segments`] of the input is for files of text.
+    pub(crate) fn drawing_limits(&self) -> Limits {
         Limits { segments: u64::from(u32::MAX), work: 1 << 30, ..self.limits }
     }
 

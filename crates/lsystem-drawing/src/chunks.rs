@@ -1,4 +1,4 @@
-//! A long list in pieces, none of which is moved when it grows: while a list of one piece grows it takes twice its memory.
+//! A long list in pieces. A full piece never moves, so that growing neither copies the list nor holds it twice.
 
 use crate::room::{bytes_for, bytes_of, reserve};
 use core::ops::{Index, Range};

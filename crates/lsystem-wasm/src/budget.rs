@@ -31,7 +31,7 @@ pub(crate) const LIMITS: Limits =
 #[cfg(feature = "full")]
 pub(crate) const HISTORY: Limits = Limits { memory: 24 * MIB, ..LIMITS };
 
-/// For a small picture beside a drawing: what its pixels and their tiles leave of the share.
+/// The limits of a small picture's drawing. The rest of its 70 MiB is for pixels and tiles.
 pub(crate) const SMALL: Limits = Limits { memory: 32 * MIB, ..LIMITS };
 
 /// The bytes that pictures of a drawing may take.

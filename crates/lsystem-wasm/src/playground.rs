@@ -84,7 +84,7 @@ impl Playground {
         Self::of(canvas, Views::default(), LIMITS)
     }
 
-    /// One for small pictures, which takes little memory and tells nothing but whether there is something to see.
+    /// A playground for small pictures: it takes little memory and counts nothing.
     ///
     /// # Errors
     /// Throws where the canvas has no 2D context.
@@ -129,6 +129,7 @@ impl Playground {
         } else {
             self.upto = None;
             self.report = known;
+            // Nobody reads the counts of a small picture, and they take memory.
             self.counters = (self.limits == LIMITS).then(|| [system.symbols(n), system.segments(n)]);
             self.counters.iter_mut().flatten().for_each(|counter| {
                 counter.step(COUNTING);

@@ -51,8 +51,8 @@ fn arguments<'a>(words: impl Iterator<Item = &'a str>) -> Vec<String> {
     words.retain(|word| word != "--all");
     // Each shard has mutants of all files, the same every time.
     words.extend(["--sharding=round-robin", "--no-shuffle", "--colors=never"].map(str::to_owned));
-    // A first run of the tests would be one of the changed crates alone, which have not all of them. A mutant that loops is
-    // ended after its time, in seconds.
+    // A baseline run would test the changed crates alone, and fail: the named tests are in another crate. Timeouts are in
+    // seconds, and end mutants that loop.
     words.extend(["--baseline=skip", "--timeout=120", "--build-timeout=900"].map(str::to_owned));
     words
 }

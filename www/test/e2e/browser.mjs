@@ -41,8 +41,8 @@ export async function ready(page, drawing = '#stage.inked') {
 /**
  * Opens the page, or the one at `address`, lets `use` work with it, and checks that nothing went wrong on the way
  * but what the test brings about: `expected` lines of the console. `also` names another address that may be asked, and
- * `drawing` the element that tells that the drawing is there, or null. What fails is tried once more with a fresh page,
- * and told: a browser on a busy machine is not the same every time, but what is wrong is wrong twice.
+ * `drawing` the element that tells that the drawing is there, or null. A test that fails runs once
+ * more in a fresh page, and its first error is printed: on a busy machine a browser may be late, but a fault stays.
  * @typedef {{address?: string, also?: string, drawing?: string | null, hash?: string, expected?: RegExp, options?: import('playwright-core').BrowserContextOptions, before?: (page: Page) => Promise<unknown>}} How
  * @param {How} how
  * @param {(page: Page) => Promise<unknown>} use

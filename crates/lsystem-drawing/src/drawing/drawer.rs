@@ -92,7 +92,7 @@ impl<S: Space> Drawer<S> {
             if self.builder.is_full || self.bytes() > self.task.limits.memory {
                 self.builder = Builder::new();
                 let searches = match &mut self.state {
-                    State::Unfold(unfold) => unfold.searches(&self.task),
+                    State::Unfold(unfold) => unfold.begin_search(&self.task),
                     _ => false,
                 };
                 if !searches {

@@ -1,7 +1,7 @@
-//! Drawing what is made once and placed wherever it comes again.
+//! Drawing with shared pieces: each piece is made once and placed wherever it recurs.
 //!
-//! What a module draws in some steps is one piece wherever it stands, as long as nothing else decides about it. Plain
-//! letters have one for each number of steps, found by its place in a list; modules with parameters one for each state.
+//! A module draws the same piece in the same number of steps, as long as nothing but the module decides. Plain letters
+//! have one piece for each number of steps, found by its index; modules with parameters have one piece for each state.
 
 mod letters;
 mod plan;

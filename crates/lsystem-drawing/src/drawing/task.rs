@@ -20,8 +20,8 @@ pub(crate) struct Task<S: Space> {
 }
 
 impl<S: Space> Task<S> {
-    /// How many letters pieces may be made of, and the limit that says so: their memory would not do for more, where one
-    /// of two draws.
+    /// The most letters that pieces may be made of, and the limit that says so. At least one letter of two makes an item,
+    /// by assumption: more letters would need more memory than there is.
     pub(super) fn most_letters(&self) -> (u64, LimitName) {
         let Limits { segments, memory, .. } = self.limits;
         let letters = memory / (size_of::<Item<S>>() as u64 / 2);
@@ -34,7 +34,7 @@ pub(super) enum Outcome<T> {
     /// The work allowed is done, or a stage; there is more.
     Paused,
     Ended(T),
-    /// Pieces are too different to be shared; this is the largest n for which they are not.
+    /// The pieces are too different to be shared. The largest n for which sharing works.
     Apart(Option<u32>),
     Failed(Diagnostic),
 }

@@ -56,8 +56,8 @@ impl<S: Space> Unfold<S> {
         }
     }
 
-    /// There is no more memory: whether it looks for the largest n for which there is enough.
-    pub(super) fn searches(&mut self, task: &Task<S>) -> bool {
+    /// Memory has run out: begins to search for the largest n that fits, where this stage can. Whether it does.
+    pub(super) fn begin_search(&mut self, task: &Task<S>) -> bool {
         let draws = matches!(self.stage, Stage::Letters(_));
         if draws {
             self.stage = Stage::Search(Search::new(LimitName::Memory, task.n, task.seed));

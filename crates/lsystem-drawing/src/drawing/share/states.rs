@@ -259,7 +259,8 @@ impl<S: Space> States<S> {
         Outcome::Paused
     }
 
-    /// In the last step all but one of the parts that replace another are new: whether that is so, and which is not.
+    /// For a piece of the last step, under growth: its one part that is not new, if any; all others are still growing. `None`
+    /// for every other piece.
     fn young(&self, parts: Range<u32>, origin: &Origin, meter: &mut Meter) -> Option<Option<u32>> {
         let former = origin.former.filter(|_| !self.shows.is_empty() && origin.step == self.n)?;
         meter.charge(parts.len() as u64 / 4);
