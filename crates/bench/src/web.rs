@@ -3,6 +3,7 @@
 use crate::{Buffers, GROWTHS, Growth, WORKS, Work};
 use lsystem::System;
 use lsystem::derive::Rules;
+use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
 /// One work with its system and buffers.
@@ -71,7 +72,7 @@ impl Bench {
 #[derive(Debug)]
 pub struct Derivation {
     growth: Growth,
-    rules: Rules,
+    rules: Arc<Rules>,
 }
 
 #[wasm_bindgen]

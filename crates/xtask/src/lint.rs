@@ -18,5 +18,9 @@ pub(crate) fn steps(workspace: &Workspace, report: &mut Report) {
         let what = ["clippy", "--package=lsystem-wasm", "--no-default-features", "--target", tools::WASM_TARGET];
         run(workspace.cargo(what).args(["--", "-D", "warnings"]))
     });
+    report.step("clippy for the measurements in the browser", || {
+        let what = ["clippy", "--lib", "--package=bench", "--target", tools::WASM_TARGET];
+        run(workspace.cargo(what).args(["--", "-D", "warnings"]))
+    });
     report.step("documentation", || run(workspace.cargo(["doc", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings")));
 }
