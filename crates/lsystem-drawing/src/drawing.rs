@@ -15,6 +15,7 @@ mod girth;
 mod hull;
 mod marks;
 mod piece;
+mod pieces;
 mod projection;
 mod scene;
 mod segments;
@@ -33,6 +34,7 @@ pub use hull::hull;
 pub use marks::Mark;
 pub use marks::MarkReader;
 pub(crate) use piece::Piece;
+pub(crate) use pieces::{Pieces, StateWord, StateWords};
 pub use projection::{Outlook, Projection};
 pub use scene::SceneSize;
 pub use segments::Frame;
@@ -73,9 +75,8 @@ pub struct Drawing<S: Space = Plane> {
     pub step: f64,
     /// The turtle's stroke width at the start, in multiples of the step length.
     pub width: f64,
-    /// By depth from 1, sorted by letter: what every rewritten letter draws in that many steps and how it leaves the
-    /// turtle; empty where blocks do not memoise.
-    pub pieces: Vec<Vec<(LetterId, Piece<S>)>>,
+    /// What the pieces are made of that it shares.
+    pub(crate) pieces: Pieces<S>,
     /// Whether blocks are shared.
     pub memoised: bool,
     /// By stroke and polygon, in drawing order: where it is along the path, as in [`Tint`](lsystem_syntax::Tint); empty where
@@ -143,14 +144,13 @@ impl<S: Space> Drawing<S> {
     /// pictures are made from.
     #[must_use]
     pub fn bytes(&self) -> u64 {
-        let pieces: u64 = self.pieces.iter().map(bytes_of).sum();
         bytes_of(&self.blocks)
             + self.items.bytes()
             + bytes_of(&self.corners)
             + bytes_of(&self.vertices)
             + bytes_of(&self.styles)
             + bytes_of(&self.places)
-            + pieces
+            + self.pieces.bytes()
             + self.scene.bytes(self.memoised)
     }
 
@@ -221,7 +221,8 @@ impl<S: Space> Drawing<S> {
     /// memoises and contains it.
     #[must_use]
     pub fn piece(&self, symbol: LetterId, depth: u32) -> Option<&Piece<S>> {
-        let level = self.pieces.get(depth.checked_sub(1)? as usize)?;
+        let Pieces::Letters(levels) = &self.pieces else { return None };
+        let level = levels.get(depth.checked_sub(1)? as usize)?;
         let place = level.binary_search_by_key(&symbol, |(s, _)| *s).ok()?;
         Some(&level[place].1)
     }

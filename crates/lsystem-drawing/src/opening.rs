@@ -1,66 +1,115 @@
 //! Which symbol opens a polygon.
 
-use crate::drawing::{BlockId, Item, Space};
+use crate::drawing::{BlockId, Item, Pieces, Space, StateWord, StateWords};
 use crate::{Drawing, System};
+use core::ops::Range;
 use lsystem_derive::{LetterId, Word};
+use std::collections::HashSet;
 
 /// The position of the symbol that opens the polygon `number` (0-based, in the order in which they are opened) of
 /// generation `n`, which `drawing` shows; saturating. `None` beyond the last polygon.
 #[must_use]
 pub fn symbol_of_polygon<S: Space>(system: &System, n: u32, drawing: &Drawing<S>, number: u128) -> Option<u128> {
-    if drawing.is_memoised() {
-        opening(&system.word(n)?, (&system.rules.axiom.letters, n), drawing, drawing.root?, number)
-    } else {
-        drawing.polygon(number).map(|(polygon, _)| polygon.symbol.into())
+    match &drawing.pieces {
+        _ if !drawing.is_memoised() => drawing.polygon(number).map(|(polygon, _)| polygon.symbol.into()),
+        Pieces::States(words) => {
+            let depth = words.levels.len();
+            opening(drawing, words, words.members(words.axiom.clone(), depth), number)
+        }
+        Pieces::Letters(_) => {
+            let letters = Letters { drawing, word: system.word(n)? };
+            opening(drawing, &letters, letters.letters(&system.rules.axiom.letters, n), number)
+        }
+        Pieces::None => None,
     }
 }
 
-/// What polygons a drawing has, in whatever space.
-trait Filled {
-    /// The block of what a letter that is rewritten becomes in `depth` steps, if it draws anything.
-    fn inner(&self, symbol: LetterId, depth: u32) -> Option<Option<BlockId>>;
+/// What tells of what the symbols of a word become.
+trait Words {
+    /// A rewritten symbol in some steps.
+    type Node: Copy;
 
-    /// How many polygons a block fills.
-    fn polygons(&self, block: BlockId) -> u128;
-
-    /// The places of the symbols that open those among its items.
-    fn opened(&self, block: BlockId) -> Vec<u32>;
+    /// The word that replaces one.
+    fn successor(&self, node: Self::Node) -> Option<Vec<Member<Self::Node>>>;
 }
 
-impl<S: Space> Filled for Drawing<S> {
-    fn inner(&self, symbol: LetterId, depth: u32) -> Option<Option<BlockId>> {
-        self.piece(symbol, depth).map(|piece| piece.block)
-    }
+/// A symbol of a word.
+struct Member<N> {
+    /// If it is rewritten: what by, and the block of all that it becomes, if that draws anything.
+    inner: Option<(N, Option<BlockId>)>,
+    /// How many symbols it becomes; saturating.
+    symbols: u128,
+}
 
-    fn polygons(&self, block: BlockId) -> u128 {
-        self.blocks[block.0 as usize].polygons
-    }
+/// Words of plain letters, which follow from the rules.
+struct Letters<'a, S: Space> {
+    drawing: &'a Drawing<S>,
+    word: Word<'a>,
+}
 
-    fn opened(&self, block: BlockId) -> Vec<u32> {
-        let opened = |item: &Item<S>| if let Item::Polygon(polygon) = item { Some(polygon.symbol) } else { None };
-        self.items_of(block).iter().filter_map(opened).collect()
+impl<S: Space> Letters<'_, S> {
+    fn letters(&self, letters: &[LetterId], depth: u32) -> Vec<Member<(LetterId, u32)>> {
+        let member = |&letter: &LetterId| Member {
+            inner: self.drawing.piece(letter, depth).map(|piece| ((letter, depth), piece.block)),
+            symbols: self.word.derived(letter, depth),
+        };
+        letters.iter().map(member).collect()
     }
 }
 
-/// As [`symbol_of_polygon`]. Every letter that is rewritten has a block of its own, and the polygons of those that
-/// stay are among the items of the block of their word.
-fn opening(
-    word: &Word<'_>,
-    (axiom, n): (&[LetterId], u32),
-    drawing: &dyn Filled,
-    root: BlockId,
+impl<S: Space> Words for Letters<'_, S> {
+    type Node = (LetterId, u32);
+
+    fn successor(&self, (letter, depth): Self::Node) -> Option<Vec<Member<Self::Node>>> {
+        Some(self.letters(self.word.successor(letter, depth)?, depth - 1))
+    }
+}
+
+/// Words of modules with parameters, which were kept.
+impl Words for StateWords {
+    /// Its state, and the depth.
+    type Node = (u32, usize);
+
+    fn successor(&self, (state, depth): Self::Node) -> Option<Vec<Member<Self::Node>>> {
+        let depth = depth.checked_sub(1)?;
+        let StateWord { modules, .. } = self.levels.get(depth)?.get(state as usize)?;
+        Some(self.members(modules.clone(), depth))
+    }
+}
+
+impl StateWords {
+    fn members(&self, modules: Range<u32>, depth: usize) -> Vec<Member<(u32, usize)>> {
+        let states = depth.checked_sub(1).and_then(|below| self.levels.get(below));
+        let member = |&state: &Option<u32>| {
+            let word = state.zip(states).and_then(|(state, states)| Some((state, states.get(state as usize)?)));
+            match word {
+                Some((state, word)) => Member { inner: Some(((state, depth), word.block)), symbols: word.symbols },
+                None => Member { inner: None, symbols: 1 },
+            }
+        };
+        self.modules[modules.start as usize..modules.end as usize].iter().map(member).collect()
+    }
+}
+
+/// The symbol that opens a polygon, found in the words from the axiom on: every symbol that is rewritten has a block of its
+/// own, and the polygons of those that stay are among the items of the block of their word.
+fn opening<S: Space, W: Words>(
+    drawing: &Drawing<S>,
+    words: &W,
+    axiom: Vec<Member<W::Node>>,
     number: u128,
 ) -> Option<u128> {
-    let (mut letters, mut depth, mut left) = (axiom, n, number);
-    let (mut block, mut before) = (root, 0_u128);
+    let (mut members, mut left) = (axiom, number);
+    let (mut block, mut before) = (drawing.root?, 0_u128);
     loop {
-        // A word that draws nothing but what one of its letters does has that one's block.
-        let alone = letters.iter().any(|&symbol| drawing.inner(symbol, depth) == Some(Some(block)));
-        let mut own = if alone { vec![] } else { drawing.opened(block) }.into_iter().peekable();
-        let held = letters.iter().enumerate().find(|&(place, &symbol)| {
+        let inner: HashSet<BlockId> = members.iter().filter_map(|member| member.inner?.1).collect();
+        let mut own = vec![];
+        collect(drawing, block, &inner, &mut own);
+        let mut own = own.into_iter().peekable();
+        let held = members.iter().enumerate().find(|&(place, member)| {
             let mut count = 0_u128;
-            match drawing.inner(symbol, depth) {
-                Some(inner) => count = inner.map_or(0, |inner| drawing.polygons(inner)),
+            match member.inner {
+                Some((_, inner)) => count = inner.map_or(0, |inner| drawing.blocks[inner.0 as usize].polygons),
                 None => {
                     while own.next_if_eq(&(place as u32)).is_some() {
                         count += 1;
@@ -71,12 +120,27 @@ fn opening(
                 return true;
             }
             left -= count;
-            before = before.saturating_add(word.derived(symbol, depth));
+            before = before.saturating_add(member.symbols);
             false
         });
-        let (_, &symbol) = held?;
-        let Some(inner) = drawing.inner(symbol, depth) else { return Some(before) };
+        let (_, member) = held?;
+        let Some((node, inner)) = member.inner else { return Some(before) };
         block = inner?;
-        (letters, depth) = (word.successor(symbol, depth)?, depth - 1);
+        members = words.successor(node)?;
+    }
+}
+
+/// The places of the symbols that open polygons of a word by themselves. The block of a long word has blocks of its parts.
+fn collect<S: Space>(drawing: &Drawing<S>, block: BlockId, inner: &HashSet<BlockId>, own: &mut Vec<u32>) {
+    // A word that draws nothing but what one of its symbols does has that one's block.
+    if inner.contains(&block) {
+        return;
+    }
+    for item in drawing.items_of(block) {
+        match item {
+            Item::Stroke(_) => {}
+            Item::Polygon(polygon) => own.push(polygon.symbol),
+            Item::Block(placed) => collect(drawing, placed.block, inner, own),
+        }
     }
 }

@@ -289,6 +289,11 @@ impl<S: Geometry> Score<S> {
         self.variations != [0.0; 2]
     }
 
+    /// Whether there are polygons.
+    pub(crate) fn fills(&self) -> bool {
+        self.ops.iter().flatten().any(|op| matches!(op, Op::OpenPolygon))
+    }
+
     /// Whether it matters which module of its letter one is.
     pub(crate) fn is_personal(&self) -> bool {
         self.varies() || self.dated || self.growth < 1.0

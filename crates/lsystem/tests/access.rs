@@ -287,6 +287,41 @@ fn polygons_of_a_generation_without_end() {
     assert_eq!(symbol_of_polygon(&system, n, &drawing, count), None);
 }
 
+#[test]
+fn polygons_of_a_long_word() {
+    // Its block has blocks of its parts.
+    let axiom = "A[{F+F+F}]F-".repeat(400);
+    for rules in ["A -> FA{f-f-f}", "A -> FP(2){f-f-f}\nP(x) : x > 0 -> {.f.-f.-f.}P(x-1)F(x)"] {
+        let system = read(&axiom, rules);
+        let drawing = draw(&system, 3, &Limits::default()).unwrap();
+        assert!(drawing.is_memoised());
+        let opened = (0..drawing.polygon_count()).map(|number| symbol_of_polygon(&system, 3, &drawing, number));
+        let expected = naive::solid_polygons(&system, 3);
+        assert!(opened.eq(expected.iter().map(|polygon| Some(polygon.4 as u128))), "{rules}");
+    }
+}
+
+#[test]
+fn leaves_of_modules_with_parameters_are_shared() {
+    // ABOP, figure 2.6a, with a leaf at every apex's foot.
+    let system = read(
+        "A(1)",
+        "A(l) -> F(l)[+B(l*0.6){.f(l).+f(l).+f(l).}]A(l*0.9)\nB(l) -> F(l)[-{.f(l).-f(l).-f(l).}][-B(l*0.9)]A(l*0.6)",
+    );
+    let n = 60;
+    let drawing = draw(&system, n, &Limits::default()).unwrap();
+    let word = system.word(n).unwrap();
+    assert!(drawing.is_memoised() && drawing.polygon_count() > 1 << 40);
+    let mut last = None;
+    for k in 0..100 {
+        let number = (drawing.polygon_count() - 1) / 99 * k;
+        let symbol = symbol_of_polygon(&system, n, &drawing, number).unwrap();
+        assert!(Some(symbol) > last);
+        last = Some(symbol);
+        assert!(word.slice(symbol, 5).starts_with("{.f("), "{}", word.slice(symbol, 5));
+    }
+}
+
 fn read(axiom: &str, rules: &str) -> System {
     let definition = Definition { axiom: axiom.into(), rules: rules.into(), angle: 25.0, ..Definition::default() };
     System::new(&definition).0.unwrap()

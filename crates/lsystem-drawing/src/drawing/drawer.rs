@@ -3,11 +3,10 @@
 use super::Drawing;
 use super::block::{BlockId, Space};
 use super::builder::Builder;
-use super::piece::Level;
+use super::pieces::Pieces;
 use super::share::Share;
 use super::task::{Made, Outcome, Task};
 use super::unfold::Unfold;
-use crate::room::bytes_of;
 use crate::{Plane, System};
 use lsystem_syntax::{Diagnostic, LimitName, Limits, MAX_ITERATIONS, Meter, Progress};
 use std::sync::OnceLock;
@@ -43,11 +42,11 @@ enum State<S: Space> {
     Survey {
         survey: Box<S::Survey>,
         root: BlockId,
-        pieces: Vec<Level<S>>,
+        pieces: Pieces<S>,
     },
     Done {
         root: Option<BlockId>,
-        pieces: Vec<Level<S>>,
+        pieces: Pieces<S>,
         extent: Option<S::Extent>,
     },
     Failed(Diagnostic),
@@ -120,7 +119,7 @@ impl<S: Space> Drawer<S> {
         let state = match &self.state {
             State::Share(share) => share.bytes(),
             State::Unfold(unfold) => unfold.bytes(),
-            State::Survey { pieces, .. } | State::Done { pieces, .. } => pieces.iter().map(bytes_of).sum(),
+            State::Survey { pieces, .. } | State::Done { pieces, .. } => pieces.bytes(),
             State::Failed(_) => 0,
         };
         self.builder.bytes() + self.builder.scene.bytes(self.shares) + state
@@ -135,7 +134,7 @@ impl<S: Space> Drawer<S> {
         let (root, pieces, extent) = match self.state {
             State::Failed(diagnostic) => return Err(diagnostic),
             State::Done { root, pieces, extent } => (root, pieces, extent),
-            _ => (None, vec![], None),
+            _ => (None, Pieces::None, None),
         };
         self.builder.shrink();
         Ok(Drawing {
@@ -167,7 +166,8 @@ impl<S: Space> Drawer<S> {
             State::Unfold(unfold) => unfold.step(task, builder, meter),
             State::Survey { survey, root, pieces } => {
                 if let Some(extent) = S::advance(survey, builder.contents(), meter) {
-                    *state = State::Done { root: Some(*root), pieces: core::mem::take(pieces), extent: Some(extent) };
+                    let pieces = core::mem::replace(pieces, Pieces::None);
+                    *state = State::Done { root: Some(*root), pieces, extent: Some(extent) };
                 }
                 return;
             }

@@ -3,6 +3,7 @@
 use super::Drawing;
 use super::builder::Builder;
 use super::extent::{Survey, falling};
+use super::pieces::Pieces;
 use super::segments::{Frame, Part, Standing};
 use super::tree::Tree;
 use crate::Solid;
@@ -228,7 +229,7 @@ impl Projection {
             start: [dot(right, drawing.start), dot(up, drawing.start)],
             step: drawing.step,
             width: drawing.width,
-            pieces: vec![],
+            pieces: Pieces::None,
             memoised: false,
             places,
             symbols: drawing.symbols,

@@ -1,7 +1,7 @@
 //! What is to be drawn, and what came of it.
 
 use super::block::{BlockId, Item, Space};
-use super::piece::Level;
+use super::pieces::Pieces;
 use crate::Turtle;
 use crate::turtle::Score;
 use lsystem_derive::Rules;
@@ -43,8 +43,8 @@ pub(super) enum Outcome<T> {
 #[derive(Clone, Debug)]
 pub(crate) struct Made<S: Space> {
     pub root: Option<BlockId>,
-    /// By steps from 1: the pieces of letters.
-    pub pieces: Vec<Level<S>>,
+    /// What the pieces are made of that it shares.
+    pub pieces: Pieces<S>,
     /// The symbols of the generation, where it has been gone through.
     pub symbols: Option<u64>,
 }

@@ -11,6 +11,7 @@ use self::letters::{Gone, Letters};
 use self::limits::{Exceeded, Forecast, Search};
 use super::block::Space;
 use super::builder::Builder;
+use super::pieces::Pieces;
 use super::task::{Made, Outcome, Task};
 use lsystem_syntax::{Diagnostic, Kind, LimitName, Meter};
 
@@ -67,7 +68,7 @@ impl<S: Space> Unfold<S> {
 
     /// Works on until the meter is spent, or a stage is over.
     pub(super) fn step(&mut self, task: &Task<S>, builder: &mut Builder<S>, meter: &mut Meter) -> Outcome<Made<S>> {
-        let made = |root, symbols| Outcome::Ended(Made { root, pieces: vec![], symbols: Some(symbols) });
+        let made = |root, symbols| Outcome::Ended(Made { root, pieces: Pieces::None, symbols: Some(symbols) });
         let failed =
             |Exceeded { limit, largest }| Outcome::Failed(Diagnostic::limit(limit, task.limits.value(limit), largest));
         match &mut self.stage {

@@ -5,6 +5,7 @@ use super::word::{Origin, Word, Writing};
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
 use crate::drawing::piece::Level;
+use crate::drawing::pieces::Pieces;
 use crate::drawing::task::{Made, Outcome, Task};
 use crate::room::bytes_of;
 use crate::turtle::{Op, Score};
@@ -17,20 +18,22 @@ use lsystem_syntax::{Diagnostic, Meter};
 pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     let looks_out = |op: &Op<S>| matches!(op, Op::Bend(_)) || matches!(op, Op::Upright) && !S::LEVEL;
     let is_kept = |s: LetterId| matches!(rules.rewrites[usize::from(s)], Rewrite::Keep);
+    let ops = |s: LetterId| score.ops[usize::from(s)].as_slice();
+    let filled = |word: &[LetterId]| is_filled_at_once(word.iter().map(|&s| is_kept(s).then(|| ops(s))));
     !score.varies()
         && !score.ops.iter().flatten().any(looks_out)
-        && is_filled_at_once(&rules.axiom.letters, score, is_kept)
+        && filled(&rules.axiom.letters)
         && (rules.rewrites.iter().zip(rules.reachable()).enumerate()).all(|(symbol, (rewrite, reached))| {
             let balanced = |word: &[LetterId]| {
                 let kept = word.iter().filter(|&&s| is_kept(s));
-                is_balanced(kept.flat_map(|&s| &score.ops[usize::from(s)])) && is_filled_at_once(word, score, is_kept)
+                is_balanced(kept.flat_map(|&s| ops(s))) && filled(word)
             };
             match rewrite {
                 _ if !reached => true,
                 Rewrite::Keep => true,
                 Rewrite::Always(word) => {
-                    let alone = [symbol as LetterId];
-                    balanced(word) && is_balanced(&score.ops[symbol]) && is_filled_at_once(&alone, score, |_| true)
+                    let alone = score.ops[symbol].as_slice();
+                    balanced(word) && is_balanced(alone) && is_filled_at_once([Some(alone)])
                 }
                 Rewrite::Choose(_) => false,
             }
@@ -50,20 +53,19 @@ pub(super) fn is_balanced<'a, S: Space>(ops: impl IntoIterator<Item = &'a Op<S>>
     never_below && level == 0
 }
 
-/// Whether every polygon that is opened or closed by the letters of `word` that stay is opened and closed by them, and
-/// only they stand inside.
-fn is_filled_at_once<S: Space>(word: &[LetterId], score: &Score<S>, stays: impl Fn(LetterId) -> bool) -> bool {
+/// Whether every polygon that is opened or closed by the letters of a word that stay is opened and closed by them, and
+/// only they stand inside. Letters are told by what they do; by nothing those that are rewritten.
+pub(super) fn is_filled_at_once<'a, S: Space>(word: impl IntoIterator<Item = Option<&'a [Op<S>]>>) -> bool {
     let mut open = 0_i64;
-    let fits = word.iter().all(|&symbol| {
-        let stays = stays(symbol);
-        for op in score.ops[usize::from(symbol)].iter().filter(|_| stays) {
+    let fits = word.into_iter().all(|ops| {
+        for op in ops.into_iter().flatten() {
             match op {
                 Op::OpenPolygon => open += 1,
                 Op::ClosePolygon => open -= 1,
                 _ => {}
             }
         }
-        open == 0 || (open > 0 && stays)
+        open == 0 || (open > 0 && ops.is_some())
     });
     fits && open == 0
 }
@@ -161,7 +163,11 @@ impl<S: Space> Build<S> {
                 let (letters, origin) = (rules.axiom.letters.as_slice(), Origin { former: None, step: 0 });
                 let heading = turtle.start_turn::<S>();
                 if let Some(root) = write(Word { score, below: pieces.last(), letters, origin, heading }) {
-                    return Outcome::Ended(Made { root: root.block, pieces: core::mem::take(pieces), symbols: None });
+                    return Outcome::Ended(Made {
+                        root: root.block,
+                        pieces: Pieces::Letters(core::mem::take(pieces)),
+                        symbols: None,
+                    });
                 }
             }
         }

@@ -8,7 +8,7 @@
 
 mod write;
 
-use super::letters::is_balanced;
+use super::letters::{is_balanced, is_filled_at_once};
 use super::scales::{Keys, Scales, applying};
 use super::vertical::{self, Course, Tilt, vertical_of};
 use super::word::Origin;
@@ -16,6 +16,7 @@ use crate::Turtle;
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
 use crate::drawing::piece::Piece;
+use crate::drawing::pieces::{Pieces, StateWord, StateWords};
 use crate::drawing::task::{Made, Outcome, Task};
 use crate::room::{bytes_of, reserve};
 use crate::style::ColourChange;
@@ -31,26 +32,33 @@ use write::Writing;
 const STATES: usize = 1 << 16;
 
 /// Whether pieces depend on nothing but letters, parameters, the vertical and steps: no contexts, no chance, no cutting,
-/// nothing that bends towards directions of the model, and no rewritten module or image that ends on another branch than it began on.
+/// nothing that bends towards directions of the model, no rewritten module or image that ends on another branch than it
+/// began on, and no polygon that is made by more than one production.
 pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     let bends = |op: &Op<S>| matches!(op, Op::Bend(_));
-    let (letters, ops) = (rules.by_letter.len(), |letter: usize| score.ops[letter].iter());
+    let (letters, ops) = (rules.by_letter.len(), |letter: usize| score.ops[letter].as_slice());
     // Images stand for themselves, and rewritten modules for what they become.
-    let apart = |letter: usize| !rules.by_letter[letter].is_empty() || !rules.images[letter].is_empty();
-    let inside = |word: &Template| {
-        let kept = word.letters.iter().map(|&letter| usize::from(letter)).filter(|&letter| !apart(letter));
-        is_balanced(kept.flat_map(ops))
+    let is_rewritten = |letter: usize| !rules.by_letter[letter].is_empty();
+    let apart = |letter: usize| is_rewritten(letter) || !rules.images[letter].is_empty();
+    let own = |letter: usize| if apart(letter) { &[] } else { ops(letter) };
+    let filled = |word: &Template| {
+        let members = word.letters.iter().map(|&letter| usize::from(letter));
+        is_filled_at_once(members.map(|letter| (!is_rewritten(letter)).then(|| own(letter))))
     };
-    let shown = |word: &Template| is_balanced(word.letters.iter().flat_map(|&letter| ops(usize::from(letter))));
+    let inside =
+        |word: &Template| is_balanced(word.letters.iter().flat_map(|&letter| own(usize::from(letter)))) && filled(word);
+    let alone = |ops: &[Op<S>]| is_balanced(ops) && is_filled_at_once([Some(ops)]);
+    let shown = |word: &Template| {
+        alone(&word.letters.iter().flat_map(|&letter| ops(usize::from(letter))).copied().collect::<Vec<_>>())
+    };
     let deeds = |word: &Template| word.letters.iter().map(|&letter| 1 + ops(usize::from(letter)).len()).sum::<usize>();
-    // Which symbol opens a polygon is known only where all are made one by one.
-    let fills = |op: &Op<S>| matches!(op, Op::OpenPolygon | Op::ClosePolygon);
-    let special = score.varies() || score.ops.iter().flatten().any(|op| bends(op) || fills(op));
+    let special = score.varies() || score.ops.iter().flatten().any(bends);
     let decided_elsewhere = special || rules.is_random() || rules.is_cutting();
     !decided_elsewhere
+        && filled(&rules.axiom)
         && rules.by_letter.iter().flatten().all(|rule| !rule.is_context_sensitive() && inside(&rule.successor))
         && rules.images.iter().flatten().all(|image| deeds(&image.successor) <= IMAGE && shown(&image.successor))
-        && (0..letters).all(|letter| !apart(letter) || is_balanced(ops(letter)))
+        && (0..letters).all(|letter| !apart(letter) || alone(ops(letter)))
         && vertical::is_known(rules, score)
 }
 
@@ -88,6 +96,8 @@ pub(crate) struct States<S: Space> {
     deeds: Vec<Deed<S>>,
     /// By letter, whether it shows anything, where that tells what goes on in another's place and does not grow.
     shows: Vec<bool>,
+    /// What the pieces are made of, where there are polygons and so somebody may ask which symbol opens one.
+    words: Option<StateWords>,
 }
 
 /// A module to be rewritten.
@@ -115,6 +125,14 @@ impl Part {
     fn letter(&self) -> LetterId {
         match *self {
             Self::Module(letter, _) | Self::State(letter, ..) => letter,
+        }
+    }
+
+    /// The state of a module that is rewritten.
+    fn state(&self) -> Option<u32> {
+        match *self {
+            Self::Module(..) => None,
+            Self::State(_, state, _) => Some(state),
         }
     }
 }
@@ -150,6 +168,8 @@ type Counted<S> = (Piece<S>, u128);
 #[derive(Clone, Copy, Debug)]
 enum Deed<S: Space> {
     Op(Op<S>),
+    /// What follows is of the module at this place of the word, where there are polygons.
+    Place(u32),
     /// The colour that tells when what follows was made.
     Date(ColourChange),
     Piece(Piece<S>, f64),
@@ -182,6 +202,7 @@ impl<S: Space> States<S> {
             writing: None,
             deeds: vec![],
             shows: if score.growth < 1.0 { score.shows(rules) } else { vec![] },
+            words: score.fills().then(StateWords::default),
         };
         // The axiom's arguments are computed as everywhere.
         let started = lsystem_derive::Rewriter::new(rules.clone(), *seed, *limits);
@@ -209,6 +230,7 @@ impl<S: Space> States<S> {
             + bytes_of(&self.parts)
             + bytes_of(&self.arguments)
             + bytes_of(&self.deeds)
+            + self.words.as_ref().map_or(0, StateWords::bytes)
     }
 
     /// Works on until the meter is spent.
@@ -229,12 +251,7 @@ impl<S: Space> States<S> {
                 (state.parts.clone(), origin, (S::AHEAD, vertical_of(&state.tilt)))
             }
             Some(None) => {
-                meter.charge(1);
-                self.levels.pop();
-                self.done = 0;
-                if let Some([below, here]) = &mut self.pieces {
-                    *below = core::mem::take(here);
-                }
+                self.close_pieces(meter);
                 return Outcome::Paused;
             }
         };
@@ -247,7 +264,7 @@ impl<S: Space> States<S> {
             Ok(None) => self.writing = Some(writing),
             Ok(Some((piece, symbols))) if is_top => {
                 let symbols = u64::try_from(symbols).ok();
-                return Outcome::Ended(Made { root: piece.block, pieces: vec![], symbols });
+                return Outcome::Ended(Made { root: piece.block, pieces: self.made_of(), symbols });
             }
             Ok(Some(made)) => {
                 if let Some([_, here]) = &mut self.pieces {
@@ -257,6 +274,28 @@ impl<S: Space> States<S> {
             }
         }
         Outcome::Paused
+    }
+
+    /// Goes on to the level above.
+    fn close_pieces(&mut self, meter: &mut Meter) {
+        self.done = 0;
+        let (Some(level), Some([below, here])) = (self.levels.pop(), &mut self.pieces) else { return };
+        meter.charge(1 + level.len() as u64 / 4);
+        if let Some(words) = &mut self.words {
+            let word = |(state, made): (&State, &Counted<S>)| StateWord {
+                modules: state.parts.clone(),
+                block: made.0.block,
+                symbols: made.1,
+            };
+            words.levels.push(level.iter().zip(here.iter()).map(word).collect());
+        }
+        *below = core::mem::take(here);
+    }
+
+    /// What the pieces are made of, when all of them are.
+    fn made_of(&mut self) -> Pieces<S> {
+        let axiom = self.top.clone();
+        self.words.take().map_or(Pieces::None, |words| Pieces::States(StateWords { axiom, ..words }))
     }
 
     /// For a piece of the last step, under growth: its one part that is not new, if any; all others are still growing. `None`
@@ -364,6 +403,10 @@ impl<S: Space> States<S> {
             }
             reserve(&mut self.parts, 1);
             let part = self.part(with, letter, &mut planning, &mut deeds);
+            if let Some(words) = &mut self.words {
+                reserve(&mut words.modules, 1);
+                words.modules.push(part.state());
+            }
             self.parts.push(part);
             planning.argument += arity;
             planning.done += 1;

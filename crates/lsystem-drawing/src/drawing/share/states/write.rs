@@ -34,6 +34,8 @@ pub(super) struct Writing<S: Space> {
     drawn: usize,
     /// What the parts do at most, in items.
     weight: usize,
+    /// Of the module that is drawn in the word, where there are polygons.
+    place: u32,
     pen: Pen<S>,
     saved: Vec<Pen<S>>,
     tree: Option<Tree<S>>,
@@ -115,6 +117,7 @@ impl<S: Space> States<S> {
                 return Ok(number);
             }
             let part = self.parts[number as usize];
+            deeds.extend(self.words.is_some().then(|| Deed::Place(number - writing.parts.start)));
             deeds.extend(with.1.dated.then(|| Deed::Date(writing.origin.date_of(part.letter()))));
             match part {
                 Part::Module(letter, argument) => {
@@ -170,6 +173,7 @@ impl<S: Space> Writing<S> {
             held: None,
             drawn: 0,
             weight: 0,
+            place: 0,
             pen: Pen { vertical, ..Pen::new(heading, StyleChange::NONE) },
             saved: vec![],
             tree: None,
@@ -196,7 +200,7 @@ impl<S: Space> Writing<S> {
                     self.level = self.level.saturating_sub(1).max(0);
                     None
                 }
-                Deed::Op(_) | Deed::Date(_) => None,
+                Deed::Op(_) | Deed::Date(_) | Deed::Place(_) => None,
                 Deed::Piece(piece, scale) => exponent(builder, piece).map(|own| own.saturating_add(unit_of(*scale))),
             };
             self.unit = self.unit.max(unit.map(|unit| unit.saturating_add(smaller(score, self.level))));
@@ -205,9 +209,12 @@ impl<S: Space> Writing<S> {
     }
 
     fn draw(&mut self, builder: &mut Builder<S>, deed: &Deed<S>, (tree, unit, scale): (&mut Tree<S>, i32, f64)) {
-        let Self { pen, saved, .. } = self;
+        let Self { pen, saved, place: at, .. } = self;
         match deed {
-            Deed::Op(op) => tree.draw(builder, 0, |desk, directions| pen.act(&[*op], saved, scale, directions, desk)),
+            Deed::Op(op) => {
+                tree.draw(builder, u64::from(*at), |desk, directions| pen.act(&[*op], saved, scale, directions, desk));
+            }
+            Deed::Place(place) => *at = *place,
             Deed::Date(colour) => pen.style.colour = *colour,
             Deed::Piece(piece, scale) => {
                 if let Some(block) = piece.block {
