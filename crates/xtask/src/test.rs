@@ -46,8 +46,9 @@ pub(crate) fn test(workspace: &Workspace, options: &Options) -> Result<()> {
     }
     if has("native") {
         report.step("native tests", || {
-            let products = ["--package=lsystem", "--package=lsystem-wasm", "--package=lsys"];
-            let mut test = workspace.cargo(["test", "--no-fail-fast"].into_iter().chain(products));
+            // What is for development has steps of its own.
+            let others = ["--exclude=xtask", "--exclude=bench", "--exclude=lsystem-fuzz"];
+            let mut test = workspace.cargo(["test", "--no-fail-fast", "--workspace"].into_iter().chain(others));
             match options.cases() {
                 Some(cases) => test.env("LSYSTEM_CASES", cases),
                 // The same random systems every time: a change is judged by what it changes.
