@@ -1,7 +1,7 @@
 /**
  * How the page's worker shares a picture that takes long with mates, workers of the same script. They hear from it alone,
  * through a port, and every pane that it hands out is answered, be it with nothing; what is not answered it makes itself.
- * It stands before worker.js in the script of the full kit.
+ * It stands before worker.js in one script.
  *
  * @param {object} worker the one that shares, or helps
  * @param {OffscreenCanvas} worker.canvas

@@ -67,11 +67,7 @@
     /** Whether the newest definition can be drawn; what is still in the making otherwise belongs to the one before. */
     let sound = true;
 
-    /** Only the full kit shares pictures. */
-    const sharing =
-        typeof createSharing === 'undefined'
-            ? null
-            : createSharing({ canvas, playground: () => playground, guard, wake, lookAt, memory: () => memory?.buffer.byteLength ?? 0, state: () => ({ ...state, upto, number: stateNumber }), stepMs: STEP_MS });
+    const sharing = createSharing({ canvas, playground: () => playground, guard, wake, lookAt, memory: () => memory?.buffer.byteLength ?? 0, state: () => ({ ...state, upto, number: stateNumber }), stepMs: STEP_MS });
 
     /** Questions about what the newest definition derives and draws. @type {Record<string, (question: any) => object>} */
     const READERS = {
@@ -102,7 +98,7 @@
         // That this is answered shows that the worker comes back to its event loop.
         if (data.type === 'ping') return self.postMessage({ type: 'pong' });
         if (data.type === 'init') return start(data.wasm, data.master);
-        if (data.type === 'mates') return guard(() => sharing?.meet(data.ports));
+        if (data.type === 'mates') return guard(() => sharing.meet(data.ports));
         if (data.type === 'define') newDefine = data;
         else if (data.type === 'view') newView = data;
         else if (data.type === 'thumb') thumbs.push(data);
@@ -111,14 +107,14 @@
     };
     channel.port1.onmessage = () => {
         awake = false;
-        guard(sharing?.serves ? sharing.assist : work);
+        guard(sharing.serves ? sharing.assist : work);
     };
 
-    /** @param {ArrayBuffer} bytes @param {MessagePort} [port] of the worker whose mate this one is */
-    function start(bytes, port) {
+    /** @param {WebAssembly.Module} module @param {MessagePort} [port] of the worker whose mate this one is */
+    function start(module, port) {
         guard(() => {
-            if (port) sharing?.serve(port);
-            ({ memory } = wasm.initSync({ module: bytes }));
+            if (port) sharing.serve(port);
+            ({ memory } = wasm.initSync({ module }));
             playground = new wasm.Playground(canvas);
             self.postMessage({ type: 'ready' });
             wake();
@@ -167,9 +163,9 @@
             seen = true;
         }
         if (!rested) tellAt(0);
-        sharing?.deal();
+        sharing.deal();
         const idle = step(report);
-        sharing?.deal();
+        sharing.deal();
         rested = idle;
         // Questions are about the newest definition, whose drawing may still be in the making.
         const newest = !newDefine && !newView && playground.built;
@@ -362,13 +358,12 @@
     /** @param {any} request */
     function beginThumb(request) {
         const { definition, width, height } = request;
-        // Only the full wasm remembers anything.
-        playground.forget?.();
+        playground.forget();
         const sheet = new OffscreenCanvas(1, 1);
         const easel = wasm.Playground.small(sheet);
-        const { ok, beyond } = easel.define(definition);
+        const { ok } = easel.define(definition);
         easel.view(width, height, 1, 0, 0, 1, 0, 0);
-        return { request, easel, sheet, bitmap: null, beyond, steps: ok && !beyond ? THUMB_STEPS : 0 };
+        return { request, easel, sheet, bitmap: null, steps: ok ? THUMB_STEPS : 0 };
     }
 
     /** Begins the small picture again later. */
@@ -394,9 +389,9 @@
             thumb.bitmap = thumb.sheet.transferToImageBitmap();
         }
         if (!idle && !drawn?.complete && thumb.steps > 0) return;
-        const { request, beyond } = thumb;
+        const { request } = thumb;
         const bitmap = endThumb();
-        self.postMessage({ type: 'thumb', id: request.id, bitmap, beyond }, { transfer: bitmap ? [bitmap] : [] });
+        self.postMessage({ type: 'thumb', id: request.id, bitmap }, { transfer: bitmap ? [bitmap] : [] });
     }
 
     /**

@@ -7,7 +7,6 @@ import { talk } from './embed/messages.js';
 import { readOptions } from './embed/options.js';
 import { watchSight } from './embed/sight.js';
 import { createEngine, isWrong } from './engine.js';
-import { kits } from './files.js';
 import { createHover } from './hover.js';
 import { isDark } from './inks.js';
 import { writeLink } from './link.js';
@@ -101,7 +100,7 @@ function wake() {
 function begin() {
     const marks = createMarks();
     let ready = false;
-    const engine = createEngine(kits(), {
+    const engine = createEngine({
         report: reported,
         drawn(picture) {
             stage.drawn(picture);

@@ -4,11 +4,10 @@
  * pictures on the way; then newer ones supersede it.
  *
  * A worker that stops, because it crashes or falls silent, is replaced. What it was at is given up: a fresh worker goes on
- * with everything else, and with the last good state in the place of one that stopped it. The small kit of the first
- * picture is replaced by the full one in the same way.
+ * with everything else, and with the last good state in the place of one that stopped it.
  */
 
-import { DELAYS, forgetWasm, hire, readyWorker, wasmOf } from './kit.js';
+import { core, forgetCore, hire } from './core.js';
 import { READING, Stopped, asking, createQuestions } from './questions.js';
 import { same } from './state.js';
 import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
@@ -54,8 +53,8 @@ const PATIENCE = 250;
 /** So many states are sent before the first of them is drawn: the worker need not wait while the page shows a picture. */
 const AHEAD = 2;
 
-/** The full kit is fetched so long after the first picture, in milliseconds. */
-const IDLE = 500;
+/** What does not load is tried again after these times, in milliseconds. */
+const DELAYS = [500, 1500, 4000];
 
 /** After so many workers in a row that have stopped before they drew anything none is started by itself. */
 const MOST_FAILURES = 4;
@@ -63,18 +62,8 @@ const MOST_FAILURES = 4;
 /** A state over which the worker has been silent for this long is doubtful, in milliseconds. */
 const DOUBTFUL = 1000;
 
-/** @typedef {import('./kit.js').Kit} Kit */
-
-/**
- * @param {Kit[]} kits the one to start with, and the one that can do everything
- * @param {Events} events
- */
-export function createEngine(kits, events) {
-    let kit = kits[0];
-    const full = kits[kits.length - 1];
-    /** The full kit on its way, and whether somebody waits for it. @type {Promise<void> | null} */
-    let growing = null;
-    let needed = false;
+/** @param {Events} events */
+export function createEngine(events) {
     /** @type {Worker | null} */
     let worker = null;
     /** Whether the worker has been handed the wasm, and whether it knows the newest state, so that it can be asked. */
@@ -117,14 +106,12 @@ export function createEngine(kits, events) {
     let patience = 0;
     /** The id under which a fresh worker was told what is shown already. */
     let recalled = 0;
-    /** The timer that waits for a quiet moment to grow in. */
-    let idle = 0;
     /** Views sent and not yet drawn. @type {Map<number, Look>} */
     const views = new Map();
     const questions = createQuestions();
     const watchdog = createWatchdog({ patience: patienceNow, ping: () => worker?.postMessage({ type: 'ping' }), doubted, stopped: () => stop('silent', 'the worker did not answer') });
 
-    /** Who helps with pictures that take long. @type {{help: (worker: Worker, script: string, wasm: ArrayBuffer) => void, leave: () => void} | null} */
+    /** Who helps with pictures that take long. @type {{help: (worker: Worker, wasm: WebAssembly.Module) => void, leave: () => void} | null} */
     let mates = null;
     /** Whether the last picture did. */
     let slow = false;
@@ -136,12 +123,12 @@ export function createEngine(kits, events) {
 
     function start() {
         clearTimeout(retry);
-        const fresh = hire(kit);
+        const fresh = hire();
         employ(fresh);
-        wasmOf(kit).then(
-            (bytes) => {
+        core().then(
+            (wasm) => {
                 if (worker !== fresh) return;
-                fresh.postMessage({ type: 'init', wasm: bytes });
+                fresh.postMessage({ type: 'init', wasm });
                 begin();
             },
             (error) => worker === fresh && miss(error.message),
@@ -268,11 +255,6 @@ export function createEngine(kits, events) {
                 break;
             case 'report':
                 if (message.id === recalled) break;
-                if (message.report.beyond) {
-                    needed = true;
-                    grow().catch(({ message: why }) => trouble('unloadable', why));
-                    break;
-                }
                 // What is wrong is not drawn, nor what passes a limit.
                 if (message.id === defineSent && isWrong(message.report)) {
                     settle();
@@ -305,7 +287,7 @@ export function createEngine(kits, events) {
         }
         const seen = views.get(message.viewId);
         for (const id of views.keys()) if (id < message.viewId) views.delete(id);
-        slow = message.slow && kit === full;
+        slow = message.slow;
         if (slow) help();
         const newest = isNewest(message);
         // A worker that takes over begins with a coarse picture of what is shown at its finest already.
@@ -331,8 +313,8 @@ export function createEngine(kits, events) {
     /** The next such picture is made by several workers. */
     async function help() {
         const helped = worker;
-        const bytes = await wasmOf(full);
-        if (helped && worker === helped) mates?.help(helped, full.worker, bytes);
+        const wasm = await core();
+        if (helped && worker === helped) mates?.help(helped, wasm);
     }
 
     /** How long the worker may be silent now; 0 while it owes nothing. */
@@ -393,7 +375,7 @@ export function createEngine(kits, events) {
     /** The worker or its wasm does not load. @param {string} message */
     function miss(message) {
         dismiss();
-        forgetWasm(kit);
+        forgetCore();
         const delay = DELAYS[misses];
         misses += 1;
         if (delay === undefined) return end('unloadable', message);
@@ -432,39 +414,10 @@ export function createEngine(kits, events) {
         return answer;
     }
 
-    /** The picture is there: time for what it did not need. */
+    /** The newest state is shown at its finest. */
     function rest() {
         shown = { definition, look };
         events.doubted?.(shown, false);
-        // What fails here is tried again when it is needed.
-        if (kit !== full && !growing && !idle) idle = window.setTimeout(() => grow().catch(() => {}), IDLE);
-    }
-
-    /** Goes over to the full kit, with the same state and the questions under way. The picture stays meanwhile. */
-    function grow() {
-        if (kit === full) return Promise.resolve();
-        growing ??= fullWorker().catch((error) => {
-            growing = null;
-            throw error;
-        });
-        return growing;
-    }
-
-    /** The worker in use goes on until the full one is ready. */
-    async function fullWorker() {
-        const fresh = await readyWorker(full, (message) => needed && trouble('loading', message));
-        kit = full;
-        employ(fresh);
-        [met, started] = [true, true];
-        begin();
-        if (told === 'loading') well();
-    }
-
-    /** Asks what only the full kit can answer. @param {{type: string} & Record<string, any>} question @returns {Promise<any>} */
-    async function askFull(question) {
-        needed = true;
-        await grow();
-        return ask(question);
     }
 
     /** After a failure for good, new input or a question is worth a fresh start. */
@@ -507,8 +460,6 @@ export function createEngine(kits, events) {
             look = { ...look, upto };
             lookWaits = true;
             send();
-            // The turtle's pose is known to the full kit only.
-            if (upto !== null) grow().catch(() => {});
         },
 
         /** From now on these help with pictures that take long. @param {NonNullable<typeof mates>} helpers */
@@ -517,7 +468,7 @@ export function createEngine(kits, events) {
             if (slow) help();
         },
 
-        ...asking(ask, askFull),
+        ...asking(ask),
     };
 }
 

@@ -3,23 +3,15 @@
  * build has put them there (crates/xtask/src/one_file.rs).
  */
 
-/** A wasm with its worker: the small one is enough for a first picture, the other has files and exports too. */
-const KITS = [
-    { worker: 'worker.js', wasm: 'lsystem.wasm' },
-    { worker: 'worker-full.js', wasm: 'lsystem-full.wasm' },
-];
+/** What draws: the core, and the script that runs it in the background. */
+export const WASM = 'lsystem.wasm';
+export const WORKER = 'worker.js';
 
 /** @param {string} name */
 const carried = (name) => document.querySelector(`script[data-file="${name}"]`);
 
-/** Those at hand, the one to start with first; a single file carries one of them. */
-export function kits() {
-    const here = KITS.filter(({ wasm }) => carried(wasm));
-    return here.length > 0 ? here : KITS;
-}
-
 /** Whether the page is a single file. */
-export const isWhole = () => KITS.some(({ wasm }) => carried(wasm));
+export const isWhole = () => carried(WASM) !== null;
 
 /**
  * The address of a classic script.
@@ -33,19 +25,19 @@ export function scriptAddress(name) {
 /**
  * @param {string} name
  * @param {boolean} [anew] from the server, even where the browser has kept what came from there
- * @returns {Promise<ArrayBuffer>}
+ * @returns {Promise<Response>}
  */
-export async function bytesOf(name, anew = false) {
+export async function responseOf(name, anew = false) {
     const here = carried(name);
-    if (here) return unpack(here.textContent ?? '');
+    if (here) return unpacked(here.textContent ?? '');
     const response = anew ? await fetch(name, { cache: 'reload' }) : await fetch(name);
     if (!response.ok) throw new Error(`${name}: ${response.status}`);
-    return response.arrayBuffer();
+    return response;
 }
 
 /** @param {string} name @returns {Promise<any>} */
 export async function jsonOf(name) {
-    return JSON.parse(new TextDecoder().decode(await bytesOf(name)));
+    return (await responseOf(name)).json();
 }
 
 /** Bytes that were written in base 64. @param {string} text @returns {Uint8Array<ArrayBuffer>} */
@@ -60,6 +52,6 @@ function decode(text) {
 }
 
 /** Bytes that were deflated by gzip and written in base 64. @param {string} text */
-function unpack(text) {
-    return new Response(new Blob([decode(text)]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+function unpacked(text) {
+    return new Response(new Blob([decode(text)]).stream().pipeThrough(new DecompressionStream('gzip')));
 }

@@ -36,6 +36,15 @@ export function hasInk(state, ink) {
 }
 
 /**
+ * A definition that says nothing of its look, in the page's inks.
+ * @param {import('./state.js').Definition} definition @param {'light' | 'dark'} theme
+ */
+export function dressed(definition, theme) {
+    const { palette, background } = hasInk(definition, houseInk('light')) ? houseInk(theme) : definition;
+    return { ...definition, palette: [...palette], background };
+}
+
+/**
  * Whether a background asks for light marks upon it.
  * @param {string} colour `#rrggbb`
  */

@@ -4,17 +4,20 @@ import { followAddress } from './address.js';
 import { announce, toast } from './announce.js';
 import { button, html, setText } from './dom.js';
 import { createEngine, isWrong } from './engine.js';
-import { kits } from './files.js';
+import { createGallery } from './gallery.js';
 import { createGrowing } from './growing.js';
 import { createHover } from './hover.js';
-import { hasInk, houseInk, isDark } from './inks.js';
+import { dressed, hasInk, houseInk, isDark } from './inks.js';
 import { createMarks } from './marks.js';
 import { followNotation } from './notation.js';
 import { keepOffline } from './offline.js';
 import { blank, opening } from './opening.js';
-import { openLink } from './packed.js';
+import { createMates, matesOn } from './mates.js';
+import { bestLink, openLink } from './packed.js';
 import { constantsPanel } from './panels/constants-panel.js';
+import { favouritesPanel } from './panels/favourites-panel.js';
 import { captionOf, growthPanel } from './panels/growth-panel.js';
+import { keepPanel } from './panels/keep-panel.js';
 import { lookPanel } from './panels/look-panel.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { tabs } from './panels/tabs.js';
@@ -22,16 +25,18 @@ import { turtlePanel } from './panels/turtle-panel.js';
 import { createOrbit } from './orbit.js';
 import { createPlayback } from './playback.js';
 import { createReader } from './reading/reader.js';
+import { createSeeds } from './seeds.js';
 import { createSession } from './session.js';
 import { openSession } from './sessions.js';
+import { createShare } from './share.js';
 import { showSheet } from './sheet.js';
+import { createShortcuts } from './shortcuts.js';
 import { createStage } from './stage.js';
 import { clean, definitionOf, same, sameDrawing, sameSystem } from './state.js';
 import { createStorage } from './storage.js';
 import { QUESTION, createTrouble } from './trouble.js';
 import { createStore } from './store.js';
 import { theme, themeButton } from './theme.js';
-import { createWaiting } from './waiting.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./engine.js').Report} Report */
@@ -44,7 +49,7 @@ const keeper = createStorage(() => localStorage);
 const session = createSession(keeper, createStorage(() => sessionStorage));
 const left = session.start(location.hash, link && link.state);
 const store = createStore(left?.state ?? link?.state ?? opening(theme()), left?.origin);
-const engine = createEngine(kits(), { report: reported, drawn, busy, troubled, recovered, doubted });
+const engine = createEngine({ report: reported, drawn, busy, troubled, recovered, doubted });
 /** Whether what is shown first stopped the drawing on an earlier visit: it waits for the reader. */
 let held = session.isSuspect(store.state);
 if (!held) engine.define(definitionOf(store.state));
@@ -63,10 +68,18 @@ const look = lookPanel(store);
 const trouble = createTrouble({ back: goBack, again: drawAgain });
 const showAddress = followAddress(store, { open: opened });
 
-const waiting = createWaiting(async () => {
-    const { createLater } = await import('./later.js');
-    createLater(store, engine, { keeper, session, resolution: stage.resolution });
+const share = createShare(store, engine);
+const favourites = favouritesPanel(store, engine, { keeper, session });
+keepPanel(store, engine, {
+    address: async () => new URL(await bestLink(store.state), location.href).href,
+    select: share.select,
+    favourites: favourites.take,
+    canvas: stage.resolution,
 });
+createGallery(engine, { pick: (definition) => store.open(definition), dress: (definition) => dressed(definition, theme()), look: theme });
+createSeeds(store, engine);
+createShortcuts();
+engine.share(createMates(matesOn(navigator)));
 tabs();
 themeButton((next) => {
     // What wears the page's own inks, or is the page's own plant, changes with it.
@@ -201,7 +214,6 @@ function drawn(picture) {
 /** @param {boolean} under whether a newer drawing is under way */
 function busy(under) {
     html('stage').setAttribute('aria-busy', String(under));
-    if (!under) waiting.fetch();
 }
 
 /** @param {import('./engine.js').Trouble} what */
@@ -226,7 +238,6 @@ function doubted({ definition, look }, doubtful) {
 function hold() {
     setText(html('caption-text'), 'Not drawn.');
     trouble.show('held', false);
-    waiting.fetch();
 }
 
 /** Back to the last state that was drawn; undo returns to what stopped it. */

@@ -3,7 +3,7 @@
  * for a while. The drawing worker hears from them directly; without them it makes all by itself.
  */
 
-import { scriptAddress } from './files.js';
+import { hire } from './core.js';
 import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
 
 const MOST = 3;
@@ -38,9 +38,9 @@ export function createMates(count) {
         master = null;
     }
 
-    /** The other end of a new mate's port. @param {string} script @param {ArrayBuffer} wasm */
-    function hire(script, wasm) {
-        const mate = new Worker(scriptAddress(script));
+    /** The other end of a new mate's port. @param {WebAssembly.Module} wasm */
+    function recruit(wasm) {
+        const mate = hire();
         const { port1, port2 } = new MessageChannel();
         let met = false;
         const watchdog = createWatchdog({ patience: () => (met ? SILENCE : STARTUP), ping: () => mate.postMessage({ type: 'ping' }), stopped: dismiss });
@@ -66,13 +66,13 @@ export function createMates(count) {
     }
 
     return {
-        /** A worker's picture has taken long. @param {Worker} worker @param {string} script of its kind @param {ArrayBuffer} wasm */
-        help(worker, script, wasm) {
+        /** A worker's picture has taken long. @param {Worker} worker @param {WebAssembly.Module} wasm */
+        help(worker, wasm) {
             if (worker !== master) {
                 leave();
                 master = worker;
                 try {
-                    const ports = Array.from({ length: count }, () => hire(script, wasm));
+                    const ports = Array.from({ length: count }, () => recruit(wasm));
                     worker.postMessage({ type: 'mates', ports }, ports);
                 } catch {
                     // A page that may not have more workers does without.

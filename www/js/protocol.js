@@ -23,7 +23,6 @@ export {};
  * @property {boolean} ok when false, the last good drawing stays
  * @property {Diagnostic[]} diagnostics
  * @property {string} kind `deterministic`, or those of `stochastic`, `context-sensitive`, `parametric` that hold, separated by commas
- * @property {boolean} beyond whether only the full kit can draw it, or say what is wrong with it
  * @property {boolean} stochastic
  * @property {boolean} solid whether the drawing leaves the plane
  * @property {boolean | null} memoised whether the drawing shares its blocks; null while unknown

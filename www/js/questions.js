@@ -71,49 +71,47 @@ export function createQuestions() {
 /**
  * What can be asked of the worker.
  * @param {(question: {type: string} & Record<string, any>) => Promise<any>} ask
- * @param {(question: {type: string} & Record<string, any>) => Promise<any>} askFull what only the full kit can answer
  */
-export function asking(ask, askFull) {
+export function asking(ask) {
     return {
         /** @param {number} generation @param {bigint} start @param {number} count @returns {Promise<StringPage>} */
-        string: (generation, start, count) => askFull({ type: 'string', generation, start, count }),
+        string: (generation, start, count) => ask({ type: 'string', generation, start, count }),
 
         /** A symbol of a generation, and what it has become in the one that is drawn. @param {number} generation @param {bigint} index @returns {Promise<SymbolFacts>} */
-        symbol: (generation, index) => askFull({ type: 'symbol', generation, index }),
+        symbol: (generation, index) => ask({ type: 'symbol', generation, index }),
 
         /** Where the symbols derived from another begin, in decimal digits. @param {number} generation @param {bigint} index @param {number} later @returns {Promise<string | null>} */
-        descendant: async (generation, index, later) => (await askFull({ type: 'descendant', generation, index, later })).start,
+        descendant: async (generation, index, later) => (await ask({ type: 'descendant', generation, index, later })).start,
 
         /** What is drawn near a place, in device pixels. @param {number} x @param {number} y @param {number} tolerance @returns {Promise<Picked>} */
-        pick: (x, y, tolerance) => askFull({ type: 'pick', x, y, tolerance }),
+        pick: (x, y, tolerance) => ask({ type: 'pick', x, y, tolerance }),
 
         /** @param {{axiom: string, rules: string, overrides: string}} texts @returns {Promise<Notation>} */
         notation: (texts) => ask({ type: 'notation', texts }),
 
         /** @param {Blob} file in JSON, or a picture saved here @returns {Promise<FileRead>} */
-        read: (file) => askFull({ type: 'read', file }),
+        read: (file) => ask({ type: 'read', file }),
 
         /** @param {'svg' | 'svg-compact' | 'csv' | 'txt' | 'json' | 'obj' | 'glb'} format @returns {Promise<Exported>} */
-        export: (format) => askFull({ type: 'export', format }),
+        export: (format) => ask({ type: 'export', format }),
 
         /** @param {number} width @param {number} height @param {Definition} carried in the file, to open it again @returns {Promise<Blob>} */
         png: async (width, height, carried) => {
-            const { blob, reason } = await askFull({ type: 'png', width, height, definition: carried });
+            const { blob, reason } = await ask({ type: 'png', width, height, definition: carried });
             if (!blob) throw new Error(reason ?? 'the browser could not make the picture');
             return blob;
         },
 
         /** The modules of a text's QR code, row by row, 1 for dark; null where it is too long. @param {string} text @returns {Promise<Uint8Array | null>} */
-        qr: async (text) => (await askFull({ type: 'qr', text })).modules,
+        qr: async (text) => (await ask({ type: 'qr', text })).modules,
 
         /** @returns {Promise<number>} */
         seed: async () => (await ask({ type: 'seed' })).seed,
 
         /** @param {Definition} small @param {number} width @param {number} height @returns {Promise<ImageBitmap | null>} */
         thumb: async (small, width, height) => {
-            const request = { type: 'thumb', definition: small, width, height };
-            const { bitmap, beyond } = await ask(request);
-            return beyond ? (await askFull(request)).bitmap : bitmap;
+            const { bitmap } = await ask({ type: 'thumb', definition: small, width, height });
+            return bitmap;
         },
     };
 }

@@ -33,19 +33,6 @@ impl System {
     /// unless a diagnostic is an error.
     #[must_use]
     pub fn new(definition: &Definition) -> (Option<Self>, Vec<Diagnostic>) {
-        Self::doubting(definition, doubts)
-    }
-
-    /// The same where nobody asks what is doubtful.
-    #[must_use]
-    pub fn undoubted(definition: &Definition) -> Option<Self> {
-        Self::doubting(definition, |_, _, _| Vec::new()).0
-    }
-
-    fn doubting(
-        definition: &Definition,
-        doubts: impl FnOnce(&Reading, &Rules, &Actions<'_>) -> Vec<Diagnostic>,
-    ) -> (Option<Self>, Vec<Diagnostic>) {
         let mut reading = notation::read(&definition.axiom, &definition.rules);
         let (overrides, overrides_diagnostics) = parse_overrides(&definition.overrides);
         let mut diagnostics = core::mem::take(&mut reading.diagnostics);

@@ -1,12 +1,9 @@
 //! What makes a picture of a drawing in the plane: one renderer for ink that covers, one for ink that adds up.
 
 use crate::viewer::Scene;
-#[cfg(feature = "full")]
 use lsystem::DensityRenderer;
 use lsystem::render::{Detail, RenderStats};
-#[cfg(feature = "full")]
 use lsystem::render::{Pane, Pass, Spent};
-#[cfg(feature = "full")]
 use lsystem::syntax::Ink;
 use lsystem::{Drawing, PlaneRenderer, Progress, Renderer, Style, Viewport};
 use std::sync::Arc;
@@ -17,21 +14,18 @@ const TILES: u64 = 100;
 /// A renderer for one of the inks.
 enum Maker {
     Covering(Box<Renderer>),
-    #[cfg(feature = "full")]
     Adding(Box<DensityRenderer>),
 }
 
 impl Maker {
     /// For ink that covers.
     fn covering(light: bool) -> Self {
-        let light = light || cfg!(not(feature = "full"));
         Self::Covering(Box::new(if light { Renderer::light() } else { Renderer::new() }))
     }
 
     fn of(&mut self) -> &mut dyn PlaneRenderer {
         match self {
             Self::Covering(renderer) => &mut **renderer,
-            #[cfg(feature = "full")]
             Self::Adding(renderer) => &mut **renderer,
         }
     }
@@ -39,7 +33,6 @@ impl Maker {
     fn get(&self) -> &dyn PlaneRenderer {
         match self {
             Self::Covering(renderer) => &**renderer,
-            #[cfg(feature = "full")]
             Self::Adding(renderer) => &**renderer,
         }
     }
@@ -49,7 +42,6 @@ impl Maker {
 pub(crate) struct Brush {
     maker: Maker,
     /// Whether it does without what takes memory for pictures of crowds.
-    #[cfg(feature = "full")]
     light: bool,
     drawing: Option<Arc<Drawing>>,
     /// Whether the renderer has the drawing.
@@ -69,19 +61,12 @@ impl Brush {
     }
 
     fn of(light: bool) -> Self {
-        Self {
-            maker: Maker::covering(light),
-            #[cfg(feature = "full")]
-            light,
-            drawing: None,
-            loaded: false,
-        }
+        Self { maker: Maker::covering(light), light, drawing: None, loaded: false }
     }
 
     /// The most bytes that a fine and a coarse picture take together.
     pub(crate) fn most_bytes(drawing: &Drawing, style: &Style, viewport: Viewport) -> u64 {
         let most = |detail| match style.ink {
-            #[cfg(feature = "full")]
             Ink::Density => DensityRenderer::most_bytes(drawing, style, viewport, detail),
             _ => Renderer::most_bytes(drawing, style, viewport, detail),
         };
@@ -102,7 +87,6 @@ impl Brush {
     }
 
     /// Starts a pane of a fine picture; what its pass is concerns ink that adds up.
-    #[cfg(feature = "full")]
     pub(crate) fn begin_pane(&mut self, scene: &Scene, pane: Pane, pass: Pass) {
         self.prepare(scene);
         let Scene { style, viewport, view, upto, .. } = scene;
@@ -113,9 +97,8 @@ impl Brush {
     }
 
     /// Makes sure that the right renderer has the drawing.
-    fn prepare(&mut self, _scene: &Scene) {
-        #[cfg(feature = "full")]
-        match (_scene.style.ink, &self.maker) {
+    fn prepare(&mut self, scene: &Scene) {
+        match (scene.style.ink, &self.maker) {
             (Ink::Solid, Maker::Covering(_)) | (Ink::Density, Maker::Adding(_)) => {}
             (ink, _) => {
                 self.maker = match ink {
@@ -150,7 +133,6 @@ impl Brush {
     }
 
     /// What it has taken: steps of any kind.
-    #[cfg(feature = "full")]
     pub(crate) fn spent(&self) -> Spent {
         let RenderStats { blocks, strokes, stamps, .. } = self.maker.get().stats();
         Spent { work: (blocks + strokes + stamps) as f64, poor: false }

@@ -28,7 +28,6 @@ pub(crate) const LIMITS: Limits =
     Limits { symbols: 64 << 20, modules: 16 << 20, segments: u32::MAX as u64, work: 100_000_000, memory: 70 << 20 };
 
 /// The same for a derivation that is remembered; a string that is read by counts takes 16 megabytes at most.
-#[cfg(feature = "full")]
 pub(crate) const HISTORY: Limits = Limits { memory: 24 * MIB, ..LIMITS };
 
 /// The limits of a small picture's drawing. The rest of its 70 MiB is for pixels and tiles.
@@ -50,12 +49,11 @@ pub(crate) fn affordable(viewport: Viewport, drawing: u64, bytes: impl Fn(Viewpo
 }
 
 /// A quarter of the pixels, for the same picture.
-#[cfg(feature = "full")]
 pub(crate) fn halved(Viewport { width, height, ratio }: Viewport) -> Viewport {
     Viewport { width: width.div_ceil(2), height: height.div_ceil(2), ratio: 0.5 * ratio }
 }
 
-#[cfg(all(test, feature = "full"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use lsystem::render::Detail;

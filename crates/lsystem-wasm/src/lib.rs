@@ -5,45 +5,30 @@
 //! and paints an `OffscreenCanvas`. A definition is a plain object with the fields of [`lsystem::Definition`] in
 //! camel case; missing ones have their defaults. What is wrong with it comes as structured values ([`Problem`])
 //! with UTF-16 spans, thrown by the plain functions as `{diagnostics: [..]}`.
-//!
-//! Without the feature `full` there is what a first picture needs: drawings in the plane of what is right. The plain
-//! functions, reading, files, space and the words of problems are left out, and a report tells what is `beyond` it.
 
 mod brush;
 mod budget;
 mod clock;
-#[cfg(feature = "full")]
 mod export;
-#[cfg(feature = "full")]
 mod files;
-#[cfg(feature = "full")]
 mod mates;
 mod notation;
-#[cfg(feature = "full")]
 mod plain;
 mod plane;
 mod playground;
-#[cfg(feature = "full")]
 mod qr;
-#[cfg(feature = "full")]
 mod reading;
 mod report;
-#[cfg(feature = "full")]
 mod sharing;
-#[cfg(feature = "full")]
 mod solid;
 mod surface;
 mod viewer;
 
-#[cfg(feature = "full")]
 pub use export::Export;
-#[cfg(feature = "full")]
 pub use files::{Picture, read_file, tag_png};
 pub use notation::notation;
-#[cfg(feature = "full")]
 pub use plain::{Segments, draw, expand};
 pub use playground::Playground;
-#[cfg(feature = "full")]
 pub use qr::qr_code;
 pub use report::{Problem, Report};
 

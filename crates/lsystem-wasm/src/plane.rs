@@ -4,17 +4,13 @@ use crate::brush::Brush;
 use crate::budget::affordable;
 use crate::clock::Clock;
 use crate::report::Report;
-#[cfg(feature = "full")]
 use crate::sharing::{Sharing, Turn};
 use crate::surface::Surface;
 use crate::viewer::{Drawn, SLOW, Scene, Viewer, WORK, describe_drawing, go_on};
-#[cfg(feature = "full")]
 use crate::viewer::{NOTHING, Snapshot};
-#[cfg(feature = "full")]
 use lsystem::Viewport;
 use lsystem::derive::Counter;
 use lsystem::render::{Detail, fitted_scale};
-#[cfg(feature = "full")]
 use lsystem::render::{Pane, Pass, Spent};
 use lsystem::syntax::Ink;
 use lsystem::{Diagnostic, Drawer, Drawing, Limits, Progress, System};
@@ -30,11 +26,9 @@ const SKETCHES: u8 = 4;
 
 /// The most pixels of a picture for a file that are painted at a time: with their subsamples they take up to 24 bytes each,
 /// or 24 MiB.
-#[cfg(feature = "full")]
 const BAND: u32 = 1 << 20;
 
 /// Pixels along the side of a cell: panes that begin at multiples of it have the same subsamples.
-#[cfg(feature = "full")]
 const CELL: u32 = 16;
 
 /// A drawing in the plane and its picture.
@@ -51,7 +45,6 @@ pub(crate) struct PlaneView {
     spent: f64,
     /// How many pictures are to be begun coarse, because a fine one took too long to wait for it.
     sketches: u8,
-    #[cfg(feature = "full")]
     sharing: Sharing,
     /// Whether the picture before took long, and whether it was made of tiles.
     slow: bool,
@@ -66,7 +59,6 @@ enum Stage {
     /// The fine picture is being made; a coarse one is shown already or need not be.
     Fine { sketched: bool },
     /// It is being made together with mates.
-    #[cfg(feature = "full")]
     Shared,
     /// It is shown.
     Done,
@@ -83,7 +75,6 @@ impl Default for PlaneView {
             stage: Stage::Done,
             spent: 0.0,
             sketches: 0,
-            #[cfg(feature = "full")]
             sharing: Sharing::default(),
             slow: false,
             tiled: false,
@@ -165,7 +156,6 @@ impl Viewer for PlaneView {
                         self.begin_coarse(true);
                         return Ok(None);
                     }
-                    #[cfg(feature = "full")]
                     if scene.mates > 0 && self.slow && !self.tiled && can_share(drawing, scene) {
                         self.sharing.start(Pane::all(viewport, bands(viewport, scene.mates + 1)));
                         self.stage = Stage::Shared;
@@ -173,7 +163,6 @@ impl Viewer for PlaneView {
                 }
                 Ok(None)
             }
-            #[cfg(feature = "full")]
             Stage::Shared => {
                 match self.sharing.turn(clock.now()) {
                     Turn::Begin(pane) => self.fine.begin_pane(scene, pane, Pass::Only),
@@ -202,35 +191,29 @@ impl Viewer for PlaneView {
     }
 
     fn is_refining(&self) -> bool {
-        #[cfg(feature = "full")]
         if self.stage == Stage::Shared {
             return true;
         }
         self.stage == Stage::Fine { sketched: true }
     }
 
-    #[cfg(feature = "full")]
     fn sharing(&mut self) -> Option<(&mut Sharing, f32)> {
         (self.stage == Stage::Shared).then_some((&mut self.sharing, 0.0))
     }
 
-    #[cfg(feature = "full")]
     fn begin_pane(&mut self, scene: Scene, pane: Pane, _budget: f32) {
         let scene = self.within_room(scene);
         self.fine.begin_pane(&scene, pane, Pass::Only);
     }
 
-    #[cfg(feature = "full")]
     fn step_pane(&mut self) -> Option<(Spent, bool)> {
         (self.fine.step(WORK) == Progress::Done).then(|| (self.fine.spent(), self.fine.is_rough()))
     }
 
-    #[cfg(feature = "full")]
     fn pane_pixels(&self) -> &[u8] {
         self.fine.pixels()
     }
 
-    #[cfg(feature = "full")]
     fn snapshot(&self, scene: Scene) -> Result<Box<dyn Snapshot>, &'static str> {
         let viewport = scene.viewport.within_limits();
         let scene = Scene { viewport, ..scene };
@@ -250,7 +233,6 @@ impl Viewer for PlaneView {
 }
 
 /// A picture for a file, made band by band.
-#[cfg(feature = "full")]
 struct PlaneSnapshot {
     brush: Brush,
     scene: Scene,
@@ -259,7 +241,6 @@ struct PlaneSnapshot {
     part: (Pane, Pass),
 }
 
-#[cfg(feature = "full")]
 impl Snapshot for PlaneSnapshot {
     fn next(&mut self) -> bool {
         let Some((band, pass)) = self.parts.pop() else { return false };
@@ -286,7 +267,6 @@ fn can_share(drawing: &Drawing, scene: &Scene) -> bool {
 
 /// The size of panes for so many workers: some for each, for one takes longer than another. They are as wide as the
 /// picture and whole cells of it high.
-#[cfg(feature = "full")]
 fn bands(viewport: Viewport, workers: u32) -> [u32; 2] {
     const EACH: u32 = 4;
     [viewport.width, viewport.height.div_ceil(EACH * workers).next_multiple_of(CELL)]

@@ -14,9 +14,6 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
 
-/// Whether this wasm leaves drawings in space and the words of problems to the full one.
-const BEYOND: bool = cfg!(not(feature = "full"));
-
 /// An L-system between edits: its drawing, and the picture on the canvas.
 #[wasm_bindgen]
 pub struct Playground {
@@ -25,7 +22,6 @@ pub struct Playground {
     pub(crate) definition: Definition,
     pub(crate) system: Option<System>,
     /// Of its derivation, once somebody asks.
-    #[cfg(feature = "full")]
     pub(crate) history: Option<lsystem::derive::History>,
     pub(crate) views: Views,
     /// Of drawings.
@@ -46,16 +42,12 @@ pub struct Playground {
     /// Whether the viewer has to be told what to show.
     stale: bool,
     /// Whether the newest definition passed a limit, so that an older drawing is shown.
-    #[cfg(feature = "full")]
     pub(crate) refused: bool,
     /// How many others help with pictures that take long.
-    #[cfg(feature = "full")]
     pub(crate) mates: u32,
     /// Held by every file in the making as well.
-    #[cfg(feature = "full")]
     pub(crate) files: std::rc::Rc<()>,
     /// As one of those: what to make.
-    #[cfg(feature = "full")]
     pub(crate) pane: Option<(lsystem::render::Pane, f32)>,
 }
 
@@ -101,7 +93,7 @@ impl Playground {
         let definition = from_js(definition)?;
         let (system, diagnostics) = understood(&definition);
         let Some(system) = system else {
-            return to_js(&Report { diagnostics, beyond: BEYOND, ..Report::default() });
+            return to_js(&Report { diagnostics, ..Report::default() });
         };
         let n = definition.iterations;
         let same_drawing = self.definition.iterations == n
@@ -137,12 +129,8 @@ impl Playground {
             self.tell_counts();
             self.start(&system, n);
         }
-        self.report.beyond = Realm::of(&system).is_none();
         self.stale = true;
-        #[cfg(feature = "full")]
-        {
-            self.history = None;
-        }
+        self.history = None;
         self.definition = definition;
         self.system = Some(system);
         to_js(&self.report)
@@ -192,7 +180,6 @@ impl Playground {
                 self.count();
             } else {
                 drawn = self.paint()?;
-                #[cfg(feature = "full")]
                 if self.waits() {
                     break;
                 }
@@ -213,7 +200,6 @@ impl Playground {
             clock: Clock::new(),
             definition: Definition::default(),
             system: None,
-            #[cfg(feature = "full")]
             history: None,
             views,
             limits,
@@ -226,18 +212,13 @@ impl Playground {
             view: View::default(),
             upto: None,
             stale: false,
-            #[cfg(feature = "full")]
             refused: false,
-            #[cfg(feature = "full")]
             mates: 0,
-            #[cfg(feature = "full")]
             files: std::rc::Rc::default(),
-            #[cfg(feature = "full")]
             pane: None,
         })
     }
 
-    #[cfg(feature = "full")]
     pub(crate) fn shown_iterations(&self) -> u32 {
         self.definition.iterations
     }
@@ -247,10 +228,9 @@ impl Playground {
         if let Some(realm) = self.building.take() {
             self.views.at(realm).stop();
         }
-        self.building = Realm::of(system);
-        if let Some(realm) = self.building {
-            self.views.at(realm).start(system, n, self.limits);
-        }
+        let realm = Realm::of(system);
+        self.building = Some(realm);
+        self.views.at(realm).start(system, n, self.limits);
     }
 
     fn is_idle(&self) -> bool {
@@ -298,21 +278,17 @@ impl Playground {
     /// Whether a file is being made. No drawing is in the meantime, nor is a derivation remembered: they share their
     /// memory.
     pub(crate) fn is_saving(&self) -> bool {
-        #[cfg(feature = "full")]
-        return std::rc::Rc::strong_count(&self.files) > 1;
-        #[cfg(not(feature = "full"))]
-        false
+        std::rc::Rc::strong_count(&self.files) > 1
     }
 
     /// Whether a picture is being made, or has to be.
     fn is_painting(&self) -> bool {
-        let visible = self.viewport.width > 0 && self.viewport.height > 0 && !self.report.beyond;
+        let visible = self.viewport.width > 0 && self.viewport.height > 0;
         let Some(realm) = self.shown.filter(|_| visible) else { return false };
         self.stale || !self.views.get(realm).is_done()
     }
 
     /// The panes that mates may help with, and the picture's budget, while one is made that is still wanted.
-    #[cfg(feature = "full")]
     pub(crate) fn shared(&mut self) -> Option<(&mut crate::sharing::Sharing, f32)> {
         if self.stale || !self.built() {
             return None;
@@ -321,7 +297,6 @@ impl Playground {
     }
 
     /// Goes on with the drawing that is being built, if any is.
-    #[cfg(feature = "full")]
     pub(crate) fn go_on_building(&mut self) -> bool {
         self.building.is_some_and(|realm| {
             self.build(realm);
@@ -330,7 +305,6 @@ impl Playground {
     }
 
     /// What is shown has to be painted anew.
-    #[cfg(feature = "full")]
     pub(crate) fn outdate(&mut self) {
         self.stale = true;
     }
@@ -348,10 +322,7 @@ impl Playground {
     }
 
     fn accept(&mut self, realm: Realm) {
-        #[cfg(feature = "full")]
-        {
-            self.refused = false;
-        }
+        self.refused = false;
         if let Some(former) = self.shown.replace(realm).filter(|&former| former != realm) {
             self.views.at(former).forget();
         }
@@ -362,15 +333,11 @@ impl Playground {
     }
 
     fn refuse(&mut self, limit: Diagnostic) {
-        #[cfg(feature = "full")]
-        {
-            self.refused = true;
-        }
+        self.refused = true;
         if let Kind::Limit { largest, .. } = limit.kind {
             self.report.largest = largest;
         }
         self.report.diagnostics.extend(problems(&[limit], &self.definition, ""));
-        self.report.beyond = BEYOND;
     }
 
     /// Goes on with the picture; what is on the canvas after that, if anything new is.
@@ -386,10 +353,7 @@ impl Playground {
     /// What the picture is to show.
     pub(crate) fn scene(&self) -> Option<Scene> {
         let style = self.system.as_ref()?.style.clone();
-        #[cfg(feature = "full")]
         let mates = if self.refused { 0 } else { self.mates };
-        #[cfg(not(feature = "full"))]
-        let mates = 0;
         Some(Scene { style, viewport: self.viewport, screen: self.viewport, view: self.view, upto: self.upto, mates })
     }
 }

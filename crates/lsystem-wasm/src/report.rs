@@ -1,7 +1,6 @@
 //! Structured results for the page.
 
 use lsystem::drawing::legend;
-#[cfg(feature = "full")]
 use lsystem::syntax::Severity;
 use lsystem::{Definition, Diagnostic, System};
 use serde::Serialize;
@@ -32,8 +31,6 @@ pub struct Report {
     pub diagnostics: Vec<Problem>,
     /// What sort of system it is, in words.
     pub kind: String,
-    /// Whether only the full wasm can draw it, or say what is wrong with it.
-    pub beyond: bool,
     /// Whether chance plays a part.
     pub stochastic: bool,
     /// Whether the drawing leaves the plane.
@@ -68,7 +65,6 @@ pub struct Legend {
 }
 
 /// What a plain function throws.
-#[cfg(feature = "full")]
 #[derive(Serialize)]
 pub(crate) struct Failure {
     pub(crate) diagnostics: Vec<Problem>,
@@ -76,22 +72,11 @@ pub(crate) struct Failure {
 
 /// What `definition` means, and what there is to say about it.
 pub(crate) fn understood(definition: &Definition) -> (Option<System>, Vec<Problem>) {
-    if cfg!(feature = "full") {
-        let (system, diagnostics) = System::new(definition);
-        (system, problems(&diagnostics, definition, ""))
-    } else {
-        (System::undoubted(definition), vec![])
-    }
-}
-
-/// The words are left to the full wasm.
-#[cfg(not(feature = "full"))]
-pub(crate) fn problems(_: &[Diagnostic], _: &Definition, _: &str) -> Vec<Problem> {
-    vec![]
+    let (system, diagnostics) = System::new(definition);
+    (system, problems(&diagnostics, definition, ""))
 }
 
 /// Diagnostics in words; `file` is the text that [`lsystem::syntax::Field::File`] spans point into.
-#[cfg(feature = "full")]
 pub(crate) fn problems(diagnostics: &[Diagnostic], definition: &Definition, file: &str) -> Vec<Problem> {
     let problem = |diagnostic: &Diagnostic| {
         let span =

@@ -3,16 +3,12 @@
 use crate::clock::Clock;
 use crate::plane::PlaneView;
 use crate::report::Report;
-#[cfg(feature = "full")]
 use crate::sharing::Sharing;
-#[cfg(feature = "full")]
 use crate::solid::SolidView;
 use crate::surface::Surface;
 use lsystem::derive::{Counter, Tally};
 use lsystem::drawing::{Space, describe};
-#[cfg(feature = "full")]
 use lsystem::render::{Pane, Spent};
-use lsystem::syntax::Ink;
 use lsystem::{Diagnostic, Drawer, Drawing, Limits, Progress, Style, System, View, Viewport};
 use serde::Serialize;
 use std::sync::Arc;
@@ -86,33 +82,26 @@ pub(crate) trait Viewer {
     }
 
     /// The panes that mates may help with, if the picture is made together with them, and its budget.
-    #[cfg(feature = "full")]
     fn sharing(&mut self) -> Option<(&mut Sharing, f32)>;
 
     /// Starts a pane of the fine picture for others, with the budget that they tell.
-    #[cfg(feature = "full")]
     fn begin_pane(&mut self, scene: Scene, pane: Pane, budget: f32);
 
     /// Goes on with it; when it is there, what it has taken and whether fine detail is left out.
-    #[cfg(feature = "full")]
     fn step_pane(&mut self) -> Option<(Spent, bool)>;
 
     /// Its pixels.
-    #[cfg(feature = "full")]
     fn pane_pixels(&self) -> &[u8];
 
     /// Starts the whole picture for another canvas, or tells why it cannot be made.
-    #[cfg(feature = "full")]
     fn snapshot(&self, scene: Scene) -> Result<Box<dyn Snapshot>, &'static str>;
 }
 
 /// Why there is no picture.
-#[cfg(feature = "full")]
 pub(crate) const NOTHING: &str = "nothing has been drawn yet";
 
 /// A picture for a file, made band by band to save memory, and in steps, so that the worker answers the page meanwhile.
 /// The first band is begun already.
-#[cfg(feature = "full")]
 pub(crate) trait Snapshot {
     /// Begins the next band; false where there is none.
     fn next(&mut self) -> bool;
@@ -137,21 +126,13 @@ pub(crate) fn go_on<S: Space>(drawer: &mut Option<Box<Drawer<S>>>) -> Option<Res
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Realm {
     Plane,
-    #[cfg(feature = "full")]
     Space,
 }
 
 impl Realm {
-    /// Where a system draws; none where this wasm has no viewer for it.
-    pub(crate) fn of(system: &System) -> Option<Self> {
-        if !system.is_solid() {
-            // Ink that adds up is for the full wasm.
-            return (cfg!(feature = "full") || system.style.ink == Ink::Solid).then_some(Self::Plane);
-        }
-        #[cfg(feature = "full")]
-        return Some(Self::Space);
-        #[cfg(not(feature = "full"))]
-        None
+    /// Where a system draws.
+    pub(crate) fn of(system: &System) -> Self {
+        if system.is_solid() { Self::Space } else { Self::Plane }
     }
 }
 
@@ -159,24 +140,18 @@ impl Realm {
 #[derive(Default)]
 pub(crate) struct Views {
     pub(crate) plane: PlaneView,
-    #[cfg(feature = "full")]
     pub(crate) solid: SolidView,
 }
 
 impl Views {
     /// For small pictures, within [`SMALL`](crate::budget::SMALL).
     pub(crate) fn small() -> Self {
-        Self {
-            plane: PlaneView::small(),
-            #[cfg(feature = "full")]
-            solid: SolidView::default(),
-        }
+        Self { plane: PlaneView::small(), solid: SolidView::default() }
     }
 
     pub(crate) fn get(&self, realm: Realm) -> &dyn Viewer {
         match realm {
             Realm::Plane => &self.plane,
-            #[cfg(feature = "full")]
             Realm::Space => &self.solid,
         }
     }
@@ -184,7 +159,6 @@ impl Views {
     pub(crate) fn at(&mut self, realm: Realm) -> &mut dyn Viewer {
         match realm {
             Realm::Plane => &mut self.plane,
-            #[cfg(feature = "full")]
             Realm::Space => &mut self.solid,
         }
     }

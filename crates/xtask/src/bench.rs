@@ -44,9 +44,9 @@ fn browser(workspace: &Workspace, results: &OsStr) -> Result<()> {
     let browser = tools::browser()?;
     let folder = workspace.root.join("crates/bench");
     page::packages(&folder)?;
-    run(&mut workspace.cargo(["build", "--release", "--lib", "--package=bench", "--target", tools::WASM_TARGET]))?;
+    run(&mut workspace.cargo(["build", "--profile=wasm", "--lib", "--package=bench", "--target", tools::WASM_TARGET]))?;
     let generated = workspace.target.join("bench");
-    bindgen::generate(&workspace.target.join(tools::WASM_TARGET).join("release/bench.wasm"), &generated, "bench")?;
+    bindgen::generate(&workspace.target.join(tools::WASM_TARGET).join("wasm/bench.wasm"), &generated, "bench")?;
     let temporary = tempfile::tempdir()?;
     run(Command::new(tools::node()?)
         .arg("web/run.mjs")

@@ -14,10 +14,6 @@ pub(crate) fn steps(workspace: &Workspace, report: &mut Report) {
         let what = ["clippy", "--all-targets", "--package=lsystem-wasm", "--target", tools::WASM_TARGET];
         run(workspace.cargo(what).args(["--", "-D", "warnings"]))
     });
-    report.step("clippy for the first wasm", || {
-        let what = ["clippy", "--package=lsystem-wasm", "--no-default-features", "--target", tools::WASM_TARGET];
-        run(workspace.cargo(what).args(["--", "-D", "warnings"]))
-    });
     report.step("clippy for the measurements in the browser", || {
         let what = ["clippy", "--lib", "--package=bench", "--target", tools::WASM_TARGET];
         run(workspace.cargo(what).args(["--", "-D", "warnings"]))

@@ -3,7 +3,7 @@
 mod bench;
 mod bindgen;
 mod build;
-mod bundle;
+mod esbuild;
 mod files;
 mod fuzz;
 mod gallery;
@@ -52,8 +52,8 @@ usage: cargo xtask COMMAND
   mutants [--all] [ARGS] whether tests notice changes of the core's code: a fixed sample of mutants, or all of them, or
                          what ARGS of cargo-mutants choose, such as --shard 3/40 or --file drawing/hull.rs
 
-Needs: Rust by rustup (the wasm target is added when missing); for test, bench and monkey also Node.js 20 or newer
-with npm, Chromium and ChromeDriver (installed when missing where this runs as root on Debian).
+Needs: Rust by rustup (the wasm target is added when missing), Node.js 20 or newer with npm; for test, bench and monkey
+also Chromium and ChromeDriver (installed when missing where this runs as root on Debian).
 ";
 
 fn main() -> ExitCode {

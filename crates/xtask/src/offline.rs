@@ -10,18 +10,13 @@ use std::path::Path;
 const WORKER: &str = "service-worker.js";
 /// Of no use without a network, or the same again.
 const LEFT_OUT: [&str; 2] = [WORKER, "playground.html"];
-/// The parts of what is joined.
-const PARTS: [&str; 2] = ["js/", "css/"];
-/// The one script that the page asks for by itself.
-const EARLY: &str = "js/theme-early.js";
 
 /// Completes the service worker in the folder of the site, whose other files are in place.
 pub(crate) fn list_files(site: &Path) -> Result<()> {
     let mut hashes = Map::new();
     for file in files::list(site, |_| true)? {
         let path = file.strip_prefix(site)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
-        let is_part = PARTS.iter().any(|folder| path.starts_with(folder)) && path != EARLY;
-        if LEFT_OUT.contains(&&*path) || is_part {
+        if LEFT_OUT.contains(&&*path) {
             continue;
         }
         let hash = hex(&Sha256::digest(files::read(&file)?));
@@ -51,9 +46,7 @@ mod tests {
     fn lists_all_files_by_their_hashes() {
         let folder = tempfile::tempdir().unwrap();
         let site = folder.path();
-        for (name, text) in
-            [("index.html", ""), ("page.js", "abc"), ("js/a.js", "x"), ("playground.html", "x"), (WORKER, "work()")]
-        {
+        for (name, text) in [("index.html", ""), ("page.js", "abc"), ("playground.html", "x"), (WORKER, "work()")] {
             files::write(&site.join(name), text).unwrap();
         }
         list_files(site).unwrap();

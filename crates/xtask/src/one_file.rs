@@ -4,7 +4,8 @@
 //! there). A policy that names every script and style by its hash forbids the page everything else, above all to ask
 //! for anything.
 
-use crate::{bundle, files};
+use crate::esbuild::Bundler;
+use crate::files;
 use anyhow::{Context, Result, ensure};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
@@ -16,9 +17,9 @@ use std::io::Write as _;
 use std::path::Path;
 
 /// Makes a single file of a page in the folder of the site; `carried` are the files it would fetch.
-pub(crate) fn one_file(site: &Path, page: &str, carried: &[&str]) -> Result<String> {
+pub(crate) fn one_file(site: &Path, page: &str, carried: &[&str], bundler: &dyn Bundler) -> Result<String> {
     let text = files::read_text(&site.join(page))?;
-    Assembly { site, policy: Policy::default() }
+    Assembly { site, bundler, policy: Policy::default() }
         .assemble(&text, carried)
         .with_context(|| format!("making one file of {page}"))
 }
@@ -46,6 +47,7 @@ fn hash(text: &str) -> String {
 
 struct Assembly<'a> {
     site: &'a Path,
+    bundler: &'a dyn Bundler,
     policy: Policy,
 }
 
@@ -55,13 +57,13 @@ const POLICY: &str = "<meta name=\"policy\">";
 impl Assembly<'_> {
     fn assemble(mut self, text: &str, carried: &[&str]) -> Result<String> {
         let mut page = String::new();
-        let mut styles = String::new();
+        let mut styles = vec![];
         let mut modules = vec![];
         for line in text.lines() {
             let tag = Tag(line);
             match (tag.name(), tag.attribute("rel"), tag.attribute("href").or(tag.attribute("src"))) {
                 ("meta", ..) if tag.attribute("http-equiv") == Some("Content-Security-Policy") => page.push_str(POLICY),
-                ("link", Some("stylesheet"), Some(name)) => styles.push_str(&self.read(name)?),
+                ("link", Some("stylesheet"), Some(name)) => styles.push(name),
                 ("link", Some("icon"), Some(name)) => {
                     page.push_str(
                         &line.replace(name, &format!("data:image/svg+xml;base64,{}", BASE64.encode(self.read(name)?))),
@@ -72,9 +74,10 @@ impl Assembly<'_> {
                 ("script", _, Some(name)) if tag.attribute("type") == Some("module") => modules.push(name),
                 ("script", _, Some(name)) => {
                     let script = self.read(name)?;
-                    page.push_str(&self.script(&script)?);
+                    page.push_str(&self.script("", &script)?);
                 }
                 _ if line == "</head>" => {
+                    let styles = self.bundler.styles(&styles)?;
                     self.policy.styles.push(hash(&styles));
                     ensure!(
                         !styles.contains("</") && !styles.contains("@import") && !styles.contains("url("),
@@ -88,8 +91,8 @@ impl Assembly<'_> {
                         page.push_str(&self.carry(name)?);
                     }
                     for module in &modules {
-                        let script = bundle::bundle(&self.site.join(module))?;
-                        page.push_str(&self.script(&script)?);
+                        let script = self.bundler.module(module)?;
+                        page.push_str(&self.script(" type=\"module\"", &script)?);
                     }
                     writeln!(page, "{line}")?;
                 }
@@ -105,10 +108,10 @@ impl Assembly<'_> {
         files::read_text(&self.site.join(name))
     }
 
-    fn script(&mut self, text: &str) -> Result<String> {
+    fn script(&mut self, kind: &str, text: &str) -> Result<String> {
         whole(text)?;
         self.policy.scripts.push(hash(text));
-        Ok(format!("<script>{text}</script>\n"))
+        Ok(format!("<script{kind}>{text}</script>\n"))
     }
 
     /// A file inside an element of a type that browsers neither run nor fetch.
@@ -154,6 +157,19 @@ impl<'a> Tag<'a> {
 mod tests {
     use super::*;
 
+    /// As they are written.
+    struct Plain<'a>(&'a Path);
+
+    impl Bundler for Plain<'_> {
+        fn module(&self, entry: &str) -> Result<String> {
+            files::read_text(&self.0.join(entry))
+        }
+
+        fn styles(&self, names: &[&str]) -> Result<String> {
+            names.iter().map(|name| files::read_text(&self.0.join(name))).collect()
+        }
+    }
+
     const PAGE: &str = r#"<!doctype html>
 <html lang="en">
 <head>
@@ -179,8 +195,7 @@ mod tests {
             ("early.js", "early()"),
             ("a.css", "a {}"),
             ("b.css", "b {}"),
-            ("main.js", "import { b } from './b.js';\nb();\n"),
-            ("b.js", "export const b = 1;\n"),
+            ("main.js", "main()"),
             ("worker.js", "work()"),
             ("data.wasm", "data"),
         ] {
@@ -192,14 +207,14 @@ mod tests {
     #[test]
     fn puts_everything_into_the_page() {
         let folder = site();
-        let page = one_file(folder.path(), "index.html", &["worker.js", "data.wasm"]).unwrap();
+        let page = one_file(folder.path(), "index.html", &["worker.js", "data.wasm"], &Plain(folder.path())).unwrap();
         for part in [
             "<link rel=\"icon\" href=\"data:image/svg+xml;base64,PHN2Zy8+\" type=\"image/svg+xml\">",
             "<script>early()</script>",
             "<style>a {}b {}</style>\n</head>",
             "<p>text</p>\n<script type=\"text/plain\" data-file=\"worker.js\">work()</script>\n",
             "<script type=\"application/gzip;base64\" data-file=\"data.wasm\">H4s",
-            "const b = 1;",
+            "<script type=\"module\">main()</script>\n</body>",
         ] {
             assert!(page.contains(part), "{part}\n{page}");
         }
@@ -211,7 +226,7 @@ mod tests {
     #[test]
     fn names_scripts_and_styles_by_their_hashes() {
         let folder = site();
-        let page = one_file(folder.path(), "index.html", &[]).unwrap();
+        let page = one_file(folder.path(), "index.html", &[], &Plain(folder.path())).unwrap();
         assert_eq!(hash("early()"), "'sha256-G2Y/0fpEoq/QMzbid/byF0KE5sX9e6ar19Om2+xoMnU='");
         assert!(page.contains(&format!("script-src {} 'sha256-", hash("early()"))), "{page}");
         assert!(page.contains(&format!("style-src {};", hash("a {}b {}"))), "{page}");
@@ -223,14 +238,14 @@ mod tests {
         let folder = site();
         for (name, text) in [
             ("early.js", "'</script>'"),
-            ("b.js", "'<!--'\n"),
+            ("main.js", "'<!--'\n"),
             ("a.css", "a { background: url(b.png) }"),
             ("worker.js", "'<SCRIPT'"),
         ] {
             let path = folder.path().join(name);
             let before = files::read_text(&path).unwrap();
             files::write(&path, text).unwrap();
-            assert!(one_file(folder.path(), "index.html", &["worker.js"]).is_err(), "{name}");
+            assert!(one_file(folder.path(), "index.html", &["worker.js"], &Plain(folder.path())).is_err(), "{name}");
             files::write(&path, before).unwrap();
         }
     }

@@ -15,17 +15,16 @@ struct Size {
     gzip: usize,
 }
 
-/// Compares the two wasm files of `dist/` with the committed limits and says how they stand.
+/// Compares the wasm in `dist/` with the committed limit and says how they stand.
 pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     let file = "crates/lsystem-wasm/size-limit.txt";
     let limits = files::read_text(&workspace.root.join(file))?;
-    for name in ["lsystem.wasm", "lsystem-full.wasm"] {
-        let size = measure(&files::read(&workspace.dist().join(name))?)?;
-        let limit = read(&limits, name).with_context(|| format!("in {file}"))?;
-        println!("{name}: {size}; limit {limit}");
-        if size.raw > limit.raw || size.gzip > limit.gzip {
-            bail!("{name} has outgrown its limit: make it smaller, or raise the limit in {file} and say why");
-        }
+    let name = "lsystem.wasm";
+    let size = measure(&files::read(&workspace.dist().join(name))?)?;
+    let limit = read(&limits, name).with_context(|| format!("in {file}"))?;
+    println!("{name}: {size}; limit {limit}");
+    if size.raw > limit.raw || size.gzip > limit.gzip {
+        bail!("{name} has outgrown its limit: make it smaller, or raise the limit in {file} and say why");
     }
     Ok(())
 }

@@ -29,7 +29,7 @@ pub(crate) fn npm() -> Result<PathBuf> {
     Surroundings::here().find(None, &["npm", "npm.cmd"]).context(NO_NODE)
 }
 
-const NO_NODE: &str = "the page's checks need Node.js 20 or newer with npm, and they are not on the PATH: \
+const NO_NODE: &str = "the page is built and checked with Node.js 20 or newer and npm, and they are not on the PATH: \
                        get them from nodejs.org or your system's packages (Debian: apt-get install nodejs npm)";
 
 /// The browser that tests run in, and the program that steers it for the wasm tests.

@@ -35,8 +35,8 @@ const WORKS = [
  * @param {{definition: object, zoom: number, turns: number, count: number}} work
  */
 async function measure({ definition, zoom, turns, count }) {
-    const bytes = await (await fetch('lsystem-full.wasm')).arrayBuffer();
-    const workers = Array.from({ length: 1 + count }, () => new Worker('worker-full.js'));
+    const bytes = await (await fetch('lsystem.wasm')).arrayBuffer();
+    const workers = Array.from({ length: 1 + count }, () => new Worker('worker.js'));
     const [worker, ...mates] = /** @type {[Worker, ...Worker[]]} */ (workers);
     const ports = mates.map((mate) => {
         const { port1, port2 } = new MessageChannel();

@@ -25,8 +25,8 @@ const WORKS = [
  * @param {{definition: object, turns: number, most: number}} work
  */
 async function measure({ definition, turns, most }) {
-    const worker = new Worker('worker-full.js');
-    const wasm = await (await fetch('lsystem-full.wasm')).arrayBuffer();
+    const worker = new Worker('worker.js');
+    const wasm = await (await fetch('lsystem.wasm')).arrayBuffer();
     /** @type {(message: any) => void} */
     let heard = () => {};
     worker.onmessage = ({ data }) => heard(data);

@@ -1,6 +1,7 @@
 /** A real browser for the tests: every page opened here must stay within its origin and keep its console clean. */
 
 import assert from 'node:assert/strict';
+import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
 export const ADDRESS = process.env.LSYSTEM_URL ?? 'http://127.0.0.1:8080/';
@@ -32,11 +33,14 @@ export async function close() {
     browser = undefined;
 }
 
-/** Waits until the first picture is there, and what it does not need has followed it. @param {Page | import('playwright-core').Frame} page @param {string} [drawing] */
+/** Waits until the first picture is there. @param {Page | import('playwright-core').Frame} page @param {string} [drawing] */
 export async function ready(page, drawing = '#stage.inked') {
     await page.waitForSelector(drawing);
-    await page.waitForSelector('[data-later]', { state: 'detached' });
 }
+
+/** Serves the modules that the page is made of to a test that imports one in the page. @param {Page} page */
+export const withModules = (page) =>
+    page.route('**/js/*.js', (route) => route.fulfill({ path: fileURLToPath(new URL(`../../js/${route.request().url().split('/').pop()}`, import.meta.url)) }));
 
 /**
  * Opens the page, or the one at `address`, lets `use` work with it, and checks that nothing went wrong on the way

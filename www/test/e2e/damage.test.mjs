@@ -39,17 +39,9 @@ const damaged = (file, damage, times) => async (/** @type {Page} */ page) => {
 };
 
 for (const [what, damage] of Object.entries(DAMAGE)) {
-    test(`${what} in the place of the first wasm: it is fetched again`, () =>
+    test(`${what} in the place of the wasm: it is fetched again`, () =>
         withPage({ hash: WEED, before: damaged(/lsystem\.wasm$/, damage, 2), expected: /preload/ }, async (page) => {
             await stillPicture(page);
-            await page.waitForSelector('#trouble', { state: 'hidden' });
-        }));
-
-    test(`${what} in the place of the full wasm: it is fetched again when it is needed`, () =>
-        withPage({ hash: WEED, before: damaged(/lsystem-full\.wasm$/, damage, 2), expected: /preload/ }, async (page) => {
-            const before = await stillPicture(page);
-            await page.fill('#rules', 'F -> F[+F]&F[-F]F');
-            await nextPicture(page, before);
             await page.waitForSelector('#trouble', { state: 'hidden' });
         }));
 }
@@ -73,15 +65,6 @@ test('wasm that never comes is told of, and asked for again with the next input'
         },
     );
 });
-
-test('a script of the page that comes empty once is asked for again with the next click', () =>
-    withPage({ hash: WEED, drawing: null, before: damaged(/later\.js$/, () => Buffer.alloc(0), 1) }, async (page) => {
-        await stillPicture(page);
-        await until(() => page.evaluate(() => document.querySelector('script[src="later.js"]') !== null), 'it was asked for');
-        await page.waitForTimeout(300);
-        await page.click('#open-gallery');
-        await page.waitForSelector('#gallery[open]');
-    }));
 
 /** Measures how long the main thread is not free. @param {Page} page */
 const watched = (page) =>

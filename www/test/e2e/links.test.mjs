@@ -3,7 +3,7 @@ import { after, test } from 'node:test';
 import { clean } from '../../js/state.js';
 import { bestLink } from '../../js/packed.js';
 import { DAMAGED, SCRIPTS } from '../unit/hostile.mjs';
-import { close, picture, stillPicture, until, withPage } from './browser.mjs';
+import { close, picture, stillPicture, until, withModules, withPage } from './browser.mjs';
 
 after(close);
 
@@ -52,7 +52,7 @@ test('a compressed link that was cut off says so and shows the defaults', async 
 });
 
 test('every system of the gallery comes back from its link, readable and compressed', () =>
-    withPage({}, async (page) => {
+    withPage({ before: withModules }, async (page) => {
         const wrong = await page.evaluate(async () => {
             /** @param {string} path */
             const load = (path) => import(new URL(path, document.baseURI).href);
@@ -76,7 +76,7 @@ test('every system of the gallery comes back from its link, readable and compres
     }));
 
 test('hostile links cost this browser little, too', () =>
-    withPage({}, async (page) => {
+    withPage({ before: withModules }, async (page) => {
         const links = DAMAGED.map(({ hash }) => hash);
         const { unsaid, slowest, megabytes } = await page.evaluate(async (hashes) => {
             const { openLink } = await import(new URL('js/packed.js', document.baseURI).href);

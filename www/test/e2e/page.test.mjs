@@ -13,8 +13,6 @@ const CHANCE = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%20:%200.5%0AF%20-%3E%20
 const hash = (page) => page.evaluate(() => location.hash);
 /** @param {import('playwright-core').Page} page @param {string} selector */
 const text = async (page, selector) => (await page.textContent(selector)) ?? '';
-/** Whether the full wasm has taken over from the first. @param {import('playwright-core').Page} page */
-const hasGrown = (page) => page.workers().length === 1 && page.workers()[0]?.url().includes('worker-full');
 
 test('a first visit shows a plant at once, and says what it is', () =>
     withPage({}, async (page) => {
@@ -41,19 +39,14 @@ test('every control has a name', () =>
         assert.deepEqual(nameless, []);
     }));
 
-test('a first picture takes less than 250 KiB as hosts send it, and the full wasm follows', async () => {
+test('a first picture takes at most 470 KB as hosts send it', async () => {
     /** @type {string[]} */
     const asked = [];
-    const isLater = (/** @type {string} */ url) => /-full\.|later\.js$/.test(url);
-    await withPage({ before: async (page) => void page.on('request', (request) => asked.push(request.url())) }, async (page) => {
-        const first = asked.filter((url) => !isLater(url));
-        assert.ok(first.some((url) => url.endsWith('lsystem.wasm')), first.join('\n'));
-        const bodies = await Promise.all(first.map(async (url) => Buffer.from(await (await fetch(url)).arrayBuffer())));
+    await withPage({ before: async (page) => void page.on('request', (request) => asked.push(request.url())) }, async () => {
+        assert.ok(asked.some((url) => url.endsWith('lsystem.wasm')), asked.join('\n'));
+        const bodies = await Promise.all(asked.map(async (url) => Buffer.from(await (await fetch(url)).arrayBuffer())));
         const sent = bodies.map((body) => brotliCompressSync(body).length).reduce((a, b) => a + b, 0);
-        assert.ok(sent < 256_000, `${sent} bytes by brotli`);
-        const before = await stillPicture(page);
-        await until(() => hasGrown(page), 'the full wasm takes over');
-        assert.equal((await stillPicture(page)).digest, before.digest);
+        assert.ok(sent <= 470_000, `${sent} bytes by brotli`);
     });
 });
 
@@ -63,17 +56,6 @@ test('where lines are not in their places, that is told until they are again', (
         await page.fill('#iterations', '5');
         await page.press('#iterations', 'Enter');
         await until(async () => !(await page.isVisible('#rough')), 'the finer picture is there');
-    }));
-
-test('a click before the later script is there takes effect when it comes', () =>
-    withPage({ drawing: null, expected: /Failed to load resource/, before: (page) => page.route('**/later.js', (route) => route.abort()) }, async (page) => {
-        await page.waitForSelector('#stage.inked');
-        await page.click('#share');
-        await until(async () => (await text(page, '#toast')).includes('could not be loaded'), 'what fails is told');
-        await page.unroute('**/later.js');
-        await page.click('#share');
-        await page.waitForSelector('#share-dialog[open]');
-        assert.equal(await page.locator('[data-later]').count(), 0);
     }));
 
 test('paper shows the drawing and its system, and no controls', () =>
@@ -428,18 +410,16 @@ test('what would pass a limit is refused in words, and the picture stays', () =>
 test('a view that is asked for again before it was left is drawn again, not waited for', () =>
     withPage({ hash: KOCH }, async (page) => {
         await stillPicture(page);
-        await until(() => hasGrown(page), 'the full wasm has taken over');
         for (let times = 0; times < 5; times++) {
             await page.evaluate(() => ['zoom-in', 'fit'].forEach((name) => document.getElementById(name)?.click()));
             await until(async () => (await page.getAttribute('#stage', 'aria-busy')) === 'false', 'it is at rest');
         }
     }));
 
-test('what cannot be drawn before the full wasm is there leaves the picture, which can still be moved', () =>
+test('a mistake leaves the picture, which can still be moved', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.fill('#rules', 'F = = F');
         await until(async () => (await page.locator('#rules-problems li').count()) > 0, 'the mistake is told');
-        await until(() => hasGrown(page), 'the full wasm has taken over');
         const former = await stillPicture(page);
         assert.ok(former.ink > 0.001);
         await page.click('#zoom-in');
@@ -586,9 +566,8 @@ test('a worker that fails is replaced, and the page goes on', () =>
         async (page) => {
             const before = await stillPicture(page);
             const started = () => page.evaluate(() => /** @type {any} */ (globalThis).workers.length);
-            await until(() => hasGrown(page), 'the full wasm has taken over');
-            await page.evaluate(() => /** @type {any} */ (globalThis).workers[1].onmessage({ data: { type: 'fatal', message: 'unreachable' } }));
-            await until(async () => (await started()) === 3, 'a fresh worker starts');
+            await page.evaluate(() => /** @type {any} */ (globalThis).workers[0].onmessage({ data: { type: 'fatal', message: 'unreachable' } }));
+            await until(async () => (await started()) === 2, 'a fresh worker starts');
             assert.equal((await stillPicture(page)).digest, before.digest);
             await page.fill('#iterations', '2');
             await nextPicture(page, before);

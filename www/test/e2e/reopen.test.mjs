@@ -1,14 +1,14 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, withPage } from './browser.mjs';
+import { close, withModules, withPage } from './browser.mjs';
 
 after(close);
 
 test('every system of the gallery comes back from the files that the page saves of it', () =>
-    withPage({}, async (page) => {
+    withPage({ before: withModules }, async (page) => {
         const { checked, wrong } = await page.evaluate(async () => {
-            const worker = new Worker('worker-full.js');
-            const wasm = await (await fetch('lsystem-full.wasm')).arrayBuffer();
+            const worker = new Worker('worker.js');
+            const wasm = await (await fetch('lsystem.wasm')).arrayBuffer();
             const { clean, definitionOf, same } = await import(new URL('js/state.js', document.baseURI).href);
             let id = 0;
             /** The next message that answers. @param {object} request @param {string} type @param {(message: any) => boolean} [last] @returns {Promise<any>} */

@@ -15,8 +15,8 @@ const LEAF = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF&n=4&angle=25';
  * @param {{definition: object, zoom: number, lost?: boolean, drags?: number}} work
  */
 async function compare({ definition, zoom, lost = false, drags = 0 }) {
-    const wasm = await (await fetch('lsystem-full.wasm')).arrayBuffer();
-    const [worker, mate] = [new Worker('worker-full.js'), new Worker('worker-full.js')];
+    const wasm = await (await fetch('lsystem.wasm')).arrayBuffer();
+    const [worker, mate] = [new Worker('worker.js'), new Worker('worker.js')];
     const [near, far] = [new MessageChannel(), new MessageChannel()];
     let [made, stopped] = [0, 0];
     near.port1.onmessage = ({ data }) => {
@@ -143,9 +143,7 @@ test('what each would have to build again is not shared', () =>
     withPage({ hash: CHANCE, before: machine(4) }, async (page) => {
         await patient(page);
         const hired = () => page.evaluate(() => /** @type {any} */ (globalThis).workers.length);
-        // The first worker was alone before the full one came, too.
-        await until(async () => (await hired()) >= 2 && page.workers().length === 1, 'the full worker alone');
         await page.waitForTimeout(300);
-        assert.equal(await hired(), 2);
+        assert.equal(await hired(), 1);
         assert.equal(page.workers().length, 1);
     }));

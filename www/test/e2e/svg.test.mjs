@@ -12,8 +12,8 @@ after(close);
 async function compare({ definition, size }) {
     const global = /** @type {any} */ (window);
     if (!global.exports) {
-        const worker = new Worker('worker-full.js');
-        const wasm = await (await fetch('lsystem-full.wasm')).arrayBuffer();
+        const worker = new Worker('worker.js');
+        const wasm = await (await fetch('lsystem.wasm')).arrayBuffer();
         let id = 0;
         /** @type {(message: object, done: (answer: any) => boolean) => Promise<any>} */
         const ask = (message, done) =>

@@ -55,7 +55,7 @@ const FAULTS = `
 
 /** Puts the faults into the workers of a page, be they files or inside a single file. @param {Page} page */
 async function withFaults(page) {
-    await page.route(/\/worker(-full)?\.js$/, async (route) => {
+    await page.route(/\/worker\.js$/, async (route) => {
         try {
             const response = await route.fetch();
             await route.fulfill({ response, body: (await response.text()) + FAULTS });
@@ -66,7 +66,7 @@ async function withFaults(page) {
     await page.route(/\/embed\.html$/, async (route) => {
         const response = await route.fetch();
         const text = await response.text();
-        const at = text.indexOf('</script>', text.indexOf('data-file="worker-full.js"'));
+        const at = text.indexOf('</script>', text.indexOf('data-file="worker.js"'));
         assert.ok(at > 0);
         await route.fulfill({ response, body: text.slice(0, at) + FAULTS + text.slice(at) });
     });
@@ -169,8 +169,6 @@ test('a worker that is gone while it has nothing to do is replaced when it has',
         },
         async (page) => {
             const before = await stillPicture(page);
-            await until(() => page.evaluate(() => /** @type {any} */ (globalThis).workers.length === 2), 'the full worker');
-            await page.waitForTimeout(500);
             await page.evaluate(() => /** @type {any} */ (globalThis).workers.forEach((/** @type {Worker} */ worker) => worker.terminate()));
             const begun = Date.now();
             await page.fill('#axiom', 'F+F');

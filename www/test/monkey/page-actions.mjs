@@ -160,7 +160,6 @@ export const PAGE = [
             if (!served) return 'there is no network and no copy of the page';
             const before = await texts(frame);
             await page.reload({ waitUntil: 'load', timeout: 20_000 });
-            await page.waitForSelector('[data-later]', { state: 'detached', timeout: 20_000 });
             const after = await texts(frame);
             if (JSON.stringify(before) !== JSON.stringify(after)) throw new Fault(`lost text: a reload made ${JSON.stringify(after).slice(0, 400)} of ${JSON.stringify(before).slice(0, 400)}`);
             return 'loaded anew';

@@ -59,7 +59,6 @@ export async function playRound(browser, round) {
         const fresh = await other.newPage();
         const wrong = listen(page, roll);
         await page.goto(embedded ? round.host.address(element, controls) : address);
-        if (!embedded) await page.waitForSelector('[data-later]', { state: 'detached' });
         const place = placeOf(page, embedded);
         const shown = page;
         const check = async () => {

@@ -2,6 +2,9 @@ import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
 import { createMates, matesOn } from '../../js/mates.js';
 
+/** The smallest there is. */
+const WASM = new WebAssembly.Module(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]));
+
 test('there are no more mates than the machine has room for', () => {
     assert.equal(matesOn({}), 0);
     assert.equal(matesOn({ hardwareConcurrency: 1 }), 0);
@@ -52,21 +55,21 @@ test('mates stay as long as they are of use, and go with their worker', () =>
     inPage(() => {
         const mates = createMates(3);
         const [first, second] = [master(), master()];
-        mates.help(first.worker, 'worker.js', new ArrayBuffer(0));
-        mates.help(first.worker, 'worker.js', new ArrayBuffer(0));
+        mates.help(first.worker, WASM);
+        mates.help(first.worker, WASM);
         assert.equal(live().size, 3);
         assert.deepEqual(first.told, [3]);
-        mates.help(second.worker, 'worker.js', new ArrayBuffer(0));
+        mates.help(second.worker, WASM);
         assert.equal(live().size, 3);
         assert.deepEqual([first.told, second.told], [[3, 0], [3]]);
         mock.timers.tick(29_000);
-        mates.help(second.worker, 'worker.js', new ArrayBuffer(0));
+        mates.help(second.worker, WASM);
         mock.timers.tick(29_000);
         assert.equal(live().size, 3);
         mock.timers.tick(2000);
         assert.equal(live().size, 0);
         assert.deepEqual(second.told, [3, 0]);
-        mates.help(second.worker, 'worker.js', new ArrayBuffer(0));
+        mates.help(second.worker, WASM);
         assert.equal(live().size, 3);
         mates.leave();
         assert.equal(live().size, 0);
@@ -75,7 +78,7 @@ test('mates stay as long as they are of use, and go with their worker', () =>
 test('a mate that fails is gone, and a page without room for workers does without', () => {
     inPage(() => {
         const mates = createMates(2);
-        mates.help(master().worker, 'worker.js', new ArrayBuffer(0));
+        mates.help(master().worker, WASM);
         const [broken, trapped] = [...live()];
         broken.onerror({ preventDefault() {} });
         assert.equal(live().size, 1);
@@ -88,8 +91,8 @@ test('a mate that fails is gone, and a page without room for workers does withou
     inPage(() => {
         const { worker, told } = master();
         const mates = createMates(2);
-        mates.help(worker, 'worker.js', new ArrayBuffer(0));
-        mates.help(worker, 'worker.js', new ArrayBuffer(0));
+        mates.help(worker, WASM);
+        mates.help(worker, WASM);
         assert.deepEqual(told, [0]);
         mates.leave();
     }, true);

@@ -1,0 +1,59 @@
+//! Scripts and styles as they are sent: modules bundled, everything minified, by esbuild.
+
+use crate::workspace::output;
+use crate::{files, page};
+use anyhow::Result;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// What the oldest browsers understand for which the page is made.
+const TARGET: &str = "--target=es2022";
+
+/// Makes what is sent from what is written in a folder.
+pub(crate) trait Bundler {
+    /// A module with everything that it imports.
+    fn module(&self, entry: &str) -> Result<String>;
+
+    /// Styles in the order of their files.
+    fn styles(&self, names: &[&str]) -> Result<String>;
+}
+
+/// esbuild, as the lock file of `www` names it.
+pub(crate) struct Esbuild {
+    program: PathBuf,
+    www: PathBuf,
+}
+
+impl Esbuild {
+    /// Installs it where it is missing.
+    pub(crate) fn of(www: &Path) -> Result<Self> {
+        page::packages(www)?;
+        let program = if cfg!(windows) { "esbuild.cmd" } else { "esbuild" };
+        Ok(Self { program: www.join("node_modules/.bin").join(program), www: www.to_owned() })
+    }
+
+    /// A script that is no module, or styles, by the ending of `name`.
+    pub(crate) fn minified(&self, name: &str, text: &str) -> Result<String> {
+        let folder = tempfile::tempdir()?;
+        let file = folder.path().join(name);
+        files::write(&file, text)?;
+        self.run(&file, &[])
+    }
+
+    fn run(&self, file: &Path, options: &[&str]) -> Result<String> {
+        let mut command = Command::new(&self.program);
+        command.arg(file).args(["--minify", "--charset=utf8", "--legal-comments=none", "--log-level=warning", TARGET]);
+        output(command.args(options))
+    }
+}
+
+impl Bundler for Esbuild {
+    fn module(&self, entry: &str) -> Result<String> {
+        self.run(&self.www.join(entry), &["--bundle", "--format=esm"])
+    }
+
+    fn styles(&self, names: &[&str]) -> Result<String> {
+        let texts: Result<Vec<_>> = names.iter().map(|name| files::read_text(&self.www.join(name))).collect();
+        self.minified("styles.css", &texts?.concat())
+    }
+}
