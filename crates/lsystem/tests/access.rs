@@ -202,12 +202,13 @@ proptest! {
     #[test]
     fn polygons_come_from_the_symbols_that_open_them(
         words in any::<bool>().prop_flat_map(|reaching| prop::array::uniform4(leafy(reaching))),
-        (n, chance, parametric, drawn) in (0_u32..6, any::<bool>(), any::<bool>(), any::<bool>()),
+        (n, chance, parametric, drawn, kept) in (0_u32..6, any::<bool>(), any::<bool>(), any::<bool>(), any::<bool>()),
     ) {
         let words = words.map(|word| if parametric { word } else { word.replace("P(2)", "B") });
         let [axiom, a, b, f] = words;
         let mut rules = if chance { format!("A -> {a} : 1\nA -> {b} : 2") } else { format!("A -> {a}\nB -> {b}") };
-        rules += &format!("\nF -> {f}F");
+        // Where `F` stays, modules with parameters share their blocks, too.
+        rules += &if kept { String::new() } else { format!("\nF -> {f}F") };
         if parametric {
             rules += "\nP(x) : x > 0 -> {f+F(x)-F}P(x-1)";
         }
@@ -229,6 +230,12 @@ proptest! {
         let symbols = |count: u128, symbol: &dyn Fn(u128) -> Option<u128>| -> Vec<u128> {
             (0..count).map(|number| symbol(number).unwrap()).collect()
         };
+        let plain = naive::solid_segments(&system, n);
+        prop_assert_eq!(solid.segment_count(), plain.len() as u128);
+        for (fast, plain) in solid.segments().zip(&plain) {
+            let off = (0..3).map(|i| (fast.to[i] - plain.to[i]).abs()).fold(0.0, f64::max);
+            prop_assert!(off < 1e-8 * reach, "{:?} {:?}", fast, plain);
+        }
         let own: Vec<u128> = expected.iter().map(|polygon| polygon.4 as u128).collect();
         let found = symbols(solid.polygon_count(), &|number| symbol_of_polygon(&system, n, &solid, number));
         prop_assert_eq!(&found, &own);

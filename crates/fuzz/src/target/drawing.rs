@@ -149,7 +149,7 @@ fn is_comparable(definition: &Definition, system: &System, n: u32) -> bool {
         && is_judged(definition, system)
         && !varies
         && turtle.actions.iter().flatten().all(|&action| is_usual(action))
-        && naive::images(&system.grammar, system.seed, &words[n as usize]).is_some()
+        && naive::images(&system.grammar, system.seed, &words[n as usize]).is_some_and(|word| arguments(&word))
 }
 
 /// Whether an action has a number of usual size, if any.
