@@ -22,6 +22,7 @@ mod pick;
 mod scene;
 mod size;
 mod stroke;
+mod surface;
 mod tile;
 mod walk;
 
