@@ -28,14 +28,14 @@ pub(super) struct Disc {
 }
 
 impl Disc {
-    /// The columns and rows of a tile where something of the node may be; `None` where nothing is.
-    #[inline]
-    pub(super) fn spans(&self, tile: &Tile) -> Option<[[usize; 2]; 2]> {
+    /// The columns and rows of a tile where something of the node may be; a `None` tells that nothing is.
+    #[inline(always)]
+    pub(super) fn spans(&self, tile: &Tile) -> (Option<[usize; 2]>, Option<[usize; 2]>) {
         let reach = f64::from(self.radius + self.stroke);
         let aside = reach + tile.slack();
         let [x, y] = self.at;
         let [width, height] = tile.size.map(|side| side as f64);
-        Some([span(x - aside, x + aside, width)?, span(y - reach, y + reach, height)?])
+        (span(x - aside, x + aside, width), span(y - reach, y + reach, height))
     }
 }
 
@@ -70,9 +70,9 @@ pub(super) fn dot(
 }
 
 /// Paints the limb of a node, in the colour that the node has on the whole.
-#[inline]
-pub(super) fn limb(painter: &mut TilePainter, scene: &Scene, look: &Look, id: u32, inside: &Inside) -> i64 {
-    let Inside { place, shade, path, width, .. } = *inside;
+#[inline(always)]
+pub(super) fn limb(painter: &mut TilePainter, scene: &Scene, look: &Look, id: u32, inside: Inside) -> i64 {
+    let Inside { place, shade, path, width, .. } = inside;
     let limb = &scene.nodes[id as usize].own.limb;
     let ends = [limb.from, limb.to].map(|end| place.lie(end));
     painter.stick(look, ends, limb.style.width.of(width), 1.0, scene.mean(id, shade, path))

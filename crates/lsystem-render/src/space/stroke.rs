@@ -100,11 +100,10 @@ impl Stick {
         let widest = self.radii[0].max(self.radii[1]) as f32;
         let surface = Surface::new(self, [flat, length]);
         let narrow = across[1] - across[0] <= NARROW;
-        let crossings = (!narrow).then(|| Crossings::new(&surface, widest, tile.slack() as f32));
+        let crossings = Crossings::new(&surface, widest, tile.slack() as f32);
         // What rows cross of the stick at most; empty where the second is less than the first.
-        let cross = |rows: [usize; 2], columns: [usize; 2]| match &crossings {
-            None => columns,
-            Some(crossings) => crossings.columns(rows.map(|row| row as f32 + 0.5 - y0), x0, columns),
+        let cross = |rows: [usize; 2], columns: [usize; 2]| {
+            if narrow { columns } else { crossings.columns(rows.map(|row| row as f32 + 0.5 - y0), x0, columns) }
         };
         let near = surface.near(widest);
         let mut looked = 0;

@@ -244,7 +244,7 @@ impl Walk {
             frame.spare -= more;
             share += more;
         }
-        let Some([across, down]) = disc.spans(&self.painter.tile) else {
+        let (Some(across), Some(down)) = disc.spans(&self.painter.tile) else {
             frame.spare += share.min(MOST);
             return 1;
         };
@@ -270,17 +270,17 @@ impl Walk {
         }
         let place = frame.place.inside(link);
         let width = scene.styles[link.style as usize].width.of(frame.width);
-        let inside = Inside { place, shade, path, width, share };
+        let inside = |share: f32| Inside { place, shade, path, width, share };
         let thin = 2.0 * (inner.own.limb.off * place.scale * factor) as f32 <= look.detail;
         if thin && (!scene.along || path.is_short()) {
             // Nothing stands out: the whole node is that line.
             frame.spare += (share - 1.0).clamp(0.0, MOST);
-            return stand_in::limb(&mut self.painter, scene, look, link.node, &inside);
+            return stand_in::limb(&mut self.painter, scene, look, link.node, inside(share));
         }
         if poor {
-            return stand_in::samples(&mut self.painter, scene, look, link.node, &inside);
+            return stand_in::samples(&mut self.painter, scene, look, link.node, &inside(share));
         }
-        self.open(scene, look, link.node, Inside { share: share - 1.0, ..inside });
+        self.open(scene, look, link.node, inside(share - 1.0));
         NODE_WORK
     }
 
