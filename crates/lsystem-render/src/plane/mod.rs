@@ -15,8 +15,10 @@ mod exact;
 mod inks;
 mod layout;
 mod mixer;
+mod painter;
 mod pane;
 mod parts;
+mod passes;
 mod path;
 mod pen;
 mod pick;
@@ -28,7 +30,9 @@ mod seen;
 mod shape;
 mod stroke;
 mod sweep;
+mod switch;
 mod tile;
+mod tiling;
 mod view;
 mod walk;
 mod wide;
@@ -199,7 +203,7 @@ impl PlaneRenderer for Renderer {
     }
 
     fn stats(&self) -> RenderStats {
-        self.walk.stats
+        self.walk.stats()
     }
 
     fn spent(&self) -> u64 {

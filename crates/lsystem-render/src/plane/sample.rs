@@ -73,42 +73,8 @@ pub(super) fn brute_force_until(
 ) -> Vec<u8> {
     let (mut left, mut ended) = (upto, false);
     let camera = Camera::new(drawing, viewport, view, SAMPLES);
-    let (width, height) = (viewport.width as i64 * 4, viewport.height as i64 * 4);
-    let mut inks = vec![None; (width * height) as usize];
+    let mut picture = Subsamples::new(viewport);
     let hairline = (style.min_width * viewport.ratio).max(1.0) * SAMPLES / 2.0;
-    // Complex numbers: multiply by the turn and scale, then add.
-    type Place = ([f64; 2], [f64; 2]);
-    fn at((origin, turn): Place, p: [f64; 2]) -> [f64; 2] {
-        [origin[0] + turn[0] * p[0] - turn[1] * p[1], origin[1] + turn[1] * p[0] + turn[0] * p[1]]
-    }
-    type Out<'a> = dyn FnMut(&[[f64; 2]], bool, Pen) + 'a;
-    fn visit(drawing: &Drawing, block: BlockId, place: Place, pen: Pen, out: &mut Out<'_>) {
-        let range = drawing.blocks[block.0 as usize].items.clone();
-        for item in &drawing.items[range.start as usize..range.end as usize] {
-            match item {
-                Item::Stroke(s) => {
-                    let ends = [at(place, s.from), at(place, s.to)];
-                    out(&ends, false, pen.after(&drawing.styles[s.style.0 as usize]));
-                }
-                Item::Polygon(p) => {
-                    let vertices: Vec<_> = drawing.vertices_of(p).iter().map(|&vertex| at(place, vertex)).collect();
-                    out(&vertices, true, pen.after(&drawing.styles[p.style.0 as usize]));
-                }
-                Item::Block(p) => {
-                    let (c, s) = p.heading.cos_sin();
-                    let turn = [c * p.scale, s * p.scale];
-                    let turned = at(([0.0; 2], place.1), turn);
-                    visit(
-                        drawing,
-                        p.block,
-                        (at(place, p.at), turned),
-                        pen.after(&drawing.styles[p.style.0 as usize]),
-                        out,
-                    );
-                }
-            }
-        }
-    }
     let pen = Pen { colour: 0, width: drawing.width, level: 0 };
     let [x, y] = camera.place(Default::default());
     let start = ([x, -y], [camera.scale, 0.0]);
@@ -116,18 +82,8 @@ pub(super) fn brute_force_until(
         let all = drawing.segment_count() as f64;
         let number = (upto - left) as f64;
         if filled {
-            let colour = pen.colour(style, number / all);
-            let points: Vec<[f64; 2]> = points.iter().map(|p| [p[0], -p[1]]).collect();
-            let range = |axis: usize, end: i64| {
-                let all = || points.iter().map(|p| p[axis]);
-                let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
-                low.clamp(0.0, end as f64) as i64..(high + 1.0).clamp(0.0, end as f64) as i64
-            };
-            let (rows, columns) = (range(1, height), range(0, width));
-            for (row, column) in rows.flat_map(|row| columns.clone().map(move |column| (row, column))) {
-                if !ended && winding(&points, [column as f64 + 0.5, row as f64 + 0.5]) != 0 {
-                    inks[(row * width + column) as usize] = Some(colour);
-                }
+            if !ended {
+                picture.fill(points, pen.colour(style, number / all));
             }
             return;
         }
@@ -136,43 +92,112 @@ pub(super) fn brute_force_until(
             return;
         };
         left = rest;
-        let colour = pen.colour(style, (number + 0.5) / all);
-        let (a, b) = (points[0], points[1]);
-        let r = (pen.width * camera.step / 2.0).max(hairline);
-        let (a, b) = ([a[0], -a[1]], [b[0], -b[1]]);
+        let radius = (pen.width * camera.step / 2.0).max(hairline);
+        picture.stroke([points[0], points[1]], radius, pen.colour(style, (number + 0.5) / all));
+    });
+    picture.pixels(style.background)
+}
+
+/// Where a block is, y up: its origin, and the complex number that points of it are multiplied by, for turn and scale.
+type Place = ([f64; 2], [f64; 2]);
+/// Takes the points of a stroke or of a polygon, whether it is a polygon, and the pen.
+type Out<'a> = dyn FnMut(&[[f64; 2]], bool, Pen) + 'a;
+
+fn at((origin, turn): Place, p: [f64; 2]) -> [f64; 2] {
+    [origin[0] + turn[0] * p[0] - turn[1] * p[1], origin[1] + turn[1] * p[0] + turn[0] * p[1]]
+}
+
+/// Goes through all strokes and polygons of a block, in drawing order.
+fn visit(drawing: &Drawing, block: BlockId, place: Place, pen: Pen, out: &mut Out<'_>) {
+    let range = drawing.blocks[block.0 as usize].items.clone();
+    for item in &drawing.items[range.start as usize..range.end as usize] {
+        match item {
+            Item::Stroke(s) => {
+                let ends = [at(place, s.from), at(place, s.to)];
+                out(&ends, false, pen.after(&drawing.styles[s.style.0 as usize]));
+            }
+            Item::Polygon(p) => {
+                let vertices: Vec<_> = drawing.vertices_of(p).iter().map(|&vertex| at(place, vertex)).collect();
+                out(&vertices, true, pen.after(&drawing.styles[p.style.0 as usize]));
+            }
+            Item::Block(p) => {
+                let (c, s) = p.heading.cos_sin();
+                let turned = at(([0.0; 2], place.1), [c * p.scale, s * p.scale]);
+                let pen = pen.after(&drawing.styles[p.style.0 as usize]);
+                visit(drawing, p.block, (at(place, p.at), turned), pen, out);
+            }
+        }
+    }
+}
+
+/// The colour of every subsample that is painted.
+struct Subsamples {
+    colours: Vec<Option<Colour>>,
+    width: i64,
+    height: i64,
+}
+
+impl Subsamples {
+    fn new(viewport: Viewport) -> Self {
+        let (width, height) = (viewport.width as i64 * 4, viewport.height as i64 * 4);
+        Self { colours: vec![None; (width * height) as usize], width, height }
+    }
+
+    /// Paints the inside of an outline, y up.
+    fn fill(&mut self, points: &[[f64; 2]], colour: Colour) {
+        let points: Vec<[f64; 2]> = points.iter().map(|p| [p[0], -p[1]]).collect();
+        let range = |axis: usize, end: i64| {
+            let all = || points.iter().map(|p| p[axis]);
+            let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
+            low.clamp(0.0, end as f64) as i64..(high + 1.0).clamp(0.0, end as f64) as i64
+        };
+        let (rows, columns) = (range(1, self.height), range(0, self.width));
+        for (row, column) in rows.flat_map(|row| columns.clone().map(move |column| (row, column))) {
+            if winding(&points, [column as f64 + 0.5, row as f64 + 0.5]) != 0 {
+                self.colours[(row * self.width + column) as usize] = Some(colour);
+            }
+        }
+    }
+
+    /// Paints what is within `r` of a segment, y up.
+    fn stroke(&mut self, ends: [[f64; 2]; 2], r: f64, colour: Colour) {
+        let [a, b] = ends.map(|end| [end[0], -end[1]]);
         let range = |axis: usize, end: i64| {
             let low = (a[axis].min(b[axis]) - r - 1.0).clamp(0.0, end as f64) as i64;
             low..(a[axis].max(b[axis]) + r + 2.0).clamp(0.0, end as f64) as i64
         };
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
         let norm = dx * dx + dy * dy;
-        for row in range(1, height) {
-            for column in range(0, width) {
+        for row in range(1, self.height) {
+            for column in range(0, self.width) {
                 let (px, py) = (column as f64 + 0.5 - a[0], row as f64 + 0.5 - a[1]);
                 let t = if norm > 0.0 { ((px * dx + py * dy) / norm).clamp(0.0, 1.0) } else { 0.0 };
                 let (qx, qy) = (px - t * dx, py - t * dy);
                 if qx * qx + qy * qy <= r * r {
-                    inks[(row * width + column) as usize] = Some(colour);
+                    self.colours[(row * self.width + column) as usize] = Some(colour);
                 }
             }
-        }
-    });
-    let mut pixels = vec![];
-    for y in 0..viewport.height as i64 {
-        for x in 0..viewport.width as i64 {
-            let mut sum = [0.0; 3];
-            for (sy, sx) in (0..4).flat_map(|sy| (0..4).map(move |sx| (sy, sx))) {
-                let ink = inks[((y * 4 + sy) * width + x * 4 + sx) as usize];
-                let colour = ink.unwrap_or(style.background);
-                for (sum, value) in sum.iter_mut().zip(colour.rgb) {
-                    *sum += f64::from(value) / 16.0;
-                }
-            }
-            pixels.extend(sum.map(|v| libm::round(v) as u8));
-            pixels.push(u8::MAX);
         }
     }
-    pixels
+
+    /// The mean colours of the pixels' subsamples, as RGBA.
+    fn pixels(&self, background: Colour) -> Vec<u8> {
+        let mut pixels = vec![];
+        for y in 0..self.height / 4 {
+            for x in 0..self.width / 4 {
+                let mut sum = [0.0; 3];
+                for (sy, sx) in (0..4).flat_map(|sy| (0..4).map(move |sx| (sy, sx))) {
+                    let colour = self.colours[((y * 4 + sy) * self.width + x * 4 + sx) as usize];
+                    for (sum, value) in sum.iter_mut().zip(colour.unwrap_or(background).rgb) {
+                        *sum += f64::from(value) / 16.0;
+                    }
+                }
+                pixels.extend(sum.map(|v| libm::round(v) as u8));
+                pixels.push(u8::MAX);
+            }
+        }
+        pixels
+    }
 }
 
 /// How often an outline goes round a point.

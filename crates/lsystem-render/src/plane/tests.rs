@@ -70,7 +70,7 @@ fn the_picture_is_that_of_every_segment_stroked_in_order() {
             let truth = brute_force(&drawing, &style, viewport, view);
             // As it is, and with tiles wherever there can be any.
             for simple in [tile::SIMPLE_STROKES, 0] {
-                renderer.walk.simple = simple;
+                renderer.walk.tiling.simple = simple;
                 renderer.load(drawing.clone());
                 picture(&mut renderer, &style, viewport, view);
                 let (mean, worst) = difference(renderer.pixels(), &truth, 320);
@@ -98,7 +98,7 @@ fn panes_together_are_the_picture() {
             let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
             let style = Style { colour_by, ..sample.0.style.clone() };
             for simple in [tile::SIMPLE_STROKES, 0] {
-                (renderer.walk.simple, whole.walk.simple) = (simple, simple);
+                (renderer.walk.tiling.simple, whole.walk.tiling.simple) = (simple, simple);
                 picture(&mut whole, &style, viewport, view);
                 let mut pixels = vec![0; 320 * 200 * 4];
                 for pane in Pane::all(viewport, [144, 48]) {
@@ -399,7 +399,7 @@ fn crowds_that_never_repeat_end() {
         narrowing(Sample::abop("X", &[('X', "F[+X][-X]'FX")], 25.7)),
     ] {
         let drawing = Arc::new(sample.draw(300));
-        renderer.walk.soon = u64::MAX;
+        renderer.walk.switch.soon = u64::MAX;
         renderer.load(drawing.clone());
         renderer.begin(&sample.0.style, viewport, View::default());
         assert!(finishes(&mut renderer));
@@ -437,7 +437,7 @@ fn what_would_take_far_too_long_is_put_together_early() {
 /// A renderer that takes the way up at once.
 fn climbing() -> Renderer {
     let mut renderer = Renderer::new();
-    renderer.walk.soon = 0;
+    renderer.walk.switch.soon = 0;
     renderer
 }
 
@@ -759,7 +759,7 @@ fn slow_zooms_and_pans_neither_shimmer_nor_pop() {
         let drawing = Arc::new(sample.draw(n));
         let style = &sample.0.style;
         for (simple, zoom) in [(tile::SIMPLE_STROKES, 1.0), (0, 1.0), (0, 10.0)] {
-            renderer.walk.simple = simple;
+            renderer.walk.tiling.simple = simple;
             renderer.load(drawing.clone());
             for views in steady_views(&drawing, zoom) {
                 let mut last: Option<(Vec<u8>, Vec<u8>)> = None;

@@ -180,4 +180,18 @@ impl Lens {
         let factor = self.factor(z);
         [self.middle[0] + x * factor, self.middle[1] + y * factor, z * factor]
     }
+
+    /// What of a line lies before the eye.
+    pub(super) fn before_eye(&self, ends: [Vector; 2]) -> Option<[Vector; 2]> {
+        let ahead = ends.map(|end| 1.0 + end[2] * self.nearness - NEAR);
+        match ahead.map(|a| a > 0.0) {
+            [true, true] => Some(ends),
+            [false, false] => None,
+            [first, _] => {
+                let t = ahead[0] / (ahead[0] - ahead[1]);
+                let cut = [0, 1, 2].map(|i| ends[0][i] + t * (ends[1][i] - ends[0][i]));
+                Some(if first { [ends[0], cut] } else { [cut, ends[1]] })
+            }
+        }
+    }
 }

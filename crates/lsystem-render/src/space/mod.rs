@@ -15,13 +15,21 @@
 mod camera;
 mod effort;
 mod face;
+mod frame;
 mod lanes;
 mod light;
+mod look;
+mod painter;
 mod path;
 mod pick;
+mod picture;
+mod place;
 mod scene;
+mod shares;
 mod size;
+mod stand_in;
 mod stroke;
+mod surface;
 mod tile;
 mod walk;
 
@@ -245,12 +253,12 @@ impl SolidRenderer {
     /// The picture so far, once it has been begun in a step: RGBA, 8 bits each, opaque, from the upper left corner row by row.
     #[must_use]
     pub fn pixels(&self) -> &[u8] {
-        &self.walks[self.at].pixels
+        self.walks[self.at].pixels()
     }
 
     /// What the picture took so far.
     #[must_use]
     pub fn stats(&self) -> RenderStats {
-        self.walks[self.at].stats
+        self.walks[self.at].stats()
     }
 }

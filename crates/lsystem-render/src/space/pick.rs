@@ -1,7 +1,6 @@
 //! What of a drawing in space is under a pointer.
 
 use super::camera::{Camera, Lens, NEAR};
-use super::walk::before_eye;
 use crate::plane::{Aim, Order, Sight, covers, nearest_on, search};
 use crate::{Pick, Pointer, Viewport};
 use lsystem_drawing::Frame;
@@ -63,7 +62,7 @@ impl Sight<Solid> for Sky<'_> {
 
     fn stroke(&self, frame: &Frame<Solid>, stroke: &Stroke<Solid>) -> Option<Aim> {
         let lens = &self.lens;
-        let ends = before_eye(lens, [stroke.from, stroke.to].map(|end| self.place(frame.lie(end))))?;
+        let ends = lens.before_eye([stroke.from, stroke.to].map(|end| self.place(frame.lie(end))))?;
         let (axis, depth) = self.beside(ends);
         let style = frame.style.then(&self.drawing.styles[stroke.style.0 as usize]);
         let radius = (style.width.of(0.0) * lens.step / 2.0).max(0.0);

@@ -6,6 +6,7 @@
 
 use super::lanes::{LANES, Lanes};
 use super::light::{LIGHT, Light, Spot};
+use super::surface::Surface;
 use super::tile::{CELL, Tile};
 use lsystem_drawing::rotation::Vector;
 
@@ -86,6 +87,7 @@ impl Stick {
         Some(Self { ends, radii: [radius(from), radius(to)], spots: [spot(from), spot(to)], ink: self.ink })
     }
 
+    /// Paints a stick that looks `flat` long and is so long; returns how many samples were looked at.
     fn fill(
         &self,
         tile: &mut Tile,
@@ -94,49 +96,17 @@ impl Stick {
         [flat, length]: [f64; 2],
         light: &Light,
     ) -> usize {
-        let [[x0, y0, d0], [x1, y1, d1]] = self.ends;
+        let [x0, y0] = [0, 1].map(|i| self.ends[0][i] as f32);
         let widest = self.radii[0].max(self.radii[1]) as f32;
-        let [ex, ey] = [(x1 - x0) / flat, (y1 - y0) / flat];
-        let [rise, level] = [(d1 - d0) / length, flat / length];
-        // The normal of the side is `u` sideways and `h` upwards; of the round ends also `w` ahead.
-        let side_light = (LIGHT[1] * ex - LIGHT[0] * ey) as f32;
-        let up_light = ((ex * LIGHT[0] + ey * LIGHT[1]) * rise - level * LIGHT[2]) as f32;
-        let ahead_light = (LIGHT[0] * ex + LIGHT[1] * ey) as f32;
-        let view_light = -LIGHT[2] as f32;
-        let [x0, y0, d0, d1, ex, ey] = [x0, y0, d0, d1, ex, ey].map(|c| c as f32);
-        let [flat, rise, level] = [flat, rise, level].map(|c| c as f32);
-        let [r0, r1] = self.radii.map(|r| r as f32);
-        let (per, slope, steep) = (1.0 / flat, rise / level, 1.0 / level);
-        let grows = r1 - r0;
-        let mut looked = 0;
-        // Where a row crosses the band around the axis, and the slab between the ends: both at places that go on evenly
-        // from row to row. In the middle of the first one's distance, and half their lengths.
+        let surface = Surface::new(self, [flat, length]);
         let narrow = across[1] - across[0] <= NARROW;
-        let slack = 0.01 + tile.slack() as f32;
-        let crossing = |along: f32, offset: f32, [low, high]: [f32; 2]| {
-            let per = 1.0 / if along.abs() > 1e-4 { along } else { 1e-4 };
-            [0.5 * (low + high) * per, -offset * per, 0.5 * (high - low) * per.abs() + slack]
+        let crossings = Crossings::new(&surface, widest, tile.slack() as f32);
+        // What rows cross of the stick at most; empty where the second is less than the first.
+        let cross = |rows: [usize; 2], columns: [usize; 2]| {
+            if narrow { columns } else { crossings.columns(rows.map(|row| row as f32 + 0.5 - y0), x0, columns) }
         };
-        let band = crossing(-ey, ex, [-widest, widest]);
-        let slab = crossing(ex, ey, [-widest, flat + widest]);
-        // What rows cross of both at most; empty where the second is less than the first.
-        let cross = |rows: [usize; 2], [first, last]: [usize; 2]| {
-            if narrow {
-                return [first, last];
-            }
-            let ends = rows.map(|row| row as f32 + 0.5 - y0);
-            let [a, b] = [band, slab].map(|[middle, slope, half]| {
-                let [a, b] = ends.map(|y| middle + slope * y);
-                [a.min(b) - half, a.max(b) + half]
-            });
-            let (low, high) = (a[0].max(b[0]) + x0, a[1].min(b[1]) + x0);
-            if high < 0.5 {
-                return [1, 0];
-            }
-            // From a sample's middle on; what is negative becomes 0.
-            [first.max((low + 0.5) as usize), last.min((high - 0.5) as usize)]
-        };
-        let near = d0.min(d1) - widest;
+        let near = surface.near(widest);
+        let mut looked = 0;
         let mut within = [1, 0];
         for row in down[0]..=down[1] {
             if row == down[0] || row % CELL == 0 {
@@ -155,51 +125,48 @@ impl Stick {
             let (depths, colours) = tile.lanes(row, columns);
             looked += depths.len() * LANES;
             let last = Lanes::all(right as f32 + 1.0 - x0);
-            for (i, (depths, colours)) in depths.iter_mut().zip(colours).enumerate() {
+            for (i, samples) in depths.iter_mut().zip(colours).enumerate() {
                 let x = Lanes::from(ahead + (i * LANES) as f32);
-                let along = x * ex + y * ey;
-                let sideways = x * -ey + y * ex;
-                let radius = (along * per).at_least(0.0).at_most(1.0) * grows + r0;
-                let inverse = radius.inverse();
-                let u = sideways * inverse;
-                let rest = Lanes::all(1.0) - u * u;
-                let h = rest.root();
-                let bulge = radius * h;
-                let met = along - bulge * rise;
-                let depth = Lanes(*depths);
-                let before = met.below(Lanes::all(0.0));
-                let beyond = Lanes::all(flat).below(met);
-                let mut shown = Lanes::all(-1e-6).below(rest).and(x.below(last));
-                let mut surface = along * slope + d0 - bulge * steep;
-                let mut t = met * per;
-                let mut to_light = u * side_light + h * up_light;
-                let mut to_view = h * level;
-                if before.any() || beyond.any() {
-                    // The ball at one of the ends.
-                    let end = before.with(beyond);
-                    let start = Lanes::all(0.0).or(before, Lanes::all(flat));
-                    let w = (along - start) * inverse;
-                    let inside = rest - w * w;
-                    let top = inside.root();
-                    let cap = Lanes::all(d0).or(before, Lanes::all(d1)) - radius * top;
-                    surface = cap.or(end, surface);
-                    shown = shown.and(Lanes::all(-1e-6).below(inside.or(end, rest)));
-                    t = (start * per).or(end, t);
-                    to_light = (w * ahead_light + u * side_light + top * view_light).or(end, to_light);
-                    to_view = top.or(end, to_view);
-                }
-                shown = shown.and(surface.below(depth));
-                if !shown.any() {
-                    continue;
-                }
-                *depths = surface.or(shown, depth).0;
-                let colour = light.surfaces(self.ink, &self.spots, t, to_light, to_view);
-                for ((old, new), shown) in colours.iter_mut().zip(colour).zip(shown.0) {
-                    *old = (new & shown) | (*old & !shown);
-                }
+                surface.paint((x, last), y, samples, light);
             }
         }
         looked
+    }
+}
+
+/// Where a row crosses the band around a stick's axis, and the slab between its ends: both at places that go on evenly
+/// from row to row. Of each: the middle at the first end, how far it moves from row to row, and half the length.
+struct Crossings {
+    band: [f32; 3],
+    slab: [f32; 3],
+}
+
+impl Crossings {
+    #[inline(always)]
+    fn new(surface: &Surface<'_>, widest: f32, slack: f32) -> Self {
+        let slack = 0.01 + slack;
+        let crossing = |along: f32, offset: f32, [low, high]: [f32; 2]| {
+            let per = 1.0 / if along.abs() > 1e-4 { along } else { 1e-4 };
+            [0.5 * (low + high) * per, -offset * per, 0.5 * (high - low) * per.abs() + slack]
+        };
+        let ([ex, ey], flat) = surface.axis();
+        Self { band: crossing(-ey, ex, [-widest, widest]), slab: crossing(ex, ey, [-widest, flat + widest]) }
+    }
+
+    /// What is crossed of both at most between two heights, relative to the first end, which lies at `x`: of the columns
+    /// from `first` to `last`.
+    #[inline(always)]
+    fn columns(&self, heights: [f32; 2], x: f32, [first, last]: [usize; 2]) -> [usize; 2] {
+        let [a, b] = [self.band, self.slab].map(|[middle, slope, half]| {
+            let [a, b] = heights.map(|y| middle + slope * y);
+            [a.min(b) - half, a.max(b) + half]
+        });
+        let (low, high) = (a[0].max(b[0]) + x, a[1].min(b[1]) + x);
+        if high < 0.5 {
+            return [1, 0];
+        }
+        // From a sample's middle on; what is negative becomes 0.
+        [first.max((low + 0.5) as usize), last.min((high - 0.5) as usize)]
     }
 }
 

@@ -80,6 +80,8 @@ impl Tile {
     }
 
     /// Whether all samples of a rectangle, ends included, show something nearer than `near`.
+    // Inlined into its long caller, the loop would keep its values in memory.
+    #[inline(never)]
     pub(super) fn hides(&mut self, [left, right]: [usize; 2], [top, bottom]: [usize; 2], near: f32) -> bool {
         for row in top / CELL..=bottom / CELL {
             for column in left / CELL..=right / CELL {

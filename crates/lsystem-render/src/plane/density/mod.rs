@@ -6,8 +6,11 @@
 //! pixels around it ([`sheet`]). A block smaller than a pixel adds all its ink at once, at its centre of gravity
 //! ([`ink`]); larger ones are put together from tiles. The order of drawing plays no part.
 
+mod bands;
+mod facts;
 mod haze;
 mod ink;
+mod look;
 mod pigment;
 mod sheet;
 mod tile;
@@ -18,11 +21,12 @@ mod walk;
 mod tests;
 
 use super::{Detail, Pane, PlaneRenderer, RenderStats, View, Viewport};
+use facts::Facts;
 use lsystem_drawing::Drawing;
 use lsystem_syntax::{Meter, Progress, Style};
 use std::sync::Arc;
 pub(super) use tile::TILES as DENSITY_TILES;
-use walk::{Facts, Walk};
+use walk::Walk;
 
 /// Pixels along the side of a sum in a coarse picture.
 pub(super) const COARSE: usize = 3;

@@ -1,14 +1,16 @@
 //! The descent that adds ink up.
 
 use super::Pass;
+use super::bands::bands;
+use super::facts::Facts;
 use super::haze::Haze;
-use super::ink::{Ink, InkList, turned};
+use super::ink::Ink;
+use super::look::Look;
 use super::pigment::{Pigments, Source};
 use super::sheet::{LEAST, Pigment, Sheet};
 use super::tile::{self, InkKey, Tiles};
 use crate::plane::descent::{Cut, Descent, Met, Node};
 use crate::plane::inks::{InkTable, Inks, Shade};
-use crate::plane::shape::{Shape, Shapes};
 use crate::plane::tile::Key;
 use crate::plane::view::Camera;
 use crate::plane::{Amount, Pane, RenderStats, View, Viewport};
@@ -34,9 +36,6 @@ const TIRED: u64 = 200_000;
 const EACH: u64 = 16;
 /// Units of work that strokes and areas take, beside, in the time of a step.
 const UNITS: u64 = 16;
-/// The part of a whole that may be rounding.
-const ROUNDING: f64 = 1e-9;
-
 /// What is being done for a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Stage {
@@ -52,24 +51,6 @@ enum Stage {
     Done,
 }
 
-/// The size of things in a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Look {
-    /// The smallest stroke width, in pixels.
-    hairline: f64,
-    /// Pixels in one step length.
-    step: f64,
-    /// Pixels in one unit of the root block.
-    scale: f64,
-}
-
-impl Look {
-    /// The width of a stroke, in pixels.
-    fn width(&self, width: f64) -> f64 {
-        (width * self.step).max(self.hairline)
-    }
-}
-
 /// A block on a sheet, in pixels.
 struct Seen {
     /// The middle of its bounds.
@@ -80,31 +61,6 @@ struct Seen {
     width: f64,
     /// The longer side of its bounds.
     extent: f64,
-}
-
-/// What is known of the blocks of a drawing.
-#[derive(Default)]
-pub(super) struct Facts {
-    pub shapes: Shapes,
-    pub inks: InkList,
-}
-
-impl Facts {
-    /// Goes on until all blocks are known.
-    pub(super) fn step(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
-        if self.shapes.step(drawing, meter) == Progress::More {
-            return Progress::More;
-        }
-        self.inks.step(drawing, &self.shapes.list, meter)
-    }
-
-    fn shape(&self, node: &Node) -> &Shape {
-        &self.shapes.list[node.block.0 as usize]
-    }
-
-    fn ink(&self, node: &Node) -> &Ink {
-        &self.inks.list[node.block.0 as usize]
-    }
 }
 
 /// A tile being made.
@@ -370,7 +326,7 @@ impl Walk {
                 if seen.extent > *grain {
                     self.stack.push(node);
                 } else {
-                    let amount = amount(&self.look, ink, &node);
+                    let amount = self.look.amount(ink, &node);
                     *all = all.plus(amount);
                 }
             }
@@ -450,33 +406,13 @@ impl Walk {
         work
     }
 
-    /// Lays down all ink of a block that is small beside the width of its strokes: as two bands that cross where its centre
-    /// is, as long as its strokes are wide. They lie along the axes of its strokes' directions, and each is as broad as the
-    /// block is there, the second by so much less as fewer strokes have its direction.
+    /// Lays down all ink of a block that is small beside the width of its strokes, as two bands that cross.
     fn bands(&mut self, ink: &Ink, node: &Node, pigment: Pigment) -> u64 {
-        let [xx, xy, yy] = ink.across;
-        let (apart, most) = (xx - yy, libm::hypot(xx - yy, 2.0 * xy));
-        // Where no direction stands out, those of the block's own frame.
-        let angle = if most > ROUNDING { libm::atan2(2.0 * xy, apart) / 2.0 } else { 0.0 };
-        let (sin, cos) = libm::sincos(angle);
-        let (c, s) = node.place.heading.cos_sin();
-        let (centre, width) = (node.place.point(ink.centre), self.width(node.pen.width));
-        let band = |[x, y]: [f64; 2], part: f64| {
-            // Along the band, and aside; an even distribution over a length has a twelfth of its square.
-            let [along, aside] = [[c * x - s * y, -s * x - c * y], [s * x + c * y, c * x - s * y]];
-            let square = y * y * ink.spread[0] - 2.0 * x * y * ink.spread[1] + x * x * ink.spread[2];
-            let breadth = part * ((12.0 * square.max(0.0)).sqrt() * node.place.scale.abs()).max(1.0);
-            let corner = |u: f64, v: f64| [0, 1].map(|i| centre[i] + u * width * along[i] + v * breadth * aside[i]);
-            ([corner(0.5, 0.5), corner(-0.5, 0.5), corner(-0.5, -0.5), corner(0.5, -0.5)], width * breadth)
-        };
-        let (first, area) = band([cos, sin], 1.0);
-        let (second, more) = band([-sin, cos], (1.0 - most).max(0.0) / (1.0 + most));
-        // From one to the other and back.
-        let corners = first.into_iter().chain([first[0]]).chain(second).chain([second[0]]);
-        let amount = amount(&self.look, ink, node);
+        let (corners, area) = bands(&self.look, ink, node);
+        let amount = self.look.amount(ink, node);
         self.filled = node.canvas;
         let sheet = &mut self.sheets[node.canvas];
-        let layer = (amount.units(sheet.exponent) / (area + more)).max(LEAST);
+        let layer = (amount.units(sheet.exponent) / area).max(LEAST);
         let work = sheet.fill(corners, layer, pigment);
         self.laid += work;
         work
@@ -539,7 +475,7 @@ impl Walk {
             if width > 2.0 * BROAD && !ink.length.is_zero() {
                 return self.bands(ink, &node, pigment);
             }
-            let amount = amount(&self.look, ink, &node);
+            let amount = self.look.amount(ink, &node);
             let sheet = &mut self.sheets[node.canvas];
             sheet.dot(place.point(ink.centre), amount.units(sheet.exponent).max(LEAST) as f32, pigment);
             return 1;
@@ -547,8 +483,8 @@ impl Walk {
         if extent <= grain {
             let Some(pigment) = self.pigment(&node) else { return 1 };
             self.stats.strokes += 1;
-            let [across, _, down] = squares(&self.look, ink, &node);
-            let amount = amount(&self.look, ink, &node).units(self.sheets[0].exponent);
+            let [across, _, down] = self.look.squares(ink, &node);
+            let amount = self.look.amount(ink, &node).units(self.sheets[0].exponent);
             self.haze.add(place.point(ink.centre), [across, down], amount, pigment);
             return 1;
         }
@@ -599,23 +535,6 @@ impl Walk {
         self.stack.push(node);
         1 + cleared
     }
-}
-
-/// All ink of a block whose strokes are as wide as it is entered with: in layers, times pixels.
-fn amount(look: &Look, ink: &Ink, node: &Node) -> Amount {
-    let scale = node.place.scale.abs();
-    ink.length.times(scale).times(look.width(node.pen.width)).plus(ink.area.times(scale).times(scale))
-}
-
-/// How the ink of a block lies about its centre, in pixels, up and to the right: the mean of x x, x y and y y. What its
-/// strokes reach across, as wide as it is entered with, counts as what they reach along.
-fn squares(look: &Look, ink: &Ink, node: &Node) -> [f64; 3] {
-    let (cos, sin) = node.place.heading.cos_sin();
-    let width = look.width(node.pen.width);
-    let along = turned(ink.spread, [node.place.cos, node.place.sin]);
-    let across = turned(ink.across, [cos, sin]);
-    // An even distribution over a length has a twelfth of its square.
-    [0, 1, 2].map(|i| along[i] + width * width / 12.0 * across[i])
 }
 
 /// The exponent of a unit in which so much ink can be held.

@@ -10,8 +10,8 @@ impl Scene {
         Link { node, style, at: [0.0; 3], axes, widest, length, area, bundle, same: true, before: 0.0, part: 0.0 }
     }
 
-    /// Adds a node; returns its number.
-    pub(super) fn node(&mut self, mut run: Run) -> u32 {
+    /// Tells every content of a node which part of the node's segments comes before.
+    fn set_path(&self, run: &mut Run) {
         let count = run.count;
         for (link, before) in run.links.iter_mut().zip(&run.before[0]) {
             link.before = before.of(count);
@@ -20,6 +20,11 @@ impl Scene {
         for (line, before) in run.lines.iter_mut().zip(&run.before[1]) {
             line.before = before.of(count) as f32;
         }
+    }
+
+    /// Adds a node; returns its number.
+    pub(super) fn node(&mut self, mut run: Run) -> u32 {
+        self.set_path(&mut run);
         let mut balls = [[0.0; WIDTH]; 4];
         let mut widest = WidthChange { factor: 0.0, offset: 0.0 };
         let (mut length, mut area, mut bundle) = (0.0_f32, 0.0_f32, Bundle::default());
@@ -80,7 +85,7 @@ impl Scene {
         let needs = run.links.iter().map(|link| self.nodes[link.node as usize].own.need);
         let need = (needs.sum::<f32>() + contents as f32).min(MANY);
         let sampled = self.sample(&run, length);
-        let own = Own { centre, radius, length, area, bundle, widest, limb, need, sampled, count };
+        let own = Own { centre, radius, length, area, bundle, widest, limb, need, sampled, count: run.count };
         self.nodes.push(Node {
             balls,
             first_link: self.links.len() as u32,

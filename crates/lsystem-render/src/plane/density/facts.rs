@@ -1,0 +1,34 @@
+//! The shape and the ink of every block of a drawing.
+
+use super::ink::{Ink, InkList};
+use crate::plane::descent::Node;
+use crate::plane::shape::{Shape, Shapes};
+use lsystem_drawing::Drawing;
+use lsystem_syntax::{Meter, Progress};
+
+/// What is known of the blocks of a drawing.
+#[derive(Default)]
+pub(super) struct Facts {
+    pub shapes: Shapes,
+    pub inks: InkList,
+}
+
+impl Facts {
+    /// Goes on until all blocks are known.
+    pub(super) fn step(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
+        if self.shapes.step(drawing, meter) == Progress::More {
+            return Progress::More;
+        }
+        self.inks.step(drawing, &self.shapes.list, meter)
+    }
+
+    #[inline]
+    pub(super) fn shape(&self, node: &Node) -> &Shape {
+        &self.shapes.list[node.block.0 as usize]
+    }
+
+    #[inline]
+    pub(super) fn ink(&self, node: &Node) -> &Ink {
+        &self.inks.list[node.block.0 as usize]
+    }
+}

@@ -1,0 +1,172 @@
+//! Paints strokes, polygons and blocks on the canvases of a picture, and counts what that takes.
+
+use super::RenderStats;
+use super::canvas::Canvas;
+use super::descent::{Node, Place};
+use super::inks::InkTable;
+use super::pen::Pen;
+use super::polygon::Filling;
+use super::seen::Seen;
+use super::shape::Shape;
+use super::stroke::Capsule;
+use super::tile;
+use super::view::{Look, TINY};
+use lsystem_drawing::Drawing;
+use lsystem_syntax::Meter;
+
+/// Strokes wider than twice this, in subsamples, are broad: they are not painted into tiles.
+pub(super) const BROAD: f64 = 64.0;
+/// A straight block longer than this is taken apart, so that rounding stays far below a subsample.
+const LONG: f64 = 1e6;
+/// A stroke of so many units of work takes as long as two steps.
+const UNITS: u64 = 32;
+
+/// What paints a picture.
+#[derive(Default)]
+pub(super) struct Painter {
+    pub look: Look,
+    pub inks: InkTable,
+    /// The picture, then a canvas for each size of tile.
+    pub canvases: [Canvas; 1 + tile::SIZES],
+    /// By canvas: how often it has been started anew.
+    serials: [u64; 1 + tile::SIZES],
+    seen: Seen,
+    /// Whether blocks may recur.
+    pub repeats: bool,
+    /// The polygon in hand, and its canvas.
+    filling: Filling,
+    filled: usize,
+    /// The strokes on the picture so far.
+    pub painted: u64,
+    /// What outlines and broad strokes took beyond a step each.
+    extra: u64,
+    pub stats: RenderStats,
+}
+
+impl Painter {
+    /// Starts a picture; `repeats` tells whether blocks may recur.
+    pub(super) fn begin(&mut self, repeats: bool) {
+        self.stats = RenderStats::default();
+        self.repeats = repeats;
+        (self.painted, self.extra) = (0, 0);
+        self.seen.clear();
+    }
+
+    /// Gives up the polygon in hand.
+    pub(super) fn stop(&mut self) {
+        self.filling = Filling::default();
+    }
+
+    /// Makes the canvas for tiles of a size empty, and at least so large.
+    pub(super) fn empty_tile(&mut self, size: usize, [width, height]: [usize; 2], planes: usize) {
+        self.canvases[1 + size].reset(width, height, planes);
+        self.serials[1 + size] += 1;
+    }
+
+    /// Half the width of a block's widest stroke, at most.
+    #[inline]
+    pub(super) fn widest(&self, drawing: &Drawing, node: &Node) -> f64 {
+        self.look.widest(&drawing.blocks[node.block.0 as usize], node.pen.width)
+    }
+
+    /// The steps so far: blocks looked into, strokes and stamps.
+    #[inline]
+    pub(super) fn steps(&self) -> u64 {
+        self.stats.blocks + self.stats.strokes + self.stats.stamps + self.extra
+    }
+
+    /// Counts units of work beyond those of a step.
+    #[inline]
+    pub(super) fn add_work(&mut self, work: u64) {
+        self.extra += work / UNITS;
+    }
+
+    /// Goes on with the polygon in hand; whether there was one.
+    #[inline]
+    pub(super) fn fill(&mut self, meter: &mut Meter) -> bool {
+        if self.filling.is_done() {
+            return false;
+        }
+        self.filling.step(&mut self.canvases[self.filled], meter);
+        true
+    }
+
+    /// Whether no block with these properties has been painted at this place on this canvas.
+    #[inline]
+    pub(super) fn is_new(&mut self, canvas: usize, properties: [u64; 4], place: [f64; 2]) -> bool {
+        let [block, scale, width, grain] = properties;
+        self.seen.paint([self.tag(canvas), block, scale, width, grain], [place])
+    }
+
+    /// Paints a stroke.
+    pub(super) fn stroke(&mut self, canvas: usize, [from, to]: [[f64; 2]; 2], pen: Pen) -> u64 {
+        let radius = self.look.radius(pen.width);
+        if self.repeats && !self.seen.paint([self.tag(canvas), radius.to_bits()], [from, to]) {
+            return 0;
+        }
+        self.stats.strokes += 1;
+        self.painted += u64::from(canvas == 0);
+        let colour = self.inks.code(pen.shade);
+        let rows = Capsule { from, to, radius }.paint(&mut self.canvases[canvas], colour);
+        let work = rows as u64 / 4 + self.canvases[canvas].take_work();
+        self.add_work(work);
+        work
+    }
+
+    /// What tells a canvas from others, former tiles included.
+    #[inline]
+    fn tag(&self, canvas: usize) -> u64 {
+        self.serials[canvas] << 8 | canvas as u64
+    }
+
+    /// Starts to fill a polygon.
+    pub(super) fn polygon(&mut self, canvas: usize, place: &Place, vertices: &[[f64; 2]], pen: Pen) -> u64 {
+        self.stats.strokes += 1;
+        self.painted += u64::from(canvas == 0);
+        let colour = self.inks.code(pen.shade);
+        self.filled = canvas;
+        self.filling.begin(&self.canvases[canvas], vertices.iter().map(|&vertex| place.point(vertex)), colour)
+    }
+
+    /// Paints what a block's hull encloses, in the colour of what it draws last; where strokes are broader than the
+    /// block, one of them.
+    pub(super) fn outline(&mut self, drawing: &Drawing, shape: &Shape, node: &Node, broad: bool) -> u64 {
+        self.stats.outlines += 1;
+        if broad {
+            return self.axis(drawing, shape, node);
+        }
+        let hull = &drawing.blocks[node.block.0 as usize].hull;
+        let pen = node.pen.after(self.inks.choice, &shape.last);
+        match &drawing.corners[hull.start as usize..hull.end as usize] {
+            [from, to] => self.stroke(node.canvas, [*from, *to].map(|p| node.place.point(p)), pen),
+            corners => {
+                let work = self.polygon(node.canvas, &node.place, corners, pen);
+                let work = work + self.filling.finish(&mut self.canvases[node.canvas]);
+                self.extra += self.filling.work as u64 / 4;
+                work
+            }
+        }
+    }
+
+    /// Paints a stroke along a block, in the colour of what it draws last; and below it one as wide as its widest, if that
+    /// is much wider.
+    fn axis(&mut self, drawing: &Drawing, shape: &Shape, node: &Node) -> u64 {
+        let ends = shape.axis().map(|end| node.place.point(end));
+        let pen = node.pen.after(self.inks.choice, &shape.last);
+        let pens = self.look.pens(&drawing.blocks[node.block.0 as usize], node.pen, pen);
+        pens.map(|pen| self.stroke(node.canvas, ends, pen)).sum()
+    }
+
+    /// Paints a block that is a straight line in one colour (only where it is `plain`), or too small to tell from one.
+    pub(super) fn straight(&mut self, drawing: &Drawing, shape: &Shape, node: &Node, plain: bool) -> Option<u64> {
+        let extent = shape.extent(node.place.scale);
+        if let Some(line) = &shape.line
+            && extent < LONG
+            && plain
+        {
+            let ends = [line.from, line.to].map(|p| node.place.point(p));
+            return Some(self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &line.style)));
+        }
+        (extent <= TINY).then(|| self.axis(drawing, shape, node))
+    }
+}

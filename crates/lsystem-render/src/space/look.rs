@@ -1,0 +1,70 @@
+//! What does not change while a picture in space is made.
+
+use super::Quality;
+use super::camera::{Camera, Lens};
+use super::effort::Effort;
+use super::light::Light;
+use crate::{Pane, Viewport};
+use lsystem_drawing::{Drawing, Solid};
+use lsystem_syntax::Style;
+
+/// What does not change while a picture is made.
+#[derive(Clone, Copy)]
+pub(super) struct Look {
+    pub lens: Lens,
+    pub light: Light,
+    pub background: [u8; 3],
+    /// Along the side of a pixel.
+    pub samples: usize,
+    /// Across and down the picture, in samples.
+    pub size: [f64; 2],
+    /// Of a tile, in samples.
+    pub side: [usize; 2],
+    /// Whether there is only one tile.
+    pub single: bool,
+    /// Blocks smaller than this are dots, in samples.
+    pub detail: f32,
+    pub effort: Effort,
+    /// Whether it is only a pane of the picture, whose effort others know.
+    pub pane: bool,
+    /// Where it begins in the picture, in samples.
+    pub corner: [f64; 2],
+    /// Half the smallest stroke width, in samples.
+    pub hairline: f64,
+    /// The stroke width at the start, in step lengths.
+    pub width: f64,
+}
+
+impl Look {
+    /// Of a picture, or only of a pane of it with this budget.
+    pub(super) fn new(
+        drawing: &Drawing<Solid>,
+        style: &Style,
+        viewport: Viewport,
+        camera: &Camera,
+        quality: Quality,
+        only: Option<(Pane, f32)>,
+    ) -> Self {
+        let samples = quality.samples();
+        let lens = Lens::new(drawing, viewport, camera, samples as f64);
+        let size = [viewport.width, viewport.height].map(|pixels| f64::from(pixels) * samples as f64);
+        let side = quality.tile(viewport);
+        let effort = Effort::new(quality, viewport);
+        let pane = only.map_or(Pane::whole(viewport), |(pane, _)| pane.within(viewport));
+        Self {
+            lens,
+            light: Light::new(style, &lens, camera.fade),
+            background: style.background.rgb,
+            samples,
+            size,
+            side,
+            single: (0..2).all(|i| side[i] as f64 >= size[i]),
+            detail: quality.detail() as f32,
+            effort: only.map_or(effort, |(_, budget)| effort.with_budget(budget)),
+            pane: only.is_some(),
+            corner: [pane.x, pane.y].map(|pixels| f64::from(pixels) * samples as f64),
+            hairline: viewport.least_width(style) * samples as f64 / 2.0,
+            width: drawing.width,
+        }
+    }
+}
