@@ -201,7 +201,7 @@ function reported(report) {
     }
     parts?.reader.report(report);
     parts?.playback.report(report);
-    if (report.past) return setText(html('caption-text'), 'This is the last good drawing.');
+    if (report.past) return setText(html('caption-text'), 'Showing the last valid drawing.');
     const mistakes = report.diagnostics.filter(({ severity }) => severity === 'error');
     const [first, ...more] = mistakes;
     if (first) {
@@ -210,7 +210,7 @@ function reported(report) {
         const words = [`${first.message}${where}${more.length > 0 ? `, and ${more.length} more` : ''}.`, first.hint].filter(Boolean).join(' ');
         // Where the rules are shown, what is wrong with them stands below them.
         say(listed ? '' : words);
-        if (parts?.drawn()) setText(html('caption-text'), 'This is the last good drawing.');
+        if (parts?.drawn()) setText(html('caption-text'), 'Showing the last valid drawing.');
         announce(words);
         host.error(first.message, mistakes);
         return;

@@ -139,7 +139,7 @@ export function createGallery(engine, { pick, dress, look }) {
             if (shelf instanceof HTMLElement) shelf.hidden = !shelf.querySelector('.card:not([hidden])');
         }
         nothing.hidden = found > 0;
-        setText(nothing, found > 0 ? '' : chosen.size > 0 ? 'Nothing in the gallery is like that.' : 'Nothing in the gallery has these words.');
+        setText(nothing, found > 0 ? '' : 'No results.');
     }
 
     async function open() {

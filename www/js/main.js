@@ -99,7 +99,7 @@ button('reset').addEventListener('click', store.reset);
 button('start-anew').addEventListener('click', () => {
     session.visit(blank(theme()));
     html('rules').focus();
-    toast('A new system, of your own. Undo brings back what was here.');
+    toast('New system. Undo to go back.');
 });
 addEventListener('keydown', (event) => {
     const command = (event.ctrlKey || event.metaKey) && !event.altKey;
@@ -186,12 +186,12 @@ function reported(next) {
     playback.report(next);
     stage.report(next);
     orbit.report(next);
-    if (next.past) return setText(html('caption-text'), 'This is the last good drawing.');
+    if (next.past) return setText(html('caption-text'), 'Showing the last valid drawing.');
     const [mistake, ...more] = next.diagnostics.filter(({ severity }) => severity === 'error');
     if (mistake) {
         const words = more.length === 0 ? mistake.message : `${mistake.message}, and ${more.length} more`;
-        setText(html('caption-text'), 'This is the last good drawing.');
-        announce(`${words}. The last good drawing stays.`);
+        setText(html('caption-text'), 'Showing the last valid drawing.');
+        announce(`${words}. Showing the last valid drawing.`);
         return;
     }
     setText(html('empty'), next.empty ?? '');
@@ -221,7 +221,7 @@ function troubled({ how, question }) {
     if (question) return toast(QUESTION);
     growing.forget();
     stage.growing(false);
-    if (engine.good.definition) setText(html('caption-text'), 'This is the last good drawing.');
+    if (engine.good.definition) setText(html('caption-text'), 'Showing the last valid drawing.');
     trouble.show(how, engine.good.definition !== null);
 }
 
@@ -271,7 +271,7 @@ function greet() {
 /** @param {import('./link.js').Link} pasted */
 function opened(pasted) {
     session.visit(pasted.state);
-    toast(`Opened the link. Undo brings back what was here. ${problemWords(pasted)}`.trim());
+    toast(`Opened the link. Undo to go back. ${problemWords(pasted)}`.trim());
 }
 
 /** The first few of a link's problems. @param {import('./link.js').Link} link */

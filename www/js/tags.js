@@ -4,14 +4,14 @@
 
 /** All tags, and what they mean. */
 export const TAGS = Object.freeze({
-    deterministic: 'Nothing is left to chance',
-    stochastic: 'Chance decides between productions',
-    'context-sensitive': 'Productions look at what stands around a symbol',
-    parametric: 'Symbols carry numbers',
+    deterministic: 'No randomness',
+    stochastic: 'Productions are chosen at random',
+    'context-sensitive': 'Productions depend on neighbouring symbols',
+    parametric: 'Symbols have parameters',
     '2D': 'Drawn in the plane',
-    '3D': 'The turtle leaves the plane',
-    'shared pieces': 'Equal pieces are drawn once: any number of iterations',
-    'symbol by symbol': 'Every symbol is grown by itself',
+    '3D': 'Drawn in space',
+    'reusable parts': 'Equal parts are drawn once: any number of iterations',
+    'expanded in full': 'Every symbol is drawn by itself: memory limits the iterations',
 });
 
 /**
@@ -19,7 +19,7 @@ export const TAGS = Object.freeze({
  * @param {Sorts} sorts
  */
 export function tagsOf({ kinds, solid, memoised }) {
-    const own = [...kinds, solid ? '3D' : '2D', memoised ? 'shared pieces' : 'symbol by symbol'];
+    const own = [...kinds, solid ? '3D' : '2D', memoised ? 'reusable parts' : 'expanded in full'];
     return Object.keys(TAGS).filter((tag) => own.includes(tag));
 }
 
@@ -28,14 +28,14 @@ export function tagsOf({ kinds, solid, memoised }) {
  * @param {Sorts} sorts
  */
 export function makingOf({ memoised, blocks }) {
-    if (!memoised) return 'grown symbol by symbol';
-    return blocks === 1 ? 'one piece' : `${blocks} shared pieces`;
+    if (!memoised) return 'expanded in full';
+    return blocks === 1 ? 'one part' : `${blocks} reusable parts`;
 }
 
 /** A system has one of each of these: who chooses one gives up the other. */
 const EITHER = [
     ['2D', '3D'],
-    ['shared pieces', 'symbol by symbol'],
+    ['reusable parts', 'expanded in full'],
 ];
 
 /**

@@ -70,11 +70,11 @@ export function favouritesPanel(store, engine, { keeper, session }) {
         event.preventDefault();
         const added = favourite(name.value, store.state);
         const former = list();
-        if (former.some((one) => one.name === added.name && one.link === added.link)) return toast(`“${added.name}” is among the favourites already.`);
-        if (former.length >= MOST_FAVOURITES) return toast(`There is room for ${MOST_FAVOURITES} favourites: delete some first.`);
+        if (former.some((one) => one.name === added.name && one.link === added.link)) return toast(`“${added.name}” is already in favourites.`);
+        if (former.length >= MOST_FAVOURITES) return toast(`At most ${MOST_FAVOURITES} favourites: delete some first.`);
         if (!put([added, ...former])) return toast(FULL);
         name.value = '';
-        toast(`Kept “${added.name}” among the favourites.`);
+        toast(`Added “${added.name}” to favourites.`);
     });
 
     function open() {

@@ -101,9 +101,9 @@ function statusOf({ kind, solid, memoised, blocks, largest }, bound) {
     const limit = bound ? ` It can grow to n = ${bound.largest}. ${largest === null ? `Beyond: ${bound.why}.` : ''}` : '';
     if (memoised === null || blocks === null) return bound ? limit.trim() : 'Growing…';
     const sort = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}${solid ? ', in space' : ''}`;
-    if (!memoised) return `${sort}; grown symbol by symbol.${limit}`;
+    if (!memoised) return `${sort}; expanded in full.${limit}`;
     if (blocks <= 1) return `${sort}.${limit}`;
-    return `${sort}; ${grouped(String(blocks))} shared pieces make up the whole drawing.${limit}`;
+    return `${sort}; drawn from ${grouped(String(blocks))} reusable parts.${limit}`;
 }
 
 /** @param {HTMLButtonElement} element @param {Report} report @param {'symbols' | 'segments'} kind */

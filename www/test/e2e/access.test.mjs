@@ -233,7 +233,7 @@ test('results and mistakes are announced, once and when typing has paused', () =
             await page.focus('#rules');
             await page.keyboard.press('Control+End');
             await page.keyboard.type('\nG = = 1', { delay: 40 });
-            await until(async () => /last good drawing stays/.test((await said()).at(-1) ?? ''), 'the mistake is told');
+            await until(async () => /Showing the last valid drawing/.test((await said()).at(-1) ?? ''), 'the mistake is told');
             assert.equal((await said()).length, before + 1);
         },
     ));

@@ -161,7 +161,7 @@ test('the gallery says what sort each system is, and filters by it', () =>
         const stochastic = await shown();
         assert.ok(stochastic > 3 && stochastic < all / 2);
         assert.equal(await page.textContent('#found'), `${stochastic} of ${all} systems`);
-        for (const kind of await page.locator('#gallery .card:visible .card-kind').allTextContents()) assert.match(kind, /stochastic|symbol by symbol|piece/);
+        for (const kind of await page.locator('#gallery .card:visible .card-kind').allTextContents()) assert.match(kind, /stochastic|expanded in full|part/);
         assert.equal(await page.getAttribute('.chip:has-text("stochastic")', 'aria-pressed'), 'true');
         await page.click('.chip:has-text("stochastic")');
         // A system is drawn in the plane or in space: one of them at a time.
@@ -185,7 +185,7 @@ test('the gallery says what sort each system is, and filters by it', () =>
         const card = page.locator('#gallery .card:visible').first();
         await card.hover();
         assert.equal(await page.textContent('#about-title'), await card.locator('.card-title').textContent());
-        assert.match(String(await card.locator('.card-kind').last().textContent()), /piece|symbol by symbol/);
+        assert.match(String(await card.locator('.card-kind').last().textContent()), /part|expanded in full/);
         await card.click();
         await until(async () => /^[A-Z][a-z, -]+(;|\.)/.test((await page.textContent('#status')) ?? ''), 'the page says it too');
     }));

@@ -6,11 +6,11 @@ const PLANT = { kinds: ['stochastic', 'parametric'], solid: true, memoised: fals
 const KOCH = { kinds: ['deterministic'], solid: false, memoised: true, blocks: 5 };
 
 test('systems have the tags of their kinds', () => {
-    assert.deepEqual(tagsOf(PLANT), ['stochastic', 'parametric', '3D', 'symbol by symbol']);
-    assert.deepEqual(tagsOf(KOCH), ['deterministic', '2D', 'shared pieces']);
-    assert.equal(makingOf(PLANT), 'grown symbol by symbol');
-    assert.equal(makingOf(KOCH), '5 shared pieces');
-    assert.equal(makingOf({ ...KOCH, blocks: 1 }), 'one piece');
+    assert.deepEqual(tagsOf(PLANT), ['stochastic', 'parametric', '3D', 'expanded in full']);
+    assert.deepEqual(tagsOf(KOCH), ['deterministic', '2D', 'reusable parts']);
+    assert.equal(makingOf(PLANT), 'expanded in full');
+    assert.equal(makingOf(KOCH), '5 reusable parts');
+    assert.equal(makingOf({ ...KOCH, blocks: 1 }), 'one part');
 });
 
 test('tags are chosen together, but not with what they exclude', () => {
