@@ -264,7 +264,7 @@ for (const [what, area] of /** @type {const} */ ([['refused', 'refused'], ['full
                 await page.click('#tab-keep');
                 if (area === 'refused') {
                     assert.ok(!(await page.isVisible('#keep-favourite')));
-                    assert.match(await text(page, '#favourites-refused'), /keeps nothing/);
+                    assert.match(await text(page, '#favourites-refused'), /stores nothing/);
                     assert.ok(await page.isVisible('#favourites-refused'));
                     await page.setInputFiles('#file', { name: 'mine.json', mimeType: 'application/json', buffer: Buffer.from('{"format": "l-systems favourites", "favourites": []}') });
                     await until(async () => (await text(page, '#toast')).includes('keeps no favourites'), 'the refusal');
