@@ -3,7 +3,7 @@
  * build has put them there (crates/xtask/src/one_file.rs).
  */
 
-/** What draws: the core, and the script that runs it in the background. */
+/** The compiled core, and the worker that runs it. */
 export const WASM = 'lsystem.wasm';
 export const WORKER = 'worker.js';
 

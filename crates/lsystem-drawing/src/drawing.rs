@@ -75,7 +75,7 @@ pub struct Drawing<S: Space = Plane> {
     pub step: f64,
     /// The turtle's stroke width at the start, in multiples of the step length.
     pub width: f64,
-    /// What the pieces are made of that it shares.
+    /// The words of the pieces that it shares.
     pub(crate) pieces: Pieces<S>,
     /// Whether blocks are shared.
     pub memoised: bool,

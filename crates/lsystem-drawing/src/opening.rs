@@ -24,20 +24,20 @@ pub fn symbol_of_polygon<S: Space>(system: &System, n: u32, drawing: &Drawing<S>
     }
 }
 
-/// What tells of what the symbols of a word become.
+/// The words that symbols become, derivation step by derivation step.
 trait Words {
-    /// A rewritten symbol in some steps.
+    /// A symbol that is rewritten, and the steps to go.
     type Node: Copy;
 
-    /// The word that replaces one.
+    /// The word that replaces a symbol.
     fn successor(&self, node: Self::Node) -> Option<Vec<Member<Self::Node>>>;
 }
 
 /// A symbol of a word.
 struct Member<N> {
-    /// If it is rewritten: what by, and the block of all that it becomes, if that draws anything.
+    /// If the symbol is rewritten: its node, and the block of its derivation, if that draws anything.
     inner: Option<(N, Option<BlockId>)>,
-    /// How many symbols it becomes; saturating.
+    /// The number of symbols in its derivation; saturating.
     symbols: u128,
 }
 

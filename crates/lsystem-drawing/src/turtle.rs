@@ -264,7 +264,7 @@ impl<S: Geometry> Score<S> {
     /// What a letter does; with the `number` of a module's first argument in the place of its first action's.
     pub(crate) fn ops_of(&self, turtle: &Turtle, letter: usize, number: Option<f64>) -> impl Iterator<Item = Op<S>> {
         let (ops, first) = (&self.ops[letter], turtle.actions[letter].first());
-        // A way that leaves vertices leaves one before it.
+        // Beside polygons, a vertex comes before every draw and move.
         let leaves = matches!(first, Some(Action::Draw(_) | Action::Move(_))) && matches!(ops[..], [Op::Vertex, ..]);
         let numbered = number.zip(first).map(|(number, action)| (usize::from(leaves), action.with(number)));
         ops.iter().enumerate().map(move |(index, &op)| match numbered {

@@ -6,10 +6,10 @@ use anyhow::Result;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What the oldest browsers understand for which the page is made.
+/// The language level of the oldest browsers that the page supports.
 const TARGET: &str = "--target=es2022";
 
-/// Makes what is sent from what is written in a folder.
+/// Bundles and minifies the files of a folder.
 pub(crate) trait Bundler {
     /// A module with everything that it imports.
     fn module(&self, entry: &str) -> Result<String>;

@@ -1,14 +1,14 @@
-//! What shared pieces are made of, kept to find the symbols that drew something.
+//! The words of shared pieces, kept to find which symbol drew a segment or opened a polygon.
 
 use super::block::{BlockId, Space};
 use super::piece::Level;
 use crate::room::bytes_of;
 use core::ops::Range;
 
-/// What shared pieces are made of.
+/// The words of shared pieces.
 #[derive(Clone, Debug)]
 pub(crate) enum Pieces<S: Space> {
-    /// Nothing is shared, or nobody asks.
+    /// Nothing is shared, or modules with parameters draw no polygons.
     None,
     /// Of plain letters, by depth from 1.
     Letters(Vec<Level<S>>),
@@ -43,9 +43,9 @@ pub(crate) struct StateWords {
 pub(crate) struct StateWord {
     /// The modules that replace it.
     pub modules: Range<u32>,
-    /// What it draws.
+    /// The block that it draws, if any.
     pub block: Option<BlockId>,
-    /// How many symbols it is made of at the end.
+    /// The number of symbols in its derivation.
     pub symbols: u128,
 }
 

@@ -43,7 +43,7 @@ pub(super) enum Outcome<T> {
 #[derive(Clone, Debug)]
 pub(crate) struct Made<S: Space> {
     pub root: Option<BlockId>,
-    /// What the pieces are made of that it shares.
+    /// The words of the pieces that it shares.
     pub pieces: Pieces<S>,
     /// The symbols of the generation, where it has been gone through.
     pub symbols: Option<u64>,

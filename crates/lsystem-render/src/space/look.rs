@@ -36,21 +36,20 @@ pub(super) struct Look {
 }
 
 impl Look {
-    /// Of a picture, or only of a pane of it with this budget.
+    /// Of a pane; with a budget if it is a part of a picture that several workers make.
     pub(super) fn new(
         drawing: &Drawing<Solid>,
         style: &Style,
         viewport: Viewport,
         camera: &Camera,
         quality: Quality,
-        only: Option<(Pane, f32)>,
+        (pane, budget): (Pane, Option<f32>),
     ) -> Self {
         let samples = quality.samples();
         let lens = Lens::new(drawing, viewport, camera, samples as f64);
         let size = [viewport.width, viewport.height].map(|pixels| f64::from(pixels) * samples as f64);
         let side = quality.tile(viewport);
         let effort = Effort::new(quality, viewport);
-        let pane = only.map_or(Pane::whole(viewport), |(pane, _)| pane.within(viewport));
         Self {
             lens,
             light: Light::new(style, &lens, camera.fade),
@@ -60,8 +59,8 @@ impl Look {
             side,
             single: (0..2).all(|i| side[i] as f64 >= size[i]),
             detail: quality.detail() as f32,
-            effort: only.map_or(effort, |(_, budget)| effort.with_budget(budget)),
-            pane: only.is_some(),
+            effort: budget.map_or(effort, |budget| effort.with_budget(budget)),
+            pane: budget.is_some(),
             corner: [pane.x, pane.y].map(|pixels| f64::from(pixels) * samples as f64),
             hairline: viewport.least_width(style) * samples as f64 / 2.0,
             width: drawing.width,

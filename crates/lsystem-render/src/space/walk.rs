@@ -64,8 +64,9 @@ impl Walk {
         quality: Quality,
         only: Option<(Pane, f32)>,
     ) -> u64 {
-        self.look = Some(Look::new(drawing, style, viewport, camera, quality, only));
         let pane = only.map_or(Pane::whole(viewport), |(pane, _)| pane.within(viewport));
+        let budget = only.map(|(_, budget)| budget);
+        self.look = Some(Look::new(drawing, style, viewport, camera, quality, (pane, budget)));
         let size = self.picture.begin(pane, style.background.rgb);
         self.stack.clear();
         self.painter.stop();

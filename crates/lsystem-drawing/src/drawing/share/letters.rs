@@ -54,7 +54,7 @@ pub(super) fn is_balanced<'a, S: Space>(ops: impl IntoIterator<Item = &'a Op<S>>
 }
 
 /// Whether every polygon that is opened or closed by the letters of a word that stay is opened and closed by them, and
-/// only they stand inside. Letters are told by what they do; by nothing those that are rewritten.
+/// only they stand inside. Each letter is given by its operations, or by `None` if it is rewritten.
 pub(super) fn is_filled_at_once<'a, S: Space>(word: impl IntoIterator<Item = Option<&'a [Op<S>]>>) -> bool {
     let mut open = 0_i64;
     let fits = word.into_iter().all(|ops| {

@@ -96,7 +96,7 @@ pub(crate) struct States<S: Space> {
     deeds: Vec<Deed<S>>,
     /// By letter, whether it shows anything, where that tells what goes on in another's place and does not grow.
     shows: Vec<bool>,
-    /// What the pieces are made of, where there are polygons and so somebody may ask which symbol opens one.
+    /// The words of the states; only where there are polygons, to find the symbol that opens one.
     words: Option<StateWords>,
 }
 
@@ -168,7 +168,7 @@ type Counted<S> = (Piece<S>, u128);
 #[derive(Clone, Copy, Debug)]
 enum Deed<S: Space> {
     Op(Op<S>),
-    /// What follows is of the module at this place of the word, where there are polygons.
+    /// The index in the word of the module that the next deeds belong to; only where there are polygons.
     Place(u32),
     /// The colour that tells when what follows was made.
     Date(ColourChange),
@@ -292,7 +292,7 @@ impl<S: Space> States<S> {
         *below = core::mem::take(here);
     }
 
-    /// What the pieces are made of, when all of them are.
+    /// The words of all states, when all pieces are made.
     fn made_of(&mut self) -> Pieces<S> {
         let axiom = self.top.clone();
         self.words.take().map_or(Pieces::None, |words| Pieces::States(StateWords { axiom, ..words }))

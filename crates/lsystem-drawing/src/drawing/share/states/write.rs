@@ -34,7 +34,7 @@ pub(super) struct Writing<S: Space> {
     drawn: usize,
     /// What the parts do at most, in items.
     weight: usize,
-    /// Of the module that is drawn in the word, where there are polygons.
+    /// The index in the word of the module that is drawn; only where there are polygons.
     place: u32,
     pen: Pen<S>,
     saved: Vec<Pen<S>>,
