@@ -1,23 +1,20 @@
 /**
  * <l-system axiom="X" angle="25" n="5" controls="angle,n">X -> F[+X]-X</l-system>: a live drawing in any page.
  *
- * One classic script, because other sites may not import our modules. The drawing is embed.html in a frame, from beside
+ * It is built into one classic script, because other sites may not import our modules. The drawing is embed.html in a frame, from beside
  * this script; attributes go there as messages, and what happens there comes back as events. docs/embedding.md tells
  * all of it.
  */
+import { ATTRIBUTES } from './js/tables.js';
+
 (() => {
     const script = document.currentScript;
     const HOME = new URL('embed.html', script instanceof HTMLScriptElement && script.src ? script.src : location.href);
     /** Pages from a disk have no origin that could be told from another's. */
     const ORIGIN = HOME.protocol === 'file:' ? null : HOME.origin;
 
-    /** Attributes that are values of the drawing, named as in links. */
-    const VALUES = [
-        ...['title', 'axiom', 'rules', 'n', 'angle', 'right', 'down', 'up', 'roll', 'rollright', 'heading', 'step', 'start', 'tropism', 'elasticity', 'shorter', 'vary', 'varylength', 'growth'],
-        ...['turtle', 'do', 'seed', 'palette', 'colour', 'hold', 'turns', 'bg', 'width', 'thinner', 'thin', 'ink', 'exposure', 'name', 'source', 'notes', 'view', 'camera'],
-    ];
-    /** Those whose names mean something else on an HTML element are written as here. */
-    const ATTRIBUTES = new Map(VALUES.map((key) => [{ title: 'caption', width: 'stroke' }[key] ?? key, key]));
+    /** Attributes that are values of the drawing, and their keys in links. */
+    const KEYS = new Map(Object.entries(ATTRIBUTES));
     const PAUSE = 40;
 
     const STYLE = `
@@ -27,7 +24,7 @@
         @media print { :host { break-inside: avoid; } }`;
 
     class LSystem extends HTMLElement {
-        static observedAttributes = ['link', 'controls', 'theme', 'loading', ...ATTRIBUTES.keys()];
+        static observedAttributes = ['link', 'controls', 'theme', 'loading', ...KEYS.keys()];
 
         /** @type {HTMLIFrameElement | null} */
         #frame = null;
@@ -161,7 +158,7 @@
 
         /** The values that attributes and text give, as strings. @returns {Record<string, string>} */
         #given() {
-            const values = Object.fromEntries([...ATTRIBUTES].flatMap(([name, key]) => (this.hasAttribute(name) ? [[key, this.getAttribute(name) ?? '']] : [])));
+            const values = Object.fromEntries([...KEYS].flatMap(([name, key]) => (this.hasAttribute(name) ? [[key, this.getAttribute(name) ?? '']] : [])));
             if (values.rules === undefined) {
                 const text = rulesIn(this);
                 if (text !== '') values.rules = text;

@@ -1,9 +1,11 @@
 /** Arithmetic of looking at a drawing in space: orbit, pan, zoom. Pure functions. */
 
-import { MAX_CAMERA_ZOOM, MIN_ZOOM } from './state.js';
+import { rangeOf } from './state.js';
 
 /** @typedef {import('./state.js').Camera} Camera */
 /** @typedef {[number, number, number]} Vector */
+
+const ZOOM = rangeOf('camera', 'zoom');
 
 /** What is shown until the reader moves it; as the core's own. @type {Readonly<Camera>} */
 export const FRONT = Object.freeze({ azimuth: 25, elevation: 12, zoom: 1, x: 0, y: 0, z: 0, perspective: true, fade: 0 });
@@ -73,7 +75,7 @@ export function slide(camera, dx, dy, scale) {
  * @returns {Camera}
  */
 export function zoomed(camera, factor, px, py, scale) {
-    const zoom = Math.min(MAX_CAMERA_ZOOM, Math.max(MIN_ZOOM, camera.zoom * factor));
+    const zoom = Math.min(ZOOM.high, Math.max(ZOOM.low, camera.zoom * factor));
     const by = (1 / camera.zoom - 1 / zoom) / scale;
     return { ...shifted(camera, px * by, -py * by), zoom };
 }

@@ -6,7 +6,8 @@
  * escape what makes links readable.
  */
 
-import { DEFAULTS, MAX_PALETTE, clean, same } from './state.js';
+import { DEFAULTS, clean, mostOf, problemOf, same } from './state.js';
+import { FIELDS } from './tables.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {{state: State, problems: string[]}} Link what a link holds, and what of it could not be read, in words */
@@ -34,7 +35,7 @@ const list = (count) => ({ write: (value) => value.join(), read: (value) => valu
 /** @type {Form} */
 const colour = { write: (value) => value.slice(1), read: (value) => `#${value.toLowerCase()}` };
 /** @type {Form} */
-const colours = { write: (value) => value.map(colour.write).join(), read: (value) => value.split(',', MAX_PALETTE + 1).map(colour.read) };
+const colours = { write: (value) => value.map(colour.write).join(), read: (value) => value.split(',', mostOf('palette') + 1).map(colour.read) };
 /** @type {Form} */
 const flag = { write: (value) => (value ? '1' : '0'), read: (value) => ({ 0: false, 1: true })[value] };
 /** @type {Form} */
@@ -61,46 +62,19 @@ const camera = {
     },
 };
 
+/** @type {Record<string, Form>} */
+const FORMS = { text, word: text, number, colour, colours, flag };
+
+/** @param {keyof State} name @returns {Form} */
+function formOf(name) {
+    if (name === 'view') return view;
+    if (name === 'camera') return camera;
+    const field = FIELDS[name];
+    return /** @type {Form} */ (field.kind === 'list' ? list(field.count) : FORMS[field.kind]);
+}
+
 /** Key in the link, field of the state, form of its value; in the order of writing. @type {[string, keyof State, Form][]} */
-export const KEYS = [
-    ['title', 'title', text],
-    ['axiom', 'axiom', text],
-    ['rules', 'rules', text],
-    ['n', 'iterations', number],
-    ['angle', 'angle', number],
-    ['right', 'rightAngle', number],
-    ['down', 'pitchDown', number],
-    ['up', 'pitchUp', number],
-    ['roll', 'rollLeft', number],
-    ['rollright', 'rollRight', number],
-    ['heading', 'heading', number],
-    ['step', 'step', number],
-    ['start', 'start', list(2)],
-    ['tropism', 'tropism', list(3)],
-    ['elasticity', 'elasticity', number],
-    ['shorter', 'lengthFactor', number],
-    ['vary', 'angleVariation', number],
-    ['varylength', 'lengthVariation', number],
-    ['growth', 'growth', number],
-    ['turtle', 'dialect', text],
-    ['do', 'overrides', text],
-    ['seed', 'seed', number],
-    ['palette', 'palette', colours],
-    ['colour', 'colourBy', text],
-    ['hold', 'paletteHolds', flag],
-    ['turns', 'turnColours', list(2)],
-    ['bg', 'background', colour],
-    ['width', 'width', number],
-    ['thinner', 'widthFactor', number],
-    ['thin', 'minWidth', number],
-    ['ink', 'ink', text],
-    ['exposure', 'exposure', number],
-    ['name', 'name', text],
-    ['source', 'source', text],
-    ['notes', 'notes', text],
-    ['view', 'view', view],
-    ['camera', 'camera', camera],
-];
+export const KEYS = /** @type {(keyof State)[]} */ (Object.keys(FIELDS)).map((name) => [FIELDS[name].link, name, formOf(name)]);
 
 /** What a link can hold. */
 const KNOWN = new Set(['v', PACKED, ...KEYS.map(([key]) => key)]);
@@ -162,8 +136,8 @@ export function readLink(hash, unpacked = null) {
     }
     const state = clean(values);
     for (const [key, field] of KEYS) {
-        if (!given.has(key) || same(values[field], state[field])) continue;
-        problems.push(same(state[field], DEFAULTS[field]) ? `“${key}” in the link is not understood and was left out.` : `“${key}” in the link is out of bounds: the nearest value was taken.`);
+        const wrong = given.has(key) && problemOf(field, values[field]);
+        if (wrong) problems.push(`“${key}” in the link ${wrong}.`);
     }
     return { state, problems };
 }

@@ -2,6 +2,7 @@
 
 import { followAddress } from './address.js';
 import { announce, toast } from './announce.js';
+import { dialRows } from './controls/dial-rows.js';
 import { button, html, setText } from './dom.js';
 import { createEngine, isWrong } from './engine.js';
 import { createGallery } from './gallery.js';
@@ -65,6 +66,7 @@ const growth = growthPanel(store, engine);
 const turtle = turtlePanel(store);
 followNotation(store, engine, [rules, constantsPanel(store, rules), turtle]);
 const look = lookPanel(store);
+const dials = dialRows(store);
 const trouble = createTrouble({ back: goBack, again: drawAgain });
 const showAddress = followAddress(store, { open: opened });
 
@@ -141,6 +143,7 @@ function show(state, before) {
     growth.show(state);
     turtle.show(state);
     look.show(state);
+    dials.show(state);
     stage.show(state, before);
     orbit.show(state, before);
     reader.show(state, before);

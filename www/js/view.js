@@ -1,8 +1,10 @@
 /** Arithmetic of looking: pan, zoom, and where an old picture stands in a new view. Pure functions. */
 
-import { MAX_ZOOM, MIN_ZOOM } from './state.js';
+import { rangeOf } from './state.js';
 
 /** @typedef {import('./state.js').View} View */
+
+const ZOOM = rangeOf('view', 'zoom');
 
 /** Below this magnification a single number says a place to well under a pixel. */
 const COARSE = 1e6;
@@ -33,7 +35,7 @@ export function pan(view, dx, dy, scale) {
  * @returns {View}
  */
 export function zoomAt(view, factor, px, py, scale) {
-    const zoom = Math.min(MAX_ZOOM, Math.max(MIN_ZOOM, view.zoom * factor));
+    const zoom = Math.min(ZOOM.high, Math.max(ZOOM.low, view.zoom * factor));
     const shift = (1 / view.zoom - 1 / zoom) / scale;
     return moved(view, px * shift, -py * shift, zoom);
 }

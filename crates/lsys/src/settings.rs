@@ -1,56 +1,46 @@
 //! What `--set` changes in a file's system.
 
 use lsystem::Definition;
-use serde_json::{Map, Value};
+use lsystem::syntax::{FIELDS, FieldSpec, Value};
 
-/// The system with these fields, by name, at these values. Names are those of files (`colour_by`, `angle_deg`) and of
-/// the page (`colourBy`, `angle`); a value is JSON, or a text where it is none.
+/// The system with these fields, by name, at these values. Names are those of the page (`colourBy`), of files
+/// (`colour_by`) and of links (`colour`), in this order; a value is JSON, or a text where it is none.
 ///
 /// # Errors
 /// In words, where there is no such field, or it takes no such value.
 pub(crate) fn apply(definition: &Definition, settings: &[(String, String)]) -> Result<Definition, String> {
-    let fields = || match serde_json::to_value(definition) {
-        Ok(Value::Object(fields)) => fields,
-        _ => Map::new(),
-    };
-    let mut all = fields();
+    let mut changed = definition.clone();
     for (name, text) in settings {
-        let field = field_name(name);
-        let Some(value) = all.get_mut(&field) else {
-            let mut known: Vec<String> = fields().keys().cloned().collect();
-            known.sort();
-            return Err(format!("--set: there is no `{name}`; there are {}", known.join(", ")));
+        let Some(spec) = spec(name) else {
+            return Err(format!("--set: there is no `{name}`; there are {}", known().join(", ")));
         };
-        *value = match serde_json::from_str(text) {
-            Ok(json) if !value.is_string() => json,
-            _ => Value::String(text.clone()),
+        let value = match serde_json::from_str(text) {
+            // A number may be a text: a name, for example.
+            Ok(value) if spec.expected.takes(&value) || (spec.optional && value == Value::Nothing) => value,
+            _ => Value::Text(text.clone()),
         };
-        read(&all).map_err(|error| format!("--set {name}={text}: {error}"))?;
-    }
-    read(&all).map_err(|error| error.to_string())
-}
-
-fn read(fields: &Map<String, Value>) -> serde_json::Result<Definition> {
-    // The look is read as a value of its own.
-    let style = serde_json::from_value(Value::Object(fields.clone()))?;
-    Ok(Definition { style, ..serde_json::from_value(Value::Object(fields.clone()))? })
-}
-
-/// The name as the page has it.
-fn field_name(name: &str) -> String {
-    match name {
-        "initial" => "axiom".to_owned(),
-        "num_iters" => "iterations".to_owned(),
-        _ => {
-            let mut words = name.trim_end_matches("_deg").split('_');
-            let first = words.next().unwrap_or_default().to_owned();
-            words.fold(first, |name, word| {
-                let mut letters = word.chars();
-                let capital = letters.next().map(|letter| letter.to_ascii_uppercase());
-                name + &capital.into_iter().chain(letters).collect::<String>()
-            })
+        if !spec.admits(&value) || !spec.set(&mut changed, &value) {
+            return Err(format!("--set {name}={text}: {} must be {}", spec.label, spec.wanted()));
         }
     }
+    Ok(changed)
+}
+
+fn spec(name: &str) -> Option<&'static FieldSpec> {
+    let called = |of: fn(&FieldSpec) -> &str| FIELDS.iter().find(|spec| spec.is_defined() && of(spec) == name);
+    called(|spec| spec.name).or_else(|| called(key)).or_else(|| called(|spec| spec.link))
+}
+
+/// The key in files.
+fn key(spec: &FieldSpec) -> &str {
+    spec.file.map_or("", |(_, key)| key)
+}
+
+/// The keys in files, sorted.
+fn known() -> Vec<&'static str> {
+    let mut keys: Vec<_> = FIELDS.iter().filter(|spec| spec.is_defined()).map(key).collect();
+    keys.sort_unstable();
+    keys
 }
 
 #[cfg(test)]
@@ -63,21 +53,37 @@ mod tests {
     }
 
     #[test]
-    fn fields_are_set_by_either_name() {
-        let named =
-            set(&[("angle_deg", "25.7"), ("colour_by", "path"), ("length_factor", "0.8"), ("name", "7")]).unwrap();
+    fn fields_are_set_by_any_of_their_names() {
+        let named = set(&[("angle_deg", "25.7"), ("colour_by", "path"), ("shorter", "0.8"), ("name", "7")]).unwrap();
         assert_eq!((named.angle, named.length_factor, named.style.colour_by.name()), (25.7, 0.8, "path"));
         assert_eq!(named.name, "7");
         let lists =
             set(&[("palette", r##"["#123456","red"]"##), ("tropism", "[1,0,0]"), ("paletteHolds", "true")]).unwrap();
         assert_eq!((lists.style.palette.len(), lists.tropism, lists.style.palette_holds), (2, [1.0, 0.0, 0.0], true));
         assert_eq!(set(&[("right_angle_deg", "30")]).unwrap().right_angle, Some(30.0));
+        assert_eq!(set(&[("right", "30"), ("right", "null")]).unwrap().right_angle, None);
+    }
+
+    #[test]
+    fn every_field_is_set_to_what_it_is() {
+        let usual = Definition::default();
+        for spec in FIELDS.iter().filter(|spec| spec.is_defined()) {
+            let value = serde_json::to_string(&spec.get(&usual)).unwrap();
+            assert_eq!(apply(&usual, &[(spec.name.to_owned(), value)]).as_ref(), Ok(&usual), "{}", spec.name);
+        }
     }
 
     #[test]
     fn mistakes_are_told() {
         assert!(set(&[("colr", "1")]).unwrap_err().contains("no `colr`"));
-        assert!(set(&[("width", "wide")]).unwrap_err().starts_with("--set width=wide"));
-        assert!(set(&[("colour_by", "moon")]).unwrap_err().contains("moon"));
+        assert_eq!(
+            set(&[("width", "wide")]).unwrap_err(),
+            "--set width=wide: Stroke width (steps) must be a number from 0 to 1,000,000,000"
+        );
+        assert_eq!(
+            set(&[("num_iters", "2000")]).unwrap_err(),
+            "--set num_iters=2000: Iterations must be a whole number from 0 to 1,000"
+        );
+        assert!(set(&[("colour_by", "moon")]).unwrap_err().contains("must be one of `symbol`"));
     }
 }

@@ -348,28 +348,27 @@ fn broken_files_are_explained() {
         &file("wrong_types"),
         1,
         &expect![[r#"
-        error: `angle_deg` must be a number, not a string
-         --> crates/lsys/tests/broken/wrong_types.json:3:16
-          |
-        3 |   "angle_deg": "ninety",
-          |                ^^^^^^^^
-        error: `num_iters` must be a whole number from 0 to 1000
-         --> crates/lsys/tests/broken/wrong_types.json:4:16
-          |
-        4 |   "num_iters": -1,
-          |                ^^
-        error: `rules` must be an outcome {"p": 0.5, "e": "F+F"}, not a string
-         --> crates/lsys/tests/broken/wrong_types.json:5:19
-          |
-        5 |   "rules": {"F": ["FF"]},
-          |                   ^^^^
-        error: `logo` is not a value of `dialect`
-         --> crates/lsys/tests/broken/wrong_types.json:6:25
-          |
-        6 |   "turtle": {"dialect": "logo", "overrides": {"G": "jump"}}
-          |                         ^^^^^^
-          = help: It can be `abop`, `every-letter`, `practical`, `lowercase`, `axes`.
-    "#]],
+            error: `angle_deg` must be a number, not a string
+             --> crates/lsys/tests/broken/wrong_types.json:3:16
+              |
+            3 |   "angle_deg": "ninety",
+              |                ^^^^^^^^
+            error: `num_iters` must be a whole number from 0 to 1,000
+             --> crates/lsys/tests/broken/wrong_types.json:4:16
+              |
+            4 |   "num_iters": -1,
+              |                ^^
+            error: `rules` must be an outcome {"p": 0.5, "e": "F+F"}, not a string
+             --> crates/lsys/tests/broken/wrong_types.json:5:19
+              |
+            5 |   "rules": {"F": ["FF"]},
+              |                   ^^^^
+            error: `dialect` must be one of `abop`, `every-letter`, `practical`, `lowercase`, `axes`
+             --> crates/lsys/tests/broken/wrong_types.json:6:25
+              |
+            6 |   "turtle": {"dialect": "logo", "overrides": {"G": "jump"}}
+              |                         ^^^^^^
+        "#]],
     );
     bad(
         &file("wrong_rules"),
@@ -418,12 +417,12 @@ fn broken_files_are_explained() {
         &file("too_many"),
         1,
         &expect![[r#"
-        error: `num_iters` must be a whole number from 0 to 1000
-         --> crates/lsys/tests/broken/too_many.json:3:16
-          |
-        3 |   "num_iters": 2000,
-          |                ^^^^
-    "#]],
+            error: `num_iters` must be a whole number from 0 to 1,000
+             --> crates/lsys/tests/broken/too_many.json:3:16
+              |
+            3 |   "num_iters": 2000,
+              |                ^^^^
+        "#]],
     );
     bad(
         &file("is_missing"),
@@ -445,7 +444,7 @@ fn broken_files_are_explained() {
 fn warnings_do_not_stop_the_work() {
     let output = lsys(&["expand", "crates/lsys/tests/broken/doubtful.json"]);
     expect![[r#"
-        warning: Nothing reads the key `angel_deg`
+        warning: Unknown key `angel_deg`
          --> crates/lsys/tests/broken/doubtful.json:4:3
           |
         4 |   "angel_deg": 20,

@@ -8,8 +8,8 @@ use lsystem_syntax::notation::{self, Places, Reading};
 use lsystem_syntax::notes::Notes;
 use lsystem_syntax::sorted::{set, sort};
 use lsystem_syntax::{
-    Action, ColourBy, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, LimitName, MAX_ITERATIONS,
-    MAX_LETTERS, MAX_PALETTE, Module, Production, Quantity, Style, parse_overrides,
+    Action, ColourBy, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, LimitName, MAX_LETTERS, Module,
+    Production, Style, parse_overrides,
 };
 use std::sync::Arc;
 
@@ -37,7 +37,7 @@ impl System {
         let (overrides, overrides_diagnostics) = parse_overrides(&definition.overrides);
         let mut diagnostics = core::mem::take(&mut reading.diagnostics);
         diagnostics.extend(overrides_diagnostics);
-        diagnostics.extend(check_numbers(definition));
+        diagnostics.extend(definition.out_of_range());
         if diagnostics.iter().any(Diagnostic::is_error) {
             return (None, diagnostics);
         }
@@ -196,52 +196,6 @@ impl Actions<'_> {
             && self.overridden(symbol).is_none();
         self.of(symbol).iter().map(move |&action| if unmarked { action.unmarked() } else { action })
     }
-}
-
-fn check_numbers(definition: &Definition) -> Vec<Diagnostic> {
-    let mut notes = Notes::new(Field::Numbers);
-    let mut add = |kind| notes.add(kind, 0..0);
-    let style = &definition.style;
-    let numbers = [
-        (Quantity::Angle, definition.angle),
-        (Quantity::RightAngle, definition.right_angle.unwrap_or(0.0)),
-        (Quantity::Heading, definition.heading),
-        (Quantity::Step, definition.step),
-        (Quantity::Start, definition.start[0]),
-        (Quantity::Start, definition.start[1]),
-        (Quantity::Pitch, definition.pitch_down.unwrap_or(0.0)),
-        (Quantity::Pitch, definition.pitch_up.unwrap_or(0.0)),
-        (Quantity::Roll, definition.roll_left.unwrap_or(0.0)),
-        (Quantity::Roll, definition.roll_right.unwrap_or(0.0)),
-        (Quantity::Tropism, definition.tropism[0]),
-        (Quantity::Tropism, definition.tropism[1]),
-        (Quantity::Tropism, definition.tropism[2]),
-        (Quantity::Elasticity, definition.elasticity),
-        (Quantity::Width, style.width),
-        (Quantity::MinWidth, style.min_width),
-        (Quantity::Exposure, style.exposure),
-        (Quantity::WidthFactor, style.width_factor),
-        (Quantity::LengthFactor, definition.length_factor),
-        (Quantity::AngleVariation, definition.angle_variation),
-        (Quantity::LengthVariation, definition.length_variation),
-        (Quantity::Growth, definition.growth),
-    ];
-    for (quantity, value) in numbers {
-        let expected = quantity.expected();
-        if !expected.admits(value) {
-            add(Kind::Number { quantity, expected });
-        }
-    }
-    if definition.iterations > MAX_ITERATIONS {
-        add(Kind::Limit { limit: LimitName::Iterations, value: u64::from(MAX_ITERATIONS), largest: None });
-    }
-    if style.palette.is_empty() {
-        add(Kind::EmptyPalette);
-    }
-    if style.palette.len() > MAX_PALETTE {
-        add(Kind::Limit { limit: LimitName::Palette, value: MAX_PALETTE as u64, largest: None });
-    }
-    notes.finish()
 }
 
 /// What works but may not be meant.

@@ -1,18 +1,8 @@
 //! Systems as JSON files.
 //!
-//! An object; comments, trailing commas and unquoted keys are accepted. All keys may be missing.
-//!
-//! | key | type, default | meaning |
-//! |---|---|---|
-//! | `name`, `title`, `source`, `notes` | string, `""` | words about the system |
-//! | `stochastic` | boolean | says nothing: the rules decide |
-//! | `initial` | string, `""` | the axiom |
-//! | `angle_deg` | number, 0 | the angle of a turn, in degrees |
-//! | `num_iters` | whole number, 1 | derivation steps |
-//! | `rules` | see below | productions |
-//! | `seed` | whole number, 0 | selects among the outcomes of stochastic productions |
-//! | `turtle` | object | what symbols do; see below |
-//! | `style` | object | colours and widths; see below |
+//! An object; comments, trailing commas and unquoted keys are accepted. All keys may be missing; [`FIELDS`] lists them
+//! with their defaults and ranges, and README shows the list. The objects `turtle` and `style` stand in it, and
+//! `stochastic`, which says nothing: the rules decide.
 //!
 //! `rules` is an object in the course's files: `{"F": "F+F", "X": [{"p": 0.5, "e": "XF"}, {"p": 0.5, "e": "X"}]}`. Its
 //! strings and `initial` are plain characters then, each a symbol, white space included; nothing in them has another
@@ -20,38 +10,8 @@
 //! in our notation, and so is `initial`.
 //!
 //! A file without `turtle` is one of the course's: every letter draws ([`Dialect::EveryLetter`]), the style is
-//! [`Style::course`]. `turtle` holds
-//!
-//! | key | type, default | meaning |
-//! |---|---|---|
-//! | `dialect` | `"abop"` (the default), `"every-letter"`, `"practical"`, `"lowercase"`, `"axes"` | what symbols do |
-//! | `overrides` | object, `{}` | exceptions, as in `{"G": "move", "A": "draw 10"}`; or a list of lines `"G: move"` |
-//! | `right_angle_deg` | number | the angle of a right turn, where it is not `angle_deg` |
-//! | `pitch_down_deg`, `pitch_up_deg` | number | the angle of pitching down, where it is not `angle_deg`; of pitching up, where that is another |
-//! | `roll_left_deg`, `roll_right_deg` | number | of rolling left and right, in the same way |
-//! | `heading_deg` | number, 90 | at the start, degrees counter-clockwise from +x |
-//! | `step` | number, 1 | the step length, in model units |
-//! | `start` | `[x, y]`, `[0, 0]` | where the turtle starts, in model units, y up |
-//! | `tropism` | `[x, y, z]`, `[0, -1, 0]` | what branches bend towards, z towards the viewer |
-//! | `elasticity` | number, 0 | how easily they bend |
-//! | `length_factor` | number, 1 | what every branch multiplies lengths by |
-//! | `angle_variation`, `length_variation` | number, 0 | by how much angles and lengths differ at random, at most; percent |
-//! | `growth` | number, 1 | how far what the last derivation step made has grown |
-//!
-//! and `style`, whose defaults are those of [`Style::for_dialect`],
-//!
-//! | key | type | meaning |
-//! |---|---|---|
-//! | `palette` | list of colours such as `"#1f5c3a"` | the stroke colours |
-//! | `colour_by` | `"symbol"`, `"single"`, `"level"`, `"turn"`, `"generation"`, `"path"`, `"density"` | what the colour follows |
-//! | `palette_holds` | bool | whether by level and by generation what is beyond the palette has its last colour |
-//! | `turn_colours` | `[left, right]` | the palette's indices that turns choose, by turn |
-//! | `background` | colour | behind the drawing |
-//! | `width` | number | the stroke width, in multiples of the step length |
-//! | `width_factor` | number | what every branch multiplies it by |
-//! | `min_width` | number | the least stroke width, in CSS pixels |
-//! | `ink` | `"solid"`, `"density"` | whether strokes cover each other or their ink adds up |
-//! | `exposure` | number | how much of the ink shows where it adds up, in stops |
+//! [`Style::course`]. Where there is one, the style's defaults are those of [`Style::for_dialect`]. `overrides` is an
+//! object, as in `{"G": "move", "A": "draw 10"}`, or a list of lines `"G: move"`.
 //!
 //! Unknown keys are reported and skipped.
 
@@ -62,60 +22,15 @@ use jsonc_parser::ast::{Object, ObjectProp, Value};
 use jsonc_parser::common::Ranged;
 use jsonc_parser::errors::{ParseError, ParseErrorKind};
 use jsonc_parser::{CollectOptions, ParseOptions, ParseStringErrorKind, parse_to_ast};
+use lsystem_syntax::Value as Held;
+use lsystem_syntax::fields::{Section, field};
 use lsystem_syntax::notes::{Notes, excerpt, similar};
 use lsystem_syntax::sorted::repeated;
 use lsystem_syntax::{
-    Colour, ColourBy, Definition, Diagnostic, Dialect, Expected, Field, Grammar, Ink, JsonError, Kind, LimitName,
-    MAX_ITERATIONS, MAX_PALETTE, Module, Production, Quantity, Style, plain_word, print_axiom, print_rules,
+    Definition, Diagnostic, Dialect, Expected, FIELDS, Field, Grammar, JsonError, Kind, Module, Production, Style,
+    plain_word, print_axiom, print_rules,
 };
 
-/// The keys of a file.
-const KEYS: [&str; 12] = [
-    "name",
-    "title",
-    "source",
-    "notes",
-    "stochastic",
-    "initial",
-    "angle_deg",
-    "num_iters",
-    "rules",
-    "seed",
-    "turtle",
-    "style",
-];
-/// The keys of `turtle`.
-const TURTLE_KEYS: [&str; 16] = [
-    "dialect",
-    "overrides",
-    "right_angle_deg",
-    "pitch_down_deg",
-    "pitch_up_deg",
-    "roll_left_deg",
-    "roll_right_deg",
-    "heading_deg",
-    "step",
-    "start",
-    "tropism",
-    "elasticity",
-    "length_factor",
-    "angle_variation",
-    "length_variation",
-    "growth",
-];
-/// The keys of `style`.
-const STYLE_KEYS: [&str; 10] = [
-    "palette",
-    "colour_by",
-    "palette_holds",
-    "turn_colours",
-    "background",
-    "width",
-    "width_factor",
-    "min_width",
-    "ink",
-    "exposure",
-];
 /// The keys of an outcome.
 const OUTCOME_KEYS: [&str; 2] = ["p", "e"];
 
@@ -188,47 +103,54 @@ impl File {
     }
 
     fn definition(&mut self, object: &Object<'_>) -> Definition {
-        self.check_keys(object, &KEYS);
         let mut definition = Definition::default();
-        for (key, text) in [
-            ("name", &mut definition.name),
-            ("title", &mut definition.title),
-            ("source", &mut definition.source),
-            ("notes", &mut definition.notes),
-            ("initial", &mut definition.axiom),
-        ] {
-            self.string(object, key, text);
-        }
+        self.check_keys(object, &[keys(Section::File), vec!["stochastic", "turtle", "style"]].concat());
+        self.section(object, Section::File, &mut definition);
         if let Some(value) = last(object, "stochastic")
             && !matches!(value, Value::BooleanLit(_))
         {
             self.wrong_type("stochastic", Expected::Boolean, value);
         }
-        self.number(object, "angle_deg", Quantity::Angle.expected(), &mut definition.angle);
-        let mut iterations = f64::from(definition.iterations);
-        self.number(object, "num_iters", Expected::Whole(0, i64::from(MAX_ITERATIONS)), &mut iterations);
-        definition.iterations = iterations as u32;
-        let mut seed = 0.0;
-        self.number(object, "seed", Expected::Whole(0, i64::from(u32::MAX)), &mut seed);
-        definition.seed = seed as u32;
-
         self.rules(object, &mut definition);
-        if let Some(turtle) = last(object, "turtle") {
-            match turtle {
-                Value::Object(turtle) => self.turtle(turtle, &mut definition),
-                other => self.wrong_type("turtle", Expected::Object, other),
-            }
-            definition.style = Style::for_dialect(definition.dialect);
-        } else {
-            definition.dialect = Dialect::EveryLetter;
-            definition.style = Style::course();
+        let turtle = self.object(object, "turtle");
+        if let Some(turtle) = turtle {
+            self.check_keys(turtle, &keys(Section::Turtle));
+            self.section(turtle, Section::Turtle, &mut definition);
+            self.overrides(turtle, &mut definition);
         }
-        match last(object, "style") {
-            None => {}
-            Some(Value::Object(style)) => self.style(style, &mut definition.style),
-            Some(other) => self.wrong_type("style", Expected::Object, other),
+        match last(object, "turtle") {
+            Some(_) => definition.style = Style::for_dialect(definition.dialect),
+            None => (definition.dialect, definition.style) = (Dialect::EveryLetter, Style::course()),
+        }
+        if let Some(style) = self.object(object, "style") {
+            self.check_keys(style, &keys(Section::Style));
+            self.section(style, Section::Style, &mut definition);
         }
         definition
+    }
+
+    /// Reads all fields of an object but for those that have forms of their own.
+    fn section(&mut self, object: &Object<'_>, section: Section, definition: &mut Definition) {
+        for spec in FIELDS.iter().filter(|spec| !OWN_FORMS.contains(&spec.name)) {
+            if let Some((place, key)) = spec.file
+                && place == section
+                && let Some(value) = last(object, key)
+                && let Some(value) = self.value(key, spec.expected, value)
+            {
+                spec.set(definition, &value);
+            }
+        }
+    }
+
+    /// The object that stands under a key.
+    fn object<'a, 'b>(&mut self, object: &'b Object<'a>, key: &str) -> Option<&'b Object<'a>> {
+        match last(object, key)? {
+            Value::Object(object) => Some(object),
+            other => {
+                self.wrong_type(key, Expected::Object, other);
+                None
+            }
+        }
     }
 
     fn rules(&mut self, object: &Object<'_>, definition: &mut Definition) {
@@ -238,7 +160,7 @@ impl File {
             Some(Value::Object(rules)) => self.plain_rules(rules, &mut grammar),
             Some(other) => {
                 if let Some(text) = self.lines("rules", Expected::Rules, other) {
-                    definition.rules = text;
+                    definition.rules = self.text("rules", text, object);
                 }
                 return;
             }
@@ -247,8 +169,8 @@ impl File {
             self.check_spaces(&definition.axiom, initial);
         }
         grammar.axiom = plain_word(&definition.axiom);
-        definition.axiom = print_axiom(&grammar);
-        definition.rules = print_rules(&grammar);
+        definition.axiom = self.text("axiom", print_axiom(&grammar), object);
+        definition.rules = self.text("rules", print_rules(&grammar), object);
     }
 
     /// The course's rules: symbol -> successor, or symbol -> outcomes.
@@ -301,9 +223,10 @@ impl File {
                 self.notes.add(Kind::MissingKey { key }, self.span(outcome));
             }
         }
-        let (mut p, mut successor) = (f64::NAN, String::new());
-        self.number(outcome, "p", WEIGHT, &mut p);
-        self.string(outcome, "e", &mut successor);
+        let mut read = |key, expected| self.value(key, expected, last(outcome, key)?);
+        let (p, successor) = (read("p", WEIGHT), read("e", Expected::String));
+        let mut p = if let Some(Held::Number(p)) = p { p } else { f64::NAN };
+        let successor = if let Some(Held::Text(text)) = successor { text } else { String::new() };
         self.check_spaces(&successor, last(outcome, "e")?);
         // Weights this small cannot be told from none.
         if p < 1e-100 {
@@ -313,46 +236,16 @@ impl File {
         (p >= 0.0).then(|| (p, plain_word(&successor)))
     }
 
-    fn turtle(&mut self, turtle: &Object<'_>, definition: &mut Definition) {
-        self.check_keys(turtle, &TURTLE_KEYS);
-        if let Some(dialect) = self.word(turtle, "dialect", &Dialect::NAMES) {
-            definition.dialect = Dialect::ALL[dialect];
-        }
-        let usual = definition.angle;
-        for (key, quantity, into) in [
-            ("right_angle_deg", Quantity::RightAngle, &mut definition.right_angle),
-            ("pitch_down_deg", Quantity::Pitch, &mut definition.pitch_down),
-            ("pitch_up_deg", Quantity::Pitch, &mut definition.pitch_up),
-            ("roll_left_deg", Quantity::Roll, &mut definition.roll_left),
-            ("roll_right_deg", Quantity::Roll, &mut definition.roll_right),
-        ] {
-            if last(turtle, key).is_some() {
-                self.number(turtle, key, quantity.expected(), into.insert(usual));
-            }
-        }
-        self.number(turtle, "heading_deg", Quantity::Heading.expected(), &mut definition.heading);
-        self.number(turtle, "step", Quantity::Step.expected(), &mut definition.step);
-        self.point(turtle, "start", Quantity::Start, Expected::Point, &mut definition.start);
-        self.point(turtle, "tropism", Quantity::Tropism, Expected::Vector, &mut definition.tropism);
-        for (key, quantity, into) in [
-            ("elasticity", Quantity::Elasticity, &mut definition.elasticity),
-            ("length_factor", Quantity::LengthFactor, &mut definition.length_factor),
-            ("angle_variation", Quantity::AngleVariation, &mut definition.angle_variation),
-            ("length_variation", Quantity::LengthVariation, &mut definition.length_variation),
-            ("growth", Quantity::Growth, &mut definition.growth),
-        ] {
-            self.number(turtle, key, quantity.expected(), into);
-        }
-        match last(turtle, "overrides") {
-            None => {}
-            Some(Value::Object(overrides)) => definition.overrides = self.overrides(overrides),
-            Some(other) => {
-                definition.overrides = self.lines("overrides", Expected::Overrides, other).unwrap_or_default();
-            }
-        }
+    fn overrides(&mut self, turtle: &Object<'_>, definition: &mut Definition) {
+        let text = match last(turtle, "overrides") {
+            None => return,
+            Some(Value::Object(overrides)) => self.override_lines(overrides),
+            Some(other) => self.lines("overrides", Expected::Overrides, other).unwrap_or_default(),
+        };
+        definition.overrides = self.text("overrides", text, turtle);
     }
 
-    fn overrides(&mut self, overrides: &Object<'_>) -> String {
+    fn override_lines(&mut self, overrides: &Object<'_>) -> String {
         self.check_keys(overrides, &[]);
         let mut lines = Vec::new();
         for property in &overrides.properties {
@@ -364,58 +257,14 @@ impl File {
         }
         lines.join("\n")
     }
+}
 
-    fn style(&mut self, object: &Object<'_>, style: &mut Style) {
-        self.check_keys(object, &STYLE_KEYS);
-        if let Some(value) = last(object, "palette") {
-            match value {
-                Value::Array(colours) if colours.elements.is_empty() => {
-                    self.notes.add(Kind::EmptyPalette, self.span(value));
-                }
-                Value::Array(colours) if colours.elements.len() > MAX_PALETTE => {
-                    let kind = Kind::Limit { limit: LimitName::Palette, value: MAX_PALETTE as u64, largest: None };
-                    self.notes.add(kind, self.span(value));
-                }
-                Value::Array(colours) => {
-                    style.palette = colours.elements.iter().filter_map(|c| self.colour("palette", c)).collect();
-                }
-                other => self.wrong_type("palette", Expected::List, other),
-            }
-        }
-        if let Some(by) = self.word(object, "colour_by", &ColourBy::NAMES) {
-            style.colour_by = ColourBy::ALL[by];
-        }
-        if let Some(value) = last(object, "background") {
-            style.background = self.colour("background", value).unwrap_or(style.background);
-        }
-        match last(object, "palette_holds") {
-            None => {}
-            Some(Value::BooleanLit(value)) => style.palette_holds = value.value,
-            Some(other) => self.wrong_type("palette_holds", Expected::Boolean, other),
-        }
-        let mut turns = style.turn_colours.map(f64::from);
-        self.point(object, "turn_colours", Quantity::TurnColour, Expected::Point, &mut turns);
-        style.turn_colours = turns.map(|index| index as i32);
-        self.number(object, "width", Quantity::Width.expected(), &mut style.width);
-        self.number(object, "width_factor", Quantity::WidthFactor.expected(), &mut style.width_factor);
-        self.number(object, "min_width", Quantity::MinWidth.expected(), &mut style.min_width);
-        if let Some(ink) = self.word(object, "ink", &Ink::NAMES) {
-            style.ink = Ink::ALL[ink];
-        }
-        self.number(object, "exposure", Quantity::Exposure.expected(), &mut style.exposure);
-    }
+/// Fields whose values have forms of their own in files.
+const OWN_FORMS: [&str; 2] = ["rules", "overrides"];
 
-    fn colour(&mut self, key: &str, value: &Value<'_>) -> Option<Colour> {
-        let Value::StringLit(text) = value else {
-            self.wrong_type(key, Expected::Colour, value);
-            return None;
-        };
-        let colour = text.value.parse().ok();
-        if colour.is_none() {
-            self.wrong_value(key, Expected::Colour, value);
-        }
-        colour
-    }
+/// The keys of an object.
+fn keys(section: Section) -> Vec<&'static str> {
+    FIELDS.iter().filter_map(|spec| spec.file).filter(|file| file.0 == section).map(|file| file.1).collect()
 }
 
 /// Keys in which the course's files keep what they no longer use.

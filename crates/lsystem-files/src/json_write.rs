@@ -1,8 +1,9 @@
 //! Writing systems as JSON files; the format is described where it is read.
 
 use super::read_json;
+use lsystem_syntax::fields::Section;
 use lsystem_syntax::number::number;
-use lsystem_syntax::{Definition, Dialect, Grammar, Module, Production, Style, parse};
+use lsystem_syntax::{Definition, Dialect, FIELDS, Grammar, Module, Production, Style, Value, parse};
 
 /// A file that reads back as `definition`, ending with a newline: in the course's form where that can say all of it,
 /// in ours otherwise.
@@ -58,39 +59,8 @@ fn our_form(definition: &Definition) -> String {
 }
 
 fn turtle(definition: &Definition) -> String {
-    let usual = Definition::default();
     let mut members = vec![("dialect", string(definition.dialect.name()))];
-    let angles = [
-        ("right_angle_deg", definition.right_angle),
-        ("pitch_down_deg", definition.pitch_down),
-        ("pitch_up_deg", definition.pitch_up),
-        ("roll_left_deg", definition.roll_left),
-        ("roll_right_deg", definition.roll_right),
-    ];
-    members.extend(angles.into_iter().filter_map(|(key, angle)| Some((key, json_number(angle?)))));
-    if definition.heading != usual.heading {
-        members.push(("heading_deg", json_number(definition.heading)));
-    }
-    if definition.step != usual.step {
-        members.push(("step", json_number(definition.step)));
-    }
-    if definition.start != usual.start {
-        members.push(("start", format!("[{}]", definition.start.map(json_number).join(", "))));
-    }
-    if definition.tropism != usual.tropism {
-        members.push(("tropism", format!("[{}]", definition.tropism.map(json_number).join(", "))));
-    }
-    for (key, value, usual) in [
-        ("elasticity", definition.elasticity, usual.elasticity),
-        ("length_factor", definition.length_factor, usual.length_factor),
-        ("angle_variation", definition.angle_variation, usual.angle_variation),
-        ("length_variation", definition.length_variation, usual.length_variation),
-        ("growth", definition.growth, usual.growth),
-    ] {
-        if value != usual {
-            members.push((key, json_number(value)));
-        }
-    }
+    members.extend(unusual(definition, &Definition::default(), Section::Turtle, &["dialect", "overrides"]));
     if !definition.overrides.is_empty() {
         let overrides = lsystem_syntax::overrides::entries(&definition.overrides);
         members.push(match overrides {
@@ -102,41 +72,34 @@ fn turtle(definition: &Definition) -> String {
 }
 
 fn style(definition: &Definition) -> Vec<(&'static str, String)> {
-    let (style, usual) = (&definition.style, Style::for_dialect(definition.dialect));
-    let mut members = Vec::new();
-    if style.palette != usual.palette {
-        let colours: Vec<String> = style.palette.iter().map(|&c| string(&String::from(c))).collect();
-        members.push(("palette", format!("[{}]", colours.join(", "))));
+    let usual = Definition { style: Style::for_dialect(definition.dialect), ..Definition::default() };
+    unusual(definition, &usual, Section::Style, &[])
+}
+
+/// The fields of an object that are not as usual, but for those called `apart`.
+fn unusual(
+    definition: &Definition,
+    usual: &Definition,
+    section: Section,
+    apart: &[&str],
+) -> Vec<(&'static str, String)> {
+    let here = FIELDS.iter().filter_map(|spec| Some((spec, spec.file?)));
+    here.filter(|(spec, (place, _))| *place == section && !apart.contains(&spec.name))
+        .filter_map(|(spec, (_, key))| Some((key, spec.get(definition)?, spec.get(usual)?)))
+        .filter(|(_, value, usual)| value != usual)
+        .map(|(key, value, _)| (key, written(&value)))
+        .collect()
+}
+
+/// A value of a field as JSON.
+fn written(value: &Value) -> String {
+    match value {
+        Value::Nothing => "null".to_owned(),
+        Value::Flag(flag) => flag.to_string(),
+        Value::Number(number) => json_number(*number),
+        Value::Text(text) => string(text),
+        Value::List(list) => format!("[{}]", list.iter().map(written).collect::<Vec<_>>().join(", ")),
     }
-    if style.colour_by != usual.colour_by {
-        members.push(("colour_by", string(style.colour_by.name())));
-    }
-    if style.palette_holds != usual.palette_holds {
-        members.push(("palette_holds", style.palette_holds.to_string()));
-    }
-    if style.turn_colours != usual.turn_colours {
-        let [left, right] = style.turn_colours;
-        members.push(("turn_colours", format!("[{left}, {right}]")));
-    }
-    if style.background != usual.background {
-        members.push(("background", string(&String::from(style.background))));
-    }
-    if style.width != usual.width {
-        members.push(("width", json_number(style.width)));
-    }
-    if style.width_factor != usual.width_factor {
-        members.push(("width_factor", json_number(style.width_factor)));
-    }
-    if style.min_width != usual.min_width {
-        members.push(("min_width", json_number(style.min_width)));
-    }
-    if style.ink != usual.ink {
-        members.push(("ink", string(style.ink.name())));
-    }
-    if style.exposure != usual.exposure {
-        members.push(("exposure", json_number(style.exposure)));
-    }
-    members
 }
 
 fn words(definition: &Definition) -> Vec<(&'static str, String)> {

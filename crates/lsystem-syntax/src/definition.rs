@@ -1,12 +1,13 @@
 //! An L-system as its author wrote it: the one flat value that files, links, controls and undo share.
 
-use crate::{Dialect, Field, Style};
-use serde::{Deserialize, Serialize};
+use crate::fields::{FIELDS, field};
+use crate::{Diagnostic, Dialect, Expected, Field, Kind, Style};
+use serde::de::{self, Deserialize, Deserializer, IgnoredAny, MapAccess, Visitor};
+use serde::ser::{Serialize, Serializer};
 
 /// Everything that decides the picture, as text and plain numbers. `System::new` makes it
-/// ready for use and reports what is wrong with it. Field names in camel case are those of the page's state.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", default)]
+/// ready for use and reports what is wrong with it. For scripts it is an object with the names of [`FIELDS`].
+#[derive(Clone, Debug, PartialEq)]
 pub struct Definition {
     /// A short name, unique within its folder.
     pub name: String,
@@ -58,9 +59,7 @@ pub struct Definition {
     pub growth: f64,
     /// Selects among the outcomes of stochastic productions.
     pub seed: u32,
-    /// Colours and widths: further fields beside the others. Who deserialises reads them as a [`Style`] of their own,
-    /// because reading flattened fields takes much code.
-    #[serde(flatten, skip_deserializing)]
+    /// Colours and widths: for scripts, further fields beside the others.
     pub style: Style,
 }
 
@@ -80,6 +79,55 @@ impl Definition {
             Field::Overrides => Some(&self.overrides),
             Field::File | Field::Numbers => None,
         }
+    }
+}
+
+impl Definition {
+    /// The numbers, words and colours that are out of their range. Texts are not among them: reading them tells what is
+    /// wrong with them.
+    #[must_use]
+    pub fn out_of_range(&self) -> Vec<Diagnostic> {
+        let numbers = FIELDS.iter().filter(|spec| !matches!(spec.expected, Expected::Text(_)));
+        let wrong = numbers.filter(|spec| spec.get(self).is_some_and(|value| !spec.admits(&value)));
+        let kind = |spec: &crate::FieldSpec| Kind::Range { label: spec.label, expected: spec.expected };
+        wrong.map(|spec| Diagnostic { kind: kind(spec), field: Field::Numbers, span: 0..0 }).collect()
+    }
+}
+
+impl Serialize for Definition {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(FIELDS.iter().filter_map(|spec| Some((spec.name, spec.get(self)?))))
+    }
+}
+
+impl<'de> Deserialize<'de> for Definition {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(Reader)
+    }
+}
+
+/// Reads an object of fields. Fields that are missing have their defaults, unknown ones are skipped.
+struct Reader;
+
+impl<'de> Visitor<'de> for Reader {
+    type Value = Definition;
+
+    fn expecting(&self, out: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        out.write_str("an object with the fields of a definition")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Definition, A::Error> {
+        let mut definition = Definition::default();
+        while let Some(name) = map.next_key::<String>()? {
+            let Some(spec) = field(&name).filter(|spec| spec.is_defined()) else {
+                map.next_value::<IgnoredAny>()?;
+                continue;
+            };
+            if !spec.set(&mut definition, &map.next_value()?) {
+                return Err(de::Error::custom(format!("`{name}` must be {}", spec.wanted())));
+            }
+        }
+        Ok(definition)
     }
 }
 

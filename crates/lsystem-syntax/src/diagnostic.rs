@@ -1,6 +1,7 @@
 //! What is wrong with what somebody typed, as values: kind, place, and words from one table.
 
-use crate::Function;
+use crate::value::Value;
+use crate::{Colour, Function, MAX_PALETTE};
 use core::ops::Range;
 
 /// One thing to tell the author of a system.
@@ -366,15 +367,13 @@ pub enum Kind {
         /// The derivation step, 1-based; 0 for the axiom.
         step: u32,
     },
-    /// A number of the definition is not finite or out of its range.
-    Number {
-        /// Which.
-        quantity: Quantity,
+    /// A field of the definition is out of its range.
+    Range {
+        /// What the page calls it.
+        label: &'static str,
         /// What it may be.
         expected: Expected,
     },
-    /// A palette without colours.
-    EmptyPalette,
 
     // Files.
     /// Not JSON.
@@ -394,15 +393,6 @@ pub enum Kind {
         key: String,
         /// What is expected.
         expected: Expected,
-    },
-    /// A word that is none of those allowed.
-    WrongWord {
-        /// The key.
-        key: String,
-        /// The word.
-        found: String,
-        /// Those allowed.
-        allowed: &'static [&'static str],
     },
     /// A key that nothing reads.
     UnknownKey {
@@ -454,67 +444,6 @@ pub enum Role {
     Axiom,
 }
 
-/// The numbers of a definition.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Quantity {
-    /// [`Definition::angle`](crate::Definition::angle).
-    Angle,
-    /// [`Definition::right_angle`](crate::Definition::right_angle).
-    RightAngle,
-    /// [`Definition::pitch_down`](crate::Definition::pitch_down) or its counterpart.
-    Pitch,
-    /// [`Definition::roll_left`](crate::Definition::roll_left) or its counterpart.
-    Roll,
-    /// [`Definition::heading`](crate::Definition::heading).
-    Heading,
-    /// [`Definition::step`](crate::Definition::step).
-    Step,
-    /// [`Definition::start`](crate::Definition::start).
-    Start,
-    /// [`Definition::tropism`](crate::Definition::tropism).
-    Tropism,
-    /// [`Definition::elasticity`](crate::Definition::elasticity).
-    Elasticity,
-    /// [`Style::width_factor`](crate::Style::width_factor).
-    WidthFactor,
-    /// [`Definition::length_factor`](crate::Definition::length_factor).
-    LengthFactor,
-    /// [`Definition::angle_variation`](crate::Definition::angle_variation).
-    AngleVariation,
-    /// [`Definition::length_variation`](crate::Definition::length_variation).
-    LengthVariation,
-    /// [`Definition::growth`](crate::Definition::growth).
-    Growth,
-    /// [`Style::turn_colours`](crate::Style::turn_colours).
-    TurnColour,
-    /// [`Style::width`](crate::Style::width).
-    Width,
-    /// [`Style::min_width`](crate::Style::min_width).
-    MinWidth,
-    /// [`Style::exposure`](crate::Style::exposure).
-    Exposure,
-}
-
-impl Quantity {
-    /// What it may be.
-    #[must_use]
-    pub fn expected(self) -> Expected {
-        match self {
-            Self::Angle | Self::RightAngle | Self::Pitch | Self::Roll | Self::Heading => Expected::Number,
-            Self::Step => Expected::Between(1e-9, 1e9),
-            Self::Start => Expected::Between(-1e9, 1e9),
-            Self::Tropism | Self::Elasticity => Expected::Between(-1e3, 1e3),
-            Self::WidthFactor | Self::LengthFactor => Expected::Between(0.0, 10.0),
-            Self::AngleVariation | Self::LengthVariation => Expected::Between(0.0, 100.0),
-            Self::Growth => Expected::Between(0.0, 1.0),
-            Self::TurnColour => Expected::Whole(i32::MIN as i64, i32::MAX as i64),
-            Self::Width => Expected::Between(0.0, 1e9),
-            Self::MinWidth => Expected::Between(0.0, 1e4),
-            Self::Exposure => Expected::Between(-10.0, 10.0),
-        }
-    }
-}
-
 /// What is expected of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Expected {
@@ -532,14 +461,16 @@ pub enum Expected {
     Boolean,
     /// A string.
     String,
+    /// A string of at most so many UTF-16 units.
+    Text(usize),
+    /// One of these words.
+    Word(&'static [&'static str]),
     /// An object.
     Object,
-    /// A list.
-    List,
-    /// A pair of numbers.
-    Point,
-    /// Three numbers.
-    Vector,
+    /// A list of so many values.
+    Each(usize, &'static Expected),
+    /// An object with these members.
+    Record(&'static [(&'static str, Expected)]),
     /// An object, or a list of lines.
     Rules,
     /// An object, or a list of lines.
@@ -550,6 +481,8 @@ pub enum Expected {
     Outcome,
     /// A colour.
     Colour,
+    /// From one to [`MAX_PALETTE`](crate::MAX_PALETTE) colours.
+    Palette,
 }
 
 impl Expected {
@@ -561,6 +494,40 @@ impl Expected {
             Self::Between(least, most) => (least..=most).contains(&value),
             Self::PositiveUpTo(most) => value > 0.0 && value <= most,
             Self::Whole(least, most) => value == libm::trunc(value) && (least as f64..=most as f64).contains(&value),
+            _ => false,
+        }
+    }
+
+    /// Whether a field's value is of the type, whatever its range.
+    #[must_use]
+    pub fn takes(self, value: &Value) -> bool {
+        match self {
+            Self::Number | Self::Between(..) | Self::PositiveUpTo(_) | Self::Whole(..) => {
+                matches!(value, Value::Number(_))
+            }
+            Self::Boolean => matches!(value, Value::Flag(_)),
+            Self::String | Self::Text(_) | Self::Word(_) | Self::Colour => matches!(value, Value::Text(_)),
+            Self::Each(..) | Self::Palette => matches!(value, Value::List(_)),
+            _ => false,
+        }
+    }
+
+    /// Whether a field's value is as expected.
+    #[must_use]
+    pub fn admits_value(self, value: &Value) -> bool {
+        match (self, value) {
+            (_, Value::Number(number)) => self.admits(*number),
+            (Self::Boolean, Value::Flag(_)) | (Self::String, Value::Text(_)) => true,
+            // A UTF-16 unit takes at least a byte.
+            (Self::Text(most), Value::Text(text)) => text.len() <= most || text.encode_utf16().count() <= most,
+            (Self::Word(words), Value::Text(text)) => words.contains(&text.as_str()),
+            (Self::Colour, Value::Text(text)) => text.parse::<Colour>().is_ok(),
+            (Self::Each(count, each), Value::List(list)) => {
+                list.len() == count && list.iter().all(|value| each.admits_value(value))
+            }
+            (Self::Palette, Value::List(list)) => {
+                (1..=MAX_PALETTE).contains(&list.len()) && list.iter().all(|value| Self::Colour.admits_value(value))
+            }
             _ => false,
         }
     }
@@ -618,8 +585,6 @@ pub enum LimitName {
     Context,
     /// Actions of a symbol ([`MAX_ACTIONS`](crate::MAX_ACTIONS)).
     Actions,
-    /// Colours in a palette ([`MAX_PALETTE`](crate::MAX_PALETTE)).
-    Palette,
 }
 
 impl Diagnostic {

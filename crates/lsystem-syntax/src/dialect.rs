@@ -1,11 +1,9 @@
 //! Named tables of what symbols do.
 
 use crate::Action;
-use serde::{Deserialize, Serialize};
 
 /// A named table symbol -> actions.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Dialect {
     /// The Algorithmic Beauty of Plants, section 1.3 and 1.5, and cpfg's additions.
     #[default]

@@ -28,7 +28,9 @@ mod characters;
 mod class;
 mod definition;
 mod dialect;
+pub mod fields;
 pub mod style;
+mod value;
 
 mod code;
 mod expr;
@@ -51,9 +53,10 @@ pub use class::Class;
 pub use classify::classify;
 pub use code::{Code, Meaning, Op, Unusable};
 pub use definition::Definition;
-pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Quantity, Severity};
+pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Severity};
 pub use dialect::Dialect;
 pub use expr::{Expr, Function, Operator};
+pub use fields::{FIELDS, FieldSpec};
 pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
 pub use heading::Heading;
 pub use limits::{
@@ -68,6 +71,7 @@ pub use place::{render_diagnostic, utf16_letters, utf16_span, visible};
 pub use print::{print_axiom, print_module, print_rules};
 pub use progress::Progress;
 pub use style::{Colour, ColourBy, GRADIENT, Ink, Style, Tint};
+pub use value::Value;
 
 pub(crate) use diagnostic::Role;
 pub(crate) use limits::MAX_CONTEXT;

@@ -42,7 +42,6 @@ impl Limits {
             LimitName::Parameters => MAX_PARAMETERS as u64,
             LimitName::Context => MAX_CONTEXT as u64,
             LimitName::Actions => MAX_ACTIONS as u64,
-            LimitName::Palette => MAX_PALETTE as u64,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The words of all diagnostics, in English, in one place.
 
 use crate::number::number;
-use crate::{Diagnostic, Expected, Function, JsonError, Kind, LimitName, Quantity, Role};
+use crate::{Diagnostic, Expected, Function, JsonError, Kind, LimitName, MAX_PALETTE, Role};
 
 impl Diagnostic {
     /// What is wrong, as one sentence in English.
@@ -37,7 +37,6 @@ fn words(kind: &Kind) -> (String, Option<String>) {
                 LimitName::Parameters => format!("A module can have at most {value} parameters"),
                 LimitName::Context => format!("A context can have at most {value} modules"),
                 LimitName::Actions => format!("A symbol can have at most {value} actions"),
-                LimitName::Palette => format!("There can be at most {value} colours in a palette"),
             };
             (text, largest.map(|n| format!("Up to {n} iterations fit.")))
         }
@@ -411,30 +410,7 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             },
             "Is something divided by zero, or does it grow without end? A condition can stop it.".into(),
         ),
-        Kind::Number { quantity, expected } => {
-            let quantity = match quantity {
-                Quantity::Angle => "angle",
-                Quantity::RightAngle => "right angle",
-                Quantity::Pitch => "pitch angle",
-                Quantity::Roll => "roll angle",
-                Quantity::Heading => "heading at the start",
-                Quantity::Step => "step length",
-                Quantity::Start => "starting point's coordinate",
-                Quantity::Tropism => "tropism's coordinate",
-                Quantity::Elasticity => "elasticity",
-                Quantity::WidthFactor => "width factor",
-                Quantity::LengthFactor => "length factor",
-                Quantity::AngleVariation => "variation of angles",
-                Quantity::LengthVariation => "variation of lengths",
-                Quantity::Growth => "growth",
-                Quantity::TurnColour => "colour of a turn",
-                Quantity::Width => "stroke width",
-                Quantity::MinWidth => "least stroke width",
-                Quantity::Exposure => "exposure",
-            };
-            said(format!("The {quantity} must be {}", expected_words(*expected)))
-        }
-        Kind::EmptyPalette => said("The palette has no colour".into()),
+        Kind::Range { label, expected } => said(format!("{label} must be {}", expected_words(*expected))),
 
         Kind::Json(error) => json(*error),
         Kind::WrongType { key, expected, found } if key.is_empty() => {
@@ -444,12 +420,8 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             said(format!("`{key}` must be {}, not {found}", expected_words(*expected)))
         }
         Kind::WrongValue { key, expected } => said(format!("`{key}` must be {}", expected_words(*expected))),
-        Kind::WrongWord { key, found, allowed } => {
-            let allowed: Vec<String> = allowed.iter().map(|word| format!("`{word}`")).collect();
-            hinted(format!("`{found}` is not a value of `{key}`"), format!("It can be {}.", allowed.join(", ")))
-        }
         Kind::UnknownKey { key, similar } => {
-            (format!("Nothing reads the key `{key}`"), similar.map(|s| format!("Did you mean `{s}`?")))
+            (format!("Unknown key `{key}`"), similar.map(|s| format!("Did you mean `{s}`?")))
         }
         Kind::DuplicateKey { key } => said(format!("`{key}` stands here a second time; this one counts")),
         Kind::MissingKey { key } => {
@@ -492,24 +464,42 @@ fn json(error: JsonError) -> (String, Option<String>) {
     }
 }
 
-fn expected_words(expected: Expected) -> String {
+/// What is expected of a value, as a noun phrase.
+pub fn expected_words(expected: Expected) -> String {
     match expected {
         Expected::Nothing => "nothing".into(),
         Expected::Number => "a number".into(),
-        Expected::Between(least, most) => format!("a number from {} to {}", number(least), number(most)),
-        Expected::PositiveUpTo(most) => format!("a number above 0, at most {}", number(most)),
-        Expected::Whole(least, most) => format!("a whole number from {least} to {most}"),
+        Expected::Between(least, most) => format!("a number from {} to {}", bound(least), bound(most)),
+        Expected::PositiveUpTo(most) => format!("a number above 0, at most {}", bound(most)),
+        Expected::Whole(least, most) => {
+            format!("a whole number from {} to {}", bound(least as f64), bound(most as f64))
+        }
         Expected::Boolean => "true or false".into(),
         Expected::String => "a string".into(),
+        Expected::Text(most) => format!("a text of at most {} characters", bound(most as f64)),
+        Expected::Word(words) => {
+            let words: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+            format!("one of {}", words.join(", "))
+        }
         Expected::Object => "an object".into(),
-        Expected::List => "a list".into(),
-        Expected::Point => "a list of two numbers".into(),
-        Expected::Vector => "a list of three numbers".into(),
+        Expected::Each(count, each) => format!("a list of {count} values, each {}", expected_words(*each)),
+        Expected::Record(members) => {
+            let members: Vec<&str> = members.iter().map(|(name, _)| *name).collect();
+            format!("an object of {}", members.join(", "))
+        }
         Expected::Rules | Expected::Overrides => "an object or a list of lines".into(),
         Expected::Successor => "a string or a list of outcomes".into(),
         Expected::Outcome => "an outcome {\"p\": 0.5, \"e\": \"F+F\"}".into(),
         Expected::Colour => "a colour such as \"#1f5c3a\"".into(),
+        Expected::Palette => format!("a list of 1 to {MAX_PALETTE} colours such as \"#1f5c3a\""),
     }
+}
+
+/// A bound of a range; whole ones with their digits in groups.
+fn bound(value: f64) -> String {
+    let digits = number(value.abs());
+    let digits = if digits.bytes().all(|byte| byte.is_ascii_digit()) { grouped(&digits) } else { digits };
+    if value < 0.0 { format!("-{digits}") } else { digits }
 }
 
 fn plural(count: usize, word: &str) -> String {

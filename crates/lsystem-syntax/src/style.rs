@@ -2,20 +2,17 @@
 
 use crate::Dialect;
 use crate::notes::excerpt;
-use serde::{Deserialize, Serialize};
 
 /// An sRGB colour without transparency, 8 bits a channel. Text form: `#rrggbb` (also read: `#rgb` and the sixteen
 /// basic CSS colour names).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(try_from = "String", into = "String")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Colour {
     /// Red, green, blue.
     pub rgb: [u8; 3],
 }
 
 /// What a stroke's colour follows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ColourBy {
     /// The colour symbols: the palette's entry that the turtle's colour index selects.
     #[default]
@@ -51,8 +48,7 @@ impl ColourBy {
 }
 
 /// What strokes do that lie upon each other.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ink {
     /// The later one covers the earlier.
     #[default]
@@ -77,8 +73,7 @@ impl Ink {
 }
 
 /// The look of a drawing. A stroke is `max(width, min_width)` wide, after the width symbols acted.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Style {
     /// The stroke colour (index 0) and those that follow it. Never empty; indices wrap around at look-up.
     pub palette: Vec<Colour>,
@@ -230,13 +225,6 @@ impl From<Colour> for String {
     fn from(colour: Colour) -> Self {
         let [r, g, b] = colour.rgb;
         format!("#{r:02x}{g:02x}{b:02x}")
-    }
-}
-
-impl TryFrom<String> for Colour {
-    type Error = String;
-    fn try_from(text: String) -> Result<Self, String> {
-        text.parse()
     }
 }
 

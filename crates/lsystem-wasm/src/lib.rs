@@ -46,8 +46,7 @@ pub fn fresh_seed() -> Result<u32, JsValue> {
 }
 
 fn from_js(definition: JsValue) -> Result<Definition, JsValue> {
-    let style = serde_wasm_bindgen::from_value(definition.clone())?;
-    Ok(Definition { style, ..serde_wasm_bindgen::from_value(definition)? })
+    Ok(serde_wasm_bindgen::from_value(definition)?)
 }
 
 /// Translates to plain objects and arrays, absent values to null.

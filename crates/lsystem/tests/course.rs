@@ -91,20 +91,20 @@ fn files_of_the_course() {
     check(
         "everything_at_once.json",
         &expect![[r#"
-        "stochastic_01": F, 12 degrees, 5 iterations
-        F -> F[+F]F[-F]F : 0.33
-        F -> F[+F]F : 0.33
-        F -> F[-F]F : 0.34
-        warning: Nothing reads the key `author`
-         --> everything_at_once.json:3:5
-          |
-        3 |     "author": "somebody",
-          |     ^^^^^^^^
-        warning: Nothing reads the key `comment`
-          --> everything_at_once.json:17:5
-           |
-        17 |     "comment": "unknown keys are not an error",
-           |     ^^^^^^^^^
-    "#]],
+            "stochastic_01": F, 12 degrees, 5 iterations
+            F -> F[+F]F[-F]F : 0.33
+            F -> F[+F]F : 0.33
+            F -> F[-F]F : 0.34
+            warning: Unknown key `author`
+             --> everything_at_once.json:3:5
+              |
+            3 |     "author": "somebody",
+              |     ^^^^^^^^
+            warning: Unknown key `comment`
+              --> everything_at_once.json:17:5
+               |
+            17 |     "comment": "unknown keys are not an error",
+               |     ^^^^^^^^^
+        "#]],
     );
 }

@@ -4,7 +4,7 @@
 mod naive;
 
 use lsystem::drawing::{Segment, Space};
-use lsystem::{Definition, Limits, System, count_segments, count_symbols, draw, draw_solid, expand};
+use lsystem::{Definition, Dialect, Limits, System, count_segments, count_symbols, draw, draw_solid, expand};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -26,7 +26,7 @@ struct Published {
     file: String,
     axiom: String,
     rules: Vec<Rule>,
-    dialect: lsystem::Dialect,
+    dialect: String,
     /// Degrees; of both turns unless `right_angle` is given.
     angle: f64,
     right_angle: Option<f64>,
@@ -110,7 +110,7 @@ impl Published {
             heading: self.heading,
             step: self.step,
             start: self.start,
-            dialect: self.dialect,
+            dialect: *Dialect::ALL.iter().find(|dialect| dialect.name() == self.dialect).expect("a dialect"),
             overrides: self.overrides.iter().map(|(symbol, actions)| format!("{symbol}: {actions}\n")).collect(),
             ..Definition::default()
         }

@@ -1,31 +1,265 @@
-//! What the core knows and the page shows: `www/js/tables.js` says the same. `cargo xtask tables` writes it anew.
+//! What the core knows, and the page and the documents show: `www/js/tables.js` and the tables of fields in `README.md`
+//! and `docs/links.md` say the same. `cargo xtask tables` writes them anew.
 
 use expect_test::expect_file;
-use lsystem::Dialect;
+use lsystem::syntax::fields::Section;
+use lsystem::syntax::message::expected_words;
+use lsystem::syntax::number::number;
+use lsystem::syntax::{Expected, FIELDS, FieldSpec, Value};
+use lsystem::{Definition, Dialect};
 use std::fmt::Write;
+
+/// What stands between the types of a definition and its fields.
+const FIELD_TYPES: &str = " */
+
+/**
+ * What a number may be, and in words; `whole` where it has no fraction.
+ * @typedef {{kind: 'number', low: number, high: number, whole?: boolean, wanted?: string}} NumberRange
+ */
+
+/**
+ * What a value may be.
+ * @typedef {NumberRange | {kind: 'flag' | 'colour'} | {kind: 'text' | 'colours', most: number} | {kind: 'word', words: readonly string[]} | {kind: 'list', count: number, each: NumberRange} | {kind: 'record', members: Readonly<Record<string, NumberRange | {kind: 'flag'}>>}} Range
+ */
+
+/**
+ * A field of the state: its key in links, its default, what it must be in words, what the page calls it, the values
+ * under its slider (up to which value they are how far apart) and what an arrow key adds, and what has to be made anew where it changes.
+ * @typedef {Range & {link: string, optional?: boolean, usual: unknown, label: string, wanted: string, unit?: string, slider?: {from: number, parts: readonly (readonly number[])[], arrow: number}, affects: string}} Field
+ */
+
+/** @typedef {keyof Definition | 'view' | 'camera'} FieldName */
+
+/** The fields of the state by name, in the order in which links write them. @type {Readonly<Record<FieldName, Field>>} */
+export const FIELDS = /* @__PURE__ */ Object.freeze({
+";
 
 /// A string as the page's scripts write it.
 fn quoted(text: &str) -> String {
     format!("'{}'", text.replace('\\', "\\\\").replace('\'', "\\'"))
 }
 
-#[test]
-fn the_pages_tables_are_those_of_the_core() {
-    let mut script =
-        String::from("/** What the core knows and the page shows: written by `cargo xtask tables`, not by hand. */\n");
-    script += "\n/** What symbols do, by the name of the dialect in files: what it is called, and what it does in words. */\n";
-    script += "export const DIALECTS = Object.freeze({\n";
+/// A list of strings as the page's scripts write it.
+fn list<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
+    format!("[{}]", words.into_iter().map(quoted).collect::<Vec<_>>().join(", "))
+}
+
+/// A value as the page's scripts write it.
+fn script(value: &Value) -> String {
+    match value {
+        Value::Nothing => "null".to_owned(),
+        Value::Flag(flag) => flag.to_string(),
+        Value::Number(number) => number.to_string(),
+        Value::Text(text) => quoted(text),
+        Value::List(list) => format!("[{}]", list.iter().map(script).collect::<Vec<_>>().join(", ")),
+    }
+}
+
+/// A field's default; `null` for what is no part of a definition.
+fn usual(spec: &FieldSpec) -> Value {
+    spec.get(&Definition::default()).unwrap_or(Value::Nothing)
+}
+
+/// What a value may be, as members of an object in the page's scripts.
+fn range(expected: Expected) -> String {
+    match expected {
+        Expected::Number => "kind: 'number', low: -Infinity, high: Infinity".into(),
+        Expected::Between(low, high) => format!("kind: 'number', low: {}, high: {}", number(low), number(high)),
+        Expected::Whole(low, high) => format!("kind: 'number', low: {low}, high: {high}, whole: true"),
+        Expected::Boolean => "kind: 'flag'".into(),
+        Expected::Text(most) => format!("kind: 'text', most: {most}"),
+        Expected::Word(words) => format!("kind: 'word', words: {}", list(words.iter().copied())),
+        Expected::Colour => "kind: 'colour'".into(),
+        Expected::Palette => format!("kind: 'colours', most: {}", lsystem::syntax::MAX_PALETTE),
+        Expected::Each(count, each) => format!(
+            "kind: 'list', count: {count}, each: {{ {}, wanted: {} }}",
+            range(*each),
+            quoted(&expected_words(*each))
+        ),
+        Expected::Record(members) => {
+            let members: Vec<_> =
+                members.iter().map(|(name, each)| format!("{name}: {{ {} }}", range(*each))).collect();
+            format!("kind: 'record', members: {{ {} }}", members.join(", "))
+        }
+        other => panic!("no field expects {other:?}"),
+    }
+}
+
+/// The type of a field in JSDoc.
+fn kind(spec: &FieldSpec) -> String {
+    let kind = match spec.expected {
+        Expected::Number | Expected::Between(..) | Expected::Whole(..) => "number".to_owned(),
+        Expected::Boolean => "boolean".to_owned(),
+        Expected::Word(words) => words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(" | "),
+        Expected::Palette => "string[]".to_owned(),
+        Expected::Each(count, _) => format!("[{}]", vec!["number"; count].join(", ")),
+        _ => "string".to_owned(),
+    };
+    if spec.optional { kind + " | null" } else { kind }
+}
+
+fn tables() -> String {
+    let mut script_text = String::from(
+        "/** What the core knows and the page shows: written by `cargo xtask tables`, not by hand. */\n\n\
+         /** What symbols do, by the name of the dialect in files: what it is called, and what it does in words. */\n\
+         export const DIALECTS = /* @__PURE__ */ Object.freeze({\n",
+    );
     for dialect in Dialect::ALL {
         let [label, help] = dialect.words().map(quoted);
-        writeln!(script, "    {}: {{ label: {label}, help: {help} }},", quoted(dialect.name())).unwrap();
+        writeln!(script_text, "    {}: {{ label: {label}, help: {help} }},", quoted(dialect.name())).unwrap();
     }
-    script += "});\n";
-    expect_file!["../../../www/js/tables.js"].assert_eq(&script);
+    script_text += "});\n\n/**\n * An L-system as its author wrote it.\n * @typedef {object} Definition\n";
+    for spec in FIELDS.iter().filter(|spec| spec.is_defined()) {
+        writeln!(script_text, " * @property {{{}}} {} {}", kind(spec), spec.name, spec.help).unwrap();
+    }
+    script_text += FIELD_TYPES;
+    for spec in &FIELDS {
+        let mut row = format!("    {}: {{ link: {}, {}", spec.name, quoted(spec.link), range(spec.expected));
+        if spec.optional {
+            row += ", optional: true";
+        }
+        write!(row, ", usual: {}", script(&usual(spec))).unwrap();
+        write!(row, ", label: {}, wanted: {}", quoted(spec.label), quoted(&spec.wanted())).unwrap();
+        if !spec.unit.is_empty() {
+            write!(row, ", unit: {}", quoted(spec.unit)).unwrap();
+        }
+        if let Some(slider) = spec.slider {
+            let parts: Vec<_> = slider.parts.iter().map(|(to, by)| format!("[{to}, {by}]")).collect();
+            write!(
+                row,
+                ", slider: {{ from: {}, parts: [{}], arrow: {} }}",
+                slider.from,
+                parts.join(", "),
+                slider.arrow
+            )
+            .unwrap();
+        }
+        writeln!(script_text, "{row}, affects: {} }},", quoted(spec.affects.name())).unwrap();
+    }
+    script_text += "});\n\n/** Attributes of the element and the keys in links that they stand for. */\n";
+    let pairs: Vec<_> = FIELDS.iter().map(|spec| format!("{}: {}", spec.attribute(), quoted(spec.link))).collect();
+    writeln!(script_text, "export const ATTRIBUTES = {{ {} }};", pairs.join(", ")).unwrap();
+    script_text
+}
+
+/// A text with what stands between the marks of a table replaced by `rows`.
+fn with_table(text: &str, rows: &str) -> String {
+    let (begin, end) = ("<!-- fields: written by `cargo xtask tables` -->\n", "<!-- end of fields -->");
+    let (before, rest) = text.split_once(begin).expect("the table begins");
+    let (_, after) = rest.split_once(end).expect("the table ends");
+    format!("{before}{begin}{rows}{end}{after}")
+}
+
+/// What a field is and may be, in a table of a document.
+fn meaning(spec: &FieldSpec) -> String {
+    format!("{}: {}", spec.help, spec.wanted()).replace('|', "\\|")
+}
+
+/// Code in a table; nothing where there is nothing to show.
+fn code(text: &str) -> String {
+    if text.is_empty() { "none".to_owned() } else { format!("`{text}`") }
+}
+
+fn file_rows() -> String {
+    let mut rows = String::from("| object | key | default | what it is, and what it must be |\n|---|---|---|---|\n");
+    for (section, name) in [(Section::File, "the file"), (Section::Turtle, "`turtle`"), (Section::Style, "`style`")] {
+        for spec in &FIELDS {
+            if let Some((place, key)) = spec.file
+                && place == section
+            {
+                let usual = serde_json::to_string(&usual(spec)).unwrap().replace(".0", "");
+                writeln!(rows, "| {name} | `{key}` | `{usual}` | {} |", meaning(spec)).unwrap();
+            }
+        }
+    }
+    rows
+}
+
+/// A default as links write it.
+fn linked(value: &Value) -> String {
+    match value {
+        Value::Nothing => String::new(),
+        Value::Flag(flag) => u8::from(*flag).to_string(),
+        Value::Number(number) => number.to_string(),
+        Value::Text(text) => text.trim_start_matches('#').to_owned(),
+        Value::List(list) => list.iter().map(linked).collect::<Vec<_>>().join(","),
+    }
+}
+
+fn link_rows() -> String {
+    let mut rows = String::from("| key | default | what it is, and what it must be |\n|---|---|---|\n");
+    for spec in FIELDS.iter().filter(|spec| spec.is_defined()) {
+        writeln!(rows, "| `{}` | {} | {} |", spec.link, code(&linked(&usual(spec))), meaning(spec)).unwrap();
+    }
+    rows
 }
 
 #[test]
-fn dialects_have_one_name() {
-    for dialect in Dialect::ALL {
-        assert_eq!(serde_json::to_value(dialect).unwrap(), dialect.name());
+fn the_pages_tables_are_those_of_the_core() {
+    expect_file!["../../../www/js/tables.js"].assert_eq(&tables());
+}
+
+#[test]
+fn the_documents_tables_are_those_of_the_core() {
+    let readme = include_str!("../../../README.md");
+    expect_file!["../../../README.md"].assert_eq(&with_table(readme, &file_rows()));
+    let links = include_str!("../../../docs/links.md");
+    expect_file!["../../../docs/links.md"].assert_eq(&with_table(links, &link_rows()));
+}
+
+#[test]
+fn names_and_keys_stand_for_one_field_each() {
+    let unique = |of: fn(&FieldSpec) -> String| {
+        let mut names: Vec<_> = FIELDS.iter().map(of).collect();
+        names.sort_unstable();
+        names.windows(2).all(|pair| pair[0] != pair[1])
+    };
+    assert!(unique(|spec| spec.name.to_owned()));
+    assert!(unique(|spec| spec.link.to_owned()));
+    assert!(unique(|spec| spec.attribute().to_owned()));
+    assert!(unique(|spec| spec.file.map_or(spec.name.to_owned(), |(place, key)| format!("{place:?} {key}"))));
+}
+
+#[test]
+fn defaults_are_within_their_ranges_and_sliders() {
+    for spec in &FIELDS {
+        assert!(spec.admits(&usual(spec)) || !spec.is_defined(), "{}", spec.name);
+        for (value, _) in spec.slider.iter().flat_map(|slider| slider.parts) {
+            assert!(spec.expected.admits(*value), "{}", spec.name);
+        }
+    }
+}
+
+#[test]
+fn every_field_is_read_and_written() {
+    for spec in FIELDS.iter().filter(|spec| spec.is_defined()) {
+        let mut definition = Definition::default();
+        let value = other(spec);
+        assert!(spec.admits(&value) && spec.set(&mut definition, &value), "{}", spec.name);
+        assert_eq!(spec.get(&definition), Some(value), "{}", spec.name);
+        assert_ne!(definition, Definition::default(), "{}", spec.name);
+    }
+}
+
+/// A value of a field that is not its default.
+fn other(spec: &FieldSpec) -> Value {
+    match (spec.expected, usual(spec)) {
+        (Expected::Word(words), usual) => {
+            let word = words.iter().find(|word| usual != Value::Text((**word).to_owned()));
+            Value::Text(word.copied().unwrap_or_default().to_owned())
+        }
+        (Expected::Colour, _) => Value::Text("#123456".into()),
+        (_, Value::Nothing) => Value::Number(5.0),
+        (_, Value::Flag(flag)) => Value::Flag(!flag),
+        (_, Value::Number(number)) => {
+            let mut others = [2.0, 0.5, 0.0].map(Value::Number).into_iter();
+            others.find(|value| spec.admits(value) && *value != Value::Number(number)).unwrap_or(Value::Nothing)
+        }
+        (_, Value::Text(text)) => Value::Text(text + "F"),
+        (_, Value::List(mut list)) => {
+            list.reverse();
+            list[0] = if matches!(list[0], Value::Number(_)) { Value::Number(7.0) } else { list[0].clone() };
+            Value::List(list)
+        }
     }
 }

@@ -13,7 +13,7 @@ const NAME: &str = "lsystem_wasm";
 /// What the worker is made of, behind the generated code.
 const WORKER: [&str; 2] = ["sharing.js", "worker.js"];
 
-/// Scripts that pages ask for as they are.
+/// Classic scripts that pages ask for.
 const SCRIPTS: [&str; 3] = ["js/theme-early.js", "l-system.js", "service-worker.js"];
 
 /// Builds everything and puts it in place of `dist/` at once: whoever reads `dist/` finds the old site or the new one.
@@ -23,7 +23,7 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     let esbuild = Esbuild::of(&www)?;
     page(&www, &site)?;
     for name in SCRIPTS {
-        files::write(&site.join(name), esbuild.minified("script.js", &files::read_text(&www.join(name))?)?)?;
+        files::write(&site.join(name), esbuild.script(name)?)?;
     }
     let generated = wasm(workspace)?;
     fs::copy(generated.join(format!("{NAME}_bg.wasm")), site.join("lsystem.wasm"))?;

@@ -32,6 +32,11 @@ impl Esbuild {
         Ok(Self { program: www.join("node_modules/.bin").join(program), www: www.to_owned() })
     }
 
+    /// A module with everything that it imports, as a classic script.
+    pub(crate) fn script(&self, entry: &str) -> Result<String> {
+        self.run(&self.www.join(entry), &["--bundle", "--format=iife"])
+    }
+
     /// A script that is no module, or styles, by the ending of `name`.
     pub(crate) fn minified(&self, name: &str, text: &str) -> Result<String> {
         let folder = tempfile::tempdir()?;

@@ -2,27 +2,24 @@
 
 import { input } from '../dom.js';
 import { plain } from '../numerals.js';
+import { rangeOf } from '../state.js';
+import { FIELDS } from '../tables.js';
 import { numberField } from './number-field.js';
-import { even, slider } from './slider.js';
-
-/** @typedef {{stops: readonly number[], text: (value: number) => string, low: number, high: number, step: number, whole?: boolean}} Dial `stops` and `text` of the slider, the rest of the field */
-
-/** Half a turn under the slider, ten turns either way in the field. @type {Dial} */
-export const DEGREES = { stops: even(0, 180, 0.5), text: (value) => `${plain(value)} degrees`, low: -3600, high: 3600, step: 1 };
-/** What every branch multiplies something by. @type {Dial} */
-export const FACTOR = { stops: even(0, 2, 0.05), text: (value) => `times ${plain(value)}`, low: 0, high: 10, step: 0.05 };
+import { slider } from './slider.js';
 
 /**
  * @param {import('../store.js').Store} store
- * @param {keyof import('../state.js').State} field
+ * @param {import('../state.js').FieldName} field
  * @param {string} id of the number field; `-slider` behind it is the slider's
- * @param {Dial} range
+ * @param {readonly number[]} [stops] under the slider, where they are not those of the table
  */
-export function dial(store, field, id, range) {
+export function dial(store, field, id, stops = stopsOf(field)) {
+    const { wanted, unit = '', slider: scale } = FIELDS[field];
     const change = (/** @type {number} */ value, held = false) => store.change({ [field]: value }, held ? `drag ${field}` : field);
     const settle = () => store.settle();
-    const slide = slider(input(`${id}-slider`), { ...range, change, settle });
-    const write = numberField(input(id), { ...range, change, settle });
+    const text = (/** @type {number} */ value) => `${plain(value)} ${unit}`.trim();
+    const slide = slider(input(`${id}-slider`), { stops, text, change, settle });
+    const write = numberField(input(id), { ...rangeOf(field), wanted, step: scale?.arrow ?? 1, change, settle });
     return {
         /** @param {number} value */
         show(value) {
@@ -31,4 +28,16 @@ export function dial(store, field, id, range) {
         },
         limit: slide.limit,
     };
+}
+
+/** The values under a field's slider. @param {import('../state.js').FieldName} field */
+export function stopsOf(field) {
+    const { slider: scale } = FIELDS[field];
+    if (!scale) return [];
+    const stops = [scale.from];
+    for (const [to = 0, by = 1] of scale.parts) {
+        const from = /** @type {number} */ (stops.at(-1));
+        for (let at = 1; at <= Math.round((to - from) / by); at++) stops.push(Number((from + at * by).toFixed(6)));
+    }
+    return stops;
 }

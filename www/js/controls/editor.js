@@ -4,7 +4,7 @@
  */
 
 import { make, setValue } from '../dom.js';
-import { MOST_TEXT } from '../state.js';
+import { mostOf } from '../state.js';
 import { carried, spansOf } from '../tint.js';
 
 /** @typedef {import('../engine.js').Diagnostic} Diagnostic */
@@ -77,7 +77,7 @@ export function editor(area, problems, kind, { change, settle }) {
         change(area.value);
     });
     // One more than there may be, so that who pastes too much is told.
-    area.maxLength = MOST_TEXT[kind] + 1;
+    area.maxLength = mostOf(kind) + 1;
     area.addEventListener('blur', settle);
     if (kind === 'axiom') {
         area.addEventListener('keydown', (event) => {

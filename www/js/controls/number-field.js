@@ -2,18 +2,21 @@
 
 import { plain, readNumber } from '../numerals.js';
 import { setValue } from '../dom.js';
-import { isBound, wanting, wordsOf } from './wanted.js';
+import { wanting } from './wanted.js';
 
-/** @typedef {{low: number, high: number, step: number | (() => number), whole?: boolean, change: (value: number) => void, settle: () => void}} Range */
+/**
+ * `wanted` is the range in words; `step` is what an arrow key adds.
+ * @typedef {{low: number, high: number, wanted: string, step: number | (() => number), whole?: boolean, change: (value: number) => void, settle: () => void}} Range
+ */
 
 /**
  * @param {HTMLInputElement} field
  * @param {Range} range
  * @returns {(value: number) => void} shows another value
  */
-export function numberField(field, { low, high, step, whole = false, change, settle }) {
+export function numberField(field, { low, high, wanted, step, whole = false, change, settle }) {
     let shown = 0;
-    const wrong = wanting(field, `${wordsOf({ low, high, whole })}.`);
+    const wrong = wanting(field, wanted);
     field.setAttribute('role', 'spinbutton');
     if (isBound(low)) field.setAttribute('aria-valuemin', decimal(low));
     if (isBound(high)) field.setAttribute('aria-valuemax', decimal(high));
@@ -43,9 +46,10 @@ export function numberField(field, { low, high, step, whole = false, change, set
     field.addEventListener('focus', () => field.select());
     field.addEventListener('blur', () => {
         const value = readNumber(field.value);
-        if (value !== null && fits(value) !== value) change((shown = fits(value)));
+        const beyond = value !== null && fits(value) !== value;
+        if (beyond) change((shown = fits(value)));
         field.value = plain(shown);
-        wrong(false);
+        wrong(false, beyond);
         settle();
     });
 
@@ -62,14 +66,14 @@ export function numberField(field, { low, high, step, whole = false, change, set
 /**
  * A field for a number that may be left out, for what it has then; it stands there, faint.
  * @param {HTMLInputElement} field
- * @param {{low: number, high: number, step: number, change: (value: number | null) => void, settle: () => void}} range
+ * @param {{low: number, high: number, wanted: string, step: number, change: (value: number | null) => void, settle: () => void}} range
  * @returns {(value: number | null, inherited: number) => void} shows another value, and what holds without one
  */
-export function optionalField(field, { low, high, step, change, settle }) {
+export function optionalField(field, { low, high, wanted, step, change, settle }) {
     /** @type {number | null} */
     let shown = null;
     let without = 0;
-    const wrong = wanting(field, `${wordsOf({ low, high })}, or nothing.`);
+    const wrong = wanting(field, wanted);
     const written = (/** @type {number | null} */ value) => (value === null ? '' : plain(value));
     const fits = (/** @type {number} */ value) => Math.min(high, Math.max(low, value));
     /** What the field says; undefined where that is neither nothing nor a number within the range. */
@@ -126,4 +130,9 @@ function stepped(from, { key, shiftKey, altKey }, step, whole = false) {
 function decimal(value) {
     const digits = String(value).includes('e') ? value.toFixed(12) : String(value);
     return digits.includes('e') ? BigInt(value).toString() : digits;
+}
+
+/** Whether a bound says something: the bounds of all numbers do not. @param {number} bound */
+function isBound(bound) {
+    return Math.abs(bound) < 1e21;
 }

@@ -1,44 +1,27 @@
-/** What a number field wants, in words below its row, while it holds something else. */
+/** What a number field must hold, in words below its row, while it holds something else and where it was mended. */
 
 import { make } from '../dom.js';
-import { grouped, plain } from '../numerals.js';
 
 /**
  * @param {HTMLInputElement} field
- * @param {string} words
- * @returns {(wrong: boolean) => void} to be told whether the field holds something else
+ * @param {string} wanted
+ * @returns {(wrong: boolean, mended?: boolean) => void} to be told whether the field holds something else, and whether
+ *   it held a number out of its range until the nearest one was taken
  */
-export function wanting(field, words) {
+export function wanting(field, wanted) {
     const id = `${field.id}-wanted`;
-    const note = make('p', { id, class: 'wanted' }, words);
-    return (wrong) => {
+    const note = make('p', { id, class: 'wanted', role: 'status' });
+    return (wrong, mended = false) => {
         field.toggleAttribute('data-wrong', wrong);
         field.setAttribute('aria-invalid', String(wrong));
         // Who has emptied a field is about to write.
-        if (wrong && field.value.trim() !== '') {
-            if (note.isConnected) return;
-            (field.closest('.dial, .quad, .seed') ?? field).after(note);
-            field.setAttribute('aria-errormessage', id);
+        if ((wrong && field.value.trim() !== '') || mended) {
+            note.textContent = `Must be ${wanted}${mended ? '; the nearest value was taken' : ''}.`;
+            if (!note.isConnected) (field.closest('.dial, .quad, .seed') ?? field).after(note);
+            if (wrong) field.setAttribute('aria-errormessage', id);
         } else {
             note.remove();
             field.removeAttribute('aria-errormessage');
         }
     };
-}
-
-/** @param {{low: number, high: number, whole?: boolean}} range */
-export function wordsOf({ low, high, whole = false }) {
-    const sort = whole ? 'a whole number' : 'a number';
-    return isBound(low) && isBound(high) ? `Write ${sort} from ${written(low)} to ${written(high)}` : `Write ${sort}`;
-}
-
-/** Bounds that only numbers as such have say nothing. @param {number} bound */
-export function isBound(bound) {
-    return Math.abs(bound) < 1e21;
-}
-
-/** @param {number} value */
-function written(value) {
-    const text = plain(Math.abs(value));
-    return (value < 0 ? '−' : '') + (/^\d+$/.test(text) ? grouped(text) : text);
 }

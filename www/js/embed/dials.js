@@ -1,9 +1,8 @@
 /** Sliders and fields for the iterations and the angles of an embedded drawing. */
 
-import { DEGREES, dial } from '../controls/dial.js';
+import { dial } from '../controls/dial.js';
 import { even } from '../controls/slider.js';
 import { html, setText } from '../dom.js';
-import { MAX_ITERATIONS } from '../state.js';
 
 /** The slider reaches twice as far as the author went, or so far. */
 const FEW = 10;
@@ -14,9 +13,9 @@ const MOST = 100;
  */
 export function createDials(store) {
     const most = Math.min(MOST, Math.max(FEW, 2 * store.origin.iterations));
-    const steps = dial(store, 'iterations', 'iterations', { stops: even(0, most, 1), text: (n) => `${n} iterations`, low: 0, high: MAX_ITERATIONS, step: 1, whole: true });
-    const turns = dial(store, 'angle', 'angle', DEGREES);
-    const rights = dial(store, 'rightAngle', 'right', DEGREES);
+    const steps = dial(store, 'iterations', 'iterations', even(0, most, 1));
+    const turns = dial(store, 'angle', 'angle');
+    const rights = dial(store, 'rightAngle', 'right');
 
     return {
         /** @param {readonly import('./options.js').Control[]} controls */

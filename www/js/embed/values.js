@@ -1,7 +1,7 @@
 /** The state under the keys of links, as messages carry it. Pure functions. */
 
 import { KEYS } from '../link.js';
-import { cleanField } from '../state.js';
+import { cleanField, problemOf } from '../state.js';
 
 /** @typedef {import('../state.js').State} State */
 
@@ -36,9 +36,11 @@ export function fieldsOf(values) {
             problems.push(`There is nothing called “${key.slice(0, 20)}” to set.`);
             continue;
         }
-        const known = (typeof value === 'string' ? cleanField(field, form.read(value)) : undefined) ?? cleanField(field, value);
-        if (known === undefined) problems.push(`“${key}” cannot be set to that.`);
-        else given[field] = known;
+        const read = typeof value === 'string' ? form.read(value) : undefined;
+        const meant = cleanField(field, read) === undefined ? value : read;
+        const [known, problem] = [cleanField(field, meant), problemOf(field, meant)];
+        if (known !== undefined) given[field] = known;
+        if (problem) problems.push(`“${key}” ${problem}.`);
     }
     return { fields: /** @type {Partial<State>} */ (given), problems };
 }

@@ -1,32 +1,24 @@
 /** Iterations, angles, seed, and how large the result is. */
 
 import { button, byId, html, input, make, setText } from '../dom.js';
-import { DEGREES, FACTOR, dial } from '../controls/dial.js';
+import { dial } from '../controls/dial.js';
 import { listProblems } from '../controls/editor.js';
 import { numberField } from '../controls/number-field.js';
-import { even } from '../controls/slider.js';
 import { grouped, plain, short, shortText } from '../numerals.js';
-import { MAX_ITERATIONS, definitionOf } from '../state.js';
+import { definitionOf, rangeOf } from '../state.js';
+import { FIELDS } from '../tables.js';
 
 /** @typedef {import('../engine.js').Report} Report */
-
-/** Fine where pictures differ most, up to what any system may ask for. */
-const ITERATIONS = [...even(0, 24, 1), ...even(26, 40, 2), ...even(45, 100, 5), 120, 150, 200, 300, 500, 700, MAX_ITERATIONS];
-const PERCENT = [...even(0, 30, 1), ...even(35, 100, 5)];
 
 /**
  * @param {import('../store.js').Store} store
  * @param {{seed: () => Promise<number>}} source
  */
 export function growthPanel(store, source) {
-    const iterations = dial(store, 'iterations', 'iterations', { stops: ITERATIONS, text: (n) => `${n} iterations`, low: 0, high: MAX_ITERATIONS, step: 1, whole: true });
-    const angle = dial(store, 'angle', 'angle', DEGREES);
-    const right = dial(store, 'rightAngle', 'right', DEGREES);
-    const lengths = dial(store, 'lengthFactor', 'length-factor', FACTOR);
-    const percent = { stops: PERCENT, text: (/** @type {number} */ value) => `plus or minus ${plain(value)} percent`, low: 0, high: 100, step: 1 };
-    const angles = dial(store, 'angleVariation', 'vary-angle', percent);
-    const ways = dial(store, 'lengthVariation', 'vary-length', percent);
-    const showSeed = numberField(input('seed'), { low: 0, high: 2 ** 32 - 1, step: 1, whole: true, change: (seed) => store.change({ seed }, 'seed'), settle: () => store.settle() });
+    const iterations = dial(store, 'iterations', 'iterations');
+    const angle = dial(store, 'angle', 'angle');
+    const right = dial(store, 'rightAngle', 'right');
+    const showSeed = numberField(input('seed'), { ...rangeOf('seed'), wanted: FIELDS.seed.wanted, step: 1, change: (seed) => store.change({ seed }, 'seed'), settle: () => store.settle() });
 
     const twoAngles = input('two-angles');
     twoAngles.addEventListener('change', () => {
@@ -64,9 +56,6 @@ export function growthPanel(store, source) {
             setText(html('angle-label'), differs ? 'Left turns' : 'Angle');
             if (state.rightAngle !== null) right.show(state.rightAngle);
             showSeed(state.seed);
-            lengths.show(state.lengthFactor);
-            angles.show(state.angleVariation);
-            ways.show(state.lengthVariation);
             showAnglePicture(state.angle);
         },
 
@@ -79,7 +68,7 @@ export function growthPanel(store, source) {
             showDigits(report, unfolded);
             const system = JSON.stringify({ ...definitionOf(state), iterations: 0 });
             if (bound?.system !== system) bound = null;
-            if (report.largest !== null && report.largest < MAX_ITERATIONS) {
+            if (report.largest !== null && report.largest < rangeOf('iterations').high) {
                 const passed = report.diagnostics.find(({ field, severity }) => field === 'numbers' && severity === 'error');
                 bound = { system, largest: report.largest, why: passed?.message ?? '' };
             }

@@ -1,14 +1,10 @@
 /** Colours and strokes. */
 
 import { button, byId, html, input, make, setChoice, setText } from '../dom.js';
-import { FACTOR, dial } from '../controls/dial.js';
 import { numberField } from '../controls/number-field.js';
-import { even } from '../controls/slider.js';
 import { INKS, hasInk, wearing } from '../inks.js';
-import { plain } from '../numerals.js';
-import { COLOUR_BY, INK, MAX_EXPOSURE, MAX_PALETTE } from '../state.js';
+import { mostOf, rangeOf } from '../state.js';
 
-const WIDTHS = [...even(0, 1, 0.05), ...even(1.1, 3, 0.1), ...even(3.25, 10, 0.25), ...even(10.5, 20, 0.5)];
 /** @type {Record<import('../state.js').ColourBy, string>} */
 const NOTES = {
     symbol: '',
@@ -19,8 +15,6 @@ const NOTES = {
     density: 'Where ink adds up: all colours as a gradient, from the least ink to the most.',
     single: '',
 };
-const THIN = even(0, 8, 0.25);
-const STOPS = even(-4, 4, 0.25);
 
 /** @param {import('../store.js').Store} store */
 export function lookPanel(store) {
@@ -43,10 +37,8 @@ export function lookPanel(store) {
 
     const inkKind = byId('ink', HTMLSelectElement);
     inkKind.addEventListener('change', () => {
-        const chosen = INK.find((name) => name === inkKind.value);
-        if (chosen) store.change({ ink: chosen }, '');
+        store.change({ ink: /** @type {import('../state.js').Ink} */ (inkKind.value) }, '');
     });
-    const exposure = dial(store, 'exposure', 'exposure', { stops: STOPS, text: (value) => `${plain(value)} stops`, low: -MAX_EXPOSURE, high: MAX_EXPOSURE, step: 0.25 });
     let solid = false;
     /** @param {import('../state.js').State} state */
     const showInk = (state) => {
@@ -60,15 +52,15 @@ export function lookPanel(store) {
 
     const colourBy = byId('colour-by', HTMLSelectElement);
     colourBy.addEventListener('change', () => {
-        const chosen = COLOUR_BY.find((name) => name === colourBy.value);
-        if (chosen) store.change({ colourBy: chosen }, '');
+        store.change({ colourBy: /** @type {import('../state.js').ColourBy} */ (colourBy.value) }, '');
     });
     const holds = input('palette-holds');
     holds.addEventListener('change', () => store.change({ paletteHolds: holds.checked }, ''));
     const turnFields = ['left-colour', 'right-colour'].map((id, side) =>
         numberField(input(id), {
             low: 1,
-            high: MAX_PALETTE,
+            high: rangeOf('turnColours').high + 1,
+            wanted: 'a whole number above 0',
             step: 1,
             whole: true,
             settle,
@@ -81,10 +73,6 @@ export function lookPanel(store) {
     const background = input('background');
     background.addEventListener('input', () => store.change({ background: background.value }, 'background'));
     background.addEventListener('change', settle);
-
-    const width = dial(store, 'width', 'width', { stops: WIDTHS, text: (value) => `${plain(value)} steps`, low: 0, high: 1000, step: 0.1 });
-    const widthFactor = dial(store, 'widthFactor', 'width-factor', FACTOR);
-    const thin = dial(store, 'minWidth', 'thin', { stops: THIN, text: (value) => `${plain(value)} pixels`, low: 0, high: 100, step: 0.5 });
 
     button('add-colour').addEventListener('click', () => {
         const { palette } = store.state;
@@ -113,7 +101,6 @@ export function lookPanel(store) {
         /** @param {import('../state.js').State} state */
         show(state) {
             showInk(state);
-            exposure.show(state.exposure);
             while (wells.childElementCount > state.palette.length) wells.lastElementChild?.remove();
             while (wells.childElementCount < state.palette.length) wells.append(newWell(wells.childElementCount));
             state.palette.forEach((colour, at) => {
@@ -121,7 +108,7 @@ export function lookPanel(store) {
                 if (well instanceof HTMLInputElement && well.value !== colour) well.value = colour;
             });
             button('remove-colour').disabled = state.palette.length === 1;
-            button('add-colour').disabled = state.palette.length >= MAX_PALETTE;
+            button('add-colour').disabled = state.palette.length >= mostOf('palette');
             for (const { ink, chip } of inks) chip.setAttribute('aria-pressed', String(hasInk(state, ink)));
             setChoice(colourBy, state.colourBy);
             holds.checked = state.paletteHolds;
@@ -130,9 +117,6 @@ export function lookPanel(store) {
             turnFields.forEach((field, side) => field(/** @type {number} */ (state.turnColours[side]) + 1));
             setText(html('colour-note'), NOTES[state.colourBy]);
             if (background.value !== state.background) background.value = state.background;
-            width.show(state.width);
-            widthFactor.show(state.widthFactor);
-            thin.show(state.minWidth);
         },
     };
 }

@@ -3,7 +3,8 @@
 import { toast } from '../announce.js';
 import { byId, html, setText } from '../dom.js';
 import { editor } from '../controls/editor.js';
-import { grouped } from '../numerals.js';
+import { mostOf } from '../state.js';
+import { FIELDS } from '../tables.js';
 
 /** @param {import('../store.js').Store} store */
 export function rulesPanel(store) {
@@ -11,8 +12,7 @@ export function rulesPanel(store) {
     /** @param {'axiom' | 'rules'} field @param {string} text */
     const change = (field, text) => {
         store.change({ [field]: text }, field);
-        const { length } = store.state[field];
-        if (length < text.length) toast(`This is too long: the first ${grouped(String(length))} characters were taken.`);
+        if (text.length > mostOf(field)) toast(`This must be ${FIELDS[field].wanted}; the first of them were taken.`);
     };
     const axiom = editor(byId('axiom', HTMLTextAreaElement), html('axiom-problems'), 'axiom', {
         change: (text) => change('axiom', text),

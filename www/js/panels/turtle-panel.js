@@ -3,10 +3,11 @@
 import { byId, html, input, make, setChoice, setText } from '../dom.js';
 import { editor } from '../controls/editor.js';
 import { numberField, optionalField } from '../controls/number-field.js';
-import { DIALECTS as NAMES } from '../state.js';
-import { DIALECTS } from '../tables.js';
+import { rangeOf } from '../state.js';
+import { DIALECTS, FIELDS } from '../tables.js';
 
 /** @typedef {import('../engine.js').Report} Report */
+/** @typedef {import('../state.js').FieldName} FieldName */
 
 /** @param {import('../store.js').Store} store */
 export function turtlePanel(store) {
@@ -14,40 +15,40 @@ export function turtlePanel(store) {
     const dialect = byId('dialect', HTMLSelectElement);
     dialect.replaceChildren(...Object.entries(DIALECTS).map(([name, { label }]) => make('option', { value: name }, label)));
     dialect.addEventListener('change', () => {
-        const chosen = NAMES.find((name) => name === dialect.value);
-        if (chosen) store.change({ dialect: chosen }, '');
+        store.change({ dialect: /** @type {import('../state.js').Dialect} */ (dialect.value) }, '');
     });
     const overrides = editor(byId('overrides', HTMLTextAreaElement), html('overrides-problems'), 'overrides', {
         change: (text) => store.change({ overrides: text }, 'overrides'),
         settle,
     });
-    const showHeading = numberField(input('heading'), { low: -3600, high: 3600, step: 5, settle, change: (heading) => store.change({ heading }, 'heading') });
-    const showStep = numberField(input('step'), { low: 1e-9, high: 1e9, step: 1, settle, change: (step) => store.change({ step }, 'step') });
-    const showX = numberField(input('start-x'), { low: -1e9, high: 1e9, step: 1, settle, change: (x) => store.change({ start: [x, store.state.start[1]] }, 'start') });
-    const showY = numberField(input('start-y'), { low: -1e9, high: 1e9, step: 1, settle, change: (y) => store.change({ start: [store.state.start[0], y] }, 'start') });
+    const showHeading = plainField('heading', 'heading', 5);
+    const showStep = plainField('step', 'step', 1);
+    const showStart = listFields('start', ['start-x', 'start-y'], 1);
 
     const bends = html('bends');
-    const angles = { low: -3600, high: 3600, step: 1, settle };
-    const showDown = optionalField(input('pitch-down'), { ...angles, change: (pitchDown) => store.change({ pitchDown }, 'pitchDown') });
-    const showUp = optionalField(input('pitch-up'), { ...angles, change: (pitchUp) => store.change({ pitchUp }, 'pitchUp') });
-    const showLeft = optionalField(input('roll-left'), { ...angles, change: (rollLeft) => store.change({ rollLeft }, 'rollLeft') });
-    const showRight = optionalField(input('roll-right'), { ...angles, change: (rollRight) => store.change({ rollRight }, 'rollRight') });
-    const showElasticity = numberField(input('elasticity'), { low: -1000, high: 1000, step: 0.01, settle, change: (elasticity) => store.change({ elasticity }, 'elasticity') });
-    const showPull = ['x', 'y', 'z'].map((axis, at) =>
-        numberField(input(`tropism-${axis}`), {
-            low: -1000,
-            high: 1000,
-            step: 0.1,
-            settle,
-            change: (value) => {
-                const [x, y, z] = store.state.tropism;
-                store.change({ tropism: [at === 0 ? value : x, at === 1 ? value : y, at === 2 ? value : z] }, 'tropism');
-            },
-        }),
-    );
+    const [showDown, showUp, showLeft, showRight] = [leftOut('pitchDown', 'pitch-down'), leftOut('pitchUp', 'pitch-up'), leftOut('rollLeft', 'roll-left'), leftOut('rollRight', 'roll-right')];
+    const showElasticity = plainField('elasticity', 'elasticity', 0.01);
+    const showPull = listFields('tropism', ['tropism-x', 'tropism-y', 'tropism-z'], 0.1);
     /** Whether the drawing leaves the plane, and whether it bends. */
     let solid = false;
     let bent = false;
+
+    /** A number. @param {FieldName} field @param {string} id @param {number} step */
+    function plainField(field, id, step) {
+        return numberField(input(id), { ...rangeOf(field), wanted: FIELDS[field].wanted, step, settle, change: (value) => store.change({ [field]: value }, field) });
+    }
+
+    /** An angle that may be left out. @param {FieldName} field @param {string} id */
+    function leftOut(field, id) {
+        return optionalField(input(id), { ...rangeOf(field), wanted: FIELDS[field].wanted, step: 1, settle, change: (value) => store.change({ [field]: value }, field) });
+    }
+
+    /** The numbers of a list. @param {'start' | 'tropism'} field @param {string[]} ids @param {number} step */
+    function listFields(field, ids, step) {
+        const { wanted = '', ...range } = rangeOf(field);
+        const show = ids.map((id, at) => numberField(input(id), { ...range, wanted, step, settle, change: (value) => store.change({ [field]: store.state[field].with(at, value) }, field) }));
+        return (/** @type {readonly number[]} */ values) => values.forEach((value, at) => show[at]?.(value));
+    }
 
     /** Angles in space are shown where they matter, or were given. @param {import('../state.js').State} state */
     function showSpace({ angle, pitchDown, pitchUp, rollLeft, rollRight }) {
@@ -82,11 +83,10 @@ export function turtlePanel(store) {
             overrides.show(state.overrides);
             showHeading(state.heading);
             showStep(state.step);
-            showX(state.start[0]);
-            showY(state.start[1]);
+            showStart(state.start);
             showSpace(state);
             showElasticity(state.elasticity);
-            state.tropism.forEach((value, at) => showPull[at]?.(value));
+            showPull(state.tropism);
             // What begins to bend is shown; the reader may close it again.
             if (state.elasticity !== 0 && !bent) bends.setAttribute('open', '');
             bent = state.elasticity !== 0;

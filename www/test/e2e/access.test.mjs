@@ -199,7 +199,7 @@ test('number fields step with the arrows, ten times with Shift, a tenth with Alt
 
 test('a number field that holds something else says what it wants', () =>
     withPage({ hash: TREE }, async (page) => {
-        for (const [id, wrong, words] of [['iterations', '12 times', 'Write a whole number from 0 to 1,000.'], ['angle', '9999', 'Write a number from −3,600 to 3,600.'], ['seed', 'NaN', 'Write a whole number from 0 to 4,294,967,295.']]) {
+        for (const [id, wrong, words] of [['iterations', '12 times', 'Must be a whole number from 0 to 1,000.'], ['angle', 'wide', 'Must be a number.'], ['seed', 'NaN', 'Must be a whole number from 0 to 4,294,967,295.']]) {
             const field = page.locator(`#${id}`);
             await field.fill('');
             assert.equal(await page.locator('.wanted').count(), 0, 'an empty field waits');
@@ -210,6 +210,13 @@ test('a number field that holds something else says what it wants', () =>
             assert.equal(await page.locator('.wanted').count(), 0);
             assert.equal(await field.getAttribute('aria-invalid'), 'false');
         }
+        // What is out of range becomes the nearest value, and that is told until the next change.
+        await page.fill('#iterations', '5000');
+        await page.locator('#iterations').blur();
+        assert.equal(await page.inputValue('#iterations'), '1000');
+        assert.equal(await page.textContent('.wanted'), 'Must be a whole number from 0 to 1,000; the nearest value was taken.');
+        await page.fill('#iterations', '3');
+        assert.equal(await page.locator('.wanted').count(), 0);
     }));
 
 test('results and mistakes are announced, once and when typing has paused', () =>

@@ -278,7 +278,7 @@ test('undo and redo cover every control', () =>
             ['#colour-by', () => page.selectOption('#colour-by', 'level')],
             ['.ink', () => page.click('.ink >> nth=2')],
             ['#width', () => page.fill('#width', '0.5')],
-            ['#thin', () => page.fill('#thin', '2')],
+            ['#min-width', () => page.fill('#min-width', '2')],
             ['#add-colour', () => page.click('#add-colour')],
         ];
         for (const [, edit] of edits) {

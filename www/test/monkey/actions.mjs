@@ -24,8 +24,8 @@ const TEXTS = [
     ['#title', (roll) => pick(roll, ['Weed', '', '<b>x</b>', 'T'.repeat(300), '\u202ename'.repeat(3)]), 200],
 ];
 
-const NUMBERS = ['#iterations', '#angle', '#right', '#length-factor', '#vary-angle', '#vary-length', '#seed', '#heading', '#step', '#start-x', '#start-y', '#elasticity', '#tropism-x', '#tropism-y', '#pitch-down', '#roll-right', '#exposure', '#width', '#width-factor', '#thin', '#left-colour', '#play-place', '#reader-goto', '#constants-list .number'];
-const SLIDERS = ['#iterations-slider', '#angle-slider', '#right-slider', '#length-factor-slider', '#vary-angle-slider', '#width-slider', '#thin-slider', '#exposure-slider', '#fade', '#play-slider', '#play-speed', '#reader-step', '#constants-list input[type=range]'];
+const NUMBERS = ['#iterations', '#angle', '#right', '#length-factor', '#angle-variation', '#length-variation', '#seed', '#heading', '#step', '#start-x', '#start-y', '#elasticity', '#tropism-x', '#tropism-y', '#pitch-down', '#roll-right', '#exposure', '#width', '#width-factor', '#min-width', '#left-colour', '#play-place', '#reader-goto', '#constants-list .number'];
+const SLIDERS = ['#iterations-slider', '#angle-slider', '#right-slider', '#length-factor-slider', '#angle-variation-slider', '#width-slider', '#min-width-slider', '#exposure-slider', '#fade', '#play-slider', '#play-speed', '#reader-step', '#constants-list input[type=range]'];
 /** Sliders of the look and of growth that make drawings too heavy for a test are drawn with a light hand. */
 const REACH = 0.35;
 

@@ -47,7 +47,7 @@ export const DAMAGED = [
     link('view without room', '#v=1&view=0,0,0', { view: { x: 0, y: 0, zoom: 0.01 } }),
     link('palette of commas', '#v=1&palette=,,,,'),
     link('palette of nothing', '#v=1&palette='),
-    link('palette of many', `#v=1&palette=${'ffffff,'.repeat(60_000)}000000`, { palette: Array(32).fill('#ffffff') }),
+    link('palette of many', `#v=1&palette=${'ffffff,'.repeat(60_000)}000000`, { palette: Array(256).fill('#ffffff') }),
     link('palette with a name', '#v=1&palette=ff0000,red'),
     link('background as a rule', '#v=1&bg=fff;background:url(//x.test)'),
     link('background as a short form', '#v=1&bg=fff'),

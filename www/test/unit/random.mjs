@@ -1,6 +1,7 @@
 /** Random states for tests: the same seed gives the same ones. */
 
-import { COLOUR_BY, INK, DIALECTS, clean } from '../../js/state.js';
+import { clean } from '../../js/state.js';
+import { FIELDS } from '../../js/tables.js';
 
 /** A small generator of numbers in [0, 1) (mulberry32). @param {number} seed */
 export function dice(seed) {
@@ -11,6 +12,12 @@ export function dice(seed) {
         t ^= t + Math.imul(t ^ (t >>> 7), t | 61);
         return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
     };
+}
+
+/** @param {import('../../js/state.js').FieldName} field */
+function wordsOf(field) {
+    const { [field]: found } = FIELDS;
+    return found.kind === 'word' ? found.words : [];
 }
 
 /** @param {() => number} roll */
@@ -47,15 +54,15 @@ export function randomState(roll) {
         heading: number(),
         step: Math.abs(number()),
         start: [number(), number()],
-        dialect: pick(DIALECTS),
+        dialect: pick(wordsOf('dialect')),
         overrides: text(30),
         seed: Math.floor(roll() * 2 ** 32),
         palette: Array.from({ length: 1 + Math.floor(roll() * 6) }, colour),
-        colourBy: pick(COLOUR_BY),
+        colourBy: pick(wordsOf('colourBy')),
         background: colour(),
         width: Math.abs(number()),
         minWidth: Math.abs(number()),
-        ink: pick(INK),
+        ink: pick(wordsOf('ink')),
         exposure: roll() * 20 - 10,
         camera: roll() < 0.5 ? null : { azimuth: number(), elevation: number(), zoom: 10 ** (roll() * 6 - 2), x: number(), y: number(), z: number(), perspective: roll() < 0.5, fade: roll() },
         view: roll() < 0.5 ? null : { x: number(), y: number(), zoom: 10 ** (roll() * 26 - 2), ...(roll() < 0.5 ? {} : { fx: roll() * 1e-17, fy: -roll() * 1e-17 }) },

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { DEFAULTS, FIELDS, clean, sameSystem } from '../../js/state.js';
+import { DEFAULTS, FIELDS, clean, problemOf, sameSystem } from '../../js/state.js';
 
 test('defaults are valid and stand for themselves', () => {
     assert.deepEqual(clean({}), DEFAULTS);
@@ -12,7 +12,7 @@ test('what is out of range becomes the nearest valid value', () => {
     assert.equal(state.iterations, 1000);
     assert.equal(state.seed, 0);
     assert.equal(state.step, 1e-9);
-    assert.equal(state.minWidth, 100);
+    assert.equal(state.minWidth, 10_000);
     assert.equal(state.angle, 25.7);
     assert.deepEqual(state.view, { x: 0, y: 1e6, zoom: 1e25 });
     assert.equal(clean({ iterations: 3.6 }).iterations, 4);
@@ -31,6 +31,17 @@ test('what is no value of its field leaves the base as it is', () => {
     }
     assert.equal(Object.hasOwn(clean(JSON.parse('{"__proto__": {"axiom": "X"}, "more": 1}')), 'more'), false);
     assert.equal(clean(JSON.parse('{"__proto__": {"axiom": "X"}}')).axiom, '');
+});
+
+test('what is out of range is told in words', () => {
+    assert.equal(problemOf('iterations', 1001), 'must be a whole number from 0 to 1,000; the nearest value was taken');
+    assert.equal(problemOf('iterations', 2.5), 'must be a whole number from 0 to 1,000; the nearest value was taken');
+    assert.equal(problemOf('growth', 'half'), 'must be a number from 0 to 1; it was left out');
+    assert.match(problemOf('palette', []) ?? '', /^must be a list of 1 to 256 colours/);
+    assert.match(problemOf('notes', 'x'.repeat(10_001)) ?? '', /at most 10,000 characters; the nearest/);
+    for (const [field, value] of /** @type {[import('../../js/state.js').FieldName, unknown][]} */ ([['angle', 1e9], ['rightAngle', null], ['rules', 'a\r\nb'], ['background', '#ABCDEF'], ['start', [-0, 1]], ['view', { x: 0, y: 1, zoom: 2 }], ['view', null]])) {
+        assert.equal(problemOf(field, value), null, field);
+    }
 });
 
 test('texts are well formed, with plain line ends and a bound', () => {

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { linesOf } from '../../js/controls/editor.js';
-import { wordsOf } from '../../js/controls/wanted.js';
+import { stopsOf } from '../../js/controls/dial.js';
 import { outgrown, scaleAbout, writtenAs } from '../../js/controls/scale.js';
 import { even, nearest } from '../../js/controls/slider.js';
 import { grouped, plain, readNumber, short, shortText, zoomText } from '../../js/numerals.js';
@@ -28,11 +28,11 @@ test('numbers are read as people write them', () => {
     assert.equal(zoomText(1.5e6), '×1.5·10⁶');
 });
 
-test('a number field says what it wants', () => {
-    assert.equal(wordsOf({ low: 0, high: 1000, whole: true }), 'Write a whole number from 0 to 1,000');
-    assert.equal(wordsOf({ low: -3600, high: 3600 }), 'Write a number from −3,600 to 3,600');
-    assert.equal(wordsOf({ low: 1e-9, high: 10.5 }), 'Write a number from 1e-9 to 10.5');
-    assert.equal(wordsOf({ low: -Number.MAX_VALUE, high: Number.MAX_VALUE }), 'Write a number');
+test('sliders offer the values of the table', () => {
+    assert.deepEqual(stopsOf('lengthFactor'), even(0, 2, 0.05));
+    assert.deepEqual(stopsOf('angleVariation'), [...even(0, 30, 1), ...even(35, 100, 5)]);
+    assert.deepEqual(stopsOf('iterations').slice(-9), [95, 100, 120, 150, 200, 300, 500, 700, 1000]);
+    assert.deepEqual(stopsOf('exposure'), even(-4, 4, 0.25));
 });
 
 test('sliders find the nearest stop', () => {

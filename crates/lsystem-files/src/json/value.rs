@@ -1,6 +1,8 @@
 //! Reading values of JSON: each of its kind, with what is wrong about it.
 
 use super::*;
+use lsystem_syntax::MAX_PALETTE;
+use lsystem_syntax::Value as Held;
 
 impl File {
     /// Notes keys that nothing reads (unless `known` is empty) and those that stand twice.
@@ -31,14 +33,6 @@ impl File {
         None
     }
 
-    pub(super) fn string(&mut self, object: &Object<'_>, key: &str, into: &mut String) {
-        match last(object, key) {
-            None => {}
-            Some(Value::StringLit(text)) => *into = text.value.to_string(),
-            Some(other) => self.wrong_type(key, Expected::String, other),
-        }
-    }
-
     /// One string, or a list of them as lines.
     pub(super) fn lines(&mut self, key: &str, expected: Expected, value: &Value<'_>) -> Option<String> {
         match value {
@@ -60,53 +54,46 @@ impl File {
         }
     }
 
-    pub(super) fn number(&mut self, object: &Object<'_>, key: &str, expected: Expected, into: &mut f64) {
-        if let Some(value) = last(object, key) {
-            self.number_value(key, expected, value, into);
-        }
-    }
-
-    /// A list of as many numbers as there is room for.
-    pub(super) fn point(
-        &mut self,
-        object: &Object<'_>,
-        key: &str,
-        quantity: Quantity,
-        expected: Expected,
-        into: &mut [f64],
-    ) {
-        match last(object, key) {
-            None => {}
-            Some(Value::Array(list)) if list.elements.len() == into.len() => {
-                for (value, into) in list.elements.iter().zip(into) {
-                    self.number_value(key, quantity.expected(), value, into);
-                }
+    /// A value as a field expects it; otherwise what is wrong is noted at its place.
+    pub(super) fn value(&mut self, key: &str, expected: Expected, value: &Value<'_>) -> Option<Held> {
+        let found = match (expected, value) {
+            (Expected::Each(count, each), Value::Array(list)) if list.elements.len() == count => {
+                return self.list(key, *each, &list.elements);
             }
-            Some(other) => self.wrong_type(key, expected, other),
-        }
-    }
-
-    pub(super) fn number_value(&mut self, key: &str, expected: Expected, value: &Value<'_>, into: &mut f64) {
-        let Value::NumberLit(number) = value else { return self.wrong_type(key, expected, value) };
-        match number.value.parse::<f64>() {
-            Ok(number) if expected.admits(number) => *into = number,
-            _ => self.wrong_value(key, expected, value),
-        }
-    }
-
-    /// The index of a word among those allowed.
-    pub(super) fn word(&mut self, object: &Object<'_>, key: &str, allowed: &'static [&'static str]) -> Option<usize> {
-        let value = last(object, key)?;
-        let Value::StringLit(word) = value else {
-            self.wrong_type(key, Expected::String, value);
-            return None;
+            (Expected::Palette, Value::Array(list)) if (1..=MAX_PALETTE).contains(&list.elements.len()) => {
+                return self.list(key, Expected::Colour, &list.elements);
+            }
+            (Expected::Each(..), _) => None,
+            (Expected::Palette, Value::Array(_)) => Some(Held::List(Vec::new())),
+            (_, Value::StringLit(text)) => Some(Held::Text(text.value.to_string())),
+            (_, Value::NumberLit(number)) => Some(Held::Number(number.value.parse().unwrap_or(f64::NAN))),
+            (_, Value::BooleanLit(flag)) => Some(Held::Flag(flag.value)),
+            _ => None,
         };
-        let index = allowed.iter().position(|name| *name == word.value);
-        if index.is_none() {
-            let kind = Kind::WrongWord { key: excerpt(key), found: excerpt(&word.value), allowed };
-            self.notes.add(kind, self.span(value));
+        match found.filter(|found| expected.takes(found)) {
+            None => self.wrong_type(key, expected, value),
+            Some(found) if expected.admits_value(&found) => return Some(found),
+            Some(_) => self.wrong_value(key, expected, value),
         }
-        index
+        None
+    }
+
+    /// The values of a list, where all of them are as expected.
+    fn list(&mut self, key: &str, expected: Expected, values: &[Value<'_>]) -> Option<Held> {
+        let read: Vec<_> = values.iter().map(|value| self.value(key, expected, value)).collect();
+        read.into_iter().collect::<Option<_>>().map(Held::List)
+    }
+
+    /// A field's text that was read in a form of its own, where it is short enough.
+    pub(super) fn text(&mut self, name: &str, text: String, object: &Object<'_>) -> String {
+        let Some((spec, (_, key))) = field(name).and_then(|spec| Some((spec, spec.file?))) else { return text };
+        let text = Held::Text(text);
+        if !spec.admits(&text)
+            && let Some(value) = last(object, key)
+        {
+            self.wrong_value(key, spec.expected, value);
+        }
+        if let Held::Text(text) = text { text } else { String::new() }
     }
 
     pub(super) fn check_spaces(&mut self, text: &str, value: &Value<'_>) {

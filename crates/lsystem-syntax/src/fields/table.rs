@@ -1,0 +1,497 @@
+//! The table of fields.
+
+use super::{Access, Affects, FieldSpec, Section, Slider};
+use crate::value::Held;
+use crate::{ColourBy, Dialect, Expected, Ink, MAX_ITERATIONS};
+
+/// Reads and writes a member of a definition.
+macro_rules! at {
+    ($($member:ident).+) => {
+        Access {
+            get: |definition| definition.$($member).+.value(),
+            set: |definition, value| Held::held(value).map(|held| definition.$($member).+ = held).is_some(),
+        }
+    };
+}
+
+/// What rows have in common.
+const FIELD: FieldSpec = FieldSpec {
+    name: "",
+    link: "",
+    file: None,
+    expected: Expected::Number,
+    optional: false,
+    slider: None,
+    unit: "",
+    affects: Affects::Drawing,
+    label: "",
+    help: "",
+    access: None,
+};
+
+const fn text(most: usize) -> Expected {
+    Expected::Text(most)
+}
+
+const FACTOR: Expected = Expected::Between(0.0, 10.0);
+const PERCENT: Expected = Expected::Between(0.0, 100.0);
+const PULL: Expected = Expected::Between(-1e3, 1e3);
+const HALF_TURN: Slider = Slider { from: 0.0, parts: &[(180.0, 0.5)], arrow: 1.0 };
+const TIMES: Slider = Slider { from: 0.0, parts: &[(2.0, 0.05)], arrow: 0.05 };
+const PERCENTS: Slider = Slider { from: 0.0, parts: &[(30.0, 1.0), (100.0, 5.0)], arrow: 1.0 };
+
+/// The smallest magnification.
+const MIN_ZOOM: f64 = 1e-2;
+
+/// A view of the plane. Where a step of a drawing 10^24 steps wide fills the picture the zoom is 10^25.
+const VIEW: &[(&str, Expected)] = &[
+    ("x", Expected::Between(-1e6, 1e6)),
+    ("y", Expected::Between(-1e6, 1e6)),
+    ("zoom", Expected::Between(MIN_ZOOM, 1e25)),
+    ("fx", Expected::Between(-1.0, 1.0)),
+    ("fy", Expected::Between(-1.0, 1.0)),
+];
+
+/// A view of space. Single precision is enough up to this zoom.
+const CAMERA: &[(&str, Expected)] = &[
+    ("azimuth", Expected::Between(-360.0, 360.0)),
+    ("elevation", Expected::Between(-90.0, 90.0)),
+    ("zoom", Expected::Between(MIN_ZOOM, 1e4)),
+    ("x", Expected::Between(-100.0, 100.0)),
+    ("y", Expected::Between(-100.0, 100.0)),
+    ("z", Expected::Between(-100.0, 100.0)),
+    ("perspective", Expected::Boolean),
+    ("fade", Expected::Between(0.0, 1.0)),
+];
+
+/// All fields, in the order in which links write them.
+pub static FIELDS: [FieldSpec; 37] = [
+    FieldSpec {
+        name: "title",
+        link: "title",
+        file: Some((Section::File, "title")),
+        expected: text(200),
+        affects: Affects::Caption,
+        label: "Title",
+        help: "a title for people",
+        access: Some(at!(title)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "axiom",
+        link: "axiom",
+        file: Some((Section::File, "initial")),
+        expected: text(20_000),
+        label: "Axiom",
+        help: "the axiom",
+        access: Some(at!(axiom)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "rules",
+        link: "rules",
+        file: Some((Section::File, "rules")),
+        expected: text(50_000),
+        label: "Productions",
+        help: "productions and constants, one on each line",
+        access: Some(at!(rules)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "iterations",
+        link: "n",
+        file: Some((Section::File, "num_iters")),
+        expected: Expected::Whole(0, MAX_ITERATIONS as i64),
+        slider: Some(Slider {
+            from: 0.0,
+            parts: &[
+                (24.0, 1.0),
+                (40.0, 2.0),
+                (100.0, 5.0),
+                (120.0, 20.0),
+                (150.0, 30.0),
+                (200.0, 50.0),
+                (300.0, 100.0),
+                (700.0, 200.0),
+                (1000.0, 300.0),
+            ],
+            arrow: 1.0,
+        }),
+        unit: "iterations",
+        label: "Iterations",
+        help: "derivation steps",
+        access: Some(at!(iterations)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "angle",
+        link: "angle",
+        file: Some((Section::File, "angle_deg")),
+        expected: Expected::Number,
+        slider: Some(HALF_TURN),
+        unit: "degrees",
+        label: "Angle",
+        help: "degrees of a left turn, and of a right one unless it has an angle of its own",
+        access: Some(at!(angle)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "rightAngle",
+        link: "right",
+        file: Some((Section::Turtle, "right_angle_deg")),
+        expected: Expected::Number,
+        optional: true,
+        slider: Some(HALF_TURN),
+        unit: "degrees",
+        label: "Right turns",
+        help: "degrees of a right turn; as `angle` where it is missing",
+        access: Some(at!(right_angle)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "seed",
+        link: "seed",
+        file: Some((Section::File, "seed")),
+        expected: Expected::Whole(0, u32::MAX as i64),
+        label: "Seed",
+        help: "the number that selects among random choices",
+        access: Some(at!(seed)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "dialect",
+        link: "turtle",
+        file: Some((Section::Turtle, "dialect")),
+        expected: Expected::Word(&Dialect::NAMES),
+        label: "Dialect",
+        help: "the table of what symbols do",
+        access: Some(at!(dialect)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "pitchDown",
+        link: "down",
+        file: Some((Section::Turtle, "pitch_down_deg")),
+        expected: Expected::Number,
+        optional: true,
+        unit: "degrees",
+        label: "Pitch down",
+        help: "degrees of pitching down; as `angle` where it is missing",
+        access: Some(at!(pitch_down)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "pitchUp",
+        link: "up",
+        file: Some((Section::Turtle, "pitch_up_deg")),
+        expected: Expected::Number,
+        optional: true,
+        unit: "degrees",
+        label: "Pitch up",
+        help: "degrees of pitching up; as pitching down where it is missing",
+        access: Some(at!(pitch_up)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "rollLeft",
+        link: "roll",
+        file: Some((Section::Turtle, "roll_left_deg")),
+        expected: Expected::Number,
+        optional: true,
+        unit: "degrees",
+        label: "Roll left",
+        help: "degrees of rolling left; as `angle` where it is missing",
+        access: Some(at!(roll_left)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "rollRight",
+        link: "rollright",
+        file: Some((Section::Turtle, "roll_right_deg")),
+        expected: Expected::Number,
+        optional: true,
+        unit: "degrees",
+        label: "Roll right",
+        help: "degrees of rolling right; as rolling left where it is missing",
+        access: Some(at!(roll_right)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "heading",
+        link: "heading",
+        file: Some((Section::Turtle, "heading_deg")),
+        expected: Expected::Number,
+        unit: "degrees",
+        label: "Heading",
+        help: "the heading at the start, in degrees counter-clockwise from +x",
+        access: Some(at!(heading)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "step",
+        link: "step",
+        file: Some((Section::Turtle, "step")),
+        expected: Expected::Between(1e-9, 1e9),
+        label: "Step",
+        help: "the step length, in model units",
+        access: Some(at!(step)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "start",
+        link: "start",
+        file: Some((Section::Turtle, "start")),
+        expected: Expected::Each(2, &Expected::Between(-1e9, 1e9)),
+        label: "Start of the turtle",
+        help: "where the turtle starts, in model units, x right and y up",
+        access: Some(at!(start)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "tropism",
+        link: "tropism",
+        file: Some((Section::Turtle, "tropism")),
+        expected: Expected::Each(3, &PULL),
+        label: "Tropism",
+        help: "the direction that branches bend towards: x, y, and z towards the viewer",
+        access: Some(at!(tropism)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "elasticity",
+        link: "elasticity",
+        file: Some((Section::Turtle, "elasticity")),
+        expected: PULL,
+        label: "Elasticity",
+        help: "how easily branches bend, 0 for not at all",
+        access: Some(at!(elasticity)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "lengthFactor",
+        link: "shorter",
+        file: Some((Section::Turtle, "length_factor")),
+        expected: FACTOR,
+        slider: Some(TIMES),
+        unit: "times",
+        label: "Branch length ×",
+        help: "what every branch multiplies lengths by",
+        access: Some(at!(length_factor)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "angleVariation",
+        link: "vary",
+        file: Some((Section::Turtle, "angle_variation")),
+        expected: PERCENT,
+        slider: Some(PERCENTS),
+        unit: "percent",
+        label: "Angle variation",
+        help: "how much angles differ at random, at most, in percent",
+        access: Some(at!(angle_variation)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "lengthVariation",
+        link: "varylength",
+        file: Some((Section::Turtle, "length_variation")),
+        expected: PERCENT,
+        slider: Some(PERCENTS),
+        unit: "percent",
+        label: "Length variation",
+        help: "how much lengths differ at random, at most, in percent",
+        access: Some(at!(length_variation)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "growth",
+        link: "growth",
+        file: Some((Section::Turtle, "growth")),
+        expected: Expected::Between(0.0, 1.0),
+        label: "Growth",
+        help: "how far the last derivation step has grown",
+        access: Some(at!(growth)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "overrides",
+        link: "do",
+        file: Some((Section::Turtle, "overrides")),
+        expected: text(20_000),
+        label: "Custom symbols",
+        help: "symbols that do something else than in the dialect, one on each line",
+        access: Some(at!(overrides)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "palette",
+        link: "palette",
+        file: Some((Section::Style, "palette")),
+        expected: Expected::Palette,
+        affects: Affects::Look,
+        label: "Colours",
+        help: "the stroke colours",
+        access: Some(at!(style.palette)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "colourBy",
+        link: "colour",
+        file: Some((Section::Style, "colour_by")),
+        expected: Expected::Word(&ColourBy::NAMES),
+        affects: Affects::Look,
+        label: "Colour by",
+        help: "what the colour follows",
+        access: Some(at!(style.colour_by)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "paletteHolds",
+        link: "hold",
+        file: Some((Section::Style, "palette_holds")),
+        expected: Expected::Boolean,
+        affects: Affects::Look,
+        label: "Stay at the last colour",
+        help: "whether by level and by generation the last colour stays where the palette ends",
+        access: Some(at!(style.palette_holds)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "turnColours",
+        link: "turns",
+        file: Some((Section::Style, "turn_colours")),
+        expected: Expected::Each(2, &Expected::Whole(i32::MIN as i64, i32::MAX as i64)),
+        affects: Affects::Look,
+        label: "Colour number after a turn",
+        help: "by turn: the index in the palette, from 0, after a left and after a right turn",
+        access: Some(at!(style.turn_colours)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "background",
+        link: "bg",
+        file: Some((Section::Style, "background")),
+        expected: Expected::Colour,
+        affects: Affects::Look,
+        label: "Background",
+        help: "the colour behind the drawing",
+        access: Some(at!(style.background)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "width",
+        link: "width",
+        file: Some((Section::Style, "width")),
+        expected: Expected::Between(0.0, 1e9),
+        slider: Some(Slider { from: 0.0, parts: &[(1.0, 0.05), (3.0, 0.1), (10.0, 0.25), (20.0, 0.5)], arrow: 0.1 }),
+        unit: "steps",
+        affects: Affects::Look,
+        label: "Stroke width (steps)",
+        help: "the stroke width, in steps",
+        access: Some(at!(style.width)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "widthFactor",
+        link: "thinner",
+        file: Some((Section::Style, "width_factor")),
+        expected: FACTOR,
+        slider: Some(TIMES),
+        unit: "times",
+        affects: Affects::Look,
+        label: "Width per branch level ×",
+        help: "what every branch multiplies the width by",
+        access: Some(at!(style.width_factor)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "minWidth",
+        link: "thin",
+        file: Some((Section::Style, "min_width")),
+        expected: Expected::Between(0.0, 1e4),
+        slider: Some(Slider { from: 0.0, parts: &[(8.0, 0.25)], arrow: 0.5 }),
+        unit: "pixels",
+        affects: Affects::Look,
+        label: "Thinnest line",
+        help: "the width of the thinnest line, in pixels",
+        access: Some(at!(style.min_width)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "ink",
+        link: "ink",
+        file: Some((Section::Style, "ink")),
+        expected: Expected::Word(&Ink::NAMES),
+        affects: Affects::Look,
+        label: "Blending",
+        help: "whether strokes cover each other (`solid`) or their ink adds up (`density`)",
+        access: Some(at!(style.ink)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "exposure",
+        link: "exposure",
+        file: Some((Section::Style, "exposure")),
+        expected: Expected::Between(-10.0, 10.0),
+        slider: Some(Slider { from: -4.0, parts: &[(4.0, 0.25)], arrow: 0.25 }),
+        unit: "stops",
+        affects: Affects::Look,
+        label: "Exposure (stops)",
+        help: "how much of ink that adds up shows, in stops: each doubles it",
+        access: Some(at!(style.exposure)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "name",
+        link: "name",
+        file: Some((Section::File, "name")),
+        expected: text(200),
+        affects: Affects::Caption,
+        label: "Name",
+        help: "a short name, unique within its folder",
+        access: Some(at!(name)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "source",
+        link: "source",
+        file: Some((Section::File, "source")),
+        expected: text(1_000),
+        affects: Affects::Caption,
+        label: "Source",
+        help: "where the system was published",
+        access: Some(at!(source)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "notes",
+        link: "notes",
+        file: Some((Section::File, "notes")),
+        expected: text(10_000),
+        affects: Affects::Caption,
+        label: "Notes",
+        help: "what a reader should know",
+        access: Some(at!(notes)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "view",
+        link: "view",
+        expected: Expected::Record(VIEW),
+        optional: true,
+        affects: Affects::Look,
+        label: "View",
+        help: "the part of the plane that is shown",
+        ..FIELD
+    },
+    FieldSpec {
+        name: "camera",
+        link: "camera",
+        expected: Expected::Record(CAMERA),
+        optional: true,
+        affects: Affects::Look,
+        label: "Camera",
+        help: "from where a drawing in space is looked at",
+        ..FIELD
+    },
+];

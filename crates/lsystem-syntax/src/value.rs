@@ -1,0 +1,185 @@
+//! Values of fields, free of the form that files, links and scripts give them.
+
+use crate::{Colour, ColourBy, Dialect, Ink};
+use serde::de::{self, Deserialize, Deserializer, SeqAccess, Visitor};
+use serde::ser::{Serialize, Serializer};
+
+/// A value as JSON, a script or a command line can hold it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// `null`: a number that is left out.
+    Nothing,
+    /// `true` or `false`.
+    Flag(bool),
+    /// A number.
+    Number(f64),
+    /// A text, a word among several, or a colour.
+    Text(String),
+    /// Numbers or colours.
+    List(Vec<Value>),
+}
+
+/// A type of a definition's field, as a [`Value`] and back.
+pub(crate) trait Held: Sized {
+    /// The field's value.
+    fn value(&self) -> Value;
+    /// The field that a value stands for; `None` where the value is of another type.
+    fn held(value: &Value) -> Option<Self>;
+}
+
+impl Held for String {
+    fn value(&self) -> Value {
+        Value::Text(self.clone())
+    }
+    fn held(value: &Value) -> Option<Self> {
+        if let Value::Text(text) = value { Some(text.clone()) } else { None }
+    }
+}
+
+impl Held for bool {
+    fn value(&self) -> Value {
+        Value::Flag(*self)
+    }
+    fn held(value: &Value) -> Option<Self> {
+        if let Value::Flag(flag) = value { Some(*flag) } else { None }
+    }
+}
+
+impl Held for f64 {
+    fn value(&self) -> Value {
+        Value::Number(*self)
+    }
+    fn held(value: &Value) -> Option<Self> {
+        if let Value::Number(number) = value { Some(*number) } else { None }
+    }
+}
+
+impl Held for u32 {
+    fn value(&self) -> Value {
+        Value::Number(f64::from(*self))
+    }
+    fn held(value: &Value) -> Option<Self> {
+        let number = f64::held(value)?;
+        (f64::from(number as Self) == number).then_some(number as Self)
+    }
+}
+
+impl Held for i32 {
+    fn value(&self) -> Value {
+        Value::Number(f64::from(*self))
+    }
+    fn held(value: &Value) -> Option<Self> {
+        let number = f64::held(value)?;
+        (f64::from(number as Self) == number).then_some(number as Self)
+    }
+}
+
+impl<T: Held> Held for Option<T> {
+    fn value(&self) -> Value {
+        self.as_ref().map_or(Value::Nothing, T::value)
+    }
+    fn held(value: &Value) -> Option<Self> {
+        if *value == Value::Nothing { Some(None) } else { T::held(value).map(Some) }
+    }
+}
+
+impl<T: Held> Held for Vec<T> {
+    fn value(&self) -> Value {
+        Value::List(self.iter().map(T::value).collect())
+    }
+    fn held(value: &Value) -> Option<Self> {
+        if let Value::List(list) = value { list.iter().map(T::held).collect() } else { None }
+    }
+}
+
+impl<T: Held, const N: usize> Held for [T; N] {
+    fn value(&self) -> Value {
+        Value::List(self.iter().map(T::value).collect())
+    }
+    fn held(value: &Value) -> Option<Self> {
+        Vec::held(value)?.try_into().ok()
+    }
+}
+
+impl Held for Colour {
+    fn value(&self) -> Value {
+        Value::Text(String::from(*self))
+    }
+    fn held(value: &Value) -> Option<Self> {
+        if let Value::Text(text) = value { text.parse().ok() } else { None }
+    }
+}
+
+/// Fields that hold one of several words.
+macro_rules! words {
+    ($($type:ty),*) => {$(
+        impl Held for $type {
+            fn value(&self) -> Value {
+                Value::Text(self.name().to_owned())
+            }
+            fn held(value: &Value) -> Option<Self> {
+                let Value::Text(word) = value else { return None };
+                Self::ALL.iter().copied().find(|one| one.name() == word)
+            }
+        }
+    )*};
+}
+
+words!(Dialect, ColourBy, Ink);
+
+impl Serialize for Value {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Nothing => serializer.serialize_none(),
+            Self::Flag(flag) => serializer.serialize_bool(*flag),
+            Self::Number(number) => serializer.serialize_f64(*number),
+            Self::Text(text) => serializer.serialize_str(text),
+            Self::List(list) => serializer.collect_seq(list),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Value {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Reader)
+    }
+}
+
+/// Reads a value of whatever type it is.
+struct Reader;
+
+impl<'de> Visitor<'de> for Reader {
+    type Value = Value;
+
+    fn expecting(&self, out: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        out.write_str("null, a flag, a number, a text or a list of these")
+    }
+    fn visit_unit<E: de::Error>(self) -> Result<Value, E> {
+        Ok(Value::Nothing)
+    }
+    fn visit_none<E: de::Error>(self) -> Result<Value, E> {
+        Ok(Value::Nothing)
+    }
+    fn visit_bool<E: de::Error>(self, flag: bool) -> Result<Value, E> {
+        Ok(Value::Flag(flag))
+    }
+    fn visit_i64<E: de::Error>(self, number: i64) -> Result<Value, E> {
+        Ok(Value::Number(number as f64))
+    }
+    fn visit_u64<E: de::Error>(self, number: u64) -> Result<Value, E> {
+        Ok(Value::Number(number as f64))
+    }
+    fn visit_f64<E: de::Error>(self, number: f64) -> Result<Value, E> {
+        Ok(Value::Number(number))
+    }
+    fn visit_str<E: de::Error>(self, text: &str) -> Result<Value, E> {
+        Ok(Value::Text(text.to_owned()))
+    }
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Value, A::Error> {
+        let mut values = Vec::new();
+        while let Some(value) = list.next_element()? {
+            values.push(value);
+        }
+        Ok(Value::List(values))
+    }
+}

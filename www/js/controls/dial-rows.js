@@ -1,0 +1,31 @@
+/** Rows with a label, a slider and a number field, for the fields that the page names in `data-field`. */
+
+import { make } from '../dom.js';
+import { FIELDS } from '../tables.js';
+import { dial } from './dial.js';
+
+/** Signs of units beside the field, by the unit's word. @type {Record<string, string>} */
+const SIGNS = { degrees: '°', percent: '%', pixels: 'px' };
+
+/** @param {import('../store.js').Store} store */
+export function dialRows(store) {
+    const rows = [...document.querySelectorAll('.dial[data-field]')].map((row) => {
+        const field = /** @type {import('../state.js').FieldName} */ (row.getAttribute('data-field'));
+        const id = field.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+        const { label, unit = '' } = FIELDS[field];
+        const number = make('input', { id, class: 'number', type: 'text', inputmode: 'decimal', autocomplete: 'off' });
+        const sign = SIGNS[unit];
+        row.append(
+            make('label', { for: id }, label),
+            make('input', { id: `${id}-slider`, type: 'range', 'aria-label': `${label}, slider` }),
+            sign ? make('span', { class: 'with-unit' }, number, make('span', { class: 'unit', 'aria-hidden': 'true' }, sign)) : number,
+        );
+        return { field, control: dial(store, field, id) };
+    });
+
+    /** @param {import('../state.js').State} state */
+    function show(state) {
+        for (const { field, control } of rows) control.show(Number(state[field]));
+    }
+    return { show };
+}
