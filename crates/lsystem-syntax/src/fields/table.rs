@@ -274,7 +274,7 @@ pub static FIELDS: [FieldSpec; 37] = [
         expected: FACTOR,
         slider: Some(TIMES),
         unit: "times",
-        label: "Branch length ×",
+        label: "Branch length\u{a0}×",
         help: "what every branch multiplies lengths by",
         access: Some(at!(length_factor)),
         ..FIELD
@@ -399,7 +399,7 @@ pub static FIELDS: [FieldSpec; 37] = [
         slider: Some(TIMES),
         unit: "times",
         affects: Affects::Look,
-        label: "Width per branch level ×",
+        label: "Width per branch level\u{a0}×",
         help: "what every branch multiplies the width by",
         access: Some(at!(style.width_factor)),
         ..FIELD
