@@ -1,21 +1,23 @@
 //! `lsys draw`: pictures, tables of segments and strings, to files or to standard output.
 
-use crate::args::{Changes, Format, Job, Target};
+use crate::args::{Job, Target};
+use crate::cli::{Changes, Format, Look};
 use crate::input::{self, Input};
 use crate::pending::{Pending, with_extension};
 use crate::progress::Progress;
 use crate::{Failure, picture, print};
 use lsystem::drawing::Outlook;
+use lsystem::files::SvgForm;
 use lsystem::{Drawing, Mesh, Solid, SvgOptions, write_csv, write_glb, write_json, write_obj, write_svg};
 use std::io::IsTerminal;
 
 /// Does all `jobs`. One that fails is reported, and the others are still done.
-pub(crate) fn draw(jobs: &[Job], changes: &Changes) -> Result<(), Failure> {
+pub(crate) fn draw(jobs: &[Job], look: Look, changes: &Changes) -> Result<(), Failure> {
     let mut progress = Progress::new("files", jobs.len() as u64);
     let mut failed = false;
     for (i, job) in jobs.iter().enumerate() {
         progress.at(i as u64);
-        if let Err(failure) = one(job, changes) {
+        if let Err(failure) = one(job, look, changes) {
             failed = true;
             failure.tell()?;
         }
@@ -23,21 +25,21 @@ pub(crate) fn draw(jobs: &[Job], changes: &Changes) -> Result<(), Failure> {
     if failed { Err(Failure::Said) } else { Ok(()) }
 }
 
-fn one(job: &Job, changes: &Changes) -> Result<(), Failure> {
+fn one(job: &Job, look: Look, changes: &Changes) -> Result<(), Failure> {
     let input = input::read(&job.file, changes)?;
     match &job.target {
-        Target::Print(Format::Png(_) | Format::Glb) if std::io::stdout().is_terminal() => {
+        Target::Print(Format::Png | Format::Glb) if std::io::stdout().is_terminal() => {
             Err(Failure::Words("a terminal cannot show this: name an OUT_BASE".to_owned()))
         }
         Target::Print(format) => {
-            let bytes = form(&input, *format)?;
+            let bytes = form(&input, *format, look)?;
             print(|out| out.write_all(&bytes))
         }
         Target::Write(base, formats) => {
             // All files are complete before the first gets its name.
             let mut pending = Vec::new();
             for &format in formats {
-                let bytes = form(&input, format)?;
+                let bytes = form(&input, format, look)?;
                 let path = with_extension(base, format.extension());
                 let file = Pending::write(&path, |out| out.write_all(&bytes));
                 pending.push(file.map_err(|error| Failure::io(path.display(), &error))?);
@@ -52,7 +54,7 @@ fn one(job: &Job, changes: &Changes) -> Result<(), Failure> {
 const MESH_SEGMENTS: u64 = 500_000;
 
 /// The system in a format, as a file's bytes.
-fn form(input: &Input, format: Format) -> Result<Vec<u8>, Failure> {
+fn form(input: &Input, format: Format, Look { size, compact, .. }: Look) -> Result<Vec<u8>, Failure> {
     let style = &input.system.style;
     let wrong = |limit| input.limit(&limit);
     let (system, n, limits) = (&input.system, input.iterations, &input.limits);
@@ -65,7 +67,7 @@ fn form(input: &Input, format: Format) -> Result<Vec<u8>, Failure> {
     let mesh = |drawing: &Drawing<Solid>| Mesh::new(drawing, style, MESH_SEGMENTS).map_err(wrong);
     let name = input.definition.label();
     match format {
-        Format::Png(size) => {
+        Format::Png => {
             let definition = write_json(&input.definition);
             let picture = match system.is_solid() {
                 true => picture::solid_png(solid()?, style, size, &definition),
@@ -82,11 +84,11 @@ fn form(input: &Input, format: Format) -> Result<Vec<u8>, Failure> {
             };
             table.map(String::into_bytes).map_err(wrong)
         }
-        Format::Svg(form) => {
+        Format::Svg => {
             let options = SvgOptions {
                 title: name.to_owned(),
                 system: write_json(&input.definition),
-                form,
+                form: if compact { SvgForm::Compact } else { SvgForm::Flat },
                 most: limits.segments,
                 ..SvgOptions::default()
             };

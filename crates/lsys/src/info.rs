@@ -1,6 +1,6 @@
 //! `lsys info`: what is known about a system without looking at its picture.
 
-use crate::args::Changes;
+use crate::cli::Changes;
 use crate::input::{self, Input};
 use crate::output::escape_json;
 use crate::{Failure, print};

@@ -1,6 +1,6 @@
 //! Reading a file into a system, and saying what is wrong with it.
 
-use crate::args::Changes;
+use crate::cli::Changes;
 use crate::{Failure, say, settings};
 use lsystem::files::FileContent;
 use lsystem::syntax::{MAX_TEXT, visible};

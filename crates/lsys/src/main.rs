@@ -2,6 +2,7 @@
 //! program reads arguments and files and writes what it says.
 
 mod args;
+mod cli;
 mod draw;
 mod info;
 mod input;
@@ -13,8 +14,10 @@ mod progress;
 mod settings;
 
 use args::Command;
+use cli::Changes;
 use lsystem::derive::Word;
 use lsystem::syntax::visible;
+use output::visible_lines;
 use progress::Progress;
 use std::io::{self, Write};
 use std::path::Path;
@@ -57,7 +60,7 @@ fn main() -> ExitCode {
     let command = match args::parse(std::env::args_os().skip(1)) {
         Ok(command) => command,
         Err(words) => {
-            say(&format!("error: {}\nlsys --help tells more\n", visible(&words)));
+            say(&visible_lines(&words));
             return ExitCode::from(2);
         }
     };
@@ -70,10 +73,9 @@ fn main() -> ExitCode {
 
 fn run(command: Command) -> Result<(), Failure> {
     match command {
-        Command::Help => print(|out| out.write_all(args::HELP.as_bytes())),
-        Command::Version => print(|out| writeln!(out, "lsys {}", env!("CARGO_PKG_VERSION"))),
+        Command::Print(text) => print(|out| out.write_all(text.as_bytes())),
         Command::Expand { file, changes } => expand(&file, &changes),
-        Command::Draw { jobs, changes } => draw::draw(&jobs, &changes),
+        Command::Draw { jobs, look, changes } => draw::draw(&jobs, look, &changes),
         Command::Info { files, json, changes } => info::info(&files, json, &changes),
     }
 }
@@ -83,7 +85,7 @@ const PIECE: usize = 1 << 16;
 /// Strings up to this many symbols are derived whole, which is faster.
 const WHOLE: u128 = 1 << 24;
 
-fn expand(file: &Path, changes: &args::Changes) -> Result<(), Failure> {
+fn expand(file: &Path, changes: &Changes) -> Result<(), Failure> {
     let input = input::read(file, changes)?;
     match input.system.word(input.iterations).filter(|word| word.symbols() > WHOLE) {
         Some(word) => print(|out| write_pieces(out, &word)),

@@ -1,6 +1,6 @@
 //! Pictures as PNG, by the core's renderer: any generation whose drawing memoises, at any size.
 
-use crate::args::Size;
+use crate::cli::Size;
 use crate::progress::Progress as Bar;
 use lsystem::files::tag_png;
 use lsystem::render::{Pane, Pass, Quality};

@@ -559,20 +559,59 @@ fn usage() {
         "expand",
         2,
         &expect![[r#"
-        error: lsys expand needs a FILE
-        lsys --help tells more
+        error: the following required arguments were not provided:
+          <FILE>
+
+        Usage: lsys expand <FILE>
+
+        For more information, try '--help'.
     "#]],
     );
     bad(
         "draw data_in/abop/1.24a.json --format gif",
         2,
         &expect![[r#"
-            error: --format takes svg, png, csv, txt, obj or glb, not `gif`
-            lsys --help tells more
-        "#]],
+        error: invalid value 'gif' for '--format <FORMAT>'
+          [possible values: svg, png, csv, txt, obj, glb]
+
+        For more information, try '--help'.
+    "#]],
+    );
+    bad(
+        "draw data_in/abop/1.24a.json --size 10x10",
+        2,
+        &expect![[r#"
+        error: --size goes with --format png only
+
+        Usage: lsys draw [OPTIONS] FILE [OUT_BASE]
+               lsys draw [OPTIONS] FILE... --out-dir DIR
+
+        For more information, try '--help'.
+    "#]],
     );
     assert!(good("--help").contains("lsys FILE OUT_BASE"));
+    assert!(good("draw --help").contains("lsys draw [OPTIONS] FILE... --out-dir DIR"));
     assert_eq!(good("--version"), format!("lsys {}\n", env!("CARGO_PKG_VERSION")));
+}
+
+#[test]
+fn completions_are_printed_for_every_shell() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = good(&format!("completions {shell}"));
+        assert!(["expand", "info", "out-dir"].iter().all(|word| script.contains(word)), "{shell}: {script}");
+    }
+    assert!(good("completions zsh").starts_with("#compdef lsys\n"));
+}
+
+#[cfg(unix)]
+#[test]
+fn bash_completes_options() {
+    let script = format!(
+        "{}\nCOMP_WORDS=(lsys draw --out); COMP_CWORD=2; _lsys lsys --out draw; echo \"${{COMPREPLY[*]}}\"",
+        good("completions bash")
+    );
+    let output = Command::new("bash").args(["-c", &script]).output().expect("bash starts");
+    assert_eq!(text(&output.stdout), "--out-dir\n", "{}", text(&output.stderr));
 }
 
 #[test]
