@@ -13,7 +13,7 @@ use std::io::IsTerminal;
 
 /// Does all `jobs`. One that fails is reported, and the others are still done.
 pub(crate) fn draw(jobs: &[Job], look: Look, changes: &Changes) -> Result<(), Failure> {
-    let mut progress = Progress::new("files", jobs.len() as u64);
+    let mut progress = Progress::new("files", Some(jobs.len() as u64));
     let mut failed = false;
     for (i, job) in jobs.iter().enumerate() {
         progress.at(i as u64);

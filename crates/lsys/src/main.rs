@@ -19,7 +19,7 @@ use lsystem::derive::Word;
 use lsystem::syntax::visible;
 use output::visible_lines;
 use progress::Progress;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -98,7 +98,8 @@ fn expand(file: &Path, changes: &Changes) -> Result<(), Failure> {
 
 /// A string too long for memory, and a newline.
 fn write_pieces(out: &mut dyn Write, word: &Word<'_>) -> io::Result<()> {
-    let mut progress = Progress::new("symbols", u64::try_from(word.symbols()).unwrap_or(u64::MAX));
+    // A terminal shows the string itself.
+    let mut progress = (!io::stdout().is_terminal()).then(|| Progress::new("symbols", word.symbols().try_into().ok()));
     let mut start = 0_u128;
     loop {
         let piece = word.slice(start, PIECE);
@@ -107,7 +108,7 @@ fn write_pieces(out: &mut dyn Write, word: &Word<'_>) -> io::Result<()> {
         }
         out.write_all(piece.as_bytes())?;
         start += PIECE as u128;
-        progress.at(u64::try_from(start).unwrap_or(u64::MAX));
+        progress.iter_mut().for_each(|progress| progress.at(u64::try_from(start).unwrap_or(u64::MAX)));
     }
 }
 
@@ -124,5 +125,5 @@ fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Fai
 
 /// Writes to standard error; where that fails there is nobody left to tell.
 fn say(text: &str) {
-    let _ = io::stderr().write_all(text.as_bytes());
+    let _ = progress::beside_bars(|| io::stderr().write_all(text.as_bytes()));
 }

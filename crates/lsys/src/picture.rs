@@ -97,7 +97,7 @@ fn viewport(Size { width, height }: Size) -> Viewport {
 
 /// Takes all steps of a picture, and tells of them.
 fn finish(mut step: impl FnMut() -> Progress) {
-    let mut bar = Bar::new("picture", 0);
+    let mut bar = Bar::new("picture", None);
     while step() == Progress::More {
         bar.at(0);
     }
