@@ -88,7 +88,12 @@ pub(crate) struct Changes {
     #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true, value_parser = setting)]
     pub(crate) settings: Vec<(String, String)>,
     /// Memory limit for drawings, such as 512M or 2G [default: 1G]
-    #[arg(long, value_name = "SIZE", value_parser = memory::parse)]
+    ///
+    /// Files that are drawn at the same time share the limit, and so the limits of strings and segments.
+    /// A file that needs more than its share is drawn once more, alone, with the whole limit.
+    /// Writing takes memory beside the drawing: some hundred megabytes for texts and meshes, about
+    /// 100 MB per core for PNG, and up to 2 GB for the largest PNG of a drawing in space.
+    #[arg(long, value_name = "SIZE", value_parser = memory::parse, verbatim_doc_comment)]
     pub(crate) memory: Option<u64>,
 }
 

@@ -3,6 +3,7 @@
 
 mod args;
 mod cli;
+mod cores;
 mod draw;
 mod info;
 mod input;
@@ -29,6 +30,8 @@ enum Failure {
     Said,
     /// Something to say; what it quotes of files may be anything.
     Words(String),
+    /// A limit is passed; the whole message about it.
+    Limit(String),
     /// Whoever reads the output has gone; nothing to say, and nothing wrong.
     ReaderGone,
 }
@@ -47,6 +50,10 @@ impl Failure {
         match self {
             Self::Words(words) => {
                 say(&format!("error: {}\n", visible(&words)));
+                Ok(())
+            }
+            Self::Limit(message) => {
+                say(&message);
                 Ok(())
             }
             Self::Said => Ok(()),
@@ -86,11 +93,11 @@ const PIECE: usize = 1 << 16;
 const WHOLE: u128 = 1 << 24;
 
 fn expand(file: &Path, changes: &Changes) -> Result<(), Failure> {
-    let input = input::read(file, changes)?;
+    let input = input::read(file, changes, &mut say)?;
     match input.system.word(input.iterations).filter(|word| word.symbols() > WHOLE) {
         Some(word) => print(|out| write_pieces(out, &word)),
         None => {
-            let text = input.expand()?;
+            let text = input.expand(1)?;
             print(|out| write_line(out, &text))
         }
     }

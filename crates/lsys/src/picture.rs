@@ -67,10 +67,15 @@ pub(crate) fn png(
     })
 }
 
+/// Whether a picture in the plane would be painted in bands.
+pub(crate) fn is_large(Size { width, height }: Size) -> bool {
+    width.saturating_mul(height) > BAND
+}
+
 /// Rows of a picture that are made at a time: all of an ordinary one, and otherwise whole cells of the renderer.
-fn band_rows(Size { width, height }: Size) -> u32 {
-    let rows = BAND / width.max(1) / CELL * CELL;
-    if width.saturating_mul(height) <= BAND { height } else { rows.max(CELL) }
+fn band_rows(size: Size) -> u32 {
+    let rows = BAND / size.width.max(1) / CELL * CELL;
+    if is_large(size) { rows.max(CELL) } else { size.height }
 }
 
 /// As [`png()`], of a drawing in space, seen from where the page looks at it first.
