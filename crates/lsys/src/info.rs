@@ -1,13 +1,13 @@
 //! `lsys info`: what is known about a system without looking at its picture.
 
-use crate::args::Changes;
+use crate::cli::Changes;
 use crate::input::{self, Input};
 use crate::output::escape_json;
-use crate::{Failure, print};
+use crate::{Failure, cores, print};
 use lsystem::derive::Tally;
 use lsystem::drawing::Space;
 use lsystem::syntax::visible;
-use lsystem::{Diagnostic, Drawing, Limits, Progress, System, count_segments, count_symbols};
+use lsystem::{Diagnostic, Drawing, Progress, count_segments, count_symbols};
 use serde::Serialize;
 use std::fmt::{self, Display};
 use std::path::PathBuf;
@@ -47,17 +47,15 @@ struct Growth {
 
 /// Prints facts about `files`. Files that cannot be read are reported, and the others still told about.
 pub(crate) fn info(files: &[PathBuf], json: bool, changes: &Changes) -> Result<(), Failure> {
-    let mut all = Vec::new();
-    let mut failed = false;
-    for file in files {
-        match input::read(file, changes) {
-            Ok(input) => all.push(facts(&input)),
-            Err(failure) => {
-                failed = true;
-                failure.tell()?;
-            }
-        }
-    }
+    let (all, is_good) = cores::in_order(files, |file, room, say| {
+        let input = input::read(file, changes, say)?;
+        room.make(|shares| {
+            let facts = facts(&input, shares);
+            // What a share of the limits leaves unknown, all of them may tell.
+            let is_known = facts.limit.is_none() && facts.symbols.is_some() && facts.segments.is_some();
+            if is_known || shares == 1 { Ok(facts) } else { Err(Failure::Limit(String::new())) }
+        })
+    })?;
     print(|out| match (json, all.as_slice(), files.len()) {
         (false, _, _) => {
             (all.iter().enumerate()).try_for_each(|(i, facts)| write!(out, "{}{facts}", if i > 0 { "\n" } else { "" }))
@@ -66,28 +64,29 @@ pub(crate) fn info(files: &[PathBuf], json: bool, changes: &Changes) -> Result<(
         (true, [only], 1) => writeln!(out, "{}", escape_json(&serde_json::to_string_pretty(only)?)),
         (true, ..) => writeln!(out, "{}", escape_json(&serde_json::to_string_pretty(&all)?)),
     })?;
-    if failed { Err(Failure::Said) } else { Ok(()) }
+    if is_good { Ok(()) } else { Err(Failure::Said) }
 }
 
-fn facts(input: &Input) -> Facts {
+/// What is known within one of so many `shares` of the limits.
+fn facts(input: &Input, shares: u64) -> Facts {
     if input.system.is_solid() {
-        facts_in(input, lsystem::draw_solid, |drawing| drawing.bounds().map(|bounds| bounds.concat()))
+        facts_of(input, shares, &input.draw_solid(shares), |drawing| drawing.bounds().map(|bounds| bounds.concat()))
     } else {
-        facts_in(input, lsystem::draw, |drawing| drawing.bounds().map(Vec::from))
+        facts_of(input, shares, &input.draw(shares), |drawing| drawing.bounds().map(Vec::from))
     }
 }
 
-/// The facts about a system that is drawn by `draw`.
-fn facts_in<S: Space>(
+/// The facts about a system that has this `drawing`.
+fn facts_of<S: Space>(
     input: &Input,
-    draw: fn(&System, u32, &Limits) -> Result<Drawing<S>, Diagnostic>,
+    shares: u64,
+    drawing: &Result<Drawing<S>, Diagnostic>,
     bounds: fn(&Drawing<S>) -> Option<Vec<f64>>,
 ) -> Facts {
     let (system, n) = (&input.system, input.iterations);
-    let drawing = draw(system, n, &input.drawing_limits());
     let (drawn, limit) = (drawing.as_ref().ok(), drawing.as_ref().err());
-    let now = Counts::new(input, n, drawn);
-    let before = n.checked_sub(1).map(|n| Counts::new(input, n, None::<&Drawing<S>>));
+    let now = Counts::new(input, shares, n, drawn);
+    let before = n.checked_sub(1).map(|n| Counts::new(input, shares, n, None::<&Drawing<S>>));
     let ratio = |of: fn(&Counts) -> &Option<Tally>| ratio(of(&now).as_ref()?, of(before.as_ref()?).as_ref()?);
     Facts {
         file: input.file.display().to_string(),
@@ -115,18 +114,18 @@ struct Counts {
 
 impl Counts {
     /// Of generation `n`: added up, or as its drawing knows, or derived.
-    fn new<S: Space>(input: &Input, n: u32, drawing: Option<&Drawing<S>>) -> Self {
+    fn new<S: Space>(input: &Input, shares: u64, n: u32, drawing: Option<&Drawing<S>>) -> Self {
         let summed = Self { symbols: count_symbols(&input.system, n), segments: count_segments(&input.system, n) };
         let drawn = || Self {
             symbols: drawing.and_then(|drawing| Some(drawing.symbol_count()?.into())),
             segments: drawing.map(|drawing| drawing.segment_count().into()),
         };
-        summed.or(drawn).or(|| Self::derived(input, n))
+        summed.or(drawn).or(|| Self::derived(input, shares, n))
     }
 
     /// Of generation `n`, derived.
-    fn derived(input: &Input, n: u32) -> Self {
-        let Some(mut history) = input.system.history(n, &input.limits) else { return Self::default() };
+    fn derived(input: &Input, shares: u64, n: u32) -> Self {
+        let Some(mut history) = input.system.history(n, &input.limits(shares)) else { return Self::default() };
         while history.step(1 << 20) == Progress::More {}
         let symbols = history.symbols(n);
         let segments = symbols.and_then(|symbols| history.segments_before(symbols));

@@ -1,10 +1,12 @@
 //! Reading a file into a system, and saying what is wrong with it.
 
-use crate::args::Changes;
-use crate::{Failure, say, settings};
+use crate::cli::Changes;
+use crate::cores::Say;
+use crate::{Failure, settings};
+use lsystem::drawing::Space;
 use lsystem::files::FileContent;
-use lsystem::syntax::{MAX_TEXT, visible};
-use lsystem::{Definition, Diagnostic, Limits, System, read_file, render_diagnostic};
+use lsystem::syntax::{LimitName, MAX_TEXT, visible};
+use lsystem::{Definition, Diagnostic, Drawer, Drawing, Limits, Progress, Solid, System, read_file, render_diagnostic};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -20,14 +22,17 @@ pub(crate) struct Input {
     /// Derivation steps.
     pub(crate) iterations: u32,
     /// What may be spent.
-    pub(crate) limits: Limits,
+    limits: Limits,
 }
 
-/// Reads `file` (`-` for standard input). Warnings go to standard error.
+/// Symbols between two looks at the memory of a drawing; they take a few megabytes.
+const WORK: u64 = 1 << 16;
+
+/// Reads `file` (`-` for standard input), and says what to warn of.
 ///
 /// # Errors
-/// [`Failure::Said`] where the file makes no system; what is wrong stands on standard error then.
-pub(crate) fn read(file: &Path, changes: &Changes) -> Result<Input, Failure> {
+/// [`Failure::Said`] where the file makes no system.
+pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<Input, Failure> {
     let name = if file.as_os_str() == "-" { "standard input".into() } else { file.display().to_string() };
     let bytes = bytes_of(file).map_err(|error| Failure::io(&name, &error))?;
     let FileContent { mut definition, mut diagnostics, json } = read_file(&bytes);
@@ -46,7 +51,7 @@ pub(crate) fn read(file: &Path, changes: &Changes) -> Result<Input, Failure> {
         diagnostics.extend(more);
     }
     for diagnostic in &diagnostics {
-        tell(diagnostic, &json, definition.as_ref(), &name);
+        say(&message(diagnostic, &json, definition.as_ref(), &name));
     }
     let (Some(definition), Some(system)) = (definition, system) else { return Err(Failure::Said) };
     let iterations = definition.iterations;
@@ -56,28 +61,61 @@ pub(crate) fn read(file: &Path, changes: &Changes) -> Result<Input, Failure> {
 }
 
 impl Input {
+    /// One of so many equal `shares` of the limits that bound memory.
+    pub(crate) fn limits(&self, shares: u64) -> Limits {
+        let Limits { symbols, segments, memory, .. } = self.limits;
+        Limits { symbols: symbols / shares, segments: segments / shares, memory: memory / shares, ..self.limits }
+    }
+
+    /// The drawing in the plane, within its share of memory.
+    ///
+    /// # Errors
+    /// Names the limit that it passes.
+    pub(crate) fn draw(&self, shares: u64) -> Result<Drawing, Diagnostic> {
+        self.finish(Drawer::new(&self.system, self.iterations, self.drawing_limits()), shares)
+    }
+
+    /// The same in space.
+    ///
+    /// # Errors
+    /// As [`Input::draw`].
+    pub(crate) fn draw_solid(&self, shares: u64) -> Result<Drawing<Solid>, Diagnostic> {
+        self.finish(Drawer::solid(&self.system, self.iterations, self.drawing_limits()), shares)
+    }
+
     /// The limits of a drawing. Memory ends a drawing; [`Limits::segments`] of the input is for files of text.
-    pub(crate) fn drawing_limits(&self) -> Limits {
+    fn drawing_limits(&self) -> Limits {
         Limits { segments: u64::from(u32::MAX), work: 1 << 30, ..self.limits }
+    }
+
+    /// All steps of a drawing. Its limits are whole however many `shares` there are, because limits decide how it is made.
+    fn finish<S: Space>(&self, mut drawer: Drawer<S>, shares: u64) -> Result<Drawing<S>, Diagnostic> {
+        let share = self.limits.memory / shares;
+        while drawer.step(WORK) == Progress::More {
+            if shares > 1 && drawer.bytes() > share {
+                return Err(Diagnostic::limit(LimitName::Memory, share, None));
+            }
+        }
+        drawer.finish()
     }
 
     /// The string.
     ///
     /// # Errors
-    /// [`Failure::Said`] where it would be too long.
-    pub(crate) fn expand(&self) -> Result<String, Failure> {
-        lsystem::expand(&self.system, self.iterations, &self.limits).map_err(|limit| self.limit(&limit))
+    /// [`Failure::Limit`] where it would be too long.
+    pub(crate) fn expand(&self, shares: u64) -> Result<String, Failure> {
+        let string = lsystem::expand(&self.system, self.iterations, &self.limits(shares));
+        string.map_err(|limit| self.limit(&limit))
     }
 
-    /// Says that `limit` is passed.
+    /// The failure that passes `limit`.
     pub(crate) fn limit(&self, limit: &Diagnostic) -> Failure {
-        self.tell(limit);
-        Failure::Said
+        Failure::Limit(self.message(limit))
     }
 
-    /// Says something about the system as a whole.
-    pub(crate) fn tell(&self, diagnostic: &Diagnostic) {
-        say(&render_diagnostic(diagnostic, &self.file.display().to_string(), ""));
+    /// A message about the system as a whole.
+    pub(crate) fn message(&self, diagnostic: &Diagnostic) -> String {
+        render_diagnostic(diagnostic, &self.file.display().to_string(), "")
     }
 }
 
@@ -109,12 +147,11 @@ fn is_picture(head: &[u8]) -> bool {
     first.is_some_and(|first| head[first..].starts_with(b"<")) || head.starts_with(b"\x89PNG")
 }
 
-fn tell(diagnostic: &Diagnostic, text: &str, definition: Option<&Definition>, name: &str) {
-    let shown = match definition.and_then(|definition| definition.text(diagnostic.field)) {
+fn message(diagnostic: &Diagnostic, text: &str, definition: Option<&Definition>, name: &str) -> String {
+    match definition.and_then(|definition| definition.text(diagnostic.field)) {
         Some(source) => render_diagnostic(diagnostic, &format!("{name}, {}", diagnostic.field.name()), source),
         None => render_diagnostic(diagnostic, name, text),
-    };
-    say(&shown);
+    }
 }
 
 #[cfg(test)]

@@ -2,6 +2,8 @@
 //! program reads arguments and files and writes what it says.
 
 mod args;
+mod cli;
+mod cores;
 mod draw;
 mod info;
 mod input;
@@ -13,10 +15,12 @@ mod progress;
 mod settings;
 
 use args::Command;
+use cli::Changes;
 use lsystem::derive::Word;
 use lsystem::syntax::visible;
+use output::visible_lines;
 use progress::Progress;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -26,6 +30,8 @@ enum Failure {
     Said,
     /// Something to say; what it quotes of files may be anything.
     Words(String),
+    /// A limit is passed; the whole message about it.
+    Limit(String),
     /// Whoever reads the output has gone; nothing to say, and nothing wrong.
     ReaderGone,
 }
@@ -46,6 +52,10 @@ impl Failure {
                 say(&format!("error: {}\n", visible(&words)));
                 Ok(())
             }
+            Self::Limit(message) => {
+                say(&message);
+                Ok(())
+            }
             Self::Said => Ok(()),
             Self::ReaderGone => Err(self),
         }
@@ -57,7 +67,7 @@ fn main() -> ExitCode {
     let command = match args::parse(std::env::args_os().skip(1)) {
         Ok(command) => command,
         Err(words) => {
-            say(&format!("error: {}\nlsys --help tells more\n", visible(&words)));
+            say(&visible_lines(&words));
             return ExitCode::from(2);
         }
     };
@@ -70,10 +80,9 @@ fn main() -> ExitCode {
 
 fn run(command: Command) -> Result<(), Failure> {
     match command {
-        Command::Help => print(|out| out.write_all(args::HELP.as_bytes())),
-        Command::Version => print(|out| writeln!(out, "lsys {}", env!("CARGO_PKG_VERSION"))),
+        Command::Print(text) => print(|out| out.write_all(text.as_bytes())),
         Command::Expand { file, changes } => expand(&file, &changes),
-        Command::Draw { jobs, changes } => draw::draw(&jobs, &changes),
+        Command::Draw { jobs, look, changes } => draw::draw(&jobs, look, &changes),
         Command::Info { files, json, changes } => info::info(&files, json, &changes),
     }
 }
@@ -83,12 +92,12 @@ const PIECE: usize = 1 << 16;
 /// Strings up to this many symbols are derived whole, which is faster.
 const WHOLE: u128 = 1 << 24;
 
-fn expand(file: &Path, changes: &args::Changes) -> Result<(), Failure> {
-    let input = input::read(file, changes)?;
+fn expand(file: &Path, changes: &Changes) -> Result<(), Failure> {
+    let input = input::read(file, changes, &mut say)?;
     match input.system.word(input.iterations).filter(|word| word.symbols() > WHOLE) {
         Some(word) => print(|out| write_pieces(out, &word)),
         None => {
-            let text = input.expand()?;
+            let text = input.expand(1)?;
             print(|out| write_line(out, &text))
         }
     }
@@ -96,7 +105,8 @@ fn expand(file: &Path, changes: &args::Changes) -> Result<(), Failure> {
 
 /// A string too long for memory, and a newline.
 fn write_pieces(out: &mut dyn Write, word: &Word<'_>) -> io::Result<()> {
-    let mut progress = Progress::new("symbols", u64::try_from(word.symbols()).unwrap_or(u64::MAX));
+    // A terminal shows the string itself.
+    let mut progress = (!io::stdout().is_terminal()).then(|| Progress::new("symbols", word.symbols().try_into().ok()));
     let mut start = 0_u128;
     loop {
         let piece = word.slice(start, PIECE);
@@ -105,7 +115,7 @@ fn write_pieces(out: &mut dyn Write, word: &Word<'_>) -> io::Result<()> {
         }
         out.write_all(piece.as_bytes())?;
         start += PIECE as u128;
-        progress.at(u64::try_from(start).unwrap_or(u64::MAX));
+        progress.iter_mut().for_each(|progress| progress.at(u64::try_from(start).unwrap_or(u64::MAX)));
     }
 }
 
@@ -122,5 +132,5 @@ fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Fai
 
 /// Writes to standard error; where that fails there is nobody left to tell.
 fn say(text: &str) {
-    let _ = io::stderr().write_all(text.as_bytes());
+    let _ = progress::beside_bars(|| io::stderr().write_all(text.as_bytes()));
 }

@@ -15,16 +15,14 @@ pub(crate) fn parse(text: &str) -> Result<u64, String> {
         "m" | "mb" | "mib" => 1 << 20,
         "g" | "gb" | "gib" => 1 << 30,
         "t" | "tb" | "tib" => 1 << 40,
-        _ => return Err(format!("--memory takes a whole number with K, M, G or T, such as 512M or 2G, not `{text}`")),
+        _ => return Err("expected a whole number with K, M, G or T, such as 512M or 2G".to_owned()),
     };
     let bytes = number.parse::<u64>().ok().and_then(|number| number.checked_mul(unit));
     match bytes {
         Some(bytes) if bytes >= LEAST => Ok(bytes),
-        Some(_) => Err(format!("--memory takes 1M or more, not `{text}`")),
-        None if number.is_empty() => {
-            Err(format!("--memory takes a number before the unit, such as 512M, not `{text}`"))
-        }
-        None => Err(format!("--memory: `{text}` is more than any machine has")),
+        Some(_) => Err("expected 1M or more".to_owned()),
+        None if number.is_empty() => Err("expected a number before the unit, such as 512M".to_owned()),
+        None => Err("more than any machine has".to_owned()),
     }
 }
 
@@ -41,7 +39,7 @@ mod tests {
         for wrong in
             ["", "2", "M", "-1M", "1.5G", "2 G", "2X", "0M", "1023K", "99999999999T", "99999999999999999999G", "٣M"]
         {
-            assert!(parse(wrong).is_err_and(|words| words.starts_with("--memory")), "{wrong}");
+            assert!(parse(wrong).is_err(), "{wrong}");
         }
     }
 }

@@ -42,7 +42,7 @@ impl<W: Write> Write for Shown<W> {
 }
 
 /// Text of several lines without what a terminal would obey.
-fn visible_lines(text: &str) -> String {
+pub(crate) fn visible_lines(text: &str) -> String {
     text.split('\n').map(visible).collect::<Vec<_>>().join("\n")
 }
 

@@ -1,6 +1,6 @@
 //! Pictures as PNG, by the core's renderer: any generation whose drawing memoises, at any size.
 
-use crate::args::Size;
+use crate::cli::Size;
 use crate::progress::Progress as Bar;
 use lsystem::files::tag_png;
 use lsystem::render::{Pane, Pass, Quality};
@@ -67,10 +67,15 @@ pub(crate) fn png(
     })
 }
 
+/// Whether a picture in the plane would be painted in bands.
+pub(crate) fn is_large(Size { width, height }: Size) -> bool {
+    width.saturating_mul(height) > BAND
+}
+
 /// Rows of a picture that are made at a time: all of an ordinary one, and otherwise whole cells of the renderer.
-fn band_rows(Size { width, height }: Size) -> u32 {
-    let rows = BAND / width.max(1) / CELL * CELL;
-    if width.saturating_mul(height) <= BAND { height } else { rows.max(CELL) }
+fn band_rows(size: Size) -> u32 {
+    let rows = BAND / size.width.max(1) / CELL * CELL;
+    if is_large(size) { rows.max(CELL) } else { size.height }
 }
 
 /// As [`png()`], of a drawing in space, seen from where the page looks at it first.
@@ -97,7 +102,7 @@ fn viewport(Size { width, height }: Size) -> Viewport {
 
 /// Takes all steps of a picture, and tells of them.
 fn finish(mut step: impl FnMut() -> Progress) {
-    let mut bar = Bar::new("picture", 0);
+    let mut bar = Bar::new("picture", None);
     while step() == Progress::More {
         bar.at(0);
     }

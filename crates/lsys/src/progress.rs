@@ -1,71 +1,80 @@
-//! A progress bar on standard error, for work that takes long enough to wonder.
+//! Progress bars on standard error, for work that takes long enough to wonder. Where it is no terminal there are none.
 
-use std::io::{IsTerminal, Write};
+use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
-/// Shows how much of some work is done, if somebody is looking. Dropping it clears the line.
-pub(crate) struct Progress {
-    label: String,
-    total: u64,
-    start: Instant,
-    next: Instant,
-    looking: bool,
-    shown: bool,
-}
+/// All bars, one below the other.
+static BARS: LazyLock<MultiProgress> = LazyLock::new(MultiProgress::new);
 
 /// Shorter work needs no bar.
 const PATIENCE: Duration = Duration::from_millis(400);
-/// As often as the eye follows.
-const INTERVAL: Duration = Duration::from_millis(100);
-const WIDTH: u64 = 30;
+
+/// Shows how much of some work is done. Dropping it clears the line.
+pub(crate) struct Progress {
+    bar: ProgressBar,
+    start: Instant,
+    is_shown: bool,
+}
 
 impl Progress {
-    /// For work of `total` parts, 0 where that is not known, named `label`.
-    pub(crate) fn new(label: &str, total: u64) -> Self {
-        let looking = std::io::stderr().is_terminal();
-        let start = Instant::now();
-        Self { label: label.to_owned(), total, start, next: start + PATIENCE, looking, shown: false }
+    /// For work named `label`, of `total` parts. Where the total is not known, the time is shown.
+    pub(crate) fn new(label: &'static str, total: Option<u64>) -> Self {
+        let bar = ProgressBar::with_draw_target(total, ProgressDrawTarget::hidden());
+        let bar = bar.with_message(label).with_style(style(total.is_some()));
+        Self { bar, start: Instant::now(), is_shown: false }
     }
 
     /// `done` of the parts are done.
     pub(crate) fn at(&mut self, done: u64) {
-        let now = Instant::now();
-        if !self.looking || now < self.next {
-            return;
+        if !self.is_shown && self.start.elapsed() >= PATIENCE {
+            self.is_shown = true;
+            BARS.add(self.bar.clone());
         }
-        self.next = now + INTERVAL;
-        self.shown = true;
-        match self.total {
-            0 => eprint!("\r{}: {} s", self.label, (now - self.start).as_secs()),
-            total => eprint!("\r{}", bar(&self.label, done, total)),
-        }
-        let _ = std::io::stderr().flush();
+        self.bar.set_position(done);
     }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        if self.shown {
-            eprint!("\r\x1b[K");
-        }
+        self.bar.finish_and_clear();
+        BARS.remove(&self.bar);
     }
 }
 
-fn bar(label: &str, done: u64, total: u64) -> String {
-    let share = u128::from(done.min(total)) * u128::from(WIDTH) / u128::from(total);
-    let percent = u128::from(done.min(total)) * 100 / u128::from(total);
-    let full = share as usize;
-    format!("{label} [{}{}] {percent:3} %", "#".repeat(full), " ".repeat(WIDTH as usize - full))
+/// Calls `write` while no bar is in the way of what it writes to the terminal.
+pub(crate) fn beside_bars<T>(write: impl FnOnce() -> T) -> T {
+    BARS.suspend(write)
+}
+
+fn template(has_total: bool) -> &'static str {
+    if has_total { "{msg} [{bar:30}] {percent:>3} %" } else { "{msg}: {elapsed}" }
+}
+
+fn style(has_total: bool) -> ProgressStyle {
+    let style = ProgressStyle::with_template(template(has_total));
+    style.unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("## ")
 }
 
 #[cfg(test)]
 mod tests {
-    use super::bar;
+    use super::*;
 
     #[test]
-    fn bars() {
-        assert_eq!(bar("a", 0, 9), format!("a [{}]   0 %", " ".repeat(30)));
-        assert_eq!(bar("a", 1, 2), format!("a [{}{}]  50 %", "#".repeat(15), " ".repeat(15)));
-        assert_eq!(bar("a", u64::MAX, 2), format!("a [{}] 100 %", "#".repeat(30)));
+    fn templates_are_valid() {
+        assert!([true, false].iter().all(|&has_total| ProgressStyle::with_template(template(has_total)).is_ok()));
+    }
+
+    #[test]
+    fn bars_end_with_their_work() {
+        let mut progress = Progress::new("work", Some(2));
+        progress.at(1);
+        assert!(!progress.is_shown);
+        progress.start -= PATIENCE;
+        progress.at(2);
+        assert!(progress.is_shown);
+        let bar = progress.bar.clone();
+        drop(progress);
+        assert!(bar.is_finished());
     }
 }

@@ -553,25 +553,100 @@ fn good_files_are_done_beside_bad_ones() {
 }
 
 #[test]
+fn many_files_give_what_each_gives_alone() {
+    // One passes a limit, one is wrong, one is doubtful, and one draws more than half of the memory.
+    let files = [
+        "data_in/curves/koch-snowflake.json",
+        "crates/lsys/tests/broken/empty.json",
+        "data_in/abop/1.27.json",
+        "crates/lsys/tests/broken/doubtful.json",
+        "data_in/abop/2.7a.json",
+        "data_in/abop/1.24a.json",
+    ];
+    let run = |command: &str, files: &[&str], options: &str| {
+        let line = format!("{command} {} -n 10 --memory 20M {options}", files.join(" "));
+        let output = lsys(&line.split_whitespace().collect::<Vec<_>>());
+        (text(&output.stdout), text(&output.stderr), output.status.code())
+    };
+    for format in ["svg", "svg --compact", "png --size 90x60", "txt"] {
+        let [together, alone] = ["together", "alone"].map(Folder::new);
+        let options = |folder: &Folder| format!("--format {format} --out-dir {}", folder.0.display());
+        let (out, err, code) = run("draw", &files, &options(&together));
+        let each = files.map(|file| run("draw", &[file], &options(&alone)).1);
+        assert_eq!((out, err, code), (String::new(), each.concat(), Some(1)), "{format}");
+        assert_eq!(together.names(), alone.names(), "{format}");
+        assert!(together.names().len() >= 3, "{format}: {:?}", together.names());
+        for name in together.names() {
+            let [one, other] = [&together, &alone].map(|folder| std::fs::read(folder.0.join(&name)).expect("readable"));
+            assert!(one == other, "{format}: {name}");
+        }
+    }
+    let (out, err, code) = run("info", &files, "");
+    let each = files.map(|file| run("info", &[file], ""));
+    let facts: Vec<&str> = each.iter().map(|(out, ..)| out.as_str()).filter(|out| !out.is_empty()).collect();
+    let errors = each.iter().map(|(_, err, _)| err.as_str()).collect::<String>();
+    assert_eq!((out, err, code), (facts.join("\n"), errors, Some(1)));
+}
+
+#[test]
 fn usage() {
     bad(
         "expand",
         2,
         &expect![[r#"
-        error: lsys expand needs a FILE
-        lsys --help tells more
+        error: the following required arguments were not provided:
+          <FILE>
+
+        Usage: lsys expand <FILE>
+
+        For more information, try '--help'.
     "#]],
     );
     bad(
         "draw data_in/abop/1.24a.json --format gif",
         2,
         &expect![[r#"
-            error: --format takes svg, png, csv, txt, obj or glb, not `gif`
-            lsys --help tells more
-        "#]],
+        error: invalid value 'gif' for '--format <FORMAT>'
+          [possible values: svg, png, csv, txt, obj, glb]
+
+        For more information, try '--help'.
+    "#]],
+    );
+    bad(
+        "draw data_in/abop/1.24a.json --size 10x10",
+        2,
+        &expect![[r#"
+        error: --size goes with --format png only
+
+        Usage: lsys draw [OPTIONS] FILE [OUT_BASE]
+               lsys draw [OPTIONS] FILE... --out-dir DIR
+
+        For more information, try '--help'.
+    "#]],
     );
     assert!(good("--help").contains("lsys FILE OUT_BASE"));
+    assert!(good("draw --help").contains("lsys draw [OPTIONS] FILE... --out-dir DIR"));
     assert_eq!(good("--version"), format!("lsys {}\n", env!("CARGO_PKG_VERSION")));
+}
+
+#[test]
+fn completions_are_printed_for_every_shell() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = good(&format!("completions {shell}"));
+        assert!(["expand", "info", "out-dir"].iter().all(|word| script.contains(word)), "{shell}: {script}");
+    }
+    assert!(good("completions zsh").starts_with("#compdef lsys\n"));
+}
+
+#[cfg(unix)]
+#[test]
+fn bash_completes_options() {
+    let script = format!(
+        "{}\nCOMP_WORDS=(lsys draw --out); COMP_CWORD=2; _lsys lsys --out draw; echo \"${{COMPREPLY[*]}}\"",
+        good("completions bash")
+    );
+    let output = Command::new("bash").args(["-c", &script]).output().expect("bash starts");
+    assert_eq!(text(&output.stdout), "--out-dir\n", "{}", text(&output.stderr));
 }
 
 #[test]

@@ -201,6 +201,23 @@ fn signals_leave_nothing() {
     }
 }
 
+#[cfg(unix)]
+#[test]
+fn a_signal_leaves_only_whole_files_of_many() {
+    use std::os::unix::process::ExitStatusExt;
+    let folder = tempfile::tempdir().expect("a folder");
+    let base = folder.path().display();
+    let line = format!("draw data_in/curves/koch-snowflake.json data_in/abop/1.27.json --out-dir {base} -n 9");
+    let mut child = command(&line).stderr(Stdio::null()).spawn().expect("lsys starts");
+    while names(folder.path()).is_empty() {
+        std::thread::yield_now();
+    }
+    let kill = Command::new("kill").args(["-s", "TERM", &child.id().to_string()]).status().expect("kill");
+    assert!(kill.success());
+    assert_eq!(child.wait().expect("ends").signal(), Some(15));
+    assert!(!names(folder.path()).iter().any(|name| name.ends_with(".tmp")), "{:?}", names(folder.path()));
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn ignored_signals_stay_ignored() {

@@ -1,0 +1,174 @@
+//! The command line: its commands, its options and the words that explain them.
+
+use crate::memory;
+use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
+use clap_complete::Shell;
+use lsystem::Viewport;
+use lsystem::syntax::{MAX_ITERATIONS, MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
+use std::path::PathBuf;
+use std::str::FromStr;
+
+const FILE: &str = "System as JSON, or an SVG or PNG that carries one; - for standard input";
+
+const NOTES: &str = "\
+`lsys FILE OUT_BASE` is short for `lsys draw FILE OUT_BASE`.
+`lsys COMMAND --help` explains the options of a command.
+
+Exit code 0: done. 1: a file is wrong, or a limit was passed. 2: wrong usage.";
+
+const DRAW_USAGE: &str = "\
+lsys draw [OPTIONS] FILE [OUT_BASE]
+       lsys draw [OPTIONS] FILE... --out-dir DIR";
+
+const DRAW_NOTES: &str = "\
+Without --format, two files are written: OUT_BASE.txt (the string) and OUT_BASE.svg (the picture).
+Without OUT_BASE, the files are named after FILE, or the format asked for is printed.";
+
+/// Derives, draws and inspects L-systems
+#[derive(Parser)]
+#[command(name = "lsys", version, propagate_version = true, after_help = NOTES)]
+#[command(subcommand_required = true, arg_required_else_help = true, args_override_self = true)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) verb: Verb,
+}
+
+#[derive(Subcommand)]
+pub(crate) enum Verb {
+    /// Print the derived string
+    Expand {
+        #[arg(help = FILE, value_hint = ValueHint::FilePath)]
+        file: PathBuf,
+        #[command(flatten)]
+        changes: Changes,
+    },
+    /// Write or print pictures, meshes, segments and strings
+    #[command(override_usage = DRAW_USAGE, after_help = DRAW_NOTES)]
+    Draw {
+        #[arg(help = FILE, value_name = "FILE", value_hint = ValueHint::FilePath, required = true)]
+        files: Vec<PathBuf>,
+        /// Write the output of every FILE into DIR, named after the file
+        #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath, allow_hyphen_values = true)]
+        out_dir: Option<PathBuf>,
+        #[command(flatten)]
+        look: Look,
+        #[command(flatten)]
+        changes: Changes,
+    },
+    /// Print exact counts, bounds and growth, if possible without deriving the string
+    Info {
+        #[arg(help = FILE, value_name = "FILE", value_hint = ValueHint::FilePath, required = true)]
+        files: Vec<PathBuf>,
+        /// Print JSON: an object for one FILE, an array for several
+        #[arg(long)]
+        json: bool,
+        #[command(flatten)]
+        changes: Changes,
+    },
+    /// Print the script that completes commands and options in a shell
+    Completions {
+        /// Shell that will read the script
+        shell: Shell,
+    },
+}
+
+/// What the command line changes in a file's system, and in what may be spent on it.
+#[derive(Args, Clone, Debug, Default, PartialEq)]
+pub(crate) struct Changes {
+    /// Derivation steps, 0 to 1000, in place of the file's
+    #[arg(short = 'n', long, value_name = "N", allow_hyphen_values = true)]
+    #[arg(value_parser = |text: &str| whole(text, MAX_ITERATIONS))]
+    pub(crate) iterations: Option<u32>,
+    /// Seed of random choices, 0 to 4294967295, in place of the file's
+    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| whole(text, u32::MAX))]
+    pub(crate) seed: Option<u32>,
+    /// Set any other value of the file by its name; may be repeated
+    ///
+    /// Examples: --set angle_deg=22.5 --set colour_by=path --set 'palette=["gold","teal"]'
+    #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true, value_parser = setting)]
+    pub(crate) settings: Vec<(String, String)>,
+    /// Memory limit for drawings, such as 512M or 2G [default: 1G]
+    ///
+    /// Files that are drawn at the same time share the limit, and so the limits of strings and segments.
+    /// A file that needs more than its share is drawn once more, alone, with the whole limit.
+    /// Writing takes memory beside the drawing: some hundred megabytes for texts and meshes, about
+    /// 100 MB per core for PNG, and up to 2 GB for the largest PNG of a drawing in space.
+    #[arg(long, value_name = "SIZE", value_parser = memory::parse, verbatim_doc_comment)]
+    pub(crate) memory: Option<u64>,
+}
+
+/// What is made of a drawing.
+#[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Look {
+    /// Output format
+    #[arg(long)]
+    pub(crate) format: Option<Format>,
+    /// Size of a PNG in pixels, such as 4000x3000 [default: 1024 along the longer side]
+    #[arg(long, value_name = "WxH")]
+    pub(crate) size: Option<Size>,
+    /// Write a small SVG that defines each block once and places copies
+    #[arg(long)]
+    pub(crate) compact: bool,
+}
+
+/// A form of a drawing; its name is the extension of its files.
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
+pub(crate) enum Format {
+    /// Picture of strokes
+    Svg,
+    /// Picture of pixels
+    Png,
+    /// Segments: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour
+    Csv,
+    /// String
+    Txt,
+    /// Mesh of coloured tubes as text
+    Obj,
+    /// Mesh of coloured tubes as binary glTF
+    Glb,
+}
+
+impl Format {
+    /// The file name's extension.
+    pub(crate) fn extension(self) -> &'static str {
+        match self {
+            Self::Svg => "svg",
+            Self::Png => "png",
+            Self::Csv => "csv",
+            Self::Txt => "txt",
+            Self::Obj => "obj",
+            Self::Glb => "glb",
+        }
+    }
+}
+
+/// Pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Size {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+}
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides = text.split_once('x').and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)));
+        let (width, height) = sides.ok_or("expected a width and a height such as 1600x1200")?;
+        let viewport = Viewport { width, height, ratio: 1.0 };
+        if width == 0 || height == 0 || viewport.within_limits() != viewport {
+            return Err(format!("expected 1 to {MAX_PICTURE_SIDE} pixels each way and {MAX_PICTURE_PIXELS} in all"));
+        }
+        Ok(Self { width, height })
+    }
+}
+
+fn whole(text: &str, most: u32) -> Result<u32, String> {
+    let number = text.parse().ok().filter(|&number| number <= most);
+    number.ok_or_else(|| format!("expected a whole number from 0 to {most}"))
+}
+
+fn setting(text: &str) -> Result<(String, String), String> {
+    let (name, value) = text.split_once('=').ok_or("expected a name and a value such as angle_deg=30")?;
+    Ok((name.to_owned(), value.to_owned()))
+}

@@ -1,0 +1,152 @@
+//! Many files at once: a worker for each core, and results in the order of the files.
+
+use crate::progress::Progress;
+use crate::{Failure, say};
+use std::collections::BTreeMap;
+use std::num::NonZero;
+use std::sync::{Mutex, PoisonError, RwLock, mpsc};
+use std::thread;
+
+/// Where the messages about a file go.
+pub(crate) type Say<'a> = &'a mut dyn FnMut(&str);
+
+/// The limits of one file, which all files share that are worked on at the same time.
+pub(crate) struct Room {
+    workers: u64,
+    /// Read by work that keeps to its share, written by work that needs all.
+    gate: RwLock<()>,
+}
+
+impl Room {
+    fn new(workers: usize) -> Self {
+        Self { workers: workers as u64, gate: RwLock::new(()) }
+    }
+
+    /// What `make` returns, called with the number of equal shares of the limits, of which it may take one. Where it
+    /// passes a limit, it is called again, alone, and may take all.
+    pub(crate) fn make<T>(&self, mut make: impl FnMut(u64) -> Result<T, Failure>) -> Result<T, Failure> {
+        if self.workers > 1 {
+            let _beside_others = self.gate.read();
+            let made = make(self.workers);
+            if !matches!(made, Err(Failure::Limit(_))) {
+                return made;
+            }
+        }
+        let _alone = self.gate.write();
+        make(1)
+    }
+}
+
+/// Does `work` for all `jobs`, on all cores. Messages and failures are said in the order of the jobs.
+///
+/// Returns the results of the jobs that succeed, in order, and whether all do.
+pub(crate) fn in_order<J: Sync, R: Send>(
+    jobs: &[J],
+    work: impl Fn(&J, &Room, Say<'_>) -> Result<R, Failure> + Sync,
+) -> Result<(Vec<R>, bool), Failure> {
+    let cores = thread::available_parallelism().map_or(1, NonZero::get);
+    with_workers(cores.min(jobs.len()), jobs, work)
+}
+
+fn with_workers<J: Sync, R: Send>(
+    workers: usize,
+    jobs: &[J],
+    work: impl Fn(&J, &Room, Say<'_>) -> Result<R, Failure> + Sync,
+) -> Result<(Vec<R>, bool), Failure> {
+    let room = Room::new(workers);
+    let mut done = Done { results: vec![], is_good: true };
+    if let [job] = jobs {
+        done.add(work(job, &room, &mut say))?;
+        return Ok((done.results, done.is_good));
+    }
+    let queue = Mutex::new(jobs.iter().enumerate());
+    let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let (sender, receiver) = mpsc::channel();
+    let worker = |sender: mpsc::Sender<_>| {
+        while let Some((at, job)) = next() {
+            let mut said = String::new();
+            let result = work(job, &room, &mut |text| said.push_str(text));
+            if sender.send((at, said, result)).is_err() {
+                break;
+            }
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 0..workers {
+            let (sender, worker) = (sender.clone(), &worker);
+            scope.spawn(move || worker(sender));
+        }
+        drop(sender);
+        let mut progress = Progress::new("files", Some(jobs.len() as u64));
+        let (mut early, mut told) = (BTreeMap::new(), 0);
+        for (at, said, result) in receiver {
+            early.insert(at, (said, result));
+            progress.at((told + early.len()) as u64);
+            while let Some((said, result)) = early.remove(&told) {
+                say(&said);
+                done.add(result)?;
+                told += 1;
+            }
+        }
+        Ok((done.results, done.is_good))
+    })
+}
+
+/// What has been done so far.
+struct Done<R> {
+    results: Vec<R>,
+    is_good: bool,
+}
+
+impl<R> Done<R> {
+    fn add(&mut self, result: Result<R, Failure>) -> Result<(), Failure> {
+        match result {
+            Ok(result) => self.results.push(result),
+            Err(failure) => {
+                self.is_good = false;
+                failure.tell()?;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::time::Duration;
+
+    #[test]
+    fn results_keep_the_order_of_the_jobs() {
+        let jobs: Vec<u64> = (0..50).collect();
+        let work = |&job: &u64, _: &Room, _: Say<'_>| {
+            thread::sleep(Duration::from_micros(job * 7 % 13 * 100));
+            if job == 20 { Err(Failure::Said) } else { Ok(job) }
+        };
+        for workers in [1, 4] {
+            let Ok((results, is_good)) = with_workers(workers, &jobs, work) else { panic!("no reader is gone") };
+            assert!(!is_good && results.is_sorted() && results.len() == 49, "{results:?}");
+        }
+    }
+
+    #[test]
+    fn work_that_needs_all_is_alone() {
+        let jobs: Vec<u64> = (0..40).collect();
+        let at_work = AtomicUsize::new(0);
+        let work = |&job: &u64, room: &Room, _: Say<'_>| {
+            room.make(|shares| {
+                let others = at_work.fetch_add(1, Ordering::SeqCst);
+                thread::sleep(Duration::from_micros(200));
+                at_work.fetch_sub(1, Ordering::SeqCst);
+                match shares {
+                    1 => Ok(others == 0),
+                    _ if job % 5 == 0 => Err(Failure::Limit(String::new())),
+                    _ => Ok(true),
+                }
+            })
+        };
+        let Ok((results, true)) = with_workers(4, &jobs, work) else { panic!("nothing fails") };
+        assert!(results.len() == 40 && results.iter().all(|&was_alone| was_alone));
+    }
+}
