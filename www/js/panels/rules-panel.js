@@ -12,7 +12,7 @@ export function rulesPanel(store) {
     /** @param {'axiom' | 'rules'} field @param {string} text */
     const change = (field, text) => {
         store.change({ [field]: text }, field);
-        if (text.length > mostOf(field)) toast(`This must be ${FIELDS[field].wanted}; the first of them were taken.`);
+        if (text.length > mostOf(field)) toast(`${FIELDS[field].label} must be ${FIELDS[field].wanted}; the rest was cut.`);
     };
     const axiom = editor(byId('axiom', HTMLTextAreaElement), html('axiom-problems'), 'axiom', {
         change: (text) => change('axiom', text),

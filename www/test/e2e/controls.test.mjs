@@ -118,7 +118,7 @@ test('a text that is too long is cut, and that is said', () =>
             /** @type {HTMLTextAreaElement} */ (area).value = 'F+'.repeat(15_000);
             area.dispatchEvent(new Event('input', { bubbles: true }));
         });
-        await until(async () => (await page.textContent('#toast')) === 'This is too long: the first 20,000 characters were taken.', 'it is said');
+        await until(async () => (await page.textContent('#toast')) === 'Axiom must be a text of at most 20,000 characters; the rest was cut.', 'it is said');
         assert.equal((await page.inputValue('#axiom')).length, 20_000);
     }));
 
