@@ -168,7 +168,12 @@ impl Style {
         if self.colour_by == ColourBy::Path {
             return self.gradient((f64::from(number) + 0.5) / f64::from(GRADIENT));
         }
-        let entry = (number as usize).min(self.palette.len().saturating_sub(1));
+        self.entry(number as usize)
+    }
+
+    /// An entry of the palette, the last one for what is beyond: every stroke's colour is made of these.
+    pub fn entry(&self, index: usize) -> Colour {
+        let entry = index.min(self.palette.len().saturating_sub(1));
         self.palette.get(entry).copied().unwrap_or(Colour { rgb: [0; 3] })
     }
 
@@ -179,8 +184,7 @@ impl Style {
         let along = f64::from(gradient_step(place)) / f64::from(GRADIENT - 1) * last as f64;
         let from = (along as usize).min(last.saturating_sub(1));
         let part = along - from as f64;
-        let of = |at: usize| self.palette.get(at).map_or([0; 3], |colour| colour.rgb);
-        let (a, b) = (of(from), of((from + 1).min(last)));
+        let (a, b) = (self.entry(from).rgb, self.entry(from + 1).rgb);
         let mix = |i: usize| libm::round(f64::from(a[i]) * (1.0 - part) + f64::from(b[i]) * part) as u8;
         Colour { rgb: [0, 1, 2].map(mix) }
     }

@@ -25,17 +25,10 @@ fn style() -> impl Strategy<Value = Style> {
             -10.0..10.0,
         ),
     )
-        .prop_map(|(palette, colour_by, background, width, min_width, more)| Style {
-            palette,
-            colour_by,
-            background,
-            width,
-            min_width,
-            palette_holds: more.0,
-            turn_colours: more.1,
-            width_factor: more.2,
-            ink: more.3,
-            exposure: more.4,
+        .prop_map(|(palette, colour_by, background, width, min_width, more)| {
+            let mut style = Style { palette, colour_by, background, width, min_width, ..Style::default() };
+            (style.palette_holds, style.turn_colours, style.width_factor, style.ink, style.exposure) = more;
+            style
         });
     prop_oneof![2 => Just(Style::course()), 1 => Just(Style::default()), 1 => any_style]
 }

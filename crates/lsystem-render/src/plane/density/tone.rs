@@ -90,8 +90,9 @@ impl Tone {
         }
         self.side = side;
         self.exposure = libm::exp2(style.exposure.clamp(-10.0, 10.0));
+        let entries = || (0..style.palette.len()).map(|index| style.entry(index));
         self.ramp = (style.colour_by == ColourBy::Density)
-            .then(|| core::iter::once(&style.background).chain(&style.palette).map(|colour| colour.rgb).collect());
+            .then(|| core::iter::once(style.background).chain(entries()).map(|colour| colour.rgb).collect());
         let paper = style.background.rgb;
         if paper != self.paper || self.lights[0].is_empty() {
             self.paper = paper;
