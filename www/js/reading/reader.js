@@ -94,7 +94,7 @@ export function createReader(engine, { mark, opened }) {
     );
     const fetchDescendant = latest(
         (/** @type {number} */ from, /** @type {bigint} */ index, /** @type {number} */ to) => engine.descendant(from, index, to),
-        (start, from, index, to) => {
+        (start, _from, _index, to) => {
             if (to !== generation() || start === null) return;
             choose(BigInt(start));
         },

@@ -319,7 +319,7 @@ test('wheel, drag, keys and buttons move the picture; Fit brings it back', () =>
         await page.mouse.down();
         await page.mouse.move(500, 350, { steps: 4 });
         await page.mouse.up();
-        const moved = await nextPicture(page, zoomed);
+        await nextPicture(page, zoomed);
         await page.click('#fit');
         await sameAgain(page, fitted);
         await page.click('#zoom-in');
