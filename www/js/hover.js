@@ -19,12 +19,12 @@ const REST_MS = 200;
 /** Between the pointer and the card, in CSS pixels. */
 const APART = { mouse: 18, touch: 34 };
 
-/** @typedef {import('./engine.js').Picked} Picked */
+/** @typedef {import('./protocol.js').Picked} Picked */
 /** @typedef {{x: number, y: number, touch: boolean}} Place CSS pixels from the stage's upper left corner */
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{ratio: () => number, mark: (points: number[][]) => void, light: (chain: import('./reading/words.js').Link[]) => void, choose: (chain: import('./reading/words.js').Link[]) => void, reading: () => boolean, upto: () => bigint | null, offered?: () => boolean}} page
+ * @param {{ratio: () => number, mark: (points: number[][]) => void, light: (chain: import('./protocol.js').Link[]) => void, choose: (chain: import('./protocol.js').Link[]) => void, reading: () => boolean, upto: () => bigint | null, offered?: () => boolean}} page
  */
 export function createHover(engine, { ratio, mark, light, choose, reading, upto, offered = () => true }) {
     const canvas = html('drawing');

@@ -237,7 +237,7 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
             stand(null);
         },
 
-        /** @param {import('./engine.js').Report} report */
+        /** @param {import('./protocol.js').Report} report */
         report({ ok, segments, memoised }) {
             if (!ok || segments === null || memoised === null) return;
             digits = segments;

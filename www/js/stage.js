@@ -11,7 +11,7 @@ import { FITTED, between, pan, placement, zoomAt } from './view.js';
 /** @typedef {import('./state.js').View} View */
 /** @typedef {import('./state.js').Camera} Camera */
 /** @typedef {import('./engine.js').Drawn} Drawn */
-/** @typedef {import('./engine.js').Canvas} Canvas */
+/** @typedef {import('./protocol.js').Canvas} Canvas */
 
 const MOST_RATIO = 3;
 /** One press of a zoom key or button. */
@@ -209,7 +209,7 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
             engine.look(resolution(), view(), camera());
         },
 
-        /** Learns whether the drawing is one in space. @param {import('./engine.js').Report} report */
+        /** Learns whether the drawing is one in space. @param {import('./protocol.js').Report} report */
         report(report) {
             if (!report.ok || solid === report.solid) return;
             solid = report.solid;

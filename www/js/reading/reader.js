@@ -7,7 +7,7 @@ import { REACH, countText, lastTop, placeText, portion, ratio, readPlace, rowsOf
 import { rowsView } from './rows.js';
 import { birth, birthOf, descent, modulesOf, origin, visible } from './words.js';
 
-/** @typedef {import('./words.js').Link} Link */
+/** @typedef {import('../protocol.js').Link} Link */
 /** @typedef {import('./places.js').Top} Top */
 
 /** Rows that are asked for above and below those in sight, so that scrolling finds them there. */
@@ -186,7 +186,7 @@ export function createReader(engine, { mark, opened }) {
         html('reader-path').replaceChildren(make('p', { class: 'note' }, 'Choose a symbol to see where it comes from.'));
     }
 
-    /** @param {Link[]} chain @param {import('../engine.js').Part | null} part @param {import('./words.js').Stroke | null} stroke */
+    /** @param {Link[]} chain @param {import('../protocol.js').Part | null} part @param {import('../protocol.js').Stroke | null} stroke */
     function showPath(chain, part, stroke) {
         const symbol = chosen === null ? undefined : page.symbols[Number(chosen - page.start)];
         const path = html('reader-path');
@@ -207,7 +207,7 @@ export function createReader(engine, { mark, opened }) {
         );
     }
 
-    /** What a symbol has become in the drawing, in words. @param {import('../engine.js').Part | null} part @param {import('./words.js').Stroke | null} stroke */
+    /** What a symbol has become in the drawing, in words. @param {import('../protocol.js').Part | null} part @param {import('../protocol.js').Stroke | null} stroke */
     function drawnText(part, stroke) {
         if (!part) return '';
         const [from, to] = part.segments.map(BigInt);
@@ -385,7 +385,7 @@ export function createReader(engine, { mark, opened }) {
             if (open) show();
         },
 
-        /** A new definition was taken: what is at hand is of the former. @param {import('../engine.js').Report} report */
+        /** A new definition was taken: what is at hand is of the former. @param {import('../protocol.js').Report} report */
         report({ ok, stochastic, memoised }) {
             // A random string is derived once more: let the drawing come first.
             if (!ok || (stochastic && memoised === null)) return;

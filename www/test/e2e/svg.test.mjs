@@ -32,7 +32,7 @@ async function compare({ definition, size }) {
             await ask({ type: 'define', definition: system }, (answer) => answer.type === 'report' && answer.id === id && answer.report.blocks !== null);
             const texts = [];
             for (const format of ['svg', 'svg-compact']) {
-                const { blob, diagnostics } = await ask({ type: 'export', format }, (answer) => answer.type === 'exported');
+                const { blob, diagnostics } = await ask({ type: 'export', format }, (answer) => answer.type === 'export');
                 if (blob === null) throw new Error(JSON.stringify(diagnostics));
                 texts.push(await blob.text());
             }

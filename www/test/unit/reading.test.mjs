@@ -90,7 +90,7 @@ test('places and paces are shown short', () => {
 });
 
 test('where a symbol comes from is told as people say it', () => {
-    /** @type {import('../../js/reading/words.js').Link[]} */
+    /** @type {import('../../js/protocol.js').Link[]} */
     const chain = [
         { generation: 0, symbol: 'Y', index: '1', production: null, position: 1 },
         { generation: 1, symbol: 'X', index: '4', production: 0, position: 2 },
