@@ -204,17 +204,6 @@ function createDrawing({ playground, canvas, inbox }) {
         number += 1;
     }
 
-    /** The turtle's pose behind the segments that are shown, or before the first. @returns {import('./js/protocol.js').Pose | null} */
-    function pose() {
-        if (upto === null) return null;
-        const began = upto > 0n;
-        /** @type {import('./js/protocol.js').Stroke | null} */
-        const stroke = playground.segment(began ? upto - 1n : 0n);
-        if (!stroke) return null;
-        const { from, to, fittedFrom, fittedTo, heading, level } = stroke;
-        return { at: began ? to : from, fitted: began ? fittedTo : fittedFrom, heading, level };
-    }
-
     return {
         /** The generation that is defined. */
         get iterations() {
@@ -270,7 +259,7 @@ function createDrawing({ playground, canvas, inbox }) {
             if (drawn) {
                 const bitmap = canvas.transferToImageBitmap();
                 const { complete, scale, rough, slow } = drawn;
-                page.postMessage({ type: 'drawn', id, viewId, complete, scale, rough, slow, bitmap, pose: pose() }, [bitmap]);
+                page.postMessage({ type: 'drawn', id, viewId, complete, scale, rough, slow, bitmap, pose: poseAt(playground, upto) }, [bitmap]);
             }
             // The page need not wait for a picture, be it that there can be none.
             if (idle && at.view) tellDone(id, viewId);
@@ -281,6 +270,17 @@ function createDrawing({ playground, canvas, inbox }) {
         /** Tells the page what comes next, so that it knows what to give up if this worker stops over it. @param {number} question its id, or 0 for the drawing */
         tellAt: (question) => tellAt(...ids(), question),
     };
+}
+
+/** The turtle's pose behind the segments that are shown, or before the first. @param {Playground} playground @param {bigint | null} upto @returns {import('./js/protocol.js').Pose | null} */
+function poseAt(playground, upto) {
+    if (upto === null) return null;
+    const began = upto > 0n;
+    /** @type {import('./js/protocol.js').Stroke | null} */
+    const stroke = playground.segment(began ? upto - 1n : 0n);
+    if (!stroke) return null;
+    const { from, to, fittedFrom, fittedTo, heading, level } = stroke;
+    return { at: began ? to : from, fitted: began ? fittedTo : fittedFrom, heading, level };
 }
 
 /** Calls only with other numbers than the last time. @template {number[]} Numbers @param {(...numbers: Numbers) => void} act @returns {(...numbers: Numbers) => void} */
@@ -351,8 +351,6 @@ function createReading(playground, iterations) {
  * @param {(question: number) => void} worker.tellAt
  */
 function createFiles({ playground, guard, wake, tellAt }) {
-    /** Longer files are not shown to their reader, in bytes. */
-    const LONGEST_TEXT = 1 << 20;
     /** The file being made, and those asked for after it; and how many those are. */
     let saving = Promise.resolve();
     let unsaved = 0;
@@ -389,16 +387,6 @@ function createFiles({ playground, guard, wake, tellAt }) {
         /** @type {Omit<import('./js/protocol.js').FileRead, 'text'>} */
         const found = wasm_bindgen.read_file(bytes);
         return { type, id, ...found, text: found.diagnostics.length > 0 ? textOf(bytes) : null };
-    }
-
-    /** A file as text, where people can read it: in UTF-8, or in UTF-16, as programs of Windows write it. @param {Uint8Array} bytes */
-    function textOf(bytes) {
-        if (bytes.length > LONGEST_TEXT) return null;
-        const [first, second] = bytes;
-        const mark = first === 0xff && second === 0xfe ? 'utf-16le' : first === 0xfe && second === 0xff ? 'utf-16be' : 'utf-8';
-        const text = new TextDecoder(mark).decode(bytes);
-        // What a picture carries is not to be read by people.
-        return text.trim() !== '' && !/^\s*<|^.PNG/.test(text) ? text : null;
     }
 
     /** Goes through the steps of a file. @param {number} id @param {() => boolean} step whether it was the last */
@@ -460,6 +448,18 @@ function createFiles({ playground, guard, wake, tellAt }) {
             else save(id, () => later(tagged(question), (reason) => ({ type: 'png', id, blob: null, reason })));
         },
     };
+}
+
+/** A file as text, where people can read it: in UTF-8, or in UTF-16, as programs of Windows write it. @param {Uint8Array} bytes */
+function textOf(bytes) {
+    /** Longer files are not shown to their reader, in bytes. */
+    const LONGEST_TEXT = 1 << 20;
+    if (bytes.length > LONGEST_TEXT) return null;
+    const [first, second] = bytes;
+    const mark = first === 0xff && second === 0xfe ? 'utf-16le' : first === 0xfe && second === 0xff ? 'utf-16be' : 'utf-8';
+    const text = new TextDecoder(mark).decode(bytes);
+    // What a picture carries is not to be read by people.
+    return text.trim() !== '' && !/^\s*<|^.PNG/.test(text) ? text : null;
 }
 
 /**

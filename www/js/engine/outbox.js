@@ -27,9 +27,7 @@ export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
     /** The ids under which each was sent last, and under which a fresh worker was told what is shown already. */
     const last = { define: 0, view: 0 };
     let recalled = 0;
-    /** The states that were sent and are not drawn yet, by their last ids, and the timer that ends the patience with them. @type {number[]} */
-    let ahead = [];
-    let patience = 0;
+    const ahead = createAhead(() => goOn());
     /** Whether the worker owes a picture. */
     let owes = false;
     /** Looks sent and not yet drawn. @type {Map<number, Look>} */
@@ -53,26 +51,19 @@ export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
 
     function send() {
         const { state, unsent, upto } = newest;
-        if (!ready() || !state.definition || ahead.length >= AHEAD || !newest.waits) return;
+        if (!ready() || !state.definition || ahead.full || !newest.waits) return;
         let id = 0;
         if (unsent.definition) id = last.define = postDefinition(state.definition, upto);
         if (unsent.look && state.look) id = postLook(state.look);
         newest.send();
-        expect([...ahead, id]);
+        ahead.add(id);
         owes = true;
         sent();
     }
 
-    /** Sets what is waited for. @param {number[]} ids of states */
-    function expect(ids) {
-        clearTimeout(patience);
-        ahead = ids;
-        patience = ids.length > 0 ? window.setTimeout(() => goOn(), PATIENCE) : 0;
-    }
-
     /** The states up to an id are drawn, or waited for no longer: the newest may follow. */
     function goOn(id = Infinity) {
-        expect(ahead.filter((each) => each > id));
+        ahead.reach(id);
         send();
     }
 
@@ -86,7 +77,7 @@ export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
     /** The newest state is shown, or cannot be. */
     function settle() {
         goOn();
-        if (ahead.length > 0) return;
+        if (!ahead.empty) return;
         owes = false;
         settled();
     }
@@ -112,7 +103,7 @@ export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
             owes = false;
             recalled = 0;
             looks.clear();
-            expect([]);
+            ahead.reach(Infinity);
         },
 
         /**
@@ -124,7 +115,7 @@ export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
             if (!definition || !look) return false;
             recalled = postDefinition(definition, look.upto);
             // Nothing else may come before it is drawn.
-            expect(Array(AHEAD).fill(postLook(look)));
+            ahead.fill(postLook(look));
             return true;
         },
 
@@ -141,5 +132,37 @@ export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
             else if (isLast(ids)) settle();
             else reached(ids);
         },
+    };
+}
+
+/** The states that were sent and are not drawn yet, by their last ids. @param {() => void} impatient they take long */
+function createAhead(impatient) {
+    /** @type {number[]} */
+    let ids = [];
+    let timer = 0;
+
+    /** @param {number[]} next */
+    function expect(next) {
+        clearTimeout(timer);
+        ids = next;
+        timer = ids.length > 0 ? window.setTimeout(impatient, PATIENCE) : 0;
+    }
+
+    return {
+        get full() {
+            return ids.length >= AHEAD;
+        },
+        get empty() {
+            return ids.length === 0;
+        },
+
+        /** @param {number} id */
+        add: (id) => expect([...ids, id]),
+
+        /** Leaves no room beside a state. @param {number} id */
+        fill: (id) => expect(Array(AHEAD).fill(id)),
+
+        /** They are drawn up to an id, or waited for no longer. @param {number} id */
+        reach: (id) => expect(ids.filter((each) => each > id)),
     };
 }

@@ -43,9 +43,7 @@ export function createReader(engine, { mark, opened }) {
         mark(outline.length > 0 || !facts.stroke ? outline : [facts.stroke.fittedFrom]);
         card.show({ symbol: text.pages.symbolAt(index), index, generation, iterations: generations.iterations }, facts);
     });
-    const fetchDescendant = latest(engine.descendant, (start, _from, _index, to) => {
-        if (to === generations.now() && start !== null) choose(BigInt(start));
-    });
+    const descend = createDescent(engine, (index, generation) => generation === generations.now() && choose(index));
 
     function show() {
         if (!frame.open) return;
@@ -94,18 +92,6 @@ export function createReader(engine, { mark, opened }) {
         text.need();
     }
 
-    /** Chooses in another generation what descends from a symbol, or what that descends from. @param {number} from @param {bigint} index @param {number} to */
-    function descend(from, index, to) {
-        if (to > from) return fetchDescendant(from, index, to);
-        engine.symbol(from, index).then(
-            ({ ancestry }) => {
-                const ancestor = ancestry[to];
-                if (generations.now() === to && ancestor) choose(BigInt(ancestor.index));
-            },
-            () => {},
-        );
-    }
-
     listenToKeys(area, text, (by) => choose(marked.chosen === null ? text.first : marked.chosen + by));
     forget();
 
@@ -144,6 +130,28 @@ export function createReader(engine, { mark, opened }) {
             const link = chain[generations.now()];
             if (frame.open && link) choose(BigInt(link.index));
         },
+    };
+}
+
+/**
+ * Finds in another generation what descends from a symbol, or what that descends from.
+ * @param {import('../engine.js').Engine} engine
+ * @param {(index: bigint, generation: number) => void} found
+ */
+function createDescent(engine, found) {
+    const fetchDescendant = latest(engine.descendant, (start, _from, _index, to) => {
+        if (start !== null) found(BigInt(start), to);
+    });
+
+    return (/** @type {number} */ from, /** @type {bigint} */ index, /** @type {number} */ to) => {
+        if (to > from) return fetchDescendant(from, index, to);
+        engine.symbol(from, index).then(
+            ({ ancestry }) => {
+                const ancestor = ancestry[to];
+                if (ancestor) found(BigInt(ancestor.index), to);
+            },
+            () => {},
+        );
     };
 }
 
