@@ -9,17 +9,17 @@ import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
 /** @typedef {import('./core.js').Hired} Hired */
 /** @typedef {import('../protocol.js').FromWorker} FromWorker */
 /** @typedef {import('../protocol.js').ToWorker} ToWorker */
-/** Who help with pictures that take long. @typedef {{help: (worker: Hired, wasm: WebAssembly.Module) => void, leave: () => void}} Helpers */
+/** The mates, which help with pictures that take long. @typedef {{help: (worker: Hired, wasm: WebAssembly.Module) => void, leave: () => void}} Helpers */
 
 /**
  * @typedef {object} Events
  * @property {() => void} begun the worker has its wasm and takes messages
- * @property {(message: FromWorker) => void} received
- * @property {() => void} left the worker is let go, with all that it knew
+ * @property {(message: FromWorker) => void} received every message of the worker's
+ * @property {() => void} left the worker is gone: a fresh one knows nothing
  * @property {(how: 'silent' | 'crashed', message: string) => void} stopped
- * @property {(how: 'loading' | 'unloadable', message: string) => void} missed its files did not load, and are tried again or not
- * @property {(silent: number) => void} doubted it has been silent for so long, in milliseconds, but not yet for too long
- * @property {() => boolean} owes whether it owes an answer
+ * @property {(how: 'loading' | 'unloadable', message: string) => void} missed the worker's files did not load; `loading`: they are tried again
+ * @property {(silent: number) => void} doubted the worker has been silent for this long, in milliseconds, but not yet for too long
+ * @property {() => boolean} owes whether the worker owes a picture or an answer
  */
 
 /** What does not load is tried again after these times, in milliseconds. */
@@ -127,7 +127,7 @@ export function createConnection({ begun, received, left, stopped, missed, doubt
             return may;
         },
 
-        /** The worker has done something. */
+        /** The worker has drawn or answered: workers before it that stopped count no more. */
         proven: attempts.proven,
 
         /** After a failure for good, new input or a question is worth a fresh start. */
@@ -176,7 +176,7 @@ function createAttempts() {
     };
 }
 
-/** Lets others help the worker while its pictures take long. @param {() => Hired | null} worker */
+/** Calls the mates while the worker's pictures take long. @param {() => Hired | null} worker */
 function createHelp(worker) {
     /** @type {Helpers | null} */
     let mates = null;

@@ -27,7 +27,7 @@ export function createFallback(newest, outbox, doubted) {
     let given = null;
     /** The state over which the worker is silent. @type {Shown | null} */
     let doubtful = null;
-    /** What the worker is at, as it says. */
+    /** What the worker is at, as its last `at` says. */
     let at = NOWHERE;
 
     return {

@@ -11,7 +11,7 @@ export function createNewest() {
     let state = { definition: null, look: null };
     /** @type {bigint | null} */
     let upto = null;
-    /** Which parts of it were not sent yet. */
+    /** Which parts of the state were not sent yet. */
     let unsent = { definition: false, look: false };
 
     /** @param {Look} look */
@@ -21,7 +21,7 @@ export function createNewest() {
     }
 
     return {
-        /** Another object whenever any of it changes. */
+        /** A change makes a new object, so that states can be compared by identity. */
         get state() {
             return state;
         },
@@ -33,7 +33,7 @@ export function createNewest() {
         get unsent() {
             return unsent;
         },
-        /** Whether any of it was not sent yet. */
+        /** Whether any part was not sent yet. */
         get waits() {
             return unsent.definition || unsent.look;
         },
@@ -61,18 +61,18 @@ export function createNewest() {
             return true;
         },
 
-        /** Goes back to another state; what that does not say of the look stays. @param {Readonly<Shown>} former */
+        /** Goes back to a former state; without a former look the newest stays. @param {Readonly<Shown>} former */
         replace({ definition, look }) {
             state = { definition, look: look ?? state.look };
             upto = look?.upto ?? null;
         },
 
-        /** It was sent. */
+        /** The state was sent. */
         send() {
             unsent = { definition: false, look: false };
         },
 
-        /** There is another worker, which was sent nothing. */
+        /** There is a fresh worker, which was sent nothing. */
         unsend() {
             unsent = { definition: state.definition !== null, look: state.look !== null };
         },

@@ -6,7 +6,7 @@
 
 /** @typedef {import('./newest.js').Look} Look */
 /** @typedef {import('./newest.js').Shown} Shown */
-/** What a message is about. @typedef {{id: number, viewId: number}} Ids */
+/** The state and the view that a message is about. @typedef {{id: number, viewId: number}} Ids */
 
 /** States that are not drawn after this time are waited for no longer, in milliseconds. */
 const PATIENCE = 250;
@@ -20,12 +20,13 @@ const AHEAD = 2;
  * @param {(message: import('../protocol.js').Define | import('../protocol.js').Sight) => void} worker.post
  * @param {() => boolean} worker.ready whether it takes messages
  * @param {() => number} worker.nextId
- * @param {() => void} worker.sent it has been told of a newer state than the one shown
+ * @param {() => void} worker.sent a newer state than the one shown is under way
  * @param {() => void} worker.settled the newest state is shown, or cannot be
  */
 export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
-    /** The ids under which each was sent last, and under which a fresh worker was told what is shown already. */
+    /** The ids of the last definition and look that were sent. */
     const last = { define: 0, view: 0 };
+    /** The id under which a fresh worker was told what is shown already, or 0. */
     let recalled = 0;
     const ahead = createAhead(() => goOn());
     /** Whether the worker owes a picture. */
@@ -135,7 +136,7 @@ export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
     };
 }
 
-/** The states that were sent and are not drawn yet, by their last ids. @param {() => void} impatient they take long */
+/** The states that were sent and are not drawn yet, by their last ids. @param {() => void} impatient called when none of them has been drawn for a while */
 function createAhead(impatient) {
     /** @type {number[]} */
     let ids = [];
@@ -162,7 +163,7 @@ function createAhead(impatient) {
         /** Leaves no room beside a state. @param {number} id */
         fill: (id) => expect(Array(AHEAD).fill(id)),
 
-        /** They are drawn up to an id, or waited for no longer. @param {number} id */
+        /** The states up to an id are drawn, or waited for no longer. @param {number} id */
         reach: (id) => expect(ids.filter((each) => each > id)),
     };
 }
