@@ -37,7 +37,7 @@ import { ATTRIBUTES } from './js/tables.js';
         #unsaid = [];
         #ready = false;
         #lastId = 0;
-        /** @type {Map<number, (state: any) => void>} */
+        /** @type {Map<number, (state: Record<string, unknown>) => void>} */
         #asked = new Map();
         /** What came last from the frame. @type {{values: Record<string, unknown>, link: string} | null} */
         #state = null;

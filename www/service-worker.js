@@ -6,17 +6,17 @@
  * say, fails, and the browser tries again another time. A page never sees files of two versions, and of nobody else's.
  */
 (() => {
-    const worker = /** @type {any} */ (self);
+    const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
     const scope = worker.registration.scope;
     const family = `l-systems ${scope} `;
     const name = family + BUILD;
 
-    worker.addEventListener('install', (/** @type {any} */ event) => event.waitUntil(keepAll()));
-    worker.addEventListener('activate', (/** @type {any} */ event) => event.waitUntil(forgetOthers()));
-    worker.addEventListener('message', (/** @type {any} */ event) => {
+    worker.addEventListener('install', (event) => event.waitUntil(keepAll()));
+    worker.addEventListener('activate', (event) => event.waitUntil(forgetOthers()));
+    worker.addEventListener('message', (event) => {
         if (event.data === 'take over') worker.skipWaiting();
     });
-    worker.addEventListener('fetch', (/** @type {any} */ event) => {
+    worker.addEventListener('fetch', (event) => {
         const address = addressOf(event.request);
         if (address) event.respondWith(answer(address, event.request));
     });

@@ -25,7 +25,7 @@ import { createStore } from './store.js';
 import { QUESTION, createTrouble } from './trouble.js';
 
 /** @typedef {import('./state.js').State} State */
-/** @typedef {import('./engine.js').Report} Report */
+/** @typedef {import('./protocol.js').Report} Report */
 /** @typedef {import('./embed/options.js').Control} Control */
 
 const NOTHING = 'There is no drawing in the address of this frame.';
@@ -191,17 +191,17 @@ function show(state, before) {
     address();
 }
 
-/** @param {Report} report */
-function reported(report) {
+/** @param {Report} report @param {boolean} past whether it is of the last good state */
+function reported(report, past) {
     parts?.stage.growing(!isWrong(report) && report.memoised === null);
     parts?.stage.report(report);
-    if (!report.past) {
+    if (!past) {
         rules.report(report);
         dials.report(report);
     }
     parts?.reader.report(report);
     parts?.playback.report(report);
-    if (report.past) return setText(html('caption-text'), 'Showing the last valid drawing.');
+    if (past) return setText(html('caption-text'), 'Showing the last valid drawing.');
     const mistakes = report.diagnostics.filter(({ severity }) => severity === 'error');
     const [first, ...more] = mistakes;
     if (first) {

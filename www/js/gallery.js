@@ -2,7 +2,7 @@
 
 import { button, byId, closes, html, input, make, setText } from './dom.js';
 import { jsonOf } from './files.js';
-import { Stopped } from './questions.js';
+import { Stopped } from './engine/questions.js';
 import { clean, definitionOf } from './state.js';
 import { TAGS, choose, count, makingOf, tagsOf } from './tags.js';
 import { emptyThumb, paintThumb } from './thumb.js';

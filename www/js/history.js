@@ -8,7 +8,7 @@ import { same } from './state.js';
 /** @typedef {import('./state.js').State} State */
 /** What Reset returns to, where a change opens another system. @typedef {{before: Readonly<State>, after: Readonly<State>}} Origins */
 /** @typedef {{before: Partial<State>, after: Partial<State>, label: string, time: number, origins?: Origins}} Change */
-/** @typedef {{history: History, patch: Partial<State>, origin?: Readonly<State>}} Step */
+/** @typedef {{history: History, patch: Partial<State>, origin: Readonly<State> | undefined}} Step */
 /** @typedef {{past: readonly Change[], future: readonly Change[]}} History */
 
 /** @type {History} */

@@ -1,42 +1,33 @@
 /** What is under the pointer: marks the segment or the polygon, tells its symbol, and lights that in the string view. */
 
-import { html, make } from './dom.js';
+import { html } from './dom.js';
+import { createHoverCard } from './hover-card.js';
 import { latest } from './latest.js';
-import { placeText } from './reading/places.js';
-import { birth, birthOf, descent, filledText, strokeText, visible } from './reading/words.js';
 
 /** How near something must be, in CSS pixels. */
 const NEAR = { mouse: 6, touch: 16 };
 /** A press that moved or lasted more than this was no tap: CSS pixels, milliseconds. */
 const SLIP = 6;
 const LONG = 500;
-/** Links of the chain that the card tells: beside a mouse, and where a finger leaves less room. */
-const TOLD = { mouse: 4, touch: 1 };
-/** What a finger tapped near the lower edge is told above: buttons stand there on a phone, in CSS pixels. */
-const FOOT = 72;
 /** A drawing in space that was turned rests after this time, in milliseconds. */
 const REST_MS = 200;
-/** Between the pointer and the card, in CSS pixels. */
-const APART = { mouse: 18, touch: 34 };
-
-/** @typedef {import('./engine.js').Picked} Picked */
-/** @typedef {{x: number, y: number, touch: boolean}} Place CSS pixels from the stage's upper left corner */
+/** @typedef {import('./protocol.js').Picked} Picked */
+/** @typedef {import('./hover-card.js').Place} Place */
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{ratio: () => number, mark: (points: number[][]) => void, light: (chain: import('./reading/words.js').Link[]) => void, choose: (chain: import('./reading/words.js').Link[]) => void, reading: () => boolean, upto: () => bigint | null, offered?: () => boolean}} page
+ * @param {{ratio: () => number, mark: (points: number[][]) => void, light: (chain: import('./protocol.js').Link[]) => void, choose: (chain: import('./protocol.js').Link[]) => void, reading: () => boolean, upto: () => bigint | null, offered?: () => boolean}} page
  */
 export function createHover(engine, { ratio, mark, light, choose, reading, upto, offered = () => true }) {
     const canvas = html('drawing');
     const stage = html('stage');
-    const card = html('card');
+    const card = createHoverCard(stage);
     /** Where the pointer rests, or a finger tapped; null while it is elsewhere or drags. @type {Place | null} */
     let place = null;
     /** Whether what is there is to be chosen in the string view, too. */
     let choosing = false;
     /** @type {{x: number, y: number, time: number} | null} */
     let press = null;
-    let told = '';
     /** Runs while a drawing in space is being turned. */
     let turning = 0;
 
@@ -49,13 +40,12 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
             if (!chosen) return;
             choose(picked.ancestry);
             // The string view says the same, and a phone has no room for both.
-            if (place.touch && reading() && picked.ancestry.length > 0) card.hidden = true;
+            if (place.touch && reading() && picked.ancestry.length > 0) card.hide();
         },
     );
 
     function hide() {
-        told = '';
-        card.hidden = true;
+        card.hide();
         mark([]);
         light([]);
         canvas.classList.remove('found');
@@ -79,32 +69,14 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
         choosing = false;
     }
 
-    /** @param {Picked} picked */
-    function tell({ segment, polygon, symbol, ancestry, stroke, filled }) {
-        const facts = stroke ? `Segment ${number(segment)}, ${strokeText(stroke)}` : filled && `Polygon ${number(polygon)}, ${filledText(filled)}`;
-        if (!place || !facts) return;
+    /** @param {Picked} picked something */
+    function tell(picked) {
+        const { ancestry, stroke, filled } = picked;
+        if (!place) return;
         mark(filled ? filled.outline : stroke ? [stroke.fittedFrom, stroke.fittedTo] : []);
         light(ancestry);
         canvas.classList.add('found');
-        if (told !== facts || card.hidden) {
-            told = facts;
-            const own = ancestry.at(-1);
-            const [, ...older] = descent(ancestry);
-            const most = place.touch ? TOLD.touch : TOLD.mouse;
-            const more = older.length - most;
-            card.replaceChildren(
-                ...(own ? [make('p', { class: 'card-head' }, make('kbd', {}, visible(own.symbol)), make('span', {}, birthOf(ancestry)))] : []),
-                ...(older.length > 0 ? [make('ol', { class: 'card-path' }, ...older.slice(0, most).map((link) => make('li', {}, make('kbd', {}, visible(link.symbol)), make('span', {}, birth(link)))), ...(more > 0 ? [make('li', { class: 'more' }, `and ${more} more, back to the axiom`)] : []))] : []),
-                make('p', { class: 'card-facts' }, facts, ...(symbol === null ? [] : [make('br'), `Symbol ${number(symbol)}`])),
-            );
-        }
-        card.hidden = false;
-        const { width, height } = card.getBoundingClientRect();
-        const apart = place.touch ? APART.touch : APART.mouse;
-        const room = { width: stage.clientWidth, height: stage.clientHeight };
-        const left = place.x + apart + width < room.width ? place.x + apart : Math.max(8, place.x - apart - width);
-        const top = place.y + apart + height < room.height - (place.touch ? FOOT : 0) ? place.y + apart : Math.max(8, place.y - apart - height);
-        card.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
+        card.show(picked, place);
     }
 
     /** @param {PointerEvent} event @returns {Place} */
@@ -153,9 +125,4 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
         /** What was told of is gone. */
         forget: leave,
     };
-}
-
-/** @param {string | null} digits counted from 0 */
-function number(digits) {
-    return placeText(BigInt(digits ?? 0) + 1n, 15);
 }

@@ -13,7 +13,7 @@ import { createMarks } from './marks.js';
 import { followNotation } from './notation.js';
 import { keepOffline } from './offline.js';
 import { blank, opening } from './opening.js';
-import { createMates, matesOn } from './mates.js';
+import { createMates, matesOn } from './engine/mates.js';
 import { bestLink, openLink } from './packed.js';
 import { constantsPanel } from './panels/constants-panel.js';
 import { favouritesPanel } from './panels/favourites-panel.js';
@@ -40,7 +40,7 @@ import { createStore } from './store.js';
 import { theme, themeButton } from './theme.js';
 
 /** @typedef {import('./state.js').State} State */
-/** @typedef {import('./engine.js').Report} Report */
+/** @typedef {import('./protocol.js').Report} Report */
 
 /** A note that says more is not read. */
 const MOST_PROBLEMS = 3;
@@ -174,12 +174,12 @@ function showNames(state) {
     if (document.title !== heading) document.title = heading;
 }
 
-/** @param {Report} next */
-function reported(next) {
+/** @param {Report} next @param {boolean} past whether it is of the last good state */
+function reported(next, past) {
     // What is on its way to the state is not told about.
     if (growing.running) return;
     stage.growing(!isWrong(next) && next.memoised === null);
-    if (!next.past) {
+    if (!past) {
         rules.report(next);
         growth.report(next, store.state);
         look.report(next, store.state);
@@ -189,7 +189,7 @@ function reported(next) {
     playback.report(next);
     stage.report(next);
     orbit.report(next);
-    if (next.past) return setText(html('caption-text'), 'Showing the last valid drawing.');
+    if (past) return setText(html('caption-text'), 'Showing the last valid drawing.');
     const [mistake, ...more] = next.diagnostics.filter(({ severity }) => severity === 'error');
     if (mistake) {
         const words = more.length === 0 ? mistake.message : `${mistake.message}, and ${more.length} more`;

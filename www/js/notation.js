@@ -2,8 +2,8 @@
 
 import { latest } from './latest.js';
 
-/** @typedef {import('./engine.js').Notation} Notation */
-/** @typedef {{axiom: string, rules: string, overrides: string}} Texts */
+/** @typedef {import('./protocol.js').Notation} Notation */
+/** @typedef {import('./protocol.js').Texts} Texts */
 /** @typedef {{read: (notation: Notation, texts: Texts) => void}} Reader `texts` may be older than what is on the page */
 
 /**

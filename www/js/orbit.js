@@ -80,7 +80,7 @@ export function createOrbit(store, stage) {
     }
 
     return {
-        /** @param {import('./engine.js').Report} report */
+        /** @param {import('./protocol.js').Report} report */
         report({ ok, solid }) {
             if (!ok) return;
             tools.hidden = !solid;

@@ -1,7 +1,7 @@
 /** A sheet of nine seeds to choose from. */
 
 import { button, byId, closes, html, make } from './dom.js';
-import { Stopped } from './questions.js';
+import { Stopped } from './engine/questions.js';
 import { definitionOf } from './state.js';
 import { emptyThumb, paintThumb } from './thumb.js';
 

@@ -7,7 +7,7 @@ import { make, setValue } from '../dom.js';
 import { mostOf } from '../state.js';
 import { carried, spansOf } from '../tint.js';
 
-/** @typedef {import('../engine.js').Diagnostic} Diagnostic */
+/** @typedef {import('../protocol.js').Diagnostic} Diagnostic */
 /**
  * @typedef {object} Editor
  * @property {(text: string) => void} show

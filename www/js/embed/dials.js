@@ -34,7 +34,7 @@ export function createDials(store) {
             if (state.rightAngle !== null) rights.show(state.rightAngle);
         },
 
-        /** @param {import('../engine.js').Report} report */
+        /** @param {import('../protocol.js').Report} report */
         report({ ok, largest }) {
             if (!ok) return;
             steps.limit(largest === null ? null : Math.max(largest, store.state.iterations));

@@ -7,7 +7,7 @@ import { bestLink, openLink } from '../packed.js';
 import { readControls } from './options.js';
 import { fieldsOf, valuesOf } from './values.js';
 
-/** @typedef {import('../engine.js').Report} Report */
+/** @typedef {import('../protocol.js').Report} Report */
 /** @typedef {import('./options.js').Control} Control */
 
 /** Changes that follow one another more quickly are told as one, in milliseconds. */
@@ -96,7 +96,7 @@ export function talk(store, { host, offer, play, facts }) {
             say({ lsystem: 'ready', ...(await state()), ...facts() });
         },
 
-        /** @param {string} message @param {import('../engine.js').Diagnostic[]} [problems] */
+        /** @param {string} message @param {import('../protocol.js').Diagnostic[]} [problems] */
         error(message, problems = []) {
             say({ lsystem: 'error', message, problems });
         },

@@ -6,7 +6,7 @@ import { outgrown, scaleAbout, writtenAs } from '../controls/scale.js';
 import { slider } from '../controls/slider.js';
 import { plain } from '../numerals.js';
 
-/** @typedef {import('../engine.js').Constant} Constant */
+/** @typedef {import('../protocol.js').Constant} Constant */
 /** @typedef {{element: HTMLElement, name: string, number: boolean, show: (value: number | null) => void}} Row */
 
 /** More than these are not shown: the rest is changed in the text. */
@@ -114,7 +114,7 @@ export function constantsPanel(store, rules) {
     }
 
     return {
-        /** @param {import('../engine.js').Notation} notation @param {import('../notation.js').Texts} texts */
+        /** @param {import('../protocol.js').Notation} notation @param {import('../notation.js').Texts} texts */
         read(notation, texts) {
             if (texts.rules === store.state.rules) {
                 constants = notation.constants;

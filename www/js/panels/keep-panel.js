@@ -21,7 +21,7 @@ const MIME = { svg: 'image/svg+xml', csv: 'text/csv', txt: 'text/plain', json: '
 /**
  * @param {import('../store.js').Store} store
  * @param {Engine} engine
- * @param {{address: () => Promise<string>, select: () => void, favourites: (text: string) => void, canvas: () => import('../engine.js').Canvas}} page
+ * @param {{address: () => Promise<string>, select: () => void, favourites: (text: string) => void, canvas: () => import('../protocol.js').Canvas}} page
  *   `select` shows the link for the reader to copy, `favourites` takes a file of them
  */
 export function keepPanel(store, engine, page) {

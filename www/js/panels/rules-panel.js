@@ -32,21 +32,21 @@ export function rulesPanel(store) {
             setText(html('system-notes'), state.notes);
             html('about').hidden = state.source === '' && state.notes === '';
         },
-        /** @param {import('../engine.js').Notation} notation @param {import('../notation.js').Texts} texts */
+        /** @param {import('../protocol.js').Notation} notation @param {import('../notation.js').Texts} texts */
         read(notation, texts) {
             axiom.tint(notation.axiom, texts.axiom);
             rules.tint(notation.rules, texts.rules);
         },
         /**
          * Puts another value in the place of a constant's; caret and selection stay.
-         * @param {import('../engine.js').Constant} constant
+         * @param {import('../protocol.js').Constant} constant
          * @param {string} value
          * @param {string} label of the change
          */
         rewrite({ start, end }, value, label) {
             store.change({ rules: rules.replace(start, end, value) }, label);
         },
-        /** @param {import('../engine.js').Report} report */
+        /** @param {import('../protocol.js').Report} report */
         report({ diagnostics }) {
             axiom.mark(diagnostics.filter(({ field }) => field === 'axiom'));
             rules.mark(diagnostics.filter(({ field }) => field === 'rules'));

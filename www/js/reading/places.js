@@ -77,6 +77,21 @@ export function lastTop({ rows, rowHeight, height }) {
 }
 
 /**
+ * The top from where a row is in sight: the same if it is already, else with the row in the middle.
+ * @param {Top} top
+ * @param {bigint} row
+ * @param {{rows: bigint, rowHeight: number, height: number}} page
+ * @returns {Top}
+ */
+export function revealed(top, row, page) {
+    const fitting = BigInt(Math.max(1, Math.floor(page.height / page.rowHeight)));
+    if (row > top.row && row < top.row + fitting - 1n) return top;
+    if (row === top.row && top.offset === 0) return top;
+    const to = row - fitting / 2n;
+    return scrolled({ row: to < 0n ? 0n : to, offset: 0 }, 0, page);
+}
+
+/**
  * A position as a person writes it, counted from 1: `1,234`, `10^12`, `1e12`, `2.5e6`, `2·10^30`, `50 %`, `end`.
  * @param {string} text
  * @param {bigint} length of the whole

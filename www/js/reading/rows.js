@@ -10,10 +10,6 @@ import { partsOf, visible } from './words.js';
 
 /** Rows are whole tens of symbols where there is room for them. */
 const TEN = 10;
-/** A finger that moved less than this meant a symbol, in CSS pixels. */
-const SLIP = 6;
-/** A flick loses this part of its speed in a millisecond. */
-const FRICTION = 0.004;
 
 /** @param {HTMLElement} area */
 export function rowsView(area) {
@@ -59,24 +55,6 @@ export function rowsView(area) {
         return column < 0 ? null : row * BigInt(columns) + BigInt(column);
     }
 
-    /**
-     * How many symbols go into every row.
-     * @param {string[]} symbols
-     */
-    function fitting(symbols) {
-        // Where a run of as many as are wanted is too long, fewer are.
-        const ends = [0];
-        for (const symbol of symbols) ends.push(/** @type {number} */ (ends.at(-1)) + widthOf(symbol));
-        const fits = (/** @type {number} */ count) => ends.every((end, at) => at < count || end - /** @type {number} */ (ends[at - count]) <= room);
-        let [some, tooMany] = [1, narrow + 1];
-        while (tooMany - some > 1) {
-            const between = Math.floor((some + tooMany) / 2);
-            if (fits(between)) some = between;
-            else tooMany = between;
-        }
-        return some;
-    }
-
     return {
         get columns() {
             return columns;
@@ -97,7 +75,7 @@ export function rowsView(area) {
          */
         fit(symbols, anew) {
             const before = columns;
-            const most = fitting(symbols);
+            const most = fitting(symbols, narrow, room);
             columns = anew ? most : Math.min(columns, most);
             return columns !== before;
         },
@@ -116,7 +94,7 @@ export function rowsView(area) {
                 if (start >= length) break;
                 const from = Number(start - page.start);
                 const symbols = from < 0 ? [] : page.symbols.slice(from, from + columns);
-                const marks = [...marked(chosen, start, 'chosen'), ...marked(lit, start, 'lit')];
+                const marks = [...marked(chosen, start, columns, 'chosen'), ...marked(lit, start, columns, 'lit')];
                 const key = `${columns} ${symbols.join('')} ${marks.map(({ at: place, name }) => `${name}${place}`).join()}`;
                 const old = shown.get(row);
                 next.set(row, old?.key === key ? old : { key, element: rowOf(start, symbols, marks), symbols });
@@ -133,100 +111,67 @@ export function rowsView(area) {
             sheet.style.transform = `translateY(${-offset}px)`;
         },
 
-        /** @param {{scroll: (pixels: number) => unknown, click: (index: bigint) => unknown}} act */
-        gestures({ scroll, click }) {
-            area.addEventListener(
-                'wheel',
-                (event) => {
-                    if (event.ctrlKey) return;
-                    event.preventDefault();
-                    scroll(event.deltaY * (event.deltaMode === 1 ? rowHeight : event.deltaMode === 2 ? height : 1));
-                },
-                { passive: false },
-            );
-            /** @type {{id: number, y: number, travelled: number, speed: number, time: number} | null} */
-            let finger = null;
-            let flick = 0;
-            area.addEventListener('pointerdown', (event) => {
-                cancelAnimationFrame(flick);
-                if (event.button !== 0) return;
-                finger = { id: event.pointerId, y: event.clientY, travelled: 0, speed: 0, time: event.timeStamp };
-                if (event.pointerType !== 'mouse') area.setPointerCapture(event.pointerId);
-            });
-            area.addEventListener('pointermove', (event) => {
-                if (finger?.id !== event.pointerId) return;
-                const by = finger.y - event.clientY;
-                const time = Math.max(1, event.timeStamp - finger.time);
-                Object.assign(finger, { y: event.clientY, travelled: finger.travelled + Math.abs(by), speed: by / time, time: event.timeStamp });
-                if (event.pointerType !== 'mouse' && finger.travelled > SLIP) scroll(by);
-            });
-            area.addEventListener('pointerup', (event) => {
-                if (finger?.id !== event.pointerId) return;
-                const { travelled, speed, time } = finger;
-                finger = null;
-                if (travelled <= SLIP) {
-                    const index = symbolAt(event.clientX, event.clientY);
-                    if (index !== null) click(index);
-                } else if (event.pointerType !== 'mouse' && event.timeStamp - time < 60) {
-                    glide(speed);
-                }
-            });
-            area.addEventListener('pointercancel', () => (finger = null));
-
-            /** @param {number} speed CSS pixels a millisecond */
-            function glide(speed) {
-                let last = performance.now();
-                const tick = (/** @type {number} */ now) => {
-                    const time = Math.max(0, now - last);
-                    last = now;
-                    speed *= Math.exp(-FRICTION * time);
-                    if (Math.abs(speed) < 0.02) return;
-                    scroll(speed * time);
-                    flick = requestAnimationFrame(tick);
-                };
-                flick = requestAnimationFrame(tick);
-            }
-        },
+        symbolAt,
     };
-
-    /** @param {bigint | null} index @param {bigint} start @param {string} name */
-    function marked(index, start, name) {
-        return index !== null && index >= start && index < start + BigInt(columns) ? [{ at: Number(index - start), name }] : [];
-    }
-
-    /** @param {bigint} start @param {string[]} symbols @param {{at: number, name: string}[]} marks */
-    function rowOf(start, symbols, marks) {
-        const cells = make('span', { class: 'cells' });
-        /** What is alike goes into one element: symbols by their tint and marks. */
-        let run = '';
-        let names = '';
-        const flush = () => {
-            if (run) cells.append(names ? make('span', { class: names }, run) : run);
-            run = '';
-        };
-        symbols.forEach((module, at) => {
-            const [symbol, given] = partsOf(module);
-            const tint = tintOf(symbol);
-            const own = marks.filter((mark) => mark.at === at).map(({ name }) => name);
-            if (given && own.length > 0) {
-                flush();
-                cells.append(make('span', { class: own.join(' ') }, symbol, given));
-                return;
-            }
-            // Others may be wider than a column in the font at hand.
-            const foreign = [...symbol].length === 1 && (symbol < '\u0020' || symbol > '\u007e');
-            const next = [tint ? `t-${tint}` : '', foreign ? 'foreign' : '', ...own].filter(Boolean).join(' ');
-            if (next !== names || foreign) flush();
-            names = next;
-            run += symbol;
-            if (!given) return;
-            flush();
-            cells.append(make('span', { class: 'given' }, given));
-        });
-        flush();
-        return make('div', { class: 'row-line' }, make('span', { class: 'margin', 'aria-hidden': 'true' }, marginText(start)), cells);
-    }
 }
 
 /** In characters. @param {string} symbol */
 const widthOf = (symbol) => (symbol.length === 1 ? 1 : [...visible(symbol)].length);
+
+/** A mark in a row. @param {bigint | null} index @param {bigint} start @param {number} columns @param {string} name */
+function marked(index, start, columns, name) {
+    return index !== null && index >= start && index < start + BigInt(columns) ? [{ at: Number(index - start), name }] : [];
+}
+
+/** A row as an element. @param {bigint} start @param {string[]} symbols @param {{at: number, name: string}[]} marks */
+function rowOf(start, symbols, marks) {
+    const cells = make('span', { class: 'cells' });
+    /** What is alike goes into one element: symbols by their tint and marks. */
+    let run = '';
+    let names = '';
+    const flush = () => {
+        if (run) cells.append(names ? make('span', { class: names }, run) : run);
+        run = '';
+    };
+    symbols.forEach((module, at) => {
+        const [symbol, given] = partsOf(module);
+        const tint = tintOf(symbol);
+        const own = marks.filter((mark) => mark.at === at).map(({ name }) => name);
+        if (given && own.length > 0) {
+            flush();
+            cells.append(make('span', { class: own.join(' ') }, symbol, given));
+            return;
+        }
+        // Others may be wider than a column in the font at hand.
+        const foreign = [...symbol].length === 1 && (symbol < '\u0020' || symbol > '\u007e');
+        const next = [tint ? `t-${tint}` : '', foreign ? 'foreign' : '', ...own].filter(Boolean).join(' ');
+        if (next !== names || foreign) flush();
+        names = next;
+        run += symbol;
+        if (!given) return;
+        flush();
+        cells.append(make('span', { class: 'given' }, given));
+    });
+    flush();
+    return make('div', { class: 'row-line' }, make('span', { class: 'margin', 'aria-hidden': 'true' }, marginText(start)), cells);
+}
+
+/**
+ * How many symbols go into every row.
+ * @param {string[]} symbols
+ * @param {number} wanted as many at most
+ * @param {number} room of a row, in characters
+ */
+function fitting(symbols, wanted, room) {
+    // Where a run of as many as are wanted is too long, fewer are.
+    const ends = [0];
+    for (const symbol of symbols) ends.push(/** @type {number} */ (ends.at(-1)) + widthOf(symbol));
+    const fits = (/** @type {number} */ count) => ends.every((end, at) => at < count || end - /** @type {number} */ (ends[at - count]) <= room);
+    let [some, tooMany] = [1, wanted + 1];
+    while (tooMany - some > 1) {
+        const between = Math.floor((some + tooMany) / 2);
+        if (fits(between)) some = between;
+        else tooMany = between;
+    }
+    return some;
+}

@@ -2,16 +2,9 @@
 
 import { grouped, plain, raised } from '../numerals.js';
 
-/**
- * One link of the chain from the axiom to a symbol, which has its arguments in parentheses, if any; `index` in decimal digits, `position` in the successor (or in the
- * axiom), `production` a number of a production or null where the symbol stayed or stands in the axiom; all from 0.
- * @typedef {{generation: number, symbol: string, index: string, production: number | null, position: number}} Link
- */
-/**
- * `from` and `to` in model units; `fittedFrom` and `fittedTo` as places of marks.
- * @typedef {{from: number[], to: number[], fittedFrom: number[], fittedTo: number[], heading: number | number[], level: number, colour: number}} Stroke
- */
-/** A polygon, its outline as places of marks. @typedef {{outline: number[][], level: number, colour: number}} Filled */
+/** @typedef {import('../protocol.js').Link} Link */
+/** @typedef {import('../protocol.js').Stroke} Stroke */
+/** @typedef {import('../protocol.js').Filled} Filled */
 
 const ORDINALS = ['first', 'second', 'third', 'fourth', 'fifth', 'sixth', 'seventh', 'eighth', 'ninth', 'tenth', 'eleventh', 'twelfth'];
 
@@ -81,14 +74,14 @@ export function origin(chain) {
 }
 
 /**
- * A pose in words. In the plane the heading is in degrees, in space it is a vector.
- * @param {{at: number[], heading: number | number[], level: number}} pose
+ * A pose in words.
+ * @param {Pick<import('../protocol.js').Pose, 'at' | 'heading' | 'level'>} pose
  */
 export function poseText({ at, heading, level }) {
     return `At ${at.map(coordinate).join(', ')}, ${headingText(heading)}, level ${level}`;
 }
 
-/** @param {number | number[]} heading */
+/** @param {import('../protocol.js').Heading} heading */
 function headingText(heading) {
     return `heading ${typeof heading === 'number' ? `${plain(Number(heading.toFixed(2)))}°` : heading.map(coordinate).join(', ')}`;
 }

@@ -66,7 +66,7 @@ async function measure({ definition, turns, most }) {
     look(200);
     await finest;
     const rest = performance.now() - start;
-    const answer = next(({ type }) => type === 'exported');
+    const answer = next(({ type }) => type === 'export');
     worker.postMessage({ type: 'export', id: ++id, format: 'csv' });
     const text = await (await answer).blob?.text();
     worker.terminate();

@@ -47,7 +47,7 @@ export const withModules = (page) =>
  * but what the test brings about: `expected` lines of the console. `also` names another address that may be asked, and
  * `drawing` the element that tells that the drawing is there, or null. A test that fails runs once
  * more in a fresh page, and its first error is printed: on a busy machine a browser may be late, but a fault stays.
- * @typedef {{address?: string, also?: string, drawing?: string | null, hash?: string, expected?: RegExp, options?: import('playwright-core').BrowserContextOptions, before?: (page: Page) => Promise<unknown>}} How
+ * @typedef {{address?: string, also?: string, drawing?: string | null, hash?: string, expected?: RegExp | undefined, options?: import('playwright-core').BrowserContextOptions, before?: (page: Page) => Promise<unknown>}} How
  * @param {How} how
  * @param {(page: Page) => Promise<unknown>} use
  */

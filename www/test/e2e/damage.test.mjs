@@ -1,7 +1,7 @@
 /** Damaged deliveries and hostile files: wasm that is not wasm, files that are far too large. */
 
 import assert from 'node:assert/strict';
-import { mkdtemp, open, rm, writeFile } from 'node:fs/promises';
+import { mkdtemp, open, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';

@@ -31,13 +31,13 @@ test('every system of the gallery comes back from the files that the page saves 
                 await ask({ type: 'define', definition, upto: null }, 'report', ({ report }) => report.memoised !== null || !report.ok);
                 const files = [];
                 for (const format of ['json', 'svg', 'svg-compact']) {
-                    const { blob } = await ask({ type: 'export', format }, 'exported');
+                    const { blob } = await ask({ type: 'export', format }, 'export');
                     files.push({ format, bytes: blob === null ? new ArrayBuffer(0) : await blob.arrayBuffer() });
                 }
                 const { blob } = await ask({ type: 'png', width: 64, height: 64, definition }, 'png');
                 files.push({ format: 'png', bytes: await blob.arrayBuffer() });
                 for (const { format, bytes } of files) {
-                    const read = (await ask({ type: 'read', file: new Blob([bytes]) }, 'file')).definition;
+                    const read = (await ask({ type: 'read', file: new Blob([bytes]) }, 'read')).definition;
                     const back = read && clean(read);
                     if (!back || !Object.keys(definition).every((field) => same(back[field], definition[field]))) wrong.push(`${entry.path} as ${format}`);
                 }

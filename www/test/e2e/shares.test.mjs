@@ -24,7 +24,7 @@ async function compare({ definition, zoom, lost = false, drags = 0 }) {
         if (!lost) far.port1.postMessage(data);
     };
     far.port1.onmessage = ({ data }) => {
-        if (data.pixels) made += 1;
+        if (data.made) made += 1;
         near.port1.postMessage(data);
     };
     mate.postMessage({ type: 'init', wasm, master: far.port2 }, [far.port2]);

@@ -59,7 +59,7 @@ test('a drag goes round it, Shift and a drag move it, Fit shows it whole, and th
         const moved = await nextPicture(page, round);
         await page.focus('#drawing');
         await page.keyboard.press('+');
-        const near = await nextPicture(page, moved);
+        await nextPicture(page, moved);
         await page.click('#fit');
         await sameAgain(page, round);
         await page.focus('#drawing');

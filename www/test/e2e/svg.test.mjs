@@ -32,7 +32,7 @@ async function compare({ definition, size }) {
             await ask({ type: 'define', definition: system }, (answer) => answer.type === 'report' && answer.id === id && answer.report.blocks !== null);
             const texts = [];
             for (const format of ['svg', 'svg-compact']) {
-                const { blob, diagnostics } = await ask({ type: 'export', format }, (answer) => answer.type === 'exported');
+                const { blob, diagnostics } = await ask({ type: 'export', format }, (answer) => answer.type === 'export');
                 if (blob === null) throw new Error(JSON.stringify(diagnostics));
                 texts.push(await blob.text());
             }
@@ -59,15 +59,17 @@ async function compare({ definition, size }) {
     let ink = 0;
     const columns = Math.ceil(a.width / 8);
     const tiles = new Float64Array(columns * Math.ceil(a.height / 8));
+    const channelOf = (/** @type {{data: Uint8ClampedArray}} */ { data }, /** @type {number} */ at) => /** @type {number} */ (data[at]);
     for (let at = 0; at < a.data.length; at += 4) {
         let difference = 0;
         for (let channel = 0; channel < 3; channel++) {
-            difference += Math.abs(a.data[at + channel] - b.data[at + channel]) / 3;
-            if (a.data[at + channel] !== a.data[channel]) ink++;
+            difference += Math.abs(channelOf(a, at + channel) - channelOf(b, at + channel)) / 3;
+            if (channelOf(a, at + channel) !== channelOf(a, channel)) ink++;
         }
         mean += difference;
         const pixel = at / 4;
-        tiles[Math.floor(pixel / a.width / 8) * columns + Math.floor((pixel % a.width) / 8)] += difference / 64;
+        const tile = Math.floor(pixel / a.width / 8) * columns + Math.floor((pixel % a.width) / 8);
+        tiles[tile] = /** @type {number} */ (tiles[tile]) + difference / 64;
     }
     return { mean: mean / (a.data.length / 4), tile: Math.max(...tiles), ink, shorter: compact.length < flat.length };
 }

@@ -243,7 +243,7 @@ test('a question that stops its worker is not asked again of the same drawing', 
 
 for (const way of WAYS) {
     test(`${way}: an embedded drawing recovers, and tells its page`, async () => {
-        const server = createServer((request, response) => {
+        const server = createServer((_request, response) => {
             response.writeHead(200, { 'content-type': 'text/html' });
             response.end(`<!doctype html><title>host</title><script>
                 var heard = [];

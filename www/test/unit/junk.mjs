@@ -41,7 +41,8 @@ export function junkObject(roll, depth = 3) {
 /** A text that was damaged in a few places: cut, swapped, doubled, scribbled over. @param {Roll} roll @param {string} text @param {number} [most] */
 export function damaged(roll, text, most = 4) {
     for (let times = 1 + whole(roll, most); times > 0; times--) {
-        const [from, to] = [whole(roll, text.length + 1), whole(roll, text.length + 1)].sort((a, b) => a - b);
+        const [one, other] = [whole(roll, text.length + 1), whole(roll, text.length + 1)];
+        const [from, to] = [Math.min(one, other), Math.max(one, other)];
         const part = text.slice(from, to);
         text = pick(roll, [
             () => text.slice(0, from) + text.slice(to),

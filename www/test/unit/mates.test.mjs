@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
-import { createMates, matesOn } from '../../js/mates.js';
+import { createMates, matesOn } from '../../js/engine/mates.js';
 
 /** The smallest there is. */
 const WASM = new WebAssembly.Module(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]));

@@ -1,12 +1,21 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { latest } from '../../js/latest.js';
-import { REACH, lastTop, marginText, paceText, portion, ratio, readPlace, rowsOf, scrolled, within } from '../../js/reading/places.js';
+import { REACH, lastTop, marginText, paceText, portion, ratio, readPlace, revealed, rowsOf, scrolled, within } from '../../js/reading/places.js';
 import { birth, birthOf, coordinate, descent, filledText, modulesOf, ordinal, origin, partsOf, strokeText, visible } from '../../js/reading/words.js';
 import { dice } from './random.mjs';
 
 const LONG = 10n ** 30n;
 const page = (/** @type {bigint} */ rows, height = 200) => ({ rows, rowHeight: 20, height });
+
+test('a row that is out of sight comes into the middle, within the string', () => {
+    const top = { row: 100n, offset: 5 };
+    assert.equal(revealed(top, 104n, page(LONG)), top);
+    assert.deepEqual(revealed(top, 100n, page(LONG)), { row: 95n, offset: 0 });
+    assert.deepEqual(revealed(top, 500n, page(LONG)), { row: 495n, offset: 0 });
+    assert.deepEqual(revealed(top, 2n, page(LONG)), { row: 0n, offset: 0 });
+    assert.deepEqual(revealed(top, LONG - 1n, page(LONG)), lastTop(page(LONG)));
+});
 
 test('parts of a whole are exact at its ends and never leave it', () => {
     for (const whole of [0n, 1n, 7n, LONG, REACH]) {
@@ -90,7 +99,7 @@ test('places and paces are shown short', () => {
 });
 
 test('where a symbol comes from is told as people say it', () => {
-    /** @type {import('../../js/reading/words.js').Link[]} */
+    /** @type {import('../../js/protocol.js').Link[]} */
     const chain = [
         { generation: 0, symbol: 'Y', index: '1', production: null, position: 1 },
         { generation: 1, symbol: 'X', index: '4', production: 0, position: 2 },

@@ -110,5 +110,7 @@ test('a link typed after a change is what a quick reload shows', (t) => {
     session.visit(linked);
     assert.equal(createSession(keeper, tab).start(page.location.hash, linked)?.state.axiom ?? 'A', 'A');
     // What was typed before is not lost.
-    assert.equal(openSession(createSession(keeper, tab).others()[0])?.state.rules, 'F -> FF');
+    const [before] = createSession(keeper, tab).others();
+    assert.ok(before);
+    assert.equal(openSession(before)?.state.rules, 'F -> FF');
 });

@@ -1,7 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Stopped, createQuestions } from '../../js/questions.js';
-import { SILENCE, silenceAfter } from '../../js/watchdog.js';
+import { Stopped, createQuestions } from '../../js/engine/questions.js';
+import { SILENCE, silenceAfter } from '../../js/engine/watchdog.js';
+import { DEFAULTS, definitionOf } from '../../js/state.js';
 
 test('silence is counted while the page is visible, and anew after sleep', () => {
     let silent = 0;
@@ -18,21 +19,38 @@ test('silence is counted while the page is visible, and anew after sleep', () =>
 });
 
 test('a fresh worker is asked what is open, and not what stopped the one before', async () => {
-    const questions = createQuestions();
-    const bad = questions.add({ type: 'thumb', id: 1 });
-    const good = questions.add({ type: 'thumb', id: 2 });
-    const file = questions.add({ type: 'export', id: 3 });
-    assert.equal(questions.refuseOne(1, new Stopped('bad')), 'thumb');
-    assert.equal(questions.refuseOne(7, new Stopped('no question')), undefined);
-    await assert.rejects(bad, Stopped);
-    questions.refuseAboutDrawing(new Stopped('the drawing was given up'));
-    await assert.rejects(file, Stopped);
+    let lastId = 0;
     /** @type {number[]} */
-    const put = [];
-    questions.putAll(/** @type {any} */ ({ postMessage: (/** @type {{id: number}} */ { id }) => put.push(id) }));
+    let put = [];
+    const questions = createQuestions({ post: ({ id }) => put.push(id), nextId: () => ++lastId });
+    const thumb = { definition: definitionOf(DEFAULTS), width: 1, height: 1 };
+    const bad = questions.ask('thumb', thumb);
+    const good = questions.ask('thumb', thumb);
+    const file = questions.ask('export', { format: 'svg' });
+    assert.deepEqual(put, []);
+    assert.equal(questions.refuseOne(1), 'thumb');
+    assert.equal(questions.refuseOne(7), undefined);
+    await assert.rejects(bad, Stopped);
+    questions.refuseAboutDrawing();
+    await assert.rejects(file, Stopped);
+    questions.putAll();
     assert.deepEqual(put, [2]);
-    assert.ok(questions.answer({ id: 2 }));
-    assert.ok(!questions.answer({ id: 2 }));
-    assert.deepEqual(await good, { id: 2 });
+    questions.forget();
+    put = [];
+    questions.putAll();
+    assert.deepEqual(put, [2]);
+    assert.ok(questions.answer({ type: 'thumb', id: 2, bitmap: null }));
+    assert.ok(!questions.answer({ type: 'thumb', id: 2, bitmap: null }));
+    assert.deepEqual(await good, { type: 'thumb', id: 2, bitmap: null });
     assert.equal(questions.size, 0);
+});
+
+test('questions that stopped a worker are forbidden for that definition alone', () => {
+    const questions = createQuestions({ post: () => {}, nextId: () => 1 });
+    const [one, other] = [definitionOf(DEFAULTS), definitionOf(DEFAULTS)];
+    questions.forbid('pick', one);
+    assert.ok(questions.isForbidden('pick', one));
+    assert.ok(!questions.isForbidden('string', one));
+    questions.forbid('string', other);
+    assert.ok(!questions.isForbidden('pick', one));
 });

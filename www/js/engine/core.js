@@ -3,7 +3,7 @@
  * answers 200, is fetched again.
  */
 
-import { WASM, WORKER, responseOf, scriptAddress } from './files.js';
+import { WASM, WORKER, responseOf, scriptAddress } from '../files.js';
 
 /** @type {Promise<WebAssembly.Module> | null} */
 let compiled = null;
@@ -36,5 +36,7 @@ async function compile() {
     }
 }
 
-/** A worker that waits for the core. */
+/** @typedef {import('../protocol.js').Channel<import('../protocol.js').ToWorker, import('../protocol.js').FromWorker> & Pick<Worker, 'terminate' | 'onerror'>} Hired */
+
+/** A worker that waits for the core. @returns {Hired} */
 export const hire = () => new Worker(scriptAddress(WORKER));

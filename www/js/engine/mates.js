@@ -6,6 +6,8 @@
 import { hire } from './core.js';
 import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
 
+/** @typedef {import('./core.js').Hired} Hired */
+
 const MOST = 3;
 /** Gigabytes, as far as the browser tells. */
 const LEAST_MEMORY = 4;
@@ -21,9 +23,9 @@ export const matesOn = ({ hardwareConcurrency = 1, deviceMemory = LEAST_MEMORY }
 
 /** @param {number} count */
 export function createMates(count) {
-    /** Those at work, and what watches them. @type {{mate: Worker, watchdog: ReturnType<typeof createWatchdog>}[]} */
+    /** Those at work, and what watches them. @type {{mate: Hired, watchdog: ReturnType<typeof createWatchdog>}[]} */
     let hired = [];
-    /** The one that they help. @type {Worker | null} */
+    /** The one that they help. @type {Hired | null} */
     let master = null;
     let timer = 0;
 
@@ -66,7 +68,7 @@ export function createMates(count) {
     }
 
     return {
-        /** A worker's picture has taken long. @param {Worker} worker @param {WebAssembly.Module} wasm */
+        /** A worker's picture has taken long. @param {Hired} worker @param {WebAssembly.Module} wasm */
         help(worker, wasm) {
             if (worker !== master) {
                 leave();

@@ -1,0 +1,140 @@
+/** Questions to the worker that have no answer yet. They outlive it: a fresh worker is asked what is still open. */
+
+/** @typedef {import('../protocol.js').Asked} Asked */
+/** @typedef {import('../protocol.js').Questions} Questions */
+/** @template {Asked} [T=Asked] @typedef {import('../protocol.js').Question<T>} Question */
+/** @template {Asked} [T=Asked] @typedef {import('../protocol.js').Answer<T>} Answer */
+/** @typedef {import('../protocol.js').Definition} Definition */
+
+/** The worker stopped over this question, and would again. */
+export class Stopped extends Error {}
+
+/** @type {readonly Asked[]} */
+const READING = /** @satisfies {import('../protocol.js').Reading[]} */ (['string', 'symbol', 'descendant', 'pick']);
+/** Whether a question is about what the newest definition derives and draws. @param {Asked} type */
+export const isReading = (type) => READING.includes(type);
+
+/** Questions about the drawing, rather than about texts, files and other systems. @type {readonly Asked[]} */
+const ABOUT_DRAWING = [...READING, 'export', 'png'];
+
+/**
+ * @param {object} worker
+ * @param {(question: Question) => void} worker.post
+ * @param {() => number} worker.nextId
+ */
+export function createQuestions({ post, nextId }) {
+    /** @type {Map<number, {question: Question, resolve: (answer: any) => void, reject: (reason: Error) => void}>} */
+    const open = new Map();
+    /** Whether the worker knows the newest state, so that it can be asked. */
+    let askable = false;
+    /** The definition whose questions stopped a worker, and their types. @type {{definition: Definition | null, types: Set<Asked>}} */
+    let forbidden = { definition: null, types: new Set() };
+
+    /** @param {(question: Question) => boolean} which @param {Error} error */
+    function refuse(which, error) {
+        for (const [id, { question, reject }] of open) {
+            if (!which(question)) continue;
+            open.delete(id);
+            reject(error);
+        }
+    }
+
+    return {
+        get size() {
+            return open.size;
+        },
+
+        /** Whether such a question about a definition has stopped a worker. @param {Asked} type @param {Definition | null} definition */
+        isForbidden: (type, definition) => forbidden.definition === definition && forbidden.types.has(type),
+
+        /** @template {Asked} T @param {T} type @param {Questions[T]['asked']} asked @returns {Promise<Answer<T>>} */
+        ask(type, asked) {
+            const question = /** @type {Question} */ (/** @type {unknown} */ ({ type, id: nextId(), ...asked }));
+            const answer = new Promise((resolve, reject) => open.set(question.id, { question, resolve, reject }));
+            if (askable) post(question);
+            return answer;
+        },
+
+        /** The worker can be asked from now on. */
+        putAll() {
+            if (askable) return;
+            askable = true;
+            for (const { question } of open.values()) post(question);
+        },
+
+        /** There is another worker, which cannot be asked yet. */
+        forget() {
+            askable = false;
+        },
+
+        /** @param {Answer} answer @returns {boolean} whether it answers one of them */
+        answer(answer) {
+            const asked = open.get(answer.id);
+            open.delete(answer.id);
+            asked?.resolve(answer);
+            return asked !== undefined;
+        },
+
+        /** The worker stopped over a question. @param {number} id @returns {Asked | undefined} the type of the question, if it is one */
+        refuseOne(id) {
+            const type = open.get(id)?.question.type;
+            refuse((question) => question.id === id, new Stopped('it stopped answering and was given up'));
+            return type;
+        },
+
+        /** Such a question about a definition is not asked again. @param {Asked} type @param {Definition | null} definition */
+        forbid(type, definition) {
+            if (forbidden.definition !== definition) forbidden = { definition, types: new Set() };
+            forbidden.types.add(type);
+        },
+
+        /** Refuses what is about a drawing that was given up. */
+        refuseAboutDrawing: () => refuse(({ type }) => ABOUT_DRAWING.includes(type), new Stopped('the drawing was given up')),
+
+        /** @param {Error} error */
+        refuseAll: (error) => refuse(() => true, error),
+    };
+}
+
+/** @typedef {<T extends Asked>(type: T, asked: Questions[T]['asked']) => Promise<Answer<T>>} Ask */
+
+/** What can be asked of the worker: the questions of protocol.js as functions. @param {Ask} ask */
+export function asking(ask) {
+    return {
+        /** @param {number} generation @param {bigint} start @param {number} count */
+        string: (generation, start, count) => ask('string', { generation, start, count }),
+
+        /** @param {number} generation @param {bigint} index */
+        symbol: (generation, index) => ask('symbol', { generation, index }),
+
+        /** @param {number} generation @param {bigint} index @param {number} later */
+        descendant: async (generation, index, later) => (await ask('descendant', { generation, index, later })).start,
+
+        /** @param {number} x @param {number} y @param {number} tolerance */
+        pick: (x, y, tolerance) => ask('pick', { x, y, tolerance }),
+
+        /** @param {import('../protocol.js').Texts} texts */
+        notation: (texts) => ask('notation', { texts }),
+
+        /** @param {Blob} file */
+        read: (file) => ask('read', { file }),
+
+        /** @param {import('../protocol.js').Format} format */
+        export: (format) => ask('export', { format }),
+
+        /** @param {number} width @param {number} height @param {Definition} definition carried in the file, to open it again */
+        async png(width, height, definition) {
+            const { blob, reason } = await ask('png', { width, height, definition });
+            if (!blob) throw new Error(reason ?? 'the browser could not make the picture');
+            return blob;
+        },
+
+        /** @param {string} text */
+        qr: async (text) => (await ask('qr', { text })).modules,
+
+        seed: async () => (await ask('seed', {})).seed,
+
+        /** @param {Definition} definition @param {number} width @param {number} height */
+        thumb: async (definition, width, height) => (await ask('thumb', { definition, width, height })).bitmap,
+    };
+}

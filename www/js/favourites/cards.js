@@ -1,0 +1,33 @@
+/** Cards of the favourites dialog: a system kept by name, with what can be done to it, and where a visit ended. */
+
+import { make } from '../dom.js';
+
+/** @typedef {import('../favourites.js').Favourite} Favourite */
+/** @typedef {import('../state.js').State} State */
+
+/** @param {string} words @param {string} label @param {() => void} act */
+function actButton(words, label, act) {
+    const element = make('button', { type: 'button', class: 'card-act', 'aria-label': label }, words);
+    element.addEventListener('click', act);
+    return element;
+}
+
+/**
+ * @param {Favourite} one
+ * @param {HTMLCanvasElement | null} picture
+ * @param {{open: () => void, rename: () => void, remove: () => void}} act
+ */
+export function favouriteCard(one, picture, { open, rename, remove }) {
+    const opener = make('button', { type: 'button', class: 'card', 'data-id': one.id }, ...(picture ? [picture] : []), make('span', { class: 'card-title' }, one.name));
+    opener.addEventListener('click', open);
+    const acts = make('div', { class: 'card-acts' }, actButton('Rename', `Rename ${one.name}`, rename), actButton('Delete', `Delete ${one.name}`, remove));
+    return make('li', { class: 'kept', 'data-favourite': one.id }, opener, acts);
+}
+
+/** @param {number} time when the visit ended @param {State} state @param {HTMLCanvasElement} picture @param {() => void} open */
+export function visitCard(time, state, picture, open) {
+    const when = new Date(time).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
+    const opener = make('button', { type: 'button', class: 'card' }, picture, make('span', { class: 'card-title' }, state.title || state.name || 'Untitled system'), make('span', { class: 'card-kind' }, when));
+    opener.addEventListener('click', open);
+    return make('li', { class: 'kept' }, opener);
+}

@@ -1,0 +1,54 @@
+/** Favourites as a file: saved for the reader, and read from what somebody chose or opened. */
+
+import { button, input } from '../dom.js';
+import { download } from '../download.js';
+import { LARGEST_FILE, readFile, writeFile } from '../favourites.js';
+
+/** What is said where nothing more can be kept. */
+export const FULL = 'The browser has no more room for this page: export the favourites as a file, and delete some.';
+
+/**
+ * @param {ReturnType<typeof import('./kept.js').createKept>} kept
+ * @param {{tell: (words: string) => void, changed: () => void}} dialog
+ */
+export function createExchange(kept, { tell, changed }) {
+    const chooser = input('favourites-file');
+
+    button('export-favourites').addEventListener('click', () => {
+        download(new Blob([writeFile(kept.list())], { type: 'application/json' }), 'favourites.json');
+        tell('All favourites are saved in favourites.json.');
+    });
+    button('import-favourites').addEventListener('click', () => chooser.click());
+    chooser.addEventListener('change', async () => {
+        const [file] = chooser.files ?? [];
+        chooser.value = '';
+        if (!file) return;
+        try {
+            tell(file.size > LARGEST_FILE ? 'This file is too large: a file of favourites has at most 2 MB.' : await take(await file.text()));
+        } catch (error) {
+            tell(`${file.name} could not be read: ${error instanceof Error ? error.message : error}`);
+        }
+    });
+
+    /** Adds the favourites of a file. @param {string} text @returns {Promise<string>} what came of it, in words */
+    async function take(text) {
+        const read = await readFile(kept.list(), text);
+        if (!read) return 'This file holds no favourites.';
+        const isKept = read.added === 0 || kept.put(read.list);
+        changed();
+        return isKept ? resultText(read) : FULL;
+    }
+
+    return { take };
+}
+
+/** @param {NonNullable<Awaited<ReturnType<typeof readFile>>>} read */
+function resultText({ added, known, damaged, tooMany }) {
+    const parts = [
+        added === 1 ? 'Added 1 favourite.' : `Added ${added} favourites.`,
+        known > 0 && `${known} ${known === 1 ? 'was' : 'were'} there already.`,
+        damaged > 0 && `${damaged} could not be read.`,
+        tooMany > 0 && `There was no room for ${tooMany} more.`,
+    ];
+    return parts.filter(Boolean).join(' ');
+}

@@ -1,0 +1,51 @@
+/** Small pictures that are painted when they come into sight, on the cards of favourites and visits. */
+
+import { definitionOf } from '../state.js';
+import { emptyThumb, paintThumb } from '../thumb.js';
+
+/** @typedef {import('../state.js').State} State */
+
+/** The side of a small picture, in CSS pixels. */
+const SIDE = 168;
+
+/**
+ * @param {import('../engine.js').Engine} engine
+ * @param {Element} root what they scroll in
+ */
+export function createLateThumbs(engine, root) {
+    /** What is not painted yet. @type {Map<Element, State>} */
+    const unpainted = new Map();
+    const seen = new IntersectionObserver(
+        (entries) => {
+            for (const { isIntersecting, target } of entries) if (isIntersecting && target instanceof HTMLCanvasElement) paint(target);
+        },
+        { root, rootMargin: '120px' },
+    );
+
+    /** @param {HTMLCanvasElement} picture */
+    async function paint(picture) {
+        const state = unpainted.get(picture);
+        if (!state) return;
+        unpainted.delete(picture);
+        try {
+            await paintThumb(picture, engine, definitionOf(state), SIDE);
+        } catch {
+            // The worker was replaced meanwhile; the picture comes when the dialog is next opened.
+        }
+    }
+
+    return {
+        /** @param {State} state */
+        of(state) {
+            const picture = emptyThumb();
+            unpainted.set(picture, state);
+            seen.observe(picture);
+            return picture;
+        },
+
+        clear() {
+            unpainted.clear();
+            seen.disconnect();
+        },
+    };
+}

@@ -1,0 +1,48 @@
+/** Which generation's string is read: the buttons and the slider of the reader. */
+
+import { button, html, input, setText } from '../dom.js';
+
+/** @param {(to: number) => void} turn */
+export function createGenerations(turn) {
+    const slider = input('reader-step');
+    let iterations = 0;
+    /** The generation that is shown, null for the last. @type {number | null} */
+    let step = null;
+    const now = () => Math.min(step ?? iterations, iterations);
+
+    button('reader-back').addEventListener('click', () => turn(now() - 1));
+    button('reader-on').addEventListener('click', () => turn(now() + 1));
+    slider.addEventListener('input', () => turn(Number(slider.value)));
+
+    return {
+        now,
+        get iterations() {
+            return iterations;
+        },
+
+        /** A generation that there is. @param {number} generation */
+        bounded: (generation) => Math.min(iterations, Math.max(0, generation)),
+
+        /** @param {number} generation */
+        set(generation) {
+            step = generation === iterations ? null : generation;
+        },
+
+        /** @param {number} next */
+        grow(next) {
+            iterations = next;
+            if (step !== null && step >= iterations) step = null;
+        },
+
+        show() {
+            const shown = now();
+            setText(html('reader-generation'), `n = ${shown}`);
+            slider.max = String(iterations);
+            slider.value = String(shown);
+            slider.style.setProperty('--at', String(iterations === 0 ? 0 : shown / iterations));
+            slider.setAttribute('aria-valuetext', `generation ${shown} of ${iterations}`);
+            button('reader-back').disabled = shown === 0;
+            button('reader-on').disabled = shown === iterations;
+        },
+    };
+}
