@@ -43,6 +43,7 @@ export const DIALECTS = /* @__PURE__ */ Object.freeze({
  * @property {number} widthFactor what every branch multiplies the width by
  * @property {number} minWidth the width of the thinnest line, in pixels
  * @property {'solid' | 'density'} ink whether strokes cover each other (`solid`) or their ink adds up (`density`)
+ * @property {number} hue by how many degrees the palette's hues are turned
  * @property {number} exposure how much of ink that adds up shows, in stops: each doubles it
  * @property {string} name a short name, unique within its folder
  * @property {string} source where the system was published
@@ -100,6 +101,7 @@ export const FIELDS = /* @__PURE__ */ Object.freeze({
     widthFactor: { link: 'thinner', kind: 'number', low: 0, high: 10, usual: 1, label: 'Width per branch level ×', wanted: 'a number from 0 to 10', unit: 'times', slider: { from: 0, parts: [[2, 0.05]], arrow: 0.05 }, affects: 'look' },
     minWidth: { link: 'thin', kind: 'number', low: 0, high: 10000, usual: 1, label: 'Thinnest line', wanted: 'a number from 0 to 10,000', unit: 'pixels', slider: { from: 0, parts: [[8, 0.25]], arrow: 0.5 }, affects: 'look' },
     ink: { link: 'ink', kind: 'word', words: ['solid', 'density'], usual: 'solid', label: 'Blending', wanted: 'one of `solid`, `density`', affects: 'look' },
+    hue: { link: 'hue', kind: 'number', low: -360, high: 360, usual: 0, label: 'Hue', wanted: 'a number from -360 to 360', unit: 'degrees', slider: { from: 0, parts: [[360, 5]], arrow: 5 }, affects: 'look' },
     exposure: { link: 'exposure', kind: 'number', low: -10, high: 10, usual: 0, label: 'Exposure (stops)', wanted: 'a number from -10 to 10', unit: 'stops', slider: { from: -4, parts: [[4, 0.25]], arrow: 0.25 }, affects: 'look' },
     name: { link: 'name', kind: 'text', most: 200, usual: '', label: 'Name', wanted: 'a text of at most 200 characters', affects: 'caption' },
     source: { link: 'source', kind: 'text', most: 1000, usual: '', label: 'Source', wanted: 'a text of at most 1,000 characters', affects: 'caption' },
@@ -109,4 +111,4 @@ export const FIELDS = /* @__PURE__ */ Object.freeze({
 });
 
 /** Attributes of the element and the keys in links that they stand for. */
-export const ATTRIBUTES = { caption: 'title', axiom: 'axiom', rules: 'rules', n: 'n', angle: 'angle', right: 'right', seed: 'seed', turtle: 'turtle', down: 'down', up: 'up', roll: 'roll', rollright: 'rollright', heading: 'heading', step: 'step', start: 'start', tropism: 'tropism', elasticity: 'elasticity', shorter: 'shorter', vary: 'vary', varylength: 'varylength', growth: 'growth', do: 'do', palette: 'palette', colour: 'colour', hold: 'hold', turns: 'turns', bg: 'bg', stroke: 'width', thinner: 'thinner', thin: 'thin', ink: 'ink', exposure: 'exposure', name: 'name', source: 'source', notes: 'notes', view: 'view', camera: 'camera' };
+export const ATTRIBUTES = { caption: 'title', axiom: 'axiom', rules: 'rules', n: 'n', angle: 'angle', right: 'right', seed: 'seed', turtle: 'turtle', down: 'down', up: 'up', roll: 'roll', rollright: 'rollright', heading: 'heading', step: 'step', start: 'start', tropism: 'tropism', elasticity: 'elasticity', shorter: 'shorter', vary: 'vary', varylength: 'varylength', growth: 'growth', do: 'do', palette: 'palette', colour: 'colour', hold: 'hold', turns: 'turns', bg: 'bg', stroke: 'width', thinner: 'thinner', thin: 'thin', ink: 'ink', hue: 'hue', exposure: 'exposure', name: 'name', source: 'source', notes: 'notes', view: 'view', camera: 'camera' };

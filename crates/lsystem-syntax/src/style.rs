@@ -93,8 +93,26 @@ pub struct Style {
     pub min_width: f64,
     /// What strokes do that lie upon each other.
     pub ink: Ink,
+    /// By how many degrees the palette's hues are turned.
+    pub hue: f64,
     /// How much of the ink shows where it adds up, in stops: each doubles it.
     pub exposure: f64,
+}
+
+impl Colour {
+    /// The colour with its hue turned by so many degrees (the matrix of SVG's `hueRotate`).
+    fn turned(self, degrees: f64) -> Self {
+        if degrees == 0.0 {
+            return self;
+        }
+        let (sin, cos) = (libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians()));
+        let [r, g, b] = self.rgb.map(f64::from);
+        let grey = 0.213 * r + 0.715 * g + 0.072 * b;
+        let turn = |own: f64, by: f64| libm::round(grey + cos * (own - grey) + sin * by).clamp(0.0, 255.0) as u8;
+        let by =
+            [-0.213 * r - 0.715 * g + 0.928 * b, 0.143 * r + 0.14 * g - 0.283 * b, -0.787 * r + 0.715 * g + 0.072 * b];
+        Self { rgb: [turn(r, by[0]), turn(g, by[1]), turn(b, by[2])] }
+    }
 }
 
 impl Default for Style {
@@ -116,6 +134,7 @@ impl Default for Style {
             width_factor: 1.0,
             min_width: 1.0,
             ink: Ink::Solid,
+            hue: 0.0,
             exposure: 0.0,
         }
     }
@@ -174,7 +193,7 @@ impl Style {
     /// An entry of the palette, the last one for what is beyond: every stroke's colour is made of these.
     pub fn entry(&self, index: usize) -> Colour {
         let entry = index.min(self.palette.len().saturating_sub(1));
-        self.palette.get(entry).copied().unwrap_or(Colour { rgb: [0; 3] })
+        self.palette.get(entry).map_or(Colour { rgb: [0; 3] }, |colour| colour.turned(self.hue))
     }
 
     /// The colour at `place`, from 0 to 1, along the palette: one of [`GRADIENT`] steps.

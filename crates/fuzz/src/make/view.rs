@@ -19,6 +19,7 @@ pub(crate) fn style(source: &mut Source<'_>) -> Style {
     style.width = usual(source, &[0.0, 0.0, 0.5, 2.0, 50.0]);
     style.width_factor = usual(source, &[1.0, 0.7, 1.5, 0.1]);
     style.min_width = usual(source, &[1.0, 0.0, 3.0, 10.0, 10_000.0]);
+    style.hue = usual(source, &[0.0, 0.0, 120.0, -360.0]);
     style.exposure = usual(source, &[0.0, 2.0, -5.0, 10.0]);
     style
 }

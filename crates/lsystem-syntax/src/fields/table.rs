@@ -65,7 +65,7 @@ const CAMERA: &[(&str, Expected)] = &[
 ];
 
 /// All fields, in the order in which links write them.
-pub static FIELDS: [FieldSpec; 37] = [
+pub static FIELDS: [FieldSpec; 38] = [
     FieldSpec {
         name: "title",
         link: "title",
@@ -426,6 +426,19 @@ pub static FIELDS: [FieldSpec; 37] = [
         label: "Blending",
         help: "whether strokes cover each other (`solid`) or their ink adds up (`density`)",
         access: Some(at!(style.ink)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "hue",
+        link: "hue",
+        file: Some((Section::Style, "hue")),
+        expected: Expected::Between(-360.0, 360.0),
+        slider: Some(Slider { from: 0.0, parts: &[(360.0, 5.0)], arrow: 5.0 }),
+        unit: "degrees",
+        affects: Affects::Look,
+        label: "Hue",
+        help: "by how many degrees the palette's hues are turned",
+        access: Some(at!(style.hue)),
         ..FIELD
     },
     FieldSpec {
