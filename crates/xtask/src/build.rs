@@ -10,9 +10,6 @@ use std::path::{Path, PathBuf};
 /// The boundary crate's library, and what is generated for it.
 const NAME: &str = "lsystem_wasm";
 
-/// What the worker is made of, behind the generated code.
-const WORKER: [&str; 2] = ["sharing.js", "worker.js"];
-
 /// Classic scripts that pages ask for.
 const SCRIPTS: [&str; 3] = ["js/theme-early.js", "l-system.js", "service-worker.js"];
 
@@ -27,7 +24,7 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     }
     let generated = wasm(workspace)?;
     fs::copy(generated.join(format!("{NAME}_bg.wasm")), site.join("lsystem.wasm"))?;
-    files::write(&site.join("worker.js"), esbuild.minified("worker.js", &worker(&www, &generated)?)?)?;
+    files::write(&site.join("worker.js"), worker(&esbuild, &generated)?)?;
     let gallery = gallery::gallery(&workspace.root.join("data_in"))?;
     files::write(&site.join("gallery.json"), gallery.to_string())?;
     let (index, embed) = ("index.html", site.join("embed.html"));
@@ -76,11 +73,9 @@ fn is_shipped(path: &Path) -> bool {
 
 /// One classic script from the generated JavaScript and ours: module workers and imports fail in sandboxed frames and
 /// from files, one script handed over as text does not.
-fn worker(www: &Path, generated: &Path) -> Result<String> {
-    let ours = WORKER.iter().map(|name| www.join(name));
-    let parts: Result<Vec<_>> =
-        [generated.join(format!("{NAME}.js"))].into_iter().chain(ours).map(|file| files::read_text(&file)).collect();
-    Ok(parts?.join("\n"))
+fn worker(esbuild: &Esbuild, generated: &Path) -> Result<String> {
+    let glue = files::read_text(&generated.join(format!("{NAME}.js")))?;
+    Ok(esbuild.minified("glue.js", &glue)? + &esbuild.script("worker/worker.js")?)
 }
 
 /// Puts `new` where `place` is, moving what is there to `old`.
@@ -101,7 +96,7 @@ mod tests {
             assert!(is_shipped(Path::new(path)), "{path}");
         }
         for path in
-            [".npmrc", "node_modules", "test", "package.json", "tsconfig.worker.json", "worker.js", "css", "a.d.ts"]
+            [".npmrc", "node_modules", "test", "package.json", "tsconfig.worker.json", "worker", "css", "a.d.ts"]
         {
             assert!(!is_shipped(Path::new(path)), "{path}");
         }
@@ -115,18 +110,6 @@ mod tests {
         files::write(&new.join("here"), "2")?;
         replace(&new, &place, &old)?;
         assert_eq!(files::list(&place, |_| true)?, [place.join("here")]);
-        Ok(())
-    }
-
-    #[test]
-    fn joins_the_worker() -> Result<()> {
-        let folder = tempfile::tempdir()?;
-        for (name, text) in
-            [("lsystem_wasm.js", "let glue = 1;"), ("sharing.js", "let more = 2;"), ("worker.js", "use(glue)")]
-        {
-            files::write(&folder.path().join(name), text)?;
-        }
-        assert_eq!(worker(folder.path(), folder.path())?, "let glue = 1;\nlet more = 2;\nuse(glue)");
         Ok(())
     }
 }

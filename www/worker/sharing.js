@@ -1,14 +1,14 @@
 /**
  * How the page's worker shares a picture that takes long with mates, workers of the same script. They hear from it alone,
  * through a port, and every pane that it hands out is answered, be it with nothing; what is not answered it makes itself.
- * The two sides of that stand before worker.js in one script.
+ * Both sides of that stand here.
  */
 
-/** @typedef {import('./js/protocol.js').Pane} Pane */
-/** @typedef {import('./js/protocol.js').Outcome} Outcome */
-/** @typedef {import('./js/protocol.js').SharedState} SharedState */
-/** @typedef {import('./js/protocol.js').Channel<import('./js/protocol.js').ToMate, import('./js/protocol.js').FromMate> & {close: () => void}} PortToMate */
-/** @typedef {import('./js/protocol.js').Channel<import('./js/protocol.js').FromMate, import('./js/protocol.js').ToMate>} PortToMaster */
+/** @typedef {import('../js/protocol.js').Pane} Pane */
+/** @typedef {import('../js/protocol.js').Outcome} Outcome */
+/** @typedef {import('../js/protocol.js').SharedState} SharedState */
+/** @typedef {import('../js/protocol.js').Channel<import('../js/protocol.js').ToMate, import('../js/protocol.js').FromMate> & {close: () => void}} PortToMate */
+/** @typedef {import('../js/protocol.js').Channel<import('../js/protocol.js').FromMate, import('../js/protocol.js').ToMate>} PortToMaster */
 /** One who helps: how many answers are owed, which state is known there, and the memory in bytes. @typedef {{port: PortToMate, owed: number, knows: number, memory: number}} Mate */
 
 /**
@@ -21,7 +21,7 @@
  * @param {() => {number: number, state: SharedState | null}} worker.shown what panes are of; its changes are counted
  * @param {() => number} worker.memory of its wasm, in bytes
  */
-function createSharing({ canvas, playground, guard, wake, shown, memory }) {
+export function createSharing({ canvas, playground, guard, wake, shown, memory }) {
     /** All workers together may have so much memory, in bytes. A mate needs about as much for a drawing as the worker it helps. */
     const MOST_MEMORY = 512 << 20;
 
@@ -67,7 +67,7 @@ function createSharing({ canvas, playground, guard, wake, shown, memory }) {
         return mates.reduce((sum, each) => sum + (each === mate ? Math.max(each.memory, own) : each.memory), own) <= MOST_MEMORY;
     }
 
-    /** @param {Mate} mate @param {import('./js/protocol.js').FromMate} answer */
+    /** @param {Mate} mate @param {import('../js/protocol.js').FromMate} answer */
     function receive(mate, { round: dealt, pane, made, memory: bytes }) {
         mate.memory = bytes;
         mate.owed -= 1;
@@ -99,11 +99,11 @@ function createSharing({ canvas, playground, guard, wake, shown, memory }) {
  * @param {PortToMaster} worker.master where to answer
  * @param {wasm_bindgen.Playground} worker.playground
  * @param {() => void} worker.wake
- * @param {(sight: import('./js/protocol.js').Sight) => void} worker.lookAt
+ * @param {(sight: import('../js/protocol.js').Sight) => void} worker.lookAt
  * @param {() => number} worker.memory of its wasm, in bytes
  * @param {number} worker.stepMs
  */
-function createMate({ master, playground, wake, lookAt, memory, stepMs }) {
+export function createMate({ master, playground, wake, lookAt, memory, stepMs }) {
     /** What to make, in turn. @type {{round: number, pane: Pane}[]} */
     const tasks = [];
     /** Whether the first of them is begun. */

@@ -1,0 +1,71 @@
+/** Small pictures, for the gallery and the sheet of seeds. */
+
+import { STEP_MS, page } from './page.js';
+
+/** @typedef {wasm_bindgen.Playground} Playground */
+/** @typedef {import('../js/protocol.js').Asked} Asked */
+/** @template {Asked} [T=Asked] @typedef {import('../js/protocol.js').Question<T>} Question */
+/** @typedef {import('./page.js').Step} Step */
+
+/**
+ * Small pictures of other systems, made while there is nothing else to do, each by a playground that is there for it alone.
+ * @param {object} worker
+ * @param {Playground} worker.playground
+ * @param {Question<'thumb'>[]} worker.waiting
+ * @param {(question: number) => void} worker.tellAt
+ */
+export function createThumbs({ playground, waiting, tellAt }) {
+    /** A picture that takes more steps is shown as far as it came. */
+    const MOST_STEPS = 40;
+    /** The picture being made. @type {{request: Question<'thumb'>, easel: Playground, sheet: OffscreenCanvas, bitmap: ImageBitmap | null, steps: number} | null} */
+    let making = null;
+
+    /** @param {Question<'thumb'>} request @returns {NonNullable<typeof making>} */
+    function begin(request) {
+        const { definition, width, height } = request;
+        playground.forget();
+        const sheet = new OffscreenCanvas(1, 1);
+        const easel = wasm_bindgen.Playground.small(sheet);
+        /** @type {import('../js/protocol.js').Report} */
+        const { ok } = easel.define(definition);
+        easel.view(width, height, 1, 0, 0, 1, 0, 0);
+        return { request, easel, sheet, bitmap: null, steps: ok ? MOST_STEPS : 0 };
+    }
+
+    return {
+        get making() {
+            return making !== null;
+        },
+        get waiting() {
+            return waiting.length > 0;
+        },
+
+        /** Begins the picture again later. */
+        putOff() {
+            if (!making) return;
+            waiting.unshift(making.request);
+            making.easel.free();
+            making.bitmap?.close();
+            making = null;
+        },
+
+        /** One step of the picture that is made, or of the next. */
+        step() {
+            const request = making?.request ?? waiting.shift();
+            if (!request) return;
+            tellAt(request.id);
+            const thumb = (making ??= begin(request));
+            /** @type {Step} */
+            const { drawn, idle } = thumb.steps > 0 ? thumb.easel.step(STEP_MS) : { report: null, drawn: null, idle: true };
+            thumb.steps -= 1;
+            if (drawn) {
+                thumb.bitmap?.close();
+                thumb.bitmap = thumb.sheet.transferToImageBitmap();
+            }
+            if (!idle && !drawn?.complete && thumb.steps > 0) return;
+            making = null;
+            thumb.easel.free();
+            page.postMessage({ type: 'thumb', id: request.id, bitmap: thumb.bitmap }, thumb.bitmap ? [thumb.bitmap] : []);
+        },
+    };
+}

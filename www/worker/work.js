@@ -1,0 +1,78 @@
+/** The order of the worker's work. */
+
+import { STEP_MS, page } from './page.js';
+import { createReading } from './reading.js';
+
+/** @typedef {wasm_bindgen.Playground} Playground */
+/** @typedef {import('../js/protocol.js').Asked} Asked */
+/** @template {Asked} [T=Asked] @typedef {import('../js/protocol.js').Question<T>} Question */
+/** @typedef {import('../js/protocol.js').Questions} Questions */
+/** @typedef {import('./page.js').Inbox} Inbox */
+
+/**
+ * What there is to do, in its order: the drawing, then a question about it, then a small picture.
+ * @param {object} worker
+ * @param {Playground} worker.playground
+ * @param {Inbox} worker.inbox
+ * @param {ReturnType<typeof import('./drawing.js').createDrawing>} worker.drawing
+ * @param {ReturnType<typeof import('./sharing.js').createSharing>} worker.sharing
+ * @param {ReturnType<typeof import('./files.js').createFiles>} worker.files
+ * @param {ReturnType<typeof import('./thumbs.js').createThumbs>} worker.thumbs
+ * @param {() => void} worker.wake
+ */
+export function createWork({ playground, inbox, drawing, sharing, files, thumbs, wake }) {
+    /** So long after a picture of what moves the next is waited for before a finer one is begun. */
+    const PAUSE_MS = 12;
+    /** Mates are looked after again after so long without an answer. */
+    const WAIT_MS = 40;
+    const { questions } = inbox;
+    const reading = createReading(playground, () => drawing.iterations);
+    const hasNews = () => inbox.define !== null || inbox.view !== null;
+
+    /** Works towards what a question needs, for one step. @param {Question} question @returns {boolean} whether it can be answered */
+    function canAnswer(question) {
+        if (!reading.is(question)) return true;
+        drawing.tellAt(question.id);
+        return playground.remember(question.type === 'string' ? question.generation : drawing.iterations, STEP_MS);
+    }
+
+    /** @param {Inbox['questions'][number]} question */
+    function answer(question) {
+        const { id } = question;
+        drawing.tellAt(id);
+        if (reading.is(question)) return page.postMessage(reading.answer(question));
+        switch (question.type) {
+            case 'notation':
+                return page.postMessage({ type: 'notation', id, .../** @type {import('../js/protocol.js').Notation} */ (wasm_bindgen.notation(question.texts)) });
+            case 'qr':
+                return page.postMessage({ type: 'qr', id, modules: wasm_bindgen.qr_code(question.text) ?? null });
+            case 'seed':
+                return page.postMessage({ type: 'seed', id, seed: wasm_bindgen.fresh_seed() });
+            default:
+                return files.answer(question);
+        }
+    }
+
+    return function work() {
+        // A small picture shares its memory with drawings and files in the making: it begins again later.
+        if (hasNews() || questions.length > 0 || !files.rest) thumbs.putOff();
+        const report = drawing.takeUp();
+        sharing.deal();
+        const idle = drawing.step(report);
+        sharing.deal();
+        // Questions are about the newest definition, whose drawing may still be in the making.
+        const isNewest = () => !hasNews() && playground.built;
+        const [question] = isNewest() ? questions : [];
+        if (question && canAnswer(question)) {
+            questions.shift();
+            answer(question);
+        }
+        if (idle && questions.length === 0 && files.rest) thumbs.step();
+        if (hasNews() || (questions.length > 0 && isNewest()) || thumbs.making || (thumbs.waiting && files.rest)) wake();
+        else if (!idle) {
+            const pause = drawing.moving ? PAUSE_MS : playground.waits ? WAIT_MS : 0;
+            if (pause > 0) setTimeout(wake, pause);
+            else wake();
+        }
+    };
+}
