@@ -1,5 +1,7 @@
 /** Small helpers for a page whose elements stand in its HTML and are only ever updated. */
 
+const SVG = 'http://www.w3.org/2000/svg';
+
 /**
  * The element with this id, which must be of this type.
  * @template {Element} T
@@ -35,6 +37,15 @@ export function make(tag, attributes = {}, ...children) {
     }
     element.append(...children);
     return element;
+}
+
+/** One of the icons that stand in the page. @param {string} id */
+export function icon(id) {
+    const [svg, use] = [document.createElementNS(SVG, 'svg'), document.createElementNS(SVG, 'use')];
+    svg.setAttribute('aria-hidden', 'true');
+    use.setAttribute('href', `#${id}`);
+    svg.append(use);
+    return svg;
 }
 
 /**

@@ -73,7 +73,7 @@ export {};
  * @typedef {Texts & {constants: Constant[]}} Notation
  */
 /** `text` is what the file says, where something is wrong with it and people can read it. @typedef {{definition: Definition | null, diagnostics: Diagnostic[], text: string | null}} FileRead */
-/** `txt` is the string. @typedef {'svg' | 'svg-compact' | 'csv' | 'txt' | 'json' | 'obj' | 'glb'} Format */
+/** A format of exported files. @typedef {keyof typeof import('./tables.js').FORMATS} Format */
 /** `blob` is the file, null where a limit was passed. @typedef {{blob: Blob | null, diagnostics: Diagnostic[]}} Exported */
 
 // Questions and their answers.

@@ -112,3 +112,15 @@ export const FIELDS = /* @__PURE__ */ Object.freeze({
 
 /** Attributes of the element and the keys in links that they stand for. */
 export const ATTRIBUTES = { caption: 'title', axiom: 'axiom', rules: 'rules', n: 'n', angle: 'angle', right: 'right', seed: 'seed', turtle: 'turtle', down: 'down', up: 'up', roll: 'roll', rollright: 'rollright', heading: 'heading', step: 'step', start: 'start', tropism: 'tropism', elasticity: 'elasticity', shorter: 'shorter', vary: 'vary', varylength: 'varylength', growth: 'growth', do: 'do', palette: 'palette', colour: 'colour', hold: 'hold', turns: 'turns', bg: 'bg', stroke: 'width', thinner: 'thinner', thin: 'thin', ink: 'ink', hue: 'hue', exposure: 'exposure', name: 'name', source: 'source', notes: 'notes', view: 'view', camera: 'camera' };
+
+/** Formats of exported files by name: ending and media type of the file, what the page calls it, and what it is. */
+export const FORMATS = /* @__PURE__ */ Object.freeze({
+    'svg': { ending: 'svg', mime: 'image/svg+xml', label: 'SVG', help: 'Picture of strokes', picture: true },
+    'svg-compact': { ending: 'svg', mime: 'image/svg+xml', label: 'Compact SVG', help: 'Picture of strokes with each reusable part written once: a small file at any number of iterations', picture: true },
+    'png': { ending: 'png', mime: 'image/png', label: 'PNG', help: 'Picture of pixels', picture: true },
+    'json': { ending: 'json', mime: 'application/json', label: 'JSON', help: 'System, to open again', picture: false },
+    'txt': { ending: 'txt', mime: 'text/plain', label: 'Text', help: 'Derived string', picture: false },
+    'csv': { ending: 'csv', mime: 'text/csv', label: 'CSV', help: 'Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour', picture: false },
+    'obj': { ending: 'obj', mime: 'model/obj', label: 'OBJ', help: 'Mesh of coloured tubes, as text', picture: false },
+    'glb': { ending: 'glb', mime: 'model/gltf-binary', label: 'glTF', help: 'Mesh of coloured tubes, as binary glTF: for viewers, printers and game engines', picture: false },
+});

@@ -1,8 +1,9 @@
 //! The command line as a value.
 
-use crate::cli::{Changes, Cli, Format, Look, Verb};
+use crate::cli::{Changes, Cli, Look, Verb};
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
+use lsystem::files::Format;
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
@@ -32,9 +33,9 @@ pub(crate) struct Job {
 #[derive(Debug, PartialEq)]
 pub(crate) enum Target {
     /// To standard output.
-    Print(Format),
+    Print(&'static Format),
     /// To files: the base name without extension, and the formats.
-    Write(PathBuf, Vec<Format>),
+    Write(PathBuf, Vec<&'static Format>),
 }
 
 /// Reads a command line, without the program's name.
@@ -110,13 +111,20 @@ fn command_first(mut words: Vec<OsString>, cli: &clap::Command) -> (Vec<OsString
 /// What is to be drawn, where the options go together.
 fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: Look, is_short: bool) -> Result<Vec<Job>, String> {
     let Look { format, size, compact } = look;
-    if size.is_some() && format != Some(Format::Png) {
+    let is = |name| format.is_some_and(|format: &Format| format.name == name);
+    if size.is_some() && !is("png") {
         return Err("--size goes with --format png only".to_owned());
     }
-    if compact && !matches!(format, None | Some(Format::Svg)) {
+    if compact && format.is_some() && !is("svg") {
         return Err("--compact goes with --format svg only".to_owned());
     }
-    let formats = format.map_or_else(|| vec![Format::Txt, Format::Svg], |format| vec![format]);
+    let picture = if compact { "svg-compact" } else { "svg" };
+    let names = match format {
+        None => vec!["txt", picture],
+        Some(_) if compact => vec![picture],
+        Some(format) => vec![format.name],
+    };
+    let formats: Vec<_> = names.into_iter().filter_map(Format::named).collect();
     if let Some(folder) = out_dir {
         return into_folder(files, folder, &formats);
     }
@@ -138,7 +146,7 @@ fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: Look, is_short: bool)
             return Err(format!("OUT_BASE `{}` must end in the name that the files shall have", base.display()));
         }
         (Some(base), _) => Target::Write(base, formats),
-        (None, Some(format)) => Target::Print(format),
+        (None, Some(_)) => Target::Print(formats[0]),
         (None, None) => Target::Write(stem(&file)?, formats),
     };
     Ok(vec![Job { file, target }])
@@ -152,7 +160,7 @@ fn names_a_file(base: &Path) -> bool {
 }
 
 /// A job for each file, named after it; files of one name are told apart by their folders.
-fn into_folder(files: Vec<PathBuf>, folder: &Path, formats: &[Format]) -> Result<Vec<Job>, String> {
+fn into_folder(files: Vec<PathBuf>, folder: &Path, formats: &[&'static Format]) -> Result<Vec<Job>, String> {
     let stems = files.iter().map(|file| stem(file)).collect::<Result<Vec<_>, _>>()?;
     let mut bases: Vec<PathBuf> = Vec::new();
     for (file, stem) in files.iter().zip(&stems) {
@@ -213,33 +221,47 @@ mod tests {
     #[test]
     fn commands() {
         check("expand a.json -n 3", &expect![[r#"expand "a.json" n Some(3) seed None"#]]);
-        check("a.json out", &expect![[r#"draw "a.json" to Write("out", [Txt, Svg]) n None seed None"#]]);
-        check("draw a.json", &expect![[r#"draw "a.json" to Write("a", [Txt, Svg]) n None seed None"#]]);
+        check(
+            "a.json out",
+            &expect![[r#"draw "a.json" to Write("out", [txt, svg]) n None seed None"#]],
+        );
+        check(
+            "draw a.json",
+            &expect![[r#"draw "a.json" to Write("a", [txt, svg]) n None seed None"#]],
+        );
         check(
             "draw some/1.24d.json --seed=7",
-            &expect![[r#"draw "some/1.24d.json" to Write("1.24d", [Txt, Svg]) n None seed Some(7)"#]],
+            &expect![[r#"draw "some/1.24d.json" to Write("1.24d", [txt, svg]) n None seed Some(7)"#]],
         );
-        check("draw --format csv a.json", &expect![[r#"draw "a.json" to Print(Csv) n None seed None"#]]);
-        check("draw a.json out --format csv", &expect![[r#"draw "a.json" to Write("out", [Csv]) n None seed None"#]]);
+        check(
+            "draw --format csv a.json",
+            &expect![[r#"draw "a.json" to Print(csv) n None seed None"#]],
+        );
+        check(
+            "draw a.json out --format csv",
+            &expect![[r#"draw "a.json" to Write("out", [csv]) n None seed None"#]],
+        );
         check(
             "draw a.json b.json --out-dir pictures",
-            &expect![[
-                r#"draw "a.json" to Write("pictures/a", [Txt, Svg]), "b.json" to Write("pictures/b", [Txt, Svg]) n None seed None"#
-            ]],
+            &expect![[r#"draw "a.json" to Write("pictures/a", [txt, svg]), "b.json" to Write("pictures/b", [txt, svg]) n None seed None"#]],
         );
         check(
             "draw x/a.json y/a.json --out-dir d",
-            &expect![[
-                r#"draw "x/a.json" to Write("d/x-a", [Txt, Svg]), "y/a.json" to Write("d/y-a", [Txt, Svg]) n None seed None"#
-            ]],
+            &expect![[r#"draw "x/a.json" to Write("d/x-a", [txt, svg]), "y/a.json" to Write("d/y-a", [txt, svg]) n None seed None"#]],
         );
         check("info a.json b.json --json", &expect![[r#"info ["a.json", "b.json"] json true n None seed None"#]]);
         check("info -- -n", &expect![[r#"info ["-n"] json false n None seed None"#]]);
-        check("draw - --format svg", &expect![[r#"draw "-" to Print(Svg) n None seed None"#]]);
-        check("draw a --size 40x30 --format png", &expect![[r#"draw "a" to Print(Png) 40 by 30 n None seed None"#]]);
+        check(
+            "draw - --format svg",
+            &expect![[r#"draw "-" to Print(svg) n None seed None"#]],
+        );
+        check(
+            "draw a --size 40x30 --format png",
+            &expect![[r#"draw "a" to Print(png) 40 by 30 n None seed None"#]],
+        );
         check(
             "draw a --set x=1 --set y=a=b",
-            &expect![[r#"draw "a" to Write("a", [Txt, Svg]) n None seed None set [("x", "1"), ("y", "a=b")]"#]],
+            &expect![[r#"draw "a" to Write("a", [txt, svg]) n None seed None set [("x", "1"), ("y", "a=b")]"#]],
         );
         check(
             "info a --set x",
@@ -248,14 +270,23 @@ mod tests {
             ],
         );
         check("info a --memory 2M", &expect![[r#"info ["a"] json false n None seed None memory 2097152"#]]);
-        check("draw a --compact", &expect![[r#"draw "a" to Write("a", [Txt, Svg]) compact n None seed None"#]]);
-        check("draw a --compact --format svg", &expect![[r#"draw "a" to Print(Svg) compact n None seed None"#]]);
+        check(
+            "draw a --compact",
+            &expect![[r#"draw "a" to Write("a", [txt, svg-compact]) compact n None seed None"#]],
+        );
+        check(
+            "draw a --compact --format svg",
+            &expect![[r#"draw "a" to Print(svg-compact) compact n None seed None"#]],
+        );
         check("-n 3 --json info a", &expect![[r#"info ["a"] json true n Some(3) seed None"#]]);
         check(
             "--seed=4 a.json -n3 out",
-            &expect![[r#"draw "a.json" to Write("out", [Txt, Svg]) n Some(3) seed Some(4)"#]],
+            &expect![[r#"draw "a.json" to Write("out", [txt, svg]) n Some(3) seed Some(4)"#]],
         );
-        check("-- draw out", &expect![[r#"draw "draw" to Write("out", [Txt, Svg]) n None seed None"#]]);
+        check(
+            "-- draw out",
+            &expect![[r#"draw "draw" to Write("out", [txt, svg]) n None seed None"#]],
+        );
         check("expand a -n 3 -n 4", &expect![[r#"expand "a" n Some(4) seed None"#]]);
         check(
             "expand a --set tropism=-1 --set -x",
@@ -263,7 +294,10 @@ mod tests {
                 "error: invalid value '-x' for '--set <NAME=VALUE>': expected a name and a value such as angle_deg=30"
             ],
         );
-        check("draw a --format csv out", &expect![[r#"draw "a" to Write("out", [Csv]) n None seed None"#]]);
+        check(
+            "draw a --format csv out",
+            &expect![[r#"draw "a" to Write("out", [csv]) n None seed None"#]],
+        );
         check("--help nonsense", &expect!["print Derives, draws and inspects L-systems"]);
         check("a out -h", &expect!["print Write or print pictures, meshes, segments and strings"]);
         check("info a -V", &expect!["print lsys 0.1.0"]);
@@ -305,8 +339,8 @@ mod tests {
         check(
             "draw a --format gif",
             &expect![[r#"
-            error: invalid value 'gif' for '--format <FORMAT>'
-              [possible values: svg, png, csv, txt, obj, glb]"#]],
+                error: invalid value 'gif' for '--format <FORMAT>'
+                  [possible values: svg, svg-compact, png, json, txt, csv, obj, glb]"#]],
         );
         check("draw a --size 10x10", &expect!["error: --size goes with --format png only"]);
         check("draw a --compact --format csv", &expect!["error: --compact goes with --format svg only"]);

@@ -1,9 +1,11 @@
 //! The command line: its commands, its options and the words that explain them.
 
 use crate::memory;
-use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
 use lsystem::Viewport;
+use lsystem::files::{FORMATS, Format};
 use lsystem::syntax::{MAX_ITERATIONS, MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -101,8 +103,8 @@ pub(crate) struct Changes {
 #[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Look {
     /// Output format
-    #[arg(long)]
-    pub(crate) format: Option<Format>,
+    #[arg(long, value_parser = formats())]
+    pub(crate) format: Option<&'static Format>,
     /// Size of a PNG in pixels, such as 4000x3000 [default: 1024 along the longer side]
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<Size>,
@@ -111,35 +113,10 @@ pub(crate) struct Look {
     pub(crate) compact: bool,
 }
 
-/// A form of a drawing; its name is the extension of its files.
-#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
-pub(crate) enum Format {
-    /// Picture of strokes
-    Svg,
-    /// Picture of pixels
-    Png,
-    /// Segments: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour
-    Csv,
-    /// String
-    Txt,
-    /// Mesh of coloured tubes as text
-    Obj,
-    /// Mesh of coloured tubes as binary glTF
-    Glb,
-}
-
-impl Format {
-    /// The file name's extension.
-    pub(crate) fn extension(self) -> &'static str {
-        match self {
-            Self::Svg => "svg",
-            Self::Png => "png",
-            Self::Csv => "csv",
-            Self::Txt => "txt",
-            Self::Obj => "obj",
-            Self::Glb => "glb",
-        }
-    }
+/// The formats of the table, by name.
+fn formats() -> impl TypedValueParser<Value = &'static Format> {
+    let values = FORMATS.iter().map(|format| PossibleValue::new(format.name).help(format.help));
+    PossibleValuesParser::new(values).try_map(|name| Format::named(&name).ok_or("there is no such format"))
 }
 
 /// Pixels.

@@ -606,11 +606,11 @@ fn usage() {
         "draw data_in/abop/1.24a.json --format gif",
         2,
         &expect![[r#"
-        error: invalid value 'gif' for '--format <FORMAT>'
-          [possible values: svg, png, csv, txt, obj, glb]
+            error: invalid value 'gif' for '--format <FORMAT>'
+              [possible values: svg, svg-compact, png, json, txt, csv, obj, glb]
 
-        For more information, try '--help'.
-    "#]],
+            For more information, try '--help'.
+        "#]],
     );
     bad(
         "draw data_in/abop/1.24a.json --size 10x10",

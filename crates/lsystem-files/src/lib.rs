@@ -2,6 +2,7 @@
 
 mod csv;
 mod embed;
+mod formats;
 mod gltf;
 mod json;
 mod json_write;
@@ -13,6 +14,7 @@ mod xml;
 
 pub use csv::{CsvWriter, write_csv};
 pub use embed::{FileContent, read_file};
+pub use formats::{Content, FORMATS, Format, Writer, write_all};
 pub use gltf::{GlbWriter, write_glb};
 pub use json::read_json;
 pub use json_write::write_json;

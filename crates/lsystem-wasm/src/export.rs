@@ -7,9 +7,8 @@ use crate::playground::Playground;
 use crate::report::{Problem, problems};
 use crate::to_js;
 use crate::viewer::WORK;
-use core::cell::RefCell;
-use lsystem::drawing::{MeshMaker, Outlook, Projection, Space};
-use lsystem::files::{CsvWriter, GlbWriter, ObjWriter, SvgForm, SvgWriter};
+use lsystem::drawing::{MeshMaker, Outlook, Projection};
+use lsystem::files::{Content, Format, Writer};
 use lsystem::syntax::{Field, Kind, LimitName};
 use lsystem::{
     Camera, Definition, Diagnostic, Drawer, Drawing, Limits, Mesh, Progress, Solid, Style, SvgOptions, System,
@@ -31,19 +30,17 @@ const DRAWING: Limits = Limits { memory: LIMITS.memory - MESH, ..LIMITS };
 /// Symbols of a string that are written at a time.
 const SYMBOLS: usize = 1 << 15;
 
-/// Appends to a file, and says whether there is more to do.
-type Writer = Box<dyn FnMut(&mut Vec<u8>) -> Result<Progress, Diagnostic>>;
+/// A file in the making.
+type File = Box<dyn Writer>;
 /// What follows when the drawing in space is there.
-type Then = Box<dyn FnOnce(Arc<Drawing<Solid>>) -> Result<Writer, Diagnostic>>;
-/// A remark on a file, known when it has been written.
-type Remark = Rc<RefCell<Option<Diagnostic>>>;
+type Then = Box<dyn FnOnce(Arc<Drawing<Solid>>) -> Result<File, Diagnostic>>;
 
 /// How far a file is.
 enum Stage {
     /// It is of a drawing in space that is being made.
     Draw(Box<Drawer<Solid>>, Then),
     Begin(Arc<Drawing<Solid>>, Then),
-    Write(Writer),
+    Write(File),
     Done,
 }
 
@@ -63,7 +60,6 @@ pub struct Export {
     complete: bool,
     diagnostics: Vec<Problem>,
     definition: Definition,
-    remark: Remark,
     clock: Clock,
     /// Tells the playground that a file is being made.
     _busy: Rc<()>,
@@ -82,13 +78,13 @@ impl Export {
                 },
                 Stage::Begin(drawing, then) => self.go_on(then(drawing), |writer, _| Stage::Write(writer)),
                 Stage::Write(mut writer) => {
-                    let written = writer(&mut self.piece);
+                    let written = writer.step(&mut self.piece, WORK as u64);
                     self.go_on(written, |progress, export| {
                         if progress == Progress::More {
                             return Stage::Write(writer);
                         }
                         export.complete = true;
-                        export.diagnostics = problems(export.remark.take().as_slice(), &export.definition, "");
+                        export.diagnostics = problems(writer.remark().as_slice(), &export.definition, "");
                         Stage::Done
                     })
                 }
@@ -136,21 +132,20 @@ impl core::fmt::Debug for Export {
 
 #[wasm_bindgen]
 impl Playground {
-    /// Begins the system as a file: `svg`, `svg-compact`, `csv`, `txt` (the string), `json`, `obj` or `glb` (meshes of
-    /// tubes).
+    /// Begins the system as a file, in one of the formats of [`lsystem::files::FORMATS`] but for pixels.
     ///
     /// # Errors
     /// Throws where there is no such format.
     pub fn export(&mut self, format: &str) -> Result<Export, JsValue> {
+        let found = Format::named(format).filter(|format| !matches!(format.content, Content::Pixels));
+        let content = found.ok_or_else(|| format!("there is no format `{format}`"))?.content;
         self.history = None;
-        let remark = Remark::default();
         let mut export = Export {
             stage: Stage::Done,
             piece: vec![],
             complete: false,
             diagnostics: vec![],
             definition: self.definition.clone(),
-            remark: Rc::clone(&remark),
             clock: Clock::new(),
             _busy: Rc::clone(&self.files),
         };
@@ -162,30 +157,31 @@ impl Playground {
         };
         let flat = drawing.clone().filter(|_| !system.is_solid());
         let (style, name) = (system.style.clone(), self.definition.label().to_owned());
-        export.stage = match (format, flat) {
-            ("json", _) => Stage::Write(whole(write_json(&self.definition))),
-            ("txt", _) => {
+        export.stage = match (content, flat) {
+            (Content::System, _) => Stage::Write(whole(write_json(&self.definition))),
+            (Content::String | Content::Pixels, _) => {
                 let written = string(system.clone(), self.definition.iterations);
                 export.go_on(written, |writer, _| Stage::Write(writer))
             }
-            ("csv", Some(drawing)) => export.go_on(csv(drawing), |writer, _| Stage::Write(writer)),
-            ("csv", None) => self.solid(system, Box::new(csv)),
-            ("svg" | "svg-compact", Some(drawing)) => {
-                let form = if format == "svg" { SvgForm::Flat } else { SvgForm::Compact };
-                let written = svg(drawing, style, &self.svg_options(form), remark);
-                export.go_on(written, |writer, _| Stage::Write(writer))
+            (Content::Segments { plane, .. }, Some(drawing)) => {
+                export.go_on(plane(drawing, TEXT_SEGMENTS), |writer, _| Stage::Write(writer))
             }
-            ("svg" | "svg-compact", None) => {
+            (Content::Segments { space, .. }, None) => {
+                self.solid(system, Box::new(move |drawing| space(drawing, TEXT_SEGMENTS)))
+            }
+            (Content::Paper(write), Some(drawing)) => {
+                let most = if format == "svg-compact" { FEW_SEGMENTS } else { TEXT_SEGMENTS };
+                export.go_on(write(drawing, style, &self.svg_options(most)), |writer, _| Stage::Write(writer))
+            }
+            (Content::Paper(write), None) => {
                 let Camera { azimuth, elevation, .. } = self.views.solid.camera;
-                let options = self.svg_options(SvgForm::Flat);
-                let outlook = Outlook { azimuth, elevation };
-                self.solid(system, Box::new(move |drawing| seen(drawing, outlook, style, options, remark)))
+                let (outlook, options) = (Outlook { azimuth, elevation }, self.svg_options(TEXT_SEGMENTS));
+                let write = move |drawing| write(drawing, style.clone(), &options);
+                self.solid(system, Box::new(move |drawing| seen(drawing, outlook, write)))
             }
-            ("obj" | "glb", _) => {
-                let text = format == "obj";
-                self.solid(system, Box::new(move |drawing| mesh(drawing, style, name, text)))
+            (Content::Mesh(write), _) => {
+                self.solid(system, Box::new(move |drawing| mesh(drawing, style, move |mesh| write(mesh, &name))))
             }
-            _ => return Err(format!("there is no format `{format}`").into()),
         };
         Ok(export)
     }
@@ -200,108 +196,90 @@ impl Playground {
         }
     }
 
-    fn svg_options(&self, form: SvgForm) -> SvgOptions {
+    fn svg_options(&self, most: u64) -> SvgOptions {
         let title = self.definition.label().to_owned();
         let (description, system) = (self.report.description.clone(), write_json(&self.definition));
-        let most = if form == SvgForm::Compact { FEW_SEGMENTS } else { TEXT_SEGMENTS };
-        SvgOptions { title, description, system, form, most, ..SvgOptions::default() }
+        SvgOptions { title, description, system, most, ..SvgOptions::default() }
+    }
+}
+
+/// A file that a function writes.
+struct Written<F>(F);
+
+impl<F: FnMut(&mut Vec<u8>) -> Result<Progress, Diagnostic>> Writer for Written<F> {
+    fn step(&mut self, file: &mut Vec<u8>, _: u64) -> Result<Progress, Diagnostic> {
+        (self.0)(file)
     }
 }
 
 /// A system as text, which is short: those that can be read have texts of a mebibyte at most.
-fn whole(text: String) -> Writer {
+fn whole(text: String) -> File {
     let mut bytes = text.into_bytes();
-    Box::new(move |file| {
+    Box::new(Written(move |file: &mut Vec<u8>| {
         file.append(&mut bytes);
         Ok(Progress::Done)
-    })
-}
-
-/// Writes with something that appends to a text.
-fn as_text(mut write: impl FnMut(&mut String) -> Result<Progress, Diagnostic> + 'static) -> Writer {
-    Box::new(move |file| {
-        let mut text = String::new();
-        let progress = write(&mut text)?;
-        file.extend(text.into_bytes());
-        Ok(progress)
-    })
-}
-
-fn csv<S: Space + 'static>(drawing: Arc<Drawing<S>>) -> Result<Writer, Diagnostic> {
-    let mut writer = CsvWriter::new(&drawing, TEXT_SEGMENTS)?;
-    Ok(as_text(move |text| Ok(writer.step(&drawing, text, WORK as u64))))
-}
-
-fn svg(drawing: Arc<Drawing>, style: Style, options: &SvgOptions, remark: Remark) -> Result<Writer, Diagnostic> {
-    let mut writer = SvgWriter::new(&drawing, &style, options)?;
-    Ok(as_text(move |text| {
-        let progress = writer.step(&drawing, &style, text, WORK as u64)?;
-        if progress == Progress::Done {
-            remark.replace(writer.warning());
-        }
-        Ok(progress)
     }))
 }
 
-/// Makes something in steps, until `make` gives the writer of the file; then that writes.
-fn make_then_write(mut make: impl FnMut() -> Result<Option<Writer>, Diagnostic> + 'static) -> Writer {
-    let mut writer: Option<Writer> = None;
-    Box::new(move |file| {
-        if let Some(writer) = &mut writer {
-            return writer(file);
+/// A file for which something is made first, in steps, until that gives the writer.
+struct Made<F> {
+    make: F,
+    writer: Option<File>,
+}
+
+impl<F: FnMut() -> Result<Option<File>, Diagnostic>> Writer for Made<F> {
+    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
+        if let Some(writer) = &mut self.writer {
+            return writer.step(file, work);
         }
-        writer = make()?;
+        self.writer = (self.make)()?;
         Ok(Progress::More)
-    })
+    }
+
+    fn remark(&self) -> Option<Diagnostic> {
+        self.writer.as_ref()?.remark()
+    }
 }
 
 /// A drawing in space as it is seen on paper.
 fn seen(
     drawing: Arc<Drawing<Solid>>,
     outlook: Outlook,
-    style: Style,
-    options: SvgOptions,
-    remark: Remark,
-) -> Result<Writer, Diagnostic> {
+    write: impl Fn(Arc<Drawing>) -> Result<File, Diagnostic> + 'static,
+) -> Result<File, Diagnostic> {
     // The drawing in space is let go of when it is on paper.
     let mut making = Some((Projection::new(&drawing, &outlook, FEW_SEGMENTS)?, drawing));
-    Ok(make_then_write(move || {
+    let make = move || {
         if let Some((projection, drawing)) = &mut making
             && projection.step(drawing, WORK as u64) == Progress::Done
             && let Some((projection, drawing)) = making.take()
         {
-            let seen = Arc::new(projection.finish(&drawing));
-            return svg(seen, style.clone(), &options, Rc::clone(&remark)).map(Some);
+            return write(Arc::new(projection.finish(&drawing))).map(Some);
         }
         Ok(None)
-    }))
+    };
+    Ok(Box::new(Made { make, writer: None }))
 }
 
-fn mesh(drawing: Arc<Drawing<Solid>>, style: Style, name: String, text: bool) -> Result<Writer, Diagnostic> {
+fn mesh(
+    drawing: Arc<Drawing<Solid>>,
+    style: Style,
+    write: impl Fn(Mesh) -> File + 'static,
+) -> Result<File, Diagnostic> {
     let mut maker = Some(MeshMaker::new(&drawing, &style, FEW_SEGMENTS, MESH)?);
-    Ok(make_then_write(move || {
+    let make = move || {
         if let Some(making) = &mut maker
             && making.step(&drawing, &style, WORK as u64)? == Progress::Done
         {
-            let mesh = maker.take().map(MeshMaker::finish).unwrap_or_default();
-            return Ok(Some(if text { obj(mesh, &name) } else { glb(mesh, &name) }));
+            return Ok(Some(write(maker.take().map(MeshMaker::finish).unwrap_or_default())));
         }
         Ok(None)
-    }))
-}
-
-fn obj(mesh: Mesh, name: &str) -> Writer {
-    let mut writer = ObjWriter::new(&mesh, name);
-    as_text(move |text| Ok(writer.step(&mesh, text, WORK as u64)))
-}
-
-fn glb(mesh: Mesh, name: &str) -> Writer {
-    let mut writer = GlbWriter::new(&mesh, name);
-    Box::new(move |file| Ok(writer.step(&mesh, file, WORK as u64)))
+    };
+    Ok(Box::new(Made { make, writer: None }))
 }
 
 /// The string of generation `n`, read piece by piece: by counts, or by what is remembered of the derivation.
-fn string(system: System, n: u32) -> Result<Writer, Diagnostic> {
+fn string(system: System, n: u32) -> Result<File, Diagnostic> {
     let symbols = |n: u32| system.word(n).map(|word| word.symbols());
     let too_long = |count: u128| count > u128::from(LIMITS.symbols);
     let mut history = None;
@@ -317,10 +295,9 @@ fn string(system: System, n: u32) -> Result<Writer, Diagnostic> {
         None => history = Some(system.history(n, &HISTORY).ok_or_else(|| limit_of_memory(None))?),
     }
     let mut at = 0;
-    Ok(as_text(move |text| {
-        let before = text.len();
-        match &mut history {
-            None => text.push_str(&system.word(n).map(|word| word.slice(at, SYMBOLS)).unwrap_or_default()),
+    Ok(Box::new(Written(move |file: &mut Vec<u8>| {
+        let text = match &mut history {
+            None => system.word(n).map(|word| word.slice(at, SYMBOLS)).unwrap_or_default(),
             Some(history) => {
                 if history.symbols(n).is_none() {
                     if history.step(WORK) == Progress::Done && history.symbols(n).is_none() {
@@ -329,16 +306,17 @@ fn string(system: System, n: u32) -> Result<Writer, Diagnostic> {
                     }
                     return Ok(Progress::More);
                 }
-                text.push_str(&history.slice(n, at, SYMBOLS));
+                history.slice(n, at, SYMBOLS)
             }
-        }
+        };
         at += SYMBOLS as u128;
-        if text.len() > before {
-            return Ok(Progress::More);
+        let progress = if text.is_empty() { Progress::Done } else { Progress::More };
+        file.append(&mut text.into_bytes());
+        if progress == Progress::Done {
+            file.push(b'\n');
         }
-        text.push('\n');
-        Ok(Progress::Done)
-    }))
+        Ok(progress)
+    })))
 }
 
 fn limit_of_memory(largest: Option<u32>) -> Diagnostic {

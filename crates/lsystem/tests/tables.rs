@@ -2,6 +2,7 @@
 //! and `docs/links.md` say the same. `cargo xtask tables` writes them anew.
 
 use expect_test::expect_file;
+use lsystem::files::FORMATS;
 use lsystem::syntax::fields::Section;
 use lsystem::syntax::message::expected_words;
 use lsystem::syntax::number::number;
@@ -139,6 +140,19 @@ fn tables() -> String {
     script_text += "});\n\n/** Attributes of the element and the keys in links that they stand for. */\n";
     let pairs: Vec<_> = FIELDS.iter().map(|spec| format!("{}: {}", spec.attribute(), quoted(spec.link))).collect();
     writeln!(script_text, "export const ATTRIBUTES = {{ {} }};", pairs.join(", ")).unwrap();
+    script_text += "\n/** Formats of exported files by name: ending and media type of the file, what the page calls it, and what it is. */\n\
+        export const FORMATS = /* @__PURE__ */ Object.freeze({\n";
+    for format in &FORMATS {
+        let [name, ending, mime, label, help] =
+            [format.name, format.ending, format.mime, format.label, format.help].map(quoted);
+        let picture = format.is_picture();
+        writeln!(
+            script_text,
+            "    {name}: {{ ending: {ending}, mime: {mime}, label: {label}, help: {help}, picture: {picture} }},"
+        )
+        .unwrap();
+    }
+    script_text += "});\n";
     script_text
 }
 

@@ -48,8 +48,8 @@ fn unit(www: &Path, cases: Option<&str>) -> Result<()> {
 
 fn end_to_end(workspace: &Workspace, www: &Path) -> Result<()> {
     let tests = tests(www, |path| !path.starts_with("unit"))?;
-    // One file at a time: browsers share the machine's few cores, and some tests measure time.
-    with_page(workspace, |node| node.args(["--test", "--test-concurrency=1"]).args(tests).current_dir(www))
+    // Two files at a time: much of a test waits, and more browsers would share the machine's few cores.
+    with_page(workspace, |node| node.args(["--test", "--test-concurrency=2"]).args(tests).current_dir(www))
 }
 
 /// Runs a script that measures the page that has just been built.

@@ -3,10 +3,11 @@
 import { toast } from '../announce.js';
 import { listProblems, placesIn } from '../controls/editor.js';
 import { copyText } from '../copy.js';
-import { button, byId, html, input, setValue } from '../dom.js';
+import { button, byId, html, icon, input, make, setValue } from '../dom.js';
 import { download, fileName } from '../download.js';
 import { LARGEST_FILE, isFavouritesFile } from '../favourites.js';
 import { definitionOf } from '../state.js';
+import { FORMATS } from '../tables.js';
 
 /** @typedef {import('../engine.js').Engine} Engine */
 
@@ -14,9 +15,6 @@ import { definitionOf } from '../state.js';
 const LARGEST_JSON = 4 << 20;
 /** Nor are larger pictures that carry a system. */
 const LARGEST_PICTURE = 64 << 20;
-
-/** @type {Record<string, string>} */
-const MIME = { svg: 'image/svg+xml', csv: 'text/csv', txt: 'text/plain', json: 'application/json', obj: 'model/obj', glb: 'model/gltf-binary' };
 
 /**
  * @param {import('../store.js').Store} store
@@ -38,12 +36,15 @@ export function keepPanel(store, engine, page) {
         else page.select();
     });
 
-    for (const save of document.querySelectorAll('[data-save]')) {
+    for (const format of /** @type {import('../protocol.js').Format[]} */ (Object.keys(FORMATS))) {
+        const { label, help, picture } = FORMATS[format];
+        const save = make('button', { class: 'button', type: 'button', 'data-save': format, title: help }, icon('i-save'), label);
+        if (picture) html('save-pictures').lastElementChild?.before(save);
+        else html('save-data').append(save);
         save.addEventListener('click', async () => {
-            if (!(save instanceof HTMLButtonElement)) return;
             save.disabled = true;
             try {
-                await saveAs(String(save.dataset.save));
+                await saveAs(format);
             } catch (error) {
                 toast(`Not saved: ${error instanceof Error ? error.message : error}.`);
             } finally {
@@ -52,7 +53,7 @@ export function keepPanel(store, engine, page) {
         });
     }
 
-    /** @param {string} format */
+    /** @param {import('../protocol.js').Format} format */
     async function saveAs(format) {
         const name = fileName(store.state);
         if (format === 'png') {
@@ -62,13 +63,14 @@ export function keepPanel(store, engine, page) {
             const blob = await engine.png(Math.round(width * factor), Math.round(height * factor), definitionOf(store.state));
             return download(blob, `${name}.png`);
         }
-        const { blob, diagnostics } = await engine.export(/** @type {'svg'} */ (format));
+        const { blob, diagnostics } = await engine.export(format);
         if (!blob) {
             const first = diagnostics[0];
             return toast(first ? `Not saved: ${[first.message, first.hint].filter(Boolean).join(' ')}` : 'Not saved: there is nothing to save.');
         }
-        const [ending = format, form] = format.split('-');
-        download(new Blob([blob], { type: MIME[ending] ?? 'text/plain' }), `${name}${form ? `_${form}` : ''}.${ending}`);
+        const { ending, mime } = FORMATS[format];
+        const [, form] = format.split('-');
+        download(new Blob([blob], { type: mime }), `${name}${form ? `_${form}` : ''}.${ending}`);
         // A compact picture may ask much of who shows it.
         if (diagnostics[0]) toast([diagnostics[0].message, diagnostics[0].hint].filter(Boolean).join(' '));
     }

@@ -153,7 +153,7 @@ test('a text that is far too long is cut, and the page stays free', () =>
             document.execCommand('insertText', false, 'F'.repeat(400_000));
         });
         assert.equal((await page.inputValue('#rules')).length, 50_000);
-        assert.match(await page.innerText('#toast'), /too long/);
+        assert.match(await page.innerText('#toast'), /the rest was cut/);
         console.log(`400,000 characters pasted: longest task ${(await longestTask(page)).toFixed(0)} ms`);
     }));
 

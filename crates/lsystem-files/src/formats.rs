@@ -1,0 +1,243 @@
+//! The formats of exported files: one table, from which the program and the page take names, words and writers.
+//!
+//! A new format is a writer in a file of its own and a row here.
+
+use super::{CsvWriter, GlbWriter, ObjWriter, SvgForm, SvgOptions, SvgWriter};
+use lsystem_drawing::{Drawing, Mesh, Solid, Space};
+use lsystem_syntax::{Diagnostic, Progress, Style};
+use std::sync::Arc;
+
+/// A format, and how its files are made.
+pub struct Format {
+    /// Its name for the program and for scripts.
+    pub name: &'static str,
+    /// What the names of its files end with.
+    pub ending: &'static str,
+    /// Its media type.
+    pub mime: &'static str,
+    /// What the page calls it.
+    pub label: &'static str,
+    /// What it is, as a noun phrase.
+    pub help: &'static str,
+    /// What its files are made from.
+    pub content: Content,
+}
+
+/// What a file is made from, and the writer.
+#[derive(Clone, Copy, Debug)]
+pub enum Content {
+    /// The system: [`write_json`](crate::write_json).
+    System,
+    /// The derived string.
+    String,
+    /// Pixels, which a renderer makes.
+    Pixels,
+    /// Strokes on paper: a drawing in space is projected first.
+    Paper(fn(Arc<Drawing>, Style, &SvgOptions) -> Result<Box<dyn Writer>, Diagnostic>),
+    /// Segments, in the plane or in space; so many at most.
+    Segments {
+        /// Of a drawing in the plane.
+        plane: fn(Arc<Drawing>, u64) -> Result<Box<dyn Writer>, Diagnostic>,
+        /// Of a drawing in space.
+        space: fn(Arc<Drawing<Solid>>, u64) -> Result<Box<dyn Writer>, Diagnostic>,
+    },
+    /// A mesh of coloured tubes, with its name.
+    Mesh(fn(Mesh, &str) -> Box<dyn Writer>),
+}
+
+/// A file in steps.
+pub trait Writer {
+    /// Appends to the file for about `work` units, and tells whether there is more to do.
+    ///
+    /// # Errors
+    /// Where a limit is passed.
+    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic>;
+
+    /// What there is to say of the file when all steps are done.
+    fn remark(&self) -> Option<Diagnostic> {
+        None
+    }
+}
+
+/// All formats, in the order to offer them.
+pub static FORMATS: [Format; 8] = [
+    Format {
+        name: "svg",
+        ending: "svg",
+        mime: "image/svg+xml",
+        label: "SVG",
+        help: "Picture of strokes",
+        content: Content::Paper(|drawing, style, options| svg(drawing, style, options, SvgForm::Flat)),
+    },
+    Format {
+        name: "svg-compact",
+        ending: "svg",
+        mime: "image/svg+xml",
+        label: "Compact SVG",
+        help: "Picture of strokes with each reusable part written once: a small file at any number of iterations",
+        content: Content::Paper(|drawing, style, options| svg(drawing, style, options, SvgForm::Compact)),
+    },
+    Format {
+        name: "png",
+        ending: "png",
+        mime: "image/png",
+        label: "PNG",
+        help: "Picture of pixels",
+        content: Content::Pixels,
+    },
+    Format {
+        name: "json",
+        ending: "json",
+        mime: "application/json",
+        label: "JSON",
+        help: "System, to open again",
+        content: Content::System,
+    },
+    Format {
+        name: "txt",
+        ending: "txt",
+        mime: "text/plain",
+        label: "Text",
+        help: "Derived string",
+        content: Content::String,
+    },
+    Format {
+        name: "csv",
+        ending: "csv",
+        mime: "text/csv",
+        label: "CSV",
+        help: "Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour",
+        content: Content::Segments { plane: csv, space: csv },
+    },
+    Format {
+        name: "obj",
+        ending: "obj",
+        mime: "model/obj",
+        label: "OBJ",
+        help: "Mesh of coloured tubes, as text",
+        content: Content::Mesh(|mesh, name| Box::new(Obj { writer: ObjWriter::new(&mesh, name), mesh })),
+    },
+    Format {
+        name: "glb",
+        ending: "glb",
+        mime: "model/gltf-binary",
+        label: "glTF",
+        help: "Mesh of coloured tubes, as binary glTF: for viewers, printers and game engines",
+        content: Content::Mesh(|mesh, name| Box::new(Glb { writer: GlbWriter::new(&mesh, name), mesh })),
+    },
+];
+
+impl Format {
+    /// The format with this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<&'static Self> {
+        FORMATS.iter().find(|format| format.name == name)
+    }
+
+    /// Whether its files are pictures.
+    #[must_use]
+    pub fn is_picture(&self) -> bool {
+        matches!(self.content, Content::Paper(_) | Content::Pixels)
+    }
+}
+
+impl core::fmt::Debug for Format {
+    fn fmt(&self, out: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        out.write_str(self.name)
+    }
+}
+
+impl PartialEq for Format {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+/// All that a writer writes.
+///
+/// # Errors
+/// As [`Writer::step`].
+pub fn write_all(writer: &mut dyn Writer) -> Result<Vec<u8>, Diagnostic> {
+    let mut file = Vec::new();
+    while writer.step(&mut file, u64::MAX)? == Progress::More {}
+    Ok(file)
+}
+
+/// Appends text to a file of bytes.
+fn append(
+    file: &mut Vec<u8>,
+    write: impl FnOnce(&mut String) -> Result<Progress, Diagnostic>,
+) -> Result<Progress, Diagnostic> {
+    let mut text = String::new();
+    let progress = write(&mut text)?;
+    // A file that is written in one step is not there twice.
+    if file.is_empty() {
+        *file = text.into_bytes();
+    } else {
+        file.append(&mut text.into_bytes());
+    }
+    Ok(progress)
+}
+
+struct Svg {
+    writer: SvgWriter,
+    drawing: Arc<Drawing>,
+    style: Style,
+}
+
+fn svg(
+    drawing: Arc<Drawing>,
+    style: Style,
+    options: &SvgOptions,
+    form: SvgForm,
+) -> Result<Box<dyn Writer>, Diagnostic> {
+    let options = SvgOptions { form, ..options.clone() };
+    Ok(Box::new(Svg { writer: SvgWriter::new(&drawing, &style, &options)?, drawing, style }))
+}
+
+impl Writer for Svg {
+    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
+        append(file, |text| self.writer.step(&self.drawing, &self.style, text, work))
+    }
+
+    fn remark(&self) -> Option<Diagnostic> {
+        self.writer.warning()
+    }
+}
+
+struct Csv<S: Space> {
+    writer: CsvWriter<S>,
+    drawing: Arc<Drawing<S>>,
+}
+
+fn csv<S: Space + 'static>(drawing: Arc<Drawing<S>>, most: u64) -> Result<Box<dyn Writer>, Diagnostic> {
+    Ok(Box::new(Csv { writer: CsvWriter::new(&drawing, most)?, drawing }))
+}
+
+impl<S: Space> Writer for Csv<S> {
+    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
+        append(file, |text| Ok(self.writer.step(&self.drawing, text, work)))
+    }
+}
+
+struct Obj {
+    writer: ObjWriter,
+    mesh: Mesh,
+}
+
+impl Writer for Obj {
+    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
+        append(file, |text| Ok(self.writer.step(&self.mesh, text, work)))
+    }
+}
+
+struct Glb {
+    writer: GlbWriter,
+    mesh: Mesh,
+}
+
+impl Writer for Glb {
+    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
+        Ok(self.writer.step(&self.mesh, file, work))
+    }
+}
