@@ -11,7 +11,7 @@ use core::hash::BuildHasherDefault;
 use core::ops::Range;
 use lsystem_drawing::{BlockId, Drawing, Item};
 use lsystem_syntax::{Heading, Meter, Progress};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BinaryHeap, HashMap};
 
 /// What a picture is made of.
 #[derive(Clone, Copy)]
@@ -71,7 +71,7 @@ pub(super) struct Parts {
     pub order: Vec<usize>,
     known: HashMap<Key, usize, BuildHasherDefault<Mixer>>,
     /// Those found and not looked into. Blocks have larger numbers than those inside them.
-    waiting: BTreeSet<(BlockId, Heading, usize)>,
+    waiting: BinaryHeap<(BlockId, Heading, usize)>,
     /// The one that is looked into.
     opened: Option<Opened>,
     /// Items looked at.
@@ -106,7 +106,7 @@ impl Parts {
         let Scene { drawing, shapes, inks } = scene;
         while !meter.is_spent() {
             if self.opened.is_none() {
-                let Some((block, _, index)) = self.waiting.pop_last() else { return Some(Progress::Done) };
+                let Some((block, _, index)) = self.waiting.pop() else { return Some(Progress::Done) };
                 self.items += drawing.items_of(block).len();
                 if [self.list.len(), self.items].into_iter().zip(MOST).any(|(count, most)| count > most) {
                     return None;
@@ -151,7 +151,7 @@ impl Parts {
                 [-1.0, 1.0].map(|sign| [0, 1].map(|axis| centre[axis] + sign * reach[axis] - place.origin[axis]));
             let (heading, scale, width) = (place.heading, place.scale, pen.width);
             self.list.push(Part { block, heading, scale, width, joints: 0..0, bounds });
-            self.waiting.insert((block, heading, index));
+            self.waiting.push((block, heading, index));
         }
         found
     }

@@ -5,7 +5,7 @@ use crate::Kind;
 use crate::code::Meaning;
 use crate::notes::{Notes, excerpt, similar};
 use core::ops::Range;
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 /// Where the value of a named constant stands.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,7 +24,7 @@ pub struct ConstantPlace {
 #[derive(Debug, Default)]
 pub(crate) struct Constants {
     /// By name: places among the defined.
-    places: BTreeMap<String, usize>,
+    places: HashMap<String, usize>,
     /// In text order.
     defined: Vec<Defined>,
 }
@@ -80,7 +80,7 @@ impl Names for Constants {
     }
 
     fn similar(&self, name: &str) -> Option<String> {
-        similar(name, self.places.keys().map(String::as_str)).map(str::to_owned)
+        similar(name, self.defined.iter().map(|constant| constant.place.name.as_str())).map(str::to_owned)
     }
 }
 

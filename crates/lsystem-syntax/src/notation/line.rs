@@ -9,7 +9,7 @@ use super::{Reading, arrow};
 use crate::notes::{Notes, excerpt};
 use crate::{Class, Constant, Expr, Kind, Production, Role, Seen};
 use core::ops::Range;
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 /// Reads all lines of `text` into `reading`; constants may be used by what is read later.
 pub(crate) fn read(text: &str, reading: &mut Reading, constants: &mut Constants, notes: &mut Notes) {
@@ -186,17 +186,17 @@ impl Rules<'_> {
 
 /// Notes productions that never apply because of an earlier one for the same modules in the same surroundings.
 fn weigh_up<'a>(productions: &[Production], places: impl Iterator<Item = &'a Range<usize>>, notes: &mut Notes) {
-    // By contexts, predecessor and condition as written: whether the first has a weight.
-    let mut firsts: BTreeMap<String, bool> = BTreeMap::new();
-    for (production, place) in productions.iter().zip(places) {
+    // By contexts, predecessor and condition as written: the first production.
+    let mut firsts: HashMap<String, usize> = HashMap::new();
+    for (at, (production, place)) in productions.iter().zip(places).enumerate() {
         let weighted = production.weight.is_some();
         let always = key(production, false);
         let own = key(production, true);
-        let first = firsts.get(&always).or_else(|| firsts.get(&own)).copied();
+        let first = firsts.get(&always).or_else(|| firsts.get(&own)).map(|&first| productions[first].weight.is_some());
         let symbol = production.predecessor.symbol;
         let kind = match (first, weighted) {
             (None, _) => {
-                firsts.insert(if production.condition.is_some() { own } else { always }, weighted);
+                firsts.insert(if production.condition.is_some() { own } else { always }, at);
                 continue;
             }
             (Some(true), true) => continue,
