@@ -221,44 +221,30 @@ mod tests {
     #[test]
     fn commands() {
         check("expand a.json -n 3", &expect![[r#"expand "a.json" n Some(3) seed None"#]]);
-        check(
-            "a.json out",
-            &expect![[r#"draw "a.json" to Write("out", [txt, svg]) n None seed None"#]],
-        );
-        check(
-            "draw a.json",
-            &expect![[r#"draw "a.json" to Write("a", [txt, svg]) n None seed None"#]],
-        );
+        check("a.json out", &expect![[r#"draw "a.json" to Write("out", [txt, svg]) n None seed None"#]]);
+        check("draw a.json", &expect![[r#"draw "a.json" to Write("a", [txt, svg]) n None seed None"#]]);
         check(
             "draw some/1.24d.json --seed=7",
             &expect![[r#"draw "some/1.24d.json" to Write("1.24d", [txt, svg]) n None seed Some(7)"#]],
         );
-        check(
-            "draw --format csv a.json",
-            &expect![[r#"draw "a.json" to Print(csv) n None seed None"#]],
-        );
-        check(
-            "draw a.json out --format csv",
-            &expect![[r#"draw "a.json" to Write("out", [csv]) n None seed None"#]],
-        );
+        check("draw --format csv a.json", &expect![[r#"draw "a.json" to Print(csv) n None seed None"#]]);
+        check("draw a.json out --format csv", &expect![[r#"draw "a.json" to Write("out", [csv]) n None seed None"#]]);
         check(
             "draw a.json b.json --out-dir pictures",
-            &expect![[r#"draw "a.json" to Write("pictures/a", [txt, svg]), "b.json" to Write("pictures/b", [txt, svg]) n None seed None"#]],
+            &expect![[
+                r#"draw "a.json" to Write("pictures/a", [txt, svg]), "b.json" to Write("pictures/b", [txt, svg]) n None seed None"#
+            ]],
         );
         check(
             "draw x/a.json y/a.json --out-dir d",
-            &expect![[r#"draw "x/a.json" to Write("d/x-a", [txt, svg]), "y/a.json" to Write("d/y-a", [txt, svg]) n None seed None"#]],
+            &expect![[
+                r#"draw "x/a.json" to Write("d/x-a", [txt, svg]), "y/a.json" to Write("d/y-a", [txt, svg]) n None seed None"#
+            ]],
         );
         check("info a.json b.json --json", &expect![[r#"info ["a.json", "b.json"] json true n None seed None"#]]);
         check("info -- -n", &expect![[r#"info ["-n"] json false n None seed None"#]]);
-        check(
-            "draw - --format svg",
-            &expect![[r#"draw "-" to Print(svg) n None seed None"#]],
-        );
-        check(
-            "draw a --size 40x30 --format png",
-            &expect![[r#"draw "a" to Print(png) 40 by 30 n None seed None"#]],
-        );
+        check("draw - --format svg", &expect![[r#"draw "-" to Print(svg) n None seed None"#]]);
+        check("draw a --size 40x30 --format png", &expect![[r#"draw "a" to Print(png) 40 by 30 n None seed None"#]]);
         check(
             "draw a --set x=1 --set y=a=b",
             &expect![[r#"draw "a" to Write("a", [txt, svg]) n None seed None set [("x", "1"), ("y", "a=b")]"#]],
@@ -270,10 +256,7 @@ mod tests {
             ],
         );
         check("info a --memory 2M", &expect![[r#"info ["a"] json false n None seed None memory 2097152"#]]);
-        check(
-            "draw a --compact",
-            &expect![[r#"draw "a" to Write("a", [txt, svg-compact]) compact n None seed None"#]],
-        );
+        check("draw a --compact", &expect![[r#"draw "a" to Write("a", [txt, svg-compact]) compact n None seed None"#]]);
         check(
             "draw a --compact --format svg",
             &expect![[r#"draw "a" to Print(svg-compact) compact n None seed None"#]],
@@ -283,10 +266,7 @@ mod tests {
             "--seed=4 a.json -n3 out",
             &expect![[r#"draw "a.json" to Write("out", [txt, svg]) n Some(3) seed Some(4)"#]],
         );
-        check(
-            "-- draw out",
-            &expect![[r#"draw "draw" to Write("out", [txt, svg]) n None seed None"#]],
-        );
+        check("-- draw out", &expect![[r#"draw "draw" to Write("out", [txt, svg]) n None seed None"#]]);
         check("expand a -n 3 -n 4", &expect![[r#"expand "a" n Some(4) seed None"#]]);
         check(
             "expand a --set tropism=-1 --set -x",
@@ -294,10 +274,7 @@ mod tests {
                 "error: invalid value '-x' for '--set <NAME=VALUE>': expected a name and a value such as angle_deg=30"
             ],
         );
-        check(
-            "draw a --format csv out",
-            &expect![[r#"draw "a" to Write("out", [csv]) n None seed None"#]],
-        );
+        check("draw a --format csv out", &expect![[r#"draw "a" to Write("out", [csv]) n None seed None"#]]);
         check("--help nonsense", &expect!["print Derives, draws and inspects L-systems"]);
         check("a out -h", &expect!["print Write or print pictures, meshes, segments and strings"]);
         check("info a -V", &expect!["print lsys 0.1.0"]);

@@ -23,6 +23,9 @@ pub struct Format {
     pub content: Content,
 }
 
+/// The writer of a file, or the limit that is passed.
+type Outcome = Result<Box<dyn Writer>, Diagnostic>;
+
 /// What a file is made from, and the writer.
 #[derive(Clone, Copy, Debug)]
 pub enum Content {
@@ -33,13 +36,13 @@ pub enum Content {
     /// Pixels, which a renderer makes.
     Pixels,
     /// Strokes on paper: a drawing in space is projected first.
-    Paper(fn(Arc<Drawing>, Style, &SvgOptions) -> Result<Box<dyn Writer>, Diagnostic>),
+    Paper(fn(Arc<Drawing>, Style, &SvgOptions) -> Outcome),
     /// Segments, in the plane or in space; so many at most.
     Segments {
         /// Of a drawing in the plane.
-        plane: fn(Arc<Drawing>, u64) -> Result<Box<dyn Writer>, Diagnostic>,
+        plane: fn(Arc<Drawing>, u64) -> Outcome,
         /// Of a drawing in space.
-        space: fn(Arc<Drawing<Solid>>, u64) -> Result<Box<dyn Writer>, Diagnostic>,
+        space: fn(Arc<Drawing<Solid>>, u64) -> Outcome,
     },
     /// A mesh of coloured tubes, with its name.
     Mesh(fn(Mesh, &str) -> Box<dyn Writer>),
@@ -185,12 +188,7 @@ struct Svg {
     style: Style,
 }
 
-fn svg(
-    drawing: Arc<Drawing>,
-    style: Style,
-    options: &SvgOptions,
-    form: SvgForm,
-) -> Result<Box<dyn Writer>, Diagnostic> {
+fn svg(drawing: Arc<Drawing>, style: Style, options: &SvgOptions, form: SvgForm) -> Outcome {
     let options = SvgOptions { form, ..options.clone() };
     Ok(Box::new(Svg { writer: SvgWriter::new(&drawing, &style, &options)?, drawing, style }))
 }
@@ -210,7 +208,7 @@ struct Csv<S: Space> {
     drawing: Arc<Drawing<S>>,
 }
 
-fn csv<S: Space + 'static>(drawing: Arc<Drawing<S>>, most: u64) -> Result<Box<dyn Writer>, Diagnostic> {
+fn csv<S: Space + 'static>(drawing: Arc<Drawing<S>>, most: u64) -> Outcome {
     Ok(Box::new(Csv { writer: CsvWriter::new(&drawing, most)?, drawing }))
 }
 
