@@ -33,6 +33,7 @@ pub mod style;
 mod value;
 
 mod code;
+pub mod decimal;
 mod expr;
 pub mod grammar;
 mod heading;

@@ -302,8 +302,7 @@ fn action(phrase: &str, hint: bool) -> Result<Action, Kind> {
         });
     };
     let wrong = |expected| Err(Kind::ActionNumber { expected });
-    // Rust reads `inf` and `nan` too; the range excludes what is not finite.
-    let value = digits.parse::<f64>().ok();
+    let value = crate::decimal::read(digits);
     let whole = digits.parse::<i64>().ok();
     const WHOLE: Expected = Expected::Whole(i32::MIN as i64, i32::MAX as i64);
     match form {

@@ -3,6 +3,7 @@
 use super::*;
 use lsystem_syntax::MAX_PALETTE;
 use lsystem_syntax::Value as Held;
+use lsystem_syntax::decimal;
 
 impl File {
     /// Notes keys that nothing reads (unless `known` is empty) and those that stand twice.
@@ -66,7 +67,7 @@ impl File {
             (Expected::Each(..), _) => None,
             (Expected::Palette, Value::Array(_)) => Some(Held::List(Vec::new())),
             (_, Value::StringLit(text)) => Some(Held::Text(text.value.to_string())),
-            (_, Value::NumberLit(number)) => Some(Held::Number(number.value.parse().unwrap_or(f64::NAN))),
+            (_, Value::NumberLit(number)) => Some(Held::Number(decimal::read(number.value).unwrap_or(f64::NAN))),
             (_, Value::BooleanLit(flag)) => Some(Held::Flag(flag.value)),
             _ => None,
         };

@@ -289,20 +289,19 @@ impl Reader<'_> {
             t.ch.is_alphanumeric() || t.ch == '.' || exponent_sign
         });
         let (digits, span): (String, _) = (run.iter().map(|t| t.ch).collect(), span_of(run, 0));
-        // Rust also reads `inf` and `nan`, which cannot start with a digit or a point.
-        match digits.parse::<f64>() {
-            Ok(value) if value.is_infinite() => {
+        match crate::decimal::read(&digits) {
+            Some(value) if value.is_infinite() => {
                 self.notes.add(Kind::NumberRange { text: crate::notes::excerpt(&digits) }, span);
                 None
             }
-            Ok(value) => {
+            Some(value) => {
                 // In conditions and weights it has their class.
                 if matches!(self.role, Role::Constant | Role::Argument | Role::Axiom) {
                     self.notes.class(Class::Number, span);
                 }
                 Some(Expr::Number(value))
             }
-            Err(_) => {
+            None => {
                 self.notes.add(Kind::NumberMalformed { text: crate::notes::excerpt(&digits) }, span);
                 None
             }
