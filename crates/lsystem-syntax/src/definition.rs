@@ -1,7 +1,7 @@
 //! An L-system as its author wrote it: the one flat value that files, links, controls and undo share.
 
 use crate::fields::{FIELDS, field};
-use crate::{Diagnostic, Dialect, Expected, Field, Kind, Style};
+use crate::{Diagnostic, Dialect, Field, Kind, Style};
 use serde::de::{self, Deserialize, Deserializer, IgnoredAny, MapAccess, Visitor};
 use serde::ser::{Serialize, Serializer};
 
@@ -83,14 +83,18 @@ impl Definition {
 }
 
 impl Definition {
-    /// The numbers, words and colours that are out of their range. Texts are not among them: reading them tells what is
-    /// wrong with them.
+    /// What is out of its range, in the order of [`FIELDS`].
     #[must_use]
     pub fn out_of_range(&self) -> Vec<Diagnostic> {
-        let numbers = FIELDS.iter().filter(|spec| !matches!(spec.expected, Expected::Text(_)));
-        let wrong = numbers.filter(|spec| spec.get(self).is_some_and(|value| !spec.admits(&value)));
+        let wrong = FIELDS.iter().filter(|spec| spec.get(self).is_some_and(|value| !spec.admits(&value)));
+        let place = |name: &str| match name {
+            "axiom" => Field::Axiom,
+            "rules" => Field::Rules,
+            "overrides" => Field::Overrides,
+            _ => Field::Numbers,
+        };
         let kind = |spec: &crate::FieldSpec| Kind::Range { label: spec.label, expected: spec.expected };
-        wrong.map(|spec| Diagnostic { kind: kind(spec), field: Field::Numbers, span: 0..0 }).collect()
+        wrong.map(|spec| Diagnostic { kind: kind(spec), field: place(spec.name), span: 0..0 }).collect()
     }
 }
 

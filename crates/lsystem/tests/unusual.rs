@@ -78,12 +78,13 @@ fn long_words_of_modules_are_drawn_in_steps() {
 
 #[test]
 fn long_words_are_drawn_in_parts() {
-    let plain = Definition { axiom: "F+".repeat(100_000), angle: 0.01, ..Definition::default() };
-    let drawing = draw(&system(&plain), 0, &Limits::default()).unwrap();
-    assert_eq!(drawing.segment_count(), 100_000);
+    let rules = format!("A -> {}", "F+".repeat(24_000));
+    let plain = Definition { axiom: "AAAA".into(), rules, angle: 0.01, ..Definition::default() };
+    let drawing = draw(&system(&plain), 1, &Limits::default()).unwrap();
+    assert_eq!(drawing.segment_count(), 96_000);
     // The same strokes as letter by letter.
-    let apart = Definition { rules: "F -> F : 1\nF -> F : 1".into(), ..plain };
-    let expected = draw(&system(&apart), 0, &Limits::default()).unwrap();
+    let apart = Definition { rules: plain.rules.clone() + "\nF -> F : 1\nF -> F : 1", ..plain };
+    let expected = draw(&system(&apart), 1, &Limits::default()).unwrap();
     for (a, b) in drawing.segments().zip(expected.segments()) {
         for (a, b) in a.from.iter().chain(&a.to).zip(b.from.iter().chain(&b.to)) {
             assert!((a - b).abs() < 1e-6, "{a} {b}");
@@ -110,10 +111,10 @@ fn long_words_are_drawn_in_parts() {
 fn drawings_stay_within_their_memory() {
     let rules = "F -> F[+F]F[-F]F : 0.33\nF -> F[+F]F : 0.33\nF -> F[-F]F : 0.34";
     let random = Definition { axiom: "F".into(), rules: rules.into(), angle: 25.7, ..Definition::default() };
-    let long = turning(300_000, 0.01);
-    let open = Definition { axiom: "[".repeat(1_000_000), ..Definition::default() };
-    for (definition, n) in [(random, 12), (long, 2), (open, 0)] {
-        let limits = Limits { memory: 4 << 20, ..Limits::default() };
+    let long = turning(24_000, 0.01);
+    let open = Definition { axiom: "[".repeat(20_000), ..Definition::default() };
+    for (definition, n, memory) in [(random, 12, 4 << 20), (long, 2, 1 << 20), (open, 0, 1 << 18)] {
+        let limits = Limits { memory, ..Limits::default() };
         let mut drawer = Drawer::new(&system(&definition), n, limits);
         while drawer.step(50_000) == Progress::More {
             assert!(drawer.bytes() <= limits.memory);
@@ -429,4 +430,19 @@ fn panes_of_wide_strokes_in_space_are_the_picture() {
         }
     }
     assert!(pixels == whole);
+}
+
+#[test]
+fn what_compiles_can_be_written_and_read() {
+    let mut definition = Definition { axiom: "F".into(), rules: "F".repeat(50_001), ..Definition::default() };
+    let (system, diagnostics) = System::new(&definition);
+    let told = diagnostics.iter().find(|diagnostic| matches!(diagnostic.kind, Kind::Range { .. }));
+    assert!(system.is_none());
+    assert_eq!(told.unwrap().message(), "Productions must be a text of at most 50,000 characters");
+    let (read, diagnostics) = read_json(&write_json(&definition));
+    assert!(read.is_none());
+    assert_eq!(diagnostics[0].message(), "`rules` must be a text of at most 50,000 characters");
+    definition.rules = format!("F -> {}", "F".repeat(49_995));
+    assert!(System::new(&definition).0.is_some());
+    assert_eq!(read_json(&write_json(&definition)).0, Some(definition));
 }

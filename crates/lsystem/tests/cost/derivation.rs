@@ -35,7 +35,7 @@ fn a_step_of_a_derivation_is_bounded() {
     for (Case { name, definition }, length) in all {
         let Some(system) = System::new(&definition).0 else { panic!("{name}") };
         // With the longest texts the last comes by the others.
-        let passed = if length < 100_000 || is_thorough() { 0 } else { generations(length).len() - 1 };
+        let passed = if length < 20_000 || is_thorough() { 0 } else { generations(length).len() - 1 };
         for &n in &generations(length)[passed..] {
             let mut record = Record::new("derivation", &name, n);
             if let Some(mut rewriter) = rewriter(&system, LIMITS) {

@@ -97,7 +97,7 @@ fn no_step_of_a_projection_takes_more_than_its_share_and_a_piece() {
 
 #[test]
 fn polygons_of_many_vertices_are_written_in_steps() {
-    let rules = format!("G -> {{{}}}", "F+".repeat(45_000));
+    let rules = format!("G -> {{{}}}", "F+".repeat(24_990));
     let definition = Definition { axiom: "G".into(), rules, angle: 0.01, ..Definition::default() };
     let system = System::new(&definition).0.unwrap();
     let plane = draw(&system, 1, &LIMITS).unwrap();

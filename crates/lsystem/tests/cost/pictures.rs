@@ -129,8 +129,7 @@ fn no_step_of_a_picture_exceeds_its_share_by_more_than_a_piece() {
 #[test]
 fn no_step_of_a_picture_of_the_longest_texts_does() {
     let mut most = Most::default();
-    // The longest of all draw more than the page's limit on segments.
-    for case in cases(LONGEST / 8 * 7) {
+    for case in cases(LONGEST) {
         if ["axiom", "successor", "polygons", "styles", "space"].iter().any(|kind| case.name.starts_with(kind)) {
             for n in [0, 1] {
                 check(&case, n, &[(ORDINARY, 1.0)], &mut most);
