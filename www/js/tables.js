@@ -42,9 +42,9 @@ export const DIALECTS = /* @__PURE__ */ Object.freeze({
  * @property {number} width the stroke width, in steps
  * @property {number} widthFactor what every branch multiplies the width by
  * @property {number} minWidth the width of the thinnest line, in pixels
- * @property {'solid' | 'density'} ink whether strokes cover each other (`solid`) or their ink adds up (`density`)
+ * @property {'solid' | 'density'} ink blending of overlapping strokes: opaque (`solid`) or additive (`density`)
  * @property {number} hue by how many degrees the palette's hues are turned
- * @property {number} exposure how much of ink that adds up shows, in stops: each doubles it
+ * @property {number} exposure brightness of additive blending, in stops: each doubles it
  * @property {string} name a short name, unique within its folder
  * @property {string} source where the system was published
  * @property {string} notes what a reader should know

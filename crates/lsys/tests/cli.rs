@@ -380,7 +380,7 @@ fn broken_files_are_explained() {
         1 | F = FF
           |   ^
           = help: For a production write `F -> FF`.
-        error: This backquote has no partner
+        error: This backquote is never closed
          --> crates/lsys/tests/broken/wrong_rules.json, rules:2:6
           |
         2 | F -> `F
@@ -677,5 +677,5 @@ fn compact_pictures_stay_small_and_say_what_they_cost() {
     assert!(flat.len() > 10 * compact.len(), "{} {}", flat.len(), compact.len());
     let output = lsys(&["draw", "data_in/abop/1.24c.json", "-n", "40", "--format", "svg", "--compact"]);
     assert!(output.stdout.len() < 200_000 && output.status.success());
-    assert!(text(&output.stderr).starts_with("warning: Whoever shows this picture has to make "));
+    assert!(text(&output.stderr).starts_with("warning: This SVG may open slowly ("));
 }

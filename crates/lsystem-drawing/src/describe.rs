@@ -228,11 +228,11 @@ pub fn describe(system: &System, n: u32, segments: &Tally, blocks: Option<usize>
     let form = if width > 3.0 * height {
         "much wider than high"
     } else if height > 3.0 * width {
-        "much higher than wide"
+        "much taller than wide"
     } else if width > 1.25 * height {
         "wider than high"
     } else if height > 1.25 * width {
-        "higher than wide"
+        "taller than wide"
     } else {
         "about as wide as high"
     };

@@ -15,9 +15,9 @@ use crate::{Definition, Expected};
 pub struct FieldSpec {
     /// Its name in the page's state and for `--set`.
     pub name: &'static str,
-    /// Its key in links, and its attribute of the `<l-system>` element but for [`FieldSpec::attribute`].
+    /// Its key in links.
     pub link: &'static str,
-    /// Where it stands in files, and its key there; `None` for what only links hold.
+    /// The object that holds it in files, and its key there; `None` for what only links hold.
     pub file: Option<(Section, &'static str)>,
     /// Its values.
     pub expected: Expected,

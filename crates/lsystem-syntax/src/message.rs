@@ -46,12 +46,12 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             format!("Only {picture} files that were saved here carry the system they show."),
         ),
         Kind::Instances { count } => hinted(
-            format!("Whoever shows this picture has to make {} copies of blocks", grouped(&count.to_string())),
-            "That takes browsers seconds or minutes; fewer iterations or a smaller size make fewer.".into(),
+            format!("This SVG may open slowly ({} shapes)", grouped(&count.to_string())),
+            "Fewer iterations or a smaller size make fewer.".into(),
         ),
         Kind::CoveringInk => hinted(
-            "SVG has no ink that adds up: strokes cover each other in this file".into(),
-            "A PNG picture shows how much ink there is.".into(),
+            "SVG has no additive blending: strokes cover each other in this file".into(),
+            "PNG keeps the blending.".into(),
         ),
         Kind::More { left_out } => said(format!("And {left_out} more")),
 
@@ -67,7 +67,7 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             "Write each symbol in its own backquotes, or by its number, as in `U+0A`.".into(),
         ),
         Kind::LiteralUnclosed => hinted(
-            "This backquote has no partner".into(),
+            "This backquote is never closed".into(),
             "Backquotes make one character a symbol: `:`. The backquote itself is ```.".into(),
         ),
         Kind::ParenthesisUnclosed => {

@@ -12,7 +12,7 @@ const NOTES = {
     generation: 'By the iteration that made a symbol. A symbol that a rule puts in its own place stays as old as it was.',
     path: 'All colours as a gradient, from the first segment to the last.',
     turn: 'The first colour at the start, others after turns. A branch ends in the colour it began with.',
-    density: 'Where ink adds up: all colours as a gradient, from the least ink to the most.',
+    density: 'With additive blending: all colours as a gradient, from the least ink to the most.',
     single: '',
 };
 
@@ -46,7 +46,7 @@ export function lookPanel(store) {
         setChoice(inkKind, solid ? 'solid' : state.ink);
         inkKind.disabled = solid;
         html('exposure-row').hidden = !adds;
-        setText(html('ink-note'), solid ? 'Drawings in space have ink that covers.' : adds ? 'Strokes that lie upon each other show as more ink. Pictures (PNG) have it; SVG files have ink that covers.' : '');
+        setText(html('ink-note'), solid ? 'Drawings in space are opaque.' : adds ? 'Overlapping strokes add up. PNG pictures keep this; SVG files are opaque.' : '');
         for (const option of colourBy.options) if (option.value === 'density') option.disabled = !adds && state.colourBy !== 'density';
     };
 

@@ -424,7 +424,7 @@ pub static FIELDS: [FieldSpec; 38] = [
         expected: Expected::Word(&Ink::NAMES),
         affects: Affects::Look,
         label: "Blending",
-        help: "whether strokes cover each other (`solid`) or their ink adds up (`density`)",
+        help: "blending of overlapping strokes: opaque (`solid`) or additive (`density`)",
         access: Some(at!(style.ink)),
         ..FIELD
     },
@@ -450,7 +450,7 @@ pub static FIELDS: [FieldSpec; 38] = [
         unit: "stops",
         affects: Affects::Look,
         label: "Exposure (stops)",
-        help: "how much of ink that adds up shows, in stops: each doubles it",
+        help: "brightness of additive blending, in stops: each doubles it",
         access: Some(at!(style.exposure)),
         ..FIELD
     },
