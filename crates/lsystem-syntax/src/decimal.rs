@@ -240,7 +240,7 @@ mod tests {
                 // The middle between this double and the next, where the digits end.
                 let next = f64::from_bits(bits.wrapping_add(1));
                 if next.is_finite() {
-                    check(&format!("{:.1100e}", value));
+                    check(&format!("{value:.1100e}"));
                     check(&format!("{:.30e}", value / 2.0 + next / 2.0));
                 }
             }
