@@ -486,10 +486,10 @@ fn polygons_without_an_area_show_nothing() {
 /// However many contents a block has, a step does not make more of the scene than it may.
 #[test]
 fn long_blocks_are_made_ready_in_steps() {
-    let long = drawing(&system(Dialect::Abop, "A", &format!("A -> &{}", "F+".repeat(40_000)), 7.0), 1);
+    let long = drawing(&system(Dialect::Abop, "A", &format!("A -> &{}", "F+".repeat(24_000)), 7.0), 1);
     let mut renderer = SolidRenderer::new();
     renderer.load(long.clone());
-    for upto in [None, Some(30_000)] {
+    for upto in [None, Some(20_000)] {
         renderer.play(upto);
         renderer.begin(&Style::default(), SIZE, &Camera::default(), Quality::FINEST);
         let (mut most, mut before) = (0, renderer.spent());
