@@ -96,6 +96,8 @@ fn wasm(workspace: &Workspace) -> Result<()> {
     // `--tests`: examples in the documentation run natively.
     run(workspace
         .cargo(["test", "--no-fail-fast", "--tests", "--package=lsystem-wasm", "--target", tools::WASM_TARGET])
+        // The runner reads a binary with debug information for half a minute.
+        .env("CARGO_PROFILE_DEV_DEBUG", "0")
         .env("WASM_BINDGEN_TEST_WEBDRIVER_JSON", capabilities_file)
         .env("CHROMEDRIVER", browser.driver)
         .env("TMPDIR", temporary.path())
