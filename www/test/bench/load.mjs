@@ -22,7 +22,7 @@ const TYPES = { html: 'text/html; charset=utf-8', js: 'text/javascript; charset=
 /** @type {Record<string, (bytes: Buffer) => Promise<Buffer>>} */
 const PACKERS = { br: (bytes) => promisify(brotliCompress)(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 11 } }), gzip: (bytes) => promisify(gzip)(bytes, { level: 9 }) };
 
-const launch = () => chromium.launchServer({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-background-networking', '--disable-sync'] });
+const launch = () => chromium.launchServer({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell', args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-background-networking', '--disable-sync'] });
 /** @param {number[]} values */
 const median = (values) => Math.round([...values].sort((a, b) => a - b)[values.length >> 1] ?? 0);
 

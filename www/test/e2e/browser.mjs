@@ -26,7 +26,7 @@ export const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor:
 let browser;
 
 /** @returns {Promise<import('playwright-core').Browser>} */
-const launch = () => (browser ??= chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ARGUMENTS }));
+const launch = () => (browser ??= chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell', args: ARGUMENTS }));
 
 export async function close() {
     await (await browser)?.close();

@@ -23,7 +23,7 @@ if (!Number.isInteger(seed) || Number.isNaN(end)) throw new Error('--seed takes 
 const MOST_ACTIONS = 60;
 
 const address = process.env.LSYSTEM_URL ?? 'http://127.0.0.1:8080/';
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'] });
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell', args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'] });
 const host = await serveHost(address);
 const log = new Log(values.verbose);
 try {
