@@ -1,89 +1,90 @@
-//! Random access into a generation too long to be written down.
+//! Random access into a generation that may be too long to store.
 //!
-//! The counts of every letter's derivation say which letter holds a given position, so a position is found by going
-//! down from the axiom, once per generation, however long the string is.
+//! The counts of each letter's derivation tell which letter contains a given position. A search therefore goes down
+//! from the axiom, one generation at a time, however long the string is.
 
 use crate::counts::Depths;
 use crate::{Key, LetterId, Rule, Rules, Template};
 use core::ops::Range;
 use lsystem_syntax::{Code, MAX_ITERATIONS, Meter};
 
-/// Generation `n` of a system whose letters always have the same successors, read in place. Modules may have
-/// parameters, even random ones, but what becomes of them must not depend on these.
+/// Generation `n` of a system in which each letter always has the same successor, read without expanding the string.
+/// Modules may have parameters, even random ones, but the letters of a successor must not depend on parameters.
 #[derive(Clone, Debug)]
 pub struct Word<'a> {
     rules: &'a Rules,
     seed: u32,
     n: u32,
-    /// Symbols derived; `u128::MAX` stands for that many or more.
+    /// Numbers of symbols derived; `u128::MAX` means that many or more.
     symbols: Depths,
-    /// Segments drawn; `u128::MAX` stands for that many or more.
+    /// Numbers of segments drawn; `u128::MAX` means that many or more.
     segments: Depths,
 }
 
-/// The units of work that the counts may take: some ten milliseconds.
+/// The most units of work for the counts, about ten milliseconds.
 const MOST: u64 = 1 << 20;
 
-/// One link of the chain from the axiom to a symbol: where it stood in a generation, and what put it there.
+/// A symbol's ancestor in one generation: its place and the production that made it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ancestor {
     /// The generation, 0 for the axiom.
     pub generation: u32,
     /// The symbol.
     pub symbol: char,
-    /// Its arguments.
+    /// The symbol's arguments.
     pub arguments: Vec<f64>,
-    /// Its position in the string of that generation, 0-based.
+    /// The symbol's position in the string of that generation, 0-based.
     pub index: u128,
-    /// The production that made it, as an index into [`Grammar::productions`](lsystem_syntax::Grammar::productions); `None`
-    /// for a symbol of the axiom and for one that stayed because no production rewrites it.
+    /// The production that made the symbol, as an index into
+    /// [`Grammar::productions`](lsystem_syntax::Grammar::productions). `None` for a symbol of the axiom, and for a
+    /// symbol that stayed because no production rewrites it.
     pub production: Option<usize>,
-    /// Its place in that production's successor, or in the axiom, 0-based; 0 for a symbol that stayed.
+    /// The symbol's place in that production's successor or in the axiom, 0-based; 0 for a symbol that stayed.
     pub position: usize,
 }
 
-/// What a symbol of an earlier generation has become: positions in the string and numbers of segments, both 0-based
+/// The part of a generation that derives from one symbol of an earlier generation. Positions and segments are 0-based
 /// and saturating.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// The symbols derived from it.
+    /// The positions of the derived symbols.
     pub symbols: Range<u128>,
-    /// The segments that they draw.
+    /// The segments that these symbols draw, in drawing order.
     pub segments: Range<u128>,
 }
 
-/// A module on the way down.
+/// A module on the path from the axiom.
 #[derive(Clone, Debug)]
 struct Node {
     symbol: LetterId,
     arguments: Vec<f64>,
-    /// Without meaning where no argument is random.
+    /// The random key; unused if no argument is random.
     key: Key,
 }
 
-/// The modules of the axiom or of a successor, made one by one: of a long one most are only passed by.
+/// The modules of the axiom or of a successor, made on demand: most modules of a long word are skipped.
 struct Nodes<'a> {
     rules: &'a Rules,
     seed: u32,
     letters: &'a [LetterId],
-    /// How the arguments of those to come are computed.
+    /// The compiled arguments of the modules that follow.
     codes: &'a [Code],
-    /// What they replace; nothing for the axiom.
+    /// The predecessor; `None` for the axiom.
     parent: Option<Node>,
-    /// The derivation step that makes them, 0 for the axiom.
+    /// The derivation step that makes these modules, 0 for the axiom.
     step: u32,
-    /// How many have been passed.
+    /// The number of modules returned or skipped.
     passed: usize,
 }
 
 impl<'a> Nodes<'a> {
-    /// The letter of the next.
+    /// The letter of the next module.
     fn symbol(&self) -> Option<LetterId> {
         self.letters.get(self.passed).copied()
     }
 
-    /// Passes the next by; how the arguments of that one are computed.
-    fn pass(&mut self) -> &'a [Code] {
+    /// Skips the next module. Returns its compiled arguments.
+    fn skip_module(&mut self) -> &'a [Code] {
         let arity = self.symbol().map_or(0, |letter| self.rules.arity(letter));
         let (own, rest) = self.codes.split_at(arity.min(self.codes.len()));
         self.codes = rest;
@@ -101,17 +102,22 @@ impl Iterator for Nodes<'_> {
         let key = self.parent.as_ref().map_or_else(|| Key::root(place), |parent| parent.key.child(step, place));
         let maker = self.parent.as_ref().map_or(key, |parent| parent.key);
         let random = |place| maker.number(seed, step, place);
-        let codes = self.pass();
+        let codes = self.skip_module();
         let slots = self.parent.as_ref().map_or(&[][..], |parent| &parent.arguments);
         Some(Node { symbol, arguments: codes.iter().map(|code| code.value(slots, &random)).collect(), key })
     }
 }
 
 impl<'a> Word<'a> {
-    /// Generation `n`, where letters draw so many segments (`drawn`). `None` where that is not known or chance, conditions
-    /// or neighbours decide what becomes of a symbol ([`History`](crate::History) reads such systems), where branches are
-    /// cut, where `n` is above [`MAX_ITERATIONS`], or where there are so many letters and steps that the counts of all would
-    /// take more than 16 megabytes. Also the units of work that this takes.
+    /// Generation `n`, and the units of work spent. `drawn` is the number of segments that each letter draws. The word
+    /// is
+    /// `None` in these cases:
+    /// - `drawn` is unknown.
+    /// - Chance, conditions or neighbours decide the successor of a symbol. [`History`](crate::History) reads such
+    ///   systems.
+    /// - Branches are cut.
+    /// - `n` is above [`MAX_ITERATIONS`].
+    /// - The counts would take more than 16 MiB or 2^20 units of work.
     #[must_use]
     pub fn new(rules: &'a Rules, seed: u32, n: u32, drawn: Option<&[u64]>) -> (Option<Self>, u64) {
         let mut meter = Meter::new(MOST);
@@ -128,26 +134,26 @@ impl<'a> Word<'a> {
         Some(Self { rules, seed, n, symbols, segments })
     }
 
-    /// How many symbols a letter derives in `depth` steps, at most `n`; saturating.
+    /// The number of symbols that a letter derives in `depth` steps, saturating. `depth` is at most `n`.
     #[must_use]
     pub fn derived(&self, letter: LetterId, depth: u32) -> u128 {
         self.symbols.get(depth as usize, letter)
     }
 
-    /// How many symbols it has; `u128::MAX` stands for that many or more, of which only the first can be reached.
+    /// The number of symbols. `u128::MAX` means that many or more; further symbols cannot be reached.
     #[must_use]
     pub fn symbols(&self) -> u128 {
         self.symbols.sum(self.n as usize, &self.rules.axiom.letters)
     }
 
-    /// How many segments it draws; `u128::MAX` stands for that many or more.
+    /// The number of segments drawn; `u128::MAX` means that many or more.
     #[must_use]
     pub fn segments(&self) -> u128 {
         self.segments.sum(self.n as usize, &self.rules.axiom.letters)
     }
 
-    /// The symbols from position `start` (0-based) on, at most `length` of them, fewer at the end; with their arguments
-    /// in parentheses, where there are any.
+    /// The text of at most `length` symbols from position `start` (0-based) on, fewer at the end. Arguments stand in
+    /// parentheses.
     #[must_use]
     pub fn slice(&self, start: u128, length: usize) -> String {
         let mut text = String::new();
@@ -158,10 +164,10 @@ impl<'a> Word<'a> {
         text
     }
 
-    /// Hands over the modules from position `start` (0-based) on, at most `length` of them, fewer at the end.
+    /// Calls `visit` for at most `length` modules from position `start` (0-based) on, fewer at the end.
     pub fn modules(&self, start: u128, length: usize, visit: &mut dyn FnMut(char, &[f64])) {
         let mut left = length;
-        // What is still to be read, the innermost last, with the steps to go.
+        // The words to be read with the steps that remain, innermost last.
         let mut open = vec![(self.axiom(), self.n)];
         let mut skip = start;
         while left > 0 {
@@ -174,7 +180,7 @@ impl<'a> Word<'a> {
             let count = self.symbols.get(depth as usize, symbol);
             if skip >= count {
                 skip -= count;
-                nodes.pass();
+                nodes.skip_module();
                 continue;
             }
             let Some(node) = nodes.next() else { break };
@@ -188,7 +194,8 @@ impl<'a> Word<'a> {
         }
     }
 
-    /// The chain from the axiom to the symbol at `index`, a link for each generation; empty beyond the end.
+    /// The ancestors of the symbol at `index`, from the axiom on, one for each generation; empty if there is no such
+    /// symbol.
     #[must_use]
     pub fn ancestry(&self, index: u128) -> Vec<Ancestor> {
         self.descend(index, &self.symbols)
@@ -200,7 +207,7 @@ impl<'a> Word<'a> {
         Some(self.descend(segment, &self.segments).last()?.index)
     }
 
-    /// How many segments the symbols before position `index` draw.
+    /// The number of segments that the symbols before position `index` draw.
     #[must_use]
     pub fn segments_before(&self, index: u128) -> u128 {
         let mut segments = 0_u128;
@@ -222,8 +229,8 @@ impl<'a> Word<'a> {
         }
     }
 
-    /// What the symbol at `index` of an earlier `generation` (or of this one) has become; `None` where there is no such
-    /// symbol.
+    /// The part of this generation that derives from the symbol at `index` of `generation`, at most `n`; `None` if
+    /// there is no such symbol.
     #[must_use]
     pub fn part(&self, generation: u32, index: u128) -> Option<Part> {
         let mut word = self.rules.axiom.letters.as_slice();
@@ -253,12 +260,12 @@ impl<'a> Word<'a> {
         None
     }
 
-    /// Goes down to the letter that holds place `place` when letters are counted by `counts`.
+    /// The ancestors of the letter that contains `place`, where `counts` are the sizes of letters.
     fn descend(&self, place: u128, counts: &Depths) -> Vec<Ancestor> {
         let mut chain: Vec<Ancestor> = Vec::new();
-        // By generation: how many of its symbols stand before the current letter.
+        // By generation: the number of symbols before the current letter.
         let mut before = vec![0_u128; self.n as usize + 1];
-        // By letter: how often it has been passed by in a word.
+        // By letter: the number of times it was skipped in the current word.
         let mut passed = vec![0_u32; self.rules.letters.len()];
         let (mut nodes, mut made_by) = (self.axiom(), None);
         let mut skip = place;
@@ -272,7 +279,7 @@ impl<'a> Word<'a> {
                 }
                 skip -= count;
                 passed[usize::from(symbol)] += 1;
-                nodes.pass();
+                nodes.skip_module();
             }
             let position = nodes.passed;
             for &symbol in &nodes.letters[..position] {
@@ -285,7 +292,7 @@ impl<'a> Word<'a> {
             }
             let Some(node) = nodes.next() else { return Vec::new() };
             let successor = self.successor(node.symbol, depth);
-            // What stays does so to the end.
+            // A letter without a successor stays to the end.
             let last = if successor.is_some() { generation } else { self.n };
             for at in generation..=last {
                 chain.push(Ancestor {
@@ -328,7 +335,7 @@ impl<'a> Word<'a> {
         Nodes { rules: self.rules, seed: self.seed, letters, codes, parent: Some(parent), step, passed: 0 }
     }
 
-    /// What a letter with `depth` steps to go becomes in the next; `None` where it stays as it is to the end.
+    /// The successor of a letter with `depth` steps remaining; `None` if the letter stays to the end.
     #[must_use]
     pub fn successor(&self, symbol: LetterId, depth: u32) -> Option<&'a [LetterId]> {
         self.rules.rewrites[usize::from(symbol)].always().filter(|_| depth > 0)
@@ -342,7 +349,7 @@ mod tests {
     use lsystem_syntax::Limits;
     use proptest::prelude::*;
 
-    /// Nothing draws.
+    /// A word whose letters draw nothing.
     fn word(system: &System, n: u32) -> Word<'_> {
         Word::new(&system.rules, 0, n, Some(&vec![0; system.rules.letters.len()])).0.unwrap()
     }
@@ -363,7 +370,7 @@ mod tests {
 
     #[test]
     fn long_productions_are_read_in_place() {
-        // Modules that were all kept on the way down took gigabytes here.
+        // Keeping all modules on the path took gigabytes here.
         let long = system("F", &[('F', &"F+".repeat(100_000), None)], 0);
         let word = word(&long, 1000);
         assert_eq!(word.slice(1, 4), "+F+F");

@@ -1,4 +1,4 @@
-//! Making a grammar ready: letters become small integers, names become slots.
+//! Compiling a grammar: letters become small integers, names become slots.
 
 use crate::rewrite::Rewrite;
 use crate::rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
@@ -10,12 +10,13 @@ use lsystem_syntax::{Code, Meaning, Unusable};
 use lsystem_syntax::{Grammar, Module, Pattern, Production};
 
 impl Rules {
-    /// Compiles `grammar`. `spans` says where its productions stand in the text, then those for drawing; `cuts` which
-    /// symbols cut off the rest of their branch. Where each symbol is drawn in one way only, the images are left to
-    /// whoever knows what symbols do, unless they are to be made `apart`, module by module.
+    /// Compiles `grammar`. `spans` are the spans of its productions in the text, followed by the spans of its
+    /// productions for drawing. `cuts` tells which symbols cut off the rest of their branch. If the grammar is plain,
+    /// productions for drawing are left out, because the drawing gives their actions to the letters; `apart` compiles
+    /// them nevertheless.
     ///
     /// # Errors
-    /// Where an expression cannot be computed.
+    /// If an expression has an unknown name or is nested too deeply.
     pub fn new(
         grammar: &Grammar,
         spans: Vec<Range<usize>>,
@@ -71,7 +72,7 @@ fn letter_of_module(module: &Module) -> Letter {
 
 struct Compiler<'a> {
     constants: Values<'a>,
-    /// Sorted.
+    /// All letters, sorted. A letter's ID is its index.
     letters: &'a [Letter],
 }
 

@@ -1,18 +1,19 @@
-//! Exact counts of any generation, without expanding it.
+//! Exact counts of any generation without derivation.
 //!
-//! What a letter derives in d steps is what its successor's letters derive in d - 1 steps, so a count is a sum over
-//! the successor: d times |alphabet| additions, however long the string.
+//! The count of a letter after d steps is the sum of the counts of its successor's letters after d - 1 steps. A count
+//! therefore takes one pass over all successors for each step, independent of the string's length.
 
 use crate::{LetterId, Rewrite, Rules, Tally};
 use lsystem_syntax::{MAX_COUNTING, Meter, Progress};
 
-/// A count of a generation in the making, in steps. It holds no references, so it can rest between two of them.
+/// A count of a generation, made in resumable steps. It holds no references, so that callers may store it between two
+/// steps.
 #[derive(Clone, Debug)]
 pub struct Counter {
     sums: Sums,
-    /// By letter: the sum over what it derives in so many steps as have been gone.
+    /// By letter: its sum after `steps` derivation steps; `None` if unknown.
     totals: Vec<Option<Tally>>,
-    /// The same after one step more, as far as it is known.
+    /// By letter: its sum after one more step, as far as computed.
     next: Vec<Option<Tally>>,
     steps: u32,
     n: u32,
@@ -24,25 +25,26 @@ pub struct Counter {
     spent: u64,
 }
 
-/// What is added next: of which letter that is rewritten, in which of its alternatives, which letter.
+/// The place of the next addition: the index of the rewritten letter, of its alternative, and of the entry in it.
 #[derive(Clone, Debug, Default)]
 struct Place {
     letter: usize,
     alternative: usize,
     entry: usize,
-    /// The sum of this alternative so far, and that of the first.
+    /// The sum of this alternative so far, and the sum of the first alternative.
     sum: Tally,
     first: Option<Tally>,
 }
 
 impl Counter {
-    /// Ready to count the symbols of generation `n`, modules with parameters counted as one.
+    /// A counter of the symbols of generation `n`. A module with arguments counts as one symbol.
     #[must_use]
     pub fn symbols(rules: &Rules, n: u32) -> Self {
         Self::weighing(rules, n, Some(&vec![1; rules.letters.len()]))
     }
 
-    /// Ready to add up `weights` of letters over generation `n`; where there are none, nothing is known.
+    /// A counter of the sum of `weights`, one for each letter, over generation `n`. Without weights the count is
+    /// `None`.
     #[must_use]
     pub fn weighing(rules: &Rules, n: u32, weights: Option<&[u64]>) -> Self {
         let known = weights.is_some() && !rules.is_cutting();
@@ -53,14 +55,14 @@ impl Counter {
         Self { sums: Sums::new(rules), totals, next, steps: 0, n, at, bytes: 0, count, spent: 0 }
     }
 
-    /// The count; `None` while it is being made, where it depends on random choices, contexts, conditions or cut branches,
-    /// and where the numbers on the way would take more than [`MAX_COUNTING`].
+    /// The count. `None` while counting, if the count depends on random choices, contexts, conditions or cut branches,
+    /// or if the intermediate numbers take more than [`MAX_COUNTING`] bytes.
     #[must_use]
     pub fn count(&self) -> Option<&Tally> {
         self.count.as_ref()?.as_ref()
     }
 
-    /// Whether nothing is left to do.
+    /// Whether counting has ended.
     #[must_use]
     pub fn is_done(&self) -> bool {
         self.count.is_some()
@@ -72,14 +74,14 @@ impl Counter {
         self.spent
     }
 
-    /// Counts to the end.
+    /// Counts to the end, and returns the count as [`Counter::count`] does.
     #[must_use]
     pub fn finish(mut self) -> Option<Tally> {
         while self.step(u64::MAX) == Progress::More {}
         self.count.flatten()
     }
 
-    /// Counts on, for about `work` units, and says whether there is more to do.
+    /// Counts for about `work` units of work.
     pub fn step(&mut self, work: u64) -> Progress {
         let mut meter = Meter::new(work);
         while self.count.is_none() && !meter.is_spent() {
@@ -89,7 +91,7 @@ impl Counter {
         if self.count.is_some() { Progress::Done } else { Progress::More }
     }
 
-    /// Goes on with the sum of one letter, or of the axiom at the end.
+    /// Continues the sum of one letter, or at the end the sum of the axiom.
     fn add(&mut self, meter: &mut Meter) {
         meter.charge(1);
         let Self { sums, totals, next, at, .. } = self;
@@ -99,7 +101,7 @@ impl Counter {
             _ if last => core::slice::from_ref(&sums.axiom),
             Some(letter) => &sums.alternatives[letter],
             None => {
-                // The row is whole.
+                // All letters have their sums for this step.
                 for &letter in &sums.rewritten {
                     core::mem::swap(&mut totals[usize::from(letter)], &mut next[usize::from(letter)]);
                 }
@@ -149,8 +151,8 @@ impl Counter {
     }
 }
 
-/// By generation from 0: the sum of `weight` over its letters, up to the first sum above `limit` or generation `n`.
-/// Ends early with what is known where a sum depends on random choices, or where the meter is spent.
+/// The sums of `weight` over the letters of generations 0, 1 and so on, up to generation `n` or the first sum above
+/// `limit`. An error if a sum depends on random choices, or if the meter is spent.
 pub(crate) fn counts_until(
     rules: &Rules,
     n: u32,
@@ -178,8 +180,9 @@ pub(crate) fn counts_until(
     Ok(generations)
 }
 
-/// For each generation up to `last`: whether its letters weigh anything, as `nonzero(generation, known)` where that is
-/// known; ends where `nonzero` says so, or the meter is spent (false).
+/// Calls `nonzero(generation, is_nonzero)` for generations 0 to `last`. `is_nonzero` tells whether the sum of `weight`
+/// over the generation's letters is above 0; `None` if it is unknown. Stops if `nonzero` returns true. Returns false if
+/// the meter was spent first.
 pub fn weigh_until(
     rules: &Rules,
     last: u32,
@@ -204,17 +207,17 @@ pub fn weigh_until(
     true
 }
 
-/// A count depends on random choices, or takes too long.
+/// The error for a count that depends on random choices or takes too long.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Unknown;
 
 /// The most cells of [`Depths`], 16 bytes each.
 pub(crate) const MAX_CELLS: usize = 1 << 19;
 
-/// By depth from 0 to `n`, then letter: a sum over what the letter derives in that many steps, saturating.
+/// By depth from 0 to `n`, then by letter: the saturating sum of the letter after `depth` derivation steps.
 #[derive(Clone, Debug)]
 pub(crate) struct Depths {
-    /// By letter: its column; [`FIXED`] where it has the same sum at every depth.
+    /// By letter: its column; [`FIXED`] if its sum is the same at every depth.
     columns: Vec<u32>,
     width: usize,
     cells: Vec<u128>,
@@ -225,8 +228,9 @@ pub(crate) struct Depths {
 const FIXED: u32 = u32::MAX;
 
 impl Depths {
-    /// The sums of `weight` of letters that occur. Letters with random choices count as themselves. `None` where they are
-    /// more than [`MAX_CELLS`], or the meter is spent.
+    /// The sums of `weight` for all letters that may occur. Letters with several possible successors count as
+    /// themselves.
+    /// `None` if there are more than [`MAX_CELLS`] sums, or if the meter is spent.
     pub(crate) fn new(rules: &Rules, n: u32, weight: impl Fn(LetterId) -> u64, meter: &mut Meter) -> Option<Self> {
         let own: Vec<u64> = (0..rules.letters.len()).map(|symbol| weight(symbol as LetterId)).collect();
         let sums = Sums::new(rules);
@@ -256,7 +260,7 @@ impl Depths {
         Some(depths)
     }
 
-    /// The sum over what `letter` derives in `depth` steps.
+    /// The sum of `letter` after `depth` derivation steps.
     pub(crate) fn get(&self, depth: usize, letter: LetterId) -> u128 {
         match self.columns[usize::from(letter)] {
             FIXED => u128::from(self.own[usize::from(letter)]),
@@ -264,29 +268,29 @@ impl Depths {
         }
     }
 
-    /// Where the sum of a letter stands among all, if it depends on the depth.
+    /// The index of a letter's sum among all cells; `None` if the sum is the same at every depth.
     pub(crate) fn cell(&self, depth: usize, letter: LetterId) -> Option<usize> {
         let column = self.columns[usize::from(letter)];
         (column != FIXED).then(|| depth * self.width + column as usize)
     }
 
-    /// How many sums there are that depend on the depth.
+    /// The number of cells: sums that depend on the depth.
     pub(crate) fn cells(&self) -> usize {
         self.cells.len()
     }
 
-    /// The sum over what a word derives in `depth` steps, saturating.
+    /// The saturating sum of a word after `depth` derivation steps.
     pub(crate) fn sum(&self, depth: usize, word: &[LetterId]) -> u128 {
         word.iter().fold(0, |sum: u128, &letter| sum.saturating_add(self.get(depth, letter)))
     }
 }
 
-/// What sums need of a number.
+/// A number that sums are made of.
 trait Total: Clone + PartialEq + From<u64> {
     fn add_times(&mut self, times: u32, other: &Self);
 }
 
-/// A number that stays at its greatest value instead of overflowing.
+/// A number that saturates instead of overflowing.
 #[derive(Clone, Copy, PartialEq)]
 struct Saturating(u128);
 
@@ -302,11 +306,11 @@ impl Total for Saturating {
     }
 }
 
-/// By letter: how often each letter occurs in its successor; several rows where the choice is random.
+/// By letter: the letters of each possible successor with their numbers of occurrences.
 #[derive(Clone, Debug)]
 struct Sums {
     alternatives: Vec<Vec<Multiset>>,
-    /// The letters that have any.
+    /// The letters that have alternatives.
     rewritten: Vec<LetterId>,
     axiom: Multiset,
 }
@@ -319,7 +323,7 @@ impl Sums {
         let mut times = vec![0; rules.letters.len()];
         let alternatives: Vec<Vec<Multiset>> = (rules.rewrites.iter().zip(reachable))
             .map(|(rewrite, reached)| match rewrite {
-                // What never occurs need not be counted, and may be very much.
+                // Unreachable letters need no count, and their successors may be long.
                 _ if !reached => vec![],
                 Rewrite::Keep => vec![],
                 Rewrite::Always(successor) => vec![multiset(successor, &mut times)],
@@ -339,14 +343,14 @@ impl Sums {
         (0..self.alternatives.len()).map(|symbol| Some(T::from(weight(symbol as LetterId)))).collect()
     }
 
-    /// The units of one step.
+    /// The units of work of one step.
     fn size(&self) -> u64 {
         let entries: usize =
             self.rewritten.iter().flat_map(|&l| &self.alternatives[usize::from(l)]).map(|m| m.len() + 1).sum();
         (entries + self.axiom.len()) as u64 / 4 + 1
     }
 
-    /// Goes one step on.
+    /// Advances all sums by one derivation step.
     fn step<T: Total>(&self, totals: &mut [Option<T>]) {
         let of = |&letter: &LetterId| {
             let (first, rest) = self.alternatives[usize::from(letter)].split_first()?;
@@ -366,7 +370,8 @@ fn sum<T: Total>(letters: &Multiset, totals: &[Option<T>]) -> Option<T> {
     Some(sum)
 }
 
-/// The letters of `word` with how often each occurs, sorted; `counted` are zeros by letter, before and after.
+/// The letters of `word` with their numbers of occurrences, sorted. `counted` is scratch: zeros by letter, before and
+/// after.
 fn multiset(word: &[LetterId], counted: &mut [u32]) -> Multiset {
     let mut letters = Multiset::new();
     for &symbol in word {

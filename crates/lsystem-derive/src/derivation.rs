@@ -1,8 +1,8 @@
 //! Derivation: from the axiom to the string of generation n.
 //!
-//! A letter without random choices below it always derives the same text, so that text is written once and copied
-//! ever after: expansion runs near the speed of memory. Random choices are keyed by place (`key.rs`), so letters can
-//! be derived one after the other, depth first, and no generation in between is ever held.
+//! A letter without random choices in its derivation always derives the same text. The text is written once and then
+//! copied, so that expansion runs near the speed of memory. Random choices are keyed by place (`key.rs`), so that
+//! letters are derived depth first, and no intermediate generation is held in memory.
 
 use crate::counts::{Depths, counts_until};
 use crate::walk::{Next, Walk};
@@ -11,13 +11,13 @@ use lsystem_syntax::{Diagnostic, Kind, LimitName};
 use lsystem_syntax::{Field, Grammar, Limits, MAX_ITERATIONS, Meter};
 use std::sync::Arc;
 
-/// Texts up to this many bytes are copied whole; longer ones are composed of them. The source of a copy then stays
-/// in the processor's nearest cache, and only the writing costs.
+/// The longest text that is copied whole, in bytes. Longer texts are composed of such copies, so that the source of a
+/// copy stays in the first-level cache.
 const COPIED: u128 = 16 << 10;
 
-/// What one derivation step makes of `symbol`. `roll`, uniform in `0.0..1.0`, selects among the successors of a
-/// stochastic production; others ignore it. A symbol that no production rewrites stays. It stands alone and without
-/// parameters: productions with contexts do not apply to it, and [`expand_once`] reads words of modules.
+/// The successor of `symbol` in one derivation step, as text. `roll`, uniform in `0.0..1.0`, selects among stochastic
+/// productions. A symbol without a production stays. The symbol has neither neighbours nor parameters, so productions
+/// with contexts do not apply; for words of modules there is [`expand_once`].
 #[must_use]
 pub fn expand_symbol(rules: &Rules, symbol: char, roll: f64) -> String {
     if !rules.is_plain() {
@@ -30,10 +30,10 @@ pub fn expand_symbol(rules: &Rules, symbol: char, roll: f64) -> String {
     }
 }
 
-/// What derivation step `step` (1-based) makes of `word`, which is read as an axiom: its symbols have the keys of an
-/// axiom's symbols. Where productions look around themselves or compute, it is a word of modules in the notation, with
-/// arguments in parentheses; one that cannot be read, or from which no finite numbers come, stays, and so does one of
-/// which more would come than [`Limits::default`] allows.
+/// The text of `word` after derivation step `step` (1-based). The symbols of `word` have the random keys of an axiom's
+/// symbols. If the rules are not [plain](Rules::is_plain), `word` is read in the notation, with arguments in
+/// parentheses. The word stays if it is malformed, if a number is not finite, or if the result exceeds
+/// [`Limits::default`].
 #[must_use]
 pub fn expand_once(grammar: &Grammar, rules: &Rules, seed: u32, word: &str, step: u32) -> String {
     if !rules.is_plain() {
@@ -49,12 +49,12 @@ pub fn expand_once(grammar: &Grammar, rules: &Rules, seed: u32, word: &str, step
     text
 }
 
-/// What a symbol without parameters or surroundings becomes.
+/// The successor of a symbol without neighbours and parameters, for rules that are not plain.
 fn alone(rules: &Rules, symbol: char, roll: f64) -> String {
     let random = |_| roll;
     let own = rules.letter(symbol, 0).map_or(&[][..], |letter| &rules.by_letter[usize::from(letter)]);
     let holds = |rule: &&Rule| {
-        // A condition may name parameters of a context, and here is none.
+        // Contexts never match here. Their parameters, which a condition may name, do not exist.
         !rule.is_context_sensitive()
             && rule.condition.as_ref().is_none_or(|condition| {
                 let value = condition.value(&[], &random);
@@ -87,7 +87,8 @@ fn alone(rules: &Rules, symbol: char, roll: f64) -> String {
     text
 }
 
-/// One derivation step of a word of modules; `None` where it cannot be read, or a number is not finite.
+/// One derivation step of a word of modules; `None` if the word is malformed, a number is not finite, or a limit is
+/// exceeded.
 fn once(grammar: &Grammar, rules: &Rules, seed: u32, word: &str, step: u32) -> Option<String> {
     let (read, diagnostics) = lsystem_syntax::parse(word, "");
     if diagnostics.iter().any(Diagnostic::is_error) {
@@ -104,13 +105,14 @@ fn once(grammar: &Grammar, rules: &Rules, seed: u32, word: &str, step: u32) -> O
     Some(text)
 }
 
-/// Writes the string of generation `n` in place of what `text` held. A buffer that is used again saves the first touch of
-/// its memory, which costs more than the derivation. It takes about [`Limits::symbols`] and some times [`Limits::work`]
-/// units at most.
+/// Replaces `text` with the string of generation `n`. Reusing the buffer saves the first access to its memory, which
+/// costs more than the derivation. The work is at most about [`Limits::symbols`] plus a few times [`Limits::work`]
+/// units.
 ///
 /// # Errors
-/// [`Kind::Limit`](lsystem_syntax::Kind::Limit) where the string would have more than [`Limits::symbols`] symbols, or `n`
-/// is above [`MAX_ITERATIONS`]; `text` is then empty.
+/// [`Kind::Limit`] if the string has more than [`Limits::symbols`] symbols, if the
+/// derivation exceeds another limit, or if `n` is above [`MAX_ITERATIONS`].
+/// [`Kind::NotFinite`] if a number is not finite. `text` is then empty.
 pub fn expand(
     rules: &Arc<Rules>,
     seed: u32,
@@ -152,7 +154,7 @@ pub fn expand(
     })
 }
 
-/// Derives whole generations, and writes the last: symbols, with their arguments in parentheses.
+/// Derives whole generations, and writes the last: symbols with their arguments in parentheses.
 fn write_modules(
     rules: &Arc<Rules>,
     seed: u32,
@@ -167,7 +169,7 @@ fn write_modules(
         let reached = rewriter.generation();
         rewriter.advance(meter).map_err(|error| fault(rules, error, reached, limits, Some(reached)))?;
     }
-    // The text takes as much memory as the word did.
+    // Frees memory for the text.
     rewriter.rest();
     let word = rewriter.word();
     let written = write_word(rules, &word.letters, &word.arguments, limits.symbols, text);
@@ -180,11 +182,11 @@ fn write_modules(
     Err(Diagnostic::limit(LimitName::Symbols, limits.symbols, longest_within(rules, seed, n, limits, meter)))
 }
 
-/// Appends modules with their arguments in parentheses; false once the text is longer than `most` bytes.
+/// Appends modules with their arguments in parentheses. Returns false if the text becomes longer than `most` bytes.
 fn write_word(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: u64, text: &mut String) -> bool {
     let mut modules = Modules { letters, arguments };
     while let Some((symbol, own)) = modules.next(rules) {
-        // Twice as much room at a time is more than there may be.
+        // Grows by a quarter, because doubling may take too much memory.
         if text.capacity() - text.len() < PRINTED {
             text.reserve_exact((text.len() / 4).max(PRINTED));
         }
@@ -196,7 +198,7 @@ fn write_word(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: u64,
     true
 }
 
-/// How many bytes modules have, as they are written; `None` where there are more than `most`.
+/// The length of modules as text, in bytes; `None` if more than `most`.
 fn written_length(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: u64) -> Option<u64> {
     let (mut modules, mut text, mut length) = (Modules { letters, arguments }, String::new(), 0);
     while let Some((symbol, own)) = modules.next(rules) {
@@ -210,17 +212,17 @@ fn written_length(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: 
     Some(length)
 }
 
-/// Room for a module as it is written.
+/// The most bytes of a module as text.
 const PRINTED: usize = 4_096;
 
-/// Modules one after the other, each with its arguments.
+/// An iterator over modules with their arguments.
 struct Modules<'a> {
     letters: &'a [LetterId],
     arguments: &'a [f64],
 }
 
 impl<'a> Modules<'a> {
-    /// The next one's symbol and arguments.
+    /// The next module's symbol and arguments.
     fn next(&mut self, rules: &Rules) -> Option<(char, &'a [f64])> {
         let (&letter, letters) = self.letters.split_first()?;
         let Letter { symbol, arity } = rules.letters[usize::from(letter)];
@@ -230,10 +232,10 @@ impl<'a> Modules<'a> {
     }
 }
 
-/// The last generation before `n` whose text, and those of all before it, is within the limits; an earlier one where it
-/// takes too long to find that.
+/// The last generation before `n` up to which all texts are within the limits, or an earlier generation if the search
+/// takes too long.
 fn longest_within(rules: &Arc<Rules>, seed: u32, n: u32, limits: &Limits, meter: &mut Meter) -> Option<u32> {
-    /// Texts as long as the longest allowed that are written at most.
+    /// The most work of the search, in texts of the greatest length allowed.
     const TEXTS: u64 = 4;
     let mut rewriter = Rewriter::new(rules.clone(), seed, *limits).ok()?;
     let mut left = limits.symbols.saturating_mul(TEXTS);
@@ -250,7 +252,8 @@ fn longest_within(rules: &Arc<Rules>, seed: u32, n: u32, limits: &Limits, meter:
     }
 }
 
-/// What went wrong while deriving from generation `reached` on; `largest` is the largest n within a limit.
+/// The diagnostic for a fault in the derivation step after generation `reached`. `largest` is the largest number of
+/// derivation steps within the limit.
 pub fn fault(rules: &Rules, fault: Fault, reached: u32, limits: &Limits, largest: Option<u32>) -> Diagnostic {
     match fault {
         Fault::Limit(name) => Diagnostic::limit(name, limits.value(name), largest),
@@ -262,13 +265,13 @@ pub fn fault(rules: &Rules, fault: Fault, reached: u32, limits: &Limits, largest
     }
 }
 
-/// Goes through generations depth first.
+/// Derives generations depth first.
 struct Derivation<'a> {
     rules: &'a Rules,
     seed: u32,
-    /// By letter: whether no random choice is ever made below it.
+    /// By letter: whether its derivation has no random choice.
     fixed: Vec<bool>,
-    /// The letters met so far, in all that was gone through.
+    /// The units of work so far, in all runs.
     spent: u64,
 }
 
@@ -277,8 +280,9 @@ impl<'a> Derivation<'a> {
         Self { rules, seed, fixed: fixed(rules), spent: 0 }
     }
 
-    /// Goes through generation `n` and hands over its letters, `work` of all generations at most: those that need no
-    /// choices as soon as they occur, with the steps they have yet to go.
+    /// Derives generation `n` and calls `visit` for its letters, with the number of derivation steps that remain.
+    /// Letters without random choices are visited as soon as they occur. At most `work` letters of all generations are
+    /// visited.
     fn run(
         &mut self,
         n: u32,
@@ -292,7 +296,7 @@ impl<'a> Derivation<'a> {
         let mut walk = Walk::new(n, *seed);
         let mut left = limits.symbols;
         let outcome = loop {
-            // Without the sums every letter is gone to by itself.
+            // Without the sums, every letter of generation `n` is visited.
             match walk.next(rules, |symbol| symbols.is_some() && fixed[usize::from(symbol)], work) {
                 Next::Letter(symbol, depth) => {
                     let derived = symbols.as_ref().map_or(1, |symbols| symbols.get(depth as usize, symbol));
@@ -311,11 +315,11 @@ impl<'a> Derivation<'a> {
         outcome
     }
 
-    /// The last generation before `n` that is within the limits, or an earlier one where it takes too long to find that:
-    /// tried twice as far while nothing stops it, then halfway.
+    /// The last generation before `n` that is within the limits, or an earlier generation if the search takes too long.
+    /// The search doubles the number of steps until a limit is exceeded, then bisects.
     fn largest_within(&mut self, n: u32, limits: &Limits) -> Option<u32> {
         let (mut fits, mut exceeds) = (None, n);
-        // As much as some derivations that fail.
+        // About eight failing derivations.
         let most = self.spent.saturating_add(limits.work.saturating_mul(8));
         loop {
             let first = fits.map_or(0, |fits: u32| fits + 1);
@@ -331,13 +335,13 @@ impl<'a> Derivation<'a> {
     }
 }
 
-/// Writes the texts of letters that need no choices, each once and then as a copy.
+/// Writes the texts of letters without random choices. Each text is written once and then copied.
 struct Writer<'a> {
     rules: &'a Rules,
     text: &'a mut String,
-    /// Bytes; unknown where there are too many letters and depths.
+    /// The lengths of texts in bytes; `None` if there are too many letters and depths.
     lengths: Option<Depths>,
-    /// By cell of these: where in `text` its text already stands.
+    /// By cell of `lengths`: the start of the letter's text in `text`, once written.
     written: Vec<Option<usize>>,
 }
 
@@ -347,13 +351,14 @@ impl<'a> Writer<'a> {
         Self { rules, text, lengths, written }
     }
 
-    /// Makes room for what is known of the text of `word` after `n` steps; false where there is none.
+    /// Reserves memory for the text of `word` after `n` steps, as far as its length is known. Returns false if there is
+    /// not enough memory.
     fn reserve(&mut self, n: u32, word: &[LetterId]) -> bool {
         let bytes = self.lengths.as_ref().map_or(0, |lengths| lengths.sum(n as usize, word));
         usize::try_from(bytes).is_ok_and(|bytes| self.text.try_reserve_exact(bytes).is_ok())
     }
 
-    /// Appends the text of a letter after `depth` steps. Recursion is as deep as `depth`, at most 1,000.
+    /// Appends the text of a letter after `depth` steps. The recursion depth is `depth`, at most 1,000.
     fn write(&mut self, symbol: LetterId, depth: u32) {
         let column = usize::from(symbol);
         let successor = match &self.rules.rewrites[column] {
@@ -375,9 +380,9 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// By letter: whether no random choice is ever made below it.
+/// By letter: whether its derivation has no random choice.
 fn fixed(rules: &Rules) -> Vec<bool> {
-    // Pairs of letters, the second made of the first, in the order of what is made.
+    // Pairs of a letter and a letter whose successor contains it, later sorted by the first.
     let mut makers: Vec<(LetterId, LetterId)> = Vec::new();
     let mut open: Vec<LetterId> = Vec::new();
     let mut fixed = vec![true; rules.rewrites.len()];
@@ -391,7 +396,7 @@ fn fixed(rules: &Rules) -> Vec<bool> {
                 open.push(maker);
             }
             Rewrite::Always(word) => {
-                // Each pair once, or nearly so.
+                // Skips most repeated pairs.
                 for &made in word {
                     if maker == LetterId::MAX || core::mem::replace(&mut seen[usize::from(made)], maker) != maker {
                         makers.push((made, maker));
@@ -425,7 +430,7 @@ mod tests {
         text.iter().map(|&(p, s)| (p, s, None)).collect()
     }
 
-    /// One generation after the other, every letter with its key: the definition, word for word.
+    /// The definition, literally: one generation after another, every letter with its key.
     fn naive(system: &System, n: u32) -> String {
         let rules = &system.rules;
         let mut word: Vec<(LetterId, Key)> =
@@ -489,7 +494,7 @@ mod tests {
 
     #[test]
     fn work_is_bounded_where_nothing_is_left() {
-        // Each letter makes two or three of the next, and the last deletes itself.
+        // Each letter makes two or three of the next letter, and the last letter deletes itself.
         let letters: Vec<char> = ('A'..='Z').chain('a'..='z').collect();
         let repeated: Vec<[String; 2]> =
             letters.iter().map(|c| [2, 3].map(|times| c.to_string().repeat(times))).collect();

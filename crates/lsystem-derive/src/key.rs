@@ -1,10 +1,10 @@
 //! Random choices keyed by place, not by draw order.
 //!
-//! Each module carries a key that says where it stands in the derivation. A choice is a pure function of the seed,
-//! the key and the step, so the same seed gives the same plant on every machine, and going from n to n + 1
-//! iterations only grows it.
+//! Each module has a key for its place in the derivation. A choice is a pure function of the seed, the key and the
+//! step. The same seed therefore gives the same plant on every machine, and iteration n + 1 extends the plant of
+//! iteration n.
 
-/// The place of a module in a derivation.
+/// The place of a module in a derivation, as 64 mixed bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Key(u64);
 
@@ -21,22 +21,22 @@ impl Key {
         Self(mix(mix(self.0, u64::from(step)), index))
     }
 
-    /// A number uniform in `0.0..1.0` for the choice of a production in `step` (1-based).
+    /// A uniform number in `0.0..1.0` for the choice of a production in `step` (1-based).
     #[must_use]
     pub fn choice(self, seed: u32, step: u32) -> f64 {
         unit(mix(mix(self.0, u64::from(seed) | 1 << 32), u64::from(step)))
     }
 
-    /// A number uniform in `0.0..1.0` for the random number at `place` (0-based) of the production that is applied
-    /// in `step` (1-based; 0 for the axiom).
+    /// A uniform number in `0.0..1.0` for the random number at `place` (0-based) of the production applied in `step`
+    /// (1-based; 0 for the axiom).
     #[must_use]
     pub fn number(self, seed: u32, step: u32, place: u16) -> f64 {
         let slot = u64::from(step) | (u64::from(place) + 1) << 32;
         unit(mix(mix(self.0, u64::from(seed) | 1 << 32), slot))
     }
 
-    /// A number from -1 to 1 that stays with the module as long as it lives, for one `purpose` and, of its ways and
-    /// turns, the one at `slot` (0-based).
+    /// A number from -1 to 1 for the variation of one length or angle of a module: the one at `slot` (0-based). The
+    /// number does not depend on the step, so that a module that stays keeps its variation.
     #[must_use]
     pub fn variation(self, seed: u32, purpose: Purpose, slot: u32) -> f64 {
         let slot = 1 << 63 | (purpose as u64) << 32 | u64::from(slot);
@@ -44,21 +44,21 @@ impl Key {
     }
 }
 
-/// What varies from module to module.
+/// The quantities that vary from module to module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
     /// The angle of a turn.
     Angle,
-    /// The length of a way forward.
+    /// The length of a step forward.
     Length,
 }
 
-/// The top 53 bits as a fraction.
+/// The top 53 bits as a fraction in `0.0..1.0`.
 fn unit(bits: u64) -> f64 {
     (bits >> 11) as f64 * (1.0 / (1_u64 << 53) as f64)
 }
 
-/// Mixes two words into one by the finaliser of SplitMix64 (Steele, Lea and Flood, 2014), twice.
+/// Mixes two 64-bit words into one with two rounds of SplitMix64's finaliser (Steele, Lea and Flood, 2014).
 fn mix(a: u64, b: u64) -> u64 {
     finalise(finalise(a.wrapping_add(0x9e37_79b9_7f4a_7c15)) ^ b.wrapping_mul(0xd6e8_feb8_6659_fd93))
 }

@@ -1,15 +1,15 @@
-//! L-systems derived.
+//! Derivation of L-systems.
 //!
-//! What comes in is a parsed [`Grammar`](lsystem_syntax::Grammar); what goes out are the words of its generations: whole,
-//! in pages, or only counted.
+//! The input is a parsed [`Grammar`](lsystem_syntax::Grammar). The output is the word of any generation: whole, in
+//! pages, or only counted.
 //!
-//! The way between: [`Rules`] are the grammar made ready, letters being small integers. Where every letter derives by
-//! itself ([`Rules::is_plain`]), a generation is gone through depth first ([`Walk`]), copied from what is known
-//! ([`expand()`]), added up without being derived ([`Counter`]) and read at any place ([`Word`]). Otherwise a [`Rewriter`]
-//! makes one generation after the other, and a [`History`] remembers what became of every module. Random choices depend on
-//! places alone ([`Key`]), so that all ways give the same.
+//! [`Rules`] are the compiled grammar, in which letters are small integers. If every letter derives independently of
+//! its neighbours ([`Rules::is_plain`]), a generation is visited depth first ([`Walk`]), written from copied parts
+//! ([`expand()`]), counted without being derived ([`Counter`]) and read at any position ([`Word`]). Otherwise a
+//! [`Rewriter`] makes one generation after another, and a [`History`] records the successors of every module. A random
+//! choice depends only on the place of its module ([`Key`]), so that all these methods give the same result.
 
-// The order of the data.
+// In the order of the data.
 mod compile;
 mod rewrite;
 mod rules;

@@ -1,30 +1,30 @@
-//! What a derivation step does with a letter, as far as that is known without looking around.
+//! The possible successors of a letter, without regard to contexts.
 
 use crate::rules::{LetterId, Rule, Rules};
 
-/// What one derivation step does with a letter: exactly where the rules are [plain](Rules::is_plain). Otherwise only what
-/// it may do: a letter that may become several things chooses among them with equal chances here, whatever decides.
+/// The rewriting of a letter in one derivation step. It is exact if the rules are [plain](Rules::is_plain). Otherwise
+/// it lists the possible successors with equal chances, without regard to contexts, conditions and weights.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Rewrite {
-    /// No production: the letter stays, and so does its key.
+    /// The letter has no production. The letter and its key stay.
     Keep,
-    /// One successor, always.
+    /// Always the same successor.
     Always(Vec<LetterId>),
-    /// One of several, by weight.
+    /// One of several successors, by weight.
     Choose(Vec<Choice>),
 }
 
-/// One of the successors that a letter may have.
+/// One possible successor of a letter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
-    /// The sum of the normalised weights up to and with this one; 1.0 for the last.
+    /// The cumulative normalised weight, including this choice; 1.0 for the last.
     pub until: f64,
-    /// What replaces the letter.
+    /// The successor.
     pub successor: Vec<LetterId>,
 }
 
 impl Choice {
-    /// Which of `choices` a `roll` (uniform in `0.0..1.0`) selects; there may be very many.
+    /// The index of the choice that `roll` (uniform in `0.0..1.0`) selects, by binary search.
     #[must_use]
     pub fn of(choices: &[Self], roll: f64) -> usize {
         choices.partition_point(|choice| choice.until <= roll).min(choices.len().saturating_sub(1))
@@ -32,7 +32,7 @@ impl Choice {
 }
 
 impl Rewrite {
-    /// The successor that `roll` (uniform in `0.0..1.0`) selects, or `None` where the letter stays.
+    /// The successor that `roll` (uniform in `0.0..1.0`) selects; `None` if the letter stays.
     #[must_use]
     pub fn successor(&self, roll: impl FnOnce() -> f64) -> Option<&[LetterId]> {
         match self {
@@ -42,14 +42,14 @@ impl Rewrite {
         }
     }
 
-    /// What it always becomes; nothing where it stays, or chance decides.
+    /// The only successor; `None` if the letter stays or has several possible successors.
     #[must_use]
     pub fn always(&self) -> Option<&[LetterId]> {
         if let Self::Always(word) = self { Some(word) } else { None }
     }
 
-    /// Of a letter with these productions, weights being numbers. The first decides: unweighted, it always applies;
-    /// weighted, the choice is among all that are.
+    /// The rewriting of a letter with these plain productions, whose weights are constant. If the first production is
+    /// unweighted, it always applies; otherwise the choice is among all weighted productions.
     pub(crate) fn plain(rules: &[Rule]) -> Self {
         let weight = |rule: &Rule| rule.weight.as_ref().map(|weight| weight.value(&[], &|_| 0.0));
         let Some(first) = rules.first() else { return Self::Keep };
@@ -67,11 +67,11 @@ impl Rewrite {
         Self::Choose(choices)
     }
 
-    /// Of a letter with these productions, whatever they look at.
+    /// The possible rewritings of a letter with these productions, without regard to contexts and conditions.
     pub(crate) fn outline(letter: LetterId, rules: &[Rule]) -> Self {
         let always = |rule: &Rule| !rule.is_context_sensitive() && rule.condition.is_none();
         let last = rules.iter().position(|rule| always(rule) && rule.weight.is_none());
-        // Weights may come out as 0.
+        // A computed weight may be 0, so only an unweighted production always ends the list.
         let possible = last.map_or(rules, |at| &rules[..=at]);
         let mut words: Vec<Vec<LetterId>> = possible.iter().map(|rule| rule.successor.letters.clone()).collect();
         match words.as_mut_slice() {
@@ -89,14 +89,14 @@ impl Rewrite {
 }
 
 impl Rules {
-    /// Whether no choice is ever made.
+    /// Whether no reachable letter has a choice of successors.
     #[must_use]
     pub fn is_deterministic(&self) -> bool {
         let reachable = self.reachable();
         self.rewrites.iter().zip(reachable).all(|(r, reached)| !reached || !matches!(r, Rewrite::Choose(_)))
     }
 
-    /// By letter: whether it occurs in any generation.
+    /// By letter: whether it may occur in a generation.
     #[must_use]
     pub fn reachable(&self) -> Vec<bool> {
         let mut seen = vec![false; self.letters.len()];

@@ -4,68 +4,68 @@ use crate::rewrite::Rewrite;
 use core::ops::Range;
 use lsystem_syntax::Code;
 
-/// A letter's place in [`Rules::letters`].
+/// A letter's index in [`Rules::letters`].
 pub type LetterId = u16;
 
-/// A symbol with a number of parameters: `F` and `F(l)` are different letters.
+/// A symbol and its number of parameters: `F` and `F(l)` are different letters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Letter {
     /// The symbol.
     pub symbol: char,
-    /// How many parameters it has.
+    /// The number of parameters.
     pub arity: u8,
 }
 
-/// A grammar made ready for derivation: letters are small integers, productions tables over them.
+/// A compiled grammar: letters are small integers, and tables list the productions of each letter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rules {
     /// Every letter of the axiom and the productions, sorted.
     pub letters: Vec<Letter>,
-    /// By letter: whether contexts see it (`ignore:`, `consider:`).
+    /// By letter: whether contexts see the letter (`ignore:`, `consider:`).
     pub considered: Vec<bool>,
-    /// By letter: whether it cuts off the rest of its branch in the next step.
+    /// By letter: whether the letter cuts off the rest of its branch in the next step.
     pub cuts: Vec<bool>,
-    /// By letter: its productions, those with a context first, in text order within each class.
+    /// By letter: its productions in text order, productions with a context first.
     pub by_letter: Vec<Vec<Rule>>,
-    /// By letter: its productions below `draw:`, in text order. None where the rules are [plain](Rules::is_plain): the
-    /// letters do then what their images do.
+    /// By letter: its productions below `draw:`, in text order. Empty if the rules are [plain](Rules::is_plain),
+    /// because the letters then have the actions of their images.
     pub images: Vec<Vec<Rule>>,
-    /// By letter: what a derivation step does with it, or may do.
+    /// By letter: its rewriting in a derivation step, or its possible rewritings.
     pub rewrites: Vec<Rewrite>,
     /// The axiom; its arguments use no slots.
     pub axiom: Template,
-    /// Where the productions stand in the text, then those below `draw:`; may be shorter.
+    /// The spans of the productions in the text, in bytes, then the spans of the productions below `draw:`. The list
+    /// may be shorter.
     pub spans: Vec<Range<usize>>,
     pub(crate) plain: bool,
 }
 
-/// One production.
+/// A compiled production.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rule {
-    /// Its index in [`Grammar::productions`](lsystem_syntax::Grammar::productions), those of
-    /// [`Grammar::images`](lsystem_syntax::Grammar::images) counted on.
+    /// The index in [`Grammar::productions`](lsystem_syntax::Grammar::productions), continued by
+    /// [`Grammar::images`](lsystem_syntax::Grammar::images).
     pub production: usize,
-    /// The left context, nearest last, as it is written.
+    /// The left context in text order, nearest last.
     pub left: Vec<LetterId>,
-    /// The right context, nearest first, as it is written.
+    /// The right context in text order, nearest first.
     pub right: Vec<ContextPattern>,
-    /// Applies only where this is true.
+    /// The condition: the production applies only if its value is neither 0 nor NaN.
     pub condition: Option<Code>,
-    /// Its weight among those that match.
+    /// The weight among matching productions; `None` for a deterministic production.
     pub weight: Option<Code>,
-    /// What replaces the module. Slots number the parameters of left context, predecessor and right context, in the
-    /// order they are written.
+    /// The successor. Slots number the parameters of left context, predecessor and right context in text order.
     pub successor: Template,
 }
 
 impl Rule {
-    /// Whether it has a context.
+    /// Whether the production has a context.
     #[must_use]
     pub fn is_context_sensitive(&self) -> bool {
         !self.left.is_empty() || !self.right.is_empty()
     }
 
-    /// Whether it applies by its letters alone, at most one to each side.
+    /// Whether the production has no condition, no weight, and at most one letter of context on each side.
     pub(crate) fn is_plain(&self) -> bool {
         self.left.len() <= 1
             && matches!(self.right.as_slice(), [] | [ContextPattern::Letter(_)])
@@ -74,35 +74,36 @@ impl Rule {
     }
 }
 
-/// A piece of a right context.
+/// An element of a right context.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContextPattern {
     /// The next module of the axis, branches skipped.
     Letter(LetterId),
-    /// A branch that starts here.
+    /// The start of a branch.
     Open,
-    /// Leave the branch, whatever else it holds.
+    /// The end of a branch. The rest of the branch may hold any modules.
     Close,
 }
 
-/// Modules to be made.
+/// The compiled modules of a successor or an axiom.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Template {
-    /// Their letters.
+    /// The letters.
     pub letters: Vec<LetterId>,
-    /// How their arguments are computed, all of them one after the other.
+    /// The compiled arguments of all modules, in order.
     pub arguments: Vec<Code>,
 }
 
 impl Template {
-    /// How many modules, and arguments, it makes.
+    /// The numbers of modules and of arguments.
     pub(crate) fn size(&self) -> [usize; 2] {
         [self.letters.len(), self.arguments.len()]
     }
 }
 
 impl Rules {
-    /// Whether every letter derives by itself and by its name alone, and chance only as beforehand known weights say.
+    /// Whether each letter derives independently of its neighbours, without parameters or conditions, and with constant
+    /// weights.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         self.plain
@@ -114,19 +115,19 @@ impl Rules {
         self.letters[usize::from(letter)].symbol
     }
 
-    /// How many parameters a letter has.
+    /// The number of parameters of a letter.
     #[must_use]
     pub fn arity(&self, letter: LetterId) -> usize {
         usize::from(self.letters[usize::from(letter)].arity)
     }
 
-    /// The letter for a symbol with `arity` parameters.
+    /// The letter of a symbol with `arity` parameters; `None` if the rules have no such letter.
     #[must_use]
     pub fn letter(&self, symbol: char, arity: u8) -> Option<LetterId> {
         self.letters.binary_search(&Letter { symbol, arity }).ok().map(|id| id as LetterId)
     }
 
-    /// Whether random choices or numbers play a part anywhere.
+    /// Whether any production has a weight or a random number, or the axiom has a random number.
     #[must_use]
     pub fn is_random(&self) -> bool {
         let random = |template: &Template| template.arguments.iter().any(Code::is_random);
@@ -136,14 +137,14 @@ impl Rules {
             })
     }
 
-    /// Whether branches are ever cut.
+    /// Whether the axiom or any successor contains a letter that cuts off its branch.
     #[must_use]
     pub fn is_cutting(&self) -> bool {
         let made = self.by_letter.iter().flatten().map(|rule| &rule.successor).chain([&self.axiom]);
         made.flat_map(|template| &template.letters).any(|&letter| self.cuts[usize::from(letter)])
     }
 
-    /// Whether any module has parameters.
+    /// Whether any letter has parameters.
     #[must_use]
     pub fn is_parametric(&self) -> bool {
         self.letters.iter().any(|letter| letter.arity > 0)

@@ -1,29 +1,29 @@
 //! Exact counts of any size.
 //!
-//! Counts are only ever added up and printed, so they are kept in decimal: both are a few lines, where a library for
-//! arithmetic of any kind would be a tenth of the page's wasm.
+//! Counts are only added and printed, so they are kept in decimal. A general library for big integers would be a tenth
+//! of the page's wasm.
 
 use core::fmt;
 
 /// A count without upper bound.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
-    /// Nine decimal digits each, least significant first, no leading zeros: zero has none.
+    /// Limbs of nine decimal digits, least significant first, without leading zeros. Zero has no limbs.
     limbs: Vec<u32>,
 }
 
 const LIMB: u64 = 1_000_000_000;
 
 impl Tally {
-    /// Nothing counted.
+    /// The count 0.
     pub const ZERO: Self = Self { limbs: Vec::new() };
 
-    /// How many limbs of nine digits it has.
+    /// The number of limbs of nine digits.
     pub fn limbs(&self) -> usize {
         self.limbs.len()
     }
 
-    /// Adds `other`, `times` over.
+    /// Adds `times` times `other`.
     pub fn add_times(&mut self, times: u32, other: &Self) {
         if times == 0 {
             return;
@@ -34,7 +34,7 @@ impl Tally {
         let mut carry = 0;
         let addends = other.limbs.iter().copied().chain(core::iter::repeat(0));
         for (limb, addend) in self.limbs.iter_mut().zip(addends) {
-            // Below 2^30 + 2^62 + 2^34.
+            // No overflow: the sum is below 2^30 + 2^62 + 2^34.
             let sum = u64::from(*limb) + u64::from(addend) * u64::from(times) + carry;
             *limb = (sum % LIMB) as u32;
             carry = sum / LIMB;

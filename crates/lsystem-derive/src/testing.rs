@@ -1,10 +1,10 @@
-//! What the tests of several files share.
+//! Helpers for the tests of several files.
 
 use crate::{Counter, Rules, Tally};
 use lsystem_syntax::{Diagnostic, Grammar, Limits, Meter, Module, Production};
 use std::sync::Arc;
 
-/// How many cases a property test tries: 500, or what the environment variable `LSYSTEM_CASES` says.
+/// The number of cases of a property test: 500, or the value of the environment variable `LSYSTEM_CASES`.
 pub(crate) fn cases() -> u32 {
     std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500)
 }
@@ -12,7 +12,7 @@ pub(crate) fn cases() -> u32 {
 /// Predecessor, successor, weight.
 pub(crate) type Rule<'a> = (char, &'a str, Option<f64>);
 
-/// What is derived.
+/// A system to derive.
 pub(crate) struct System {
     pub(crate) grammar: Grammar,
     pub(crate) rules: Arc<Rules>,

@@ -1,69 +1,71 @@
-//! A derivation gone through depth first: the letters of the last generation in order, none before it held.
-//! Whoever knows what becomes of some letters takes these as soon as they occur.
+//! Depth-first derivation. The letters of the last generation come in order, and no earlier generation is held in
+//! memory. A caller that knows the derivation of a letter takes the letter as soon as it occurs.
 
 use crate::{Choice, Key, LetterId, Rewrite, Rules};
 
-/// Where a derivation stands. It holds no references, so it can rest between two calls.
+/// The state of a depth-first derivation. It holds no references, so that callers may store it between two calls.
 #[derive(Clone, Debug)]
 pub struct Walk {
     n: u32,
     seed: u32,
-    /// The words that are being gone through, outermost first.
+    /// The words on the path from the axiom to the present letter, outermost first.
     open: Vec<Word>,
-    /// The letters met so far, in all generations.
+    /// The number of letters visited so far, in all generations.
     pub work: u64,
 }
 
 #[derive(Clone, Debug)]
 struct Word {
     source: Source,
-    /// The letter to read next.
+    /// The index of the next letter.
     next: usize,
-    /// Of the letter that this word replaced.
+    /// The key of the letter that this word replaced.
     key: Key,
-    /// The derivation step that made the letter that this word replaced, or the first of its kind in its place.
+    /// As [`Fate::since`], for the letter that this word replaced.
     since: u32,
 }
 
 #[derive(Clone, Copy, Debug)]
 enum Source {
     Axiom,
-    /// The successor of a letter, by its place among the choices.
+    /// The successor of a letter, by its index among the choices.
     Successor(LetterId, usize),
 }
 
-/// What is special about a module.
+/// The key and the age of a module.
 #[derive(Clone, Copy, Debug)]
 pub struct Fate {
-    /// Its key.
+    /// The module's key.
     pub key: Key,
-    /// The derivation step in which it was made, or the first of its letter in its place.
+    /// The derivation step that made the module, or the oldest ancestor in an unbroken line of the same letter; 0 for
+    /// the axiom.
     pub since: u32,
-    /// Whether it is still growing.
+    /// Whether the module is new in the last generation and therefore still grows.
     pub grows: bool,
 }
 
-/// What comes next.
+/// The result of [`Walk::next`].
 pub enum Next {
-    /// A letter of the last generation, or one that is known, and the steps that it has yet to go.
+    /// A letter of the last generation, or a known letter, and the number of derivation steps that remain for the
+    /// letter.
     Letter(LetterId, u32),
-    /// The given work is spent.
+    /// The budget is spent.
     Pause,
-    /// The whole derivation has been gone through.
+    /// The derivation is complete.
     End,
 }
 
 impl Walk {
-    /// Before the first letter of generation `n`.
+    /// A walk at the start of generation `n`.
     #[must_use]
     pub fn new(n: u32, seed: u32) -> Self {
         Self { n, seed, open: vec![Word { source: Source::Axiom, next: 0, key: Key::root(0), since: 0 }], work: 0 }
     }
 
-    /// Goes on to the next letter that is `known` or of the last generation, until `self.work` is `until`.
+    /// Continues to the next letter that is `known` or of the last generation, or pauses once `self.work` is `until`.
     pub fn next(&mut self, rules: &Rules, known: impl Fn(LetterId) -> bool, until: u64) -> Next {
         loop {
-            // The axiom's letters are generation 0.
+            // The axiom is generation 0.
             let generation = self.open.len() as u32 - 1;
             let Some(word) = self.open.last_mut() else { return Next::End };
             let Some(&symbol) = letters(rules, word.source).get(word.next) else {
@@ -94,20 +96,20 @@ impl Walk {
         }
     }
 
-    /// What is special about the letter that was given last; `heir` says which of the letters that replace one goes on in
-    /// its place.
+    /// The key and the age of the letter returned last. `continues` gives the index of the letter in a successor that
+    /// continues the predecessor; that letter does not grow.
     pub fn fate(
         &self,
         rules: &Rules,
         symbol: LetterId,
-        mut heir: impl FnMut(LetterId, &[LetterId]) -> Option<usize>,
+        mut continues: impl FnMut(LetterId, &[LetterId]) -> Option<usize>,
     ) -> Fate {
         let generation = self.open.len().saturating_sub(1) as u32;
         let Some(word) = self.open.last() else { return Fate { key: Key::root(0), since: 0, grows: false } };
         let index = word.next.saturating_sub(1);
         let grows = match word.source {
             Source::Successor(former, _) if generation == self.n => {
-                heir(former, letters(rules, word.source)) != Some(index)
+                continues(former, letters(rules, word.source)) != Some(index)
             }
             _ => false,
         };
@@ -116,7 +118,7 @@ impl Walk {
 }
 
 impl Word {
-    /// Of its letter at `index`, in this generation.
+    /// The key of the word's letter at `index`; `generation` is the generation of the word.
     fn key(&self, generation: u32, index: u64) -> Key {
         match self.source {
             Source::Axiom => Key::root(index),
@@ -124,7 +126,7 @@ impl Word {
         }
     }
 
-    /// Since which generation there has been a `symbol` in the place of one of its letters, in this generation.
+    /// As [`Fate::since`], for a letter `symbol` of this word; `generation` is the generation of the word.
     fn since(&self, generation: u32, symbol: LetterId) -> u32 {
         match self.source {
             Source::Successor(former, _) if former == symbol => self.since,

@@ -6,12 +6,12 @@ use lsystem_drawing::MarkReader;
 use lsystem_drawing::{Drawing, Mark, Space};
 use lsystem_syntax::{Diagnostic, Meter, Progress};
 
-/// Writes all segments in drawing order, a line each, below the header `x0,y0,x1,y1,level,colour` in the plane and
-/// `x0,y0,z0,x1,y1,z1,level,colour` in space: model units with the fewest digits that read back as the same number,
-/// branch level, colour index not wrapped to a palette.
+/// Writes all segments in drawing order, one on each line. The header is `x0,y0,x1,y1,level,colour` in the plane and
+/// `x0,y0,z0,x1,y1,z1,level,colour` in space. Coordinates are in model units, with the fewest digits that read back as
+/// the same number. `level` is the branch level; `colour` is the colour index, not wrapped to a palette.
 ///
 /// # Errors
-/// [`Kind::Limit`](lsystem_syntax::Kind::Limit) where there are more than `most` segments and vertices of polygons.
+/// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if there are more than `most` segments and vertices of polygons.
 pub fn write_csv<S: Space>(drawing: &Drawing<S>, most: u64) -> Result<String, Diagnostic> {
     let mut writer = CsvWriter::new(drawing, most)?;
     let mut text = String::new();
@@ -19,7 +19,7 @@ pub fn write_csv<S: Space>(drawing: &Drawing<S>, most: u64) -> Result<String, Di
     Ok(text)
 }
 
-/// The same in steps. It holds no drawing, and what it has written may be taken away between two steps.
+/// A writer of CSV in steps. It holds no drawing, and the caller may remove the written text between two steps.
 #[derive(Clone, Debug)]
 pub struct CsvWriter<S: Space> {
     reader: MarkReader<S>,
@@ -28,7 +28,7 @@ pub struct CsvWriter<S: Space> {
 }
 
 impl<S: Space> CsvWriter<S> {
-    /// Ready to write a drawing.
+    /// A writer for a drawing.
     ///
     /// # Errors
     /// As [`write_csv`].
@@ -43,7 +43,7 @@ impl<S: Space> CsvWriter<S> {
         self.spent
     }
 
-    /// Appends lines for about `work` units; `drawing` is the same each time.
+    /// Appends lines for about `work` units of work. `drawing` must be the same each time.
     pub fn step(&mut self, drawing: &Drawing<S>, text: &mut String, work: u64) -> Progress {
         if !self.has_head {
             let flat = S::Point::default().as_ref().len() == 2;

@@ -1,28 +1,28 @@
-//! Pictures that carry the system they show, and reading it from any of our files.
+//! Systems in the metadata of pictures, and reading a system from any file of this library.
 
 use super::{png, read_json, xml};
 use lsystem_syntax::{Definition, Diagnostic, Field, Kind, LimitName, MAX_TEXT};
 use std::borrow::Cow;
 
-/// What a system is called in a picture's metadata.
+/// The keyword of a system in a picture's metadata.
 pub(super) const KEYWORD: &str = "L-system";
 
-/// What [`read_file`] finds.
+/// The result of [`read_file`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileContent {
-    /// The system; `None` where a diagnostic is an error.
+    /// The system; `None` if a diagnostic is an error.
     pub definition: Option<Definition>,
-    /// What there is to say about the file.
+    /// Errors and warnings about the file.
     pub diagnostics: Vec<Diagnostic>,
-    /// The JSON text that the diagnostics' spans point into; empty where none was found.
+    /// The JSON text that the diagnostics' spans refer to; empty if there is none.
     pub json: String,
 }
 
-/// Reads a system from a file's bytes: JSON ([`read_json`]), or a PNG or SVG picture that carries one. A picture that
-/// is cut off after the system is no worse for it.
+/// Reads a system from a file's bytes: JSON ([`read_json`]), or a PNG or SVG picture with a system in its metadata. The
+/// picture may be cut off after the system.
 #[must_use]
 pub fn read_file(bytes: &[u8]) -> FileContent {
-    let plain = unmarked(bytes);
+    let plain = without_byte_order_mark(bytes);
     let bytes = &*plain;
     let too_long = || Kind::Limit { limit: LimitName::Text, value: MAX_TEXT as u64, largest: None };
     let found = if png::is_png(bytes) {
@@ -38,7 +38,7 @@ pub fn read_file(bytes: &[u8]) -> FileContent {
         })
     };
     match found {
-        // Nothing of a long text is read or kept.
+        // A text that is too long is neither read nor kept.
         Ok(json) if json.len() > MAX_TEXT => refused(too_long()),
         Ok(json) => {
             let (definition, diagnostics) = read_json(&json);
@@ -48,20 +48,20 @@ pub fn read_file(bytes: &[u8]) -> FileContent {
     }
 }
 
-/// What is said of a file that is not read.
+/// The result for a file that is not read.
 fn refused(kind: Kind) -> FileContent {
     let diagnostics = vec![Diagnostic { kind, field: Field::File, span: 0..0 }];
     FileContent { definition: None, diagnostics, json: String::new() }
 }
 
-/// JSON never begins like this.
+/// Whether a file begins with `<`. JSON never does.
 fn is_xml(bytes: &[u8]) -> bool {
     bytes.trim_ascii_start().starts_with(b"<")
 }
 
-/// Without a byte order mark, and in UTF-8 where that tells of UTF-16, as programs of Windows write it.
-fn unmarked(bytes: &[u8]) -> Cow<'_, [u8]> {
-    // Nobody keeps pictures larger than this in UTF-16.
+/// The file's bytes without a byte order mark. UTF-16 with a mark, as Windows programs write it, becomes UTF-8.
+fn without_byte_order_mark(bytes: &[u8]) -> Cow<'_, [u8]> {
+    // Larger UTF-16 files are not converted, to bound the memory.
     const LONGEST: usize = 32 * MAX_TEXT;
     let read: fn([u8; 2]) -> u16 = match bytes {
         [0xef, 0xbb, 0xbf, rest @ ..] => return rest.into(),
@@ -73,16 +73,16 @@ fn unmarked(bytes: &[u8]) -> Cow<'_, [u8]> {
     String::from_utf16_lossy(&units).into_bytes().into()
 }
 
-/// How the element begins that holds the system.
+/// The start tag and the end tag of the element that holds the system.
 const OPEN: &str = "<metadata id=\"L-system\">";
 const CLOSE: &str = "</metadata>";
 
-/// Writes a system as an element of an SVG file; nothing where `system` is empty.
+/// Writes a system as an element of an SVG file, unless `system` is empty.
 pub(super) fn write_metadata(text: &mut String, system: &str) {
     if system.is_empty() {
         return;
     }
-    // In JSON, characters that XML cannot hold stand in strings only, where they can be written by number.
+    // In JSON, characters that XML cannot hold stand only in strings, where escapes by number are valid.
     let mut held = String::with_capacity(system.len());
     for c in system.trim_end().chars() {
         if xml::is_character(c) {
@@ -100,13 +100,13 @@ fn metadata_in(svg: &[u8]) -> Option<Cow<'_, str>> {
     let start = find(svg, OPEN)? + OPEN.len();
     let content = &svg[start..];
     let content = &content[..find(content, CLOSE)?];
-    // A character takes ten bytes at most in XML; more of them than a text may have need not be translated.
+    // An escaped character takes at most ten bytes, so a longer content exceeds `MAX_TEXT` anyway.
     let content = &content[..content.len().min(10 * MAX_TEXT + 10)];
     Some(xml::unescape(&String::from_utf8_lossy(content)).into())
 }
 
 fn find(bytes: &[u8], text: &str) -> Option<usize> {
-    // Looks only where the first byte stands: a file may have hundreds of megabytes.
+    // Compares only at the first byte of `text`, because a file may have hundreds of megabytes.
     let first = *text.as_bytes().first()?;
     let mut from = 0;
     while let Some(at) = bytes[from..].iter().position(|&byte| byte == first) {

@@ -1,68 +1,68 @@
-//! The formats of exported files: one table, from which the program and the page take names, words and writers.
+//! The table of export formats. The program and the page take names, words and writers from it.
 //!
-//! A new format is a writer in a file of its own and a row here.
+//! A new format needs a writer in its own file and a row here.
 
 use super::{CsvWriter, GlbWriter, ObjWriter, SvgForm, SvgOptions, SvgWriter};
 use lsystem_drawing::{Drawing, Mesh, Solid, Space};
 use lsystem_syntax::{Diagnostic, Progress, Style};
 use std::sync::Arc;
 
-/// A format, and how its files are made.
+/// An export format: a row of [`FORMATS`].
 pub struct Format {
-    /// Its name for the program and for scripts.
+    /// The format's name for the program and for scripts.
     pub name: &'static str,
-    /// What the names of its files end with.
+    /// The ending of file names, without a dot.
     pub ending: &'static str,
-    /// Its media type.
+    /// The media type.
     pub mime: &'static str,
-    /// What the page calls it.
+    /// The label on the page.
     pub label: &'static str,
-    /// What it is, as a noun phrase.
+    /// A description, as a noun phrase.
     pub help: &'static str,
-    /// What its files are made from.
+    /// The input of the format's writer.
     pub content: Content,
 }
 
-/// The writer of a file, or the limit that is passed.
+/// The writer of a file, or the diagnostic for an exceeded limit.
 type Outcome = Result<Box<dyn Writer>, Diagnostic>;
 
-/// What a file is made from, and the writer.
+/// The input of a file, with the function that makes its writer.
 #[derive(Clone, Copy, Debug)]
 pub enum Content {
-    /// The system: [`write_json`](crate::write_json).
+    /// The system, written by [`write_json`](crate::write_json).
     System,
     /// The derived string.
     String,
-    /// Pixels, which a renderer makes.
+    /// Pixels, made by a renderer.
     Pixels,
-    /// Strokes on paper: a drawing in space is projected first.
+    /// Strokes in the plane. A drawing in space is projected first.
     Paper(fn(Arc<Drawing>, Style, &SvgOptions) -> Outcome),
-    /// Segments, in the plane or in space; so many at most.
+    /// Segments in the plane or in space. The number is the most segments and vertices of polygons.
     Segments {
-        /// Of a drawing in the plane.
+        /// The writer for a drawing in the plane.
         plane: fn(Arc<Drawing>, u64) -> Outcome,
-        /// Of a drawing in space.
+        /// The writer for a drawing in space.
         space: fn(Arc<Drawing<Solid>>, u64) -> Outcome,
     },
     /// A mesh of coloured tubes, with its name.
     Mesh(fn(Mesh, &str) -> Box<dyn Writer>),
 }
 
-/// A file in steps.
+/// A writer that makes a file in steps.
 pub trait Writer {
-    /// Appends to the file for about `work` units, and tells whether there is more to do.
+    /// Appends to the file for about `work` units of work.
     ///
     /// # Errors
-    /// Where a limit is passed.
+    /// If a limit is exceeded.
     fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic>;
 
-    /// What there is to say of the file when all steps are done.
+    /// A warning about the file, after all steps are done; `None` if there is none.
     fn remark(&self) -> Option<Diagnostic> {
         None
     }
 }
 
-/// All formats, in the order to offer them.
+/// All formats, in the order of the page's list.
 pub static FORMATS: [Format; 8] = [
     Format {
         name: "svg",
@@ -131,13 +131,13 @@ pub static FORMATS: [Format; 8] = [
 ];
 
 impl Format {
-    /// The format with this name.
+    /// The format with this name, if any.
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {
         FORMATS.iter().find(|format| format.name == name)
     }
 
-    /// Whether its files are pictures.
+    /// Whether the format's files are pictures.
     #[must_use]
     pub fn is_picture(&self) -> bool {
         matches!(self.content, Content::Paper(_) | Content::Pixels)
@@ -156,7 +156,7 @@ impl PartialEq for Format {
     }
 }
 
-/// All that a writer writes.
+/// Runs a writer to its end, and returns the whole file.
 ///
 /// # Errors
 /// As [`Writer::step`].
@@ -173,7 +173,7 @@ fn append(
 ) -> Result<Progress, Diagnostic> {
     let mut text = String::new();
     let progress = write(&mut text)?;
-    // A file that is written in one step is not there twice.
+    // Avoids a second copy of a file that is written in one step.
     if file.is_empty() {
         *file = text.into_bytes();
     } else {

@@ -5,15 +5,15 @@ use core::fmt::Write;
 use lsystem_drawing::Mesh;
 use lsystem_syntax::{Meter, Progress};
 
-/// Numbers of the format, by their names in its specification.
+/// Constants of the format, by their names in its specification.
 const FLOAT: u32 = 5126;
 const UNSIGNED_SHORT: u32 = 5123;
 const UNSIGNED_INT: u32 = 5125;
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
-/// Writes a mesh: places and normals as 32-bit floats, colours as linear 16-bit numbers with alpha 1 (as the format wants
-/// them), indices of 32 bits. The material is rough and no metal. A mesh without triangles gives a scene with nothing in it.
+/// Writes a mesh: positions and normals as 32-bit floats, colours as linear 16-bit numbers with alpha 1 as the format
+/// requires, and 32-bit indices. The material is rough and not metallic. A mesh without triangles gives an empty scene.
 #[must_use]
 pub fn write_glb(mesh: &Mesh, name: &str) -> Vec<u8> {
     let mut writer = GlbWriter::new(mesh, name);
@@ -22,25 +22,25 @@ pub fn write_glb(mesh: &Mesh, name: &str) -> Vec<u8> {
     bytes
 }
 
-/// The same in steps. It holds no mesh, and what it has written may be taken away between two steps.
+/// A writer of GLB in steps. It holds no mesh, and the caller may remove the written bytes between two steps.
 #[derive(Clone, Debug)]
 pub struct GlbWriter {
-    /// All that comes before the numbers of the mesh, until it is written.
+    /// The bytes before the mesh's data; empty once written.
     head: Vec<u8>,
-    /// The bytes of the whole file.
+    /// The length of the whole file, in bytes.
     length: usize,
-    /// How many corners, and then triangles, are written of each list.
+    /// The number of entries written: positions, then normals, colours and triangles.
     written: usize,
-    /// sRGB values as linear ones.
+    /// By sRGB value: the linear value.
     linear: Vec<u16>,
     spent: u64,
 }
 
-/// What is written between two looks at the meter.
+/// The most entries written between two checks of the meter.
 const PIECE: usize = 256;
 
 impl GlbWriter {
-    /// Ready to write a mesh.
+    /// A writer for a mesh. `name` becomes the name of the node.
     #[must_use]
     pub fn new(mesh: &Mesh, name: &str) -> Self {
         let (head, length) = head(mesh, name);
@@ -53,7 +53,7 @@ impl GlbWriter {
         self.spent
     }
 
-    /// Appends bytes for about `work` units; `mesh` is the same each time.
+    /// Appends bytes for about `work` units of work. `mesh` must be the same each time.
     pub fn step(&mut self, mesh: &Mesh, bytes: &mut Vec<u8>, work: u64) -> Progress {
         bytes.append(&mut self.head);
         let mut meter = Meter::new(work);
@@ -85,7 +85,7 @@ impl GlbWriter {
     }
 }
 
-/// All that comes before the numbers of the mesh, and the length of the whole file.
+/// The bytes before the mesh's data, and the length of the whole file in bytes.
 fn head(mesh: &Mesh, name: &str) -> (Vec<u8>, usize) {
     let (corners, indices) = (mesh.positions.len(), 3 * mesh.triangles.len());
     let binary = corners * 32 + indices * 4;
@@ -134,7 +134,7 @@ fn head(mesh: &Mesh, name: &str) -> (Vec<u8>, usize) {
         let _ = write!(json, "],\"buffers\":[{{\"byteLength\":{binary}}}]}}");
     }
 
-    // Chunks are whole numbers of four bytes.
+    // The length of a chunk is a multiple of four bytes.
     while !json.len().is_multiple_of(4) {
         json.push(' ');
     }
@@ -149,12 +149,12 @@ fn head(mesh: &Mesh, name: &str) -> (Vec<u8>, usize) {
     (head, length)
 }
 
-/// All of an accessor but its end.
+/// Writes an accessor except its end.
 fn accessor(json: &mut String, view: u32, component: u32, kind: &str, count: usize) {
     let _ = write!(json, "{{\"bufferView\":{view},\"componentType\":{component},\"type\":\"{kind}\",\"count\":{count}");
 }
 
-/// An sRGB value as a linear one.
+/// Converts an sRGB value (0 to 255) to a linear value (0 to 65,535).
 fn linear(value: u16) -> u16 {
     let value = f64::from(value) / 255.0;
     let linear = if value <= 0.040_45 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) };

@@ -1,17 +1,17 @@
 //! Systems as JSON files.
 //!
-//! An object; comments, trailing commas and unquoted keys are accepted. All keys may be missing; [`FIELDS`] lists them
-//! with their defaults and ranges, and README shows the list. The objects `turtle` and `style` stand in it, and
-//! `stochastic`, which says nothing: the rules decide.
+//! A file is one object. Comments, trailing commas and unquoted keys are accepted. All keys are optional; [`FIELDS`]
+//! lists them with their defaults and ranges, and README shows the list. The objects `turtle` and `style` are members
+//! of the file's object. The key `stochastic` has no effect, because the rules decide.
 //!
-//! `rules` is an object in the course's files: `{"F": "F+F", "X": [{"p": 0.5, "e": "XF"}, {"p": 0.5, "e": "X"}]}`. Its
-//! strings and `initial` are plain characters then, each a symbol, white space included; nothing in them has another
-//! meaning. Probabilities that do not sum to 1 are read as weights. Otherwise `rules` is a list of lines, or one string,
-//! in our notation, and so is `initial`.
+//! In the course's files `rules` is an object: `{"F": "F+F", "X": [{"p": 0.5, "e": "XF"}, {"p": 0.5, "e": "X"}]}`. The
+//! strings in it and `initial` are then plain characters: each character is a symbol, including white space.
+//! Probabilities that do not sum to 1 are read as weights. In other files `rules` and `initial` are each a list of
+//! lines, or one string, in this library's notation.
 //!
-//! A file without `turtle` is one of the course's: every letter draws ([`Dialect::EveryLetter`]), the style is
-//! [`Style::course`]. Where there is one, the style's defaults are those of [`Style::for_dialect`]. `overrides` is an
-//! object, as in `{"G": "move", "A": "draw 10"}`, or a list of lines `"G: move"`.
+//! A file without `turtle` is a course file: every letter draws ([`Dialect::EveryLetter`]), and the style is
+//! [`Style::course`]. With `turtle`, the default style is [`Style::for_dialect`]. `overrides` is an object, as in
+//! `{"G": "move", "A": "draw 10"}`, or a list of lines `"G: move"`.
 //!
 //! Unknown keys are reported and skipped.
 
@@ -34,7 +34,7 @@ use lsystem_syntax::{
 /// The keys of an outcome.
 const OUTCOME_KEYS: [&str; 2] = ["p", "e"];
 
-/// What other programs call them.
+/// Names of keys in other programs, with the keys here.
 const ALIASES: [(&str, &str); 9] = [
     ("axiom", "initial"),
     ("angle", "angle_deg"),
@@ -50,8 +50,8 @@ const ALIASES: [(&str, &str); 9] = [
 /// The range of a probability or weight.
 const WEIGHT: Expected = Expected::Between(0.0, 1e100);
 
-/// Reads a file. There is a definition unless a diagnostic is an error; whether it makes a system is for
-/// [`System::new`](lsystem_drawing::System::new) to say.
+/// Reads a system from a JSON text. The definition is `None` if a diagnostic is an error. A definition may still have
+/// errors in its texts, which [`System::new`](lsystem_drawing::System::new) reports.
 #[must_use]
 pub fn read_json(text: &str) -> (Option<Definition>, Vec<Diagnostic>) {
     let mut file = File { notes: Notes::new(Field::File), base: 0 };
@@ -63,7 +63,7 @@ pub fn read_json(text: &str) -> (Option<Definition>, Vec<Diagnostic>) {
 
 struct File {
     notes: Notes,
-    /// Bytes before the text that the parser sees.
+    /// The bytes of the byte order mark, which the parser does not see.
     base: usize,
 }
 
@@ -129,7 +129,7 @@ impl File {
         definition
     }
 
-    /// Reads all fields of an object but for those that have forms of their own.
+    /// Reads all fields of an object except those in [`OWN_FORMS`].
     fn section(&mut self, object: &Object<'_>, section: Section, definition: &mut Definition) {
         for spec in FIELDS.iter().filter(|spec| !OWN_FORMS.contains(&spec.name)) {
             if let Some((place, key)) = spec.file
@@ -142,7 +142,7 @@ impl File {
         }
     }
 
-    /// The object that stands under a key.
+    /// The object under a key.
     fn object<'a, 'b>(&mut self, object: &'b Object<'a>, key: &str) -> Option<&'b Object<'a>> {
         match last(object, key)? {
             Value::Object(object) => Some(object),
@@ -173,10 +173,10 @@ impl File {
         definition.rules = self.text("rules", print_rules(&grammar), object);
     }
 
-    /// The course's rules: symbol -> successor, or symbol -> outcomes.
+    /// Reads the course's rules: each key is a symbol, and its value a successor or a list of outcomes.
     fn plain_rules(&mut self, rules: &Object<'_>, grammar: &mut Grammar) {
         self.check_keys(rules, &[]);
-        // Where a key stands twice, the last counts.
+        // If a key stands twice, the last value counts.
         let replaced = repeated(rules.properties.iter().rev().map(|p| p.name.as_str()));
         for (property, replaced) in rules.properties.iter().zip(replaced.into_iter().rev()) {
             let Some(symbol) = self.symbol(property).filter(|_| !replaced) else { continue };
@@ -211,7 +211,7 @@ impl File {
         }
     }
 
-    /// `{"p": 0.5, "e": "F"}`.
+    /// Reads an outcome, `{"p": 0.5, "e": "F"}`: its probability and successor.
     fn outcome(&mut self, value: &Value<'_>) -> Option<(f64, Vec<Module>)> {
         let Value::Object(outcome) = value else {
             self.wrong_type("rules", Expected::Outcome, value);
@@ -228,7 +228,7 @@ impl File {
         let mut p = if let Some(Held::Number(p)) = p { p } else { f64::NAN };
         let successor = if let Some(Held::Text(text)) = successor { text } else { String::new() };
         self.check_spaces(&successor, last(outcome, "e")?);
-        // Weights this small cannot be told from none.
+        // Weights this small count as 0.
         if p < 1e-100 {
             p = 0.0;
             self.notes.add(Kind::ProbabilityZero, self.span(last(outcome, "p")?));
@@ -259,7 +259,7 @@ impl File {
     }
 }
 
-/// Fields whose values have forms of their own in files.
+/// Fields whose values have special forms in files.
 const OWN_FORMS: [&str; 2] = ["rules", "overrides"];
 
 /// The keys of an object.
@@ -267,12 +267,12 @@ fn keys(section: Section) -> Vec<&'static str> {
     FIELDS.iter().filter_map(|spec| spec.file).filter(|file| file.0 == section).map(|file| file.1).collect()
 }
 
-/// Keys in which the course's files keep what they no longer use.
+/// Whether a key is of unused data in the course's files.
 fn is_disused(key: &str) -> bool {
     key.ends_with("_old") || key.starts_with('$')
 }
 
-/// The value of the last property called `key`: where a key stands twice, the last counts.
+/// The value of the last property called `key`: if a key stands twice, the last value counts.
 fn last<'a, 'b>(object: &'b Object<'a>, key: &str) -> Option<&'b Value<'a>> {
     object.properties.iter().rev().find(|p| p.name.as_str() == key).map(|p| &p.value)
 }
@@ -296,7 +296,7 @@ fn json_error(error: &ParseError, text: &str) -> (JsonError, Range<usize>) {
         _ => JsonError::Unexpected,
     };
     let range = error.range();
-    // The parser's ranges are trusted only as far as the text goes.
+    // The parser's ranges may exceed the text, so they are clamped.
     let floor = |mut at: usize| {
         at = at.min(text.len());
         while !text.is_char_boundary(at) {
@@ -306,7 +306,7 @@ fn json_error(error: &ParseError, text: &str) -> (JsonError, Range<usize>) {
     };
     let start = floor(range.start);
     let end = match kind {
-        // What is not closed would be underlined to the end of the file: its first character is enough.
+        // An unclosed part would be underlined to the end of the file, so only its first character is marked.
         JsonError::UnclosedObject | JsonError::UnclosedArray | JsonError::UnclosedString => floor(start + 1),
         JsonError::UnclosedComment => floor(start + 2),
         JsonError::MissingColon => start,

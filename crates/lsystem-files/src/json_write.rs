@@ -1,18 +1,18 @@
-//! Writing systems as JSON files; the format is described where it is read.
+//! Writing systems as JSON files. `json.rs` describes the format.
 
 use super::read_json;
 use lsystem_syntax::fields::Section;
 use lsystem_syntax::number::number;
 use lsystem_syntax::{Definition, Dialect, FIELDS, Grammar, Module, Production, Style, Value, parse};
 
-/// A file that reads back as `definition`, ending with a newline: in the course's form where that can say all of it,
-/// in ours otherwise.
+/// A JSON text that reads back as `definition`, ending with a newline. The text is a course file if such a file can
+/// hold the whole definition.
 #[must_use]
 pub fn write_json(definition: &Definition) -> String {
     if definition.dialect == Dialect::EveryLetter && definition.style == Style::course() {
         let (grammar, _) = parse(&definition.axiom, &definition.rules);
         let text = course_form(definition, &grammar);
-        // Reading it back is the one sure test that nothing is lost, comments and spacing of the rules included.
+        // Reading the text back proves that nothing is lost, including comments and spacing of the rules.
         if read_json(&text).0.as_ref() == Some(definition) {
             return text;
         }
@@ -21,7 +21,7 @@ pub fn write_json(definition: &Definition) -> String {
 }
 
 fn course_form(definition: &Definition, grammar: &Grammar) -> String {
-    // Productions of one symbol that stand apart give a key twice; reading that back tells.
+    // Productions of one symbol that are not adjacent give a repeated key. Such a text does not read back as the same.
     let groups = grammar.productions.chunk_by(|a, b| a.predecessor == b.predecessor);
     let text = |modules: &[Module]| string(&modules.iter().map(|m| m.symbol).collect::<String>());
     let rules = groups.map(|group| {
@@ -60,7 +60,7 @@ fn our_form(definition: &Definition) -> String {
 
 fn turtle(definition: &Definition) -> String {
     let mut members = vec![("dialect", string(definition.dialect.name()))];
-    members.extend(unusual(definition, &Definition::default(), Section::Turtle, &["dialect", "overrides"]));
+    members.extend(changed_fields(definition, &Definition::default(), Section::Turtle, &["dialect", "overrides"]));
     if !definition.overrides.is_empty() {
         let overrides = lsystem_syntax::overrides::entries(&definition.overrides);
         members.push(match overrides {
@@ -73,18 +73,18 @@ fn turtle(definition: &Definition) -> String {
 
 fn style(definition: &Definition) -> Vec<(&'static str, String)> {
     let usual = Definition { style: Style::for_dialect(definition.dialect), ..Definition::default() };
-    unusual(definition, &usual, Section::Style, &[])
+    changed_fields(definition, &usual, Section::Style, &[])
 }
 
-/// The fields of an object that are not as usual, but for those called `apart`.
-fn unusual(
+/// The fields of an object that differ from `usual`, except those named in `omitted`.
+fn changed_fields(
     definition: &Definition,
     usual: &Definition,
     section: Section,
-    apart: &[&str],
+    omitted: &[&str],
 ) -> Vec<(&'static str, String)> {
     let here = FIELDS.iter().filter_map(|spec| Some((spec, spec.file?)));
-    here.filter(|(spec, (place, _))| *place == section && !apart.contains(&spec.name))
+    here.filter(|(spec, (place, _))| *place == section && !omitted.contains(&spec.name))
         .filter_map(|(spec, (_, key))| Some((key, spec.get(definition)?, spec.get(usual)?)))
         .filter(|(_, value, usual)| value != usual)
         .map(|(key, value, _)| (key, written(&value)))
@@ -123,12 +123,12 @@ fn file(members: Vec<(&'static str, String)>) -> String {
     text
 }
 
-/// An object, a member a line. `members` are keys and values already written.
+/// An object with one member on each line. `members` are keys and values as JSON.
 fn object<K: AsRef<str>>(members: impl IntoIterator<Item = (K, String)>) -> String {
     block('{', members.into_iter().map(|(key, value)| format!("{}: {value}", string(key.as_ref()))), '}')
 }
 
-/// A list, an element a line.
+/// A list with one element on each line.
 fn list(elements: impl Iterator<Item = String>) -> String {
     block('[', elements, ']')
 }
@@ -170,7 +170,7 @@ fn string(text: &str) -> String {
     out
 }
 
-/// JSON has no infinities: a definition with one is no system and does not read back.
+/// A number as JSON. JSON has no infinities: a definition with one is invalid, and its text does not read back.
 fn json_number(value: f64) -> String {
     if value.is_finite() { number(value) } else { "null".to_owned() }
 }

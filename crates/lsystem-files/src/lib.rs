@@ -1,4 +1,4 @@
-//! Files.
+//! File formats: systems as JSON, drawings as SVG and CSV, meshes as OBJ and glTF, and pictures that hold their system.
 
 mod csv;
 mod embed;

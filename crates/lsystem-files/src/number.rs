@@ -1,22 +1,22 @@
-//! Decimal numbers as short as their purpose allows.
+//! Short decimal numbers.
 
 use core::fmt::Write;
 
-/// Rounds to so many decimal places, and writes no digit that says nothing.
+/// Writes numbers rounded to a number of decimal places, without trailing zeros.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Decimals {
     places: u32,
 }
 
 impl Decimals {
-    /// For a part of a million of `size`, or finer.
+    /// Decimals with a resolution of at least a millionth of `size`, at most 17 places.
     pub(super) fn for_size(size: f64) -> Self {
         let places = 6.0 - libm::floor(libm::log10(size.abs()));
-        // A size of zero or beyond `f64` has no useful logarithm; the cast saturates and the cap does the rest.
+        // The cast saturates for sizes without a finite logarithm, and `min` bounds the result.
         Self { places: (places as u32).min(17) }
     }
 
-    /// `value` in units of the last decimal place; what is too large for that is itself.
+    /// `value` rounded, in units of the last decimal place; `value` unchanged if the result would be 1e18 or more.
     pub(super) fn round(self, value: f64) -> f64 {
         let scaled = libm::round(value * self.unit());
         if scaled.abs() < 1e18 { scaled + 0.0 } else { value }

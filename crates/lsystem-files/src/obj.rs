@@ -1,12 +1,13 @@
-//! Meshes as Wavefront OBJ, a text format that most programs open.
+//! Meshes as Wavefront OBJ, a text format that most 3D programs open.
 
 use super::number::Decimals;
 use core::fmt::Write;
 use lsystem_drawing::Mesh;
 use lsystem_syntax::{Meter, Progress};
 
-/// Writes a mesh: `v` lines with a place and a colour (red, green, blue from 0 to 1 in sRGB, an extension that many
-/// programs read and the others pass over), `vn` lines, and `f` lines. Places are exact to a millionth of the mesh's size.
+/// Writes a mesh: `v` lines with a position and a colour, `vn` lines with normals, and `f` lines with triangles.
+/// Positions are exact to a millionth of the mesh's size. Colours are sRGB red, green and blue from 0 to 1, an
+/// extension that many programs read and other programs ignore.
 #[must_use]
 pub fn write_obj(mesh: &Mesh, name: &str) -> String {
     let mut writer = ObjWriter::new(mesh, name);
@@ -15,27 +16,27 @@ pub fn write_obj(mesh: &Mesh, name: &str) -> String {
     text
 }
 
-/// The same in steps. It holds no mesh, and what it has written may be taken away between two steps.
+/// A writer of OBJ in steps. It holds no mesh, and the caller may remove the written text between two steps.
 #[derive(Clone, Debug)]
 pub struct ObjWriter {
-    /// The lines before the mesh, until they are written.
+    /// The lines before the mesh; empty once written.
     head: String,
     places: Decimals,
     units: Decimals,
-    /// How many lines are written after those.
+    /// The number of lines written after the head.
     lines: usize,
     spent: u64,
 }
 
-/// The work of a line.
+/// The units of work of one line.
 const LINE_WORK: u64 = 8;
 
 impl ObjWriter {
-    /// Ready to write a mesh.
+    /// A writer for a mesh. `name` becomes the name of the object.
     #[must_use]
     pub fn new(mesh: &Mesh, name: &str) -> Self {
         let size = mesh.positions.iter().flatten().fold(0.0_f64, |size, c| size.max(f64::from(c.abs())));
-        // A name is one line.
+        // The name must be one word on one line.
         let name: String = name.chars().map(|c| if c.is_whitespace() || c.is_control() { '_' } else { c }).collect();
         let name = if name.is_empty() { "l-system" } else { &name };
         let head = format!("# x, y, z, red, green, blue; y is up\no {name}\n");
@@ -48,7 +49,7 @@ impl ObjWriter {
         self.spent
     }
 
-    /// Appends lines for about `work` units; `mesh` is the same each time.
+    /// Appends lines for about `work` units of work. `mesh` must be the same each time.
     pub fn step(&mut self, mesh: &Mesh, text: &mut String, work: u64) -> Progress {
         text.push_str(&core::mem::take(&mut self.head));
         let mut meter = Meter::new(work);
@@ -65,7 +66,7 @@ impl ObjWriter {
         progress
     }
 
-    /// Writes the next line; whether there is one.
+    /// Writes the next line. Returns whether there was one.
     fn write_line(&self, mesh: &Mesh, text: &mut String) -> bool {
         let mut numbers = |letter: &str, decimals: Decimals, values: [f64; 3], more: Option<[f64; 3]>| {
             text.push_str(letter);

@@ -1,17 +1,17 @@
-//! Texts in PNG files (PNG specification, third edition, 5 and 11.3.3.4).
+//! Texts in PNG files (PNG specification, third edition, sections 5 and 11.3.3.4).
 
 use super::embed::KEYWORD;
 use std::borrow::Cow;
 
 const SIGNATURE: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
 
-/// Whether a file says that it is a PNG.
+/// Whether a file starts with the PNG signature.
 pub(super) fn is_png(bytes: &[u8]) -> bool {
     bytes.starts_with(&SIGNATURE)
 }
 
-/// A PNG file with a system in it, as [`write_json`](crate::write_json) gives it, so that
-/// [`read_file`](crate::read_file) finds it again; one that it holds already goes. `None` where `png` is no PNG file.
+/// Stores a system, a text of [`write_json`](crate::write_json), in a PNG file for [`read_file`](crate::read_file). A
+/// system already in the file is replaced. `None` if `png` is not a PNG file.
 #[must_use]
 pub fn tag_png(png: &[u8], system: &str) -> Option<Vec<u8>> {
     let mut chunks = Chunks::new(png)?;
@@ -45,12 +45,12 @@ pub(super) fn system_in(png: &[u8]) -> Option<Cow<'_, str>> {
 struct Chunk<'a> {
     kind: [u8; 4],
     data: &'a [u8],
-    /// With its length and checksum.
+    /// The chunk with its length and checksum.
     whole: &'a [u8],
 }
 
 impl<'a> Chunk<'a> {
-    /// The text under our keyword; a file that is cut or damaged may still hold it whole.
+    /// The text under [`KEYWORD`]. The checksum is not verified, because the text of a damaged file may still be whole.
     fn system(&self) -> Option<Cow<'a, str>> {
         let text = self.data.strip_prefix(KEYWORD.as_bytes())?.strip_prefix(b"\0")?;
         match &self.kind {
@@ -59,14 +59,14 @@ impl<'a> Chunk<'a> {
                 let text = parts.nth(2)?;
                 Some(String::from_utf8_lossy(text))
             }
-            // Programs that save a picture again may choose this form, which is Latin-1.
+            // Programs that save a picture again may write this type of chunk, which is Latin-1.
             b"tEXt" => Some(text.iter().map(|&byte| char::from(byte)).collect()),
             _ => None,
         }
     }
 }
 
-/// The chunks of a file, as far as they are whole.
+/// The chunks of a file, up to the first incomplete chunk.
 struct Chunks<'a> {
     rest: &'a [u8],
 }
@@ -107,7 +107,7 @@ mod tests {
         assert_eq!(crc32(b"IEND"), 0xae42_6082);
     }
 
-    /// A chunk with a checksum that nobody looks at.
+    /// A chunk with a wrong checksum, which is never verified.
     fn chunk(kind: &[u8; 4], data: &[u8]) -> Vec<u8> {
         [&(data.len() as u32).to_be_bytes(), kind.as_slice(), data, &[0; 4]].concat()
     }
@@ -124,13 +124,13 @@ mod tests {
         let again = tag_png(&tagged, "{}").unwrap();
         assert_eq!(again.len(), tagged.len() - "é".len());
         assert_eq!(system_in(&again).as_deref(), Some("{}"));
-        // What follows the last whole chunk stays.
+        // Bytes after the last whole chunk stay.
         assert!(tag_png(&plain[..plain.len() - 1], "").unwrap().ends_with(&rest[..rest.len() - 1]));
 
         let latin = [header, chunk(b"tEXt", b"L-system\0{\xe9}")].concat();
         assert_eq!(system_in(&latin).as_deref(), Some("{é}"));
         for end in 0..tagged.len() {
-            // Cut anywhere, it is read or not.
+            // A file cut anywhere must not panic.
             let _ = (system_in(&tagged[..end]), tag_png(&tagged[..end], ""));
         }
         assert_eq!(tag_png(b"GIF89a", ""), None);

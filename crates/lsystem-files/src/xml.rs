@@ -1,6 +1,6 @@
 //! Texts in XML.
 
-/// The text as XML content. Characters that XML cannot hold become U+FFFD.
+/// Escapes a text as XML content. Characters that XML cannot hold become U+FFFD.
 pub(super) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
@@ -15,19 +15,19 @@ pub(super) fn escape(text: &str) -> String {
     escaped
 }
 
-/// Whether XML can hold a character and gives it back as it is (XML 1.0, 2.2 and 2.11).
+/// Whether XML can hold a character and reads it back unchanged (XML 1.0, sections 2.2 and 2.11).
 pub(super) fn is_character(c: char) -> bool {
     matches!(c, '\t' | '\n' | ' '..='\u{d7ff}' | '\u{e000}'..='\u{fffd}' | '\u{10000}'..)
 }
 
-/// XML content as text: the five named entities and numbered characters; others stay as they are.
+/// Decodes XML content: the five named entities and numbered characters. Other entities stay unchanged.
 pub(super) fn unescape(content: &str) -> String {
     let mut text = String::with_capacity(content.len());
     let mut rest = content;
     while let Some(at) = rest.find('&') {
         text.push_str(&rest[..at]);
         rest = &rest[at..];
-        // No entity that is known here is longer than `&#x10ffff;`, leading zeros apart.
+        // The longest entity is `&#x10ffff;`, except for leading zeros.
         let end = rest.bytes().take(16).position(|byte| byte == b';');
         match end.and_then(|end| Some((end, entity(&rest[1..end])?))) {
             Some((end, c)) => {

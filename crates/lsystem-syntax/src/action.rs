@@ -1,59 +1,59 @@
-//! What a symbol makes the turtle do.
+//! The turtle's actions.
 
-/// One thing the turtle does. A symbol has a list of them, in a [`Dialect`](crate::Dialect) or overridden one by one.
+/// One action of the turtle. Each symbol has a list of actions, from the [`Dialect`](crate::Dialect) or an override.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
-    /// Go forward and draw. Length in model units, times the length scale; `None` for the system's step length. Both
-    /// ends are vertices of a polygon that is open.
+    /// Go forward and draw. The length is in model units, times the length scale; `None` is the system's step length.
+    /// Both ends become vertices of an open polygon.
     Draw(Option<f64>),
-    /// Go forward without drawing; length as in [`Action::Draw`].
+    /// Go forward without drawing. Length and vertices as in [`Action::Draw`].
     Move(Option<f64>),
     /// As [`Action::Draw`], without recording a vertex of an open polygon.
     DrawUnmarked(Option<f64>),
     /// As [`Action::Move`], without recording a vertex of an open polygon.
     MoveUnmarked(Option<f64>),
-    /// Begin a polygon, filled in the colour that the turtle has now. What is drawn before it is closed lies upon it.
+    /// Open a polygon, filled in the turtle's current colour. Strokes drawn before it is closed lie on top of it.
     OpenPolygon,
-    /// Record where the turtle is as a vertex of the polygon that was opened last.
+    /// Record the turtle's position as a vertex of the innermost open polygon.
     Vertex,
-    /// Fill the polygon that was opened last, and go on with the one around it.
+    /// Fill the innermost open polygon, and continue with the polygon around it.
     ClosePolygon,
-    /// Turn counter-clockwise, by degrees or by the system's left angle.
+    /// Turn counter-clockwise, by degrees; `None` is the system's left angle.
     TurnLeft(Option<f64>),
-    /// Turn clockwise, by degrees or by the system's right angle.
+    /// Turn clockwise, by degrees; `None` is the system's right angle.
     TurnRight(Option<f64>),
     /// Turn by 180 degrees.
     TurnRound,
-    /// Pitch the heading down, away from the turtle's up, by degrees or by the system's angle for it.
+    /// Pitch the heading down, away from the turtle's up, by degrees; `None` is the system's pitch angle.
     PitchDown(Option<f64>),
-    /// Pitch the heading up.
+    /// Pitch the heading up, towards the turtle's up, by degrees; `None` is the system's pitch angle.
     PitchUp(Option<f64>),
-    /// Roll about the heading so that the turtle's left rises.
+    /// Roll about the heading so that the turtle's left rises, by degrees; `None` is the system's roll angle.
     RollLeft(Option<f64>),
-    /// Roll about the heading so that the turtle's left sinks.
+    /// Roll about the heading so that the turtle's left sinks, by degrees; `None` is the system's roll angle.
     RollRight(Option<f64>),
-    /// Roll about the heading until the turtle's left is level and its up is not below it.
+    /// Roll about the heading until the turtle's left is level and its up does not point below the horizon.
     RollUpright,
     /// Save position, heading, colour, width and length, and go one branch level deeper.
     Push,
-    /// Return to what the matching [`Action::Push`] saved.
+    /// Restore the state that the matching [`Action::Push`] saved.
     Pop,
-    /// Use the palette's colour at this index.
+    /// Set the palette index, 0-based.
     SetColour(i32),
-    /// Go this many places along the palette, backwards when negative.
+    /// Add to the palette index.
     AddColour(i32),
     /// Set the stroke width, in multiples of the step length.
     SetWidth(f64),
     /// Multiply the stroke width.
     ScaleWidth(f64),
-    /// In the next derivation step the branch ends here: this symbol and all that follows it in its branch is gone. Does
-    /// nothing when drawn.
+    /// In the next derivation step, remove this symbol and the rest of its branch. The turtle ignores the symbol.
     Cut,
 }
 
 impl Action {
-    /// The same by this number, a module's first argument: a length, degrees, a width, a palette index. What has no
-    /// number stays; what changes a width or a colour by steps sets it instead.
+    /// The action with a module's first argument as its number: a length, degrees, a width or a palette index. Actions
+    /// without a number stay the same. [`Action::AddColour`] and [`Action::ScaleWidth`] become [`Action::SetColour`]
+    /// and [`Action::SetWidth`].
     #[must_use]
     pub fn with(self, number: f64) -> Self {
         match self {
@@ -75,19 +75,19 @@ impl Action {
             | Self::OpenPolygon
             | Self::Vertex
             | Self::ClosePolygon => self,
-            // Out of range it is the nearest that there is.
+            // The cast takes the nearest `i32` for numbers out of range.
             Self::SetColour(_) | Self::AddColour(_) => Self::SetColour(libm::floor(number) as i32),
             Self::SetWidth(_) | Self::ScaleWidth(_) => Self::SetWidth(number),
         }
     }
 
-    /// Whether it draws a segment.
+    /// Whether the action draws a segment.
     #[must_use]
     pub fn draws(self) -> bool {
         matches!(self, Self::Draw(_) | Self::DrawUnmarked(_))
     }
 
-    /// The same without recording vertices.
+    /// The action without recording vertices.
     #[must_use]
     pub fn unmarked(self) -> Self {
         match self {
@@ -97,7 +97,7 @@ impl Action {
         }
     }
 
-    /// Whether it leads out of the plane.
+    /// Whether the action leads out of the plane: a pitch or a roll.
     #[must_use]
     pub fn is_solid(self) -> bool {
         use Action::{PitchDown, PitchUp, RollLeft, RollRight, RollUpright};

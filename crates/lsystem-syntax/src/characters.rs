@@ -1,17 +1,18 @@
-//! Characters that are read as others, or not at all.
+//! Characters that are read as white space or as other characters.
 
-/// White space, which separates and is no symbol.
+/// Whether a character is white space: a separator, never a symbol.
 pub(crate) fn is_blank(ch: char) -> bool {
     ch.is_whitespace() || ch == '\u{feff}'
 }
 
-/// Characters that show nothing, or only change how others are shown: read as white space.
+/// Whether a character is invisible or only formats its neighbours. Such characters are read as white space.
 pub(crate) fn is_invisible(ch: char) -> bool {
     matches!(ch, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
         || (ch.is_control() && !ch.is_whitespace())
 }
 
-/// What a character that word processors, papers and other scripts put in the place of a plain one is read as.
+/// The plain character for a typographic look-alike, as word processors and papers use; `None` for all other
+/// characters.
 pub(crate) fn look_alike(ch: char) -> Option<char> {
     Some(match ch {
         '\u{2010}'..='\u{2015}' | '\u{2212}' | '\u{2796}' | '\u{2d7}' | '\u{fe58}' | '\u{fe63}' => '-',
@@ -31,7 +32,7 @@ pub(crate) fn look_alike(ch: char) -> Option<char> {
         '\u{3f5}' | '\u{25b}' => 'ε',
         // The full-width forms of ASCII.
         '\u{ff01}'..='\u{ff5e}' => char::from_u32(u32::from(ch) - 0xfee0)?,
-        // A byte order mark at the start of a file is ordinary.
+        // Files often start with a byte order mark, so no warning is due.
         '\u{feff}' => return None,
         _ if is_invisible(ch) => ' ',
         _ => return None,

@@ -1,19 +1,20 @@
-//! What a character of a text belongs to, for showing texts in colours.
+//! Classes of characters, for syntax colours.
 
-/// What a character of a text belongs to. Each class is also a letter, so that the classes of a text make a text.
+/// The part of the notation that a character belongs to. Each class has a letter, so that a string holds all classes of
+/// a text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Class {
-    /// White space, symbols that have no class of their own, and what could not be read.
+    /// White space, symbols without a class of their own, and unreadable text.
     #[default]
     Plain = b'_',
     /// A comment.
     Comment = b'c',
     /// A heading: `ignore:`, `consider:`, `draw:`, `#define`.
     Heading = b'h',
-    /// The arrow, and what separates contexts, condition, weight and values: `<`, `>`, `:`, `=`.
+    /// The arrow, and the separators of contexts, conditions, weights and values: `<`, `>`, `:`, `=`.
     Mark = b'm',
-    /// The strict predecessor, or the symbol whose actions follow.
+    /// The strict predecessor, or the symbol of an override.
     Predecessor = b'p',
     /// A left or right context.
     Context = b'x',
@@ -21,7 +22,7 @@ pub enum Class {
     Condition = b'i',
     /// A weight.
     Weight = b'w',
-    /// A named constant, where it is given a value and where it is used.
+    /// A named constant, at its definition and at its uses.
     Constant = b'k',
     /// A parameter.
     Parameter = b'a',
@@ -36,13 +37,13 @@ pub enum Class {
 }
 
 impl Class {
-    /// Its letter.
+    /// The letter of the class.
     #[must_use]
     pub fn letter(self) -> char {
         char::from(self as u8)
     }
 
-    /// What a symbol of an axiom or a successor is.
+    /// The class of a symbol in an axiom or a successor.
     pub(crate) fn of_symbol(symbol: char) -> Self {
         match symbol {
             '[' | ']' | '{' | '}' => Self::Bracket,

@@ -1,4 +1,4 @@
-//! What each part of a definition's texts is, for showing them in colours.
+//! Classes of a definition's texts, for syntax colours.
 
 use crate::notation::constants::{ConstantPlace, Constants};
 use crate::notation::read_with;
@@ -6,20 +6,20 @@ use crate::notes::Notes;
 use crate::overrides;
 use crate::{Class, Definition, Field};
 
-/// How the texts of a definition read, be they right or wrong.
+/// The classes of a definition's texts, with or without errors.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Classes {
-    /// Of the axiom, by byte.
+    /// The class of each byte of the axiom.
     pub axiom: Vec<Class>,
-    /// Of the rules, by byte.
+    /// The class of each byte of the rules.
     pub rules: Vec<Class>,
-    /// Of the overrides, by byte.
+    /// The class of each byte of the overrides.
     pub overrides: Vec<Class>,
-    /// Constants in text order, each name once.
+    /// The constants in text order, each name once.
     pub constants: Vec<ConstantPlace>,
 }
 
-/// Says what each part of a definition's texts is.
+/// Classifies each byte of a definition's texts.
 ///
 /// ```
 /// let definition = lsystem_syntax::Definition { rules: "r = 0.9".into(), ..Default::default() };

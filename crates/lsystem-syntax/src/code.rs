@@ -1,70 +1,70 @@
-//! Expressions compiled to what computes fast: common forms as themselves, the rest as postfix operations.
+//! Compiled expressions: common forms directly, all others as postfix operations.
 
 use crate::expr::{Expr, Function, Operator};
 
-/// An expression made ready to be computed many times.
+/// A compiled expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Code {
-    /// Always this.
+    /// A constant.
     Constant(f64),
     /// A parameter.
     Slot(u16),
-    /// A parameter times a constant: what most growth rules are made of.
+    /// A parameter times a constant, the form of most growth rules.
     Scaled(u16, f64),
     /// A parameter plus a constant.
     Shifted(u16, f64),
-    /// Anything else, in postfix order.
+    /// All other expressions, in postfix order.
     Postfix(Vec<Op>),
 }
 
 /// One operation on a stack of values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Op {
-    /// Push a number.
+    /// Push a number onto the stack.
     Number(f64),
-    /// Push a parameter.
+    /// Push a parameter onto the stack.
     Slot(u16),
     /// Change the sign.
     Negative,
     /// 1 for 0, 0 for anything else.
     Not,
-    /// Combine the two on top.
+    /// Apply an operator to the two values on top.
     Binary(Operator),
     /// A function of one argument.
     Call1(Function),
     /// A function of two arguments.
     Call2(Function),
-    /// A random number between the two on top; which of the production's random numbers it is.
+    /// A random number between the two values on top, with its index (0-based) among the production's random numbers.
     Random(u16),
 }
 
-/// Values that a stack holds; deeper expressions do not compile.
+/// The most values on the stack. Deeper expressions do not compile.
 pub(crate) const STACK: usize = 32;
 
-/// What a name stands for.
+/// The meaning of a name.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Meaning {
     /// A named constant.
     Constant(f64),
-    /// The parameter at this place.
+    /// The parameter with this index, 0-based.
     Slot(u16),
 }
 
-/// An expression that cannot be computed.
+/// The reason why an expression does not compile.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unusable {
-    /// A name that stands for nothing.
+    /// An unknown name.
     Unknown(String),
-    /// It needs more than `STACK` values at once.
+    /// The expression needs more than `STACK` values at once.
     TooDeep,
 }
 
 impl Code {
-    /// Makes `expr` ready: `meaning` says what names stand for; `randoms` counts the random numbers of the
-    /// production so far.
+    /// Compiles `expr`. `meaning` gives the meaning of names; `randoms` counts the random numbers of the production so
+    /// far.
     ///
     /// # Errors
-    /// Where a name is unknown or the expression too deep.
+    /// If a name is unknown or the expression is nested too deeply.
     pub fn new(expr: &Expr, meaning: &impl Fn(&str) -> Option<Meaning>, randoms: &mut u16) -> Result<Self, Unusable> {
         let mut ops = Vec::new();
         compile(expr, meaning, randoms, &mut ops, 0)?;
@@ -80,7 +80,8 @@ impl Code {
         })
     }
 
-    /// Its value for `slots`, the parameters; `random` gives a number in `0.0..1.0` for each place of one.
+    /// The expression's value for the parameters in `slots`. `random` gives the number in `0.0..1.0` for the index of
+    /// each random number.
     #[inline]
     pub fn value(&self, slots: &[f64], random: &impl Fn(u16) -> f64) -> f64 {
         match self {
@@ -92,13 +93,13 @@ impl Code {
         }
     }
 
-    /// How many operations it is.
+    /// The number of operations.
     #[must_use]
     pub fn length(&self) -> u64 {
         if let Self::Postfix(ops) = self { ops.len() as u64 } else { 1 }
     }
 
-    /// Whether chance plays a part.
+    /// Whether the expression contains a random number.
     #[must_use]
     pub fn is_random(&self) -> bool {
         matches!(self, Self::Postfix(ops) if ops.iter().any(|op| matches!(op, Op::Random(_))))
@@ -130,7 +131,7 @@ fn run(ops: &[Op], slots: &[f64], random: &impl Fn(u16) -> f64) -> f64 {
     stack[0]
 }
 
-/// Appends the postfix form of `expr`, constants folded; `held` values are on the stack already.
+/// Appends the postfix form of `expr` with constants folded. `held` is the number of values already on the stack.
 fn compile(
     expr: &Expr,
     meaning: &impl Fn(&str) -> Option<Meaning>,

@@ -1,19 +1,20 @@
-//! Decimal numbers, read exactly: the nearest number of double precision, to even where two are as near.
+//! Decimal numbers, read exactly: the nearest double, ties to even.
 //!
-//! The standard library reads the same, with tables that make a fortieth of the page's wasm.
+//! The standard library gives the same results, but its tables are a fortieth of the page's wasm.
 
 use core::cmp::Ordering;
 
-/// More digits than any number needs to tell on which side of the middle between two doubles it lies.
+/// The most digits that are kept. Any double or midpoint of two doubles has fewer significant digits.
 const MOST_DIGITS: usize = 800;
 
-/// Powers of ten that are exact as doubles.
+/// The powers of ten that are exact doubles.
 const EXACT: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
     1e21, 1e22,
 ];
 
-/// Reads `-12`, `0.5`, `.5`, `5.` and `1e-7`; infinite where the number is too large, `None` where the text is no number.
+/// Reads a number such as `-12`, `0.5`, `.5`, `5.` or `1e-7`. Numbers too large for a double are infinite; `None` if
+/// the text is not a number.
 #[must_use]
 pub fn read(text: &str) -> Option<f64> {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
@@ -29,7 +30,7 @@ pub fn read(text: &str) -> Option<f64> {
     let written = before.bytes().chain(after.bytes());
     let leading = written.clone().take_while(|&digit| digit == b'0').count();
     let mut digits: Vec<u8> = written.clone().skip(leading).take(MOST_DIGITS).map(|digit| digit - b'0').collect();
-    // What is left out counts as a last digit that is not zero, if it is not.
+    // If a digit left out is not zero, the last digit kept must not be zero, so that rounding sees a remainder.
     let rest = written.skip(leading + digits.len());
     let left_out = rest.clone().count();
     if rest.clone().any(|digit| digit != b'0')
@@ -41,7 +42,7 @@ pub fn read(text: &str) -> Option<f64> {
     Some(if text.starts_with('-') { -size } else { size })
 }
 
-/// An exponent, cut to what matters.
+/// Reads an exponent, clamped to 2^40.
 fn whole(text: &str) -> Option<i64> {
     let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
     if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
@@ -51,7 +52,7 @@ fn whole(text: &str) -> Option<i64> {
     Some(if text.starts_with('-') { -size } else { size })
 }
 
-/// The double nearest to `digits` times a power of ten.
+/// The double nearest to `digits` times 10^`exponent`.
 fn nearest(digits: &[u8], exponent: i64) -> f64 {
     let significant = digits.iter().rposition(|&digit| digit != 0).map_or(0, |last| last + 1);
     let (digits, exponent) = (&digits[..significant], exponent + (digits.len() - significant) as i64);
@@ -61,11 +62,11 @@ fn nearest(digits: &[u8], exponent: i64) -> f64 {
     if digits.len() <= 15
         && let Some(&power) = EXACT.get(exponent.unsigned_abs() as usize)
     {
-        // Both are exact, so that one rounding is the right one.
+        // Both numbers are exact, so the only rounding is that of the result.
         let whole = digits.iter().fold(0.0, |whole, &digit| whole * 10.0 + f64::from(digit));
         return if exponent < 0 { whole / power } else { whole * power };
     }
-    // The largest double has 309 digits before the point; the smallest begins at the 324th behind it.
+    // The largest double has 309 digits before the point; the smallest begins at the 324th digit after it.
     match exponent + digits.len() as i64 {
         311.. => f64::INFINITY,
         ..-325 => 0.0,
@@ -73,11 +74,12 @@ fn nearest(digits: &[u8], exponent: i64) -> f64 {
     }
 }
 
-/// The double nearest to `numerator` times a power of ten, in whole numbers of any length.
+/// The double nearest to `numerator` times 10^`exponent`, computed in integers of any length.
 fn rounded(mut numerator: Big, exponent: i64) -> f64 {
     let mut denominator = Big(vec![1]);
     if exponent < 0 { &mut denominator } else { &mut numerator }.scale(exponent.unsigned_abs());
-    // In this unit the quotient has 54 or 55 bits: one or two more than a double; fewer below the normal doubles.
+    // Exponent of the quotient's last bit. The quotient then has 54 or 55 bits, one or two more than a double's
+    // mantissa; subnormal doubles have fewer.
     let unit = (numerator.bits() - denominator.bits() - 54).max(-1075);
     if unit < 0 { &mut numerator } else { &mut denominator }.double(unit.unsigned_abs());
     denominator.double(55);
@@ -87,8 +89,8 @@ fn rounded(mut numerator: Big, exponent: i64) -> f64 {
         numerator.double(1);
     }
     let more = if quotient < 1 << 54 { 1 } else { 2 };
-    let (mantissa, beyond) = (quotient >> more, quotient & ((1 << more) - 1));
-    let is_up = match beyond.cmp(&(1 << (more - 1))) {
+    let (mantissa, remainder) = (quotient >> more, quotient & ((1 << more) - 1));
+    let is_up = match remainder.cmp(&(1 << (more - 1))) {
         Ordering::Less => false,
         Ordering::Equal => numerator.bits() > 0 || mantissa % 2 == 1,
         Ordering::Greater => true,
@@ -96,7 +98,7 @@ fn rounded(mut numerator: Big, exponent: i64) -> f64 {
     libm::scalbn((mantissa + u64::from(is_up)) as f64, (unit + more) as i32)
 }
 
-/// A whole number of any length: 32 bits a limb, the lowest first; the highest is not zero.
+/// An integer of any length: limbs of 32 bits, least significant first. The last limb is not zero.
 struct Big(Vec<u32>);
 
 impl Big {
@@ -109,7 +111,7 @@ impl Big {
         big
     }
 
-    /// Multiplies and adds.
+    /// Multiplies by `factor` and adds `more`.
     fn times(&mut self, factor: u32, more: u32) {
         let mut carry = u64::from(more);
         for limb in &mut self.0 {
@@ -122,7 +124,7 @@ impl Big {
         }
     }
 
-    /// Multiplies by a power of ten.
+    /// Multiplies by 10^`exponent`.
     fn scale(&mut self, exponent: u64) {
         for _ in 0..exponent / 9 {
             self.times(1_000_000_000, 0);
@@ -130,7 +132,7 @@ impl Big {
         self.times(10_u32.pow((exponent % 9) as u32), 0);
     }
 
-    /// Multiplies by a power of two.
+    /// Multiplies by 2^`exponent`.
     fn double(&mut self, exponent: u64) {
         if !self.0.is_empty() {
             self.times(1 << (exponent % 32), 0);
@@ -139,7 +141,7 @@ impl Big {
         }
     }
 
-    /// Takes another number away, where it is not larger; whether that was so.
+    /// Subtracts another number, unless it is larger. Returns whether it was subtracted.
     fn subtract(&mut self, other: &Self) -> bool {
         let by_length = self.0.len().cmp(&other.0.len());
         if by_length.then_with(|| self.0.iter().rev().cmp(other.0.iter().rev())) == Ordering::Less {
@@ -168,7 +170,7 @@ mod tests {
     use super::read;
     use proptest::prelude::*;
 
-    /// As the standard library reads it, where that is a number and no word.
+    /// Compares with the standard library, except for words such as `inf`.
     fn check(text: &str) {
         let is_word = text.bytes().any(|byte| byte.is_ascii_alphabetic() && !matches!(byte, b'e' | b'E'));
         let expected = text.parse::<f64>().ok().filter(|_| !is_word);
@@ -226,7 +228,7 @@ mod tests {
         {
             check(&text);
         }
-        // Half way between two doubles, and a little more, a thousand digits on.
+        // Halfway between two doubles, exactly and with a further digit 2,000 places on.
         check(&format!("9007199254740993.{zeros}"));
         check(&format!("9007199254740993.{zeros}1"));
     }

@@ -1,12 +1,12 @@
-//! An L-system as its author wrote it: the one flat value that files, links, controls and undo share.
+//! An L-system as its author wrote it: one flat value that files, links, controls and undo share.
 
 use crate::fields::{FIELDS, field};
 use crate::{Diagnostic, Dialect, Field, Kind, Style};
 use serde::de::{self, Deserialize, Deserializer, IgnoredAny, MapAccess, Visitor};
 use serde::ser::{Serialize, Serializer};
 
-/// Everything that decides the picture, as text and plain numbers. `System::new` makes it
-/// ready for use and reports what is wrong with it. For scripts it is an object with the names of [`FIELDS`].
+/// An L-system as text and plain numbers: everything that decides its picture. `System::new` compiles a definition and
+/// reports its problems. In scripts a definition is an object with the names of [`FIELDS`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Definition {
     /// A short name, unique within its folder.
@@ -15,11 +15,11 @@ pub struct Definition {
     pub title: String,
     /// Where the system was published.
     pub source: String,
-    /// Anything a reader should know.
+    /// Notes for readers.
     pub notes: String,
     /// The axiom, in the notation.
     pub axiom: String,
-    /// Productions and constants, in the notation, a line each.
+    /// Productions and constants, in the notation, one on each line.
     pub rules: String,
     /// Derivation steps, 0 to 1,000.
     pub iterations: u32,
@@ -41,36 +41,36 @@ pub struct Definition {
     pub step: f64,
     /// Where the turtle starts, in model units, y up.
     pub start: [f64; 2],
-    /// What branches bend towards: x, y and z (towards the viewer), of any length (`Tropism`).
+    /// The vector that branches bend towards: x, y and z (towards the viewer), of any length (`Tropism`).
     pub tropism: [f64; 3],
-    /// How easily they bend, in radians per segment for a `tropism` of length 1 across the heading; 0 for not at all.
+    /// The bending of branches, in radians per segment for a `tropism` of length 1 across the heading; 0 for none.
     pub elasticity: f64,
-    /// What the symbols do.
+    /// The table of the symbols' actions.
     pub dialect: Dialect,
-    /// Exceptions from the dialect, a line each: `G: move`, `B: turn left 90, draw 10`.
+    /// Custom symbols, one on each line: `G: move`, `B: turn left 90, draw 10`. They replace the dialect's actions.
     pub overrides: String,
-    /// What every branch multiplies all lengths by.
+    /// The factor of all lengths for each branch level.
     pub length_factor: f64,
-    /// By how much angles differ at random from what they should be, at most: percent of them, 0 to 100.
+    /// The largest random change of an angle, in percent of the angle, 0 to 100.
     pub angle_variation: f64,
-    /// By how much lengths differ at random from what they should be, at most: percent of them, 0 to 100.
+    /// The largest random change of a length, in percent of the length, 0 to 100.
     pub length_variation: f64,
-    /// How far what the last derivation step made has grown, from 0 to 1 (`Turtle::growth`).
+    /// The growth of the modules that the last derivation step made, from 0 to 1 (`Turtle::growth`).
     pub growth: f64,
-    /// Selects among the outcomes of stochastic productions.
+    /// The seed of all random choices.
     pub seed: u32,
-    /// Colours and widths: for scripts, further fields beside the others.
+    /// Colours and widths. In scripts their fields stand beside the others, not in an object of their own.
     pub style: Style,
 }
 
 impl Definition {
-    /// What people call it: its title, or its name where it has none.
+    /// The title, or the name if the title is empty.
     #[must_use]
     pub fn label(&self) -> &str {
         if self.title.is_empty() { &self.name } else { &self.title }
     }
 
-    /// The text that spans of a diagnostic's [`Field`] point into; `None` for what is no text of a definition.
+    /// The text of a diagnostic's [`Field`]; `None` for [`Field::File`] and [`Field::Numbers`].
     #[must_use]
     pub fn text(&self, field: Field) -> Option<&str> {
         match field {
@@ -83,7 +83,7 @@ impl Definition {
 }
 
 impl Definition {
-    /// What is out of its range, in the order of [`FIELDS`].
+    /// A diagnostic for each field that is out of its range, in the order of [`FIELDS`].
     #[must_use]
     pub fn out_of_range(&self) -> Vec<Diagnostic> {
         let wrong = FIELDS.iter().filter(|spec| spec.get(self).is_some_and(|value| !spec.admits(&value)));
@@ -110,7 +110,7 @@ impl<'de> Deserialize<'de> for Definition {
     }
 }
 
-/// Reads an object of fields. Fields that are missing have their defaults, unknown ones are skipped.
+/// Reads an object of fields. Missing fields keep their defaults, unknown fields are skipped.
 struct Reader;
 
 impl<'de> Visitor<'de> for Reader {

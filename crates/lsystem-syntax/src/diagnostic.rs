@@ -1,26 +1,26 @@
-//! What is wrong with what somebody typed, as values: kind, place, and words from one table.
+//! Problems in a system or a file, as values: kind, text and span. Their words stand in `message.rs`.
 
 use crate::value::Value;
 use crate::{Colour, Function, MAX_PALETTE};
 use core::ops::Range;
 
-/// One thing to tell the author of a system.
+/// One problem in a system, a file or a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
-    /// What it is about, with its arguments.
+    /// The problem, with its arguments.
     pub kind: Kind,
-    /// Which text it is in.
+    /// The text that contains the problem.
     pub field: Field,
-    /// Where in that text, in bytes; empty at the place where something is missing, 0..0 when no place applies.
+    /// The place in the text, in bytes; empty where something is missing, 0..0 if no place applies.
     pub span: Range<usize>,
 }
 
-/// How bad it is.
+/// Whether the system is usable in spite of a problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// The system works, perhaps not as meant.
+    /// The system is usable, but may not mean what its author intended.
     Warning,
-    /// The system cannot be used.
+    /// The system is not usable.
     Error,
 }
 
@@ -35,12 +35,12 @@ pub enum Field {
     Overrides,
     /// A file that was read.
     File,
-    /// The definition's numbers: no text, no span.
+    /// The definition's numbers. They have no text, so the span is 0..0.
     Numbers,
 }
 
 impl Field {
-    /// Its name, as in reports: `axiom`, `rules`, `overrides`, `file` or `numbers`.
+    /// The field's name in reports: `axiom`, `rules`, `overrides`, `file` or `numbers`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -53,49 +53,49 @@ impl Field {
     }
 }
 
-/// What a diagnostic is about. The words are in the message table (`message.rs`).
+/// The kinds of diagnostics. Their words stand in the message table (`message.rs`).
 ///
-/// Texts in it are excerpts: long ones are cut.
+/// Texts in a kind are excerpts of at most about 40 characters.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
     /// A limit is passed.
     Limit {
-        /// Which limit.
+        /// The limit's name.
         limit: LimitName,
-        /// Its value.
+        /// The limit's value.
         value: u64,
-        /// The largest number of iterations within it, where known.
+        /// The largest number of iterations within the limit, if known.
         largest: Option<u32>,
     },
-    /// A file that is neither text nor a picture of ours.
+    /// A file that is neither UTF-8 text nor a picture made by this library.
     NotText {
         /// The first line (1-based) that is not UTF-8.
         line: usize,
     },
     /// A picture without a system in it.
     NoSystem {
-        /// Which kind of picture.
+        /// The picture's format.
         picture: &'static str,
     },
-    /// A picture that takes whoever shows it long.
+    /// A picture that opens slowly, because viewers have to copy many blocks.
     Instances {
-        /// How many copies of blocks have to be made.
+        /// The number of copies.
         count: u128,
     },
-    /// A picture whose ink covers, of a drawing whose ink adds up.
+    /// A file format with opaque ink only, for a drawing with additive ink.
     CoveringInk,
-    /// More diagnostics than are worth listing.
+    /// The diagnostics beyond the most that are listed.
     More {
-        /// How many were left out.
+        /// The number of diagnostics left out.
         left_out: usize,
     },
 
     // Characters.
-    /// A character pasted from a typeset text is read as the one it looks like.
+    /// A typographic character that is read as the plain character it resembles.
     LookAlike {
-        /// What stands in the text.
+        /// The character in the text.
         found: char,
-        /// What it is read as.
+        /// The plain character.
         read_as: char,
     },
     /// Backquotes that do not hold exactly one character.
@@ -104,9 +104,9 @@ pub enum Kind {
     LiteralUnclosed,
     /// `(` without `)`.
     ParenthesisUnclosed,
-    /// A parenthesis that is read as a symbol because it does not directly follow one.
+    /// A parenthesis that is read as a symbol because it does not directly follow a symbol.
     ParenthesisSymbol {
-        /// Which.
+        /// The parenthesis.
         symbol: char,
     },
 
@@ -115,14 +115,14 @@ pub enum Kind {
     ParenthesesEmpty,
     /// A line that is neither a production, a constant nor a comment.
     NoArrow {
-        /// The line as a production, where a guess can be made.
+        /// The line as a production or a constant, if a guess is possible.
         suggestion: Option<String>,
     },
     /// `F = FF`.
     EqualsForArrow {
-        /// What stands before the `=`.
+        /// The text before the `=`.
         left: String,
-        /// What stands after it.
+        /// The text after the `=`.
         right: String,
     },
     /// `axiom: F` or `angle: 25` among the productions.
@@ -134,15 +134,15 @@ pub enum Kind {
     NoPredecessor,
     /// More than one symbol before the arrow.
     LongPredecessor {
-        /// They.
+        /// The symbols.
         text: String,
     },
-    /// Something else than a name for a parameter before the arrow.
+    /// A parameter before the arrow that is not a name.
     ParameterName {
-        /// It.
+        /// The text in place of the name.
         text: String,
     },
-    /// Two parameters of one name before the arrow.
+    /// Two parameters with the same name before the arrow.
     ParameterTwice {
         /// The name.
         name: String,
@@ -151,74 +151,74 @@ pub enum Kind {
     ContextOrder,
     /// Nothing before `<` or after `>`.
     ContextMissing {
-        /// `<` or `>`.
+        /// The mark without a context, `<` or `>`.
         mark: char,
     },
-    /// A comparison that is read as a context.
+    /// `<` or `>` before the arrow that is probably a comparison, but is read as the mark of a context.
     ContextForCondition,
-    /// A condition behind the successor, which is read as symbols.
+    /// A condition after the successor. It is read as symbols.
     ConditionBehind,
-    /// A comment behind the successor, which is read as symbols.
+    /// A comment after the successor. It is read as symbols.
     CommentBehind,
-    /// A number in a successor that was meant as its weight.
+    /// A number at one end of a successor that is probably a weight, but is read as symbols.
     WeightOfSymbols,
     /// A bracket in a left context.
     ContextBracketLeft,
     /// A bracket without its partner in a right context, or with parameters.
     ContextBracket,
-    /// A symbol in a context that contexts do not see.
+    /// A symbol in a context that `ignore:` or `consider:` hides from contexts.
     ContextUnseen {
-        /// Which.
+        /// The symbol.
         symbol: char,
     },
     /// A context below `draw:`.
     DrawContext,
-    /// `ignore:` as well as `consider:`.
+    /// Both `ignore:` and `consider:`.
     IgnoreAndConsider,
     /// `=>` in a condition.
     ArrowForComparison,
-    /// A further arrow in a line.
+    /// A second arrow in a line.
     SecondArrow,
     /// An arrow in the axiom.
     ArrowInAxiom,
-    /// An unweighted production after an unweighted one that applies wherever this one does.
+    /// An unweighted production that never applies, because an earlier unweighted production always applies instead.
     NeverApplies {
         /// The predecessor.
         symbol: char,
-        /// Whether this one has a condition that the other has not.
+        /// Whether the later production has a condition and the earlier one has none.
         conditional: bool,
     },
-    /// Weighted and unweighted productions for one symbol.
+    /// Weighted and unweighted productions for the same symbol.
     MixedWeights {
         /// The predecessor.
         symbol: char,
-        /// Whether the weighted ones apply, because one of them comes first.
+        /// Whether the weighted productions apply, because the first production is weighted.
         weighted: bool,
     },
 
     // Numbers in the text.
     /// A weight that is zero, negative or too large.
     WeightRange {
-        /// Its value.
+        /// The weight.
         value: f64,
     },
     /// A number is missing.
     NumberExpected,
-    /// Digits that are no number.
+    /// A malformed number.
     NumberMalformed {
-        /// They.
+        /// The number as written.
         text: String,
     },
-    /// Digits that are a number too large to be held.
+    /// A number too large for double precision.
     NumberRange {
-        /// They.
+        /// The number as written.
         text: String,
     },
-    /// A character that has no place in arithmetic.
+    /// A character that is unexpected in arithmetic.
     ArithmeticUnexpected {
-        /// Which.
+        /// The character.
         found: char,
-        /// What the arithmetic is for.
+        /// The role of the arithmetic.
         role: Role,
     },
     /// `(` without `)` in arithmetic.
@@ -227,151 +227,151 @@ pub enum Kind {
     ArithmeticDepth,
     /// Arithmetic whose result is infinite or undefined.
     ArithmeticRange,
-    /// A name that no constant has.
+    /// A name that is neither a constant nor a parameter.
     UnknownConstant {
         /// The name.
         name: String,
-        /// A similar one.
+        /// A similar name.
         similar: Option<String>,
-        /// Whether a constant below has it.
+        /// Whether a later line defines the constant.
         below: bool,
-        /// What the arithmetic is for.
+        /// The role of the arithmetic.
         role: Role,
     },
-    /// A name before `(` that no function has.
+    /// A name before `(` that is not a function.
     UnknownFunction {
         /// The name.
         name: String,
-        /// A similar one.
+        /// A similar function.
         similar: Option<&'static str>,
     },
     /// A parameter or constant before `(`.
     NotAFunction {
-        /// Its name.
+        /// The parameter's or constant's name.
         name: String,
     },
     /// A function without `(`.
     FunctionBare {
-        /// Its name.
+        /// The function's name.
         name: String,
     },
-    /// A function with another number of arguments than it takes.
+    /// A function with a wrong number of arguments.
     FunctionArity {
-        /// Which.
+        /// The function.
         function: Function,
-        /// How many it takes.
+        /// The number of arguments that the function takes.
         expected: usize,
-        /// How many there are.
+        /// The number of arguments given.
         found: usize,
     },
     /// `a < b < c`.
     ComparisonChain,
     /// A comparison in a weight.
     WeightCondition,
-    /// A condition that does not depend on anything.
+    /// A condition that is always true or always false.
     ConditionConstant {
-        /// Whether it is true.
+        /// Whether the condition is true.
         holds: bool,
     },
     /// A constant with `random`.
     ConstantRandom,
-    /// Something else than a name before `=` or after `#define`.
+    /// A constant whose name is not a name, before `=` or after `#define`.
     ConstantName {
-        /// It.
+        /// The text in place of the name.
         text: String,
     },
     /// A constant defined a second time.
     ConstantTwice {
-        /// Its name.
+        /// The constant's name.
         name: String,
     },
-    /// A constant that nothing uses.
+    /// A constant that is never used.
     ConstantUnused {
-        /// Its name.
+        /// The constant's name.
         name: String,
-        /// Its value, as written.
+        /// The value as written.
         value: String,
     },
 
     // Overrides.
     /// An override without `:` after its symbol.
     OverrideColon {
-        /// The line with one, where a guess can be made.
+        /// The line with a colon, if a guess is possible.
         suggestion: Option<String>,
     },
     /// Not exactly one symbol before the `:` of an override.
     OverrideSymbol {
-        /// What stands there.
+        /// The text before the `:`.
         text: String,
     },
-    /// A second override of a symbol: it replaces the first.
+    /// A second override of the same symbol. The last one counts.
     OverrideTwice {
         /// The symbol.
         symbol: char,
     },
-    /// An action that nobody knows.
+    /// An unknown action.
     UnknownAction {
-        /// It.
+        /// The action as written.
         text: String,
-        /// A similar one.
+        /// A similar action.
         similar: Option<&'static str>,
     },
     /// `nothing` together with other actions.
     NothingElse,
     /// A number in an action is missing, malformed or out of range.
     ActionNumber {
-        /// What the action takes.
+        /// The number that the action takes.
         expected: Expected,
     },
 
     // The system as a whole.
     /// The axiom is empty.
     EmptyAxiom,
-    /// Symbols next to each other, as `]`, that close no branch.
+    /// One or more adjacent symbols, such as `]`, that close no branch.
     UnmatchedClose {
         /// The symbol.
         symbol: char,
     },
-    /// Symbols next to each other, as `[`, whose branches nothing closes in any generation.
+    /// One or more adjacent symbols, such as `[`, that open branches which no generation closes.
     UnmatchedOpen {
         /// The symbol.
         symbol: char,
     },
-    /// `->` among symbols where nobody means symbols by it, as in `X->F,F->FF`.
+    /// `->` that is read as symbols but was probably meant as an arrow, as in `X->F,F->FF`.
     ArrowOfSymbols,
-    /// A production with a predecessor or a context that is in no generation.
+    /// A production with a predecessor or a context that occurs in no generation.
     NeverOccurs {
         /// The predecessor, or the symbol in the context.
         symbol: char,
     },
-    /// A pattern with another number of parameters than its symbol ever has.
+    /// A pattern with a number of parameters that its symbol never has.
     OtherArity {
         /// The symbol.
         symbol: char,
-        /// How many parameters the pattern has.
+        /// The number of parameters of the pattern.
         parameters: usize,
-        /// How many it has where it occurs.
+        /// The number of arguments of the symbol where it occurs.
         found: usize,
     },
-    /// A module with another number of parameters than the productions for its symbol.
+    /// A module with a number of arguments that no production for its symbol takes.
     NoRuleForArity {
         /// The symbol.
         symbol: char,
-        /// How many parameters the module has.
+        /// The number of arguments of the module.
         parameters: usize,
-        /// How many a production for it has.
+        /// The number of parameters of a production for the symbol.
         found: usize,
     },
-    /// A number that became infinite or undefined while deriving.
+    /// A number that became infinite or undefined during derivation.
     NotFinite {
         /// The derivation step, 1-based; 0 for the axiom.
         step: u32,
     },
     /// A field of the definition is out of its range.
     Range {
-        /// What the page calls it.
+        /// The field's label on the page.
         label: &'static str,
-        /// What it may be.
+        /// The field's range.
         expected: Expected,
     },
 
@@ -380,28 +380,28 @@ pub enum Kind {
     Json(JsonError),
     /// A value of another type than expected.
     WrongType {
-        /// The key, or what the value is for.
+        /// The key, or the role of the value.
         key: String,
-        /// What is expected.
+        /// The expected type.
         expected: Expected,
-        /// What is there.
+        /// The type found, in words.
         found: &'static str,
     },
     /// A value outside its range.
     WrongValue {
         /// The key.
         key: String,
-        /// What is expected.
+        /// The expected range.
         expected: Expected,
     },
-    /// A key that nothing reads.
+    /// An unknown key. Its value is not read.
     UnknownKey {
         /// The key.
         key: String,
-        /// A similar one.
+        /// A similar key.
         similar: Option<&'static str>,
     },
-    /// A key that stands a second time: the last counts.
+    /// A key that stands twice in the same object. The last value counts.
     DuplicateKey {
         /// The key.
         key: String,
@@ -423,13 +423,13 @@ pub enum Kind {
         /// Their sum.
         sum: f64,
     },
-    /// A list of outcomes of which none can happen.
+    /// A list of outcomes without any that is possible.
     NoOutcome,
     /// An outcome with probability 0.
     ProbabilityZero,
 }
 
-/// What an expression is for.
+/// The role of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Role {
     /// The value of a constant.
@@ -444,7 +444,7 @@ pub enum Role {
     Axiom,
 }
 
-/// What is expected of a value.
+/// The expected type and range of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Expected {
     /// No value at all.
@@ -453,7 +453,7 @@ pub enum Expected {
     Number,
     /// A finite number from the first to the second.
     Between(f64, f64),
-    /// A finite number above zero up to this.
+    /// A finite number above 0, at most this.
     PositiveUpTo(f64),
     /// A whole number from the first to the second.
     Whole(i64, i64),
@@ -461,13 +461,13 @@ pub enum Expected {
     Boolean,
     /// A string.
     String,
-    /// A string of at most so many UTF-16 units.
+    /// A string of at most this many UTF-16 units.
     Text(usize),
     /// One of these words.
     Word(&'static [&'static str]),
     /// An object.
     Object,
-    /// A list of so many values.
+    /// A list of this many values, each as expected.
     Each(usize, &'static Expected),
     /// An object with these members.
     Record(&'static [(&'static str, Expected)]),
@@ -481,12 +481,12 @@ pub enum Expected {
     Outcome,
     /// A colour.
     Colour,
-    /// From one to [`MAX_PALETTE`](crate::MAX_PALETTE) colours.
+    /// From 1 to [`MAX_PALETTE`] colours.
     Palette,
 }
 
 impl Expected {
-    /// Whether a number is as expected; `false` where no number is expected.
+    /// Whether a number is within the range; `false` if no number is expected.
     #[must_use]
     pub fn admits(self, value: f64) -> bool {
         match self {
@@ -498,7 +498,7 @@ impl Expected {
         }
     }
 
-    /// Whether a field's value is of the type, whatever its range.
+    /// Whether a field's value has the expected type. The range is not checked.
     #[must_use]
     pub fn takes(self, value: &Value) -> bool {
         match self {
@@ -512,13 +512,13 @@ impl Expected {
         }
     }
 
-    /// Whether a field's value is as expected.
+    /// Whether a field's value has the expected type and is within the range.
     #[must_use]
     pub fn admits_value(self, value: &Value) -> bool {
         match (self, value) {
             (_, Value::Number(number)) => self.admits(*number),
             (Self::Boolean, Value::Flag(_)) | (Self::String, Value::Text(_)) => true,
-            // A UTF-16 unit takes at least a byte.
+            // Each UTF-16 unit takes at least one byte of UTF-8, so a short text need not be counted.
             (Self::Text(most), Value::Text(text)) => text.len() <= most || text.encode_utf16().count() <= most,
             (Self::Word(words), Value::Text(text)) => words.contains(&text.as_str()),
             (Self::Colour, Value::Text(text)) => text.parse::<Colour>().is_ok(),
@@ -536,9 +536,9 @@ impl Expected {
 /// Why a text is not JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum JsonError {
-    /// Nothing but white space and comments.
+    /// Only white space and comments.
     Empty,
-    /// A token that has no place there.
+    /// An unexpected token.
     Unexpected,
     /// A string without its closing quote.
     UnclosedString,
@@ -567,15 +567,15 @@ pub enum LimitName {
     Symbols,
     /// Modules of one generation held in memory ([`Limits::modules`](crate::Limits::modules)).
     Modules,
-    /// Segments of a drawing that does not memoise ([`Limits::segments`](crate::Limits::segments)).
+    /// Segments of a drawing ([`Limits::segments`](crate::Limits::segments)).
     Segments,
-    /// Derivation work of a system that does not memoise ([`Limits::work`](crate::Limits::work)).
+    /// Symbols derived for a drawing without shared blocks ([`Limits::work`](crate::Limits::work)).
     Work,
-    /// Bytes of a drawing in the making ([`Limits::memory`](crate::Limits::memory)).
+    /// Bytes of a drawing under construction, or of a derivation ([`Limits::memory`](crate::Limits::memory)).
     Memory,
     /// Iterations (1,000).
     Iterations,
-    /// Bytes of a text to be read ([`MAX_TEXT`](crate::MAX_TEXT)).
+    /// Bytes of a text ([`MAX_TEXT`](crate::MAX_TEXT)).
     Text,
     /// Different symbols in a system (65,536).
     Letters,
@@ -588,13 +588,14 @@ pub enum LimitName {
 }
 
 impl Diagnostic {
-    /// A limit that was passed; `largest` is the most derivation steps within it, where that is known.
+    /// The diagnostic for an exceeded limit. `largest` is the largest number of derivation steps within the limit, if
+    /// known.
     #[must_use]
     pub fn limit(limit: LimitName, value: u64, largest: Option<u32>) -> Self {
         Self { kind: Kind::Limit { limit, value, largest }, field: Field::Numbers, span: 0..0 }
     }
 
-    /// How bad it is.
+    /// Whether the diagnostic is a warning or an error.
     #[must_use]
     pub fn severity(&self) -> Severity {
         match self.kind {
@@ -629,7 +630,7 @@ impl Diagnostic {
         }
     }
 
-    /// Whether the system cannot be used.
+    /// Whether the diagnostic is an error: the system is not usable.
     #[must_use]
     pub fn is_error(&self) -> bool {
         self.severity() == Severity::Error

@@ -1,8 +1,8 @@
-//! Named tables of what symbols do.
+//! Named tables of the symbols' actions.
 
 use crate::Action;
 
-/// A named table symbol -> actions.
+/// A named table from symbols to actions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Dialect {
     /// The Algorithmic Beauty of Plants, section 1.3 and 1.5, and cpfg's additions.
@@ -19,10 +19,10 @@ pub enum Dialect {
 }
 
 impl Dialect {
-    /// All dialects, in the order to offer them.
+    /// All dialects, in the order of the page's list.
     pub const ALL: &[Self] = &[Self::Abop, Self::EveryLetter, Self::Practical, Self::Lowercase, Self::Axes];
 
-    /// Their names in files, in the same order.
+    /// The dialects' names in files, in the order of [`Dialect::ALL`].
     pub const NAMES: [&str; Self::ALL.len()] = {
         let mut names = [""; Self::ALL.len()];
         let mut at = 0;
@@ -33,7 +33,7 @@ impl Dialect {
         names
     };
 
-    /// Its name in files.
+    /// The dialect's name in files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -45,7 +45,7 @@ impl Dialect {
         }
     }
 
-    /// What it is called, and what its symbols do, in words.
+    /// The dialect's title and a description of its symbols, in English.
     #[must_use]
     pub const fn words(self) -> [&'static str; 2] {
         match self {
@@ -78,14 +78,14 @@ impl Dialect {
         }
     }
 
-    /// What `symbol` does; empty for a symbol without action.
+    /// The actions of `symbol`; empty for a symbol without action.
     #[must_use]
     pub fn actions(self, symbol: char) -> &'static [Action] {
         use Action::{Draw, Move, PitchDown, PitchUp, Pop, Push, RollLeft, RollRight, TurnLeft, TurnRight};
         match (self, symbol) {
             (Self::Lowercase, '+') => &[TurnLeft(None), Action::SetColour(1)],
             (Self::Lowercase, '-') => &[TurnRight(None), Action::SetColour(2)],
-            // About its y, along which it goes; x is to its right, z above it.
+            // This turtle goes along its y axis; x points to its right and z up. `+` and `-` turn about y: a roll.
             (Self::Axes, '+') => &[RollLeft(None)],
             (Self::Axes, '-') => &[RollRight(None)],
             (Self::Axes, 'v') => &[PitchUp(None)],

@@ -1,8 +1,8 @@
-//! Arithmetic in productions: what parameters, conditions, weights and constants are computed with.
+//! Arithmetic of arguments, conditions, weights and constants.
 //!
-//! Numbers are `f64`; truth is 1 and falsehood 0, and anything but 0 counts as true. Angles are in degrees.
-//! Division by zero, overflow and undefined values give infinities and NaN, which whoever uses the value reports.
-//! `a % b` has the sign of `b`: `a - b * floor(a / b)`.
+//! Numbers are `f64`. True is 1 and false is 0; any number except 0 counts as true. Angles are in degrees. Division by
+//! zero, overflow and undefined values give infinities and NaN, which the caller reports. `a % b` has the sign of `b`:
+//! `a - b * floor(a / b)`.
 
 use core::fmt;
 
@@ -17,9 +17,9 @@ pub enum Expr {
     Negative(Box<Self>),
     /// `!a`, also `not a`
     Not(Box<Self>),
-    /// `a + b` and the like.
+    /// A binary operator, as in `a + b`.
     Binary(Operator, Box<Self>, Box<Self>),
-    /// `sin(a)` and the like.
+    /// A function call, as in `sin(a)`.
     Call(Function, Vec<Self>),
 }
 
@@ -44,7 +44,7 @@ pub enum Operator {
 }
 
 impl Operator {
-    /// All, in the order of their precedence, loosest first.
+    /// All operators by precedence, loosest first.
     pub const ALL: [Self; 14] = [
         Self::Or,
         Self::And,
@@ -62,7 +62,7 @@ impl Operator {
         Self::Power,
     ];
 
-    /// How it is written.
+    /// The operator in the notation.
     #[must_use]
     pub fn symbol(self) -> &'static str {
         match self {
@@ -83,8 +83,8 @@ impl Operator {
         }
     }
 
-    /// How tightly it binds: 1 (`||`) to 7 (`^`). Between 5 and 7 stand the signs, `SIGN`. All group to the left
-    /// except `^`.
+    /// The precedence, from 1 (`||`, loosest) to 7 (`^`, tightest). Signs have 6, `SIGN`. `^` groups to the right,
+    /// comparisons do not chain, and all other operators group to the left.
     #[must_use]
     pub fn precedence(self) -> u8 {
         match self {
@@ -97,13 +97,13 @@ impl Operator {
         }
     }
 
-    /// Whether it compares two numbers.
+    /// Whether the operator compares two numbers.
     #[must_use]
     pub fn is_comparison(self) -> bool {
         self.precedence() == COMPARISON
     }
 
-    /// Its value for two numbers; logical values are 1 and 0.
+    /// The operator's value for two numbers. True is 1, false is 0.
     pub fn apply(self, a: f64, b: f64) -> f64 {
         let truth = |holds: bool| f64::from(u8::from(holds));
         match self {
@@ -125,10 +125,10 @@ impl Operator {
     }
 }
 
-/// How tightly `-a` and `!a` bind: `-2^2` is -4.
+/// The precedence of `-a` and `!a`: `-2^2` is -4.
 pub(crate) const SIGN: u8 = 6;
 
-/// How tightly comparisons bind, and `not`, which may stand before one.
+/// The precedence of comparisons, and of `not` before a comparison.
 const COMPARISON: u8 = 3;
 
 /// A function by name.
@@ -150,12 +150,13 @@ pub enum Function {
     Ceil,
     Min,
     Max,
-    /// `random(a, b)`: uniform from a up to b, keyed by place as the choice of productions is.
+    /// `random(a, b)`: a uniform random number from `a` up to `b`. As with stochastic productions, its key is the place
+    /// in the derivation.
     Random,
 }
 
 impl Function {
-    /// All of them.
+    /// All functions.
     pub const ALL: [Self; 16] = [
         Self::Sin,
         Self::Cos,
@@ -175,7 +176,7 @@ impl Function {
         Self::Random,
     ];
 
-    /// How it is written.
+    /// The function's name in the notation.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -198,7 +199,7 @@ impl Function {
         }
     }
 
-    /// How many arguments it takes.
+    /// The number of arguments: 1 or 2.
     #[must_use]
     pub fn arity(self) -> usize {
         match self {
@@ -207,7 +208,8 @@ impl Function {
         }
     }
 
-    /// Of one or two arguments; [`Function::Random`] of its bounds and a number in `0.0..1.0` is left to `Code`.
+    /// The function's value; functions of one argument ignore `b`. [`Function::Random`] gives NaN here, because `Code`
+    /// computes it.
     pub fn apply(self, a: f64, b: f64) -> f64 {
         match self {
             Self::Sin => crate::Heading::from_degrees(a).cos_sin().1 + 0.0 * a,
@@ -238,7 +240,7 @@ fn degrees(radians: f64) -> f64 {
 }
 
 impl fmt::Display for Expr {
-    /// In the notation, with no more parentheses than needed.
+    /// Prints the expression in the notation with as few parentheses as possible.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.write(f, 0)
     }
@@ -254,24 +256,24 @@ impl Expr {
         }
     }
 
-    /// Whether it denies a comparison, once or several times.
-    fn denies_comparison(&self) -> bool {
-        let mut denied = self;
-        while let Self::Not(inner) = denied {
-            denied = inner;
+    /// Whether this is a comparison with one `not` or several before it.
+    fn negates_comparison(&self) -> bool {
+        let mut operand = self;
+        while let Self::Not(inner) = operand {
+            operand = inner;
         }
-        matches!(denied, Self::Binary(operator, ..) if operator.is_comparison())
+        matches!(operand, Self::Binary(operator, ..) if operator.is_comparison())
     }
 
-    /// Writes it, in parentheses where it binds less tightly than `outer`. What is written is nowhere deeper than what it
-    /// was read from, so that it can be read again.
+    /// Prints the expression, in parentheses if its precedence is below `outer`. The text is never nested more deeply
+    /// than the text it was read from, so that it can be read again.
     pub(crate) fn write(&self, f: &mut impl fmt::Write, outer: u8) -> fmt::Result {
-        if let Self::Not(denied) = self
+        if let Self::Not(operand) = self
             && outer <= COMPARISON
-            && self.denies_comparison()
+            && self.negates_comparison()
         {
             f.write_str("not ")?;
-            return denied.write(f, COMPARISON);
+            return operand.write(f, COMPARISON);
         }
         if self.precedence() < outer {
             f.write_str("(")?;
@@ -291,7 +293,7 @@ impl Expr {
             }
             Self::Binary(operator, a, b) => {
                 let inner = operator.precedence();
-                // `^` groups to the right, comparisons not at all, all others to the left.
+                // `^` groups to the right, comparisons do not chain, other operators group to the left.
                 let (left, right) = match operator {
                     Operator::Power => (inner + 1, SIGN),
                     _ if operator.is_comparison() => (inner + 1, inner + 1),

@@ -1,7 +1,8 @@
-//! Every field of a definition, of its style and of a view: one table.
+//! The table of all fields of a definition, its style and a view.
 //!
-//! Files, links, the program's `--set`, the page's state and controls, and the tables of the documents are made from it.
-//! A new field is a member of [`Definition`] or [`Style`](crate::Style), a row of [`FIELDS`], and a control of the page.
+//! Files, links, the program's `--set`, the page's state and controls, and the tables in the documents are made from
+//! the table. A new field needs a member of [`Definition`] or [`Style`](crate::Style), a row of [`FIELDS`], and a
+//! control on the page.
 
 mod table;
 
@@ -10,37 +11,37 @@ pub use table::FIELDS;
 use crate::value::Value;
 use crate::{Definition, Expected};
 
-/// A field, and all that its readers and writers know of it.
+/// One field: a row of [`FIELDS`].
 #[derive(Debug)]
 pub struct FieldSpec {
-    /// Its name in the page's state and for `--set`.
+    /// The field's name in the page's state and for `--set`.
     pub name: &'static str,
-    /// Its key in links.
+    /// The field's key in links.
     pub link: &'static str,
-    /// The object that holds it in files, and its key there; `None` for what only links hold.
+    /// The object that holds the field in files, and the key there; `None` for a field of links only.
     pub file: Option<(Section, &'static str)>,
-    /// Its values.
+    /// The field's type and range.
     pub expected: Expected,
-    /// Whether it may be left out, which is `null` in scripts.
+    /// Whether the field may be left out; scripts write `null`.
     pub optional: bool,
-    /// The values under its slider, where it has one.
+    /// The values of the slider, if the field has one.
     pub slider: Option<Slider>,
-    /// The unit of its number, as a word; empty where it has none.
+    /// The unit of a number, as a word; empty if there is none.
     pub unit: &'static str,
-    /// What has to be made anew where it changes.
+    /// The output that depends on the field.
     pub affects: Affects,
-    /// What the page calls it.
+    /// The field's label on the page.
     pub label: &'static str,
-    /// What it is, as a noun phrase.
+    /// A description, as a noun phrase.
     pub help: &'static str,
-    /// How to read and write it; `None` for what is no part of a [`Definition`].
+    /// Access to the member of a [`Definition`]; `None` for a field of a view.
     access: Option<Access>,
 }
 
 /// An object in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Section {
-    /// The file's own object.
+    /// The top level of the file.
     File,
     /// `turtle`.
     Turtle,
@@ -48,19 +49,19 @@ pub enum Section {
     Style,
 }
 
-/// What has to be made anew where a field changes.
+/// The output that must be remade after a field changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Affects {
-    /// The drawing, and with it all else.
+    /// The drawing, and all output made from it.
     Drawing,
     /// The picture of the same segments.
     Look,
-    /// Words beside the picture.
+    /// Text beside the picture.
     Caption,
 }
 
 impl Affects {
-    /// Its name for scripts.
+    /// The name for scripts.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -71,18 +72,18 @@ impl Affects {
     }
 }
 
-/// The values under a slider: ascending, finer where pictures differ most.
+/// The values of a slider: ascending, in smaller steps where pictures differ most.
 #[derive(Clone, Copy, Debug)]
 pub struct Slider {
     /// The first value.
     pub from: f64,
-    /// Up to which value the distance from one value to the next is how much.
+    /// Pairs of an upper bound and the step between values up to that bound, ascending.
     pub parts: &'static [(f64, f64)],
-    /// What an arrow key adds in the field beside it.
+    /// The step of an arrow key in the number field beside the slider.
     pub arrow: f64,
 }
 
-/// How a field is read from and written to a definition.
+/// Functions that read and write a field of a definition.
 #[derive(Debug)]
 struct Access {
     get: fn(&Definition) -> Value,
@@ -90,7 +91,7 @@ struct Access {
 }
 
 impl FieldSpec {
-    /// Its attribute of the `<l-system>` element: its key in links, unless that means something else in HTML.
+    /// The field's attribute of the `<l-system>` element: the key in links, unless HTML gives the key another meaning.
     #[must_use]
     pub fn attribute(&self) -> &'static str {
         match self.link {
@@ -100,30 +101,31 @@ impl FieldSpec {
         }
     }
 
-    /// Whether it is a part of a [`Definition`].
+    /// Whether the field is part of a [`Definition`].
     #[must_use]
     pub fn is_defined(&self) -> bool {
         self.access.is_some()
     }
 
-    /// Its value in a definition; `None` for what is no part of one.
+    /// The field's value in a definition; `None` if the field is not part of a definition.
     #[must_use]
     pub fn get(&self, definition: &Definition) -> Option<Value> {
         Some((self.access.as_ref()?.get)(definition))
     }
 
-    /// Sets it in a definition, whether or not the value is within the range; `false` where the value is of another type.
+    /// Sets the field in a definition without checking its range. Returns `false` if the value has another type or the
+    /// field is not part of a definition.
     pub fn set(&self, definition: &mut Definition, value: &Value) -> bool {
         self.access.as_ref().is_some_and(|access| (access.set)(definition, value))
     }
 
-    /// Whether a value is within its range.
+    /// Whether a value has the field's type and is within its range.
     #[must_use]
     pub fn admits(&self, value: &Value) -> bool {
         (self.optional && *value == Value::Nothing) || self.expected.admits_value(value)
     }
 
-    /// What it must be, in words.
+    /// The field's type and range in words.
     #[must_use]
     pub fn wanted(&self) -> String {
         let words = crate::message::expected_words(self.expected);
@@ -131,7 +133,7 @@ impl FieldSpec {
     }
 }
 
-/// The field with this name.
+/// The field with this name, if any.
 #[must_use]
 pub fn field(name: &str) -> Option<&'static FieldSpec> {
     FIELDS.iter().find(|field| field.name == name)

@@ -1,4 +1,4 @@
-//! What an L-system's axiom and productions say: the result of reading the notation, the input of everything else.
+//! A parsed L-system: its axiom and productions.
 
 use crate::code::{Code, Meaning};
 use crate::expr::Expr;
@@ -9,26 +9,26 @@ use crate::sorted::{set, sort};
 pub struct Grammar {
     /// The axiom (generation 0). Its arguments name constants only.
     pub axiom: Vec<Module>,
-    /// Productions in text order, which decides between those that match.
+    /// Productions in text order. The order decides between productions that match.
     pub productions: Vec<Production>,
-    /// Productions below `draw:`, in text order: applied once to the modules of the last generation, when it is drawn
-    /// (a homomorphism). They have no contexts.
+    /// Productions below `draw:`, in text order: a homomorphism, applied once to the modules of the last generation
+    /// before they are drawn. They have no contexts.
     pub images: Vec<Production>,
-    /// Named constants in text order; a later one may use an earlier one.
+    /// Named constants in text order. A constant may use earlier constants.
     pub constants: Vec<Constant>,
-    /// Which symbols contexts see.
+    /// The symbols that contexts see.
     pub seen: Seen,
 }
 
-/// Which symbols contexts see; `[` and `]` are branches to them in any case.
+/// The symbols that contexts see. `[` and `]` always delimit branches.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Seen {
-    /// All.
+    /// All symbols.
     #[default]
     All,
-    /// All but these: `ignore: +-F`.
+    /// All symbols except these: `ignore: +-F`.
     Except(Vec<char>),
-    /// These: `consider: AB`.
+    /// Only these symbols: `consider: AB`.
     Only(Vec<char>),
 }
 
@@ -44,15 +44,15 @@ impl Seen {
     }
 }
 
-/// A list of symbols, or none, ready to be looked into often.
+/// The symbols that contexts see, sorted for fast look-up.
 pub struct SeenSymbols {
     listed: Vec<char>,
-    /// What it says of those that are not in the list.
+    /// Whether contexts see the symbols that are not in the list.
     others: bool,
 }
 
 impl Seen {
-    /// The same, ready to be looked into often.
+    /// Sorts the symbols for fast look-up.
     pub fn ready(&self) -> SeenSymbols {
         let (list, others) = match self {
             Self::All => (&[][..], true),
@@ -64,13 +64,13 @@ impl Seen {
 }
 
 impl SeenSymbols {
-    /// As [`Seen::contains`].
+    /// Whether contexts see `symbol`.
     pub fn contains(&self, symbol: char) -> bool {
         self.listed.binary_search(&symbol).is_ok() != self.others
     }
 }
 
-/// Values by name, ready to be looked into often.
+/// The values of constants, sorted by name for fast look-up.
 pub struct Values<'a>(Vec<(&'a str, usize, f64)>);
 
 impl Values<'_> {
@@ -80,7 +80,7 @@ impl Values<'_> {
         self.0.get(at).filter(|&&(known, ..)| known == name).map(|&(.., value)| value)
     }
 
-    /// The value of an expression of constants; `None` where parameters or chance play a part.
+    /// The value of an expression of constants; `None` if it has parameters, random numbers or unknown names.
     pub fn value(&self, expr: &Expr) -> Option<f64> {
         match Code::new(expr, &|name: &str| self.of(name).map(Meaning::Constant), &mut 0) {
             Ok(Code::Constant(value)) => Some(value),
@@ -89,48 +89,48 @@ impl Values<'_> {
     }
 }
 
-/// One letter of the derived word.
+/// One module of an axiom or a successor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Module {
-    /// The symbol: any character that is not white space, and white space only as a literal.
+    /// The symbol: any character. The notation has white space only as a literal.
     pub symbol: char,
-    /// Its arguments, at most [`MAX_PARAMETERS`](crate::MAX_PARAMETERS). A symbol with another number of arguments is
-    /// another letter.
+    /// The arguments, at most [`MAX_PARAMETERS`](crate::MAX_PARAMETERS). The same symbol with a different number of
+    /// arguments is a different letter.
     pub arguments: Vec<Expr>,
 }
 
-/// A module to be matched.
+/// A module of a predecessor or a context.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pattern {
     /// The symbol.
     pub symbol: char,
-    /// The names of its parameters, each different from all others of the production.
+    /// The names of its parameters, each unique in the production.
     pub parameters: Vec<String>,
 }
 
 /// `left < predecessor > right : condition -> successor : weight`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Production {
-    /// What must stand on the way to the root, nearest last; empty where it does not matter.
+    /// The left context, along the path to the root, nearest last; empty if there is none.
     pub left: Vec<Pattern>,
     /// The module that is replaced: the strict predecessor.
     pub predecessor: Pattern,
-    /// What must follow, nearest first, with `[` and `]` around branches; empty where it does not matter.
+    /// The right context, nearest first, with `[` and `]` around branches; empty if there is none.
     pub right: Vec<Pattern>,
-    /// Applies only where this is not 0.
+    /// The condition: the production applies only if its value is neither 0 nor NaN.
     pub condition: Option<Expr>,
-    /// What replaces it; empty deletes it.
+    /// The successor; an empty successor deletes the module.
     pub successor: Vec<Module>,
-    /// `None` for a deterministic production. Weights need not sum to 1; one that is not above 0 counts as 0.
+    /// The weight; `None` for a deterministic production. Weights need not sum to 1; a weight below 0 counts as 0.
     pub weight: Option<Expr>,
 }
 
 /// `name = value`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Constant {
-    /// A letter or `_`, then letters, digits or `_`.
+    /// The name: a letter or `_`, then letters, digits or `_`.
     pub name: String,
-    /// Finite.
+    /// The value, always finite.
     pub value: f64,
 }
 
@@ -147,7 +147,7 @@ impl From<char> for Pattern {
 }
 
 impl Production {
-    /// `predecessor -> successor` without anything else.
+    /// A production `predecessor -> successor` without contexts, condition and weight.
     #[must_use]
     pub fn new(predecessor: char, successor: Vec<Module>) -> Self {
         Self {
@@ -160,24 +160,24 @@ impl Production {
         }
     }
 
-    /// The same with a weight.
+    /// The production with this weight.
     #[must_use]
     pub fn weighted(self, weight: f64) -> Self {
         Self { weight: Some(Expr::Number(weight)), ..self }
     }
 
-    /// Left context, predecessor and right context, in the order they are written.
+    /// The patterns of left context, predecessor and right context, in text order.
     pub fn patterns(&self) -> impl Iterator<Item = &Pattern> {
         self.left.iter().chain([&self.predecessor]).chain(&self.right)
     }
 
-    /// Whether it has a context.
+    /// Whether the production has a context.
     #[must_use]
     pub fn is_context_sensitive(&self) -> bool {
         !self.left.is_empty() || !self.right.is_empty()
     }
 
-    /// Whether its symbol alone decides where it applies, and what it makes are symbols alone.
+    /// Whether the production has no contexts, parameters, condition or arguments.
     fn is_plain(&self) -> bool {
         !self.is_context_sensitive()
             && self.predecessor.parameters.is_empty()
@@ -193,28 +193,28 @@ impl Grammar {
         self.constants.iter().find(|constant| constant.name == name).map(|constant| constant.value)
     }
 
-    /// The constants, ready to be looked up often.
+    /// The constants, sorted for fast look-up.
     pub fn values(&self) -> Values<'_> {
         let constants = self.constants.iter().enumerate();
-        // Names and places order them; values need not.
+        // Sorted by name, then by place.
         let mut order: Vec<(&str, usize)> = constants.map(|(at, constant)| (constant.name.as_str(), at)).collect();
         sort(&mut order);
         Values(order.into_iter().map(|(name, at)| (name, at, self.constants[at].value)).collect())
     }
 
-    /// The value of an expression of constants; `None` where parameters or chance play a part.
+    /// The value of an expression of constants; `None` if it has parameters, random numbers or unknown names.
     #[must_use]
     pub fn value(&self, expr: &Expr) -> Option<f64> {
         self.values().value(expr)
     }
 
-    /// The modules of the axiom and of all successors but those for drawing.
+    /// The modules of the axiom and of all successors, except successors for drawing.
     pub fn made(&self) -> impl Iterator<Item = &Module> {
         self.axiom.iter().chain(self.productions.iter().flat_map(|production| &production.successor))
     }
 
-    /// Whether it is context-free and without parameters, so that every symbol derives by itself: with conditions
-    /// nowhere, weights that are numbers, and each symbol drawn in one way only.
+    /// Whether each symbol derives independently of its neighbours. This is so if the grammar has no contexts,
+    /// parameters or conditions, all weights are constant, and productions for drawing have no weights.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         let values = self.values();

@@ -2,16 +2,15 @@
 
 use core::ops::{Add, Neg, Sub};
 
-/// Units in one degree: any decimal of up to nine places is exact, and so is any turn divided by 7, 11 or 13.
+/// Units in one degree. Decimals with up to nine places are exact, and so are turns divided by 7, 11 or 13.
 const PER_DEGREE: u64 = 1_001_000_000_000;
 /// Units in one full turn.
 const TURN: u64 = 360 * PER_DEGREE;
 
 /// A direction or a turn in the plane: counter-clockwise from +x, modulo one full turn.
 ///
-/// Kept as a whole number of units of 1/1,001,000,000,000 degree, so that turning a million times by 25.7 degrees
-/// lands exactly where arithmetic says and equal pieces of a drawing stay equal. A floating-point sum of angles
-/// would make them differ in the last bit.
+/// A heading is a whole number of units of 1/1,001,000,000,000 degree. A million turns by 25.7 degrees therefore add up
+/// exactly, and equal parts of a drawing stay equal. Floating-point sums would differ in the last bit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Heading(u64);
 
@@ -35,30 +34,29 @@ impl Heading {
         Self(units.rem_euclid(TURN as i64) as u64)
     }
 
-    /// In degrees, in `0.0..360.0`.
+    /// The heading in degrees, in `0.0..360.0`.
     #[must_use]
     pub fn degrees(self) -> f64 {
-        // Whole degrees apart from the rest keeps the sum correctly rounded for every decimal.
+        // Adding whole degrees and the fraction separately rounds correctly for every decimal.
         (self.0 / PER_DEGREE) as f64 + (self.0 % PER_DEGREE) as f64 / PER_DEGREE as f64
     }
 
-    /// The whole number that stands for this heading.
+    /// The heading in units of 1/1,001,000,000,000 degree, less than one full turn.
     pub fn units(self) -> u64 {
         self.0
     }
 
-    /// The shorter way round to this heading, counter-clockwise to half a turn, `factor` times as far: for factors from 0
-    /// on.
+    /// `factor` times this heading, taken as a turn of more than -180 and up to 180 degrees. `factor` is 0 or more.
     #[must_use]
     pub fn part(self, factor: f64) -> Self {
         let degrees = if self.0 > TURN / 2 { -(-self).degrees() } else { self.degrees() };
         Self::from_degrees(degrees * factor)
     }
 
-    /// Cosine and sine.
+    /// Cosine and sine of the heading.
     ///
-    /// The angle is reduced to the first octant in integers, so values in symmetric directions are equal up to
-    /// sign and exchange, and multiples of 30 and 45 degrees give exact halves and zeros.
+    /// The angle is reduced to the first octant in integers. Symmetric headings therefore have the same values up to
+    /// sign and order, and multiples of 30 and 45 degrees give exact halves and zeros.
     #[must_use]
     pub fn cos_sin(self) -> (f64, f64) {
         const OCTANT: u64 = TURN / 8;

@@ -1,12 +1,12 @@
 //! L-systems as people write them.
 //!
-//! What comes in is a [`Definition`]: the texts and numbers of a system, as a file, a link or a page holds them. What goes
-//! out is a [`Grammar`] with its productions, a table of what each symbol means ([`Dialect`], [`parse_overrides`]), and
-//! [`Diagnostic`]s that say what is wrong, where, and what to try.
+//! The input is a [`Definition`]: the texts and numbers of a system, as a file, a link or a page holds them. The output
+//! is a [`Grammar`] with its productions, the turtle's actions for each symbol ([`Dialect`], [`parse_overrides`]), and
+//! [`Diagnostic`]s that name each problem, its place and a remedy.
 //!
-//! The way between: characters are read as tokens ([`notation`]), lines as productions, overrides as [`Action`]s, and
-//! arithmetic as an [`Expr`] that is compiled to [`Code`]. [`print_rules`] writes a grammar so that reading it again gives
-//! the same grammar.
+//! The reader turns characters into tokens ([`notation`]), lines into productions, overrides into [`Action`]s, and
+//! arithmetic into an [`Expr`] that is compiled to [`Code`]. [`print_rules`] writes a grammar as text that reads back
+//! as the same grammar.
 //!
 //! ```
 //! let (grammar, diagnostics) = lsystem_syntax::parse("F", "F -> F[+F]F");
@@ -14,10 +14,11 @@
 //! assert_eq!(lsystem_syntax::print_rules(&grammar), "F -> F[+F]F");
 //! ```
 //!
-//! Limits: a text has at most [`MAX_TEXT`] bytes, and at most 100 diagnostics of a text are listed. Nothing here derives or
-//! draws; [`Limits`], [`Meter`] and [`Progress`] stand here because every later phase counts its work with them.
+//! Limits: a text has at most [`MAX_TEXT`] bytes, and at most 100 diagnostics of a text are listed. This crate neither
+//! derives nor draws. It holds [`Limits`], [`Meter`] and [`Progress`] because every later crate counts its work with
+//! them.
 
-// The order of the data: what may be spent, what is written, what it can mean, how it is read, what is said of it.
+// In the order of the data: limits, definitions, meanings of symbols, readers and printers, diagnostics.
 mod limits;
 mod meter;
 mod progress;

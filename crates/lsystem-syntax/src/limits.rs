@@ -1,22 +1,22 @@
-//! How much work and memory a caller is willing to spend.
+//! Limits on work and memory.
 
 use crate::LimitName;
 
-/// Every limit in one place; each is checked before the allocation it guards.
+/// The limits that a caller may set. Each is checked before the allocation that it guards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// Symbols of a string held in memory.
     pub symbols: u64,
-    /// Modules, and numbers in them, of one generation held in memory.
+    /// Modules of one generation held in memory, and the numbers in them.
     pub modules: u64,
-    /// Segments of a drawing that does not memoise; strokes and placed blocks of one that does, counted as the symbols
-    /// of the successors that they come from.
+    /// Segments of a drawing without shared blocks. In a drawing of shared blocks: strokes and placed blocks, counted
+    /// as the symbols of the successors that make them.
     pub segments: u64,
-    /// Symbols derived, in all generations together, for a drawing that does not memoise. A symbol that nothing
-    /// rewrites counts once; each branch that is open at the same time counts 32 more.
+    /// Symbols derived for a drawing without shared blocks, summed over all generations. A symbol without a production
+    /// counts once; each open branch counts 32 more.
     pub work: u64,
-    /// Bytes that a drawing may take while it is made, with what it is derived from; or a derivation, with what is
-    /// remembered of it.
+    /// Bytes of a drawing under construction together with its derivation, or of a derivation together with its
+    /// history.
     pub memory: u64,
 }
 
@@ -46,32 +46,32 @@ impl Limits {
     }
 }
 
-/// The most derivation steps any system may ask for.
+/// The most derivation steps of a system.
 pub const MAX_ITERATIONS: u32 = 1_000;
 
-/// The longest text that is read, in bytes: an axiom, rules, overrides, or a file.
+/// The most bytes of a text: an axiom, rules, overrides, or a file.
 pub const MAX_TEXT: usize = 1 << 20;
 
 /// The most colours in a palette.
 pub const MAX_PALETTE: usize = 256;
 
-/// The bytes that the numbers of a count may take on the way.
+/// The most bytes that counting takes for its intermediate numbers.
 pub const MAX_COUNTING: u64 = 16 << 20;
 
 /// The most pixels along a side of a picture.
 pub const MAX_PICTURE_SIDE: u32 = 1 << 15;
 
-/// The most pixels of a picture: they take up to two gigabytes while it is made.
+/// The most pixels of a picture. Drawing such a picture takes up to 2 GB.
 pub const MAX_PICTURE_PIXELS: u32 = 100_000_000;
 
-/// The most different symbols in a system: letters are numbered with 16 bits.
+/// The most different symbols in a system: a letter's number has 16 bits.
 pub const MAX_LETTERS: usize = 1 << 16;
 
 /// The most parameters of a module.
 pub const MAX_PARAMETERS: usize = 8;
 
-/// The most modules in a context on either side, brackets counted.
+/// The most modules in a left or a right context, including brackets.
 pub(crate) const MAX_CONTEXT: usize = 64;
 
-/// The most actions of a symbol: one piece of work does all that a symbol does.
+/// The most actions of a symbol. One piece of work executes all actions of a symbol, so their number is bounded.
 pub const MAX_ACTIONS: usize = 256;

@@ -4,20 +4,20 @@ use crate::number::number;
 use crate::{Diagnostic, Expected, Function, JsonError, Kind, LimitName, MAX_PALETTE, Role};
 
 impl Diagnostic {
-    /// What is wrong, as one sentence in English.
+    /// The problem, as one English sentence.
     #[must_use]
     pub fn message(&self) -> String {
         words(&self.kind).0
     }
 
-    /// What to try, as one sentence in English.
+    /// A remedy, as one English sentence; `None` if there is no hint.
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         words(&self.kind).1
     }
 }
 
-/// What is wrong, and what to try.
+/// The message and the hint of a diagnostic.
 fn words(kind: &Kind) -> (String, Option<String>) {
     let said = |text: String| (text, None);
     let hinted = |text: String, hint: String| (text, Some(hint));
@@ -464,7 +464,7 @@ fn json(error: JsonError) -> (String, Option<String>) {
     }
 }
 
-/// What is expected of a value, as a noun phrase.
+/// The expected type and range of a value, as a noun phrase.
 pub fn expected_words(expected: Expected) -> String {
     match expected {
         Expected::Nothing => "nothing".into(),
@@ -495,7 +495,7 @@ pub fn expected_words(expected: Expected) -> String {
     }
 }
 
-/// A bound of a range; whole ones with their digits in groups.
+/// A bound of a range; whole numbers with their digits in groups of three.
 fn bound(value: f64) -> String {
     let digits = number(value.abs());
     let digits = if digits.bytes().all(|byte| byte.is_ascii_digit()) { grouped(&digits) } else { digits };
@@ -506,7 +506,7 @@ fn plural(count: usize, word: &str) -> String {
     format!("{count} {word}{}", if count == 1 { "" } else { "s" })
 }
 
-/// A symbol as it is shown in a sentence.
+/// A symbol as shown in a sentence.
 fn named(symbol: char) -> String {
     match symbol {
         ' ' => "The space".into(),
@@ -525,12 +525,12 @@ fn literal(ch: char) -> String {
     out
 }
 
-/// Six decimals at most.
+/// A number with at most six decimals.
 fn rounded(value: f64) -> String {
     if value.abs() < 1e9 { number(libm::round(value * 1e6) / 1e6) } else { number(value) }
 }
 
-/// Digits in groups of three.
+/// Digits in groups of three, separated by commas.
 pub fn grouped(digits: &str) -> String {
     let mut out = String::new();
     for (at, digit) in digits.chars().enumerate() {

@@ -1,8 +1,7 @@
-//! Counted work: what a step may do, and what it has done.
+//! Counted work: the budget of a step and the part that is spent.
 //!
-//! Every loop whose length depends on input charges the meter that it is handed, and stops soon after the meter is
-//! spent. Between two looks at the meter there is at most [`Meter::PIECE`] of work, so no step takes much longer than
-//! its caller allowed, whatever the input.
+//! Every loop whose length depends on input charges its meter and stops soon after the meter is spent. At most
+//! [`Meter::PIECE`] units of work lie between two checks, so that no input makes a step much longer than its budget.
 
 /// The work of one step.
 ///
@@ -14,16 +13,16 @@ pub struct Meter {
 }
 
 impl Meter {
-    /// The most units that one piece of work may take: a step may exceed its share by this much, and no more.
+    /// The most units of one piece of work: a step exceeds its share by at most this.
     pub const PIECE: u64 = 1 << 17;
 
-    /// A meter for a step that may do `share` units of work, at least one.
+    /// A meter for a step of `share` units of work, at least 1.
     #[must_use]
     pub fn new(share: u64) -> Self {
         Self { share: share.max(1), spent: 0 }
     }
 
-    /// Counts work. Charge what a loop is about to do before it starts, or each round as it ends.
+    /// Counts work. Charge a loop before it starts, or each of its rounds at the end of the round.
     pub fn charge(&mut self, units: u64) {
         self.spent = self.spent.saturating_add(units);
     }
@@ -34,7 +33,7 @@ impl Meter {
         self.spent >= self.share
     }
 
-    /// The units that may still be spent.
+    /// The units that are left.
     #[must_use]
     pub fn left(&self) -> u64 {
         self.share.saturating_sub(self.spent)

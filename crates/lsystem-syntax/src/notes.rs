@@ -1,22 +1,22 @@
-//! Collecting the diagnostics of a text while it is read.
+//! Diagnostics of a text while it is read.
 
 use crate::{Class, Diagnostic, Field, Kind};
 use core::ops::Range;
 
-/// The diagnostics of one text while it is read: bounded in number, in the order of the text at the end. Where they are
-/// asked for, the classes of its parts as well.
+/// The diagnostics of one text while it is read: at most 100, sorted by place at the end. Optionally also the class of
+/// each byte of the text.
 #[derive(Debug)]
 pub struct Notes {
     field: Field,
     list: Vec<Diagnostic>,
     left_out: usize,
-    /// Look-alikes noted already: once each is enough.
+    /// The look-alikes noted so far. Each is noted once.
     look_alikes: Vec<char>,
-    /// By byte of the text; empty where nobody asked.
+    /// By byte of the text; empty if classes are not wanted.
     classes: Vec<Class>,
 }
 
-/// More than this many diagnostics of one text help nobody.
+/// The most diagnostics of one text. More do not help the reader.
 const MOST: usize = 100;
 
 impl Notes {
@@ -25,12 +25,12 @@ impl Notes {
         Self { field, list: Vec::new(), left_out: 0, look_alikes: Vec::new(), classes: Vec::new() }
     }
 
-    /// The same, for the classes of `text` as well.
+    /// An empty list that also collects the classes of `text`.
     pub fn classing(field: Field, text: &str) -> Self {
         Self { classes: vec![Class::Plain; text.len()], ..Self::new(field) }
     }
 
-    /// Notes what stands at `span`; what is noted later is noted over it.
+    /// Sets the class of the bytes in `span`. Later calls overwrite earlier ones.
     pub fn class(&mut self, class: Class, span: Range<usize>) {
         if let Some(part) = self.classes.get_mut(span) {
             part.fill(class);
@@ -42,7 +42,7 @@ impl Notes {
         self.classes
     }
 
-    /// Lists one diagnostic, or counts it where the list is full.
+    /// Adds a diagnostic, or counts it if the list is full.
     pub fn add(&mut self, kind: Kind, span: Range<usize>) {
         let diagnostic = Diagnostic { kind, field: self.field, span };
         if self.list.len() < MOST {
@@ -50,7 +50,7 @@ impl Notes {
             return;
         }
         self.left_out += 1;
-        // An error must never be left out in favour of warnings: it decides whether the system can be used.
+        // An error replaces a warning, because errors decide whether the system is usable.
         if diagnostic.is_error()
             && let Some(warning) = self.list.iter_mut().rev().find(|d| !d.is_error())
         {
@@ -58,7 +58,7 @@ impl Notes {
         }
     }
 
-    /// Warns of a character that is read as another, once for each.
+    /// Warns of a character that is read as another, once for each character.
     pub fn look_alike(&mut self, found: char, read_as: char, span: Range<usize>) {
         if !self.look_alikes.contains(&found) {
             self.look_alikes.push(found);
@@ -71,14 +71,14 @@ impl Notes {
         self.list.iter_mut().for_each(change);
     }
 
-    /// Whether a further diagnostic may not be listed, so that work on its hint would be lost.
+    /// Whether the list is full, so that finding a hint for a further diagnostic may be wasted work.
     pub fn is_full(&self) -> bool {
         self.list.len() >= MOST
     }
 
     /// The diagnostics in the order of the text.
     pub fn finish(mut self) -> Vec<Diagnostic> {
-        // Few enough for the simplest sort, which keeps the order of those in the same place.
+        // An insertion sort suffices for so few, and is stable.
         for end in 1..self.list.len() {
             let place = |d: &Diagnostic| (d.span.start, d.span.end);
             let at = self.list[..end].partition_point(|d| place(d) <= place(&self.list[end]));
@@ -93,7 +93,7 @@ impl Notes {
     }
 }
 
-/// `text` cut to what a message can carry.
+/// `text` cut to 40 characters, with an ellipsis if cut.
 pub fn excerpt(text: &str) -> String {
     const LONGEST: usize = 40;
     let text = text.trim();
@@ -103,11 +103,11 @@ pub fn excerpt(text: &str) -> String {
     }
 }
 
-/// The candidate most similar to `word`, if any is similar enough to be what was meant; of very many the first are looked
-/// at.
+/// The candidate most similar to `word`, if one is similar enough. Only the first 256 candidates of a similar length
+/// are compared.
 pub fn similar<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word: Vec<char> = word.chars().map(|c| c.to_ascii_lowercase()).take(64).collect();
-    /// Names of other lengths are passed by.
+    /// The most candidates compared, among those of a similar length.
     const MOST: usize = 256;
     let enough = (word.len() / 3).max(1);
     let like = candidates.into_iter().filter(|c| c.chars().take(64).count().abs_diff(word.len()) <= enough);
@@ -117,7 +117,7 @@ pub fn similar<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, c)| c)
 }
 
-/// Edit distance, a swap of neighbours counting as one (Damerau, 1964; the restricted form).
+/// Edit distance, where a swap of neighbours counts as one edit (Damerau, 1964; the restricted form).
 fn distance(a: &[char], b: &str) -> usize {
     let b: Vec<char> = b.chars().map(|c| c.to_ascii_lowercase()).take(64).collect();
     let mut rows = [vec![0; b.len() + 1], (0..=b.len()).collect::<Vec<_>>(), vec![0; b.len() + 1]];

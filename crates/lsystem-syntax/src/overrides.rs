@@ -1,4 +1,4 @@
-//! Exceptions from a dialect, as text: what single symbols do instead.
+//! Custom symbols as text: actions that replace a dialect's.
 //!
 //! ```text
 //! G: move
@@ -7,7 +7,7 @@
 //! E: nothing
 //! ```
 //!
-//! One symbol a line, then its actions in order, separated by commas. Comments as in rules.
+//! Each line has one symbol and its actions in order, separated by commas. Comments are as in rules.
 //!
 //! | action | meaning |
 //! |---|---|
@@ -37,16 +37,16 @@ use crate::{Action, Class, Diagnostic, Expected, Field, Kind, LimitName, MAX_ACT
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use core::ops::Range;
 
-/// What a symbol does instead of what its dialect says.
+/// A symbol whose actions replace the dialect's.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Override {
     /// The symbol.
     pub symbol: char,
-    /// What it does, in order; empty for nothing.
+    /// The symbol's actions, in order; empty for none.
     pub actions: Vec<Action>,
 }
 
-/// Reads overrides, a line each. Where a symbol stands twice, the later line counts.
+/// Reads overrides, one on each line, with all diagnostics. If a symbol stands twice, the last line counts.
 #[must_use]
 pub fn parse_overrides(text: &str) -> (Vec<Override>, Vec<Diagnostic>) {
     let mut notes = Notes::new(Field::Overrides);
@@ -54,7 +54,7 @@ pub fn parse_overrides(text: &str) -> (Vec<Override>, Vec<Diagnostic>) {
     (found, notes.finish())
 }
 
-/// Reads overrides, what there is to say of them into `notes`.
+/// Reads overrides; the diagnostics go to `notes`.
 pub(crate) fn read(text: &str, notes: &mut Notes) -> Vec<Override> {
     let (mut found, mut places) = (Vec::new(), Vec::new());
     if is_short_enough(text, notes) {
@@ -86,7 +86,7 @@ fn symbols(overrides: &[Override]) -> impl DoubleEndedIterator<Item = char> {
     overrides.iter().map(|o| o.symbol)
 }
 
-/// Overrides as text that reads back as the same.
+/// Overrides as text that reads back as the same overrides.
 #[must_use]
 pub fn print_overrides(overrides: &[Override]) -> String {
     let lines: Vec<String> = overrides.iter().map(|o| line(o.symbol, &print_actions(&o.actions))).collect();
@@ -102,7 +102,7 @@ pub fn line(ch: char, actions: &str) -> String {
     line
 }
 
-/// Symbols and actions of a text that is made of nothing else, or `None`.
+/// The symbols and actions of a text that [`line()`] could have written, each symbol once; `None` for other texts.
 pub fn entries(text: &str) -> Option<Vec<(char, &str)>> {
     let mut entries = Vec::new();
     for place in text.split('\n').scan(0, |from, l| Some(core::mem::replace(from, *from + l.len() + 1)..*from - 1)) {
@@ -119,7 +119,7 @@ pub fn entries(text: &str) -> Option<Vec<(char, &str)>> {
     (!repeated.contains(&true)).then_some(entries)
 }
 
-/// The words for what a symbol does: `draw`, `turn left 90, draw 5`, `nothing`.
+/// A symbol's actions in words: `draw`, `turn left 90, draw 5`, `nothing`.
 #[must_use]
 pub fn print_actions(actions: &[Action]) -> String {
     if actions.is_empty() {
@@ -164,13 +164,13 @@ fn print_action(action: Action) -> String {
     }
 }
 
-/// The symbol and the colon at the start of a line, and where the symbol stands.
+/// Reads the symbol before the colon at the start of a line. Returns the symbol and its span, in bytes.
 fn head(tokens: &[Token], end: usize, notes: &mut Notes) -> Option<(char, Range<usize>)> {
     let &first = tokens.first()?;
     if tokens.get(1).is_some_and(|t| t.is(':')) {
         return Some((first.ch, first.span()));
     }
-    // The colon may come later: then the symbol is not one symbol.
+    // A colon further on: more or less than one symbol stands before it.
     if let Some(colon) = tokens.iter().position(|t| t.is(':')) {
         let before = &tokens[..colon];
         let place = if colon == 0 { &tokens[..1] } else { before };
@@ -188,7 +188,7 @@ fn head(tokens: &[Token], end: usize, notes: &mut Notes) -> Option<(char, Range<
     None
 }
 
-/// Reads what follows the colon.
+/// Reads the actions after the colon.
 fn actions(tokens: &[Token], end: usize, notes: &mut Notes) -> Vec<Action> {
     let mut found = Vec::new();
     let mut nothing = None;
@@ -233,25 +233,25 @@ fn phrase(tokens: &[Token]) -> String {
     phrase
 }
 
-/// How the words of an action go on.
+/// The number after the words of an action.
 #[derive(Clone, Copy)]
 enum Form {
     /// No number.
     Plain(Action),
-    /// A number that may be left out, within plus and minus [`MOST`].
+    /// An optional number between -[`MOST`] and [`MOST`].
     Optional(fn(Option<f64>) -> Action),
     /// A number in this range.
     Number(fn(f64) -> Action, Expected),
     /// A palette index.
     Index,
-    /// How many places along the palette, 1 if left out, in this direction.
+    /// An optional number of places along the palette, 1 by default, times this direction.
     Along(i64),
 }
 
-/// The largest length, angle, width or factor that is taken for meant.
+/// The largest length, angle, width or factor that is accepted.
 const MOST: f64 = 1e9;
 
-/// The words of the actions, but for `nothing`.
+/// The words of all actions except `nothing`.
 const FORMS: [(&str, Form); 31] = [
     ("draw", Form::Optional(Action::Draw)),
     ("move", Form::Optional(Action::Move)),
@@ -290,7 +290,7 @@ fn form(words: &str) -> Option<Form> {
     FORMS.iter().find(|(name, _)| name.eq_ignore_ascii_case(words)).map(|&(_, form)| form)
 }
 
-/// Reads one action: words, then perhaps a number. What is like unknown words is looked for where a `hint` is wanted.
+/// Reads one action: words, then perhaps a number. With `hint`, an error names a similar action.
 fn action(phrase: &str, hint: bool) -> Result<Action, Kind> {
     let number_at = phrase.find(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.')).unwrap_or(phrase.len());
     let (words, digits) = (phrase[..number_at].trim_end(), &phrase[number_at..]);

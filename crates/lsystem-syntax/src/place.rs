@@ -1,30 +1,30 @@
-//! Showing where a diagnostic points: as printed source with carets, and in JavaScript's units.
+//! Places of diagnostics: as printed source with carets, and in UTF-16 units.
 
 use crate::{Class, Diagnostic, Severity};
 use core::ops::Range;
 
-/// A span of bytes of `text` as a span of UTF-16 units, which JavaScript counts in. What lies outside the text is cut
-/// off; a boundary inside a character counts as before it.
+/// Converts a span of bytes of `text` to a span of UTF-16 units, the units of JavaScript. The span is cut to the text;
+/// a bound inside a character moves to the character's start.
 #[must_use]
 pub fn utf16_span(text: &str, span: Range<usize>) -> Range<usize> {
     let start = floor(text, span.start);
     let end = floor(text, span.end).max(start);
-    // Every character begins with one byte, and those from four bytes on are two units.
+    // A character of one to three bytes is one UTF-16 unit; a character of four bytes is two.
     let units =
         |part: &str| part.bytes().map(|b| usize::from(b & 0xc0 != 0x80) + usize::from(b >= 0xf0)).sum::<usize>();
     let before = units(&text[..start]);
     before..before + units(&text[start..end])
 }
 
-/// The letters of classes by byte, one for each UTF-16 unit of `text`.
+/// The letters of classes, one for each UTF-16 unit of `text`. `classes` has one class for each byte of `text`.
 #[must_use]
 pub fn utf16_letters(text: &str, classes: &[Class]) -> String {
     let of = |at: usize| classes.get(at).copied().unwrap_or_default().letter();
     text.char_indices().flat_map(|(at, ch)| core::iter::repeat_n(of(at), ch.len_utf16())).collect()
 }
 
-/// A diagnostic for a terminal, with the line it is about and carets below the place. `text` is what
-/// [`Diagnostic::field`] names, `source` what the reader knows it as, a file's name for example.
+/// A diagnostic for a terminal, with its line of the text and carets below its place. `text` is the text of
+/// [`Diagnostic::field`]; `source` is its name for the user, for example the name of a file.
 ///
 /// ```
 /// let rules = "F = FF";
@@ -66,11 +66,11 @@ pub fn render_diagnostic(diagnostic: &Diagnostic, source: &str, text: &str) -> S
 
 /// A place in a text, ready to be printed.
 struct Place {
-    /// Of the line, from 1.
+    /// The line's number, 1-based.
     number: usize,
-    /// In the line, in characters, from 1.
+    /// The column in characters, 1-based.
     column: usize,
-    /// The line as printed.
+    /// The line as printed, shortened if long.
     line: String,
     /// Columns before the carets.
     indent: usize,
@@ -78,7 +78,7 @@ struct Place {
     carets: usize,
 }
 
-/// Columns of a line that are printed before its place and after the place's start.
+/// Columns printed before the place and from its start on.
 const BEFORE: usize = 40;
 const AFTER: usize = 80;
 
@@ -118,7 +118,7 @@ impl Place {
     }
 }
 
-/// The end of `text` as printed, within so many columns, and whether something was cut off.
+/// The end of `text` as printed, at most `most` columns wide, and whether the start was cut off.
 fn last_columns(text: &str, most: usize) -> (String, bool) {
     let text = shown(text);
     let mut room = most;
@@ -133,23 +133,23 @@ fn last_columns(text: &str, most: usize) -> (String, bool) {
     (text, false)
 }
 
-/// Text as printed: tabs as spaces, and nothing that a terminal would obey.
+/// Text as printed: tabs become four spaces, control characters become visible.
 fn shown(text: &str) -> String {
-    text.replace('\t', "    ").chars().map(harmless).collect()
+    text.replace('\t', "    ").chars().map(visible_char).collect()
 }
 
-/// One line of a stranger's text for a terminal: characters that a terminal would obey, or that change the order of
-/// others, are replaced, character by character.
+/// A text that is safe to print in a terminal. Control characters, and characters that change the direction of text,
+/// are each replaced by one visible character.
 ///
 /// ```
 /// assert_eq!(lsystem_syntax::visible("a\u{1b}[31m\n\u{202e}b"), "a␛[31m␊\u{fffd}b");
 /// ```
 #[must_use]
 pub fn visible(text: &str) -> String {
-    text.chars().map(harmless).collect()
+    text.chars().map(visible_char).collect()
 }
 
-fn harmless(ch: char) -> char {
+fn visible_char(ch: char) -> char {
     match ch {
         '\0'..='\u{1f}' => char::from_u32(0x2400 + u32::from(ch)).unwrap_or(' '),
         '\u{7f}' => '\u{2421}',
@@ -164,8 +164,8 @@ fn width(text: &str) -> usize {
     text.chars().map(columns).sum()
 }
 
-/// How many columns a terminal gives a character: none to combining marks, two to East Asian wide ones and emoji
-/// (after Unicode's Standard Annex 11, its large ranges only).
+/// A character's width in a terminal, in columns: 0 for combining marks, 2 for East Asian wide characters and emoji
+/// (Unicode Standard Annex 11, large ranges only).
 fn columns(ch: char) -> usize {
     match u32::from(ch) {
         0x300..=0x36f | 0x483..=0x489 | 0x591..=0x5bd | 0x20d0..=0x20ff | 0xfe00..=0xfe0f | 0xfe20..=0xfe2f => 0,

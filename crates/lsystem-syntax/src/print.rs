@@ -1,4 +1,4 @@
-//! Writing a grammar in the notation, so that reading it again gives the same grammar.
+//! Printing a grammar in the notation, as text that reads back as the same grammar.
 
 use crate::characters::{is_blank, is_invisible, look_alike};
 use crate::number::number;
@@ -13,7 +13,8 @@ pub fn print_axiom(grammar: &Grammar) -> String {
     out
 }
 
-/// Constants, what contexts see, productions, then those for drawing: a line each, without a line end after the last.
+/// The rules in the notation: constants, the symbols that contexts see, productions, then the productions for drawing.
+/// Each has one line, without a line end after the last.
 #[must_use]
 pub fn print_rules(grammar: &Grammar) -> String {
     let mut lines = Vec::new();
@@ -63,13 +64,13 @@ fn production(production: &Production) -> String {
     word(&production.successor, &mut line);
     if let Some(weight) = &production.weight {
         line.push_str(" : ");
-        // A comparison needs parentheses there.
+        // Comparisons need parentheses in a weight.
         expression(weight, 4, &mut line);
     }
     line
 }
 
-/// What a production makes.
+/// The successor of a production in the notation; `nothing` if it is empty.
 pub fn successor(production: &Production) -> String {
     let mut text = String::new();
     word(&production.successor, &mut text);
@@ -85,7 +86,7 @@ fn expression(expr: &Expr, outer: u8, out: &mut String) {
 fn patterns(patterns: &[Pattern], out: &mut String) {
     for one in patterns {
         let empty = patterns.len() == 1 && one.parameters.is_empty() && matches!(one.symbol, '*' | 'ε');
-        // A line that begins with two slashes is a comment.
+        // A line that begins with two slashes would be a comment.
         let comment = out.is_empty() && one.symbol == '/';
         pattern(one, empty || comment, out);
     }
@@ -103,7 +104,7 @@ fn pattern(pattern: &Pattern, quote: bool, out: &mut String) {
 fn word(modules: &[Module], out: &mut String) {
     for (at, module) in modules.iter().enumerate() {
         let last = at + 1 == modules.len();
-        // A word that is nothing but an arrow or a mark for the empty word would be read as such.
+        // A word that is only an arrow or a mark of the empty word would be misread.
         let alone = last
             && match module.symbol {
                 '*' | 'ε' => at == 0,
@@ -121,8 +122,8 @@ fn word(modules: &[Module], out: &mut String) {
     }
 }
 
-/// Appends one module of a derived word: its symbol, and its arguments as the shortest decimals that read back as the
-/// same.
+/// Appends one module of a derived word: the symbol, then the arguments in parentheses as the shortest decimals that
+/// read back as the same numbers.
 pub fn print_module(ch: char, arguments: &[f64], out: &mut String) {
     symbol(ch, false, out);
     for (at, argument) in arguments.iter().enumerate() {
@@ -134,7 +135,7 @@ pub fn print_module(ch: char, arguments: &[f64], out: &mut String) {
     }
 }
 
-/// One symbol, in backquotes where it would be misread.
+/// Appends one symbol, in backquotes if it would be misread or if `quote`.
 pub(crate) fn symbol(symbol: char, quote: bool, out: &mut String) {
     if is_blank(symbol) && symbol != ' ' || is_invisible(symbol) {
         out.push_str(&format!("`U+{:02X}`", u32::from(symbol)));

@@ -1,10 +1,10 @@
-//! How far resumable work is.
+//! The progress of resumable work.
 
-/// What a step of resumable work says.
+/// The result of one step of resumable work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Progress {
-    /// There is more to do.
+    /// More steps are needed.
     More,
-    /// All is done.
+    /// The work is complete.
     Done,
 }

@@ -1,12 +1,12 @@
-//! Sorting in little code: lists that are sorted once and then looked into.
+//! Sorting with small compiled code, for lists that are sorted once and then searched.
 //!
-//! The standard library's sorts and trees are several kilobytes for each type of element, too much for a page to load
-//! where lists are short or sorted rarely.
+//! The standard library's sorts and trees take several kilobytes of wasm for each type of element, too much for short
+//! or rarely sorted lists.
 
-/// Sorts in place, without memory: a heap sort (Williams, 1964). Equal elements come in any order.
+/// Sorts in place without allocating: a heap sort (Williams, 1964). The sort is not stable.
 pub fn sort<T: Ord>(list: &mut [T]) {
     let len = list.len();
-    // First makes a heap of the list, the largest on top, then takes one after the other from the top.
+    // The first len / 2 steps build a heap with the largest element on top; each further step removes the top.
     for step in (0..len + len / 2).rev() {
         let (mut parent, end) = match step.checked_sub(len) {
             Some(parent) => (parent, len),
@@ -29,7 +29,7 @@ pub fn sort<T: Ord>(list: &mut [T]) {
     }
 }
 
-/// Each different element once, sorted.
+/// The distinct elements, sorted.
 pub fn set<T: Ord>(elements: impl IntoIterator<Item = T>) -> Vec<T> {
     let mut list: Vec<T> = elements.into_iter().collect();
     sort(&mut list);
@@ -37,7 +37,7 @@ pub fn set<T: Ord>(elements: impl IntoIterator<Item = T>) -> Vec<T> {
     list
 }
 
-/// For each key, whether it stands earlier too.
+/// For each key, whether the same key stands earlier in the list.
 pub fn repeated<K: Ord>(keys: impl IntoIterator<Item = K>) -> Vec<bool> {
     let mut list: Vec<(K, usize)> = keys.into_iter().enumerate().map(|(at, key)| (key, at)).collect();
     sort(&mut list);

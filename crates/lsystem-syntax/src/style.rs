@@ -1,43 +1,44 @@
-//! How a drawing looks: colours, widths, background.
+//! The look of a drawing: colours, widths, background.
 
 use crate::Dialect;
 use crate::notes::excerpt;
 
-/// An sRGB colour without transparency, 8 bits a channel. Text form: `#rrggbb` (also read: `#rgb` and the sixteen
-/// basic CSS colour names).
+/// An opaque sRGB colour with 8 bits per channel. Its text form is `#rrggbb`; `#rgb` and the sixteen basic CSS colour
+/// names are read too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Colour {
-    /// Red, green, blue.
+    /// Red, green and blue, each 0 to 255.
     pub rgb: [u8; 3],
 }
 
-/// What a stroke's colour follows.
+/// The property that decides a stroke's colour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ColourBy {
     /// The colour symbols: the palette's entry that the turtle's colour index selects.
     #[default]
     Symbol,
-    /// One colour for all: the first of the palette.
+    /// One colour for all strokes: the first of the palette.
     Single,
     /// The branch level: the palette's entry at the level.
     Level,
-    /// The turns: the palette's entries that [`Style::turn_colours`] names, from the first turn on; branches restore it.
+    /// The last turn: the palette's entry that [`Style::turn_colours`] names for it. A branch's end restores the
+    /// colour.
     Turn,
-    /// The derivation step in which the module that draws was made (`Colouring::Generations`).
+    /// The derivation step that made the drawing module (`Colouring::Generations`).
     Generation,
-    /// The place among all segments: the whole palette as a gradient, from the first segment to the last.
+    /// The place along the path: the palette as a gradient from the first segment to the last.
     Path,
-    /// How much ink lies at a place, where ink adds up ([`Ink::Density`]): the palette as a gradient, from the least to
-    /// the most. The first of the palette elsewhere.
+    /// The amount of ink at a pixel, with additive ink ([`Ink::Density`]): the palette as a gradient from the least ink
+    /// to the most. With opaque ink, the first of the palette.
     Density,
 }
 
 impl ColourBy {
-    /// All of them, in the order to offer them.
+    /// All values, in the order of the page's list.
     pub const ALL: [Self; 7] =
         [Self::Symbol, Self::Single, Self::Level, Self::Turn, Self::Generation, Self::Path, Self::Density];
 
-    /// Their names in files, in the same order.
+    /// The names in files, in the order of [`ColourBy::ALL`].
     pub const NAMES: [&str; 7] = ["symbol", "single", "level", "turn", "generation", "path", "density"];
 
     /// Its name in files.
@@ -47,22 +48,22 @@ impl ColourBy {
     }
 }
 
-/// What strokes do that lie upon each other.
+/// The blending of overlapping strokes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ink {
-    /// The later one covers the earlier.
+    /// Opaque: later strokes cover earlier ones.
     #[default]
     Solid,
-    /// Their ink adds up, and the picture shows how much there is. Files of strokes cannot say this; neither do pictures
-    /// of drawings in space.
+    /// Additive: ink adds up, and the picture shows its amount. Vector files and pictures of drawings in space do not
+    /// support this.
     Density,
 }
 
 impl Ink {
-    /// All of them, in the order to offer them.
+    /// All values, in the order of the page's list.
     pub const ALL: [Self; 2] = [Self::Solid, Self::Density];
 
-    /// Their names in files, in the same order.
+    /// The names in files, in the order of [`Ink::ALL`].
     pub const NAMES: [&str; 2] = ["solid", "density"];
 
     /// Its name in files.
@@ -72,35 +73,35 @@ impl Ink {
     }
 }
 
-/// The look of a drawing. A stroke is `max(width, min_width)` wide, after the width symbols acted.
+/// The look of a drawing. A stroke's width is the turtle's width, but at least `min_width`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Style {
-    /// The stroke colour (index 0) and those that follow it. Never empty; indices wrap around at look-up.
+    /// The stroke colours by palette index, never empty. Indices beyond the end wrap around.
     pub palette: Vec<Colour>,
-    /// Whether by level and by generation what is beyond the palette has its last colour, instead of wrapping around.
+    /// Whether levels and generations beyond the palette take its last colour instead of wrapping around.
     pub palette_holds: bool,
-    /// By turn: the palette's index after a turn to the left, and after one to the right.
+    /// The palette indices after a left turn and after a right turn.
     pub turn_colours: [i32; 2],
-    /// What the colour follows.
+    /// The property that decides a stroke's colour.
     pub colour_by: ColourBy,
-    /// Behind the drawing.
+    /// The colour behind the drawing.
     pub background: Colour,
     /// The turtle's stroke width at the start, in multiples of the step length.
     pub width: f64,
-    /// What every branch multiplies the width by.
+    /// The factor of the width for each branch level.
     pub width_factor: f64,
-    /// No stroke is drawn thinner than this, in CSS pixels of the picture.
+    /// The smallest width of a stroke, in CSS pixels of the picture.
     pub min_width: f64,
-    /// What strokes do that lie upon each other.
+    /// The blending of overlapping strokes.
     pub ink: Ink,
-    /// By how many degrees the palette's hues are turned.
+    /// The rotation of the palette's hues, in degrees.
     pub hue: f64,
-    /// How much of the ink shows where it adds up, in stops: each doubles it.
+    /// The exposure of additive ink, in stops: each stop doubles the ink's strength.
     pub exposure: f64,
 }
 
 impl Colour {
-    /// The colour with its hue turned by so many degrees (the matrix of SVG's `hueRotate`).
+    /// The colour with its hue rotated by `degrees` (the matrix of SVG's `hueRotate`).
     fn turned(self, degrees: f64) -> Self {
         if degrees == 0.0 {
             return self;
@@ -167,12 +168,12 @@ impl Style {
         })
     }
 
-    /// Whether indices beyond the palette mean its last colour.
+    /// Whether indices beyond the palette take its last colour.
     pub fn holds(&self) -> bool {
         self.palette_holds && matches!(self.colour_by, ColourBy::Level | ColourBy::Generation)
     }
 
-    /// How many different inks there are.
+    /// The number of inks: colours that strokes may have.
     pub fn inks(&self) -> u32 {
         let palette = u32::try_from(self.palette.len()).unwrap_or(u32::MAX / 2).max(1);
         match self.colour_by {
@@ -190,13 +191,14 @@ impl Style {
         self.entry(number as usize)
     }
 
-    /// An entry of the palette, the last one for what is beyond: every stroke's colour is made of these.
+    /// The palette's entry at `index` with its hue rotated, or the last entry for a larger index. All stroke colours
+    /// are made of these.
     pub fn entry(&self, index: usize) -> Colour {
         let entry = index.min(self.palette.len().saturating_sub(1));
         self.palette.get(entry).map_or(Colour { rgb: [0; 3] }, |colour| colour.turned(self.hue))
     }
 
-    /// The colour at `place`, from 0 to 1, along the palette: one of [`GRADIENT`] steps.
+    /// The gradient's colour at `place`, from 0 to 1: one of [`GRADIENT`] steps.
     #[must_use]
     pub fn gradient(&self, place: f64) -> Colour {
         let last = self.palette.len().saturating_sub(1);
@@ -208,8 +210,8 @@ impl Style {
         Colour { rgb: [0, 1, 2].map(mix) }
     }
 
-    /// The style that a file in this dialect has where it names none: in [`Dialect::Lowercase`] the pen starts blue,
-    /// and its turns choose red and green.
+    /// The default style for files in this dialect. In [`Dialect::Lowercase`] the pen starts blue, and turns choose red
+    /// and green.
     #[must_use]
     pub fn for_dialect(dialect: Dialect) -> Self {
         let mut style = Self::default();
@@ -220,26 +222,26 @@ impl Style {
     }
 }
 
-/// What the colour of a stroke may follow.
+/// The properties of a stroke that may decide its colour.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tint {
     /// The turtle's colour index.
     pub index: i32,
     /// The branch level.
     pub level: u32,
-    /// How many of all segments come before, as a part of them.
+    /// The fraction of all segments that come before, 0 to 1.
     pub place: f64,
 }
 
-/// Steps of the gradient along the path: few enough to be told apart by a renderer, too many to be seen one by one.
+/// The steps of the gradient along the path: few enough for a renderer, too many to be visible as steps.
 pub const GRADIENT: u32 = 64;
 
-/// Which step of the gradient is at `place`, from 0 to 1.
+/// The step of the gradient at `place` (0 to 1), 0-based.
 pub fn gradient_step(place: f64) -> u32 {
     ((place * f64::from(GRADIENT)) as u32).min(GRADIENT - 1)
 }
 
-/// Whether a part of the path has one colour, as far as anybody can tell: it is shorter than a step of the gradient.
+/// Whether `size`, a fraction of the path, is at most one step of the gradient. Such a part is drawn in one colour.
 pub fn is_one_step(size: f64) -> bool {
     size * f64::from(GRADIENT) <= 1.0
 }

@@ -1,4 +1,4 @@
-//! Values of fields, free of the form that files, links and scripts give them.
+//! Values of fields, independent of the format of files, links and scripts.
 
 use crate::{Colour, ColourBy, Dialect, Ink};
 use serde::de::{self, Deserialize, Deserializer, SeqAccess, Visitor};
@@ -7,117 +7,117 @@ use serde::ser::{Serialize, Serializer};
 /// A value as JSON, a script or a command line can hold it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// `null`: a number that is left out.
+    /// `null`: an optional field that is left out.
     Nothing,
     /// `true` or `false`.
     Flag(bool),
     /// A number.
     Number(f64),
-    /// A text, a word among several, or a colour.
+    /// A text, a keyword or a colour.
     Text(String),
     /// Numbers or colours.
     List(Vec<Value>),
 }
 
-/// A type of a definition's field, as a [`Value`] and back.
-pub(crate) trait Held: Sized {
-    /// The field's value.
-    fn value(&self) -> Value;
-    /// The field that a value stands for; `None` where the value is of another type.
-    fn held(value: &Value) -> Option<Self>;
+/// The type of a definition's field, converted to a [`Value`] and back.
+pub(crate) trait FieldType: Sized {
+    /// Converts the field to a value.
+    fn to_value(&self) -> Value;
+    /// Converts a value to the field; `None` if the value has another type.
+    fn from_value(value: &Value) -> Option<Self>;
 }
 
-impl Held for String {
-    fn value(&self) -> Value {
+impl FieldType for String {
+    fn to_value(&self) -> Value {
         Value::Text(self.clone())
     }
-    fn held(value: &Value) -> Option<Self> {
+    fn from_value(value: &Value) -> Option<Self> {
         if let Value::Text(text) = value { Some(text.clone()) } else { None }
     }
 }
 
-impl Held for bool {
-    fn value(&self) -> Value {
+impl FieldType for bool {
+    fn to_value(&self) -> Value {
         Value::Flag(*self)
     }
-    fn held(value: &Value) -> Option<Self> {
+    fn from_value(value: &Value) -> Option<Self> {
         if let Value::Flag(flag) = value { Some(*flag) } else { None }
     }
 }
 
-impl Held for f64 {
-    fn value(&self) -> Value {
+impl FieldType for f64 {
+    fn to_value(&self) -> Value {
         Value::Number(*self)
     }
-    fn held(value: &Value) -> Option<Self> {
+    fn from_value(value: &Value) -> Option<Self> {
         if let Value::Number(number) = value { Some(*number) } else { None }
     }
 }
 
-impl Held for u32 {
-    fn value(&self) -> Value {
+impl FieldType for u32 {
+    fn to_value(&self) -> Value {
         Value::Number(f64::from(*self))
     }
-    fn held(value: &Value) -> Option<Self> {
-        let number = f64::held(value)?;
+    fn from_value(value: &Value) -> Option<Self> {
+        let number = f64::from_value(value)?;
         (f64::from(number as Self) == number).then_some(number as Self)
     }
 }
 
-impl Held for i32 {
-    fn value(&self) -> Value {
+impl FieldType for i32 {
+    fn to_value(&self) -> Value {
         Value::Number(f64::from(*self))
     }
-    fn held(value: &Value) -> Option<Self> {
-        let number = f64::held(value)?;
+    fn from_value(value: &Value) -> Option<Self> {
+        let number = f64::from_value(value)?;
         (f64::from(number as Self) == number).then_some(number as Self)
     }
 }
 
-impl<T: Held> Held for Option<T> {
-    fn value(&self) -> Value {
-        self.as_ref().map_or(Value::Nothing, T::value)
+impl<T: FieldType> FieldType for Option<T> {
+    fn to_value(&self) -> Value {
+        self.as_ref().map_or(Value::Nothing, T::to_value)
     }
-    fn held(value: &Value) -> Option<Self> {
-        if *value == Value::Nothing { Some(None) } else { T::held(value).map(Some) }
-    }
-}
-
-impl<T: Held> Held for Vec<T> {
-    fn value(&self) -> Value {
-        Value::List(self.iter().map(T::value).collect())
-    }
-    fn held(value: &Value) -> Option<Self> {
-        if let Value::List(list) = value { list.iter().map(T::held).collect() } else { None }
+    fn from_value(value: &Value) -> Option<Self> {
+        if *value == Value::Nothing { Some(None) } else { T::from_value(value).map(Some) }
     }
 }
 
-impl<T: Held, const N: usize> Held for [T; N] {
-    fn value(&self) -> Value {
-        Value::List(self.iter().map(T::value).collect())
+impl<T: FieldType> FieldType for Vec<T> {
+    fn to_value(&self) -> Value {
+        Value::List(self.iter().map(T::to_value).collect())
     }
-    fn held(value: &Value) -> Option<Self> {
-        Vec::held(value)?.try_into().ok()
+    fn from_value(value: &Value) -> Option<Self> {
+        if let Value::List(list) = value { list.iter().map(T::from_value).collect() } else { None }
     }
 }
 
-impl Held for Colour {
-    fn value(&self) -> Value {
+impl<T: FieldType, const N: usize> FieldType for [T; N] {
+    fn to_value(&self) -> Value {
+        Value::List(self.iter().map(T::to_value).collect())
+    }
+    fn from_value(value: &Value) -> Option<Self> {
+        Vec::from_value(value)?.try_into().ok()
+    }
+}
+
+impl FieldType for Colour {
+    fn to_value(&self) -> Value {
         Value::Text(String::from(*self))
     }
-    fn held(value: &Value) -> Option<Self> {
+    fn from_value(value: &Value) -> Option<Self> {
         if let Value::Text(text) = value { text.parse().ok() } else { None }
     }
 }
 
-/// Fields that hold one of several words.
-macro_rules! words {
+/// Implements [`FieldType`] for types of keywords.
+macro_rules! keywords {
     ($($type:ty),*) => {$(
-        impl Held for $type {
-            fn value(&self) -> Value {
+        impl FieldType for $type {
+            fn to_value(&self) -> Value {
                 Value::Text(self.name().to_owned())
             }
-            fn held(value: &Value) -> Option<Self> {
+            fn from_value(value: &Value) -> Option<Self> {
                 let Value::Text(word) = value else { return None };
                 Self::ALL.iter().copied().find(|one| one.name() == word)
             }
@@ -125,7 +125,7 @@ macro_rules! words {
     )*};
 }
 
-words!(Dialect, ColourBy, Ink);
+keywords!(Dialect, ColourBy, Ink);
 
 impl Serialize for Value {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -145,7 +145,7 @@ impl<'de> Deserialize<'de> for Value {
     }
 }
 
-/// Reads a value of whatever type it is.
+/// Reads a value of any type.
 struct Reader;
 
 impl<'de> Visitor<'de> for Reader {

@@ -1,22 +1,22 @@
-//! What a derivation step did with each module of a word, in as little memory as can be.
+//! Records of one derivation step for each module of a word, in one byte or three bytes per module.
 
-/// By module: what became of it.
+/// By module: its record.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Choices {
     low: Vec<u8>,
-    /// What does not fit in one byte; empty where everything does.
+    /// The upper 16 bits of the codes; empty if all codes fit in one byte.
     high: Vec<u16>,
     wide: bool,
 }
 
-/// What became of a module.
+/// The record of a module in one derivation step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Choice {
-    /// No production rewrites it.
+    /// The module stayed: no production applied.
     Stayed,
-    /// It was cut off.
+    /// The module was cut off.
     Cut,
-    /// It was replaced by this production.
+    /// The module was replaced by this production.
     Made(usize),
 }
 
@@ -31,12 +31,12 @@ impl Choice {
 }
 
 impl Choices {
-    /// Room for choices among so many productions.
+    /// An empty list for codes of this many productions.
     pub(super) fn new(productions: usize) -> Self {
         Self { wide: Choice::Made(productions).code() > usize::from(u8::MAX), ..Self::default() }
     }
 
-    /// Room for choices of the same kind.
+    /// An empty list for codes of the same size.
     pub(super) fn emptied(&self) -> Self {
         Self { wide: self.wide, ..Self::default() }
     }
@@ -45,12 +45,12 @@ impl Choices {
         let code = choice.code();
         self.low.push(code as u8);
         if self.wide {
-            // A text has far fewer than 2^24 productions.
+            // 24 bits suffice: a text has far fewer than 2^24 productions.
             self.high.push((code >> 8) as u16);
         }
     }
 
-    /// Notes `count` modules that stay.
+    /// Records `count` modules that stay.
     pub(super) fn keep(&mut self, count: usize) {
         self.low.resize(self.low.len() + count, 0);
         if self.wide {
@@ -58,7 +58,7 @@ impl Choices {
         }
     }
 
-    /// That of the module at `place`; what was not noted stayed.
+    /// The record of the module at `place`. A module without a record stayed.
     pub(super) fn get(&self, place: usize) -> Choice {
         let high = self.high.get(place).map_or(0, |&high| usize::from(high) << 8);
         match self.low.get(place).map_or(0, |&low| usize::from(low) | high) {
@@ -68,7 +68,7 @@ impl Choices {
         }
     }
 
-    /// Notes `count` modules that were cut off.
+    /// Records `count` modules that were cut off.
     pub(super) fn cut(&mut self, count: usize) {
         self.low.resize(self.low.len() + count, Choice::Cut.code() as u8);
         if self.wide {
@@ -76,17 +76,17 @@ impl Choices {
         }
     }
 
-    /// How many modules have been noted.
+    /// The number of records.
     pub(super) fn len(&self) -> usize {
         self.low.len()
     }
 
-    /// The bytes that the choices of so many modules take.
+    /// The bytes of the records of this many modules.
     pub(super) fn bytes_of(&self, modules: usize) -> u64 {
         modules as u64 * if self.wide { 3 } else { 1 }
     }
 
-    /// Makes room for the choices of so many modules.
+    /// Reserves memory for the records of this many modules.
     pub(super) fn reserve(&mut self, modules: usize) {
         self.low.reserve_exact(modules);
         if self.wide {
@@ -94,7 +94,7 @@ impl Choices {
         }
     }
 
-    /// The bytes that it takes.
+    /// The bytes of the list's memory.
     pub(super) fn bytes(&self) -> u64 {
         (self.low.capacity() + 2 * self.high.capacity()) as u64
     }

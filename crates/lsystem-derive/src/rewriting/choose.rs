@@ -1,39 +1,40 @@
-//! Which production applies to a module.
+//! Choosing the production that applies to a module.
 
 use super::context::Neighbours;
 use super::modules::{Chance, Modules};
 use super::step::Plan;
 use crate::rules::Rule;
 
-/// Memory that is used again.
+/// Reused memory.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch {
-    /// The places of a context's modules.
+    /// The places of the modules that match a context.
     found: Vec<u32>,
-    /// The parameters of left context, predecessor and right context, where there is a context.
+    /// The parameters of left context, predecessor and right context, if there is a context.
     slots: Vec<f64>,
-    /// The weighted rules that apply, with the sum of the weights up to and with each.
+    /// The weighted rules that apply, with their cumulative weights.
     choices: Vec<(usize, f64)>,
-    /// The work at which the search for a production of one module is given up.
+    /// The total work at which the search for one module's production stops.
     pub(super) until: u64,
 }
 
-/// The most productions, and modules around it, that are looked at for one module: more take too long for one step.
+/// The most work of the search for one module's production, in productions tried and neighbours visited. More work
+/// would take too long for one step.
 pub(super) const MOST_LOOKS: u64 = 3 << 16;
 
-/// A module in its surroundings.
+/// A module and its neighbours.
 pub(super) struct Place<'a> {
     pub(super) plan: &'a Plan,
     pub(super) word: &'a Modules,
     pub(super) neighbours: &'a Neighbours,
     pub(super) place: usize,
-    /// Its arguments.
+    /// The module's arguments.
     pub(super) own: &'a [f64],
     pub(super) chance: Chance,
 }
 
 impl<'a> Place<'a> {
-    /// The production that applies; [`Place::slots`] are then its parameters.
+    /// The production that applies. [`Place::slots`] are then its parameters.
     #[inline]
     pub(super) fn choose(&self, rules: &'a [Rule], scratch: &mut Scratch, work: &mut u64) -> Option<&'a Rule> {
         match rules {
@@ -43,7 +44,7 @@ impl<'a> Place<'a> {
         }
     }
 
-    /// The parameters of a production that applies here, where it was the last that was looked at.
+    /// The parameters of a production that applies here, if it was the last one tried.
     #[inline]
     pub(super) fn slots<'s>(&'s self, rule: &Rule, scratch: &'s Scratch) -> &'s [f64] {
         if rule.is_context_sensitive() { &scratch.slots } else { self.own }
@@ -57,7 +58,7 @@ impl<'a> Place<'a> {
             if *work > scratch.until {
                 return None;
             }
-            // Once a weighted one applies, only weighted ones of its class do.
+            // Once a weighted rule applies, only weighted rules of the same class apply: with or without a context.
             if class.is_some_and(|class| rule.weight.is_none() || class != rule.is_context_sensitive()) {
                 continue;
             }
@@ -72,19 +73,19 @@ impl<'a> Place<'a> {
                 scratch.choices.push((index, total));
             }
         }
-        // Computed as where weights are known beforehand, so that the choice is the same.
+        // Computed as in `Rewrite::plain`, so that both make the same choice.
         let roll = self.chance.key.choice(self.chance.seed, self.chance.step);
         let chosen = scratch.choices.partition_point(|(_, until)| roll >= until / total);
         let &(index, _) = scratch.choices.get(chosen).or(scratch.choices.last())?;
-        // Others have been looked at since: its parameters are bound once more.
+        // Rules tried later have overwritten the parameters, so they are bound again.
         self.applies(&rules[index], scratch, work).then_some(&rules[index])
     }
 
-    /// Whether a production applies here; [`Place::slots`] are then its parameters.
+    /// Whether a production applies here. [`Place::slots`] are then its parameters.
     #[inline]
     fn applies(&self, rule: &Rule, scratch: &mut Scratch, work: &mut u64) -> bool {
         *work += 1;
-        if rule.is_context_sensitive() && !self.surrounded(rule, scratch, work) {
+        if rule.is_context_sensitive() && !self.matches_contexts(rule, scratch, work) {
             return false;
         }
         let Some(condition) = &rule.condition else { return true };
@@ -93,8 +94,8 @@ impl<'a> Place<'a> {
         value != 0.0 && !value.is_nan()
     }
 
-    /// Whether the contexts of a production match; its parameters are then in the scratch.
-    fn surrounded(&self, rule: &Rule, scratch: &mut Scratch, work: &mut u64) -> bool {
+    /// Whether the contexts of a production match. Its parameters are then in the scratch memory.
+    fn matches_contexts(&self, rule: &Rule, scratch: &mut Scratch, work: &mut u64) -> bool {
         let Self { plan, word, neighbours, place, .. } = *self;
         let Scratch { found, slots, until, .. } = scratch;
         *work += (rule.left.len() + rule.right.len()) as u64 / 8;

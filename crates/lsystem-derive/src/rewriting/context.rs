@@ -1,25 +1,25 @@
-//! What stands to the left and to the right of a module, branches considered (ABOP, section 1.8).
+//! The left and right neighbours of a module, with regard to branches (ABOP, section 1.8).
 //!
-//! The left neighbour is the nearest module on the way to the root: finished branches are skipped, an open one is
-//! left through its `[`. The right neighbour is the next module of the same axis: branches that start in between
-//! are skipped, and the axis ends at the `]` of its own branch.
+//! The left neighbour is the nearest module on the path to the root: closed branches are skipped, and an open branch is
+//! left through its `[`. The right neighbour is the next module of the same axis: branches in between are skipped, and
+//! the axis ends at the `]` of its own branch.
 
 use super::room::{held, renew, room_for};
 use crate::rules::{ContextPattern, LetterId, Rules};
 
-/// No neighbour.
+/// The place of a missing neighbour.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// What a letter is to contexts.
+/// The role of a letter in contexts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Role {
     /// `[`
     Open,
     /// `]`
     Close,
-    /// Any other that contexts see.
+    /// Any other letter that contexts see.
     Seen,
-    /// What `ignore:` or `consider:` hides.
+    /// A letter that `ignore:` or `consider:` hides.
     Ignored,
 }
 
@@ -35,45 +35,45 @@ pub(super) fn roles(rules: &Rules) -> Vec<Role> {
         .collect()
 }
 
-/// The places of neighbours by module, found in one pass to the left and one to the right, each in pieces.
+/// The places of each module's neighbours, found in a leftward and a rightward pass. Passes run in pieces.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Neighbours {
-    /// By module: the nearest on the way to the root.
+    /// By module: the place of its left neighbour.
     pub(super) left: Vec<u32>,
-    /// By module: the next of its axis.
+    /// By module: the place of its right neighbour.
     pub(super) right: Vec<u32>,
-    /// By module that opens a branch: the place after the branch.
+    /// By module `[`: the place after its branch.
     pub(super) after: Vec<u32>,
-    /// By module: where its arguments start.
+    /// By module: the index of its first argument.
     pub(super) arguments: Vec<u32>,
     open: Vec<(u32, u32)>,
     nearest: u32,
 }
 
 impl Neighbours {
-    /// The bytes that it takes for a word of `length` modules with so many brackets of a kind.
+    /// The bytes for a word of `length` modules with at most `brackets` of each kind of bracket.
     pub(super) fn bytes_for(&self, length: usize, brackets: usize) -> u64 {
         let places = 4 * size_of::<u32>() * self.left.capacity().max(room_for(length));
         let open = size_of::<(u32, u32)>() * self.open.capacity().max(room_for(brackets));
         (places + open) as u64
     }
 
-    /// The bytes that it holds.
+    /// The bytes of its memory.
     pub(super) fn bytes(&self) -> u64 {
         let places = [&self.left, &self.right, &self.after, &self.arguments];
         places.iter().map(|places| held(places)).sum::<u64>() + held(&self.open)
     }
 
-    /// Forgets everything and takes the memory for a word of `length` modules with so many brackets of a kind.
+    /// Clears everything and reserves memory for a word of `length` modules with at most `brackets` of each kind.
     pub(super) fn reset(&mut self, length: usize, brackets: usize) {
         for places in [&mut self.left, &mut self.right, &mut self.after, &mut self.arguments] {
             renew(places, length);
         }
         renew(&mut self.open, brackets);
-        self.turn();
+        self.start_pass();
     }
 
-    /// Makes the next `count` places, which the passes fill.
+    /// Adds `count` places, which the passes fill.
     pub(super) fn extend(&mut self, count: usize) {
         for places in [&mut self.left, &mut self.right, &mut self.after, &mut self.arguments] {
             places.resize(places.len() + count, NONE);
@@ -81,12 +81,12 @@ impl Neighbours {
     }
 
     /// Starts a pass.
-    pub(super) fn turn(&mut self) {
+    pub(super) fn start_pass(&mut self) {
         self.open.clear();
         self.nearest = NONE;
     }
 
-    /// Goes one module to the left, whose arguments start at `argument`, in the pass from the end to the start.
+    /// Visits one module in the leftward pass; its arguments start at `argument`.
     #[inline]
     pub(super) fn leftward(&mut self, place: usize, argument: usize, role: Role) {
         self.arguments[place] = argument as u32;
@@ -96,14 +96,14 @@ impl Neighbours {
                 self.open.push((self.nearest, place as u32 + 1));
                 self.nearest = NONE;
             }
-            // The branch of an unmatched `[` ends with the word.
+            // An unmatched `[` opens a branch to the end of the word.
             Role::Open => (self.nearest, self.after[place]) = self.open.pop().unwrap_or((NONE, NONE)),
             Role::Seen => self.nearest = place as u32,
             Role::Ignored => {}
         }
     }
 
-    /// Goes one module to the right in the pass from the start to the end.
+    /// Visits one module in the rightward pass.
     #[inline]
     pub(super) fn rightward(&mut self, place: usize, role: Role) {
         self.left[place] = self.nearest;
@@ -115,8 +115,8 @@ impl Neighbours {
         }
     }
 
-    /// Whether the modules on the way from `place` to the root are `pattern`, nearest last; their places go to
-    /// `found` in the order of the pattern. The pass to the right must have come by `place`.
+    /// Whether the modules on the path from `place` to the root match `pattern`, nearest last. Their places go to
+    /// `found` in the order of the pattern. The rightward pass must have visited `place`.
     pub(super) fn match_left(
         &self,
         word: &[LetterId],
@@ -137,9 +137,10 @@ impl Neighbours {
         true
     }
 
-    /// Whether what follows `place` is `pattern`; the places of its letters go to `found`. A branch in the pattern
-    /// is the first of the branches that start there and match. `work` counts the modules looked at; the search is given
-    /// up where it passes `until`, for there may be more ways to match than anybody can try.
+    /// Whether the modules after `place` match `pattern`. The places of its letters go to `found`. A branch in the
+    /// pattern is the first matching branch that starts there. `work` counts the modules visited. The search stops when
+    /// `work` exceeds `until`, because the number of ways to match grows exponentially with the branches of the
+    /// pattern.
     pub(super) fn match_right(
         &self,
         word: &[LetterId],
@@ -162,7 +163,7 @@ impl Neighbours {
                     place = next as usize;
                 }
                 ContextPattern::Open => {
-                    // Every branch that starts before the axis goes on or ends.
+                    // Tries each branch that starts before the next module of the axis.
                     let mut at = place + 1;
                     while let Some(&letter) = word.get(at) {
                         *work += 1;
@@ -185,7 +186,7 @@ impl Neighbours {
                     return false;
                 }
                 ContextPattern::Close => {
-                    // To the end of the branch that holds `place`, other branches skipped.
+                    // Goes to the end of the branch that contains `place`, and skips branches within it.
                     let mut at = place + 1;
                     loop {
                         *work += 1;

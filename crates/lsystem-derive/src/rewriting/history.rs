@@ -1,8 +1,8 @@
-//! A derivation that is remembered, so that any module of any generation is found, with those that it descends from.
+//! The history of a derivation: any module of any generation, with its ancestors.
 //!
-//! For each module it notes which production replaced it, one byte in all but the largest grammars. The letters and
-//! numbers of a page are computed from these choices, from the axiom on. Only where productions take numbers from
-//! their contexts are whole generations kept.
+//! The history records the production that replaced each module, in one byte except for the largest grammars. The
+//! modules of a page are computed from these records, from the axiom on. Systems with both contexts and parameters keep
+//! whole generations instead, because arguments may come from contexts.
 
 mod making;
 
@@ -15,41 +15,42 @@ use core::ops::Range;
 use lsystem_syntax::{Limits, MAX_ITERATIONS, Meter, Progress};
 use std::sync::Arc;
 
-/// Modules between two sums: a place is found by one sum and a look at fewer modules than this.
+/// Modules in a block. Sums are stored for each block, so that a search looks at fewer modules than this.
 const BLOCK: usize = 256;
 
-/// Modules of a page that are computed at once.
+/// Modules of a page that are computed together.
 const PAGE: usize = 4096;
 
-/// Modules looked at between two looks at the caller's budget.
+/// Modules handled between two checks of the caller's budget.
 const PIECE: usize = 1 << 12;
 
-/// Bytes beside what is remembered: a step that is being counted.
+/// Bytes reserved beside the records, for a step that is being counted.
 const SPARE: u64 = 1 << 16;
 
-/// The generations of a system, for those that [`Word`](crate::Word) cannot read: where chance, conditions or
-/// neighbours decide what becomes of a module, or branches are cut. It is made in resumable steps; what is derived
-/// so far can be read.
+/// The generations of a system that [`Word`](crate::Word) cannot read: chance, conditions or neighbours decide
+/// successors, or branches are cut. A history is made in resumable steps. Generations derived so far can be read
+/// meanwhile.
 #[derive(Clone, Debug)]
 pub struct History {
     rules: Arc<Rules>,
     seed: u32,
     n: u32,
-    /// By letter: how many segments it draws.
+    /// By letter: the number of segments it draws.
     drawn: Vec<u64>,
-    /// By production: its place in the rules, and how many segments its successor draws.
+    /// By production: its place in the rules, and the number of segments its successor draws.
     productions: Vec<Option<Source>>,
     axiom: Modules,
-    /// All but the last.
+    /// By generation except the last: the records of the step after it.
     steps: Vec<Step>,
-    /// By generation: how many modules it has.
+    /// By generation: the number of modules.
     lengths: Vec<usize>,
-    /// By generation, where they are kept.
+    /// By generation: its modules; `None` if generations are not kept.
     words: Option<Vec<Kept>>,
-    /// What the modules of generation `n` are drawn as.
+    /// The images of the modules of generation `n`, once counted.
     images: Option<Step>,
-    /// What is remembered takes so many bytes, and may take so many together with the generations in the making.
+    /// The bytes of the records.
     bytes: u64,
+    /// The most bytes of the records and the generations under construction together.
     memory: u64,
     state: State,
     /// The units of work of all steps.
@@ -59,16 +60,16 @@ pub struct History {
 #[derive(Clone, Debug)]
 enum State {
     Derive(Box<Rewriter>),
-    /// Counting what a step made.
+    /// Counting the modules that a step made.
     Sum(Box<Rewriter>, Step),
-    /// Copying a generation: with arguments before the next module.
+    /// Copying a generation. The number is the index of the next module's first argument.
     Keep(Box<Rewriter>, Kept, usize),
     /// Counting the segments of the last generation.
     Count {
         rewriter: Box<Rewriter>,
         sums: Sums,
         choices: Choices,
-        /// Where the next module's arguments are.
+        /// The index of the next module's first argument.
         argument: usize,
     },
     Done,
@@ -78,17 +79,17 @@ enum State {
 struct Source {
     letter: u16,
     index: usize,
-    /// Below `draw:`.
+    /// Whether the production stands below `draw:`.
     image: bool,
     modules: u32,
     segments: u64,
 }
 
-/// What became of the modules of a generation.
+/// The records of one derivation step.
 #[derive(Clone, Debug, Default)]
 struct Step {
     choices: Choices,
-    /// What became of those before each block, counted.
+    /// The number of modules that the modules before each block made.
     sums: Sums,
 }
 
@@ -96,11 +97,11 @@ struct Step {
 #[derive(Clone, Debug)]
 struct Kept {
     word: Modules,
-    /// Arguments before each block.
+    /// The number of arguments before each block.
     arguments: Sums,
 }
 
-/// Sums over the modules before every block.
+/// Sums over the modules before each block.
 #[derive(Clone, Debug, Default)]
 struct Sums {
     before: Vec<u64>,
@@ -109,17 +110,17 @@ struct Sums {
 }
 
 impl Sums {
-    /// Those of so many modules, without memory so far.
+    /// Sums of `count` modules, without memory yet.
     fn of(count: usize) -> Self {
         Self { count, ..Self::default() }
     }
 
-    /// The bytes that they will take.
+    /// The bytes that the sums will take.
     fn bytes(&self) -> u64 {
         8 * self.count.div_ceil(BLOCK) as u64
     }
 
-    /// The same with the memory taken, ready to add up.
+    /// Empty sums with the memory reserved.
     fn ready(self) -> Self {
         Self { before: Vec::with_capacity(self.count.div_ceil(BLOCK)), ..Self::default() }
     }
@@ -132,13 +133,13 @@ impl Sums {
         self.total += amount;
     }
 
-    /// The sum before the block that `place` is in, and where that begins.
+    /// The sum before the block of `place`, and the block's start.
     fn block(&self, place: usize) -> (u64, usize) {
         let block = place / BLOCK;
         (self.before.get(block).copied().unwrap_or(self.total), block * BLOCK)
     }
 
-    /// The block that holds what is counted as `amount`, as by [`Sums::block`].
+    /// The sum before the block that contains `amount`, and the block's start.
     fn holding(&self, amount: u64) -> (u64, usize) {
         let block = self.before.partition_point(|&before| before <= amount).saturating_sub(1);
         (self.before.get(block).copied().unwrap_or(0), block * BLOCK)
@@ -146,8 +147,9 @@ impl Sums {
 }
 
 impl History {
-    /// Ready to derive up to generation `n`, where letters draw so many segments (`drawn`) by themselves; `None` where that
-    /// is more than [`MAX_ITERATIONS`], or where a number in the axiom is not finite.
+    /// A history up to generation `n`, with only the axiom so far. `drawn` is the number of segments that each letter
+    /// draws.
+    /// `None` if `n` is above [`MAX_ITERATIONS`], a number in the axiom is not finite, or the axiom exceeds the memory.
     #[must_use]
     pub fn new(rules: &Arc<Rules>, seed: u32, n: u32, drawn: Vec<u64>, limits: &Limits) -> Option<Self> {
         if n > MAX_ITERATIONS {
@@ -166,10 +168,10 @@ impl History {
                 }
             }
         }
-        // The drawing has been made within that: contexts are matched once more.
+        // The drawing was made within the limit of work, but here contexts are matched once more.
         let limits = Limits { work: limits.work.saturating_mul(8), ..*limits };
         let mut rewriter = Rewriter::new(rules.clone(), seed, limits).ok()?;
-        rewriter.note(count);
+        rewriter.record_steps(count);
         let surrounded = rules.by_letter.iter().flatten().any(Rule::is_context_sensitive);
         let axiom = rewriter.word().clone();
         let mut history = Self {
@@ -198,9 +200,9 @@ impl History {
         self.spent
     }
 
-    /// Works on, for about `budget` units of work, and says whether there is more to do. It ends early where a limit
-    /// ([`Limits::memory`], of all that is remembered and in the making; [`Limits::modules`]; eight times
-    /// [`Limits::work`]) or a number that is not finite stops it.
+    /// Derives for about `budget` units of work. The history ends early at a limit or at a number that is not finite.
+    /// The limits are [`Limits::memory`] for the records and the generations under construction, [`Limits::modules`],
+    /// and eight times [`Limits::work`].
     pub fn step(&mut self, budget: usize) -> Progress {
         let mut meter = Meter::new(budget as u64);
         let mut progress = Progress::More;
@@ -211,20 +213,20 @@ impl History {
         progress
     }
 
-    /// How many modules generation `generation` has; `None` where it has not been derived.
+    /// The number of modules of generation `generation`; `None` if it is not derived.
     #[must_use]
     pub fn symbols(&self, generation: u32) -> Option<u128> {
         self.lengths.get(generation as usize).map(|&length| length as u128)
     }
 
-    /// Whether the last generation has been reached, and its segments counted.
+    /// Whether generation `n` is derived and its segments are counted.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.images.is_some()
     }
 
-    /// Hands over the modules of a generation from position `start` (0-based) on, at most `length` of them, fewer at the
-    /// end; none where the generation has not been derived.
+    /// Calls `visit` for at most `length` modules of a generation from position `start` (0-based) on, fewer at the end.
+    /// A generation that is not derived has no modules.
     pub fn modules(&self, generation: u32, start: u128, length: usize, visit: &mut dyn FnMut(char, &[f64])) {
         let end = self.lengths.get(generation as usize).copied().unwrap_or(0);
         let mut at = usize::try_from(start).unwrap_or(usize::MAX).min(end);
@@ -243,7 +245,7 @@ impl History {
         }
     }
 
-    /// The same as text, with arguments in parentheses where there are any.
+    /// As [`History::modules`], but as text with arguments in parentheses.
     #[must_use]
     pub fn slice(&self, generation: u32, start: u128, length: usize) -> String {
         let mut text = String::new();
@@ -252,12 +254,12 @@ impl History {
         text
     }
 
-    /// The chain from the axiom to the module at `index` of a generation, a link for each; empty where there is no such
-    /// module.
+    /// The ancestors of the module at `index` of a generation, from the axiom on, one for each generation; empty if
+    /// there is no such module.
     #[must_use]
     pub fn ancestry(&self, generation: u32, index: u128) -> Vec<Ancestor> {
         let Some(mut place) = self.place(generation, index) else { return vec![] };
-        // By generation, from the last back: where the ancestor stands.
+        // The ancestors' places, from the last generation back.
         let mut places = vec![place];
         for step in self.steps[..generation as usize].iter().rev() {
             place = self.parent(step, place);
@@ -289,8 +291,8 @@ impl History {
         chain
     }
 
-    /// What the module at `index` of `generation` has become in generation `later`; its segments are known where that is
-    /// the last, and `0..0` elsewhere. `None` where there is no such module, or one generation has not been derived.
+    /// The part of generation `later` that derives from the module at `index` of `generation`. Segments are known only
+    /// in generation `n`, and are `0..0` otherwise. `None` if there is no such module, or a generation is not derived.
     #[must_use]
     pub fn part(&self, generation: u32, index: u128, later: u32) -> Option<Part> {
         let place = self.place(generation, index)?;
@@ -305,8 +307,8 @@ impl History {
         Some(Part { symbols: range.start as u128..range.end as u128, segments: from..to })
     }
 
-    /// How many segments the modules of the last generation before position `index` draw; `None` where that has not been
-    /// counted.
+    /// The number of segments that the modules before position `index` of generation `n` draw; `None` if not counted
+    /// yet.
     #[must_use]
     pub fn segments_before(&self, index: u128) -> Option<u128> {
         let images = self.images.as_ref()?;
@@ -319,7 +321,7 @@ impl History {
         Some(u128::from(before))
     }
 
-    /// The position of the module of the last generation that draws the segment at `segment` (0-based, in drawing order).
+    /// The position of the module of generation `n` that draws the segment at `segment` (0-based, in drawing order).
     #[must_use]
     pub fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
         let images = self.images.as_ref()?;
@@ -354,13 +356,13 @@ impl History {
         }
     }
 
-    /// Where in the next generation what comes of the module at `place` begins.
+    /// The place of the first module in the next generation that the module at `place` makes.
     fn first(&self, step: &Step, place: usize) -> usize {
         let (before, block) = step.sums.block(place);
         (block..place).fold(before, |sum, place| sum + made_of(&self.productions, step.choices.get(place))) as usize
     }
 
-    /// Where the module is of which the one at `place` of the next generation comes.
+    /// The place of the module that made the module at `place` of the next generation.
     fn parent(&self, step: &Step, place: usize) -> usize {
         let (mut before, mut at) = step.sums.holding(place as u64);
         loop {
@@ -372,7 +374,7 @@ impl History {
         }
     }
 
-    /// Modules of a generation, which must have them.
+    /// The modules of a derived generation in a range within it.
     fn word(&self, generation: u32, range: Range<usize>) -> Modules {
         if range.is_empty() {
             return Modules::default();
@@ -388,7 +390,7 @@ impl History {
             word.keep(&kept.word, range.clone(), from..from + arity(range));
             return word;
         }
-        // By generation, from the last back: the modules that they come of.
+        // The ancestors' ranges, from the last generation back.
         let steps = &self.steps[..generation as usize];
         let mut ranges = vec![range];
         for step in steps.iter().rev() {
@@ -405,7 +407,7 @@ impl History {
         word
     }
 
-    /// Some modules of the axiom.
+    /// The modules of the axiom in a range.
     fn axiom_from(&self, range: Range<usize>) -> Modules {
         let mut word = Modules::default();
         let arguments = 0..self.axiom.arguments.len();
@@ -414,7 +416,9 @@ impl History {
         word
     }
 
-    /// Of what derivation step `number` makes of `word`, the modules at `places` of its generation, those in `range`.
+    /// The modules that derivation step `number` makes of `word`, limited to those in `range`. `word` are the modules
+    /// at
+    /// `places` of their generation; `range` counts from the first module made.
     fn derived(&self, word: &Modules, step: &Step, places: Range<usize>, number: u32, range: Range<usize>) -> Modules {
         let mut next = Modules::default();
         let mut argument = 0;
@@ -429,7 +433,7 @@ impl History {
                     let Some(rule) = self.made(production) else { continue };
                     let chance = Chance { key: word.key_of(at), seed: self.seed, step: number };
                     let random = word.has_keys();
-                    // Every number was finite when the step was made.
+                    // No error: all numbers were finite when the step was derived.
                     let (Ok(()) | Err(NotFinite)) = next.make(&rule.successor, &word.arguments[own], &chance, random);
                 }
             }
@@ -438,7 +442,7 @@ impl History {
         next
     }
 
-    /// Leaves only the modules in `range`.
+    /// Removes all modules outside `range`.
     fn trim(&self, word: &mut Modules, range: Range<usize>) {
         let arity = |&letter: &u16| usize::from(self.rules.letters[usize::from(letter)].arity);
         let before: usize = word.letters[..range.start].iter().map(arity).sum();
@@ -448,7 +452,7 @@ impl History {
     }
 }
 
-/// How many modules come of one.
+/// The number of modules that one module makes.
 fn made_of(productions: &[Option<Source>], choice: Choice) -> u64 {
     match choice {
         Choice::Stayed => 1,
@@ -464,7 +468,7 @@ mod tests {
     #[test]
     fn a_sum_at_the_end_of_a_block_is_held_by_the_next() {
         let mut sums = Sums::default();
-        // Blocks 1 and 2 add nothing: whoever looks behind them need not pass through them.
+        // Blocks 1 and 2 add nothing, so a search skips them.
         (0..BLOCK).for_each(|_| sums.add(3));
         (BLOCK..3 * BLOCK).for_each(|_| sums.add(0));
         (3 * BLOCK..4 * BLOCK).for_each(|_| sums.add(1));

@@ -1,43 +1,43 @@
-//! What the modules of a generation are drawn as: productions below `draw:`, applied once (a homomorphism).
+//! The images of modules: productions below `draw:`, applied once before drawing (a homomorphism).
 
 use super::choose::{MOST_LOOKS, Place, Scratch};
 use super::modules::{Chance, Modules, NotFinite};
 use super::step::{Fault, Rewriter};
 use crate::rules::Rule;
 
-/// The derivation step that images count as: the same for every generation, so that a module that stays looks the
-/// same in the next.
+/// The derivation step of images in random choices. It is the same for all generations, so that a module that stays
+/// keeps its image.
 const STEP: u32 = u32::MAX;
 
-/// The modules that one module is drawn as; memory that is used again.
+/// The image of one module: the modules that are drawn in its place. Its memory is reused.
 #[derive(Clone, Debug, Default)]
 pub struct Image {
     modules: Modules,
     scratch: Scratch,
-    /// The productions looked at, and letters made, since somebody asked.
+    /// The productions tried and letters made since the last [`Image::take_spent`].
     work: u64,
 }
 
 impl Image {
-    /// What has been done since the last call, in units of a [`Meter`](lsystem_syntax::Meter).
+    /// The work since the last call, in units of a [`Meter`](lsystem_syntax::Meter).
     pub fn take_spent(&mut self) -> u64 {
         core::mem::take(&mut self.work) / 4
     }
 }
 
 impl Image {
-    /// The modules that were asked for last.
+    /// The modules of the last image.
     pub fn modules(&self) -> &Modules {
         &self.modules
     }
 }
 
 impl Rewriter {
-    /// What the module at `place` of the last whole generation, whose arguments start at `argument`, is drawn as: its
-    /// image, or itself where it has none.
+    /// The image of the module at `place` of the last whole generation, or the module itself if it has none. The
+    /// module's arguments start at `argument`.
     ///
     /// # Errors
-    /// A number that is not finite.
+    /// If a number is not finite.
     pub fn image<'a>(&self, place: usize, argument: usize, image: &'a mut Image) -> Result<&'a Modules, Fault> {
         let Image { modules, scratch, work } = image;
         modules.clear();
@@ -54,7 +54,7 @@ impl Rewriter {
         Ok(modules)
     }
 
-    /// The production of its image, where it has one.
+    /// The production of a module's image; `None` if the module has none.
     pub(super) fn image_rule(&self, place: usize, argument: usize, image: &mut Image) -> Option<usize> {
         let Image { scratch, work, .. } = image;
         self.choose_image(&self.pictured(place, argument), scratch, work).map(|rule| rule.production)
@@ -67,7 +67,7 @@ impl Rewriter {
         Place { plan, word, neighbours, place, own: &word.arguments[own], chance }
     }
 
-    // Twice it would be a part of what the page loads for nothing.
+    // Inlined twice, the function would enlarge the page's wasm for no gain in speed.
     #[inline(never)]
     fn choose_image<'a>(&'a self, at: &Place<'a>, scratch: &mut Scratch, work: &mut u64) -> Option<&'a Rule> {
         let letter = usize::from(self.word.letters[at.place]);

@@ -1,7 +1,7 @@
-//! Derivation one generation after the other, for productions that look around themselves or compute.
+//! Derivation by generations, for productions with contexts, parameters, conditions or computed weights.
 //!
-//! Context-free systems without parameters need none of this: `derivation.rs` derives them letter by letter. Here
-//! a whole generation stands in memory, because a production's context is the generation around it.
+//! `derivation.rs` derives context-free systems without parameters letter by letter. Here a whole generation stands in
+//! memory, because contexts match any part of it.
 
 mod choices;
 mod choose;

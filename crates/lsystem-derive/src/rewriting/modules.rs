@@ -10,30 +10,32 @@ use core::ops::Range;
 pub struct Modules {
     /// The letters.
     pub letters: Vec<LetterId>,
-    /// All modules' arguments, one after the other: each letter has as many as its arity says.
+    /// The arguments of all modules in order. Each module has as many as its letter's arity.
     pub arguments: Vec<f64>,
-    /// By module: its place in the derivation; kept only where chance plays a part.
+    /// By module: its random key; empty if the rules have no random choices.
     keys: Vec<Key>,
-    /// By module: its age; kept only where somebody asks.
+    /// By module: its age; empty if ages are not wanted.
     ages: Vec<Age>,
 }
 
-/// How old a module is.
+/// The age of a module.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Age {
-    /// The derivation step in which it was made, or the first of its letter in its place.
+    /// The derivation step that made the module, or the oldest ancestor in an unbroken line of the same letter; 0 for
+    /// the axiom.
     pub since: u16,
-    /// The step in which it was made, unless it goes on in the place of another; 0 for those of the axiom.
+    /// The derivation step that made the module, or for a module that continues its predecessor, the predecessor's
+    /// value; 0 for the axiom.
     pub made: u16,
 }
 
-/// A number that is not finite.
+/// The error for a number that is not finite.
 pub(super) struct NotFinite;
 
-/// What the random numbers of a production are drawn from.
+/// The source of a production's random numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chance {
-    /// Of the module that is replaced.
+    /// The key of the module that is replaced.
     pub(super) key: Key,
     pub(super) seed: u32,
     pub(super) step: u32,
@@ -54,7 +56,7 @@ impl Modules {
         self.ages.clear();
     }
 
-    /// Keeps keys, or ages, from now on; the word is the axiom.
+    /// Starts to keep keys and ages. The word must be the axiom.
     pub(super) fn remember(&mut self, keys: bool, ages: bool) {
         let places = 0..self.letters.len() as u64;
         if keys {
@@ -65,25 +67,25 @@ impl Modules {
         }
     }
 
-    /// How old the module at `place` is, where that is kept.
+    /// The age of the module at `place`; `None` if ages are not kept.
     pub fn age_of(&self, place: usize) -> Option<Age> {
         self.ages.get(place).copied()
     }
 
-    /// Notes the ages of the modules from `from` on, which `step` has just made in the place of one of this letter and
-    /// age; `draws` by letter.
+    /// Records the ages of the modules from `from` on, which `step` has just made of a module with this letter and age.
+    /// `draws` tells by letter whether it draws.
     pub(super) fn grow(&mut self, from: usize, (letter, age): (LetterId, Age), step: u32, draws: &[bool]) {
         let made = &self.letters[from..];
         let same = made.iter().position(|&child| child == letter);
         let drawn = || made.iter().position(|&child| draws[usize::from(child)]).filter(|_| draws[usize::from(letter)]);
-        let heir = same.or_else(drawn);
+        let continuing = same.or_else(drawn);
         self.ages.extend(made.iter().enumerate().map(|(index, &child)| Age {
             since: if child == letter { age.since } else { step as u16 },
-            made: if heir == Some(index) { age.made } else { step as u16 },
+            made: if continuing == Some(index) { age.made } else { step as u16 },
         }));
     }
 
-    /// The key of the module at `place`; without meaning where chance plays no part.
+    /// The random key of the module at `place`; meaningless if keys are not kept.
     pub fn key_of(&self, place: usize) -> Key {
         self.keys.get(place).copied().unwrap_or(Key::root(0))
     }
@@ -93,12 +95,12 @@ impl Modules {
         !self.keys.is_empty()
     }
 
-    /// The bytes that it holds.
+    /// The bytes of its memory.
     pub(super) fn bytes(&self) -> u64 {
         held(&self.letters) + held(&self.arguments) + held(&self.keys) + held(&self.ages)
     }
 
-    /// Whether there is room for so many more modules and arguments, without having more than `most` of either.
+    /// Whether there is room for this many more modules and arguments, with at most `most` of each in all.
     #[inline]
     pub(super) fn fits(&self, modules: usize, arguments: usize, most: u64) -> bool {
         let fits = |len: usize, more: usize, room: usize| len + more <= room && (len + more) as u64 <= most;
@@ -106,13 +108,13 @@ impl Modules {
             && fits(self.arguments.len(), arguments, self.arguments.capacity())
     }
 
-    /// How many modules, and arguments, there is room for.
+    /// The capacities for modules and for arguments.
     pub(super) fn room(&self) -> [usize; 2] {
         [self.letters.capacity(), self.arguments.capacity()]
     }
 
-    /// The bytes that it will hold at most while it makes room for so many modules and arguments in all; `keys` and
-    /// `ages` tell which of these are kept.
+    /// The most bytes held during growth to this many modules and arguments in all. `keys` and `ages` tell which of
+    /// these are kept.
     pub(super) fn bytes_with(&self, modules: usize, arguments: usize, keys: bool, ages: bool) -> u64 {
         let [modules, arguments] = self.wanted(modules, arguments);
         let each =
@@ -120,7 +122,7 @@ impl Modules {
         while_growing((modules * each + arguments * size_of::<f64>()) as u64)
     }
 
-    /// Makes room for so many modules and arguments in all.
+    /// Makes room for this many modules and arguments in all.
     pub(super) fn make_room(&mut self, modules: usize, arguments: usize, keys: bool, ages: bool) {
         let [modules, arguments] = self.wanted(modules, arguments);
         let grow = |list: usize, wanted: usize| wanted.saturating_sub(list);
@@ -139,7 +141,7 @@ impl Modules {
         [size(self.letters.capacity(), modules), size(self.arguments.capacity(), arguments)]
     }
 
-    /// Appends modules of another word that stay as they are, and their arguments.
+    /// Appends unchanged modules of another word, with their arguments.
     pub(super) fn keep(&mut self, word: &Self, modules: Range<usize>, arguments: Range<usize>) {
         self.letters.extend_from_slice(&word.letters[modules.clone()]);
         self.arguments.extend_from_slice(&word.arguments[arguments]);
@@ -151,7 +153,7 @@ impl Modules {
         }
     }
 
-    /// Appends the axiom, whose modules draw random numbers each by its own key; `arities` by letter.
+    /// Appends the axiom. Each module takes random numbers by its own key. `arities` is by letter.
     pub(super) fn start(&mut self, axiom: &Template, arities: &[u8], seed: u32, random: bool) -> Result<(), NotFinite> {
         let mut codes = axiom.arguments.iter();
         for (index, &letter) in axiom.letters.iter().enumerate() {
@@ -167,7 +169,7 @@ impl Modules {
         if self.arguments.iter().all(|number| number.is_finite()) { Ok(()) } else { Err(NotFinite) }
     }
 
-    /// Appends what a production makes with the parameters in `slots`; `random` where keys are kept.
+    /// Appends the successor of a production with the parameters in `slots`. `random` tells whether keys are kept.
     #[inline]
     pub(super) fn make(
         &mut self,
@@ -199,7 +201,7 @@ impl Modules {
         }
     }
 
-    /// Forgets what comes after.
+    /// Removes all modules and arguments after the first ones.
     pub(super) fn truncate(&mut self, modules: usize, arguments: usize) {
         self.letters.truncate(modules);
         self.arguments.truncate(arguments);

@@ -1,33 +1,33 @@
-//! The memory of a derivation, counted before it is taken.
+//! The memory of a derivation, counted before it is allocated.
 
-/// Room for at least `needed` elements, on a grid of sizes: powers of two and those halfway between them. The grid does
-/// not depend on how a word is made, so a limit on memory is passed at the same module whatever the steps are.
+/// The capacity for at least `needed` elements: a power of two, or the midpoint of two powers of two. Fixed sizes make
+/// a limit on memory stop at the same module, whatever the budgets of the steps are.
 pub(super) fn room_for(needed: usize) -> usize {
     let top = needed.max(LEAST).next_power_of_two();
     let half = top / 4 * 3;
     if needed <= half { half } else { top }
 }
 
-/// Words shorter than this take as much memory as one of this length.
+/// The least capacity is three quarters of this number of elements.
 const LEAST: usize = 1 << 14;
 
-/// What `bytes` of a growing word take while it grows: the former room, at most three quarters of the new, is held
-/// until all has been moved.
+/// The memory during growth of a word to `bytes`: the old memory, at most three quarters of the new, is held until its
+/// content has moved.
 pub(super) fn while_growing(bytes: u64) -> u64 {
     bytes + bytes / 4 * 3
 }
 
-/// Makes room for `needed` elements in a list whose content does not matter.
+/// Empties a list and makes room for `needed` elements.
 pub(super) fn renew<T>(list: &mut Vec<T>, needed: usize) {
     list.clear();
     if list.capacity() < needed {
-        // The old memory is given back first.
+        // Frees the old memory first.
         *list = Vec::new();
         list.reserve_exact(room_for(needed));
     }
 }
 
-/// The bytes that a list holds.
+/// The bytes of a list's memory.
 pub(super) fn held<T>(list: &Vec<T>) -> u64 {
     (list.capacity() * size_of::<T>()) as u64
 }

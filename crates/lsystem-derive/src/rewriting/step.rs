@@ -1,4 +1,4 @@
-//! One derivation step after the other, in pieces of bounded work.
+//! Derivation steps in pieces of bounded work.
 
 mod apply;
 mod cut;
@@ -15,16 +15,16 @@ use lsystem_syntax::Code;
 use lsystem_syntax::{LimitName, Limits, Meter};
 use std::sync::Arc;
 
-/// Why a derivation cannot go on.
+/// The reason why a derivation stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
-    /// A limit was passed; the generation that was reached is the largest within it.
+    /// A limit was exceeded. The generation reached is the largest within the limit.
     Limit(LimitName),
-    /// A number that is not finite came out of a production, by its index in the grammar; `None` for the axiom.
+    /// The production with this index in the grammar gave a number that is not finite; `None` for the axiom.
     NotFinite(Option<usize>),
 }
 
-/// Derives one generation after the other.
+/// Derives one generation after another.
 #[derive(Clone, Debug)]
 pub struct Rewriter {
     pub(super) plan: Plan,
@@ -38,85 +38,85 @@ pub struct Rewriter {
     work: u64,
     /// The units of work of all steps.
     spent: u64,
-    /// What the present step does with every module, where that is noted.
+    /// The records of the present step, if steps are recorded.
     record: Option<Record>,
 }
 
 #[derive(Clone, Debug)]
 struct Record {
     choices: Choices,
-    /// How many modules there are, those to be cut off counted.
+    /// The number of modules, including modules to be cut off.
     length: usize,
-    /// Those that are not cut off.
+    /// The ranges of modules that are not cut off.
     kept: Vec<Range<usize>>,
-    /// The first of those that are not noted yet, and how many have been noted before it.
+    /// The index of the first range not fully recorded, and the number of modules in the ranges before it.
     run: (usize, usize),
 }
 
-/// What does not change from step to step.
+/// Data that stays the same from step to step.
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
     pub(super) rules: Arc<Rules>,
     pub(super) roles: Vec<Role>,
-    /// By letter: how many arguments it has.
+    /// By letter: the number of arguments.
     pub(super) arities: Vec<u8>,
-    /// By letter: whether no production rewrites it.
+    /// By letter: whether it has no production.
     inert: Vec<bool>,
     pub(super) seed: u32,
     pub(super) limits: Limits,
-    /// By production: what its successor costs, in units.
+    /// By production: the units of work to make its successor.
     pub(super) costs: Vec<u64>,
     pub(super) random: bool,
-    /// By letter: whether it draws; empty where ages are not kept.
+    /// By letter: whether it draws; empty if ages are not kept.
     draws: Vec<bool>,
     contexts: bool,
     cutting: bool,
-    /// Decides by three letters alone, where that is possible.
+    /// The look-up table by three letters, if the rules allow it.
     table: Option<Table>,
 }
 
-/// How far a step has come.
+/// The progress of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Pass {
-    /// Nothing done yet.
+    /// The step has not begun.
     Start,
-    /// From the start to the end: what is cut off is left out.
-    Cut(Shears),
-    /// Counting brackets: the next module, and how many begin and end branches so far.
+    /// Rightward: removing the modules that are cut off.
+    Cut(Cutting),
+    /// Counting brackets: the next module, and the numbers of `[` and `]` so far.
     Count(usize, [usize; 2]),
-    /// Making so many more places for what surrounds modules.
+    /// Making places for neighbours: the number of modules that remain.
     Room(usize),
-    /// From the end to the start; this many modules, and arguments, are left.
+    /// The leftward pass: the numbers of modules and of arguments that remain.
     Leftward(usize, usize),
-    /// From the start to the end; the next module, and its arguments.
+    /// The rightward pass: the next module, and the index of its first argument.
     Rightward(usize, usize),
 }
 
-/// How far the cutting of branches has come.
+/// The progress of cutting branches.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Shears {
-    /// The next module, and its arguments.
+struct Cutting {
+    /// The next module, and the index of its first argument.
     at: (usize, usize),
-    /// How many modules, and arguments, are kept so far.
+    /// The numbers of modules and of arguments kept so far.
     kept: (usize, usize),
-    /// Branches open since the cut, where one is going on.
+    /// During a cut, the number of branches opened since it began; `None` otherwise.
     cut: Option<usize>,
 }
 
-/// Modules handled between two looks at the caller's budget.
+/// Modules handled between two checks of the caller's budget.
 const PIECE: usize = 4_096;
 
-/// Modules in one unit of work where they are only counted, or memory is made for them.
+/// Modules in one unit of work for passes that only count modules or make places for them.
 const QUICK: usize = 16;
 
-/// Productions, and modules around a module, that are looked at in one unit of work.
+/// Productions tried and neighbours visited in one unit of work.
 const LOOKS: u64 = 4;
 
 impl Rewriter {
-    /// Ready to derive from the axiom (generation 0).
+    /// A rewriter at the axiom (generation 0).
     ///
     /// # Errors
-    /// Where an argument of the axiom is not finite.
+    /// If an argument of the axiom is not finite.
     pub fn new(rules: Arc<Rules>, seed: u32, limits: Limits) -> Result<Self, Fault> {
         let random = rules.is_random();
         let arities: Vec<u8> = rules.letters.iter().map(|letter| letter.arity).collect();
@@ -152,13 +152,13 @@ impl Rewriter {
         })
     }
 
-    /// The same with the axiom taken for this generation, which is what choices go by.
+    /// The rewriter with its axiom taken as this generation. Random choices depend on the generation's number.
     pub fn at(self, generation: u32) -> Self {
         Self { generation, ..self }
     }
 
-    /// Keeps the keys of all modules, and their ages where it is given which letters draw. Nothing must have been derived
-    /// yet.
+    /// Keeps the keys of all modules, and also their ages if `draws` is given: by letter, whether it draws. Call this
+    /// before the first step.
     pub fn remember(&mut self, draws: Option<Vec<bool>>) {
         self.word.remember(true, draws.is_some());
         self.plan.random = true;
@@ -166,47 +166,47 @@ impl Rewriter {
         self.plan.draws = draws.unwrap_or_default();
     }
 
-    /// Notes what every step does, among so many productions. Nothing must have been derived yet.
-    pub(super) fn note(&mut self, productions: usize) {
+    /// Records every step, for a grammar of this many productions. Call this before the first step.
+    pub(super) fn record_steps(&mut self, productions: usize) {
         self.record = Some(Record { choices: Choices::new(productions), length: 0, kept: vec![], run: (0, 0) });
     }
 
-    /// What the step that ended last did with every module, where that is noted.
-    pub(super) fn noted(&mut self) -> Option<Choices> {
+    /// Takes the records of the last whole step; `None` if steps are not recorded.
+    pub(super) fn take_record(&mut self) -> Option<Choices> {
         let choices = &mut self.record.as_mut()?.choices;
         let empty = choices.emptied();
         Some(core::mem::replace(choices, empty))
     }
 
-    /// The generation that [`Rewriter::word`] is.
+    /// The generation of [`Rewriter::word`].
     #[must_use]
     pub fn generation(&self) -> u32 {
         self.generation
     }
 
-    /// The modules of the last whole generation; while the next is in the making, without what is cut off.
+    /// The modules of the last whole generation. During the next step, modules that are cut off disappear from it.
     #[must_use]
     pub fn word(&self) -> &Modules {
         &self.word
     }
 
-    /// The rules it derives by.
+    /// The rules of the derivation.
     #[must_use]
     pub fn rules(&self) -> &Arc<Rules> {
         &self.plan.rules
     }
 
-    /// The bytes that it may hold from now on, beside others of its owner.
+    /// Sets the most bytes that the rewriter may hold from now on.
     pub fn allow(&mut self, memory: u64) {
         self.plan.limits.memory = memory;
     }
 
-    /// The bytes that it holds.
+    /// The bytes of the rewriter's memory.
     pub fn bytes(&self) -> u64 {
         self.others() + self.next.bytes()
     }
 
-    /// Gives back what only deriving needs. Where another generation follows, it is taken again.
+    /// Frees the memory that only deriving needs. The next step allocates it again.
     pub fn rest(&mut self) {
         if self.pass == Pass::Start {
             self.next = Modules::default();
@@ -221,15 +221,15 @@ impl Rewriter {
         self.spent
     }
 
-    /// Works towards the next generation until it is reached (true) or about `budget` units of work are done.
+    /// Works on the next generation for about `budget` units of work. Returns true once the generation is complete.
     ///
     /// # Errors
-    /// A limit, or a number that is not finite; where, does not depend on the budgets.
+    /// If a limit is exceeded or a number is not finite. The place of the error does not depend on the budgets.
     pub fn step(&mut self, budget: usize) -> Result<bool, Fault> {
         self.advance(&mut Meter::new(budget as u64))
     }
 
-    /// The same until the meter is spent.
+    /// As [`Rewriter::step`], until the meter is spent.
     ///
     /// # Errors
     /// As [`Rewriter::step`].
@@ -243,21 +243,21 @@ impl Rewriter {
         outcome
     }
 
-    /// A piece of a pass.
+    /// Does one piece of a pass.
     fn pass(&mut self, meter: &mut Meter) -> Result<bool, Fault> {
         meter.charge(1);
         let length = self.word.letters.len();
         let piece = usize::try_from(meter.left()).unwrap_or(usize::MAX).clamp(1, PIECE);
         match self.pass {
             Pass::Start => self.begin()?,
-            Pass::Cut(mut shears) => {
-                let (start, kept) = (shears.at.0, shears.kept.0);
-                let done = self.cut(&mut shears, piece)?;
-                let passed = shears.at.0 - start;
+            Pass::Cut(mut cutting) => {
+                let (start, kept) = (cutting.at.0, cutting.kept.0);
+                let done = self.cut(&mut cutting, piece)?;
+                let passed = cutting.at.0 - start;
                 meter.charge(passed as u64);
-                // What is kept counts when it is rewritten.
-                self.work += (passed - (shears.kept.0 - kept)) as u64;
-                self.pass = if done { self.look_around() } else { Pass::Cut(shears) };
+                // Only modules cut off count here; modules kept count when they are rewritten.
+                self.work += (passed - (cutting.kept.0 - kept)) as u64;
+                self.pass = if done { self.pass_after_cutting() } else { Pass::Cut(cutting) };
             }
             Pass::Count(start, mut brackets) => {
                 let end = (start + piece * QUICK).min(length);
@@ -283,8 +283,8 @@ impl Rewriter {
                 self.pass = if count == left { Pass::Leftward(whole.0, whole.1) } else { Pass::Room(left - count) };
             }
             Pass::Leftward(0, _) => {
-                self.neighbours.turn();
-                self.sides.turn();
+                self.neighbours.start_pass();
+                self.sides.start_pass();
                 self.pass = Pass::Rightward(0, 0);
             }
             Pass::Leftward(end, arguments) => self.leftward(end, arguments, piece, meter),
@@ -315,7 +315,7 @@ impl Rewriter {
                 record.choices.reserve(record.length);
             }
         }
-        self.pass = if self.plan.cutting { Pass::Cut(Shears::default()) } else { self.look_around() };
+        self.pass = if self.plan.cutting { Pass::Cut(Cutting::default()) } else { self.pass_after_cutting() };
         Ok(())
     }
 
@@ -334,7 +334,7 @@ impl Rewriter {
         self.pass = Pass::Leftward(start, arguments);
     }
 
-    /// Makes room in the next generation for more modules and arguments, where there is too little.
+    /// Makes room in the next generation for more modules and arguments, if needed.
     #[inline]
     fn fit(&mut self, modules: usize, arguments: usize) -> Result<(), Fault> {
         if !self.next.fits(modules, arguments, self.plan.limits.modules) {
@@ -344,22 +344,23 @@ impl Rewriter {
         Ok(())
     }
 
-    /// The bytes that are held beside the next generation.
+    /// The bytes of all memory except the next generation's.
     fn others(&self) -> u64 {
         others(&self.word, &self.neighbours, &self.sides, self.record.as_ref())
     }
 
-    /// Whether so many bytes may be held, beside all but the next generation.
+    /// Checks that `bytes` fit in the limit, together with all memory except the next generation's.
     fn afford(&self, bytes: u64) -> Result<(), Fault> {
         within(self.others().saturating_add(bytes), &self.plan.limits)
     }
 
-    /// Says which pass comes first where nothing is cut off any more.
-    fn look_around(&mut self) -> Pass {
+    /// The first pass after the cutting of branches.
+    fn pass_after_cutting(&mut self) -> Pass {
         if self.plan.contexts { Pass::Count(0, [0, 0]) } else { Pass::Rightward(0, 0) }
     }
 
-    /// Takes the memory for what surrounds the modules of the word, in which there are at most so many brackets of a kind.
+    /// Reserves memory for the neighbours of the word's modules. The word has at most `brackets` of each kind of
+    /// bracket.
     fn make_places(&mut self, brackets: usize) -> Result<(), Fault> {
         let length = self.word.letters.len();
         let (wanted, held) = match &self.plan.table {
@@ -376,8 +377,8 @@ impl Rewriter {
     }
 }
 
-/// Makes room in a generation for more modules and arguments, within the limits; `others` are the bytes that are held
-/// beside it.
+/// Makes room in a generation for more modules and arguments, within the limits. `others` are the bytes of all other
+/// memory.
 #[cold]
 fn make_room(plan: &Plan, next: &mut Modules, others: u64, modules: usize, arguments: usize) -> Result<(), Fault> {
     let (modules, arguments) = (next.letters.len() + modules, next.arguments.len() + arguments);
@@ -399,8 +400,8 @@ fn within(bytes: u64, limits: &Limits) -> Result<(), Fault> {
     if bytes > limits.memory { Err(Fault::Limit(LimitName::Memory)) } else { Ok(()) }
 }
 
-/// By production: what it costs to make its successor once, in units. Even the longest that a text can hold costs no more
-/// than half of [`Meter::PIECE`].
+/// By production: the units of work to make its successor once. The longest successor of a text costs at most half of
+/// [`Meter::PIECE`].
 fn costs(rules: &Rules) -> Vec<u64> {
     let all = || rules.by_letter.iter().chain(&rules.images).flatten();
     let mut costs = vec![0; all().map(|rule| rule.production + 1).max().unwrap_or(0)];

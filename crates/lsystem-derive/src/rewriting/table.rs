@@ -1,5 +1,5 @@
-//! Productions without parameters, conditions or weights, and with one letter of context at most to each side,
-//! decided by a look into a table.
+//! A look-up table for productions without parameters, conditions or weights, with at most one letter of context on
+//! each side.
 
 use super::choices::{Choice, Choices};
 use super::context::Role;
@@ -9,83 +9,84 @@ use crate::rules::{ContextPattern, LetterId, Rules};
 /// By letter, left neighbour and right neighbour: the successor.
 #[derive(Clone, Debug)]
 pub(super) struct Table {
-    /// How many bits tell neighbours apart.
+    /// The number of bits of a neighbour's number.
     bits: u32,
-    /// The successor's place, and how many letters it has.
+    /// The successor's index in `successors`, and its number of letters.
     chosen: Vec<(u16, u16)>,
     successors: Vec<[LetterId; LONGEST]>,
-    /// By successor's place: which production it is of.
+    /// By successor: its production.
     productions: Vec<Choice>,
-    /// By letter: what it does to neighbours in the pass to the left, and to the right.
-    leftward: Turns,
-    rightward: Turns,
+    /// The effect of letters on the nearest neighbour in the leftward pass, and in the rightward pass.
+    leftward: Updates,
+    rightward: Updates,
 }
 
-/// A table of more letters would not stay in the nearest cache.
+/// The most letters of a system with a table. A larger table would not fit in the first-level cache.
 const MAX_LETTERS: usize = 32;
 
-/// The most letters of a successor: all are copied as if they were as many, which is quicker than to count.
+/// The most letters of a successor. Every copy has this length, which is faster than a copy of variable length.
 pub(super) const LONGEST: usize = 8;
 
-/// Modules whose successors are put together before they are appended: they stay in the nearest cache.
+/// Modules whose successors are collected before they are appended. A batch stays in the first-level cache.
 const BATCH: usize = 512;
 
-/// What letters do to the nearest neighbour that those behind them see: `nearest & keep | put`, which needs no decision,
-/// unless a bracket says otherwise.
+/// The effect of each letter on the nearest neighbour that the next letters see: `nearest & keep | put`, which needs no
+/// branch, except for brackets.
 #[derive(Clone, Debug)]
-struct Turns {
+struct Updates {
     keep: [u8; MAX_LETTERS],
-    /// By letter: what the nearest is from now on; [`BEGIN`] or [`END`] for a bracket.
+    /// By letter: the new nearest neighbour; [`BEGIN`] or [`END`] for a bracket.
     put: [u8; MAX_LETTERS],
-    /// What is kept of the nearest inside of a branch, which sees it where it is the way to the root.
+    /// Mask of the nearest neighbour at the start of a branch: all ones in the rightward pass, where the neighbour is
+    /// on the path to the root; 0 in the leftward pass.
     inside: u8,
 }
 
-/// A branch begins: the nearest waits for its end.
+/// A branch begins: the nearest neighbour is saved until the branch's end.
 const BEGIN: u8 = 0x80;
-/// A branch ends: the nearest is again what it was before.
+/// A branch ends: the saved nearest neighbour is restored.
 const END: u8 = 0x81;
 
-/// The neighbours of a word's modules as letters, each one more than the letter, or 0 for none.
+/// The neighbours of a word's modules. Each is a letter plus 1, or 0 for none.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sides {
-    /// By module, in a pass to the left: what is to the right of it.
+    /// By module: the right neighbour, found in the leftward pass.
     right: Vec<u8>,
     nearest: u8,
-    /// What waits for the ends of open branches.
+    /// The saved nearest neighbours of open branches.
     open: Vec<u8>,
-    /// The same two for whoever notes what is chosen, which goes ahead.
+    /// `nearest` and `open` for recording choices, which runs ahead of the rightward pass.
     noted: (u8, Vec<u8>),
-    /// Room for successors.
+    /// Scratch memory for successors.
     made: Vec<LetterId>,
 }
 
 impl Sides {
-    /// The bytes that it takes for a word of `length` modules with so many brackets of a kind.
+    /// The bytes for a word of `length` modules with at most `brackets` of each kind of bracket.
     pub(super) fn bytes_for(&self, length: usize, brackets: usize) -> u64 {
         (self.right.capacity().max(room_for(length)) + 2 * self.open.capacity().max(room_for(brackets))) as u64
     }
 
-    /// The bytes that it holds.
+    /// The bytes of its memory.
     pub(super) fn bytes(&self) -> u64 {
         held(&self.right) + held(&self.open) + held(&self.noted.1) + held(&self.made)
     }
 
-    /// Takes the memory for a word of `length` modules with so many brackets of a kind.
+    /// Clears everything and reserves memory for a word of `length` modules with at most `brackets` of each kind.
     pub(super) fn reset(&mut self, length: usize, brackets: usize) {
         renew(&mut self.right, length);
         renew(&mut self.open, brackets);
         renew(&mut self.noted.1, brackets);
-        self.turn();
+        self.start_pass();
     }
 
-    /// Makes the next `count` places, which the passes fill.
+    /// Adds `count` places, which the passes fill.
     pub(super) fn extend(&mut self, count: usize) {
         self.right.resize(self.right.len() + count, 0);
     }
 
     /// Starts a pass.
-    pub(super) fn turn(&mut self) {
+    pub(super) fn start_pass(&mut self) {
         self.nearest = 0;
         self.open.clear();
         self.noted.0 = 0;
@@ -93,22 +94,22 @@ impl Sides {
     }
 }
 
-impl Turns {
-    /// Of the pass where `begin` begins a branch.
+impl Updates {
+    /// The updates of a pass in which the role `begin` begins a branch.
     fn new(roles: &[Role], begin: Role, inside: u8) -> Self {
-        let mut turns = Self { keep: [0; MAX_LETTERS], put: [0; MAX_LETTERS], inside };
+        let mut updates = Self { keep: [0; MAX_LETTERS], put: [0; MAX_LETTERS], inside };
         for (letter, &role) in roles.iter().enumerate() {
-            (turns.keep[letter], turns.put[letter]) = match role {
+            (updates.keep[letter], updates.put[letter]) = match role {
                 Role::Seen => (0, letter as u8 + 1),
                 Role::Ignored => (u8::MAX, 0),
                 _ if role == begin => (0, BEGIN),
                 Role::Open | Role::Close => (0, END),
             };
         }
-        turns
+        updates
     }
 
-    /// What is nearest behind a letter.
+    /// The nearest neighbour after a letter.
     #[inline(always)]
     fn pass(&self, nearest: u8, letter: LetterId, open: &mut Vec<u8>) -> u8 {
         let letter = usize::from(letter) % MAX_LETTERS;
@@ -124,27 +125,27 @@ impl Turns {
 }
 
 impl Table {
-    /// The table, where the rules allow one.
+    /// The table; `None` if the rules have other productions or too many letters.
     pub(super) fn new(rules: &Rules, roles: &[Role]) -> Option<Self> {
         let letters = rules.letters.len();
         let short = |rule: &crate::rules::Rule| rule.is_plain() && rule.successor.letters.len() <= LONGEST;
         if letters > MAX_LETTERS || !rules.by_letter.iter().flatten().all(short) {
             return None;
         }
-        // One more than the letters: 0 stands for no neighbour.
+        // Letters plus 1, because 0 means no neighbour.
         let bits = usize::BITS - letters.leading_zeros();
-        // Letters stay where nothing else is said.
+        // By default, letters stay.
         let stay = |letter: usize| [letter as LetterId; LONGEST];
         let mut table = Self {
             bits,
             chosen: (0..letters << (2 * bits)).map(|slot| ((slot >> (2 * bits)) as u16, 1)).collect(),
             successors: (0..letters).map(stay).collect(),
             productions: vec![Choice::Stayed; letters],
-            leftward: Turns::new(roles, Role::Close, 0),
-            rightward: Turns::new(roles, Role::Open, u8::MAX),
+            leftward: Updates::new(roles, Role::Close, 0),
+            rightward: Updates::new(roles, Role::Open, u8::MAX),
         };
         for (letter, by_letter) in rules.by_letter.iter().enumerate() {
-            // The first that applies decides.
+            // The first matching rule decides, so it is written last.
             for rule in by_letter.iter().rev() {
                 let number = u16::try_from(table.successors.len()).ok()?;
                 let mut letters = [0; LONGEST];
@@ -166,8 +167,9 @@ impl Table {
         Some(table)
     }
 
-    /// Goes from the end of `letters`, the first of which is at `start`, to their start, in the pass that finds what is
-    /// to the right.
+    /// Visits `letters` from last to first in the leftward pass, which finds right neighbours. The first of them is at
+    /// place
+    /// `start`.
     pub(super) fn leftward(&self, letters: &[LetterId], start: usize, sides: &mut Sides) {
         let Sides { right, open, nearest, .. } = sides;
         let mut near = *nearest;
@@ -178,7 +180,8 @@ impl Table {
         *nearest = near;
     }
 
-    /// Notes what will become of `letters`, the first of which is at `start`, before [`Table::rightward`] goes through them.
+    /// Records the choices for `letters`, the first of which is at place `start`. Call this before
+    /// [`Table::rightward`].
     pub(super) fn note(
         &self,
         letters: &[LetterId],
@@ -196,15 +199,16 @@ impl Table {
         }
     }
 
-    /// How many letters come of `letter`, which is the next in the pass to the right.
+    /// The number of letters in the successor of `letter`, which must be next in the rightward pass.
     pub(super) fn length_at(&self, letter: LetterId, place: usize, contexts: bool, sides: &Sides) -> usize {
         let around =
             if contexts { usize::from(sides.nearest) << self.bits | usize::from(sides.right[place]) } else { 0 };
         usize::from(self.chosen[usize::from(letter) << (2 * self.bits) | around].1)
     }
 
-    /// Goes through `letters`, the first of which is at `start`, and appends what they become to `next`. Without
-    /// `contexts` no production has one.
+    /// Appends the successors of `letters` to `next` in the rightward pass. The first of the letters is at place
+    /// `start`.
+    /// `contexts` tells whether any production has a context.
     pub(super) fn rightward(
         &self,
         letters: &[LetterId],

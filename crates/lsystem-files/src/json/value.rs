@@ -1,4 +1,4 @@
-//! Reading values of JSON: each of its kind, with what is wrong about it.
+//! Reading JSON values by their expected type, and noting wrong values.
 
 use super::*;
 use lsystem_syntax::MAX_PALETTE;
@@ -6,7 +6,7 @@ use lsystem_syntax::Value as Held;
 use lsystem_syntax::decimal;
 
 impl File {
-    /// Notes keys that nothing reads (unless `known` is empty) and those that stand twice.
+    /// Notes unknown keys (unless `known` is empty) and repeated keys.
     pub(super) fn check_keys(&mut self, object: &Object<'_>, known: &[&'static str]) {
         let repeated = repeated(object.properties.iter().map(|p| p.name.as_str()));
         for (property, repeated) in object.properties.iter().zip(repeated) {
@@ -23,7 +23,7 @@ impl File {
         }
     }
 
-    /// The one symbol that is a property's key.
+    /// The symbol that is a property's key; a key that is not one symbol is noted.
     pub(super) fn symbol(&mut self, property: &ObjectProp<'_>) -> Option<char> {
         let key = property.name.as_str();
         let mut chars = key.chars();
@@ -34,7 +34,7 @@ impl File {
         None
     }
 
-    /// One string, or a list of them as lines.
+    /// Reads one string, or a list of strings as lines.
     pub(super) fn lines(&mut self, key: &str, expected: Expected, value: &Value<'_>) -> Option<String> {
         match value {
             Value::StringLit(text) => Some(text.value.to_string()),
@@ -55,7 +55,7 @@ impl File {
         }
     }
 
-    /// A value as a field expects it; otherwise what is wrong is noted at its place.
+    /// Reads a value of the expected type and range. A wrong value is noted at its place.
     pub(super) fn value(&mut self, key: &str, expected: Expected, value: &Value<'_>) -> Option<Held> {
         let found = match (expected, value) {
             (Expected::Each(count, each), Value::Array(list)) if list.elements.len() == count => {
@@ -79,13 +79,13 @@ impl File {
         None
     }
 
-    /// The values of a list, where all of them are as expected.
+    /// Reads the values of a list; `None` if one of them is wrong.
     fn list(&mut self, key: &str, expected: Expected, values: &[Value<'_>]) -> Option<Held> {
         let read: Vec<_> = values.iter().map(|value| self.value(key, expected, value)).collect();
         read.into_iter().collect::<Option<_>>().map(Held::List)
     }
 
-    /// A field's text that was read in a form of its own, where it is short enough.
+    /// A field's text in a special form, if it is within the field's range; otherwise it is noted.
     pub(super) fn text(&mut self, name: &str, text: String, object: &Object<'_>) -> String {
         let Some((spec, (_, key))) = field(name).and_then(|spec| Some((spec, spec.file?))) else { return text };
         let text = Held::Text(text);

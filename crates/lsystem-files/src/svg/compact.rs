@@ -1,7 +1,7 @@
-//! Every block once, and then placed.
+//! The compact form: every block is defined once and then placed.
 //!
-//! All symbols are in CSS pixels, so that `<use>` only turns and moves them and stroke widths stay what they are. A
-//! symbol is a block in the style in which it is entered, as far as that shows.
+//! All symbols are in CSS pixels, so that `<use>` only turns and moves them and stroke widths stay the same. A symbol
+//! is a block together with the visible part of the style at its start.
 
 use super::features::Features;
 use super::paths::{Ink, PATH, Paths, attribute};
@@ -14,44 +14,45 @@ use lsystem_drawing::{BlockId, Drawing, StyleChange};
 use lsystem_syntax::{Diagnostic, Heading, LimitName, Meter, Progress, Style};
 use std::collections::HashMap;
 
-/// Blocks of at most so many strokes are written out wherever they stand: at least, and at most. Copies of blocks at
-/// the bottom are most of all copies, so the more strokes, the fewer copies, and the longer the file.
+/// The least and the greatest size, in strokes, up to which a block is written out at each place instead of shared.
+/// Small blocks make most of the copies, so a greater size means fewer copies but a longer file.
 const SMALL: [u32; 2] = [4, 64];
 
-/// A compact file that is being written.
+/// The state of writing a compact file.
 #[derive(Clone, Debug)]
 pub(super) struct Compact {
     root: BlockId,
-    /// Pixels for one unit of the root, and for a step.
+    /// The pixels of one unit of the root block.
     scale: f64,
+    /// The step length, in pixels.
     step: f64,
-    /// Where the whole picture lies on the paper.
+    /// The placement of the whole picture.
     whole: Placement,
-    /// Strokes of a block that is written out wherever it stands, at most.
+    /// Blocks of at most this many strokes are written out at each place.
     small: u32,
     most: u64,
-    /// All that comes before the drawing.
+    /// The file's start; empty once written.
     head: String,
     features: Features,
     plan: Plan,
     stage: Stage,
     paths: Paths,
     decimals: Decimals,
-    /// What the shared symbols written so far are called.
+    /// The names of the shared symbols written so far.
     names: HashMap<usize, String>,
-    /// The symbols that are being written, outermost first: how many of their parts are written, and where they lie.
+    /// The symbols being written, outermost first: the symbol, the number of its parts written, and its placement.
     open: Vec<(usize, usize, Placement)>,
 }
 
-/// How far a compact file is.
+/// The progress of a compact file.
 #[derive(Clone, Copy, Debug)]
 enum Stage {
-    /// Looking at the blocks.
+    /// Finding the features of blocks.
     Look,
     Plan,
-    /// Beginning the next shared symbol, or the whole picture where there is none left.
+    /// Beginning the next shared symbol, or the whole picture if no symbol is left.
     Begin,
-    /// Writing a shared symbol, which is a group unless it is one path.
+    /// Writing a shared symbol. The symbol is a group unless it is one path.
     Define {
         is_group: bool,
     },
@@ -62,18 +63,18 @@ enum Stage {
 
 impl Compact {
     pub(super) fn new(drawing: &Drawing, root: BlockId, style: &Style, options: &SvgOptions) -> Self {
-        // In units of the root block, which has a range that pixels and steps may not have.
+        // In units of the root block, because extents in steps or pixels may exceed the range of `f64`.
         let [x0, y0, x1, y1] = drawing.extent().unwrap_or_default();
         let step = libm::scalbn(1.0, drawing.blocks[root.0 as usize].exponent.saturating_neg()).min(1e300);
         let (width, height) = (x1 - x0 + 2.0 * step, y1 - y0 + 2.0 * step);
         let pixels = options.size / width.max(height);
-        // A negative step turns the picture round.
+        // A negative step turns the picture by 180 degrees.
         let (scale, left, top) = if drawing.step < 0.0 { (-pixels, -x1, -y0) } else { (pixels, x0, y1) };
         let whole = Placement::new([(step - left) * pixels, -(step + top) * pixels], Heading::EAST);
         let sheet = Sheet { x: 0.0, y: 0.0, width: width * pixels, height: height * pixels, pixel: 1.0 };
         let step = finite(step * pixels);
         let around = Ink::of(style, &StyleChange::start(drawing.width), step, 1.0);
-        // At least three places: every placement in a placement adds its rounding.
+        // At least three places, because rounding errors add up in nested placements.
         let decimals = Decimals::for_size(options.size.min(1000.0));
         let features = Features::default();
         let plan = Plan::new(&Scene { drawing, style, features: &features, step }, root, scale, SMALL[0], options.most);
@@ -95,7 +96,7 @@ impl Compact {
         }
     }
 
-    /// How many copies expanding the whole picture makes, when that is planned.
+    /// The number of copies that expanding the whole picture makes, once planned.
     pub(super) fn instances(&self) -> u128 {
         self.plan.instances
     }
@@ -134,7 +135,7 @@ impl Compact {
         Ok(if matches!(self.stage, Stage::Done) { Progress::Done } else { Progress::More })
     }
 
-    /// Goes on with the plan, and begins another where this one has too many copies.
+    /// Continues the plan. If the plan has too many copies, begins another with a greater size of written-out blocks.
     fn plan(
         &mut self,
         drawing: &Drawing,
@@ -182,7 +183,7 @@ impl Compact {
         self.stage = Stage::Define { is_group };
     }
 
-    /// Writes the next part of what is open, or a vertex of one; whether there was any.
+    /// Writes the next part of the open symbol, or the next vertex of a polygon. Returns whether there was one.
     fn write(&mut self, text: &mut String, meter: &mut Meter) -> bool {
         if self.paths.vertex(text) {
             meter.charge(VERTEX_WORK);
@@ -224,7 +225,7 @@ impl Compact {
     }
 }
 
-/// Where a symbol is placed, in pixels, y up.
+/// The placement of a symbol, in pixels, y up.
 #[derive(Clone, Copy, Debug)]
 struct Placement {
     at: [f64; 2],
@@ -244,13 +245,13 @@ impl Placement {
     }
 }
 
-/// A point of the file.
+/// Converts a point from y up to y down.
 fn down([x, y]: [f64; 2]) -> [f64; 2] {
     [x, -y]
 }
 
 fn use_symbol(text: &mut String, name: &str, placement: &Placement, decimals: Decimals) {
-    // Editors and converters that know SVG 1.1 only need the old name of `href`. Writing to a `String` cannot fail.
+    // Programs that know only SVG 1.1 need the old name `xlink:href`. Writing to a `String` cannot fail.
     let _ = write!(text, "<use xlink:href=\"#{name}\"");
     let [x, y] = down(placement.at);
     if placement.heading == Heading::EAST {

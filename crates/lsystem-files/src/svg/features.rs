@@ -1,23 +1,23 @@
-//! What draws the blocks of a drawing at a size.
+//! The features of a drawing's blocks at the size of a picture.
 
 use lsystem_drawing::{BlockId, Directions, Drawing, Item, Line, Shape};
 use lsystem_syntax::{Meter, Progress};
 
-/// Blocks less than this across are one stroke, in pixels.
+/// Blocks less than this size across become one stroke, in pixels.
 const DOT: f64 = 1.0;
 
-/// By block, as far as they have been looked at.
+/// The features of blocks, by block, as far as computed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Features {
     shapes: Vec<Shape>,
-    /// How many strokes draw it at this size, saturating. A block that lengths are scaled for may have others where it is
-    /// placed.
+    /// The number of strokes that draw the block at this size, saturating. Blocks placed with scaled lengths may have
+    /// other numbers there.
     strokes: Vec<u32>,
     directions: Directions,
 }
 
 impl Features {
-    /// Looks at one block after the other until the meter is spent; one unit of the root is `scale` pixels.
+    /// Computes the features of further blocks until the meter is spent. One unit of the root is `scale` pixels.
     pub(super) fn step(&mut self, drawing: &Drawing, root: BlockId, scale: f64, meter: &mut Meter) -> Progress {
         let exponent = drawing.blocks[root.0 as usize].exponent;
         while let Some(block) = drawing.blocks.get(self.shapes.len()) {
@@ -45,7 +45,7 @@ impl Features {
         self.strokes[block.0 as usize]
     }
 
-    /// The stroke that draws a block where one of its units is `scale` pixels, if one does.
+    /// The single stroke that draws a block, if there is one. One unit of the block is `scale` pixels.
     pub(super) fn one_stroke(&self, block: BlockId, scale: f64) -> Option<&Line> {
         one_stroke(&self.shapes[block.0 as usize], scale)
     }

@@ -1,4 +1,4 @@
-//! Every segment, in drawing order.
+//! The flat form: every segment, in drawing order.
 
 use super::paths::{Ink, Paths, within};
 use super::{Decimals, Sheet, SvgOptions, VERTEX_WORK};
@@ -6,14 +6,14 @@ use lsystem_drawing::MarkReader;
 use lsystem_drawing::{Drawing, Mark, Plane};
 use lsystem_syntax::{Diagnostic, Meter, Progress, Style};
 
-/// A flat file that is being written.
+/// The state of writing a flat file.
 #[derive(Clone, Debug)]
 pub(super) struct Flat {
     reader: MarkReader<Plane>,
-    /// All that comes before the drawing, until it is written.
+    /// The file's start; empty once written.
     head: String,
     paths: Paths,
-    /// One CSS pixel, in the units of the file.
+    /// The length of one CSS pixel, in the units of the file.
     pixel: f64,
     is_done: bool,
 }

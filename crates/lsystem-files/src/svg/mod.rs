@@ -15,55 +15,55 @@ use lsystem_syntax::{Diagnostic, Field, Ink, Kind, Progress, Style};
 use paths::attribute;
 pub use writer::SvgWriter;
 
-/// How a drawing becomes an SVG picture.
+/// Options of an SVG picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SvgOptions {
-    /// The picture's title; none where empty.
+    /// The picture's title; empty for none.
     pub title: String,
-    /// Its description, for people who do not see it; none where empty.
+    /// The picture's description for screen readers; empty for none.
     pub description: String,
-    /// The system as [`write_json`](crate::write_json) gives it, kept in the file so that
-    /// [`read_file`](crate::read_file) finds it again; none where empty.
+    /// The system as a text of [`write_json`](crate::write_json), stored in the file for
+    /// [`read_file`](crate::read_file); empty for none.
     pub system: String,
-    /// How much of the drawing's graph the file keeps.
+    /// The form of the file.
     pub form: SvgForm,
     /// The longer side of the picture, in CSS pixels.
     pub size: f64,
-    /// The most segments and vertices of polygons to write; of the compact form, placed blocks too.
+    /// The most segments and vertices of polygons to write. In the compact form, placed blocks count too.
     pub most: u64,
 }
 
-/// The forms of an SVG file; they look the same.
+/// The forms of an SVG file. Both show the same picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SvgForm {
     /// Every segment, in drawing order.
     #[default]
     Flat,
-    /// Every block once, and then placed: a file of some kilobytes at any n. Blocks under a pixel across at the
-    /// picture's size are one stroke. A drawing that does not memoise, or whose colours follow the path, has nothing to
-    /// share and is written flat.
+    /// Every block is defined once and then placed, so that the file has some kilobytes at any n. Blocks less than 1
+    /// pixel across at the picture's size become one stroke. A drawing without shared blocks, or with colours along the
+    /// path, is written flat.
     Compact,
 }
 
 /// An SVG file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Svg {
-    /// Its text.
+    /// The file's text.
     pub text: String,
-    /// How many copies of blocks whoever shows it has to make: every `<use>` counts as often as it is met when all
-    /// are expanded. `u128::MAX` stands for that many or more; a flat file has none.
+    /// The number of block copies that a viewer makes: each `<use>` counts as often as it occurs when all are expanded.
+    /// `u128::MAX` means that many or more; a flat file has 0.
     pub instances: u128,
-    /// The ink of the drawing's style; that of a file always covers.
+    /// The ink of the drawing's style. In the file, ink is always opaque.
     pub ink: Ink,
 }
 
-/// More copies than this take browsers seconds.
+/// The most copies without a warning. More take browsers several seconds.
 const MANY: u128 = 100_000;
-/// The units of work that writing a vertex of a polygon takes.
+/// The units of work to write a vertex of a polygon.
 const VERTEX_WORK: u64 = 4;
 
 impl Svg {
-    /// A warning where showing the file takes long, or it does not look like the drawing.
+    /// A warning if the file opens slowly or differs from the drawing.
     #[must_use]
     pub fn warning(&self) -> Option<Diagnostic> {
         warning(self.instances, self.ink)
@@ -92,12 +92,12 @@ impl Default for SvgOptions {
     }
 }
 
-/// Writes a drawing with a margin of one step length, strokes in drawing order, y turned down as SVG has it. The flat
-/// form is in model units and joins strokes of one style that follow each other in one path; coordinates are exact to
-/// a millionth of the picture. The compact form is in CSS pixels, exact to a hundredth of one.
+/// Writes a drawing with a margin of one step length and strokes in drawing order; y points down, as in SVG. The flat
+/// form is in model units, with coordinates exact to a millionth of the picture; consecutive strokes of the same style
+/// share a path. The compact form is in CSS pixels, exact to a hundredth of a pixel.
 ///
 /// # Errors
-/// [`Kind::Limit`] where there is more to write than [`SvgOptions::most`].
+/// [`Kind::Limit`] if there is more to write than [`SvgOptions::most`].
 pub fn write_svg(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Svg, Diagnostic> {
     let mut text = String::new();
     let mut writer = SvgWriter::new(drawing, style, options)?;
@@ -105,18 +105,18 @@ pub fn write_svg(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Resu
     Ok(Svg { text, instances: writer.instances(), ink: style.ink })
 }
 
-/// The paper, in the units of the file, y down.
+/// The rectangle of the picture, in the units of the file, y down.
 struct Sheet {
     x: f64,
     y: f64,
     width: f64,
     height: f64,
-    /// One CSS pixel.
+    /// The length of one CSS pixel.
     pixel: f64,
 }
 
 impl Sheet {
-    /// Writes all that comes before the drawing, and opens its group. `more` are attributes of that group.
+    /// Writes the file's start and opens the drawing's group. `more` are further attributes of the group.
     fn open(&self, style: &Style, options: &SvgOptions, more: &str) -> String {
         let decimals = Decimals::for_size(self.width.max(self.height));
         let mut text = String::from("<svg xmlns=\"http://www.w3.org/2000/svg\"");

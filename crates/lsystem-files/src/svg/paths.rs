@@ -5,10 +5,10 @@ use core::fmt::Write;
 use lsystem_drawing::StyleChange;
 use lsystem_syntax::{Style, Tint};
 
-/// Segments of one path: longer ones take browsers disproportionately long.
+/// The most segments of one path. Longer paths take browsers disproportionately long.
 pub(super) const PATH: usize = 10_000;
 
-/// What a stroke looks like.
+/// The look of a stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ink {
     pub(super) rgb: [u8; 3],
@@ -17,20 +17,20 @@ pub(super) struct Ink {
 }
 
 impl Ink {
-    /// A stroke that is `width` wide, where a CSS pixel is `pixel`.
+    /// The ink of a stroke of this width. `pixel` is the length of one CSS pixel in the same units.
     pub(super) fn new(style: &Style, tint: Tint, width: f64, pixel: f64) -> Self {
         let width = within(width.max(style.min_width * pixel));
-        // Nothing has no width on paper: a stroke without one is a hairline, as on the screen.
+        // A stroke of width 0 is drawn one pixel wide, as on the screen.
         Self { rgb: style.colour_of(tint).rgb, width: if width > 0.0 { width } else { pixel } }
     }
 
-    /// In a style that has begun with [`StyleChange::start`]; `step` is the step length.
+    /// The ink of a style that began with [`StyleChange::start`]. `step` is the step length.
     pub(super) fn of(style: &Style, change: &StyleChange, step: f64, pixel: f64) -> Self {
         let tint = Tint { index: change.colour.of(0), level: change.level, place: 0.0 };
         Self::new(style, tint, change.width.of(0.0) * step, pixel)
     }
 
-    /// As attributes.
+    /// The ink as attributes of an element.
     pub(super) fn attributes(&self) -> String {
         let [r, g, b] = self.rgb;
         let mut text = format!(" stroke=\"#{r:02x}{g:02x}{b:02x}\"");
@@ -39,26 +39,26 @@ impl Ink {
     }
 }
 
-/// Writes strokes, joining those of one ink that follow each other in one path, and polygons. It holds no text, so it can
-/// rest between two calls.
+/// Writes strokes and polygons. Consecutive strokes of the same ink share a path. The writer holds no text,
+/// so that callers may store it between two calls.
 #[derive(Clone, Debug)]
 pub(super) struct Paths {
     decimals: Decimals,
-    /// The ink of the elements around.
+    /// The ink of the surrounding group.
     around: Option<Ink>,
-    /// What the next path is called.
+    /// The ID of the next path.
     pub(super) id: Option<String>,
     /// The open path.
     pen: Option<Pen>,
-    /// The vertices of the open polygon, and how many of them are written.
+    /// The vertices of the open polygon, and the number of vertices written.
     outline: Option<(Vec<[f64; 2]>, usize)>,
 }
 
-/// A path that is open.
+/// The open path.
 #[derive(Clone, Copy, Debug)]
 struct Pen {
     ink: Ink,
-    /// Where it ended, in units of the last decimal place.
+    /// The end of the path so far, in units of the last decimal place.
     at: [f64; 2],
     segments: usize,
 }
@@ -68,7 +68,7 @@ impl Paths {
         Self { decimals, around, id: None, pen: None, outline: None }
     }
 
-    /// A stroke, in the units of the file, y down.
+    /// Writes a stroke, in the units of the file, y down.
     pub(super) fn stroke(&mut self, text: &mut String, from: [f64; 2], to: [f64; 2], ink: Ink) {
         let [start, end] = [from, to].map(|point| point.map(|c| self.decimals.round(c)));
         match self.pen {
@@ -98,7 +98,7 @@ impl Paths {
         self.pen = Some(Pen { ink, at: end, segments });
     }
 
-    /// Begins a filled polygon without a stroke, whose vertices [`Paths::vertex`] writes.
+    /// Begins a filled polygon without a stroke. [`Paths::vertex`] writes its vertices.
     pub(super) fn fill(&mut self, text: &mut String, vertices: Vec<[f64; 2]>, [r, g, b]: [u8; 3]) {
         self.close(text);
         // Writing to a `String` cannot fail.
@@ -106,7 +106,7 @@ impl Paths {
         self.outline = Some((vertices, 0));
     }
 
-    /// Goes on with the open polygon, or ends it; whether there was one.
+    /// Writes the next vertex of the open polygon, or its end. Returns whether a polygon was open.
     pub(super) fn vertex(&mut self, text: &mut String) -> bool {
         let Some((vertices, written)) = &mut self.outline else { return false };
         let Some(&vertex) = vertices.get(*written) else {
@@ -145,7 +145,7 @@ pub(super) fn attribute(text: &mut String, name: &str, decimals: Decimals, value
     text.push('"');
 }
 
-/// Keeps what is beyond any picture within the numbers, sums of two included.
+/// Clamps a length so that sums of two lengths stay finite.
 pub(super) fn within(length: f64) -> f64 {
     length.clamp(-1e300, 1e300)
 }

@@ -1,4 +1,4 @@
-//! Which blocks a compact picture holds, and where it writes out or places them.
+//! The plan of a compact file: its symbols, and the strokes, polygons and placed symbols in them.
 
 use super::paths::{Ink, PATH};
 use super::scene::Scene;
@@ -7,51 +7,53 @@ use lsystem_drawing::{BlockId, Directions, Frame, Item, Line, StyleChange};
 use lsystem_syntax::{Heading, Meter, Progress};
 use std::collections::{BinaryHeap, HashMap};
 
-/// What the file will hold, found in steps.
+/// The content of a compact file, planned in steps.
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
-    /// Strokes of a block that is written out wherever it stands, at most.
+    /// Blocks of at most this many strokes are written out at each place.
     small: u32,
-    /// Strokes and placed blocks that may still be written.
+    /// The number of strokes, vertices of polygons and placed blocks that may still be planned.
     left: u64,
     directions: Directions,
     symbols: Vec<Symbol>,
-    /// Of all symbols, one symbol after the other, and the vertices of their polygons.
+    /// The parts of all symbols, symbol by symbol.
     parts: Vec<Part>,
+    /// The vertices of all polygons.
     vertices: Vec<[f64; 2]>,
     /// Symbols by block, scale, colour index, level and width.
     known: HashMap<(BlockId, u64, i32, u32, u64), usize>,
-    /// Symbols whose parts are not known yet, by block.
+    /// Symbols whose parts are not planned yet, by block.
     pending: BinaryHeap<(BlockId, usize)>,
-    /// The symbol at hand, and its blocks that are being read, outermost first: the items still to be read, and where.
+    /// The symbol being planned.
     current: usize,
+    /// The blocks of the current symbol that are being read, outermost first: the items that remain, and the frame.
     open: Vec<(Range<u32>, Frame)>,
-    /// The symbols that are defined once and placed by `<use>`, children after parents. Others are written where they
-    /// stand.
+    /// The symbols that are defined once and placed by `<use>`, children after parents. Other symbols are written in
+    /// place.
     pub(super) shared: Vec<usize>,
-    /// How many copies expanding the whole picture makes.
+    /// The number of copies that expanding the whole picture makes.
     pub(super) instances: u128,
 }
 
 /// A block at a scale and in a style.
 #[derive(Clone, Debug)]
 struct Symbol {
-    /// At the origin.
+    /// The frame of the symbol, at the origin.
     frame: Frame,
     parts: Range<usize>,
-    /// How often it is placed.
+    /// The number of places in the file where the symbol is used.
     uses: usize,
-    /// How often it is met when the whole picture is expanded.
+    /// The number of copies when the whole picture is expanded.
     copies: u128,
 }
 
-/// What a symbol holds, in pixels, y up.
+/// A part of a symbol, in pixels, y up.
 #[derive(Clone, Debug)]
 pub(super) enum Part {
     Stroke([f64; 2], [f64; 2], Ink),
-    /// Its vertices among the plan's, and its colour.
+    /// A polygon: the range of its vertices in the plan, and its colour.
     Polygon(Range<usize>, [u8; 3]),
-    /// Which symbol, and where.
+    /// A placed symbol: its index, position and heading.
     Use(usize, [f64; 2], Heading),
 }
 
@@ -59,8 +61,8 @@ impl Plan {
     /// The symbol that is the whole picture.
     pub(super) const WHOLE: usize = 0;
 
-    /// A plan in which blocks of at most `small` strokes are no symbols, and at most `most` strokes and placed blocks are
-    /// written; one unit of the root is `scale` pixels.
+    /// A plan that writes out blocks of at most `small` strokes at each place, and has at most `most` strokes, vertices
+    /// of polygons and placed blocks. One unit of the root is `scale` pixels.
     pub(super) fn new(scene: &Scene<'_>, root: BlockId, scale: f64, small: u32, most: u64) -> Self {
         let mut plan = Self {
             small,
@@ -81,7 +83,7 @@ impl Plan {
         plan
     }
 
-    /// Goes on until the meter is spent; `None` where there is more to write than may be.
+    /// Continues the plan until the meter is spent; `None` if the plan exceeds its limit.
     pub(super) fn step(&mut self, scene: &Scene<'_>, meter: &mut Meter) -> Option<Progress> {
         while !meter.is_spent() {
             meter.charge(4);
@@ -104,9 +106,9 @@ impl Plan {
         Some(Progress::More)
     }
 
-    /// Begins with the next symbol, if there is one.
+    /// Begins the next symbol. Returns whether there was one.
     fn begin(&mut self, scene: &Scene<'_>) -> bool {
-        // Blocks stand before those that hold them, so nothing asks for a symbol that has been dealt with.
+        // Blocks come before the blocks that contain them, so a planned symbol is never used again.
         let Some((block, current)) = self.pending.pop() else { return false };
         let symbol = &mut self.symbols[current];
         symbol.parts = self.parts.len()..self.parts.len();
@@ -119,7 +121,7 @@ impl Plan {
         true
     }
 
-    /// Makes an item a part of the current symbol, or opens the block that it is.
+    /// Adds an item to the current symbol, or opens its block to write it out.
     fn read(&mut self, scene: &Scene<'_>, item: &Item, frame: &Frame, meter: &mut Meter) -> Option<()> {
         let drawing = scene.drawing;
         let stroke = |line: &Line, frame: &Frame| {
@@ -160,7 +162,7 @@ impl Plan {
         Some(())
     }
 
-    /// The symbol of a block; new ones are pending.
+    /// The symbol of a block. A new symbol becomes pending.
     fn symbol(&mut self, scene: &Scene<'_>, block: BlockId, scale: f64, style: &StyleChange) -> usize {
         let entry = scene.entry(block, style);
         let key = (block, scale.to_bits(), entry.colour, entry.level, entry.width.to_bits());

@@ -1,11 +1,11 @@
-//! A drawing at a size: how its parts look.
+//! A drawing at the size of a picture, and the look of its parts.
 
 use super::features::Features;
 use super::paths::Ink;
 use lsystem_drawing::{BlockId, ColourChange, Drawing, StyleChange, WidthChange};
 use lsystem_syntax::{ColourBy, Style};
 
-/// A drawing and what is known of it.
+/// A drawing with its style and features.
 pub(super) struct Scene<'a> {
     pub(super) drawing: &'a Drawing,
     pub(super) style: &'a Style,
@@ -14,7 +14,7 @@ pub(super) struct Scene<'a> {
     pub(super) step: f64,
 }
 
-/// A style at a block's entry.
+/// The style at the start of a block.
 #[derive(Clone, Copy)]
 pub(super) struct Entry {
     pub(super) colour: i32,
@@ -33,7 +33,7 @@ impl Scene<'_> {
         Ink::of(self.style, change, self.step, 1.0)
     }
 
-    /// The style in which a block is entered, as far as that shows.
+    /// The visible part of the style at the start of a block.
     pub(super) fn entry(&self, block: BlockId, style: &StyleChange) -> Entry {
         let colours = self.style.palette.len().clamp(1, i32::MAX as usize) as i32;
         let seen = |index: i32| {
@@ -45,7 +45,7 @@ impl Scene<'_> {
             ColourBy::Level => (0, seen(i32::try_from(style.level).unwrap_or(i32::MAX)).cast_unsigned()),
         };
         let width = style.width.of(0.0);
-        // Where all strokes are as thin as strokes can be, the width does not show.
+        // If all strokes have the least width, the width is not visible.
         let widest = self.drawing.blocks[block.0 as usize].widest.of(width) * self.step;
         Entry { colour, level, width: if widest <= self.style.min_width { 0.0 } else { width } }
     }

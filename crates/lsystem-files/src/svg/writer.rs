@@ -1,4 +1,4 @@
-//! A file of either form, in steps.
+//! Writing an SVG file of either form in steps.
 
 use super::compact::Compact;
 use super::flat::Flat;
@@ -6,7 +6,7 @@ use super::{SvgForm, SvgOptions, warning};
 use lsystem_drawing::Drawing;
 use lsystem_syntax::{ColourBy, Diagnostic, Ink, Meter, Progress, Style};
 
-/// An SVG file in steps. It holds no drawing, and what it has written may be taken away between two steps.
+/// A writer of SVG in steps. It holds no drawing, and the caller may remove the written text between two steps.
 #[derive(Clone, Debug)]
 pub struct SvgWriter {
     form: Form,
@@ -21,7 +21,7 @@ enum Form {
 }
 
 impl SvgWriter {
-    /// Ready to write a drawing.
+    /// A writer for a drawing.
     ///
     /// # Errors
     /// As [`write_svg`](crate::write_svg) with the flat form.
@@ -35,7 +35,7 @@ impl SvgWriter {
         Ok(Self { form, ink: style.ink, spent: 0 })
     }
 
-    /// As [`Svg::instances`](crate::Svg::instances), when all steps are done.
+    /// As [`Svg::instances`](crate::Svg::instances), after all steps are done.
     #[must_use]
     pub fn instances(&self) -> u128 {
         match &self.form {
@@ -44,7 +44,7 @@ impl SvgWriter {
         }
     }
 
-    /// A warning where showing the file takes long, or it does not look like the drawing; when all steps are done.
+    /// A warning if the file opens slowly or differs from the drawing, after all steps are done.
     #[must_use]
     pub fn warning(&self) -> Option<Diagnostic> {
         warning(self.instances(), self.ink)
@@ -56,7 +56,7 @@ impl SvgWriter {
         self.spent
     }
 
-    /// Appends to the file for about `work` units; the drawing and the style are the same each time.
+    /// Appends to the file for about `work` units of work. The drawing and the style must be the same each time.
     ///
     /// # Errors
     /// As [`write_svg`](crate::write_svg) with the compact form, before anything is written.

@@ -1,20 +1,20 @@
 //! The table of fields.
 
 use super::{Access, Affects, FieldSpec, Section, Slider};
-use crate::value::Held;
+use crate::value::FieldType;
 use crate::{ColourBy, Dialect, Expected, Ink, MAX_ITERATIONS};
 
-/// Reads and writes a member of a definition.
+/// Access to a member of a definition.
 macro_rules! at {
     ($($member:ident).+) => {
         Access {
-            get: |definition| definition.$($member).+.value(),
-            set: |definition, value| Held::held(value).map(|held| definition.$($member).+ = held).is_some(),
+            get: |definition| definition.$($member).+.to_value(),
+            set: |definition, value| FieldType::from_value(value).map(|field| definition.$($member).+ = field).is_some(),
         }
     };
 }
 
-/// What rows have in common.
+/// The defaults of a row.
 const FIELD: FieldSpec = FieldSpec {
     name: "",
     link: "",
@@ -43,7 +43,7 @@ const PERCENTS: Slider = Slider { from: 0.0, parts: &[(30.0, 1.0), (100.0, 5.0)]
 /// The smallest magnification.
 const MIN_ZOOM: f64 = 1e-2;
 
-/// A view of the plane. Where a step of a drawing 10^24 steps wide fills the picture the zoom is 10^25.
+/// A view of the plane. The largest zoom fills the picture with one step of a drawing that is 10^24 steps wide.
 const VIEW: &[(&str, Expected)] = &[
     ("x", Expected::Between(-1e6, 1e6)),
     ("y", Expected::Between(-1e6, 1e6)),
@@ -52,7 +52,7 @@ const VIEW: &[(&str, Expected)] = &[
     ("fy", Expected::Between(-1.0, 1.0)),
 ];
 
-/// A view of space. Single precision is enough up to this zoom.
+/// A view of space. Single precision is enough up to the largest zoom.
 const CAMERA: &[(&str, Expected)] = &[
     ("azimuth", Expected::Between(-360.0, 360.0)),
     ("elevation", Expected::Between(-90.0, 90.0)),
@@ -64,7 +64,7 @@ const CAMERA: &[(&str, Expected)] = &[
     ("fade", Expected::Between(0.0, 1.0)),
 ];
 
-/// All fields, in the order in which links write them.
+/// All fields, in the order of links.
 pub static FIELDS: [FieldSpec; 38] = [
     FieldSpec {
         name: "title",

@@ -3,7 +3,7 @@
 use super::token::Token;
 use core::ops::Range;
 
-/// How many tokens the arrow at the start of `tokens` takes: `->`, `-->`, `=>` or `→`.
+/// The number of tokens of the arrow at the start of `tokens`: `->`, `-->`, `=>` or `→`; `None` if there is none.
 pub(crate) fn length(tokens: &[Token]) -> Option<usize> {
     let is = |at: usize, ch: char| tokens.get(at).is_some_and(|t: &Token| t.is(ch) && (at == 0 || t.joined));
     if is(0, '→') {
@@ -17,7 +17,7 @@ pub(crate) fn length(tokens: &[Token]) -> Option<usize> {
     }
 }
 
-/// The place of the first arrow outside parentheses, or of the first one where all are inside.
+/// The first arrow outside parentheses, or the first arrow if all are inside, as a range of tokens.
 pub(crate) fn find(tokens: &[Token]) -> Option<Range<usize>> {
     let mut depth = 0_usize;
     let mut inside = None;

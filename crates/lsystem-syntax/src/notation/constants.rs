@@ -1,4 +1,4 @@
-//! Named constants, and what names mean in a production.
+//! Named constants, and the meaning of names in a production.
 
 use super::expression::Names;
 use crate::Kind;
@@ -7,23 +7,23 @@ use crate::notes::{Notes, excerpt, similar};
 use core::ops::Range;
 use std::collections::HashMap;
 
-/// Where the value of a named constant stands.
+/// A named constant and the place of its value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConstantPlace {
-    /// Its name.
+    /// The constant's name.
     pub name: String,
-    /// Its value; `None` where that is wrong.
+    /// The constant's value; `None` if it is wrong.
     pub value: Option<f64>,
-    /// The value in the rules, in bytes.
+    /// The span of the value in the rules, in bytes.
     pub span: Range<usize>,
-    /// Whether the value is one number, so that another number may stand in its place.
+    /// Whether the value is a literal number, so that a control may replace it.
     pub is_number: bool,
 }
 
 /// The constants of a text.
 #[derive(Debug, Default)]
 pub(crate) struct Constants {
-    /// By name: places among the defined.
+    /// By name: the index in `defined`.
     places: HashMap<String, usize>,
     /// In text order.
     defined: Vec<Defined>,
@@ -34,7 +34,7 @@ struct Defined {
     value: f64,
     /// The value as written.
     text: String,
-    /// Of the name and what follows it up to the value.
+    /// From the name up to the value, in bytes.
     span: Range<usize>,
     place: ConstantPlace,
     used: bool,
@@ -45,7 +45,8 @@ impl Constants {
         self.places.contains_key(name)
     }
 
-    /// Adds a constant: its value as written, and where its name stands. One whose value is wrong counts as 1.
+    /// Adds a constant with its value as written and the span of its name, and returns its value. A wrong value counts
+    /// as 1.
     pub(super) fn define(&mut self, place: ConstantPlace, text: String, span: Range<usize>) -> f64 {
         let value = place.value.unwrap_or(1.0);
         self.places.insert(place.name.clone(), self.defined.len());
@@ -57,7 +58,7 @@ impl Constants {
         self.defined.into_iter().map(|constant| constant.place).collect()
     }
 
-    /// Notes what is known at the end only: names that are defined further down, and those that nothing uses.
+    /// Completes the notes after all lines are read: names that a later line defines, and unused constants.
     pub(super) fn finish(mut self, notes: &mut Notes) {
         notes.each(|d| {
             if let Kind::UnknownConstant { name, below, .. } = &mut d.kind {
@@ -84,7 +85,7 @@ impl Names for Constants {
     }
 }
 
-/// The names in a production: its parameters, then constants.
+/// The names in a production. Parameters hide constants of the same name.
 pub(super) struct Scope<'a> {
     /// Sorted.
     pub(super) parameters: Vec<&'a str>,

@@ -9,29 +9,29 @@ use core::ops::Range;
 
 /// The names that arithmetic may use.
 pub(crate) trait Names {
-    /// What `name` stands for; it counts as used then.
+    /// The meaning of `name`; a constant then counts as used.
     fn meaning(&mut self, name: &str) -> Option<Meaning>;
-    /// A name like this one.
+    /// A similar known name.
     fn similar(&self, name: &str) -> Option<String>;
 }
 
-/// Parentheses, signs and powers inside each other.
+/// The most nested parentheses, signs and powers: the reader is recursive.
 const DEPTH: u32 = 64;
-/// Operators in one expression: it is walked by recursion.
+/// The most binary operators in one expression: its compiler and printer are recursive.
 const LENGTH: u32 = 500;
 
-/// The words that are operators.
+/// The operators that are words.
 const WORDS: [&str; 3] = ["and", "or", "not"];
 
-/// The arithmetic in `tokens`; `None` where something is wrong, which is noted. `end` is where a missing number would
-/// stand; `role` says what the value is for.
+/// Reads the arithmetic in `tokens`; `None` if it is wrong, which is noted. `end` is the place of a missing number, in
+/// bytes; `role` is the role of the value.
 ///
 /// From tight to loose: `^` (to the right), signs and `!`, `* / %`, `+ -`, comparisons (not to be chained), `not`,
 /// `&&`, `||`.
 pub(crate) fn read(tokens: &[Token], end: usize, role: Role, names: &mut dyn Names, notes: &mut Notes) -> Option<Expr> {
     let mut reader = Reader { tokens, at: 0, end, depth: 0, length: 0, role, names, notes };
     let expr = match role {
-        Role::Condition | Role::Argument | Role::Axiom => reader.any()?,
+        Role::Condition | Role::Argument | Role::Axiom => reader.disjunction()?,
         Role::Constant | Role::Weight => reader.sum()?,
     };
     if let Some(token) = reader.peek() {
@@ -48,7 +48,7 @@ pub(crate) fn read(tokens: &[Token], end: usize, role: Role, names: &mut dyn Nam
     None
 }
 
-/// `expr` made ready to be computed.
+/// Compiles an expression.
 pub(crate) fn code(expr: &Expr, names: &mut dyn Names) -> Result<Code, Unusable> {
     let names = core::cell::RefCell::new(names);
     Code::new(expr, &|name: &str| names.borrow_mut().meaning(name), &mut 0)
@@ -87,7 +87,7 @@ impl Reader<'_> {
         found
     }
 
-    /// Steps over the next tokens if they are this word, and no longer one.
+    /// Steps over the next tokens if they are exactly this word.
     fn take_word(&mut self, word: &str) -> bool {
         let before = self.at;
         if self.peek().is_some_and(|t| !t.literal && is_name_start(t.ch)) {
@@ -110,26 +110,26 @@ impl Reader<'_> {
         self.notes.add(kind, token.span());
     }
 
-    fn any(&mut self) -> Option<Expr> {
-        let mut value = self.all()?;
+    fn disjunction(&mut self) -> Option<Expr> {
+        let mut value = self.conjunction()?;
         while self.take_mark("||") || self.take_word("or") {
-            value = self.binary(Operator::Or, value, Self::all)?;
+            value = self.binary(Operator::Or, value, Self::conjunction)?;
         }
         Some(value)
     }
 
-    fn all(&mut self) -> Option<Expr> {
-        let mut value = self.denial()?;
+    fn conjunction(&mut self) -> Option<Expr> {
+        let mut value = self.negation()?;
         while self.take_mark("&&") || self.take_word("and") {
-            value = self.binary(Operator::And, value, Self::denial)?;
+            value = self.binary(Operator::And, value, Self::negation)?;
         }
         Some(value)
     }
 
-    fn denial(&mut self) -> Option<Expr> {
+    fn negation(&mut self) -> Option<Expr> {
         let at = self.peek();
         if self.take_word("not") {
-            return self.deeper(at?, Self::denial).map(|a| Expr::Not(Box::new(a)));
+            return self.nested(at?, Self::negation).map(|a| Expr::Not(Box::new(a)));
         }
         self.comparison()
     }
@@ -196,12 +196,12 @@ impl Reader<'_> {
     fn signed(&mut self) -> Option<Expr> {
         let sign = self.peek();
         match self.take(&['+', '-', '!']) {
-            Some('-') => self.deeper(sign?, Self::signed).map(|a| match a {
+            Some('-') => self.nested(sign?, Self::signed).map(|a| match a {
                 Expr::Number(value) => Expr::Number(-value),
                 a => Expr::Negative(Box::new(a)),
             }),
-            Some('!') => self.deeper(sign?, Self::signed).map(|a| Expr::Not(Box::new(a))),
-            Some(_) => self.deeper(sign?, Self::signed),
+            Some('!') => self.nested(sign?, Self::signed).map(|a| Expr::Not(Box::new(a))),
+            Some(_) => self.nested(sign?, Self::signed),
             None => self.power(),
         }
     }
@@ -211,7 +211,7 @@ impl Reader<'_> {
         let caret = self.peek();
         match self.take(&['^']) {
             Some(_) => {
-                let exponent = self.deeper(caret?, Self::signed)?;
+                let exponent = self.nested(caret?, Self::signed)?;
                 Some(Expr::Binary(Operator::Power, Box::new(base), Box::new(exponent)))
             }
             None => Some(base),
@@ -228,7 +228,7 @@ impl Reader<'_> {
         Some(Expr::Binary(operator, Box::new(left), Box::new(right)))
     }
 
-    fn deeper(&mut self, at: Token, read: fn(&mut Self) -> Option<Expr>) -> Option<Expr> {
+    fn nested(&mut self, at: Token, read: fn(&mut Self) -> Option<Expr>) -> Option<Expr> {
         if self.depth == DEPTH {
             self.notes.add(Kind::ArithmeticDepth, at.span());
             return None;
@@ -248,7 +248,7 @@ impl Reader<'_> {
             _ if token.literal => {}
             '(' => {
                 self.at += 1;
-                let value = self.deeper(token, Self::any)?;
+                let value = self.nested(token, Self::disjunction)?;
                 return self.closed(token).map(|()| value);
             }
             '0'..='9' | '.' => return self.number(),
@@ -271,7 +271,7 @@ impl Reader<'_> {
         None
     }
 
-    /// Joined tokens from here on, as long as they are `part` of it.
+    /// Takes the next token and the joined tokens after it for which `part` holds, given the tokens before.
     fn run(&mut self, part: impl Fn(&[Token], Token) -> bool) -> &[Token] {
         let rest = &self.tokens[self.at..];
         let length = (1..rest.len())
@@ -295,7 +295,7 @@ impl Reader<'_> {
                 None
             }
             Some(value) => {
-                // In conditions and weights it has their class.
+                // In conditions and weights, numbers keep the class of the condition or weight.
                 if matches!(self.role, Role::Constant | Role::Argument | Role::Axiom) {
                     self.notes.class(Class::Number, span);
                 }
@@ -348,7 +348,7 @@ impl Reader<'_> {
         let mut arguments = Vec::new();
         if self.peek().is_none_or(|t| !t.is(')')) {
             loop {
-                arguments.push(self.deeper(open, Self::any)?);
+                arguments.push(self.nested(open, Self::disjunction)?);
                 if self.take(&[',']).is_none() {
                     break;
                 }
@@ -364,12 +364,12 @@ impl Reader<'_> {
     }
 }
 
-/// The function of this name.
+/// The function with this name.
 pub(super) fn function(name: &str) -> Option<Function> {
     Function::ALL.into_iter().find(|function| function.name() == name)
 }
 
-/// Whether `name` means something else in arithmetic.
+/// Whether `name` is an operator.
 pub(crate) fn is_reserved(name: &str) -> bool {
     WORDS.contains(&name)
 }

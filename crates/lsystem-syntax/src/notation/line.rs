@@ -11,7 +11,7 @@ use crate::{Class, Constant, Expr, Kind, Production, Role, Seen};
 use core::ops::Range;
 use std::collections::HashMap;
 
-/// Reads all lines of `text` into `reading`; constants may be used by what is read later.
+/// Reads all lines of `text` into `reading`. The constants serve the axiom, which is read later.
 pub(crate) fn read(text: &str, reading: &mut Reading, constants: &mut Constants, notes: &mut Notes) {
     let mut rules = Rules { text, reading, notes, constants, productions: Vec::new(), drawing: false };
     for line in super::lines(text) {
@@ -25,8 +25,8 @@ pub(crate) fn read(text: &str, reading: &mut Reading, constants: &mut Constants,
         production::read(&line, rules.constants, rules.reading, rules.notes);
     }
     let Reading { grammar, productions, images, .. } = rules.reading;
-    weigh_up(&grammar.productions, productions.iter().map(|places| &places.predecessor), rules.notes);
-    weigh_up(&grammar.images, images.iter().map(|places| &places.predecessor), rules.notes);
+    note_never_applied(&grammar.productions, productions.iter().map(|places| &places.predecessor), rules.notes);
+    note_never_applied(&grammar.images, images.iter().map(|places| &places.predecessor), rules.notes);
 }
 
 struct Rules<'a> {
@@ -34,9 +34,9 @@ struct Rules<'a> {
     reading: &'a mut Reading,
     notes: &'a mut Notes,
     constants: &'a mut Constants,
-    /// To be read when all constants are known.
+    /// The lines with an arrow, read after all constants.
     productions: Vec<Line>,
-    /// Below `draw:`.
+    /// Whether the present line is below `draw:`.
     drawing: bool,
 }
 
@@ -61,7 +61,7 @@ impl Rules<'_> {
         self.statement(&tokens, line.end);
     }
 
-    /// A production or a constant.
+    /// Reads a production or a constant.
     fn statement(&mut self, tokens: &[Token], end: usize) {
         if tokens.is_empty() {
             return;
@@ -75,7 +75,7 @@ impl Rules<'_> {
         }
     }
 
-    /// `word:` at the start of a line. Whether it was one that means something.
+    /// Reads a line that starts with `word:`. Returns whether the word was a heading or a label.
     fn heading(&mut self, word: &str, tokens: &[Token], after: usize, end: usize) -> bool {
         let place = span_of(&tokens[..after], 0);
         match word {
@@ -88,7 +88,7 @@ impl Rules<'_> {
                 self.drawing = true;
                 self.statement(&tokens[after..], end);
             }
-            // The names that books give to productions, as in `p1: F -> FF`.
+            // Labels of productions in books, as in `p1: F -> FF`.
             _ if arrow::find(&tokens[after..]).is_some() && is_label(word) => {
                 self.notes.class(Class::Comment, place);
                 self.statement(&tokens[after..], end);
@@ -104,7 +104,7 @@ impl Rules<'_> {
         true
     }
 
-    /// What contexts skip, or look at.
+    /// Reads the symbols that contexts skip, or see if `only`.
     fn seen(&mut self, only: bool, symbols: &[Token], place: Range<usize>) {
         for token in symbols.iter().filter(|t| t.is('(') || t.is(')')) {
             self.notes.add(Kind::ParenthesisSymbol { symbol: token.ch }, token.span());
@@ -118,11 +118,11 @@ impl Rules<'_> {
         }
     }
 
-    /// `#define name value`, from the name on.
+    /// Reads `#define name value`, from the name on.
     fn define(&mut self, tokens: &[Token], end: usize) {
         let name = tokens.iter().skip(1).position(|t| !t.joined).map_or(tokens.len(), |at| at + 1);
         let (name, mut value) = tokens.split_at(name);
-        // `#define r = 0.9` is a common slip.
+        // `#define r = 0.9` is a common mistake.
         if let [equals, rest @ ..] = value
             && equals.is('=')
         {
@@ -132,7 +132,7 @@ impl Rules<'_> {
         self.add_constant(name, value, end);
     }
 
-    /// `name = value`.
+    /// Reads `name = value`.
     fn constant(&mut self, tokens: &[Token], equals: usize, end: usize) {
         let (name, value) = (&tokens[..equals], &tokens[equals + 1..]);
         let call = value.iter().position(|t| t.is('(')).is_some_and(|open| {
@@ -142,13 +142,13 @@ impl Rules<'_> {
         let mut quiet = Notes::new(crate::Field::Rules);
         let named = is_name(name);
         let mut is_number = || expression::read(value, end, Role::Constant, self.constants, &mut quiet).is_some();
-        // One symbol before the sign and no number after it: a production is meant.
+        // One module before the sign and no number after it: probably a production.
         let module = name.get(1).is_some_and(|t| t.is('(')) && name.last().is_some_and(|t| t.is(')'));
         if (name.len() == 1 || module) && !value.is_empty() && (!named || (!arithmetic && !is_number())) {
             let kind = Kind::EqualsForArrow { left: text_of(name), right: text_of(value) };
             return self.notes.add(kind, tokens[equals].span());
         }
-        // `F := FF` and the like.
+        // Probably an arrow, as in `F := FF`.
         if !named && name.iter().skip(1).any(|t| is_mark(*t)) {
             return self.no_arrow(tokens);
         }
@@ -173,7 +173,7 @@ impl Rules<'_> {
             return self.notes.add(Kind::ConstantTwice { name: excerpt(&name) }, span);
         }
         let is_number = matches!(expr, Some(Expr::Number(_))) && !value.iter().any(|t| t.is('('));
-        // A value that is wrong is noted already; the name is known nevertheless.
+        // A wrong value is noted already. The name is defined, so that its uses are not noted too.
         let value = match expr.map(|expr| expression::code(&expr, self.constants)) {
             Some(Ok(crate::Code::Constant(value))) => Some(value),
             _ => None,
@@ -184,9 +184,13 @@ impl Rules<'_> {
     }
 }
 
-/// Notes productions that never apply because of an earlier one for the same modules in the same surroundings.
-fn weigh_up<'a>(productions: &[Production], places: impl Iterator<Item = &'a Range<usize>>, notes: &mut Notes) {
-    // By contexts, predecessor and condition as written: the first production.
+/// Notes productions that never apply because of an earlier production with the same predecessor and contexts.
+fn note_never_applied<'a>(
+    productions: &[Production],
+    places: impl Iterator<Item = &'a Range<usize>>,
+    notes: &mut Notes,
+) {
+    // The first production for each key.
     let mut firsts: HashMap<String, usize> = HashMap::new();
     for (at, (production, place)) in productions.iter().zip(places).enumerate() {
         let weighted = production.weight.is_some();
@@ -210,7 +214,8 @@ fn weigh_up<'a>(productions: &[Production], places: impl Iterator<Item = &'a Ran
     }
 }
 
-/// What decides where a production applies; its condition included or not.
+/// The part of a production that decides where it applies: contexts and predecessor, and if `conditional` also the
+/// names of parameters and the condition.
 fn key(production: &Production, conditional: bool) -> String {
     let mut key = String::new();
     for (at, patterns) in
@@ -231,7 +236,7 @@ fn key(production: &Production, conditional: bool) -> String {
     key
 }
 
-/// Whether these are a name: a letter or `_`, then letters, digits or `_`, without spaces.
+/// Whether the tokens are a name: a letter or `_`, then letters, digits or `_`, without spaces.
 pub(super) fn is_name(tokens: &[Token]) -> bool {
     match tokens {
         [first, rest @ ..] => {
@@ -243,7 +248,8 @@ pub(super) fn is_name(tokens: &[Token]) -> bool {
     }
 }
 
-/// A word and a colon at the start of a line, with a `#` before it or not: the word, and how many tokens they take.
+/// The word before a colon at the start of a line, in lower case, and the number of tokens up to the colon. A `#` may
+/// stand before the word.
 fn heading(tokens: &[Token]) -> Option<(String, usize)> {
     let from = usize::from(tokens.first()?.is('#'));
     let colon = tokens.iter().take(16).position(|t| t.is(':'))?;
@@ -251,17 +257,18 @@ fn heading(tokens: &[Token]) -> Option<(String, usize)> {
     is_name(word).then(|| (word.iter().map(|t| t.ch.to_ascii_lowercase()).collect(), colon + 1))
 }
 
-/// Whether a name counts something: no symbol has two characters, so it is no predecessor.
+/// Whether a word is the label of a production: two characters or more, the last a digit. A predecessor has only one
+/// character.
 fn is_label(word: &str) -> bool {
     word.chars().nth(1).is_some() && word.ends_with(char::is_numeric)
 }
 
-/// Whether a character may be part of what was meant as an arrow.
+/// Whether a character may be part of a mistyped arrow.
 fn is_mark(token: Token) -> bool {
     !token.literal && matches!(token.ch, ':' | '-' | '>' | '<' | '~' | '|' | '=')
 }
 
-/// `tokens` with an arrow in the place of what looks like one.
+/// `tokens` with an arrow in place of a mistyped or missing one, or as a constant for `r := 0.9`.
 fn suggestion(tokens: &[Token]) -> Option<String> {
     let [first, rest @ ..] = tokens else { return None };
     let marks = rest.iter().take_while(|t| is_mark(**t)).count();

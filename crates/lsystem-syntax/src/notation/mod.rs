@@ -3,25 +3,25 @@
 //! ```text
 //! F -> FF                                    a production: F becomes FF
 //! F -> F[+F]F : 0.33                         one of several, with its weight
-//! A < B > C -> D                             where A stands before and C after, along the axis
+//! A < B > C -> D                             if A stands before and C after, along the axis
 //! A(l, w) : l > 0.1 -> F(l)A(l*r, w)         with parameters, and a condition
 //! r = 0.9                                    a constant; also: #define r 0.9
-//! ignore: +-F                                what contexts skip; or `consider:` what they see
-//! draw:                                      productions below it apply only when drawing
+//! ignore: +-F                                symbols that contexts skip; `consider:` lists the symbols they see
+//! draw:                                      the productions below apply only to the drawing
 //! // a comment                               also: # a comment
 //! ```
 //!
-//! One production a line; a name that ends with a digit may stand before it, as in `p1: F -> FF`. The arrow is `->`,
-//! `-->`, `=>` or `→`. White space is never a symbol. `*`, `ε` or nothing at all after the arrow deletes; `*` is an empty
-//! context or condition, too. A character in backquotes is a symbol, whatever it means otherwise; one that cannot be seen
-//! is written by its number, as in `` `U+0A` ``. Parentheses hold arguments where they follow their symbol directly.
-//! Everything after the last `:` of a line is the weight. An axiom may stand on several lines and has no comments.
+//! Each production has its own line; a label that ends with a digit may stand before it, as in `p1: F -> FF`. The arrow
+//! is `->`, `-->`, `=>` or `→`. White space is never a symbol. An empty successor, `*` or `ε` deletes the predecessor;
+//! `*` is also the empty context and the empty condition. A character in backquotes is always a symbol. An invisible
+//! character is written by its number, as in `` `U+0A` ``. Parentheses directly after a symbol hold its arguments. The
+//! text after the last `:` behind the arrow is the weight. An axiom may have several lines and has no comments.
 //!
-//! Arithmetic, from loose to tight: `||` or `or`, `&&` or `and`, `not`, comparisons (`=` is `==`), `+ -`, `* / %`, signs
-//! and `!`, `^`; functions as in [`Function`](crate::Function), angles in degrees.
+//! Arithmetic, from loose to tight: `||` or `or`, `&&` or `and`, `not`, comparisons (`=` is `==`), `+ -`, `* / %`,
+//! signs and `!`, `^`; functions as in [`Function`](crate::Function), angles in degrees.
 //!
-//! A left context is read along the way to the root and needs no brackets; a right context follows the axis and may
-//! write branches in `[ ]` (ABOP, section 1.8). A symbol with another number of parameters is another letter.
+//! A left context follows the path to the root and has no brackets. A right context follows the axis and may contain
+//! branches in `[ ]` (ABOP, section 1.8). The same symbol with a different number of parameters is a different letter.
 
 pub(crate) mod arrow;
 pub(crate) mod constants;
@@ -36,7 +36,7 @@ use crate::{Diagnostic, Field, Grammar, Kind, LimitName, MAX_TEXT, Module, Role}
 use constants::Constants;
 use core::ops::Range;
 
-/// Reads an axiom and rules. The grammar holds what could be read; it is usable when no diagnostic is an error.
+/// Reads an axiom and rules. The grammar holds all readable parts; it is usable if no diagnostic is an error.
 ///
 /// ```
 /// let (grammar, diagnostics) = lsystem_syntax::parse("F", "F -> F[+F]F");
@@ -49,41 +49,41 @@ pub fn parse(axiom: &str, rules: &str) -> (Grammar, Vec<Diagnostic>) {
     (reading.grammar, reading.diagnostics)
 }
 
-/// A word of plain characters, as course files have them: each character is a symbol, white space included.
+/// A word of plain characters, as in course files: each character is a symbol, including white space.
 #[must_use]
 pub fn plain_word(text: &str) -> Vec<Module> {
     text.chars().map(Module::from).collect()
 }
 
-/// A grammar together with where its parts stand in the text.
+/// A grammar, its diagnostics, and the spans of its parts in the text, in bytes.
 #[derive(Clone, Debug, Default)]
 pub struct Reading {
-    /// What the texts say.
+    /// The grammar.
     pub grammar: Grammar,
-    /// What is wrong or doubtful.
+    /// Errors and warnings.
     pub diagnostics: Vec<Diagnostic>,
-    /// By module of the axiom.
+    /// The spans of the axiom's modules.
     pub axiom: Vec<Range<usize>>,
-    /// By production.
+    /// The spans of each production.
     pub productions: Vec<Places>,
-    /// By production below `draw:`.
+    /// The spans of each production below `draw:`.
     pub images: Vec<Places>,
 }
 
-/// Where the modules of a production stand.
+/// The spans of a production's modules, in bytes.
 #[derive(Clone, Debug, Default)]
 pub struct Places {
-    /// By module of the left context.
+    /// The modules of the left context.
     pub left: Vec<Range<usize>>,
     /// The strict predecessor.
     pub predecessor: Range<usize>,
-    /// By module of the right context.
+    /// The modules of the right context.
     pub right: Vec<Range<usize>>,
-    /// By module of the successor.
+    /// The modules of the successor.
     pub successor: Vec<Range<usize>>,
 }
 
-/// Reads an axiom and rules, keeping all places.
+/// Reads an axiom and rules with the spans of all parts.
 pub fn read(axiom: &str, rules: &str) -> Reading {
     let mut constants = Constants::default();
     let mut notes = [Notes::new(Field::Axiom), Notes::new(Field::Rules)];
@@ -95,7 +95,7 @@ pub fn read(axiom: &str, rules: &str) -> Reading {
     reading
 }
 
-/// Reads both texts, what there is to say of them into `notes`.
+/// Reads an axiom and rules. The diagnostics go to `notes`, first the axiom's, then the rules'.
 pub(crate) fn read_with(axiom: &str, rules: &str, constants: &mut Constants, notes: &mut [Notes; 2]) -> Reading {
     let mut reading = Reading::default();
     let [notes, rules_notes] = notes;
@@ -111,7 +111,7 @@ pub(crate) fn read_with(axiom: &str, rules: &str, constants: &mut Constants, not
     reading
 }
 
-/// Whether `text` is within [`MAX_TEXT`]; noted otherwise.
+/// Whether `text` has at most [`MAX_TEXT`] bytes; noted otherwise.
 pub fn is_short_enough(text: &str, notes: &mut Notes) -> bool {
     let short = text.len() <= MAX_TEXT;
     if !short {
@@ -120,7 +120,7 @@ pub fn is_short_enough(text: &str, notes: &mut Notes) -> bool {
     short
 }
 
-/// The lines of a text with their places, without the line ends.
+/// The spans of a text's lines without the line ends, in bytes.
 pub(crate) fn lines(text: &str) -> impl Iterator<Item = Range<usize>> {
     let mut from = 0;
     text.split(['\n', '\r']).map(move |line| {

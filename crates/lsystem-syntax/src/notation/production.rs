@@ -10,31 +10,31 @@ use crate::sorted::{repeated, set};
 use crate::{Class, Code, Expr, Kind, LimitName, MAX_CONTEXT, Pattern, Production, Role};
 use core::ops::Range;
 
-/// A line with an arrow, to be read when all constants are known.
+/// A line with an arrow. Such lines are read after all constants.
 pub(super) struct Line {
     pub(super) tokens: Vec<Token>,
-    /// Among the tokens.
+    /// The arrow's range among the tokens.
     pub(super) arrow: Range<usize>,
-    /// Of the line, in bytes.
+    /// The end of the line in the text, in bytes.
     pub(super) end: usize,
-    /// Whether it stands below `draw:`.
+    /// Whether the line stands below `draw:`.
     pub(super) drawing: bool,
 }
 
-/// Reads `line` into `reading`, where it is sound enough.
+/// Reads a production into `reading`. A line without a single predecessor is only noted.
 pub(super) fn read(line: &Line, constants: &mut Constants, reading: &mut Reading, notes: &mut Notes) {
     let Line { tokens, arrow, end, drawing } = line;
     let (before, after) = (&tokens[..arrow.start], &tokens[arrow.end..]);
     let is_double = tokens[arrow.start].is('=');
     let arrow = span_of(&tokens[arrow.clone()], *end);
-    let (head, condition) = match outside(before, ':').next() {
+    let (head, condition) = match outside_parentheses(before, ':').next() {
         Some(colon) => (&before[..colon], Some(&before[colon..])),
         None => (before, None),
     };
     if condition.is_some() && is_double && super::arrow::find(after).is_some() {
         return notes.add(Kind::ArrowForComparison, arrow);
     }
-    let (successor, weight) = match outside(after, ':').last() {
+    let (successor, weight) = match outside_parentheses(after, ':').last() {
         Some(colon) => (&after[..colon], Some(&after[colon..])),
         None => (after, None),
     };
@@ -48,22 +48,24 @@ pub(super) fn read(line: &Line, constants: &mut Constants, reading: &mut Reading
         notes.add(Kind::DrawContext, span);
     }
     let mut scope = Scope { parameters, constants };
-    // What is wrong in an expression is noted; that there is one counts nevertheless.
-    let wrong = || Expr::Number(1.0);
+    // A wrong expression is noted, and replaced so that the production still has a condition or a weight.
+    let placeholder = || Expr::Number(1.0);
     let condition = condition.filter(|tokens| !is_star(tokens) && has_head).map(|tokens| {
         let read = expression::read(tokens, arrow.start, Role::Condition, &mut scope, notes);
-        let Some(condition) = read else { return wrong() };
+        let Some(condition) = read else { return placeholder() };
         if let Ok(Code::Constant(value)) = expression::code(&condition, &mut scope) {
             notes.add(Kind::ConditionConstant { holds: value != 0.0 }, span_of(tokens, arrow.start));
         }
         condition
     });
-    note_slips(successor, *end, notes);
+    note_misread(successor, *end, notes);
     let successor = word(successor, Role::Argument, &mut scope, notes);
     let weight = weight.map(|tokens| {
-        let Some(weight) = expression::read(tokens, *end, Role::Weight, &mut scope, notes) else { return wrong() };
+        let Some(weight) = expression::read(tokens, *end, Role::Weight, &mut scope, notes) else {
+            return placeholder();
+        };
         match expression::code(&weight, &mut scope) {
-            // A sum of weights must stay finite too.
+            // Bounded so that the sum of weights stays finite.
             Ok(Code::Constant(value)) if !(1e-100..=1e100).contains(&value) => {
                 notes.add(Kind::WeightRange { value }, span_of(tokens, *end));
             }
@@ -85,9 +87,9 @@ pub(super) fn read(line: &Line, constants: &mut Constants, reading: &mut Reading
     places_list.push(places);
 }
 
-/// Notes what stands apart in a successor and is read as symbols: a condition after `if`, a comment after `//` or `#`,
-/// and a weight at one of the ends.
-fn note_slips(tokens: &[Token], end: usize, notes: &mut Notes) {
+/// Notes words in a successor that are read as symbols but probably mean something else: a condition after `if`, a
+/// comment after `//` or `#`, and a weight at either end.
+fn note_misread(tokens: &[Token], end: usize, notes: &mut Notes) {
     let after = |found: Option<usize>| found.map_or(0, |at| at + 1);
     let compared = after(tokens.iter().rposition(|t| matches!(t.ch, '<' | '>' | '=' | '≤' | '≥')));
     let active = after(tokens.iter().rposition(|t| Class::of_symbol(t.ch) != Class::Plain));
@@ -111,7 +113,7 @@ fn note_slips(tokens: &[Token], end: usize, notes: &mut Notes) {
     }
 }
 
-/// Whether these are written like `0.5`, `(.5)` or `50%`.
+/// Whether the tokens look like a weight: `0.5`, `(.5)` or `50%`.
 fn is_weight(tokens: &[Token]) -> bool {
     let (mut digits, mut marks) = (false, false);
     for token in tokens {
@@ -125,7 +127,7 @@ fn is_weight(tokens: &[Token]) -> bool {
     digits && marks
 }
 
-/// Whether these begin with a word.
+/// Whether the tokens begin with a word: three joined letters.
 fn is_word(tokens: &[Token]) -> bool {
     (0..3).all(|at| tokens.get(at).is_some_and(|t| t.ch.is_alphabetic() && (at == 0 || t.joined)))
 }
@@ -151,7 +153,7 @@ impl Head {
         self.left.iter().chain(&self.strict).chain(&self.right)
     }
 
-    /// The names of all parameters, sorted; those that stand twice are noted.
+    /// The names of all parameters, sorted. Repeated names are noted.
     fn names(&self, notes: &mut Notes) -> Vec<&str> {
         let names =
             || self.patterns().flat_map(|(pattern, span)| pattern.parameters.iter().map(move |name| (name, span)));
@@ -172,7 +174,7 @@ impl Head {
 
 /// Reads contexts and predecessor.
 fn read_head(head: &[Token], arrow: &Range<usize>, notes: &mut Notes) -> Head {
-    let [less, greater] = ['<', '>'].map(|mark| outside(head, mark).collect::<Vec<_>>());
+    let [less, greater] = ['<', '>'].map(|mark| outside_parentheses(head, mark).collect::<Vec<_>>());
     match head {
         [] => {
             notes.add(Kind::NoPredecessor, arrow.clone());
@@ -212,7 +214,7 @@ fn read_head(head: &[Token], arrow: &Range<usize>, notes: &mut Notes) -> Head {
         1 => patterns.pop(),
         0 => {
             let at = strict.first().map_or(arrow.clone(), |_| span_of(strict, arrow.start));
-            // An unclosed parenthesis is noted already.
+            // Otherwise an unclosed parenthesis, which is noted already.
             if strict.is_empty() {
                 notes.add(Kind::NoPredecessor, at);
             }
@@ -243,7 +245,7 @@ fn context(tokens: &[Token], mark: Token, notes: &mut Notes) -> Vec<(Pattern, Ra
     patterns.into_iter().zip(spans).collect()
 }
 
-/// Notes brackets that make no sense in contexts.
+/// Notes misplaced brackets in contexts.
 fn check_contexts(left: &[(Pattern, Range<usize>)], right: &[(Pattern, Range<usize>)], notes: &mut Notes) {
     for (pattern, span) in left {
         if matches!(pattern.symbol, '[' | ']') {
@@ -266,8 +268,8 @@ fn check_contexts(left: &[(Pattern, Range<usize>)], right: &[(Pattern, Range<usi
     }
 }
 
-/// The places of `ch` outside parentheses.
-fn outside(tokens: &[Token], ch: char) -> impl Iterator<Item = usize> {
+/// The indices of the tokens `ch` outside parentheses.
+fn outside_parentheses(tokens: &[Token], ch: char) -> impl Iterator<Item = usize> {
     let mut depth = 0_usize;
     tokens.iter().enumerate().filter_map(move |(at, t)| {
         depth = (depth + usize::from(t.is('('))).saturating_sub(usize::from(t.is(')')));
@@ -275,7 +277,7 @@ fn outside(tokens: &[Token], ch: char) -> impl Iterator<Item = usize> {
     })
 }
 
-/// Whether these stand for no condition.
+/// Whether the tokens are `*`, the empty condition.
 fn is_star(tokens: &[Token]) -> bool {
     matches!(tokens, [only] if only.is('*'))
 }

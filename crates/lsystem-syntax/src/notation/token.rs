@@ -5,32 +5,32 @@ use crate::characters::{is_blank, look_alike};
 use crate::notes::Notes;
 use core::ops::Range;
 
-/// One character that means something.
+/// One character other than white space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Token {
     /// The character, after look-alikes are replaced.
     pub(crate) ch: char,
-    /// Whether it stood in backquotes and so is a symbol, whatever it looks like.
+    /// Whether the character stood in backquotes and is therefore always a symbol.
     pub(crate) literal: bool,
-    /// Whether it follows the token before it directly, without white space.
+    /// Whether no white space separates the token from the token before.
     pub(crate) joined: bool,
     start: u32,
     end: u32,
 }
 
 impl Token {
-    /// Its place in the text, in bytes.
+    /// The token's span in the text, in bytes.
     pub(crate) fn span(self) -> Range<usize> {
         self.start as usize..self.end as usize
     }
 
-    /// Whether it is this character and not a literal.
+    /// Whether the token is this character and not a literal.
     pub(crate) fn is(self, ch: char) -> bool {
         self.ch == ch && !self.literal
     }
 }
 
-/// From the start of the first to the end of the last; `otherwise` where there are none.
+/// The span from the first token to the last, in bytes; empty at `otherwise` if there are no tokens.
 pub(crate) fn span_of(tokens: &[Token], otherwise: usize) -> Range<usize> {
     match tokens {
         [] => otherwise..otherwise,
@@ -39,12 +39,12 @@ pub(crate) fn span_of(tokens: &[Token], otherwise: usize) -> Range<usize> {
     }
 }
 
-/// The characters that tokens stand for, without white space.
+/// An excerpt of the tokens' characters, without white space.
 pub(crate) fn text_of(tokens: &[Token]) -> String {
     crate::notes::excerpt(&tokens.iter().map(|t| t.ch).collect::<String>())
 }
 
-/// The part of `text` at `range`, as tokens. Look-alikes and broken literals are noted.
+/// The tokens of `text` in `range`, in bytes. Look-alikes and broken literals are noted.
 pub(crate) fn tokens(text: &str, range: Range<usize>, notes: &mut Notes) -> Vec<Token> {
     let mut found = Vec::new();
     let mut at = range.start;
@@ -90,15 +90,15 @@ struct Broken {
     length: usize,
 }
 
-/// Reads what follows an opening backquote: the character and the bytes up to and with the closing one. A character
-/// that cannot be seen may be written by its number, as in `` `U+0A` ``.
+/// Reads the text after an opening backquote. Returns the character and the number of bytes including the closing
+/// backquote. A character may be written by its number, as in `` `U+0A` ``.
 fn literal(rest: &str) -> Result<(char, usize), Broken> {
     let mut chars = rest.chars();
     let (first, after) = (chars.next(), chars.next());
     if let (Some(ch), Some('`')) = (first, after) {
         return Ok((ch, ch.len_utf8() + 1));
     }
-    // The partner is looked for nearby only: a literal is short, and a lone backquote must not cost a long search.
+    // The search is short: literals are short, and many lone backquotes must not cost long searches.
     const LONGEST: usize = 16;
     let Some(length) = rest.bytes().take(LONGEST).position(|b| b == b'`') else {
         return Err(Broken { kind: Kind::LiteralUnclosed, length: 0 });

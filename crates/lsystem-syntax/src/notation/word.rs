@@ -1,4 +1,4 @@
-//! Words: axioms and successors, and what stands in a production's contexts.
+//! Words: axioms, successors, predecessors and contexts.
 
 use super::arrow;
 use super::expression::{self, Names};
@@ -7,24 +7,24 @@ use crate::notes::Notes;
 use crate::{Class, Expr, Kind, LimitName, MAX_PARAMETERS, Module, Pattern, Role};
 use core::ops::Range;
 
-/// The modules of a word and where each stands.
+/// The modules of a word, and each module's span in the text, in bytes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Word {
     pub(crate) modules: Vec<Module>,
     pub(crate) spans: Vec<Range<usize>>,
 }
 
-/// Reads a word, the axiom or a successor as the `role` of its arguments says. `*` or `ε` alone is the empty word; an
-/// arrow that stands apart is noted.
+/// Reads an axiom or a successor; `role` is the role of its arguments. `*` or `ε` alone is the empty word. A separate
+/// arrow is noted.
 pub(crate) fn word(tokens: &[Token], role: Role, names: &mut dyn Names, notes: &mut Notes) -> Word {
     let mut word = Word::default();
     if is_empty(tokens) {
         return word;
     }
-    if let Some(arrow) = stray(tokens) {
+    if let Some(arrow) = stray_arrow(tokens) {
         notes.add(if role == Role::Axiom { Kind::ArrowInAxiom } else { Kind::SecondArrow }, arrow);
     }
-    pieces(tokens, notes, |notes, token, inside, span| {
+    for_each_module(tokens, notes, |notes, token, inside, span| {
         if !token.literal {
             notes.class(Class::of_symbol(token.ch), token.span());
         }
@@ -39,7 +39,7 @@ pub(crate) fn word(tokens: &[Token], role: Role, names: &mut dyn Names, notes: &
 /// context.
 pub(crate) fn patterns(tokens: &[Token], notes: &mut Notes) -> (Vec<Pattern>, Vec<Range<usize>>) {
     let (mut patterns, mut spans) = (Vec::new(), Vec::new());
-    pieces(tokens, notes, |notes, token, inside, span| {
+    for_each_module(tokens, notes, |notes, token, inside, span| {
         let parameters = inside.map_or(Vec::new(), |inside| parameters(inside, &span, notes));
         patterns.push(Pattern { symbol: token.ch, parameters });
         spans.push(span);
@@ -47,16 +47,16 @@ pub(crate) fn patterns(tokens: &[Token], notes: &mut Notes) -> (Vec<Pattern>, Ve
     (patterns, spans)
 }
 
-/// Whether these stand for the empty word or context.
+/// Whether the tokens are the empty word or context.
 pub(crate) fn is_empty(tokens: &[Token]) -> bool {
     matches!(tokens, [] | [Token { ch: '*' | 'ε', literal: false, .. }])
 }
 
-/// Hands over each symbol with what stands in the parentheses directly after it, and where both stand.
-fn pieces(
+/// Calls `module` for each symbol with the tokens in the parentheses directly after it, and the span of both.
+fn for_each_module(
     tokens: &[Token],
     notes: &mut Notes,
-    mut piece: impl FnMut(&mut Notes, Token, Option<&[Token]>, Range<usize>),
+    mut module: impl FnMut(&mut Notes, Token, Option<&[Token]>, Range<usize>),
 ) {
     let mut at = 0;
     while let Some(&token) = tokens.get(at) {
@@ -65,7 +65,7 @@ fn pieces(
             notes.add(Kind::ParenthesisSymbol { symbol: token.ch }, token.span());
         }
         let Some(open) = tokens.get(at).filter(|t| t.is('(') && t.joined) else {
-            piece(notes, token, None, token.span());
+            module(notes, token, None, token.span());
             continue;
         };
         let Some(length) = closing(&tokens[at..]) else {
@@ -73,11 +73,11 @@ fn pieces(
         };
         let inside = &tokens[at + 1..at + length];
         at += length + 1;
-        piece(notes, token, Some(inside), token.span().start..tokens[at - 1].span().end);
+        module(notes, token, Some(inside), token.span().start..tokens[at - 1].span().end);
     }
 }
 
-/// The parts of `inside` between commas that are in no parentheses, and where each ends.
+/// The parts of `inside` between commas, except commas in parentheses, and the end of each part in bytes.
 fn parts(inside: &[Token]) -> impl Iterator<Item = (&[Token], usize)> {
     let mut depth = 0_usize;
     let mut at = 0;
@@ -96,7 +96,7 @@ fn parts(inside: &[Token]) -> impl Iterator<Item = (&[Token], usize)> {
     })
 }
 
-/// Whether there are parts, and not too many of them.
+/// Whether there are 1 to [`MAX_PARAMETERS`] parts; noted otherwise.
 fn is_countable(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> bool {
     if inside.is_empty() {
         notes.add(Kind::ParenthesesEmpty, span.clone());
@@ -115,7 +115,7 @@ fn arguments(inside: &[Token], span: &Range<usize>, role: Role, names: &mut dyn 
         return Vec::new();
     }
     parts(inside)
-        // What is wrong is noted; the number of arguments is right nevertheless.
+        // A wrong argument is noted, and replaced so that the number of arguments stays right.
         .map(|(part, end)| expression::read(part, end, role, names, notes).unwrap_or(Expr::Number(0.0)))
         .collect()
 }
@@ -136,7 +136,7 @@ fn parameters(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> Vec<S
         .collect()
 }
 
-/// The distance from the parenthesis that opens `tokens` to the one that closes it.
+/// The index of the `)` that closes the `(` at the start of `tokens`.
 fn closing(tokens: &[Token]) -> Option<usize> {
     let mut depth = 0_usize;
     tokens.iter().position(|t| {
@@ -146,8 +146,8 @@ fn closing(tokens: &[Token]) -> Option<usize> {
     })
 }
 
-/// An arrow with white space on both sides, or one that is no plain characters: nobody means symbols by it.
-fn stray(tokens: &[Token]) -> Option<Range<usize>> {
+/// An arrow that cannot be meant as symbols: with white space on both sides, or `→`.
+fn stray_arrow(tokens: &[Token]) -> Option<Range<usize>> {
     let mut at = 0;
     while at < tokens.len() {
         let Some(length) = arrow::length(&tokens[at..]) else {

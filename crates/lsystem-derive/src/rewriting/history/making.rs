@@ -1,4 +1,4 @@
-//! Deriving the generations of a history, and taking down what becomes of their modules.
+//! Deriving the generations of a history, and recording their steps.
 
 use super::super::choices::{Choice, Choices};
 use super::super::image::Image;
@@ -8,7 +8,7 @@ use super::{History, Kept, PIECE, SPARE, State, Step, Sums, made_of};
 use lsystem_syntax::{Meter, Progress};
 
 impl History {
-    /// A piece of work.
+    /// Does one piece of work.
     pub(super) fn piece(&mut self, meter: &mut Meter) -> Progress {
         let outcome = match &mut self.state {
             State::Done => return Progress::Done,
@@ -30,7 +30,7 @@ impl History {
         Progress::More
     }
 
-    /// Takes so many bytes more, if there are as many beside what the rewriter holds.
+    /// Claims `bytes` more for the records, if the limit allows them beside the rewriter's memory.
     fn take(&mut self, bytes: u64, rewriter: &mut Rewriter) -> Option<()> {
         self.bytes = self.bytes.saturating_add(bytes);
         let left = self.memory.checked_sub(self.bytes.saturating_add(SPARE))?;
@@ -40,14 +40,14 @@ impl History {
 
     fn begin_sum(&mut self) -> Option<()> {
         let State::Derive(mut rewriter) = core::mem::replace(&mut self.state, State::Done) else { return None };
-        let choices = rewriter.noted()?;
+        let choices = rewriter.take_record()?;
         let sums = Sums::of(*self.lengths.last()?);
         self.take(choices.bytes() + sums.bytes(), &mut rewriter)?;
         self.state = State::Sum(rewriter, Step { choices, sums: sums.ready() });
         Some(())
     }
 
-    /// Counts what the step that ended made, and takes it down.
+    /// Counts the modules that the last step made, and records the step.
     fn sum(&mut self, meter: &mut Meter) -> Option<()> {
         let State::Sum(_, Step { choices, sums }) = &mut self.state else { return None };
         let former = *self.lengths.last()?;
@@ -65,7 +65,7 @@ impl History {
         self.begin_keep(rewriter)
     }
 
-    /// Takes the memory for a generation, where it is to be kept.
+    /// Reserves memory for a generation, if generations are kept.
     pub(super) fn begin_keep(&mut self, mut rewriter: Box<Rewriter>) -> Option<()> {
         if self.words.is_none() {
             self.state = State::Derive(rewriter);
@@ -121,7 +121,7 @@ impl History {
         self.rules.images.iter().any(|images| !images.is_empty())
     }
 
-    /// Counts what the last generation draws; nothing more to do at its end.
+    /// Counts the segments of the last generation. Returns `None` at its end.
     fn count(&mut self, meter: &mut Meter) -> Option<()> {
         let imagined = self.has_images();
         let State::Count { rewriter, sums, choices, argument } = &mut self.state else { return None };
@@ -151,7 +151,7 @@ impl History {
     }
 }
 
-/// How many modules may be looked at before the meter is looked at again.
+/// The number of modules to handle before the next check of the meter.
 fn left(meter: &Meter) -> usize {
     usize::try_from(meter.left()).unwrap_or(usize::MAX).clamp(1, PIECE)
 }

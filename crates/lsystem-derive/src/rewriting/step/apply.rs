@@ -9,7 +9,7 @@ use core::ops::Range;
 use lsystem_syntax::{LimitName, Meter};
 
 impl Rewriter {
-    /// Goes on in the pass that makes the next generation.
+    /// Does one piece of the rightward pass, which makes the next generation.
     pub(super) fn rightward(
         &mut self,
         start: usize,
@@ -39,8 +39,8 @@ impl Rewriter {
         Ok(())
     }
 
-    /// Rewrites as many modules by the table as there is room for, one at least. Returns the place of the first that it
-    /// has left.
+    /// Rewrites modules by the table, as many as there is room for, but at least one. Returns the place of the next
+    /// module.
     fn by_table(&mut self, Range { start, end }: Range<usize>) -> Result<usize, Fault> {
         let Some(table) = &self.plan.table else { return Ok(end) };
         let contexts = self.plan.contexts;
@@ -63,8 +63,8 @@ impl Rewriter {
         Ok(end)
     }
 
-    /// Rewrites modules one by one, until the meter is spent; `arguments` is where theirs are. Returns the place of the
-    /// first that it has left.
+    /// Rewrites modules one by one until the meter is spent. `arguments` is the index of their first argument. Returns
+    /// the place of the next module.
     fn by_rules(
         &mut self,
         Range { start, end }: Range<usize>,
@@ -73,9 +73,9 @@ impl Rewriter {
     ) -> Result<usize, Fault> {
         let mut place = start;
         while place < end && (place == start || !meter.is_spent()) {
-            // What stays is copied in runs.
+            // Modules that stay are copied in runs.
             let (run, run_arguments) = (place, *arguments);
-            place = self.pass_by(place..end, arguments);
+            place = self.skip_inert(place..end, arguments);
             if place > run {
                 self.fit(place - run, *arguments - run_arguments)?;
                 if let Some(record) = &mut self.record {
@@ -97,8 +97,8 @@ impl Rewriter {
         Ok(place)
     }
 
-    /// Passes by the modules that no production rewrites, up to the first of another letter.
-    fn pass_by(&mut self, Range { start, end }: Range<usize>, arguments: &mut usize) -> usize {
+    /// Skips modules without a production. Returns the place of the first module that has one.
+    fn skip_inert(&mut self, Range { start, end }: Range<usize>, arguments: &mut usize) -> usize {
         let Self { plan, word, neighbours, .. } = self;
         let mut place = start;
         while place < end && plan.inert[usize::from(word.letters[place])] {

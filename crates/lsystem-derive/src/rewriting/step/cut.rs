@@ -3,13 +3,13 @@
 use super::super::context::Role;
 use super::super::modules::Modules;
 use super::super::room::{room_for, while_growing};
-use super::{Fault, Record, Rewriter, Shears};
+use super::{Cutting, Fault, Record, Rewriter};
 use core::ops::Range;
 
 impl Rewriter {
-    /// Goes on for `budget` modules leaving out of the word what its symbols cut off: each, and all that follows it up to
-    /// the end of its branch (ABOP's `%`). Says whether the end is reached.
-    pub(super) fn cut(&mut self, shears: &mut Shears, budget: usize) -> Result<bool, Fault> {
+    /// Handles `budget` modules of the cut. A cutting symbol removes itself and all modules after it up to the end of
+    /// its branch (ABOP's `%`). Returns whether the end of the word is reached.
+    pub(super) fn cut(&mut self, cutting: &mut Cutting, budget: usize) -> Result<bool, Fault> {
         if let Some(record) = self.record.as_ref().filter(|record| record.kept.capacity() - record.kept.len() < budget)
         {
             let more = room_for(record.kept.len() + budget) - record.kept.len();
@@ -19,10 +19,10 @@ impl Rewriter {
             }
         }
         let Self { plan, word, record, .. } = self;
-        let Shears { at: (at, argument), kept: (kept, kept_arguments), cut } = shears;
+        let Cutting { at: (at, argument), kept: (kept, kept_arguments), cut } = cutting;
         let end = (*at + budget).min(word.letters.len());
         let (from, from_argument) = (*at, *argument);
-        // Modules are kept in runs.
+        // Modules move in runs.
         let (mut run, mut run_arguments) = (from, from_argument);
         let mut keep = |word: &mut Modules, run: usize, run_arguments: usize, at: usize, argument: usize| {
             if let Some(record) = record.as_mut().filter(|_| run < at) {
@@ -61,7 +61,8 @@ impl Rewriter {
 }
 
 impl Record {
-    /// Notes what is cut off before the module at `place` of those that are kept; up to which of these nothing more is.
+    /// Records the modules cut off before the kept module at `place`. Returns the end of that module's range, counted
+    /// in kept modules: up to there nothing more is cut off.
     pub(super) fn note_cut(&mut self, place: usize) -> usize {
         let (run, before) = &mut self.run;
         while let Some(kept) = self.kept.get(*run) {
