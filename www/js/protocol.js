@@ -112,7 +112,7 @@ export {};
 /**
  * A picture of a state (`id`) and a view. One that is not `complete` is coarse, and finer ones follow while nothing changes;
  * `scale` is in device pixels per fitted extent at zoom 1; `rough` tells that not every line is in its place, for good;
- * `slow` that mates help, or would; `pose` is null where all segments are shown.
+ * `slow` that mates help, or would, with a drawing in space; `pose` is null where all segments are shown.
  * @typedef {{type: 'drawn', id: number, viewId: number, complete: boolean, scale: number, rough: boolean, slow: boolean, bitmap: ImageBitmap, pose: Pose | null}} Picture
  */
 /** No picture is to come for a state and a view. @typedef {{type: 'done', id: number, viewId: number}} Done */
@@ -128,7 +128,7 @@ export {};
  * From a worker to its mate: a pane to make, with the state unless the mate has it. Another `round` ends what is under way.
  * @typedef {{round: number, pane: Pane, state: SharedState | null} | {round: 0, pane: null, state: null}} ToMate
  */
-/** What the pane took, and how good it is. @typedef {{work: number, poor: boolean, rough: boolean}} Outcome */
+/** What the pane took, and whether something had to go without. @typedef {{work: number, poor: boolean}} Outcome */
 /** A mate's answer to every pane; without `made` where it was not made. `memory` is that of its wasm, in bytes. @typedef {{pane: Pane, round: number, memory: number, made: {outcome: Outcome, pixels: Uint8Array<ArrayBuffer>} | null}} FromMate */
 
 /**

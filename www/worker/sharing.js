@@ -1,6 +1,6 @@
 /**
- * How the page's worker shares a picture that takes long with mates, workers of the same script. They hear from it alone,
- * through a port, and every pane that it hands out is answered, be it with nothing; what is not answered it makes itself.
+ * How the page's worker shares a picture in space that takes long with mates, workers of the same script. They hear from it
+ * alone, through a port, and every pane that it hands out is answered, be it with nothing; what is not answered it makes itself.
  * Both sides of that stand here.
  */
 
@@ -71,7 +71,7 @@ export function createSharing({ canvas, playground, guard, wake, shown, memory }
     function receive(mate, { round: dealt, pane, made, memory: bytes }) {
         mate.memory = bytes;
         mate.owed -= 1;
-        if (made && playground.takeIn(dealt, pane.number, made.outcome.work, made.outcome.poor, made.outcome.rough)) {
+        if (made && playground.takeIn(dealt, pane.number, made.outcome.work, made.outcome.poor)) {
             const image = new ImageData(new Uint8ClampedArray(made.pixels.buffer), pane.width, pane.height);
             canvas.getContext('2d')?.putImageData(image, pane.x, pane.y);
         }
@@ -144,8 +144,8 @@ export function createMate({ master, playground, wake, lookAt, memory, stepMs })
         }
         const spent = playground.stepPane(stepMs);
         if (spent) {
-            const [work, poor, rough] = spent;
-            deliver(work === undefined ? null : { work, poor: poor !== 0, rough: rough !== 0 });
+            const [work, poor] = spent;
+            deliver(work === undefined ? null : { work, poor: poor !== 0 });
         }
         if (tasks.length > 0) wake();
     };

@@ -2,14 +2,10 @@
 
 use crate::viewer::Scene;
 use lsystem::DensityRenderer;
-use lsystem::render::{Detail, RenderStats};
-use lsystem::render::{Pane, Pass, Spent};
+use lsystem::render::{Detail, Pane, Pass, RenderStats};
 use lsystem::syntax::Ink;
 use lsystem::{Drawing, PlaneRenderer, Progress, Renderer, Style, Viewport};
 use std::sync::Arc;
-
-/// A picture that needs more tiles than this is mostly made of them.
-const TILES: u64 = 100;
 
 /// A renderer for one of the inks.
 enum Maker {
@@ -124,18 +120,6 @@ impl Brush {
     pub(crate) fn is_rough(&self) -> bool {
         let RenderStats { outlines, parts, .. } = self.maker.get().stats();
         outlines + parts > 0
-    }
-
-    /// Whether pictures of parts were made for it, enough to tell.
-    pub(crate) fn has_tiles(&self) -> bool {
-        let RenderStats { tiles, parts, .. } = self.maker.get().stats();
-        tiles + parts > TILES
-    }
-
-    /// What it has taken: steps of any kind.
-    pub(crate) fn spent(&self) -> Spent {
-        let RenderStats { blocks, strokes, stamps, .. } = self.maker.get().stats();
-        Spent { work: (blocks + strokes + stamps) as f64, poor: false }
     }
 
     /// The picture so far.

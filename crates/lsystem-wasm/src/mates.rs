@@ -1,7 +1,9 @@
-//! What workers tell each other who make a picture together: one shows it and hands out panes, its mates make them.
-//! Numbers travel as arrays, which ports take as they are.
+//! What workers tell each other who make a picture in space together: one shows it and hands out panes, its mates make
+//! them. Numbers travel as arrays, which ports take as they are.
 
 use crate::playground::Playground;
+use crate::sharing::Sharing;
+use crate::viewer::Realm;
 use lsystem::render::{Pane, Spent};
 use wasm_bindgen::prelude::*;
 
@@ -19,8 +21,8 @@ impl Playground {
         self.shared().map_or(0, |(sharing, _)| sharing.round)
     }
 
-    /// A pane for a mate, if there are more than `kept` left: `[number, x, y, width, height, budget]`, in pixels; the budget is what a
-    /// picture in space may show.
+    /// A pane for a mate, if there are more than `kept` left: `[number, x, y, width, height, budget]`, in pixels; the
+    /// budget is what the picture may show.
     #[wasm_bindgen(js_name = handOut)]
     pub fn hand_out(&mut self, kept: usize) -> Option<Vec<f64>> {
         let (sharing, budget) = self.shared()?;
@@ -38,9 +40,9 @@ impl Playground {
     /// A mate has made a pane; what it took is as [`Playground::step_pane`] tells. Whether its pixels are wanted on the
     /// canvas.
     #[wasm_bindgen(js_name = takeIn)]
-    pub fn take_in(&mut self, round: u32, number: usize, work: f64, poor: bool, rough: bool) -> bool {
+    pub fn take_in(&mut self, round: u32, number: usize, work: f64, poor: bool) -> bool {
         self.shared()
-            .is_some_and(|(sharing, _)| sharing.round == round && sharing.take_in(number, Spent { work, poor }, rough))
+            .is_some_and(|(sharing, _)| sharing.round == round && sharing.take_in(number, Spent { work, poor }))
     }
 
     /// As a mate: begins a pane of the picture that was defined and viewed last.
@@ -49,8 +51,8 @@ impl Playground {
         self.pane = Some((Pane { x, y, width, height }, budget));
     }
 
-    /// As a mate: works at the pane for about `budget` milliseconds; when it is there, `[work, poor, rough]`, what it
-    /// took, and 1 for true. Nothing before, and an empty array where it cannot be made.
+    /// As a mate: works at the pane for about `budget` milliseconds; when it is there, `[work, poor]`, what it took, and 1
+    /// where something had to go without. Nothing before, and an empty array where it cannot be made.
     #[wasm_bindgen(js_name = stepPane)]
     pub fn step_pane(&mut self, budget: f64) -> Option<Vec<f64>> {
         let end = self.clock.now() + budget;
@@ -65,24 +67,32 @@ impl Playground {
     /// As a mate: the pixels of the pane, RGBA.
     #[wasm_bindgen(js_name = panePixels)]
     pub fn pane_pixels(&self) -> js_sys::Uint8Array {
-        self.shown.map_or(&[][..], |realm| self.views.get(realm).pane_pixels()).into()
+        self.views.solid.pane_pixels().into()
     }
 }
 
 impl Playground {
+    /// The panes that mates may help with, and the picture's budget, while one is made that is still wanted.
+    fn shared(&mut self) -> Option<(&mut Sharing, f32)> {
+        if self.stale || !self.built() || self.shown != Some(Realm::Space) {
+            return None;
+        }
+        self.views.solid.sharing()
+    }
+
     fn go_on_with_pane(&mut self) -> Option<Vec<f64>> {
         if self.go_on_building() {
             return None;
         }
-        let (Some(scene), Some(realm), false) = (self.scene(), self.shown, self.refused) else {
+        let (Some(scene), Some(Realm::Space), false) = (self.scene(), self.shown, self.refused) else {
             return Some(vec![]);
         };
-        let view = self.views.at(realm);
+        let view = &mut self.views.solid;
         if let Some((pane, budget)) = self.pane.take() {
             view.begin_pane(scene, pane, budget);
             return None;
         }
-        let (Spent { work, poor }, rough) = view.step_pane()?;
-        Some(vec![work, f64::from(poor), f64::from(rough)])
+        let Spent { work, poor } = view.step_pane()?;
+        Some(vec![work, f64::from(poor)])
     }
 }

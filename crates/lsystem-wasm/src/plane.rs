@@ -4,14 +4,11 @@ use crate::brush::Brush;
 use crate::budget::affordable;
 use crate::clock::Clock;
 use crate::report::Report;
-use crate::sharing::{Sharing, Turn};
 use crate::surface::Surface;
-use crate::viewer::{Drawn, SLOW, Scene, Viewer, WORK, describe_drawing, go_on};
-use crate::viewer::{NOTHING, Snapshot};
+use crate::viewer::{Drawn, NOTHING, Scene, Snapshot, Viewer, WORK, describe_drawing, go_on};
 use lsystem::Viewport;
 use lsystem::derive::Counter;
-use lsystem::render::{Detail, fitted_scale};
-use lsystem::render::{Pane, Pass, Spent};
+use lsystem::render::{Detail, Pane, Pass, fitted_scale};
 use lsystem::syntax::Ink;
 use lsystem::{Diagnostic, Drawer, Drawing, Limits, Progress, System};
 use std::sync::Arc;
@@ -45,10 +42,6 @@ pub(crate) struct PlaneView {
     spent: f64,
     /// How many pictures are to be begun coarse, because a fine one took too long to wait for it.
     sketches: u8,
-    sharing: Sharing,
-    /// Whether the picture before took long, and whether it was made of tiles.
-    slow: bool,
-    tiled: bool,
 }
 
 /// How far a picture is.
@@ -58,8 +51,6 @@ enum Stage {
     Coarse { begun: bool },
     /// The fine picture is being made; a coarse one is shown already or need not be.
     Fine { sketched: bool },
-    /// It is being made together with mates.
-    Shared,
     /// It is shown.
     Done,
 }
@@ -75,9 +66,6 @@ impl Default for PlaneView {
             stage: Stage::Done,
             spent: 0.0,
             sketches: 0,
-            sharing: Sharing::default(),
-            slow: false,
-            tiled: false,
         }
     }
 }
@@ -146,39 +134,13 @@ impl Viewer for PlaneView {
                     self.sketches = if self.spent > PATIENCE { SKETCHES } else { 0 };
                     self.stage = Stage::Done;
                     surface.show(self.fine.pixels(), viewport)?;
-                    (self.slow, self.tiled) = (self.spent > SLOW, self.fine.has_tiles());
-                    let slow = self.slow && !self.tiled && can_share(drawing, scene);
-                    return Ok(Some(Drawn { complete: true, scale, moving: false, rough: self.fine.is_rough(), slow }));
+                    let rough = self.fine.is_rough();
+                    return Ok(Some(Drawn { complete: true, scale, moving: false, rough, slow: false }));
                 }
                 if self.spent > PATIENCE {
                     self.sketches = SKETCHES;
                     if !sketched {
                         self.begin_coarse(true);
-                        return Ok(None);
-                    }
-                    if scene.mates > 0 && self.slow && !self.tiled && can_share(drawing, scene) {
-                        self.sharing.start(Pane::all(viewport, bands(viewport, scene.mates + 1)));
-                        self.stage = Stage::Shared;
-                    }
-                }
-                Ok(None)
-            }
-            Stage::Shared => {
-                match self.sharing.turn(clock.now()) {
-                    Turn::Begin(pane) => self.fine.begin_pane(scene, pane, Pass::Only),
-                    Turn::GoOn => {
-                        if self.fine.step(WORK) == Progress::Done {
-                            self.tiled |= self.fine.has_tiles();
-                            if let Some(pane) = self.sharing.finish(self.fine.spent(), self.fine.is_rough()) {
-                                surface.put(self.fine.pixels(), viewport, pane)?;
-                            }
-                        }
-                    }
-                    Turn::Wait => {}
-                    Turn::Done => {
-                        self.stage = Stage::Done;
-                        let rough = self.sharing.is_rough();
-                        return Ok(Some(Drawn { complete: true, scale, moving: false, rough, slow: true }));
                     }
                 }
                 Ok(None)
@@ -191,27 +153,7 @@ impl Viewer for PlaneView {
     }
 
     fn is_refining(&self) -> bool {
-        if self.stage == Stage::Shared {
-            return true;
-        }
         self.stage == Stage::Fine { sketched: true }
-    }
-
-    fn sharing(&mut self) -> Option<(&mut Sharing, f32)> {
-        (self.stage == Stage::Shared).then_some((&mut self.sharing, 0.0))
-    }
-
-    fn begin_pane(&mut self, scene: Scene, pane: Pane, _budget: f32) {
-        let scene = self.within_room(scene);
-        self.fine.begin_pane(&scene, pane, Pass::Only);
-    }
-
-    fn step_pane(&mut self) -> Option<(Spent, bool)> {
-        (self.fine.step(WORK) == Progress::Done).then(|| (self.fine.spent(), self.fine.is_rough()))
-    }
-
-    fn pane_pixels(&self) -> &[u8] {
-        self.fine.pixels()
     }
 
     fn snapshot(&self, scene: Scene) -> Result<Box<dyn Snapshot>, &'static str> {
@@ -257,19 +199,6 @@ impl Snapshot for PlaneSnapshot {
         let (band, pass) = self.part;
         pass.shows().then(|| (self.brush.pixels(), self.scene.viewport, band))
     }
-}
-
-/// Whether others can make panes of a picture: what is not shared inside they would have to build again, and the tone of
-/// ink that adds up depends on the whole.
-fn can_share(drawing: &Drawing, scene: &Scene) -> bool {
-    drawing.is_memoised() && scene.style.ink == Ink::Solid
-}
-
-/// The size of panes for so many workers: some for each, for one takes longer than another. They are as wide as the
-/// picture and whole cells of it high.
-fn bands(viewport: Viewport, workers: u32) -> [u32; 2] {
-    const EACH: u32 = 4;
-    [viewport.width, viewport.height.div_ceil(EACH * workers).next_multiple_of(CELL)]
 }
 
 impl PlaneView {

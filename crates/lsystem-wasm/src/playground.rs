@@ -40,10 +40,10 @@ pub struct Playground {
     /// How many segments the picture shows; all of them without it.
     pub(crate) upto: Option<u128>,
     /// Whether the viewer has to be told what to show.
-    stale: bool,
+    pub(crate) stale: bool,
     /// Whether the newest definition passed a limit, so that an older drawing is shown.
     pub(crate) refused: bool,
-    /// How many others help with pictures that take long.
+    /// How many others help with pictures in space that take long.
     pub(crate) mates: u32,
     /// Held by every file in the making as well.
     pub(crate) files: std::rc::Rc<()>,
@@ -286,14 +286,6 @@ impl Playground {
         let visible = self.viewport.width > 0 && self.viewport.height > 0;
         let Some(realm) = self.shown.filter(|_| visible) else { return false };
         self.stale || !self.views.get(realm).is_done()
-    }
-
-    /// The panes that mates may help with, and the picture's budget, while one is made that is still wanted.
-    pub(crate) fn shared(&mut self) -> Option<(&mut crate::sharing::Sharing, f32)> {
-        if self.stale || !self.built() {
-            return None;
-        }
-        self.views.at(self.shown?).sharing()
     }
 
     /// Goes on with the drawing that is being built, if any is.

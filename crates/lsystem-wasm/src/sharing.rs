@@ -1,4 +1,4 @@
-//! A picture that several workers make together: who makes which pane of it, here and at the mates.
+//! A picture in space that several workers make together: who makes which pane of it, here and at the mates.
 
 use core::sync::atomic::{AtomicU32, Ordering};
 use lsystem::render::{Pane, Spent};
@@ -28,8 +28,6 @@ pub(crate) struct Sharing {
     /// Whether mates are not waited for any more.
     alone: bool,
     spent: Spent,
-    /// Whether not every line is in its place in any.
-    rough: bool,
 }
 
 /// What is to be done here.
@@ -84,7 +82,7 @@ impl Sharing {
     }
 
     /// A mate has made a pane. Whether it was wanted.
-    pub(crate) fn take_in(&mut self, number: usize, spent: Spent, rough: bool) -> bool {
+    pub(crate) fn take_in(&mut self, number: usize, spent: Spent) -> bool {
         let Some(at) = self.out.iter().position(|&out| out == number) else { return false };
         self.out.remove(at);
         if self.own == Some(number) {
@@ -93,7 +91,6 @@ impl Sharing {
         self.waiting = None;
         self.work[number] = spent.work;
         self.spent.add(spent);
-        self.rough |= rough;
         true
     }
 
@@ -124,20 +121,15 @@ impl Sharing {
     }
 
     /// The pane that is made here is there; which one that is.
-    pub(crate) fn finish(&mut self, spent: Spent, rough: bool) -> Option<Pane> {
+    pub(crate) fn finish(&mut self, spent: Spent) -> Option<Pane> {
         let number = self.own?;
-        self.take_in(number, spent, rough);
+        self.take_in(number, spent);
         Some(self.panes[number])
     }
 
     /// What all panes have taken that are there.
     pub(crate) fn spent(&self) -> Spent {
         self.spent
-    }
-
-    /// Whether not every line is in its place in any of those.
-    pub(crate) fn is_rough(&self) -> bool {
-        self.rough
     }
 }
 
@@ -168,7 +160,7 @@ mod tests {
             made.push(number(&turn));
             assert_eq!(sharing.turn(0.0), Turn::GoOn);
             let spent = Spent { work: work[number(&turn) as usize], poor: made.len() == 3 };
-            sharing.finish(spent, made.len() == 4);
+            sharing.finish(spent);
         }
         assert_eq!(sharing.turn(0.0), Turn::Done);
         made
@@ -179,9 +171,7 @@ mod tests {
         let mut sharing = sharing();
         assert_eq!(make(&mut sharing, [5.0, 1.0, 2.0, 3.0, 4.0]), [2, 3, 1, 4, 0]);
         assert_eq!(sharing.spent(), Spent { work: 15.0, poor: true });
-        assert!(sharing.is_rough());
         sharing.start_again();
-        assert!(!sharing.is_rough());
         assert_eq!(make(&mut sharing, [1.0; 5]), [0, 4, 3, 2, 1]);
         sharing.start(Pane::all(VIEWPORT, [32, 80]));
         assert_eq!(sharing.hand_out(0).unwrap().0, 2);
@@ -194,11 +184,11 @@ mod tests {
         assert_eq!(handed, [2, 3, 1], "some are kept for who is free first");
         let rest: Vec<usize> = core::iter::from_fn(|| Some(sharing.hand_out(0)?.0)).collect();
         for number in handed.into_iter().chain(rest) {
-            assert!(sharing.take_in(number, Spent::default(), false));
-            assert!(!sharing.take_in(number, Spent::default(), false), "twice");
+            assert!(sharing.take_in(number, Spent::default()));
+            assert!(!sharing.take_in(number, Spent::default()), "twice");
         }
         assert_eq!(sharing.turn(0.0), Turn::Done);
-        assert!(!sharing.take_in(77, Spent::default(), false));
+        assert!(!sharing.take_in(77, Spent::default()));
     }
 
     #[test]
@@ -207,21 +197,21 @@ mod tests {
         let [lost, slow, late] = [0; 3].map(|_| sharing.hand_out(0).unwrap().0);
         for _ in 0..2 {
             assert!(matches!(sharing.turn(0.0), Turn::Begin(_)));
-            sharing.finish(Spent::default(), false);
+            sharing.finish(Spent::default());
         }
         assert_eq!(sharing.turn(10.0), Turn::Wait);
         assert!(sharing.is_waiting());
-        assert!(sharing.take_in(late, Spent::default(), false));
+        assert!(sharing.take_in(late, Spent::default()));
         assert!(!sharing.is_waiting());
         assert_eq!(sharing.turn(100.0), Turn::Wait);
         assert_eq!(sharing.turn(240.0), Turn::Wait, "there were news");
         assert_eq!(number(&sharing.turn(260.0)) as usize, slow);
         assert!(!sharing.is_waiting());
         // It answers after all, while the pane is made here.
-        assert!(sharing.take_in(slow, Spent::default(), false));
+        assert!(sharing.take_in(slow, Spent::default()));
         assert_eq!(number(&sharing.turn(270.0)) as usize, lost, "nobody waits twice");
-        assert_eq!(sharing.finish(Spent::default(), false).map(|pane| pane.y as usize / 32), Some(lost));
-        assert!(!sharing.take_in(lost, Spent::default(), false), "too late");
+        assert_eq!(sharing.finish(Spent::default()).map(|pane| pane.y as usize / 32), Some(lost));
+        assert!(!sharing.take_in(lost, Spent::default()), "too late");
         assert_eq!(sharing.turn(280.0), Turn::Done);
     }
 

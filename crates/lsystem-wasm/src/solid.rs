@@ -6,7 +6,7 @@ use crate::playground::Playground;
 use crate::report::Report;
 use crate::sharing::{Sharing, Turn};
 use crate::surface::Surface;
-use crate::viewer::{Drawn, NOTHING, SLOW, Scene, Snapshot, Viewer, WORK, describe_drawing, go_on};
+use crate::viewer::{Drawn, NOTHING, Scene, Snapshot, Viewer, WORK, describe_drawing, go_on};
 use lsystem::derive::Counter;
 use lsystem::render::{Effort, Pane, Quality, Spent, solid_scale};
 use lsystem::{Camera, Diagnostic, Drawer, Drawing, Limits, Progress, Solid, SolidRenderer, System, Viewport};
@@ -30,6 +30,8 @@ const MIDDLE: Quality = Quality(12);
 const UNKNOWN: Quality = Quality(4);
 /// Of a drawing with more than so many times the segments of the former nothing is known.
 const LIKE: u128 = 8;
+/// A picture that takes longer than so many milliseconds is one that mates would help with.
+const SLOW: f64 = 30.0;
 /// Work units between two looks at the clock while things move.
 const MOVING_WORK: usize = WORK / 4;
 
@@ -172,24 +174,6 @@ impl Viewer for SolidView {
         !self.done && !self.moving
     }
 
-    fn sharing(&mut self) -> Option<(&mut Sharing, f32)> {
-        self.shared.then_some((&mut self.sharing, self.effort.budget()))
-    }
-
-    fn begin_pane(&mut self, scene: Scene, pane: Pane, budget: f32) {
-        self.renderer.play(scene.upto);
-        let scene = self.within_room(scene);
-        self.renderer.begin_pane(&scene.style, scene.viewport, &self.camera, pane, budget);
-    }
-
-    fn step_pane(&mut self) -> Option<(Spent, bool)> {
-        (self.renderer.step(WORK) == Progress::Done).then(|| (self.renderer.effort_spent(), false))
-    }
-
-    fn pane_pixels(&self) -> &[u8] {
-        self.renderer.pixels()
-    }
-
     fn snapshot(&self, scene: Scene) -> Result<Box<dyn Snapshot>, &'static str> {
         let drawing = self.drawing.clone().ok_or(NOTHING)?;
         let scene = Scene { viewport: scene.viewport.within_limits(), ..scene };
@@ -264,6 +248,28 @@ impl Snapshot for SolidSnapshot {
 }
 
 impl SolidView {
+    /// The panes that mates may help with, if the picture is made together with them, and its budget.
+    pub(crate) fn sharing(&mut self) -> Option<(&mut Sharing, f32)> {
+        self.shared.then_some((&mut self.sharing, self.effort.budget()))
+    }
+
+    /// Starts a pane of the finest picture for others, with the budget that they tell.
+    pub(crate) fn begin_pane(&mut self, scene: Scene, pane: Pane, budget: f32) {
+        self.renderer.play(scene.upto);
+        let scene = self.within_room(scene);
+        self.renderer.begin_pane(&scene.style, scene.viewport, &self.camera, pane, budget);
+    }
+
+    /// Goes on with it; what it has taken, when it is there.
+    pub(crate) fn step_pane(&mut self) -> Option<Spent> {
+        (self.renderer.step(WORK) == Progress::Done).then(|| self.renderer.effort_spent())
+    }
+
+    /// Its pixels.
+    pub(crate) fn pane_pixels(&self) -> &[u8] {
+        self.renderer.pixels()
+    }
+
     /// With as many pixels as there is room for.
     fn within_room(&self, scene: Scene) -> Scene {
         let drawing = self.drawing.as_ref().map_or(0, |drawing| drawing.bytes() + part_bytes(drawing, &scene));
@@ -289,7 +295,7 @@ impl SolidView {
             }
             Turn::GoOn => {
                 if self.renderer.step(WORK) == Progress::Done
-                    && let Some(pane) = self.sharing.finish(self.renderer.effort_spent(), false)
+                    && let Some(pane) = self.sharing.finish(self.renderer.effort_spent())
                 {
                     surface.put(self.renderer.pixels(), viewport, pane)?;
                 }

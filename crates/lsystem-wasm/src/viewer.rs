@@ -3,19 +3,15 @@
 use crate::clock::Clock;
 use crate::plane::PlaneView;
 use crate::report::Report;
-use crate::sharing::Sharing;
 use crate::solid::SolidView;
 use crate::surface::Surface;
 use lsystem::derive::{Counter, Tally};
 use lsystem::drawing::{Space, describe};
-use lsystem::render::{Pane, Spent};
+use lsystem::render::Pane;
 use lsystem::{Diagnostic, Drawer, Drawing, Limits, Progress, Style, System, View, Viewport};
 use serde::Serialize;
 use std::sync::Arc;
 use wasm_bindgen::JsValue;
-
-/// A picture that takes longer than so many milliseconds is one that mates would help with.
-pub(crate) const SLOW: f64 = 30.0;
 
 /// Work units between two looks at the clock: well under a millisecond each.
 pub(crate) const WORK: usize = 16_384;
@@ -31,7 +27,7 @@ pub(crate) struct Scene {
     pub(crate) view: View,
     /// How many segments; all of them without it.
     pub(crate) upto: Option<u128>,
-    /// How many mates may help with it.
+    /// How many mates may help with it, in space.
     pub(crate) mates: u32,
 }
 
@@ -46,7 +42,7 @@ pub(crate) struct Drawn {
     pub(crate) moving: bool,
     /// Whether not every line is in its place, for good, because that would take too long.
     pub(crate) rough: bool,
-    /// Whether it took so long that mates would help.
+    /// Whether it is in space and took so long that mates would help.
     pub(crate) slow: bool,
 }
 
@@ -80,18 +76,6 @@ pub(crate) trait Viewer {
     fn is_refining(&self) -> bool {
         false
     }
-
-    /// The panes that mates may help with, if the picture is made together with them, and its budget.
-    fn sharing(&mut self) -> Option<(&mut Sharing, f32)>;
-
-    /// Starts a pane of the fine picture for others, with the budget that they tell.
-    fn begin_pane(&mut self, scene: Scene, pane: Pane, budget: f32);
-
-    /// Goes on with it; when it is there, what it has taken and whether fine detail is left out.
-    fn step_pane(&mut self) -> Option<(Spent, bool)>;
-
-    /// Its pixels.
-    fn pane_pixels(&self) -> &[u8];
 
     /// Starts the whole picture for another canvas, or tells why it cannot be made.
     fn snapshot(&self, scene: Scene) -> Result<Box<dyn Snapshot>, &'static str>;

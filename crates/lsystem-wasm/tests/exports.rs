@@ -247,8 +247,8 @@ fn a_mate_makes_panes_of_the_picture() {
                 }
             };
             assert_eq!(f64::from(mate.pane_pixels().length()), 4.0 * width * height);
-            assert!(!own.take_in(round + 1, number as usize, outcome[0], false, false), "another round");
-            assert!(own.take_in(round, number as usize, outcome[0], outcome[1] > 0.0, outcome[2] > 0.0));
+            assert!(!own.take_in(round + 1, number as usize, outcome[0], false), "another round");
+            assert!(own.take_in(round, number as usize, outcome[0], outcome[1] > 0.0));
             made += 1;
         }
     }

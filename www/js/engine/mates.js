@@ -1,5 +1,5 @@
 /**
- * Workers that make panes of pictures which take long for one. They are hired when a picture has, and let go when none has
+ * Workers that make panes of pictures in space which take long for one. They are hired when a picture has, and let go when none has
  * for a while. The drawing worker hears from them directly; without them it makes all by itself.
  */
 

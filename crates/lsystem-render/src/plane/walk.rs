@@ -21,7 +21,7 @@ use lsystem_syntax::{Meter, Progress, Style};
 /// strokes and stamps. After a few seconds nobody waits for more, and what is left is painted as the outlines of ever
 /// larger blocks.
 const PATIENCE: u64 = 2_500_000;
-/// Each pane gets a quarter of these steps: each worker makes about so many panes.
+/// Each pane gets a quarter of these steps: a picture in panes is a large one.
 const PANES: u64 = 4;
 /// The largest extent, in subsamples, of the outlines at first, and the steps after which it doubles.
 const ROUGH: (f64, u64) = (16.0, 100_000);
