@@ -1,9 +1,56 @@
 //! From a drawing's graph to pixels.
 //!
-//! The picture is what stroking every segment in drawing order would show: round caps, 4x4 subsamples a pixel, each
-//! keeping the colour drawn last, no stroke thinner than a pixel. It is made in the opposite order, last drawn
-//! first, so that what is covered already need not be looked at again. Where too much is left for that, it is put
-//! together from the pictures of its parts, a little off their places.
+//! # The picture
+//!
+//! The picture is the one that stroking every segment in drawing order would give. Strokes have round caps and are at
+//! least a pixel wide. A pixel has 4x4 subsamples, or one in a coarse picture. Each subsample keeps the colour that is
+//! drawn last. Polygons are filled by the non-zero winding rule.
+//!
+//! # Three strategies
+//!
+//! ```text
+//!                         graph of blocks
+//!                                |
+//!              broad strokes in one colour? --- yes --> passes, coarse to fine
+//!                                | no
+//!       descent: the block drawn last comes first <-----------+
+//!         covered or outside the picture: leave it out        |
+//!         straight or at most 2 subsamples: one stroke        |
+//!         small: stamp its tile, which is made once           |
+//!         anything else: the blocks inside it ----------------+
+//!                                |
+//!                  too many steps? (`switch`)
+//!                                | yes
+//!       ascent: the picture of each part once, the smallest part first
+//!                                | too many parts
+//!       descent again: outlines of ever larger blocks
+//! ```
+//!
+//! - The **descent** (`walk`, `descent`) paints the last block first, so that a covered block costs one step. A small
+//!   block that recurs becomes a tile, put together from smaller tiles (`tiling`, `tile`).
+//! - The **ascent** (`ascent`, `parts`, `layout`) serves pictures on which very much overlaps, where each subsample is
+//!   covered late. It composes the picture of each part from the pictures of the parts inside, on a lattice.
+//! - The **passes** (`passes`) serve broad strokes in one colour, where the order of painting is free.
+//!
+//! `switch` is the one place that chooses between descent and ascent, from counted steps.
+//!
+//! # Cost
+//!
+//! A step visits one item: a block, a stroke or a tile. A picture takes at most 1,000,000 steps before the ascent is
+//! tried. The ascent refuses more than 20,000 parts, 200,000 items or 400 Mi words. Without an ascent the outlines begin
+//! after 2,500,000 steps, and double their extent every 100,000 steps, so that every picture ends. Tiles take at most
+//! 23 MiB, and the parts of an ascent 24 MiB.
+//!
+//! # Exactness
+//!
+//! - A stroke is exact to the rounding of `f64`, at any magnification.
+//! - A tile is off by at most a quarter of a subsample in each direction. The smaller tiles that it is put together from
+//!   are, too.
+//! - A part of an ascent is off by at most half a cell of the lattice for each level of parts inside each other, and by
+//!   at most 3 % of the drawing in all. A cell is 1, 2 or 4 subsamples wide.
+//! - An outline hides the detail of its block.
+//!
+//! [`RenderStats`] counts parts and outlines, so that the page can tell the reader.
 
 mod amount;
 mod ascent;
