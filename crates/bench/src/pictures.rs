@@ -1,8 +1,7 @@
 //! Pictures for a browser's script to time: one system after the other, at several depths and magnifications.
 
-use lsystem::{
-    Definition, Drawing, Limits, PlaneRenderer, Progress, Renderer, System, View, Viewport, draw, fit, read_json,
-};
+use lsystem::syntax::Ink;
+use lsystem::{Definition, Drawing, Limits, Progress, Renderer, System, View, Viewport, draw, fit, read_json};
 use serde_json::{Value, json};
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
@@ -60,7 +59,8 @@ impl Pictures {
         for (name, text) in files.as_object().into_iter().flatten() {
             definitions.extend(text.as_str().and_then(|text| read_json(text).0).map(|d| (name.clone(), d)));
         }
-        let systems = definitions.into_iter().filter_map(|(name, definition)| {
+        let systems = definitions.into_iter().filter_map(|(name, mut definition)| {
+            definition.style.ink = Ink::Solid;
             let system = System::new(&definition).0?;
             let drawing = draw(&system, 2, &Limits::default());
             let memoises = !system.is_solid() && drawing.is_ok_and(|drawing| drawing.is_memoised());

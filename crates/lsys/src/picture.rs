@@ -3,12 +3,8 @@
 use crate::cli::Size;
 use crate::progress::Progress as Bar;
 use lsystem::files::tag_png;
-use lsystem::render::{Pane, Pass, Quality};
-use lsystem::syntax::Ink;
-use lsystem::{
-    Camera, DensityRenderer, Drawing, PlaneRenderer, Progress, Renderer, Solid, SolidRenderer, Style, View, Viewport,
-    fit,
-};
+use lsystem::render::{Pass, Quality};
+use lsystem::{Camera, Drawing, Progress, Renderer, Solid, SolidRenderer, Style, View, Viewport, fit};
 use std::io::Write;
 use std::sync::Arc;
 
@@ -37,31 +33,15 @@ pub(crate) fn png(
     let size = size.unwrap_or_else(|| usual_size(&drawing));
     let viewport = viewport(size);
     let drawing = Arc::new(drawing);
-    if style.ink == Ink::Density {
-        let mut renderer = DensityRenderer::new();
-        renderer.load(drawing);
-        return encode(size, system, |write| {
-            for (band, pass) in Pass::all(viewport, [size.width, band_rows(size)]) {
-                renderer.begin_pane(style, viewport, View::default(), None, band, pass);
-                finish(|| renderer.step(WORK));
-                if pass.shows() {
-                    write(renderer.pixels())?;
-                }
-            }
-            Ok(())
-        });
-    }
     let mut renderer = Renderer::new();
     renderer.load(drawing);
     encode(size, system, |write| {
-        for band in Pane::all(viewport, [size.width, band_rows(size)]) {
-            if band == Pane::whole(viewport) {
-                renderer.begin(style, viewport, View::default());
-            } else {
-                renderer.begin_pane(style, viewport, View::default(), None, band);
-            }
+        for (band, pass) in Pass::all(style.ink, viewport, [size.width, band_rows(size)]) {
+            renderer.begin_pane(style, viewport, View::default(), None, (band, pass));
             finish(|| renderer.step(WORK));
-            write(renderer.pixels())?;
+            if pass.shows() {
+                write(renderer.pixels())?;
+            }
         }
         Ok(())
     })
@@ -169,10 +149,12 @@ mod tests {
         finish(|| renderer.step(WORK));
         let whole = renderer.pixels().to_vec();
         let mut banded = vec![];
-        for band in Pane::all(viewport, [300, 3 * CELL]) {
-            renderer.begin_pane(&definition.style, viewport, View::default(), None, band);
+        for (band, pass) in Pass::all(definition.style.ink, viewport, [300, 3 * CELL]) {
+            renderer.begin_pane(&definition.style, viewport, View::default(), None, (band, pass));
             finish(|| renderer.step(WORK));
-            banded.extend_from_slice(renderer.pixels());
+            if pass.shows() {
+                banded.extend_from_slice(renderer.pixels());
+            }
         }
         let differ = whole.iter().zip(&banded).filter(|(a, b)| a.abs_diff(**b) > 1).count();
         assert!(whole.len() == banded.len() && differ * 1000 < whole.len(), "{differ}");

@@ -9,8 +9,8 @@ mod plane;
 mod space;
 
 pub use plane::{
-    DensityRenderer, Detail, Fitted, Pane, Pass, Pick, PlaneRenderer, Pointer, RenderStats, Renderer, Target, View,
-    Viewport, fit, fitted_ends, fitted_outline, fitted_polygon, fitted_scale, pick,
+    Detail, Fitted, Pane, Pass, Pick, Pointer, RenderStats, Renderer, Target, View, Viewport, fit, fitted_ends,
+    fitted_outline, fitted_polygon, fitted_scale, pick,
 };
 pub use space::{
     Camera, Effort, Quality, SolidRenderer, Spent, camera_axes, fitted_solid_ends, fitted_solid_polygon, pick_solid,

@@ -58,7 +58,7 @@ mod tests {
     use super::*;
     use lsystem::render::Detail;
     use lsystem::syntax::Ink;
-    use lsystem::{Definition, DensityRenderer, Renderer, SolidRenderer, Style, System, draw};
+    use lsystem::{Definition, Renderer, SolidRenderer, Style, System, draw};
 
     const SCREENS: [[u32; 2]; 6] = [[300, 200], [1280, 800], [1920, 1080], [2560, 1440], [3840, 2160], [7680, 4320]];
 
@@ -79,12 +79,9 @@ mod tests {
                         let palette = vec![lsystem::syntax::Colour { rgb: [0; 3] }; colours];
                         let style = Style { palette, ink, ..Style::default() };
                         let most = |viewport| {
-                            [Detail::Fine, Detail::Coarse].map(|detail| match ink {
-                                Ink::Solid => Renderer::most_bytes(&drawing, &style, viewport, detail),
-                                Ink::Density => DensityRenderer::most_bytes(&drawing, &style, viewport, detail),
-                            })
+                            let most = |detail| Renderer::most_bytes(&drawing, &style, viewport, detail);
+                            most(Detail::Fine) + most(Detail::Coarse)
                         };
-                        let most = |viewport| most(viewport).iter().sum();
                         let painted = affordable(viewport, bytes, most);
                         println!("{width}x{height} {ink:?} {colours}: {} pixels wide", painted.width);
                         assert!(most(painted) <= picture_room(bytes), "{width}x{height} {ink:?} {colours}");

@@ -6,7 +6,6 @@
 //! camel case; missing ones have their defaults. What is wrong with it comes as structured values ([`Problem`])
 //! with UTF-16 spans, thrown by the plain functions as `{diagnostics: [..]}`.
 
-mod brush;
 mod budget;
 mod clock;
 mod export;

@@ -1,6 +1,5 @@
 //! Drawings in the plane: built in steps, shown on time, coarse first where the fine picture takes longer than a frame.
 
-use crate::brush::Brush;
 use crate::budget::affordable;
 use crate::clock::Clock;
 use crate::report::Report;
@@ -9,8 +8,7 @@ use crate::viewer::{Drawn, NOTHING, Scene, Snapshot, Viewer, WORK, describe_draw
 use lsystem::Viewport;
 use lsystem::derive::Counter;
 use lsystem::render::{Detail, Pane, Pass, fitted_scale};
-use lsystem::syntax::Ink;
-use lsystem::{Diagnostic, Drawer, Drawing, Limits, Progress, System};
+use lsystem::{Diagnostic, Drawer, Drawing, Limits, Progress, Renderer, System};
 use std::sync::Arc;
 use wasm_bindgen::JsValue;
 
@@ -33,9 +31,9 @@ pub(crate) struct PlaneView {
     pub(crate) drawing: Option<Arc<Drawing>>,
     /// The drawing that is being built.
     drawer: Option<Box<Drawer>>,
-    fine: Brush,
-    /// Small pictures do with one brush: the coarse one always comes first.
-    coarse: Option<Brush>,
+    fine: Renderer,
+    /// Small pictures do with one renderer: the coarse picture always comes first.
+    coarse: Option<Renderer>,
     scene: Option<Scene>,
     stage: Stage,
     /// Milliseconds spent on the fine picture so far.
@@ -60,8 +58,8 @@ impl Default for PlaneView {
         Self {
             drawing: None,
             drawer: None,
-            fine: Brush::default(),
-            coarse: Some(Brush::default()),
+            fine: Renderer::new(),
+            coarse: Some(Renderer::new()),
             scene: None,
             stage: Stage::Done,
             spent: 0.0,
@@ -81,6 +79,7 @@ impl Viewer for PlaneView {
 
     fn build(&mut self) -> Option<Result<(), Diagnostic>> {
         Some(go_on(&mut self.drawer)?.map(|drawing| {
+            self.stage = Stage::Done;
             self.fine.load(drawing.clone());
             if let Some(coarse) = &mut self.coarse {
                 coarse.load(drawing.clone());
@@ -134,7 +133,7 @@ impl Viewer for PlaneView {
                     self.sketches = if self.spent > PATIENCE { SKETCHES } else { 0 };
                     self.stage = Stage::Done;
                     surface.show(self.fine.pixels(), viewport)?;
-                    let rough = self.fine.is_rough();
+                    let rough = self.fine.stats().is_rough();
                     return Ok(Some(Drawn { complete: true, scale, moving: false, rough, slow: false }));
                 }
                 if self.spent > PATIENCE {
@@ -159,16 +158,13 @@ impl Viewer for PlaneView {
     fn snapshot(&self, scene: Scene) -> Result<Box<dyn Snapshot>, &'static str> {
         let viewport = scene.viewport.within_limits();
         let scene = Scene { viewport, ..scene };
-        let mut brush = Brush::default();
-        brush.load(self.drawing.clone().ok_or(NOTHING)?);
+        let mut renderer = Renderer::new();
+        renderer.load(self.drawing.clone().ok_or(NOTHING)?);
         let rows = (BAND / viewport.width.max(1) / CELL).max(1) * CELL;
         let bands = [viewport.width, rows];
-        let mut parts = match scene.style.ink {
-            Ink::Solid => Pane::all(viewport, bands).into_iter().map(|band| (band, Pass::Only)).collect(),
-            Ink::Density => Pass::all(viewport, bands),
-        };
+        let mut parts = Pass::all(scene.style.ink, viewport, bands);
         parts.reverse();
-        let mut snapshot = PlaneSnapshot { brush, scene, parts, part: (Pane::whole(viewport), Pass::Only) };
+        let mut snapshot = PlaneSnapshot { renderer, scene, parts, part: (Pane::whole(viewport), Pass::Only) };
         snapshot.next();
         Ok(Box::new(snapshot))
     }
@@ -176,7 +172,7 @@ impl Viewer for PlaneView {
 
 /// A picture for a file, made band by band.
 struct PlaneSnapshot {
-    brush: Brush,
+    renderer: Renderer,
     scene: Scene,
     /// The bands to come, the next one last.
     parts: Vec<(Pane, Pass)>,
@@ -185,37 +181,41 @@ struct PlaneSnapshot {
 
 impl Snapshot for PlaneSnapshot {
     fn next(&mut self) -> bool {
-        let Some((band, pass)) = self.parts.pop() else { return false };
-        self.part = (band, pass);
-        self.brush.begin_pane(&self.scene, band, pass);
+        let Some(part) = self.parts.pop() else { return false };
+        self.part = part;
+        let Scene { style, viewport, view, upto, .. } = &self.scene;
+        self.renderer.begin_pane(style, *viewport, *view, *upto, part);
         true
     }
 
     fn step(&mut self) -> Progress {
-        self.brush.step(WORK)
+        self.renderer.step(WORK)
     }
 
     fn band(&self) -> Option<(&[u8], Viewport, Pane)> {
         let (band, pass) = self.part;
-        pass.shows().then(|| (self.brush.pixels(), self.scene.viewport, band))
+        pass.shows().then(|| (self.renderer.pixels(), self.scene.viewport, band))
     }
 }
 
 impl PlaneView {
     pub(crate) fn small() -> Self {
-        Self { fine: Brush::light(), coarse: None, ..Self::default() }
+        Self { fine: Renderer::light(), coarse: None, ..Self::default() }
     }
 
     /// With as many pixels as there is room for.
     fn within_room(&self, scene: Scene) -> Scene {
         let Some(drawing) = &self.drawing else { return scene };
-        let most = |viewport| Brush::most_bytes(drawing, &scene.style, viewport);
+        let most = |viewport| {
+            let most = |detail| Renderer::most_bytes(drawing, &scene.style, viewport, detail);
+            most(Detail::Fine) + most(Detail::Coarse)
+        };
         Scene { viewport: affordable(scene.viewport, drawing.bytes(), most), ..scene }
     }
 
     fn begin_fine(&mut self) {
         if let Some(scene) = &self.scene {
-            self.fine.begin(scene, Detail::Fine);
+            begin(&mut self.fine, scene, Detail::Fine);
         }
         self.spent = 0.0;
         self.stage = Stage::Fine { sketched: false };
@@ -223,8 +223,14 @@ impl PlaneView {
 
     fn begin_coarse(&mut self, begun: bool) {
         if let Some(scene) = &self.scene {
-            self.coarse.as_mut().unwrap_or(&mut self.fine).begin(scene, Detail::Coarse);
+            begin(self.coarse.as_mut().unwrap_or(&mut self.fine), scene, Detail::Coarse);
         }
         self.stage = Stage::Coarse { begun };
     }
+}
+
+/// Starts a picture.
+fn begin(renderer: &mut Renderer, scene: &Scene, detail: Detail) {
+    let Scene { style, viewport, view, upto, .. } = scene;
+    renderer.begin_with(style, *viewport, *view, detail, *upto);
 }

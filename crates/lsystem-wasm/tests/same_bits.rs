@@ -11,10 +11,10 @@ use lsystem::derive::Key;
 use lsystem::drawing::Outlook;
 use lsystem::files::SvgForm;
 use lsystem::render::{Detail, Quality};
+use lsystem::syntax::Ink;
 use lsystem::{
-    Camera, Definition, DensityRenderer, Limits, Mesh, PlaneRenderer, Progress, Renderer, SegmentArrays, SolidRenderer,
-    SvgOptions, System, View, Viewport, draw, draw_solid, expand, read_json, write_csv, write_glb, write_obj,
-    write_svg,
+    Camera, Definition, Limits, Mesh, Progress, Renderer, SegmentArrays, SolidRenderer, SvgOptions, System, View,
+    Viewport, draw, draw_solid, expand, read_json, write_csv, write_glb, write_obj, write_svg,
 };
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -69,13 +69,14 @@ fn the_corpus_where_ink_adds_up() {
     for (name, file, zoom) in DENSITY {
         let definition = read_json(file).0.unwrap_or_default();
         let system = compiled(&definition);
-        let mut renderer = DensityRenderer::new();
+        let mut renderer = Renderer::new();
         renderer.load(Arc::new(draw(&system, definition.iterations, &Limits::default()).unwrap()));
         let mut pixels = Digest::new();
+        let style = Style { ink: Ink::Density, ..system.style.clone() };
         for detail in [Detail::Coarse, Detail::Fine] {
             let view = View { x: 0.01, y: -0.02, zoom, ..View::default() };
             let viewport = Viewport { width: 240, height: 180, ratio: 1.0 };
-            renderer.begin_with(&system.style, viewport, view, detail, None);
+            renderer.begin_with(&style, viewport, view, detail, None);
             while renderer.step(10_000) == Progress::More {}
             pixels.bytes(renderer.pixels());
         }
@@ -148,9 +149,10 @@ fn the_corpus() {
         let mut renderer = Renderer::new();
         renderer.load(drawing.clone());
         let mut pixels = Digest::new();
+        let style = Style { ink: Ink::Solid, ..system.style.clone() };
         for zoom in [1.0, 7.3] {
             let view = View { x: 0.01, y: -0.02, zoom, ..View::default() };
-            renderer.begin(&system.style, Viewport { width: 240, height: 180, ratio: 1.0 }, view);
+            renderer.begin(&style, Viewport { width: 240, height: 180, ratio: 1.0 }, view);
             while renderer.step(10_000) == Progress::More {}
             pixels.bytes(renderer.pixels());
         }

@@ -7,7 +7,7 @@
 //! - its string: [`expand`], any stretch of one that is too long for that by a [`Word`](derive::Word), and its length, however large,
 //!   by [`count_symbols`];
 //! - its [`Drawing`] in the plane or in [space](Solid): [`draw`] and [`draw_solid`], or in steps a [`Drawer`];
-//! - from a drawing pixels ([`Renderer`], [`DensityRenderer`], [`SolidRenderer`]), files ([`write_svg`], [`write_csv`], and
+//! - from a drawing pixels ([`Renderer`], [`SolidRenderer`]), files ([`write_svg`], [`write_csv`], and
 //!   [`write_obj`] and [`write_glb`] of its [`Mesh`]), its segments, and what lies at a point ([`pick`]).
 //!
 //! A drawing is a graph of shared [`Block`](drawing::Block)s, one for all parts that look the same up to a turn: without chance and
@@ -15,7 +15,7 @@
 //! ends at one of the [`Limits`] with a diagnostic. The same system and seed give the same bits everywhere.
 //!
 //! ```
-//! use lsystem::{Definition, Limits, PlaneRenderer, Progress, Renderer, Style, SvgOptions, System, View, Viewport};
+//! use lsystem::{Definition, Limits, Progress, Renderer, Style, SvgOptions, System, View, Viewport};
 //! use lsystem::{draw, write_svg};
 //! use std::sync::Arc;
 //!
@@ -46,7 +46,7 @@ pub use lsystem_drawing::{
     Drawer, Drawing, Mesh, SegmentArrays, Solid, System, count_segments, count_symbols, draw, draw_solid, expand,
 };
 pub use lsystem_files::{SvgOptions, read_file, read_json, write_csv, write_glb, write_json, write_obj, write_svg};
-pub use lsystem_render::{Camera, DensityRenderer, PlaneRenderer, Renderer, SolidRenderer, View, Viewport, fit, pick};
+pub use lsystem_render::{Camera, Renderer, SolidRenderer, View, Viewport, fit, pick};
 pub use lsystem_syntax::{Definition, Diagnostic, Dialect, Limits, Progress, Style, render_diagnostic};
 
 /// The README's Rust code is tested with the rest.

@@ -3,10 +3,10 @@
 use lsystem::drawing::{Outlook, expand_symbol};
 use lsystem::files::SvgForm;
 use lsystem::render::{Detail, Effort, Pointer, Quality, Spent, pick_solid};
-use lsystem::syntax::{ColourBy, Expected, Kind, LimitName, MAX_TEXT, Meter};
+use lsystem::syntax::{ColourBy, Expected, Ink, Kind, LimitName, MAX_TEXT, Meter};
 use lsystem::{
-    Camera, Definition, DensityRenderer, Drawer, Limits, Mesh, PlaneRenderer, Progress, Renderer, SolidRenderer, Style,
-    SvgOptions, System, View, Viewport, draw, draw_solid, pick, read_file, read_json, write_csv, write_json, write_svg,
+    Camera, Definition, Drawer, Limits, Mesh, Progress, Renderer, SolidRenderer, Style, SvgOptions, System, View,
+    Viewport, draw, draw_solid, pick, read_file, read_json, write_csv, write_json, write_svg,
 };
 use std::sync::Arc;
 
@@ -274,17 +274,13 @@ fn distances_at_any_magnification_are_numbers() {
 }
 
 /// A picture of strokes as wide as it, or as long; what it took.
-fn spent_on(
-    renderer: &mut impl PlaneRenderer,
-    definition: &Definition,
-    [width, height]: [u32; 2],
-    ratio: f64,
-    upto: Option<u128>,
-) -> u64 {
+fn spent_on(ink: Ink, definition: &Definition, [width, height]: [u32; 2], ratio: f64, upto: Option<u128>) -> u64 {
     let drawing = draw(&system(definition), definition.iterations, &Limits::default()).unwrap();
+    let mut renderer = Renderer::new();
     renderer.load(Arc::new(drawing));
     let viewport = Viewport { width, height, ratio };
-    renderer.begin_with(&definition.style, viewport, View::default(), Detail::Fine, upto);
+    let style = Style { ink, ..definition.style.clone() };
+    renderer.begin_with(&style, viewport, View::default(), Detail::Fine, upto);
     while renderer.step(1 << 20) == Progress::More {}
     renderer.spent()
 }
@@ -334,7 +330,7 @@ fn ink_of_strokes_wider_than_the_picture_is_added_in_time() {
         (straight, [255, 64], 1.0, None),
         (turning, [160, 64], 0.5, Some(936_236_962)),
     ] {
-        let spent = spent_on(&mut DensityRenderer::new(), &definition, size, ratio, upto);
+        let spent = spent_on(Ink::Density, &definition, size, ratio, upto);
         // A step of a picture is worth 16 units, and there are some more while ever larger blocks are taken together.
         let steps = 200_000 + 16 * u64::from(size[0] * size[1]);
         assert!(spent < 4 * 16 * steps, "{} {size:?}: {spent}", definition.axiom);
@@ -352,7 +348,7 @@ fn long_strokes_that_turn_by_next_to_nothing_are_painted_in_time() {
         style: Style { width: 2.0, width_factor: 1.5, min_width: 0.0, colour_by: ColourBy::Turn, ..Style::default() },
         ..Definition::default()
     };
-    let spent = spent_on(&mut Renderer::new(), &definition, [1920, 1080], 2.0, Some(2_999_074_099));
+    let spent = spent_on(Ink::Solid, &definition, [1920, 1080], 2.0, Some(2_999_074_099));
     assert!(spent < 150_000_000, "{spent}");
 }
 
@@ -367,7 +363,7 @@ fn wide_strokes_side_by_side_are_painted_in_time() {
         style: Style { width: 0.5, min_width: 10_000.0, ..Style::default() },
         ..Definition::default()
     };
-    let spent = spent_on(&mut Renderer::new(), &definition, [32_768, 3], 0.5, None);
+    let spent = spent_on(Ink::Solid, &definition, [32_768, 3], 0.5, None);
     assert!(spent < 120_000_000, "{spent}");
 }
 

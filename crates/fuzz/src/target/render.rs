@@ -4,10 +4,8 @@ use super::drawing::drawn;
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
 use lsystem::render::{Detail, Pane, Pass, RenderStats, fitted_scale};
-use lsystem::{
-    Definition, DensityRenderer, Dialect, Drawing, PlaneRenderer, Progress, Renderer, Style, System, View, Viewport,
-    fit,
-};
+use lsystem::syntax::Ink;
+use lsystem::{Definition, Dialect, Drawing, Progress, Renderer, Style, System, View, Viewport, fit};
 use std::sync::Arc;
 
 /// What a picture shows.
@@ -34,7 +32,7 @@ impl Scene {
         64 * self.viewport.width as usize * self.viewport.height as usize
     }
 
-    fn picture(&self, renderer: &mut dyn PlaneRenderer, detail: Detail, work: usize, gauge: &mut Gauge) {
+    fn picture(&self, renderer: &mut Renderer, detail: Detail, work: usize, gauge: &mut Gauge) {
         let Self { style, viewport, view, upto } = self;
         gauge.call("begin", || renderer.begin_with(style, *viewport, *view, detail, *upto));
         gauge.steps("picture", work, || {
@@ -46,18 +44,19 @@ impl Scene {
 }
 
 /// A drawing and how it is to be shown.
-fn made(source: &mut Source<'_>, gauge: &mut Gauge) -> Option<(Arc<Drawing>, Scene)> {
+fn made(source: &mut Source<'_>, ink: Ink, gauge: &mut Gauge) -> Option<(Arc<Drawing>, Scene)> {
     let (definition, system) = make::system(source)?;
     let limits = make::limits(source);
     let drawing = drawn(&system, definition.iterations, &limits, gauge)?;
-    let scene = Scene::make(source, &system);
+    let mut scene = Scene::make(source, &system);
+    scene.style.ink = ink;
     gauge.allow(scene.memory());
     Some((drawing, scene))
 }
 
 /// Strokes that cover each other.
 pub(super) fn render(source: &mut Source<'_>, gauge: &mut Gauge) {
-    let Some((drawing, scene)) = made(source, gauge) else { return };
+    let Some((drawing, scene)) = made(source, Ink::Solid, gauge) else { return };
     cover(source, &drawing, &scene, gauge);
 }
 
@@ -86,7 +85,8 @@ pub(super) fn views(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
     let Some(system) = System::new(&definition).0 else { return };
     let Some(drawing) = drawn(&system, n, &make::limits(source), gauge) else { return };
-    let scene = Scene::make(source, &system);
+    let mut scene = Scene::make(source, &system);
+    scene.style.ink = Ink::Solid;
     gauge.allow(scene.memory());
     let _ = (fit(&drawing), fitted_scale(&drawing, scene.viewport));
     cover(source, &drawing, &scene, gauge);
@@ -128,15 +128,15 @@ fn panes(source: &mut Source<'_>, drawing: &Arc<Drawing>, scene: &Scene, whole: 
     let mut renderer = Renderer::new();
     renderer.load(drawing.clone());
     let (mut apart, mut rough) = (0, false);
-    for pane in Pane::all(*viewport, size).into_iter().take(64) {
-        gauge.call("begin pane", || renderer.begin_pane(style, *viewport, *view, *upto, pane));
+    for (pane, pass) in Pass::all(Ink::Solid, *viewport, size).into_iter().take(64) {
+        gauge.call("begin pane", || renderer.begin_pane(style, *viewport, *view, *upto, (pane, pass)));
         gauge.steps("pane", WORK, || {
             let before = renderer.spent();
             (renderer.step(WORK), renderer.spent() - before)
         });
         let stats = renderer.stats();
         rough |= stats.tiles + stats.outlines + stats.parts > 0;
-        apart += differing(renderer.pixels(), whole, pane, viewport.width);
+        apart += if pass.shows() { differing(renderer.pixels(), whole, pane, viewport.width) } else { 0 };
     }
     if !rough {
         gauge.reach("panes");
@@ -160,14 +160,14 @@ pub(super) fn differing(own: &[u8], whole: &[u8], pane: Pane, width: u32) -> usi
 
 /// Ink that adds up.
 pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
-    let Some((drawing, scene)) = made(source, gauge) else { return };
-    let mut renderer = DensityRenderer::new();
+    let Some((drawing, scene)) = made(source, Ink::Density, gauge) else { return };
+    let mut renderer = Renderer::new();
     gauge.call("load", || renderer.load(drawing.clone()));
     let detail = if source.once_in(3) { Detail::Coarse } else { Detail::Fine };
     scene.picture(&mut renderer, detail, WORK, gauge);
     gauge.reach("picture");
     if source.once_in(2) {
-        let mut other = DensityRenderer::new();
+        let mut other = Renderer::new();
         other.load(drawing.clone());
         let work = source.pick(&[1_000_000, 100, 3]);
         let Scene { style, viewport, view, upto } = &scene;
@@ -181,15 +181,15 @@ pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
     if is_exact && detail == Detail::Fine && source.once_in(2) {
         let Scene { style, viewport, view, upto } = &scene;
         let size = [source.pick(&[64, 16, 144]), source.pick(&[16, 48, 64])];
-        let mut other = DensityRenderer::new();
+        let mut other = Renderer::new();
         other.load(drawing);
         let (mut apart, mut rough) = (0, false);
-        let all = Pass::all(*viewport, size);
+        let all = Pass::all(Ink::Density, *viewport, size);
         if all.len() > 128 {
             return;
         }
         for (pane, pass) in all {
-            gauge.call("begin pane", || other.begin_pane(style, *viewport, *view, *upto, pane, pass));
+            gauge.call("begin pane", || other.begin_pane(style, *viewport, *view, *upto, (pane, pass)));
             gauge.steps("pane", WORK, || {
                 let before = other.spent();
                 (other.step(WORK), other.spent() - before)

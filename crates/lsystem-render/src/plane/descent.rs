@@ -1,7 +1,7 @@
 //! The way down through a drawing's graph: where its blocks are on a canvas, and what the turtle carries there.
 
+use super::bottom_up::Part;
 use super::inks::{Choice, Shade};
-use super::parts::Part;
 use super::path::{Path, Span};
 use super::pen::Pen;
 use super::shape::Shape;

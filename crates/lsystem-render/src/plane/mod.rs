@@ -6,84 +6,81 @@
 //! least a pixel wide. A pixel has 4x4 subsamples, or one in a coarse picture. Each subsample keeps the colour that is
 //! drawn last. Polygons are filled by the non-zero winding rule.
 //!
-//! # Three strategies
+//! # The way of a picture
 //!
 //! ```text
-//!                         graph of blocks
-//!                                |
-//!              broad strokes in one colour? --- yes --> passes, coarse to fine
-//!                                | no
-//!       descent: the block drawn last comes first <-----------+
-//!         covered or outside the picture: leave it out        |
-//!         straight or at most 2 subsamples: one stroke        |
-//!         small: stamp its tile, which is made once           |
-//!         anything else: the blocks inside it ----------------+
-//!                                |
-//!                  too many steps? (`switch`)
-//!                                | yes
-//!       ascent: the picture of each part once, the smallest part first
-//!                                | too many parts
-//!       descent again: outlines of ever larger blocks
+//!                graph of blocks
+//!                       |
+//!            opaque ink | ink that adds up
+//!          +------------+------------+
+//!       `opaque`                 `density`
+//!          |                         |
+//!      `strategy`                 survey
+//!       /       \                    |
+//!   top-down  bottom-up          sums of ink
+//!       \       /                    |
+//!      subsamples                  tone curve
+//!          +------------+------------+
+//!                       |
+//!                    pixels
 //! ```
 //!
-//! - The **descent** (`walk`, `descent`) paints the last block first, so that a covered block costs one step. A small
-//!   block that recurs becomes a tile, put together from smaller tiles (`tiling`, `tile`).
-//! - The **ascent** (`ascent`, `parts`, `layout`) serves pictures on which very much overlaps, where each subsample is
-//!   covered late. It composes the picture of each part from the pictures of the parts inside, on a lattice.
-//! - The **passes** (`passes`) serve broad strokes in one colour, where the order of painting is free.
+//! Opaque pictures are made by one of two strategies:
 //!
-//! `switch` is the one place that chooses between descent and ascent, from counted steps.
+//! - **Top-down** (`top_down`, `descent`): the block drawn last comes first, so that a covered block costs one step. A
+//!   block that is straight or at most 2 subsamples large is one stroke. A small block that recurs is stamped from its
+//!   tile, which is put together from smaller tiles. Any other block is looked into. Broad strokes in one colour, where
+//!   the order of painting is free, are painted in passes from coarse to fine.
+//! - **Bottom-up** (`bottom_up`), for crowds, on which very much overlaps and each subsample is covered late: the picture
+//!   of each part is composed from the pictures of the parts inside it, on a lattice.
+//!
+//! `strategy` is the one place that chooses: every picture is begun top-down, and judged after a probe of fixed work. The
+//! panes of a large picture are made as a survey of the whole picture has chosen, so that they fit together.
 //!
 //! # Cost
 //!
-//! A step visits one item: a block, a stroke or a tile. A picture takes at most 1,000,000 steps before the ascent is
-//! tried. The ascent refuses more than 20,000 parts, 200,000 items or 400 Mi words. Without an ascent the outlines begin
-//! after 2,500,000 steps, and double their extent every 100,000 steps, so that every picture ends. Tiles take at most
-//! 23 MiB, and the parts of an ascent 24 MiB.
+//! A step visits one item: a block, a stroke or a tile. A top-down picture takes at most 1,000,000 steps in full detail.
+//! Then it is made bottom-up, unless the drawing has more than 20,000 parts or 200,000 items in them, or the pictures of
+//! its parts take more than 400 Mi words. What cannot be made bottom-up either is painted as outlines of ever larger
+//! blocks: their extent doubles every 100,000 steps, so that every picture ends. Tiles take at most 23 MiB, the parts of a
+//! bottom-up picture 24 MiB.
 //!
 //! # Exactness
 //!
 //! - A stroke is exact to the rounding of `f64`, at any magnification.
 //! - A tile is off by at most a quarter of a subsample in each direction. The smaller tiles that it is put together from
 //!   are, too.
-//! - A part of an ascent is off by at most half a cell of the lattice for each level of parts inside each other, and by
-//!   at most 3 % of the drawing in all. A cell is 1, 2 or 4 subsamples wide.
+//! - A part of a bottom-up picture is off by at most half a cell of the lattice for each level of parts inside each other,
+//!   and by at most 3 % of the drawing in all. A cell is 1, 2 or 4 subsamples wide.
 //! - An outline hides the detail of its block.
 //!
 //! [`RenderStats`] counts parts and outlines, so that the page can tell the reader.
 
 mod amount;
-mod ascent;
-mod bits;
+mod bottom_up;
 mod canvas;
 mod density;
 mod descent;
 mod exact;
 mod inks;
-mod layout;
+mod method;
 mod mixer;
+mod opaque;
 mod painter;
 mod pane;
-mod parts;
-mod passes;
 mod path;
 mod pen;
 mod pick;
-mod polygon;
-mod resolve;
+mod picture;
 mod room;
 mod search;
 mod seen;
 mod shape;
-mod stroke;
+mod strategy;
 mod sweep;
-mod switch;
-mod tile;
-mod tiling;
+mod top_down;
 mod view;
-mod walk;
 mod wide;
-mod words;
 
 #[cfg(test)]
 mod sample;
@@ -91,20 +88,21 @@ mod sample;
 mod tests;
 
 pub(crate) use amount::Amount;
-pub use density::{DensityRenderer, Pass};
 pub use exact::{Fitted, fitted_ends, fitted_outline, fitted_polygon};
 pub(crate) use inks::{Choice, Shade};
-pub use pane::Pane;
+pub use pane::{Pane, Pass};
 pub use pick::pick;
 pub(crate) use search::{Aim, Order, Sight, covers, nearest_on, search};
 pub use search::{Pick, Pointer, Target};
 pub use view::{Detail, View, Viewport, fit, fitted_scale};
 
+use density::Density;
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{Meter, Progress, Style};
-use shape::Shapes;
+use lsystem_syntax::{Ink, Meter, Progress, Style};
+use method::Method;
+use opaque::Opaque;
+use picture::Plan;
 use std::sync::Arc;
-use walk::Walk;
 
 /// What a picture took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -125,48 +123,56 @@ pub struct RenderStats {
     pub parts: u64,
 }
 
-/// Makes pictures of a drawing in the plane, one after the other, in the same memory: [`Renderer`] where strokes cover
-/// each other, [`DensityRenderer`] where their ink adds up.
-pub trait PlaneRenderer {
-    /// Takes the drawing that the next pictures are of. It is made ready for them in the steps of the first.
-    fn load(&mut self, drawing: Arc<Drawing>);
-
-    /// Starts a picture of the loaded drawing; a picture that was being made is given up. A viewport that is too large
-    /// is cut to [`Viewport::within_limits`].
-    fn begin(&mut self, style: &Style, viewport: Viewport, view: View) {
-        self.begin_with(style, viewport, view, Detail::Fine, None);
+impl RenderStats {
+    /// Whether not every line is in its place.
+    #[must_use]
+    pub fn is_rough(&self) -> bool {
+        self.outlines + self.parts > 0
     }
-
-    /// As [`PlaneRenderer::begin`], in coarse or in fine `detail`; of the first `upto` segments only, if that is given:
-    /// the turtle on its way.
-    fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>);
-
-    /// Goes on with the picture for about `work` units, as [`Meter`] counts them: at most [`Meter::PIECE`] more.
-    fn step(&mut self, work: usize) -> Progress;
-
-    /// The picture so far, once it has been begun in a step: RGBA, 8 bits each, opaque, from the upper left corner row by row.
-    #[must_use]
-    fn pixels(&self) -> &[u8];
-
-    /// What the picture took so far.
-    #[must_use]
-    fn stats(&self) -> RenderStats;
-
-    /// The units of work of all steps so far.
-    #[must_use]
-    fn spent(&self) -> u64;
 }
 
-/// Makes pictures in which strokes cover each other.
+/// Makes pictures of a drawing in the plane, one after the other, in the same memory.
 #[derive(Default)]
 pub struct Renderer {
     drawing: Option<Arc<Drawing>>,
-    shapes: Shapes,
-    walk: Walk,
+    maker: Maker,
     /// A picture that has been asked for, until the drawing is ready for it.
-    plan: Option<(Style, Pane, Detail)>,
-    output: resolve::Output,
+    plan: Option<Plan>,
+    /// Whether pictures are never made bottom-up.
+    is_light: bool,
     spent: u64,
+}
+
+/// The method of the picture's ink.
+enum Maker {
+    Opaque(Box<Opaque>),
+    Density(Box<Density>),
+}
+
+impl Default for Maker {
+    fn default() -> Self {
+        Self::Opaque(Box::default())
+    }
+}
+
+impl Maker {
+    fn is_of(&self, ink: Ink) -> bool {
+        matches!((self, ink), (Self::Opaque(_), Ink::Solid) | (Self::Density(_), Ink::Density))
+    }
+
+    fn get(&self) -> &dyn Method {
+        match self {
+            Self::Opaque(opaque) => &**opaque,
+            Self::Density(density) => &**density,
+        }
+    }
+
+    fn get_mut(&mut self) -> &mut dyn Method {
+        match self {
+            Self::Opaque(opaque) => &mut **opaque,
+            Self::Density(density) => &mut **density,
+        }
+    }
 }
 
 impl Renderer {
@@ -176,84 +182,106 @@ impl Renderer {
         Self::default()
     }
 
-    /// The same for a program that is to be small: where a picture takes too long, only outlines end it, and what else
-    /// could is not compiled in.
+    /// A renderer for small pictures, without the memory that bottom-up pictures take.
     #[must_use]
     pub fn light() -> Self {
-        Self {
-            drawing: None,
-            shapes: Shapes::default(),
-            walk: Walk::new(None),
-            plan: None,
-            output: resolve::Output::default(),
-            spent: 0,
-        }
+        Self { is_light: true, ..Self::default() }
     }
 
-    /// As [`PlaneRenderer::begin_with`], but only a pane of the fine picture: the pixels are those of the pane, as they
-    /// are in the whole but for rounding. Panes that begin at multiples of 16 pixels have the same subsamples.
-    pub fn begin_pane(&mut self, style: &Style, viewport: Viewport, view: View, upto: Option<u128>, pane: Pane) {
-        self.start(style, viewport.within_limits(), view, Detail::Fine, upto, pane);
-    }
-
-    fn start(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>, pane: Pane) {
-        let pane = pane.within(viewport);
-        if let Some(drawing) = &self.drawing {
-            self.walk.begin(drawing, style, viewport, view, detail, upto, pane);
-        }
-        self.plan = Some((style.clone(), pane, detail));
-    }
-
-    fn go_on(&mut self, meter: &mut Meter) -> Progress {
-        if let Some(drawing) = &self.drawing
-            && (self.shapes.step(drawing, meter) == Progress::More
-                || self.walk.prepare(drawing, meter) == Progress::More)
-        {
-            return Progress::More;
-        }
-        if meter.is_spent() {
-            return Progress::More;
-        }
-        if let Some((style, pane, detail)) = self.plan.take() {
-            meter.charge(self.output.begin(&style, self.walk.inks(), pane, detail));
-        }
-        if let Some(drawing) = &self.drawing
-            && self.walk.step(drawing, &self.shapes.list, meter) == Progress::More
-        {
-            return Progress::More;
-        }
-        self.output.step(self.walk.frame(), meter)
-    }
-}
-
-impl PlaneRenderer for Renderer {
-    fn load(&mut self, drawing: Arc<Drawing>) {
-        self.shapes.clear();
+    /// Takes the drawing that the next pictures are of. It is made ready for them in the steps of the first.
+    pub fn load(&mut self, drawing: Arc<Drawing>) {
+        self.maker.get_mut().clear();
         self.drawing = Some(drawing);
-        self.walk.clear();
     }
 
-    fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>) {
-        let viewport = viewport.within_limits();
-        self.start(style, viewport, view, detail, upto, Pane::whole(viewport));
+    /// Starts a picture of the loaded drawing; a picture that was being made is given up. A viewport that is too large
+    /// is cut to [`Viewport::within_limits`].
+    pub fn begin(&mut self, style: &Style, viewport: Viewport, view: View) {
+        self.begin_with(style, viewport, view, Detail::Fine, None);
     }
 
-    fn step(&mut self, work: usize) -> Progress {
+    /// As [`Renderer::begin`], in coarse or in fine `detail`; of the first `upto` segments only, if that is given: the
+    /// turtle on its way.
+    pub fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>) {
+        let pane = Pane::whole(viewport);
+        self.start(Plan { style: style.clone(), viewport, view, detail, upto, pane, pass: Pass::Only });
+    }
+
+    /// As [`Renderer::begin_with`], but only one of the [panes](Pass::all) of the fine picture. The pixels are those of
+    /// the pane. Panes that begin at multiples of 16 pixels have the same subsamples as the whole.
+    pub fn begin_pane(
+        &mut self,
+        style: &Style,
+        viewport: Viewport,
+        view: View,
+        upto: Option<u128>,
+        (pane, pass): (Pane, Pass),
+    ) {
+        self.start(Plan { style: style.clone(), viewport, view, detail: Detail::Fine, upto, pane, pass });
+    }
+
+    fn start(&mut self, plan: Plan) {
+        let viewport = plan.viewport.within_limits();
+        let plan = Plan { viewport, pane: plan.pane.within(viewport), ..plan };
+        if !self.maker.is_of(plan.style.ink) {
+            self.maker = match plan.style.ink {
+                Ink::Solid => Maker::default(),
+                Ink::Density => Maker::Density(Box::default()),
+            };
+        }
+        if let Maker::Opaque(opaque) = &mut self.maker {
+            opaque.picture.is_light = self.is_light;
+        }
+        if let Some(drawing) = &self.drawing {
+            self.maker.get_mut().begin(drawing, &plan);
+        }
+        self.plan = Some(plan);
+    }
+
+    /// Goes on with the picture for about `work` units, as [`Meter`] counts them: at most [`Meter::PIECE`] more.
+    pub fn step(&mut self, work: usize) -> Progress {
         let mut meter = Meter::new(work as u64);
         let progress = self.go_on(&mut meter);
         self.spent += meter.spent();
         progress
     }
 
-    fn pixels(&self) -> &[u8] {
-        self.output.pixels()
+    fn go_on(&mut self, meter: &mut Meter) -> Progress {
+        let method = self.maker.get_mut();
+        if let Some(drawing) = &self.drawing
+            && method.prepare(drawing, meter) == Progress::More
+        {
+            return Progress::More;
+        }
+        if meter.is_spent() {
+            return Progress::More;
+        }
+        if let Some(plan) = self.plan.take() {
+            meter.charge(method.open(&plan, self.drawing.is_none()));
+        }
+        if let Some(drawing) = &self.drawing
+            && method.paint(drawing, meter) == Progress::More
+        {
+            return Progress::More;
+        }
+        method.resolve(meter)
     }
 
-    fn stats(&self) -> RenderStats {
-        self.walk.stats()
+    /// The picture so far, once it has been begun in a step: RGBA, 8 bits each, opaque, from the upper left corner row by row.
+    #[must_use]
+    pub fn pixels(&self) -> &[u8] {
+        self.maker.get().pixels()
     }
 
-    fn spent(&self) -> u64 {
+    /// What the picture took so far.
+    #[must_use]
+    pub fn stats(&self) -> RenderStats {
+        self.maker.get().stats()
+    }
+
+    /// The units of work of all steps so far.
+    #[must_use]
+    pub fn spent(&self) -> u64 {
         self.spent
     }
 }

@@ -2,15 +2,15 @@
 
 use super::RenderStats;
 use super::canvas::Canvas;
+use super::canvas::polygon::Filling;
+use super::canvas::stroke::Capsule;
 use super::descent::{Node, Place};
 use super::inks::InkTable;
 use super::pen::Pen;
-use super::polygon::Filling;
 use super::seen::Seen;
 use super::shape::Shape;
-use super::stroke::Capsule;
-use super::tile;
-use super::view::{Look, TINY};
+use super::top_down::tile;
+use super::view::{Measure, TINY};
 use lsystem_drawing::Drawing;
 use lsystem_syntax::Meter;
 
@@ -24,7 +24,7 @@ const UNITS: u64 = 32;
 /// What paints a picture.
 #[derive(Default)]
 pub(super) struct Painter {
-    pub look: Look,
+    pub measure: Measure,
     pub inks: InkTable,
     /// The picture, then a canvas for each size of tile.
     pub canvases: [Canvas; 1 + tile::SIZES],
@@ -66,7 +66,7 @@ impl Painter {
     /// Half the width of a block's widest stroke, at most.
     #[inline]
     pub(super) fn widest(&self, drawing: &Drawing, node: &Node) -> f64 {
-        self.look.widest(&drawing.blocks[node.block.0 as usize], node.pen.width)
+        self.measure.widest(&drawing.blocks[node.block.0 as usize], node.pen.width)
     }
 
     /// The steps so far: blocks looked into, strokes and stamps.
@@ -100,7 +100,7 @@ impl Painter {
 
     /// Paints a stroke.
     pub(super) fn stroke(&mut self, canvas: usize, [from, to]: [[f64; 2]; 2], pen: Pen) -> u64 {
-        let radius = self.look.radius(pen.width);
+        let radius = self.measure.radius(pen.width);
         if self.repeats && !self.seen.paint([self.tag(canvas), radius.to_bits()], [from, to]) {
             return 0;
         }
@@ -153,7 +153,7 @@ impl Painter {
     fn axis(&mut self, drawing: &Drawing, shape: &Shape, node: &Node) -> u64 {
         let ends = shape.axis().map(|end| node.place.point(end));
         let pen = node.pen.after(self.inks.choice, &shape.last);
-        let pens = self.look.pens(&drawing.blocks[node.block.0 as usize], node.pen, pen);
+        let pens = self.measure.pens(&drawing.blocks[node.block.0 as usize], node.pen, pen);
         pens.map(|pen| self.stroke(node.canvas, ends, pen)).sum()
     }
 

@@ -95,7 +95,7 @@ mod tests {
     use super::super::search::Target;
     use super::super::tests::{hard, picture};
     use super::*;
-    use crate::{PlaneRenderer, Renderer, fitted_ends};
+    use crate::{Renderer, fitted_ends};
     use lsystem_drawing::Item;
     use lsystem_syntax::{ColourBy, Style};
     use std::sync::Arc;

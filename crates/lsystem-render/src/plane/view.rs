@@ -139,24 +139,35 @@ impl Detail {
     }
 }
 
-/// The size of things in a picture.
+/// The size of things in a picture. Its samples are subsamples of strokes that cover, or pixels of sums.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Look {
-    /// Half the smallest stroke width, in subsamples.
+pub(super) struct Measure {
+    /// The smallest stroke width, in samples.
     pub hairline: f64,
-    /// Subsamples in one step length.
+    /// Samples in one step length.
     pub step: f64,
-    /// Subsamples in one unit of the root block.
+    /// Samples in one unit of the root block.
     pub scale: f64,
 }
 
 /// The largest extent, in subsamples, at which a block is painted as a line.
 pub(super) const TINY: f64 = 2.0;
 
-impl Look {
-    /// Half the width of a stroke, in subsamples, from its width in step lengths.
+impl Measure {
+    /// The width of a stroke, in samples, from its width in step lengths.
+    #[inline]
+    pub(super) fn width(&self, width: f64) -> f64 {
+        (width * self.step).max(self.hairline)
+    }
+
+    /// Half of it.
     pub(super) fn radius(&self, width: f64) -> f64 {
-        (width * self.step / 2.0).max(self.hairline)
+        self.width(width) / 2.0
+    }
+
+    /// Whether strokes of this radius are wider than hairlines.
+    pub(super) fn is_wide(&self, radius: f64) -> bool {
+        2.0 * radius > self.hairline
     }
 
     /// The same of a block's widest stroke, at most, from the width at its entry.

@@ -4,8 +4,7 @@ use crate::systems::{Case, LENGTHS, LONGEST, cases, generations, is_thorough};
 use lsystem::render::{Detail, Pointer, Quality, pick_solid};
 use lsystem::syntax::{Ink, Meter};
 use lsystem::{
-    Camera, DensityRenderer, Drawing, Limits, PlaneRenderer, Progress, Renderer, Solid, SolidRenderer, Style, View,
-    Viewport, draw, draw_solid, pick,
+    Camera, Drawing, Limits, Progress, Renderer, Solid, SolidRenderer, Style, View, Viewport, draw, draw_solid, pick,
 };
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -43,7 +42,7 @@ impl Most {
 }
 
 /// The steps of a picture in the plane.
-fn look_at(renderer: &mut impl PlaneRenderer, entry: &'static str, name: &str, most: &mut Most) {
+fn look_at(renderer: &mut Renderer, entry: &'static str, name: &str, most: &mut Most) {
     for _ in 0..STEPS {
         let before = renderer.spent();
         let progress = renderer.step(SHARE as usize);
@@ -55,7 +54,7 @@ fn look_at(renderer: &mut impl PlaneRenderer, entry: &'static str, name: &str, m
 }
 
 fn check_plane(drawing: &Arc<Drawing>, name: &str, viewport: Viewport, view: View, most: &mut Most) {
-    let (mut covering, mut adding) = (Renderer::new(), DensityRenderer::new());
+    let (mut covering, mut adding) = (Renderer::new(), Renderer::new());
     covering.load(drawing.clone());
     adding.load(drawing.clone());
     for (detail, upto) in [(Detail::Coarse, None), (Detail::Fine, Some(drawing.segment_count() / 2))] {
@@ -64,7 +63,7 @@ fn check_plane(drawing: &Arc<Drawing>, name: &str, viewport: Viewport, view: Vie
         look_at(&mut covering, "Renderer::step", name, most);
         let style = Style { ink: Ink::Density, ..Style::default() };
         adding.begin_with(&style, viewport, view, detail, upto);
-        look_at(&mut adding, "DensityRenderer::step", name, most);
+        look_at(&mut adding, "Renderer::step, density", name, most);
     }
     let at = [f64::from(viewport.width) / 2.0, f64::from(viewport.height) / 2.0];
     let _ = pick(drawing, viewport, view, &Pointer { at, tolerance: 8.0, upto: None, visits: 20_000 });

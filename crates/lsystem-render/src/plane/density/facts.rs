@@ -1,6 +1,6 @@
 //! The shape and the ink of every block of a drawing.
 
-use super::ink::{Ink, InkList};
+use super::deposit::{Deposit, Deposits};
 use crate::plane::descent::Node;
 use crate::plane::shape::{Shape, Shapes};
 use lsystem_drawing::Drawing;
@@ -10,7 +10,7 @@ use lsystem_syntax::{Meter, Progress};
 #[derive(Default)]
 pub(super) struct Facts {
     pub shapes: Shapes,
-    pub inks: InkList,
+    pub deposits: Deposits,
 }
 
 impl Facts {
@@ -19,7 +19,7 @@ impl Facts {
         if self.shapes.step(drawing, meter) == Progress::More {
             return Progress::More;
         }
-        self.inks.step(drawing, &self.shapes.list, meter)
+        self.deposits.step(drawing, &self.shapes.list, meter)
     }
 
     #[inline]
@@ -28,7 +28,7 @@ impl Facts {
     }
 
     #[inline]
-    pub(super) fn ink(&self, node: &Node) -> &Ink {
-        &self.inks.list[node.block.0 as usize]
+    pub(super) fn deposit(&self, node: &Node) -> &Deposit {
+        &self.deposits.list[node.block.0 as usize]
     }
 }

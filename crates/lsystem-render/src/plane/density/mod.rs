@@ -4,158 +4,74 @@
 //! One layer of ink is what a stroke as wide as a pixel leaves along its axis, at any magnification. What lies at a
 //! pixel is the sum over all strokes of the lengths of their parts there times their widths, each part shared by the
 //! pixels around it ([`sheet`]). A block smaller than a pixel adds all its ink at once, at its centre of gravity
-//! ([`ink`]); larger ones are put together from tiles. The order of drawing plays no part.
+//! ([`deposit`]); larger ones are put together from tiles. The order of drawing plays no part.
 
 mod bands;
+mod deposit;
 mod facts;
 mod haze;
-mod ink;
-mod look;
+mod picture;
 mod pigment;
 mod sheet;
+mod survey;
 mod tile;
+mod tiling;
 mod tone;
-mod walk;
 
 #[cfg(test)]
 mod tests;
 
-use super::{Detail, Pane, PlaneRenderer, RenderStats, View, Viewport};
+use super::method::Method;
+use super::picture::Plan;
+use super::{Detail, RenderStats};
 use facts::Facts;
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{Meter, Progress, Style};
-use std::sync::Arc;
+use lsystem_syntax::{Meter, Progress};
+use picture::Picture;
 pub(super) use tile::TILES as DENSITY_TILES;
-use walk::Walk;
+use tone::Tone;
 
 /// Pixels along the side of a sum in a coarse picture.
 pub(super) const COARSE: usize = 3;
 
-/// What is done with a pane. A picture that is too large to be made at once is looked at as a whole without its pixels,
-/// then every pane of it is counted, then every pane is shown: the tone depends on all of them.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Pass {
-    /// It is the only one: all is done for it.
-    #[default]
-    Only,
-    /// Of the whole picture, how much there is to see, and how closely it can be looked at.
-    Survey,
-    /// How much ink lies at how many of its pixels.
-    Count,
-    /// Its pixels.
-    Show,
-}
-
-impl Pass {
-    /// All that is done for a picture in panes of this size, in order.
-    #[must_use]
-    pub fn all(viewport: Viewport, size: [u32; 2]) -> Vec<(Pane, Self)> {
-        let panes = Pane::all(viewport, size);
-        if panes.len() < 2 {
-            return panes.into_iter().map(|pane| (pane, Self::Only)).collect();
-        }
-        let each = |pass| panes.iter().map(move |&pane| (pane, pass));
-        [(Pane::whole(viewport), Self::Survey)].into_iter().chain(each(Self::Count)).chain(each(Self::Show)).collect()
-    }
-
-    /// Whether there are pixels after it.
-    #[must_use]
-    pub fn shows(self) -> bool {
-        matches!(self, Self::Only | Self::Show)
-    }
-}
-
 /// Makes pictures in which ink adds up ([`Ink::Density`](lsystem_syntax::Ink)).
 #[derive(Default)]
-pub struct DensityRenderer {
-    drawing: Option<Arc<Drawing>>,
+pub(super) struct Density {
     facts: Facts,
-    walk: Walk,
-    /// A picture that has been asked for, until the drawing is ready for it, and the pixels along the side of its sums.
-    plan: Option<(Style, Pane, Pass, usize)>,
-    tone: tone::Tone,
-    spent: u64,
+    picture: Picture,
+    tone: Tone,
 }
 
-impl DensityRenderer {
-    /// A renderer without a drawing.
-    #[must_use]
-    pub fn new() -> Self {
-        Self::default()
-    }
-
-    /// As [`PlaneRenderer::begin_with`], but only a pane of the fine picture, of which first the whole is surveyed, then
-    /// all panes are counted, then all are shown. Of those that are shown there are pixels.
-    pub fn begin_pane(
-        &mut self,
-        style: &Style,
-        viewport: Viewport,
-        view: View,
-        upto: Option<u128>,
-        pane: Pane,
-        pass: Pass,
-    ) {
-        self.start(style, (viewport.within_limits(), view), 1, upto, (pane, pass));
-    }
-
-    fn start(
-        &mut self,
-        style: &Style,
-        sight: (Viewport, View),
-        side: usize,
-        upto: Option<u128>,
-        (pane, pass): (Pane, Pass),
-    ) {
-        let pane = pane.within(sight.0);
-        if let Some(drawing) = &self.drawing {
-            self.walk.begin(drawing, style, sight, 1.0 / side as f64, upto, (pane, pass));
-        }
-        self.plan = Some((style.clone(), pane, pass, side));
-    }
-
-    fn go_on(&mut self, meter: &mut Meter) -> Progress {
-        if let Some(drawing) = &self.drawing
-            && (self.facts.step(drawing, meter) == Progress::More
-                || self.walk.prepare(drawing, meter) == Progress::More)
-        {
-            return Progress::More;
-        }
-        if meter.is_spent() {
-            return Progress::More;
-        }
-        if let Some((style, pane, pass, side)) = self.plan.take() {
-            if self.drawing.is_none() {
-                self.walk.blank(pane);
-            }
-            meter.charge(self.tone.begin(&style, pane, side, pass));
-        }
-        if let Some(drawing) = &self.drawing
-            && self.walk.step(drawing, &self.facts, meter) == Progress::More
-        {
-            return Progress::More;
-        }
-        self.tone.step(self.walk.sums(), self.walk.only_pigment(), meter)
-    }
-}
-
-impl PlaneRenderer for DensityRenderer {
-    fn load(&mut self, drawing: Arc<Drawing>) {
+impl Method for Density {
+    fn clear(&mut self) {
         self.facts = Facts::default();
-        self.drawing = Some(drawing);
-        self.walk.clear();
+        self.picture.clear();
     }
 
-    fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>) {
-        let viewport = viewport.within_limits();
-        let side = if detail == Detail::Coarse && self.drawing.is_some() { COARSE } else { 1 };
-        self.start(style, (viewport, view), side, upto, (Pane::whole(viewport), Pass::Only));
+    fn begin(&mut self, drawing: &Drawing, plan: &Plan) {
+        self.picture.begin(drawing, plan.clone(), 1.0 / side(plan.detail) as f64);
     }
 
-    fn step(&mut self, work: usize) -> Progress {
-        let mut meter = Meter::new(work as u64);
-        let progress = self.go_on(&mut meter);
-        self.spent += meter.spent();
-        progress
+    fn prepare(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
+        match self.facts.step(drawing, meter) {
+            Progress::Done => self.picture.prepare(drawing, meter),
+            progress => progress,
+        }
+    }
+
+    fn open(&mut self, plan: &Plan, is_blank: bool) -> u64 {
+        if is_blank {
+            self.picture.blank(plan.pane);
+        }
+        self.tone.begin(&plan.style, plan.pane, if is_blank { 1 } else { side(plan.detail) }, plan.pass)
+    }
+
+    fn paint(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
+        self.picture.step(drawing, &self.facts, meter)
+    }
+
+    fn resolve(&mut self, meter: &mut Meter) -> Progress {
+        self.tone.step(self.picture.sums(), self.picture.only_pigment(), meter)
     }
 
     fn pixels(&self) -> &[u8] {
@@ -163,10 +79,11 @@ impl PlaneRenderer for DensityRenderer {
     }
 
     fn stats(&self) -> RenderStats {
-        self.walk.stats
+        self.picture.stats
     }
+}
 
-    fn spent(&self) -> u64 {
-        self.spent
-    }
+/// Pixels along the side of a sum.
+fn side(detail: Detail) -> usize {
+    if detail == Detail::Coarse { COARSE } else { 1 }
 }

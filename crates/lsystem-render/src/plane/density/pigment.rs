@@ -1,6 +1,6 @@
 //! What inks do to the paper's light, and the mean of a block's inks.
 
-use super::ink::{Ink, part};
+use super::deposit::{Deposit, part};
 use super::sheet::Pigment;
 use crate::plane::inks::{InkTable, Inks, Shade};
 use crate::plane::mixer::Mixer;
@@ -66,7 +66,7 @@ struct Open {
 pub(super) struct Source<'a> {
     pub drawing: &'a Drawing,
     pub table: &'a InkTable,
-    pub inks: &'a [Ink],
+    pub deposits: &'a [Deposit],
 }
 
 /// The most means that are remembered from one to the next, and the most portions.
@@ -160,12 +160,12 @@ impl Pigments {
 
     /// Goes on with the portions of a block.
     fn mix(&mut self, source: Source<'_>, block: u32, meter: &mut Meter) {
-        let Source { drawing, table, inks } = source;
+        let Source { drawing, table, deposits } = source;
         let (_, mut done, mut portions) = self.making.take().unwrap_or_else(|| {
             self.places.clear();
             (block, 0, vec![])
         });
-        let (whole, items) = (&inks[block as usize], drawing.contents(&drawing.blocks[block as usize]));
+        let (whole, items) = (&deposits[block as usize], drawing.contents(&drawing.blocks[block as usize]));
         while let Some(item) = items.get(done) {
             if meter.is_spent() {
                 self.making = Some((block, done, portions));
@@ -173,7 +173,7 @@ impl Pigments {
             }
             done += 1;
             meter.charge(if let Item::Polygon(polygon) = item { 2 + u64::from(polygon.count) / 16 } else { 2 });
-            let share = part(drawing, item, inks).share_of(whole);
+            let share = part(drawing, item, deposits).share_of(whole);
             if share == 0.0 {
                 continue;
             }

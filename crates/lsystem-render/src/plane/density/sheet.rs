@@ -4,7 +4,7 @@
 //! shorter is spread over the four pixels around it, by how near they are, so that neither moving nor magnifying a
 //! little makes ink jump or vanish.
 
-use crate::plane::polygon::{Crossing, MANY, Side, sides_in};
+use crate::plane::canvas::polygon::{Crossing, MANY, Side, sides_in};
 use core::ops::Range;
 use lsystem_syntax::{Meter, Progress};
 

@@ -2,7 +2,7 @@
 
 use super::sheet::{Sheet, Stamp};
 use crate::plane::mixer::Mixer;
-use crate::plane::tile::Key;
+use crate::plane::top_down::tile::Key;
 use core::hash::BuildHasherDefault;
 use std::collections::HashMap;
 

@@ -4,10 +4,9 @@
 //! picture's own: a picture is exposed for what it shows. All of it depends on ratios alone, so that a view that is
 //! magnified a little is exposed a little differently, and never jumps.
 
-use super::Pass;
 use super::pigment::light;
 use super::sheet::{Pigment, Sheet};
-use crate::plane::Pane;
+use crate::plane::{Pane, Pass};
 use lsystem_syntax::{ColourBy, Meter, Progress, Style};
 
 /// Numbers that differ by less than a 64th of them are one: exponents of `f32` and the first bits of what follows.

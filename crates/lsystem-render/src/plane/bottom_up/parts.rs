@@ -1,12 +1,12 @@
 //! Which parts a picture is made of: its blocks, told apart by whatever makes their pictures differ. What recurs at far
 //! too many places to look into each of them still recurs in few ways.
 
-use super::descent::{Descent, Node};
-use super::inks::InkTable;
-use super::mixer::Mixer;
-use super::shape::Shape;
-use super::tile;
-use super::view::{Look, TINY};
+use crate::plane::descent::{Descent, Node};
+use crate::plane::inks::InkTable;
+use crate::plane::mixer::Mixer;
+use crate::plane::shape::Shape;
+use crate::plane::top_down::tile;
+use crate::plane::view::{Measure, TINY};
 use core::hash::BuildHasherDefault;
 use core::ops::Range;
 use lsystem_drawing::{BlockId, Drawing, Item};
@@ -15,7 +15,7 @@ use std::collections::{BinaryHeap, HashMap};
 
 /// What a picture is made of.
 #[derive(Clone, Copy)]
-pub(super) struct Scene<'a> {
+pub(in crate::plane) struct Scene<'a> {
     pub drawing: &'a Drawing,
     pub shapes: &'a [Shape],
     pub inks: &'a InkTable,
@@ -23,7 +23,7 @@ pub(super) struct Scene<'a> {
 
 impl Scene<'_> {
     /// The bit planes of a part's picture.
-    pub(super) fn planes(&self, part: &Part) -> usize {
+    pub(in crate::plane) fn planes(&self, part: &Part) -> usize {
         self.inks.planes(self.inks.of(part.block.0 as usize))
     }
 }
@@ -35,7 +35,7 @@ const LARGEST: f64 = (1_u64 << 32) as f64;
 
 /// A block as it is in some places of the picture.
 #[derive(Clone, Debug)]
-pub(super) struct Part {
+pub(in crate::plane) struct Part {
     pub block: BlockId,
     pub heading: Heading,
     /// Subsamples in one of its units.
@@ -50,7 +50,7 @@ pub(super) struct Part {
 
 /// Where a part contains another.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Joint {
+pub(in crate::plane) struct Joint {
     /// Which of the drawing's items.
     pub item: u32,
     /// Which of the parts.
@@ -64,7 +64,7 @@ type Key = (BlockId, Heading, u64, Option<u64>);
 
 /// The parts of a picture.
 #[derive(Default)]
-pub(super) struct Parts {
+pub(in crate::plane) struct Parts {
     pub list: Vec<Part>,
     pub joints: Vec<Joint>,
     /// Those looked into: a part comes before all that are inside it, and the first is the whole drawing.
@@ -89,17 +89,17 @@ struct Opened {
 
 impl Parts {
     /// Starts with the whole drawing; `None` where it is too large.
-    pub(super) fn new(drawing: &Drawing, shapes: &[Shape], look: Look, root: Node) -> Option<Self> {
+    pub(in crate::plane) fn new(drawing: &Drawing, shapes: &[Shape], measure: Measure, root: Node) -> Option<Self> {
         let mut parts = Self::default();
-        parts.find(drawing, shapes, look, root);
+        parts.find(drawing, shapes, measure, root);
         (root.place.scale < LARGEST).then_some(parts)
     }
 
     /// Looks into parts; `None` where there are too many.
-    pub(super) fn step(
+    pub(in crate::plane) fn step(
         &mut self,
         scene: Scene<'_>,
-        look: Look,
+        measure: Measure,
         descent: &mut Descent,
         meter: &mut Meter,
     ) -> Option<Progress> {
@@ -129,7 +129,7 @@ impl Parts {
                 let child = descent.child(drawing, inks.choice, &node, placed);
                 let shape = &shapes[placed.block.0 as usize];
                 if shape.strokes > 0 && shape.line.is_none() && shape.extent(child.place.scale) > TINY {
-                    let part = self.find(drawing, shapes, look, child);
+                    let part = self.find(drawing, shapes, measure, child);
                     self.joints.push(Joint { item, part, at: child.place.origin });
                     meter.charge(2);
                 }
@@ -139,10 +139,10 @@ impl Parts {
     }
 
     /// The part that a block is.
-    fn find(&mut self, drawing: &Drawing, shapes: &[Shape], look: Look, node: Node) -> usize {
+    fn find(&mut self, drawing: &Drawing, shapes: &[Shape], measure: Measure, node: Node) -> usize {
         let Node { block, place, pen, .. } = node;
-        let radius = look.widest(&drawing.blocks[block.0 as usize], pen.width);
-        let width = (radius > look.hairline).then_some(pen.width.to_bits());
+        let radius = measure.widest(&drawing.blocks[block.0 as usize], pen.width);
+        let width = measure.is_wide(radius).then_some(pen.width.to_bits());
         let index = self.list.len();
         let found = *self.known.entry((block, place.heading, tile::scale(place.scale), width)).or_insert(index);
         if found == index {

@@ -6,11 +6,17 @@
 //! What a broad stroke covers throughout is one number to eight words of each plane, so that large pictures of little
 //! take little memory traffic; and nothing is cleared before it is painted upon.
 
-use super::bits::Bits;
-use super::inks::{Dye, PLANES};
-use super::words::{Block, GROUP, NOTHING, STRIP, Spans, Words, any, columns, has_only_holes, within};
+pub(in crate::plane) mod bits;
+pub(in crate::plane) mod polygon;
+pub(in crate::plane) mod resolve;
+pub(in crate::plane) mod stroke;
+pub(in crate::plane) mod words;
+
+use crate::plane::inks::{Dye, PLANES};
+use bits::Bits;
 use core::ops::Range;
 use lsystem_syntax::{Meter, Progress};
+use words::{Block, GROUP, NOTHING, STRIP, Spans, Words, any, columns, has_only_holes, within};
 
 /// Rows in a cell; a cell is a strip's word range that is made pixels of at once.
 const CELL: usize = 64;
@@ -19,7 +25,7 @@ const GROUPS: usize = u64::BITS as usize;
 
 /// A bit picture. Coordinates are subsamples, y down.
 #[derive(Default)]
-pub(super) struct Canvas {
+pub(in crate::plane) struct Canvas {
     pub strips: usize,
     /// Whole groups of them.
     pub rows: usize,
@@ -58,7 +64,7 @@ const AT_ONCE: usize = COPIED << 12;
 
 /// What a group holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Group {
+pub(in crate::plane) enum Group {
     /// Nothing.
     Bare,
     /// One colour throughout.
@@ -69,7 +75,7 @@ pub(super) enum Group {
 
 impl Canvas {
     /// Makes it empty and at least `width` by `height` subsamples.
-    pub(super) fn reset(&mut self, width: usize, height: usize, planes: usize) {
+    pub(in crate::plane) fn reset(&mut self, width: usize, height: usize, planes: usize) {
         let (strips, rows) = (width.div_ceil(STRIP), height.next_multiple_of(GROUP));
         self.height = height;
         (self.strips, self.rows, self.planes) = (strips, rows, planes);
@@ -86,7 +92,12 @@ impl Canvas {
     }
 
     /// Makes room for so many subsamples, in pieces. What emptying a large canvas takes is the first touch of its memory.
-    pub(super) fn make_room(&mut self, [width, height]: [usize; 2], planes: usize, meter: &mut Meter) -> Progress {
+    pub(in crate::plane) fn make_room(
+        &mut self,
+        [width, height]: [usize; 2],
+        planes: usize,
+        meter: &mut Meter,
+    ) -> Progress {
         let size = width.div_ceil(STRIP) * height.next_multiple_of(GROUP);
         let all = size * (1 + planes);
         let (wanted, done) = &mut self.room;
@@ -109,13 +120,13 @@ impl Canvas {
     }
 
     /// The units of work done since this was asked last, beside what painters count.
-    pub(super) fn take_work(&mut self) -> u64 {
+    pub(in crate::plane) fn take_work(&mut self) -> u64 {
         core::mem::take(&mut self.work)
     }
 
     /// What a group of a strip holds.
     #[inline]
-    pub(super) fn group(&self, strip: usize, group: usize) -> Group {
+    pub(in crate::plane) fn group(&self, strip: usize, group: usize) -> Group {
         let (word, bit) = (strip * self.words() + group / GROUPS, 1 << (group % GROUPS));
         if self.mixed[word] & bit != 0 {
             Group::Mixed
@@ -127,12 +138,12 @@ impl Canvas {
     }
 
     /// The groups of a cell.
-    pub(super) fn groups(&self, cell: usize) -> Range<usize> {
+    pub(in crate::plane) fn groups(&self, cell: usize) -> Range<usize> {
         cell * (CELL / GROUP)..((cell + 1) * (CELL / GROUP)).min(self.rows / GROUP)
     }
 
     /// Whether anything was painted in a cell of a strip.
-    pub(super) fn is_touched(&self, strip: usize, cell: usize) -> bool {
+    pub(in crate::plane) fn is_touched(&self, strip: usize, cell: usize) -> bool {
         let groups = self.groups(cell);
         let word = strip * self.words() + groups.start / GROUPS;
         let bits = columns(groups.start / GROUPS, [groups.start, groups.end - 1]);
@@ -140,7 +151,7 @@ impl Canvas {
     }
 
     /// Lets the words of every group tell what it holds.
-    pub(super) fn settle(&mut self) {
+    pub(in crate::plane) fn settle(&mut self) {
         self.work += (self.covered.len() * (1 + self.planes) / COPIED) as u64;
         for strip in 0..self.strips {
             for group in 0..self.rows / GROUP {
@@ -183,18 +194,18 @@ impl Canvas {
     }
 
     /// The planes of colours, each laid out as what is covered.
-    pub(super) fn colour_planes(&self) -> impl Iterator<Item = &[u64]> {
+    pub(in crate::plane) fn colour_planes(&self) -> impl Iterator<Item = &[u64]> {
         self.colours.chunks_exact(self.covered.len().max(1))
     }
 
     /// In subsamples, whole strips and groups.
-    pub(super) fn size(&self) -> [f64; 2] {
+    pub(in crate::plane) fn size(&self) -> [f64; 2] {
         [self.strips * STRIP, self.rows].map(|side| side as f64)
     }
 
     /// Whether the rectangle of columns `x` and rows `y`, ends included, is covered throughout (the part outside
     /// counts as covered).
-    pub(super) fn is_full(&mut self, x: [i64; 2], y: [i64; 2]) -> bool {
+    pub(in crate::plane) fn is_full(&mut self, x: [i64; 2], y: [i64; 2]) -> bool {
         let Some((x, y)) = self.clip(x, y) else { return true };
         let groups = y.map(|row| row / GROUP);
         let words = groups[1] / GROUPS - groups[0] / GROUPS + 1;
@@ -240,7 +251,7 @@ impl Canvas {
     }
 
     /// Paints a tile with its upper left corner at (`x`, `y`), dyed.
-    pub(super) fn stamp(&mut self, tile: &Bits<'_>, [x, y]: [i64; 2], dye: &Dye) {
+    pub(in crate::plane) fn stamp(&mut self, tile: &Bits<'_>, [x, y]: [i64; 2], dye: &Dye) {
         let shift = x.rem_euclid(STRIP as i64) as u32;
         let strips = tile.extents.len();
         let extent = |strip: usize| match tile.extents.get(strip) {
@@ -299,7 +310,7 @@ impl Canvas {
     }
 
     /// Paints these subsamples of a group, in colours whose digits are given by plane.
-    pub(super) fn put(&mut self, strip: usize, group: usize, bits: Block, digit: impl Fn(usize) -> Block) {
+    pub(in crate::plane) fn put(&mut self, strip: usize, group: usize, bits: Block, digit: impl Fn(usize) -> Block) {
         if let Some(new) = self.cover(strip, group, bits) {
             for plane in 0..self.planes {
                 self.add(plane, strip * self.rows + group * GROUP, &new, &digit(plane));
@@ -387,7 +398,7 @@ impl Canvas {
 
     /// Paints a shape, as [`Canvas::trace`] goes along it.
     #[inline]
-    pub(super) fn fill(
+    pub(in crate::plane) fn fill(
         &mut self,
         rows: Range<usize>,
         colour: u32,
@@ -404,7 +415,7 @@ impl Canvas {
     /// sets the spans of some rows of a group, which reach nothing before, and gives the first and the last column of
     /// them all; `bounds` gives columns between which the shape is in some rows.
     #[inline(always)]
-    pub(super) fn trace(
+    pub(in crate::plane) fn trace(
         &mut self,
         rows: Range<usize>,
         bounds: impl Fn(Range<usize>) -> [i64; 2],
@@ -440,7 +451,7 @@ impl Canvas {
     }
 
     /// Whether some rows of a group are covered; `reach` is from the first to the last of all their columns.
-    pub(super) fn is_group_full(&mut self, group: usize, reach: [i64; 2], spans: &Spans) -> bool {
+    pub(in crate::plane) fn is_group_full(&mut self, group: usize, reach: [i64; 2], spans: &Spans) -> bool {
         let right = (self.strips * STRIP) as i64 - 1;
         if reach[0] > right || reach[1] < 0 {
             return true;
@@ -457,7 +468,7 @@ impl Canvas {
 
     /// Paints some rows of a group; `reach` is from the first to the last of all their columns.
     #[inline(always)]
-    pub(super) fn fill_group(&mut self, group: usize, reach: [i64; 2], spans: &Spans, colour: u32) {
+    pub(in crate::plane) fn fill_group(&mut self, group: usize, reach: [i64; 2], spans: &Spans, colour: u32) {
         const LAST: i64 = STRIP as i64 - 1;
         let right = (self.strips * STRIP) as i64 - 1;
         let strips = reach.map(|column| column.clamp(0, right) as usize / STRIP);
@@ -523,9 +534,9 @@ fn grow(list: &mut Vec<u64>, length: usize, whole: usize) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::polygon;
-    use super::super::stroke::Capsule;
     use super::*;
+    use crate::plane::canvas::polygon;
+    use crate::plane::canvas::stroke::Capsule;
 
     fn paint(canvas: &mut Canvas, colours: u32) {
         for (colour, radius) in (0..colours).zip([2.0, 20.0, 45.0, 70.0].into_iter().cycle()) {

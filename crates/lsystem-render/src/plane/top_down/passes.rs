@@ -3,9 +3,9 @@
 //! The order of painting is free there. Of blocks that are small beside the width of their strokes, one stroke each covers
 //! most of what the others would add slivers to.
 
-use super::descent::{Descent, Node};
-use super::painter::Painter;
-use super::shape::Shape;
+use super::Easel;
+use crate::plane::descent::Node;
+use crate::plane::painter::Painter;
 use lsystem_drawing::{Drawing, Item};
 
 /// From pass to pass the grain becomes finer by this.
@@ -17,7 +17,7 @@ const LOOKED_AT: [usize; 2] = [4096, 1 << 15];
 
 /// The passes of a picture.
 #[derive(Default)]
-pub(super) struct Passes {
+pub(in crate::plane) struct Passes {
     /// The whole drawing, where it is painted in passes.
     root: Option<Node>,
     /// The extent of blocks of which this pass paints one stroke only; 0 in the last pass.
@@ -26,12 +26,12 @@ pub(super) struct Passes {
 
 impl Passes {
     /// Starts a picture in passes.
-    pub(super) fn begin(&mut self, root: Node) {
+    pub(in crate::plane) fn begin(&mut self, root: Node) {
         (self.root, self.grain) = (Some(root), f64::INFINITY);
     }
 
     /// Starts the next pass, if there is one: the whole drawing, and whether it is the first pass.
-    pub(super) fn next(&mut self, painter: &Painter, drawing: &Drawing) -> Option<(Node, bool)> {
+    pub(in crate::plane) fn next(&mut self, painter: &Painter, drawing: &Drawing) -> Option<(Node, bool)> {
         let root = self.root.filter(|_| self.grain > 0.0)?;
         let first = self.grain.is_infinite();
         self.grain = match self.grain {
@@ -45,13 +45,8 @@ impl Passes {
 }
 
 /// Paints a stroke of a block: one that is near the middle of the picture, of which it may cover all.
-pub(super) fn sketch(
-    painter: &mut Painter,
-    descent: &mut Descent,
-    drawing: &Drawing,
-    shapes: &[Shape],
-    node: &Node,
-) -> u64 {
+pub(in crate::plane) fn sketch(easel: &mut Easel<'_>, node: &Node) -> u64 {
+    let Easel { drawing, shapes, painter, descent } = easel;
     let mut node = *node;
     let choice = painter.inks.choice;
     let middle = painter.canvases[0].size().map(|side| side / 2.0);

@@ -1,22 +1,22 @@
 //! A filled polygon, row by row.
 
-use super::canvas::Canvas;
+use super::Canvas;
 use super::words::{GROUP, NOTHING, Spans};
 use core::ops::Range;
 use lsystem_syntax::{Meter, Progress};
 
 /// Where the outline crosses a row, and whether downwards.
-pub(super) type Crossing = (f64, i32);
+pub(in crate::plane) type Crossing = (f64, i32);
 /// Side of an outline: from one corner to the next.
-pub(super) type Side = [[f64; 2]; 2];
+pub(in crate::plane) type Side = [[f64; 2]; 2];
 /// A row with more crossings than this is filled without sorting them.
-pub(super) const MANY: usize = 1 << 12;
+pub(in crate::plane) const MANY: usize = 1 << 12;
 /// Sides of an outline that are looked at in a unit of work.
 const SIDES: usize = 8;
 
 /// A polygon that is being filled.
 #[derive(Debug, Default)]
-pub(super) struct Filling {
+pub(in crate::plane) struct Filling {
     /// On the subsample lattice, y down.
     vertices: Vec<[f64; 2]>,
     colour: u32,
@@ -36,7 +36,12 @@ pub(super) struct Filling {
 impl Filling {
     /// Starts to paint every subsample whose centre the outline winds around a number of times other than zero;
     /// `vertices` on the subsample lattice, y down. The units of work that this took.
-    pub(super) fn begin(&mut self, canvas: &Canvas, vertices: impl Iterator<Item = [f64; 2]>, colour: u32) -> u64 {
+    pub(in crate::plane) fn begin(
+        &mut self,
+        canvas: &Canvas,
+        vertices: impl Iterator<Item = [f64; 2]>,
+        colour: u32,
+    ) -> u64 {
         let [_, height] = canvas.size();
         (self.colour, self.rows, self.work) = (colour, 0..0, 0);
         self.vertices.clear();
@@ -54,12 +59,12 @@ impl Filling {
     }
 
     /// Whether there is nothing to be filled.
-    pub(super) fn is_done(&self) -> bool {
+    pub(in crate::plane) fn is_done(&self) -> bool {
         self.rows.is_empty()
     }
 
     /// Goes on, a group of rows at a time.
-    pub(super) fn step(&mut self, canvas: &mut Canvas, meter: &mut Meter) -> Progress {
+    pub(in crate::plane) fn step(&mut self, canvas: &mut Canvas, meter: &mut Meter) -> Progress {
         while !self.is_done() {
             if meter.is_spent() {
                 return Progress::More;
@@ -70,7 +75,7 @@ impl Filling {
     }
 
     /// Fills all of it at once, for outlines of few corners; the units of work that this took.
-    pub(super) fn finish(&mut self, canvas: &mut Canvas) -> u64 {
+    pub(in crate::plane) fn finish(&mut self, canvas: &mut Canvas) -> u64 {
         let mut units = 0;
         while !self.is_done() {
             units += self.group(canvas);
@@ -134,7 +139,7 @@ impl Filling {
 }
 
 /// Collects the sides of an outline that lie between two heights, at least in part; the units of work that this took.
-pub(super) fn sides_in(vertices: &[[f64; 2]], [top, bottom]: [f64; 2], sides: &mut Vec<Side>) -> u64 {
+pub(in crate::plane) fn sides_in(vertices: &[[f64; 2]], [top, bottom]: [f64; 2], sides: &mut Vec<Side>) -> u64 {
     sides.clear();
     let next = vertices.iter().cycle().skip(1);
     // A side that ends above the first row, or begins below the last, crosses none of them.
@@ -194,7 +199,7 @@ fn spans_of_many(crossings: &[Crossing], columns: usize, changes: &mut Vec<i32>,
 
 /// Paints a polygon at once.
 #[cfg(test)]
-pub(super) fn paint(canvas: &mut Canvas, vertices: &[[f64; 2]], colour: u32) {
+pub(in crate::plane) fn paint(canvas: &mut Canvas, vertices: &[[f64; 2]], colour: u32) {
     let mut filling = Filling::default();
     filling.begin(canvas, vertices.iter().copied(), colour);
     filling.finish(canvas);

@@ -3,7 +3,7 @@
 use super::parts::{Joint, Part, Parts};
 
 /// Words that the pictures of parts may take at a time: 24 MiB, where tiles, which are dropped before, take 23.
-pub(super) const ROOM: u64 = 24 << 17;
+pub(in crate::plane) const ROOM: u64 = 24 << 17;
 /// Words of such pictures that may be painted in all: some tenths of a second.
 const WORK: u64 = 400 << 20;
 /// How many subsamples of the picture a cell of the lattice has along its side: the finest that will do is taken.
@@ -14,7 +14,7 @@ const GRAINS: [u32; 3] = [1, 2, 4];
 const LEAST: f64 = 8.0;
 
 /// The cells from the first to before the second: columns and rows.
-pub(super) type Area = [[i64; 2]; 2];
+pub(in crate::plane) type Area = [[i64; 2]; 2];
 
 /// The parts on a lattice, each off by half a cell at most.
 ///
@@ -23,7 +23,7 @@ pub(super) type Area = [[i64; 2]; 2];
 /// inside it are off least. What is left is about a quarter of a cell for each of the parts inside each other,
 /// at worst to the same side.
 #[derive(Default)]
-pub(super) struct Layout {
+pub(in crate::plane) struct Layout {
     /// How many subsamples of the picture there are along the side of a cell.
     pub grain: u32,
     /// By joint: cells from the origin's cell of a part to that of the one inside.
@@ -42,7 +42,7 @@ pub(super) struct Layout {
 
 /// The lattices tried so far, from the finest on.
 #[derive(Default)]
-pub(super) struct Trials {
+pub(in crate::plane) struct Trials {
     next: usize,
     /// One of which it is not known yet what it takes.
     layout: Option<Layout>,
@@ -52,7 +52,7 @@ impl Trials {
     /// Tries a lattice for the part `seen` of a drawing whose origin is at `origin`, both in subsamples; `planes` tells how
     /// many planes a part has. One that takes no more memory and time than it may, when it is found; `None` where there
     /// is none. Each call looks at all joints a few times.
-    pub(super) fn step(
+    pub(in crate::plane) fn step(
         &mut self,
         parts: &Parts,
         origin: [f64; 2],
@@ -134,7 +134,7 @@ impl Layout {
     }
 
     /// The joints of a part whose picture shows something of what they join.
-    pub(super) fn is_used(&self, parts: &Parts, index: usize, joint: usize) -> bool {
+    pub(in crate::plane) fn is_used(&self, parts: &Parts, index: usize, joint: usize) -> bool {
         let inner = parts.joints[joint].part;
         !is_empty(common(moved(self.areas[index], self.shifts[joint].map(|v| -v)), self.areas[inner]))
     }
@@ -183,12 +183,12 @@ const FAR: i64 = 1 << 40;
 /// No cells.
 const NOTHING: Area = [[FAR; 2], [-FAR; 2]];
 
-pub(super) fn is_empty([low, high]: Area) -> bool {
+pub(in crate::plane) fn is_empty([low, high]: Area) -> bool {
     low[0] >= high[0] || low[1] >= high[1]
 }
 
 /// Columns and rows.
-pub(super) fn size([low, high]: Area) -> [u64; 2] {
+pub(in crate::plane) fn size([low, high]: Area) -> [u64; 2] {
     [0, 1].map(|axis| (high[axis] - low[axis]).max(0) as u64)
 }
 

@@ -1,14 +1,14 @@
 //! Blocks painted once, as tiles, and stamped wherever they recur.
 
-use super::descent::Node;
-use super::inks::{Inks, Shade};
-use super::painter::{BROAD, Painter};
-use super::shape::Shape;
 use super::tile::{self, Key, Tile, Tiles};
+use crate::plane::descent::Node;
+use crate::plane::inks::{Inks, Shade};
+use crate::plane::painter::{BROAD, Painter};
+use crate::plane::shape::Shape;
 use lsystem_syntax::Meter;
 
 /// Makes and stamps the tiles of a picture.
-pub(super) struct Tiling {
+pub(in crate::plane) struct Tiling {
     /// Below this number of strokes on the picture, tiles are made only where they save much.
     pub simple: u64,
     tiles: Tiles,
@@ -42,7 +42,7 @@ struct Target {
 
 /// Where a block lies on its canvas, in subsamples.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bounds {
+pub(in crate::plane) struct Bounds {
     pub centre: [f64; 2],
     /// How far the block reaches from the centre, across and down, its strokes as well.
     pub reach: [f64; 2],
@@ -58,24 +58,24 @@ impl Default for Tiling {
 
 impl Tiling {
     /// Forgets all tiles.
-    pub(super) fn clear(&mut self) {
+    pub(in crate::plane) fn clear(&mut self) {
         self.tiles.clear();
     }
 
     /// Gives up the tiles in the making.
-    pub(super) fn stop(&mut self) {
+    pub(in crate::plane) fn stop(&mut self) {
         self.making.clear();
     }
 
     /// Gives up the tiles in the making, and the memory of all others.
-    pub(super) fn free(&mut self) {
+    pub(in crate::plane) fn free(&mut self) {
         self.making.clear();
         self.tiles = Tiles::default();
     }
 
     /// The size of the tile that a block is to be painted with, if any.
     #[inline]
-    pub(super) fn tile_size(
+    pub(in crate::plane) fn tile_size(
         &self,
         painter: &Painter,
         node: &Node,
@@ -92,7 +92,7 @@ impl Tiling {
     /// Stamps the tile of a block, if there is one: what that took. Otherwise moves the block to the canvas where the tile
     /// is made until the stack has its present `height` again, unless the tile would be too large.
     #[inline]
-    pub(super) fn stamp_or_make(
+    pub(in crate::plane) fn stamp_or_make(
         &mut self,
         painter: &mut Painter,
         (shape, node): (&Shape, &mut Node),
@@ -111,7 +111,7 @@ impl Tiling {
             scale: tile::scale(place.scale),
             offset: snapped.offset,
             fine,
-            width: (radius > painter.look.hairline).then_some(node.pen.width.to_bits()),
+            width: painter.measure.is_wide(radius).then_some(node.pen.width.to_bits()),
         };
         let target = Target { canvas: node.canvas, cell: snapped.cell, shade: node.pen.shade };
         if let Some(tile) = self.tiles.get(&key) {
@@ -135,7 +135,7 @@ impl Tiling {
     /// Keeps and stamps the innermost tile in the making, if it is done: if the stack has its `height` again. Whether it
     /// was.
     #[inline]
-    pub(super) fn finish(&mut self, painter: &mut Painter, height: usize, meter: &mut Meter) -> bool {
+    pub(in crate::plane) fn finish(&mut self, painter: &mut Painter, height: usize, meter: &mut Meter) -> bool {
         let Some(making) = self.making.pop_if(|making| making.height == height) else { return false };
         let canvas = &mut painter.canvases[1 + making.size];
         canvas.settle();

@@ -1,14 +1,14 @@
 //! From subsamples to pixels.
 
-use super::canvas::{Canvas, Group};
 use super::words::GROUP;
-use super::{Detail, Pane};
+use super::{Canvas, Group};
+use crate::plane::{Detail, Pane, Pass};
 use core::ops::Range;
 use lsystem_syntax::{Meter, Progress, Style};
 
 /// The finished pixels and the way to them.
 #[derive(Default)]
-pub(super) struct Output {
+pub(in crate::plane) struct Output {
     width: usize,
     height: usize,
     pixels: Vec<u8>,
@@ -31,9 +31,16 @@ const SIDE: usize = 16;
 impl Output {
     /// Starts a pane of a picture whose colours have the palette entries `inks`, by number; the units of work that this
     /// took.
-    pub(super) fn begin(&mut self, style: &Style, inks: &[u32], pane: Pane, detail: Detail) -> u64 {
+    pub(in crate::plane) fn begin(
+        &mut self,
+        style: &Style,
+        inks: &[u32],
+        pane: Pane,
+        detail: Detail,
+        pass: Pass,
+    ) -> u64 {
         let mut work = inks.len() as u64;
-        let (width, height) = (pane.width as usize, pane.height as usize);
+        let (width, height) = if pass.shows() { (pane.width as usize, pane.height as usize) } else { (0, 0) };
         let background = style.background.rgb.map(u32::from);
         let known = (self.width, self.height, self.background, self.detail) == (width, height, background, detail);
         if !known || self.pixels.is_empty() {
@@ -66,13 +73,13 @@ impl Output {
         work
     }
 
-    pub(super) fn pixels(&self) -> &[u8] {
+    pub(in crate::plane) fn pixels(&self) -> &[u8] {
         &self.pixels
     }
 
     /// Makes pixels of the subsamples, cell by cell from side to side: downwards each row of pixels would be in another
     /// page of memory, and with more rows than the processor knows addresses of pages that takes several times as long.
-    pub(super) fn step(&mut self, frame: &Canvas, meter: &mut Meter) -> Progress {
+    pub(in crate::plane) fn step(&mut self, frame: &Canvas, meter: &mut Meter) -> Progress {
         while self.next < self.inked.len() {
             if meter.is_spent() {
                 return Progress::More;

@@ -1,14 +1,16 @@
 //! How much ink blocks lay down, and where: sums over all their strokes, which are sums over the blocks inside.
 
 use crate::plane::Amount;
+use crate::plane::descent::Node;
 use crate::plane::shape::Shape;
 use crate::plane::sweep::{Fact, Sweep};
+use crate::plane::view::Measure;
 use lsystem_drawing::{Block, Drawing, Item};
 use lsystem_syntax::{Meter, Progress};
 
 /// The ink of one block, in its own frame.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Ink {
+pub(super) struct Deposit {
     /// Of all strokes together, in block units.
     pub length: Amount,
     /// Of all polygons together, in square block units.
@@ -23,7 +25,26 @@ pub(super) struct Ink {
     pub even: bool,
 }
 
-impl Ink {
+impl Deposit {
+    /// All ink of a block whose strokes are as wide as it is entered with: in layers, times pixels.
+    #[inline]
+    pub(super) fn amount(&self, measure: &Measure, node: &Node) -> Amount {
+        let scale = node.place.scale.abs();
+        self.length.times(scale).times(measure.width(node.pen.width)).plus(self.area.times(scale).times(scale))
+    }
+
+    /// How the ink of a block lies about its centre, in pixels, up and to the right: the mean of x x, x y and y y. What its
+    /// strokes reach across, as wide as it is entered with, counts as what they reach along.
+    #[inline]
+    pub(super) fn squares(&self, measure: &Measure, node: &Node) -> [f64; 3] {
+        let (cos, sin) = node.place.heading.cos_sin();
+        let width = measure.width(node.pen.width);
+        let along = turned(self.spread, [node.place.cos, node.place.sin]);
+        let across = turned(self.across, [cos, sin]);
+        // An even distribution over a length has a twelfth of its square.
+        [0, 1, 2].map(|i| along[i] + width * width / 12.0 * across[i])
+    }
+
     /// Which part of a block's ink it is: by length, or by area where there are no strokes.
     pub(super) fn share_of(&self, whole: &Self) -> f64 {
         if whole.length.is_zero() { self.area.of(whole.area) } else { self.length.of(whole.length) }
@@ -35,26 +56,26 @@ const ROUNDING: f64 = 1e-9;
 
 /// The ink of blocks, found in steps.
 #[derive(Debug, Default)]
-pub(super) struct InkList {
+pub(super) struct Deposits {
     /// By block, as far as they are known.
-    pub list: Vec<Ink>,
+    pub list: Vec<Deposit>,
     place: Sweep,
     /// Of the block in hand, so far.
-    sum: Ink,
+    sum: Deposit,
 }
 
-impl InkList {
+impl Deposits {
     /// Goes on until the ink of all blocks is known, which have these shapes.
     pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], meter: &mut Meter) -> Progress {
         let mut place = self.place;
-        let progress = place.step(&mut Summing { inks: self, shapes }, drawing, meter);
+        let progress = place.step(&mut Summing { deposits: self, shapes }, drawing, meter);
         self.place = place;
         progress
     }
 }
 
 struct Summing<'a> {
-    inks: &'a mut InkList,
+    deposits: &'a mut Deposits,
     shapes: &'a [Shape],
 }
 
@@ -64,8 +85,8 @@ impl Fact for Summing<'_> {
 
     fn item(&mut self, drawing: &Drawing, pass: usize, _: usize, item: &Item) -> u64 {
         // Found anew in each pass: to keep the parts of a long block would take more memory than the drawing.
-        let part = part(drawing, item, &self.inks.list);
-        let sum = &mut self.inks.sum;
+        let part = part(drawing, item, &self.deposits.list);
+        let sum = &mut self.deposits.sum;
         if pass == 0 {
             sum.length = sum.length.plus(part.length);
             sum.area = sum.area.plus(part.area);
@@ -84,43 +105,43 @@ impl Fact for Summing<'_> {
     }
 
     fn close(&mut self, _: &Drawing, _: &Block) -> u64 {
-        let mut ink = core::mem::take(&mut self.inks.sum);
-        ink.even = self.shapes[self.inks.list.len()].line.is_some_and(|line| {
+        let mut ink = core::mem::take(&mut self.deposits.sum);
+        ink.even = self.shapes[self.deposits.list.len()].line.is_some_and(|line| {
             let (dx, dy) = (line.to[0] - line.from[0], line.to[1] - line.from[1]);
             let length = (dx * dx + dy * dy).sqrt();
             (ink.length.units(0) - length).abs() <= ROUNDING * length
         });
-        self.inks.list.push(ink);
+        self.deposits.list.push(ink);
         0
     }
 }
 
 /// The ink of an item, in the frame of the block that holds it, given the ink of the blocks inside.
-pub(super) fn part(drawing: &Drawing, item: &Item, inks: &[Ink]) -> Ink {
+pub(super) fn part(drawing: &Drawing, item: &Item, deposits: &[Deposit]) -> Deposit {
     match item {
         Item::Stroke(stroke) => {
             let [dx, dy] = [0, 1].map(|i| stroke.to[i] - stroke.from[i]);
             let length = (dx * dx + dy * dy).sqrt();
             let [ux, uy] = if length > 0.0 { [dx / length, dy / length] } else { [0.0; 2] };
-            Ink {
+            Deposit {
                 length: Amount::new(length),
                 centre: [0, 1].map(|i| (stroke.from[i] + stroke.to[i]) / 2.0),
                 spread: [dx * dx, dx * dy, dy * dy].map(|v| v / 12.0),
                 across: [uy * uy, -ux * uy, ux * ux],
-                ..Ink::default()
+                ..Deposit::default()
             }
         }
         Item::Polygon(polygon) => {
             let vertices = drawing.vertices_of(polygon);
             let (area, centre) = area(vertices);
-            Ink { area: Amount::new(area), centre, ..Ink::default() }
+            Deposit { area: Amount::new(area), centre, ..Deposit::default() }
         }
         Item::Block(placed) => {
-            let inner = &inks[placed.block.0 as usize];
+            let inner = &deposits[placed.block.0 as usize];
             let (cos, sin) = placed.heading.cos_sin();
             let (c, s) = (cos * placed.scale, sin * placed.scale);
             let [x, y] = inner.centre;
-            Ink {
+            Deposit {
                 length: inner.length.times(placed.scale),
                 area: inner.area.times(placed.scale * placed.scale),
                 centre: [placed.at[0] + c * x - s * y, placed.at[1] + s * x + c * y],

@@ -1,13 +1,13 @@
 //! A stroke with round caps, row by row.
 
-use super::canvas::Canvas;
-use super::search::nearest_on;
+use super::Canvas;
 use super::words::{GROUP, NOTHING, Spans};
+use crate::plane::search::nearest_on;
 use core::ops::Range;
 
 /// A segment on the subsample lattice, y down, and half its width.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Capsule {
+pub(in crate::plane) struct Capsule {
     pub from: [f64; 2],
     pub to: [f64; 2],
     pub radius: f64,
@@ -64,7 +64,7 @@ impl Side {
 
 impl Capsule {
     /// Paints every subsample whose centre is within the radius of the segment. Returns how many rows it took.
-    pub(super) fn paint(&self, canvas: &mut Canvas, colour: u32) -> usize {
+    pub(in crate::plane) fn paint(&self, canvas: &mut Canvas, colour: u32) -> usize {
         self.trace(canvas, |canvas, group, reach, spans| {
             canvas.fill_group(group, reach, spans, colour);
             true
@@ -72,7 +72,7 @@ impl Capsule {
     }
 
     /// Whether each of these subsamples is covered, as far as that can be told.
-    pub(super) fn is_covered(&self, canvas: &mut Canvas) -> bool {
+    pub(in crate::plane) fn is_covered(&self, canvas: &mut Canvas) -> bool {
         let mut covered = self.length().is_some();
         self.trace(canvas, |canvas, group, reach, spans| {
             covered = canvas.is_group_full(group, reach, spans);

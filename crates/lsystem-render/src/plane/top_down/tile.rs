@@ -3,12 +3,12 @@
 //! A tile is what a block covers at one size and heading, with its origin at one of a few places between two
 //! subsamples. Colours are relative to the colour at entry, so that one tile serves them all.
 
-use super::bits::{Bits, Planes};
-use super::canvas::Canvas;
-use super::inks::{Dye, Inks, PLANES};
-use super::mixer::Mixer;
-use super::view::Detail;
-use super::words::GROUP;
+use crate::plane::canvas::Canvas;
+use crate::plane::canvas::bits::{Bits, Planes};
+use crate::plane::canvas::words::GROUP;
+use crate::plane::inks::{Dye, Inks, PLANES};
+use crate::plane::mixer::Mixer;
+use crate::plane::view::Detail;
 use core::hash::BuildHasherDefault;
 use lsystem_drawing::BlockId;
 use lsystem_syntax::Heading;
@@ -27,13 +27,13 @@ const FEW: [u32; SIZES] = [64, 48, 16, 8, 8];
 /// The same in a picture that has few strokes so far, so that simple drawings are exact throughout.
 const SIMPLE: [u32; SIZES] = [1280, 640, 160, 80, 8];
 /// How many strokes are few for a picture.
-pub(super) const SIMPLE_STROKES: u64 = 4_000;
+pub(in crate::plane) const SIMPLE_STROKES: u64 = 4_000;
 /// Words in a chunk of memory; no tile needs more.
 const CHUNK: usize = 1 << 17;
 /// Chunks kept; when more are needed, all tiles are dropped and made again as needed.
 const CHUNKS: usize = 23;
 /// The bytes of all of them.
-pub(super) const TILES: u64 = (CHUNKS * CHUNK * size_of::<u64>()) as u64;
+pub(in crate::plane) const TILES: u64 = (CHUNKS * CHUNK * size_of::<u64>()) as u64;
 /// Of these, dyed copies of tiles are made as long as no more are in use.
 const COPIED: usize = 16;
 /// So many dyed copies are kept of a tile.
@@ -42,11 +42,11 @@ const COPIES: usize = 6;
 const NUMBER: u64 = u16::MAX as u64;
 
 /// The number of sizes.
-pub(super) const SIZES: usize = EXTENTS.len();
+pub(in crate::plane) const SIZES: usize = EXTENTS.len();
 
 /// The size of the tile for a block, if it should have one: 0 is the largest. `simple` says that it is on a picture
 /// that has few strokes so far. The largest are for crowds in one ink: others are rarely met again, and take much memory.
-pub(super) fn size(extent: f64, strokes: u32, inks: Inks, simple: bool) -> Option<usize> {
+pub(in crate::plane) fn size(extent: f64, strokes: u32, inks: Inks, simple: bool) -> Option<usize> {
     let enough = if simple { SIMPLE } else { FEW };
     let size = EXTENTS.iter().rposition(|&largest| extent <= largest)?;
     let crowd = inks != Inks::Many && !is_sparse(extent, strokes);
@@ -55,7 +55,7 @@ pub(super) fn size(extent: f64, strokes: u32, inks: Inks, simple: bool) -> Optio
 
 /// Everything a tile depends on, apart from what holds for the whole picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Key {
+pub(in crate::plane) struct Key {
     pub block: BlockId,
     pub heading: Heading,
     /// The number of subsamples in a block unit, as [`scale`] tells.
@@ -69,13 +69,13 @@ pub(super) struct Key {
 }
 
 /// What tells scales apart: 2^-36 of their size, so that factors give the same tile in whatever order they are multiplied.
-pub(super) fn scale(scale: f64) -> u64 {
+pub(in crate::plane) fn scale(scale: f64) -> u64 {
     (scale.to_bits() + (1 << 15)) >> 16
 }
 
 /// A place on the subsample lattice, and the rest of the way to it in steps.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Snapped {
+pub(in crate::plane) struct Snapped {
     pub cell: [i64; 2],
     pub offset: [u8; 2],
     /// The offset in subsamples.
@@ -83,13 +83,13 @@ pub(super) struct Snapped {
 }
 
 /// Whether the strokes of a block can be told apart: it has fewer than pixels.
-pub(super) fn is_sparse(extent: f64, strokes: u32) -> bool {
+pub(in crate::plane) fn is_sparse(extent: f64, strokes: u32) -> bool {
     let side = extent / Detail::Fine.samples() as f64;
     f64::from(strokes) < side * side
 }
 
 /// The nearest place for the origin of a block's tile, in `fine` or in ordinary steps.
-pub(super) fn snap(at: [f64; 2], size: usize, fine: bool) -> Snapped {
+pub(in crate::plane) fn snap(at: [f64; 2], size: usize, fine: bool) -> Snapped {
     let steps = if fine { SPARSE_STEPS } else { STEPS[size] };
     let whole = at.map(|v| (v * steps + 0.5).floor() as i64);
     let offset = whole.map(|v| v.rem_euclid(steps as i64) as u8);
@@ -98,7 +98,7 @@ pub(super) fn snap(at: [f64; 2], size: usize, fine: bool) -> Snapped {
 
 /// Where a tile's bits are, and where they go.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tile {
+pub(in crate::plane) struct Tile {
     chunk: usize,
     first: usize,
     pub strips: usize,
@@ -110,7 +110,7 @@ pub(super) struct Tile {
 
 impl Tile {
     /// Bit planes of colours.
-    pub(super) fn planes(&self) -> usize {
+    pub(in crate::plane) fn planes(&self) -> usize {
         self.planes
     }
 
@@ -137,7 +137,7 @@ impl Tile {
 
 /// The tiles made so far.
 #[derive(Default)]
-pub(super) struct Tiles {
+pub(in crate::plane) struct Tiles {
     places: HashMap<Key, Tile, BuildHasherDefault<Mixer>>,
     chunks: Vec<Vec<u64>>,
     /// The chunk in use.
@@ -147,7 +147,7 @@ pub(super) struct Tiles {
 }
 
 impl Tiles {
-    pub(super) fn clear(&mut self) {
+    pub(in crate::plane) fn clear(&mut self) {
         self.places.clear();
         self.chunks.iter_mut().for_each(Vec::clear);
         self.chunk = 0;
@@ -155,16 +155,16 @@ impl Tiles {
     }
 
     /// Whether a tile of this size, in subsamples, can be kept.
-    pub(super) fn fits([width, height]: [usize; 2], planes: usize) -> bool {
+    pub(in crate::plane) fn fits([width, height]: [usize; 2], planes: usize) -> bool {
         COPIES + 2 * GROUP + width.div_ceil(u64::BITS as usize) * (1 + height * (1 + planes)) <= CHUNK
     }
 
-    pub(super) fn get(&self, key: &Key) -> Option<Tile> {
+    pub(in crate::plane) fn get(&self, key: &Key) -> Option<Tile> {
         self.places.get(key).copied()
     }
 
     /// The bits of a tile that is about to be stamped with a dye. What is dyed in the same way again is kept.
-    pub(super) fn bits(&mut self, tile: &Tile, dye: &Dye) -> Bits<'_> {
+    pub(in crate::plane) fn bits(&mut self, tile: &Tile, dye: &Dye) -> Bits<'_> {
         let colours = tile.colours();
         let dyed = match dye.entry.number {
             _ if dye.is_even(tile.planes) => None,
@@ -248,7 +248,7 @@ impl Tiles {
     }
 
     /// Keeps what is on `canvas`, which [fits](Self::fits).
-    pub(super) fn insert(&mut self, key: Key, canvas: &Canvas, corner: [i64; 2]) -> Tile {
+    pub(in crate::plane) fn insert(&mut self, key: Key, canvas: &Canvas, corner: [i64; 2]) -> Tile {
         let (strips, rows, planes) = (canvas.strips, canvas.height, canvas.planes);
         let mut tile = Tile { chunk: 0, first: 0, strips, rows, planes, corner };
         tile.first = self.room(tile.len());
@@ -263,7 +263,7 @@ impl Tiles {
 }
 
 /// Adds what [`Bits`] tell to the words: the extents, then the planes of a canvas.
-pub(super) fn keep(canvas: &Canvas, words: &mut Vec<u64>) {
+pub(in crate::plane) fn keep(canvas: &Canvas, words: &mut Vec<u64>) {
     let rows = canvas.height;
     words.extend(canvas.covered.chunks_exact(canvas.rows).map(|strip| {
         let strip = &strip[..rows];
@@ -278,9 +278,9 @@ pub(super) fn keep(canvas: &Canvas, words: &mut Vec<u64>) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::inks::{Choice, Shade};
-    use super::super::stroke::Capsule;
     use super::*;
+    use crate::plane::canvas::stroke::Capsule;
+    use crate::plane::inks::{Choice, Shade};
     use lsystem_syntax::{ColourBy, Style};
 
     #[test]

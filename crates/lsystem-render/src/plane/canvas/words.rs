@@ -3,41 +3,41 @@
 use super::bits::Planes;
 
 /// Columns in a strip.
-pub(super) const STRIP: usize = u64::BITS as usize;
+pub(in crate::plane) const STRIP: usize = u64::BITS as usize;
 /// Rows in a group; a group is a strip's word range for which it is remembered how it is covered.
-pub(super) const GROUP: usize = 8;
+pub(in crate::plane) const GROUP: usize = 8;
 /// So many subsamples of a group, of 512, may stay bare on a canvas that leaves holes: what a whole picture is off by
 /// is 1/255 at most, and what 8x8 pixels are off by 2/255. The last holes of a crowd take longest to fill.
 const HOLES: u32 = 2;
 
 /// The words of a group.
-pub(super) type Block = [u64; GROUP];
+pub(in crate::plane) type Block = [u64; GROUP];
 
 /// The first and the last column of a shape in each row of a group.
-pub(super) type Spans = [[i64; 2]; GROUP];
+pub(in crate::plane) type Spans = [[i64; 2]; GROUP];
 /// A row that a shape does not reach.
-pub(super) const NOTHING: [i64; 2] = [1 << 40, -1];
+pub(in crate::plane) const NOTHING: [i64; 2] = [1 << 40, -1];
 
 /// Where a group's words are in a plane of a tile: in two strips next to each other.
 #[derive(Clone, Copy)]
-pub(super) struct Words {
+pub(in crate::plane) struct Words {
     /// Where they begin; the bits of the second move up by `shift`, and those of the first that this leaves over go below.
-    pub(super) at: [usize; 2],
+    pub(in crate::plane) at: [usize; 2],
     /// All ones where there is such a strip.
-    pub(super) masks: [u64; 2],
-    pub(super) shift: u32,
+    pub(in crate::plane) masks: [u64; 2],
+    pub(in crate::plane) shift: u32,
 }
 
 impl Words {
     /// The words of a plane, in their places. Where the tile covers nothing they are anything.
     #[inline(always)]
-    pub(super) fn of(&self, planes: &Planes<'_>, plane: usize) -> Block {
+    pub(in crate::plane) fn of(&self, planes: &Planes<'_>, plane: usize) -> Block {
         self.moved(planes, plane, [u64::MAX; 2])
     }
 
     /// Those of a plane alone.
     #[inline(always)]
-    pub(super) fn masked(&self, planes: &Planes<'_>) -> Block {
+    pub(in crate::plane) fn masked(&self, planes: &Planes<'_>) -> Block {
         self.moved(planes, 0, self.masks)
     }
 
@@ -75,7 +75,7 @@ fn funnel(words: [[u64; 2]; 2], masks: [u64; 2], shift: u32) -> [u64; 2] {
 
 /// The bits of a strip that lie in these spans.
 #[inline(always)]
-pub(super) fn within(strip: usize, spans: &Spans) -> Block {
+pub(in crate::plane) fn within(strip: usize, spans: &Spans) -> Block {
     const LAST: i64 = STRIP as i64 - 1;
     let left = (strip * STRIP) as i64;
     spans.map(|[first, last]| {
@@ -86,14 +86,14 @@ pub(super) fn within(strip: usize, spans: &Spans) -> Block {
 
 /// Whether a group has any bits.
 #[inline(always)]
-pub(super) fn any(group: &Block) -> bool {
+pub(in crate::plane) fn any(group: &Block) -> bool {
     let [a, b, c, d, e, f, g, h] = *group;
     let pair = [a | c | e | g, b | d | f | h];
     pair[0] | pair[1] != 0
 }
 
 /// Whether these rows are covered, but for the holes that may be left.
-pub(super) fn has_only_holes(rows: &[u64]) -> bool {
+pub(in crate::plane) fn has_only_holes(rows: &[u64]) -> bool {
     let mut holes = 0;
     rows.iter().all(|row| {
         holes += row.count_zeros();
@@ -102,7 +102,7 @@ pub(super) fn has_only_holes(rows: &[u64]) -> bool {
 }
 
 /// The bits of a strip that lie in columns `x`, ends included.
-pub(super) fn columns(strip: usize, x: [usize; 2]) -> u64 {
+pub(in crate::plane) fn columns(strip: usize, x: [usize; 2]) -> u64 {
     let low = x[0].saturating_sub(strip * STRIP).min(STRIP - 1);
     let high = (x[1] - strip * STRIP).min(STRIP - 1);
     u64::MAX << low & u64::MAX >> (STRIP - 1 - high)

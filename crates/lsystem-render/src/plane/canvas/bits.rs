@@ -1,7 +1,7 @@
 //! A small picture as bits, laid out like a canvas.
 
 /// Bit planes of a tile, each laid out as on a canvas: by strip, then row.
-pub(super) struct Planes<'a> {
+pub(in crate::plane) struct Planes<'a> {
     /// Before and behind the planes there is a group of words more at least.
     pub words: &'a [u64],
     /// Where the first plane begins.
@@ -12,7 +12,7 @@ pub(super) struct Planes<'a> {
 }
 
 /// The bits of a tile.
-pub(super) struct Bits<'a> {
+pub(in crate::plane) struct Bits<'a> {
     pub rows: usize,
     /// By strip: the first row that has bits, and 2^32 times the row after the last.
     pub extents: &'a [u64],

@@ -1,24 +1,29 @@
-//! The way up through a drawing's graph, for pictures on which the way down takes too long: the picture of each part is
-//! made once, of the pictures of the parts inside it, the smallest first, and the last of them is the whole.
+//! The bottom-up strategy, for crowds: the picture of each part is made once, from the pictures of the parts inside it. The
+//! smallest part comes first and the whole drawing last.
 //!
-//! Parts are put into the nearest place on a lattice, where each is off by half a cell at most. With many of them inside
-//! each other that adds up to some cells.
+//! A part is put into the nearest cell of a lattice, where it is off by half a cell at most. With many parts inside each
+//! other that adds up to some cells.
 
-use super::RenderStats;
-use super::bits::{Bits, Planes};
-use super::canvas::Canvas;
-use super::descent::{Descent, Node};
-use super::inks::{Dye, InkTable, Shade};
-use super::layout::{Layout, Trials, is_empty, size};
-use super::parts::{Parts, Scene};
-use super::pen::Pen;
-use super::polygon::Filling;
-use super::stroke::Capsule;
-use super::tile;
-use super::view::Look;
-use super::words::{Block, GROUP};
+use crate::plane::RenderStats;
+use crate::plane::canvas::Canvas;
+use crate::plane::canvas::bits::{Bits, Planes};
+use crate::plane::descent::{Descent, Node};
+use crate::plane::inks::{Dye, InkTable, Shade};
+use layout::{Layout, Trials, is_empty, size};
+mod layout;
+mod parts;
+
+use crate::plane::canvas::polygon::Filling;
+use crate::plane::canvas::stroke::Capsule;
+use crate::plane::canvas::words::{Block, GROUP};
+use crate::plane::pen::Pen;
+use crate::plane::top_down::tile;
+use crate::plane::view::Measure;
+pub(in crate::plane) use layout::ROOM;
 use lsystem_drawing::{Item, StyleId};
 use lsystem_syntax::{Meter, Progress};
+use parts::Parts;
+pub(in crate::plane) use parts::{Part, Scene};
 
 /// The finished picture of a part.
 #[derive(Debug, Default)]
@@ -73,32 +78,9 @@ impl Picture {
     }
 }
 
-/// Starts a way up: a picture of a drawing, of which the part from one corner to the other is seen, in subsamples; `None`
-/// where it is too large.
-pub(super) type Start = fn(Scene<'_>, Look, Node, [[f64; 2]; 2]) -> Option<Box<dyn Climb>>;
-
-/// A way up.
-pub(super) trait Climb {
-    /// Finds out what there is to be done; `None` where it is too much.
-    fn plan(&mut self, scene: Scene<'_>, descent: &mut Descent, meter: &mut Meter) -> Option<Progress>;
-
-    /// Whether it is known what there is to be done.
-    fn is_planned(&self) -> bool;
-
-    /// Goes on with what has been planned.
-    fn step(
-        &mut self,
-        scene: Scene<'_>,
-        descent: &mut Descent,
-        frame: &mut Canvas,
-        stats: &mut RenderStats,
-        meter: &mut Meter,
-    ) -> Progress;
-}
-
 /// A picture in the making.
-pub(super) struct Ascent {
-    look: Look,
+pub(in crate::plane) struct BottomUp {
+    measure: Measure,
     root: Node,
     /// The whole picture, in subsamples: the upper left and the lower right corner.
     seen: [[f64; 2]; 2],
@@ -119,18 +101,15 @@ pub(super) struct Ascent {
     strips: usize,
 }
 
-impl Ascent {
-    /// A [`Start`].
-    pub(super) fn start(scene: Scene<'_>, look: Look, root: Node, seen: [[f64; 2]; 2]) -> Option<Box<dyn Climb>> {
-        Self::new(scene, look, root, seen).map(|ascent| Box::new(ascent) as Box<dyn Climb>)
-    }
-
-    fn new(scene: Scene<'_>, look: Look, root: Node, seen: [[f64; 2]; 2]) -> Option<Self> {
+impl BottomUp {
+    /// Starts a picture of the whole drawing `root`, of which the part from one corner to the other is `seen`, both in
+    /// subsamples; `None` where it is too large.
+    pub(in crate::plane) fn new(scene: Scene<'_>, measure: Measure, root: Node, seen: [[f64; 2]; 2]) -> Option<Self> {
         Some(Self {
-            look,
+            measure,
             root,
             seen,
-            parts: Parts::new(scene.drawing, scene.shapes, look, root)?,
+            parts: Parts::new(scene.drawing, scene.shapes, measure, root)?,
             layout: Layout::default(),
             trials: Trials::default(),
             pictures: vec![],
@@ -214,7 +193,7 @@ impl Ascent {
                 };
                 let ends = ends.map(|end| child.place.point(end));
                 let pen = child.pen.after(inks.choice, change);
-                let pens = self.look.pens(&drawing.blocks[placed.block.0 as usize], child.pen, pen);
+                let pens = self.measure.pens(&drawing.blocks[placed.block.0 as usize], child.pen, pen);
                 pens.map(|pen| self.stroke(inks, ends, pen)).sum()
             }
         }
@@ -222,7 +201,7 @@ impl Ascent {
 
     fn stroke(&mut self, inks: &InkTable, [from, to]: [[f64; 2]; 2], pen: Pen) -> u64 {
         // What is thinner than a cell would be torn.
-        let radius = (self.look.radius(pen.width) / f64::from(self.layout.grain)).max(0.5);
+        let radius = (self.measure.radius(pen.width) / f64::from(self.layout.grain)).max(0.5);
         Capsule { from, to, radius }.paint(&mut self.canvas, inks.code(pen.shade)) as u64 / 4 + 1
     }
 
@@ -266,9 +245,15 @@ impl Ascent {
     }
 }
 
-impl Climb for Ascent {
-    fn plan(&mut self, scene: Scene<'_>, descent: &mut Descent, meter: &mut Meter) -> Option<Progress> {
-        if self.parts.step(scene, self.look, descent, meter)? == Progress::More {
+impl BottomUp {
+    /// Finds out what there is to be done; `None` where it is too much.
+    pub(in crate::plane) fn plan(
+        &mut self,
+        scene: Scene<'_>,
+        descent: &mut Descent,
+        meter: &mut Meter,
+    ) -> Option<Progress> {
+        if self.parts.step(scene, self.measure, descent, meter)? == Progress::More {
             return Some(Progress::More);
         }
         while !meter.is_spent() {
@@ -283,11 +268,13 @@ impl Climb for Ascent {
         Some(Progress::More)
     }
 
-    fn is_planned(&self) -> bool {
+    /// Whether it is known what there is to be done.
+    pub(in crate::plane) fn is_planned(&self) -> bool {
         !self.pictures.is_empty()
     }
 
-    fn step(
+    /// Goes on with what has been planned.
+    pub(in crate::plane) fn step(
         &mut self,
         scene: Scene<'_>,
         descent: &mut Descent,
@@ -336,11 +323,10 @@ fn enlarged(word: u64, times: u32) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::layout::ROOM;
-    use super::super::sample::Sample;
-    use super::super::shape::shapes;
-    use super::super::view::{Camera, View, Viewport};
     use super::*;
+    use crate::plane::sample::Sample;
+    use crate::plane::shape::shapes;
+    use crate::plane::view::{Camera, View, Viewport};
 
     #[test]
     fn bits_are_enlarged() {
@@ -365,22 +351,22 @@ mod tests {
             inks.prepare(&drawing, &mut Meter::new(u64::MAX));
             let scene = Scene { drawing: &drawing, shapes: &shapes, inks: &inks };
             let camera = Camera::new(&drawing, viewport, View { zoom, ..View::default() }, 4.0);
-            let look = Look { hairline: 2.0, step: camera.step, scale: camera.scale };
+            let measure = Measure { hairline: 2.0, step: camera.step, scale: camera.scale };
             let root = descent.root(&drawing, camera).unwrap();
-            let mut ascent = Ascent::new(scene, look, root, [[0.0; 2], [6400.0, 4000.0]]).unwrap();
-            while ascent.plan(scene, &mut descent, &mut Meter::new(1000)).unwrap() == Progress::More {}
+            let mut bottom_up = BottomUp::new(scene, measure, root, [[0.0; 2], [6400.0, 4000.0]]).unwrap();
+            while bottom_up.plan(scene, &mut descent, &mut Meter::new(1000)).unwrap() == Progress::More {}
             let mut frame = Canvas::default();
             frame.reset(6400, 4000, inks.picture_planes());
             let mut stats = RenderStats::default();
             let mut most = 0;
-            while ascent.step(scene, &mut descent, &mut frame, &mut stats, &mut Meter::new(1000)) == Progress::More {
+            while bottom_up.step(scene, &mut descent, &mut frame, &mut stats, &mut Meter::new(1000)) == Progress::More {
                 // The pictures and the canvas; the words around them, and extents, are few.
-                let kept: usize = ascent.pictures.iter().flatten().map(|p| p.strips * p.rows * (1 + p.planes)).sum();
-                most = most.max(kept + ascent.canvas.covered.len() + ascent.canvas.colours.len());
+                let kept: usize = bottom_up.pictures.iter().flatten().map(|p| p.strips * p.rows * (1 + p.planes)).sum();
+                most = most.max(kept + bottom_up.canvas.covered.len() + bottom_up.canvas.colours.len());
             }
             assert!((ROOM / 8..=ROOM + ROOM / 64).contains(&(most as u64)), "{most} of {ROOM}");
-            assert_eq!(ascent.pictures.iter().flatten().count(), 1, "the whole is left");
-            assert_eq!(stats.parts as usize, ascent.pictures.len());
+            assert_eq!(bottom_up.pictures.iter().flatten().count(), 1, "the whole is left");
+            assert_eq!(stats.parts as usize, bottom_up.pictures.len());
         }
     }
 
@@ -395,14 +381,14 @@ mod tests {
         let scene = Scene { drawing: &drawing, shapes: &shapes, inks: &inks };
         let camera = Camera::new(&drawing, viewport, View::default(), 1.0);
         // One sample a pixel, and four pixels to a cell: an eighth of a cell is half as wide as a stroke.
-        let look = Look { hairline: 0.5, step: camera.step, scale: camera.scale };
+        let measure = Measure { hairline: 0.5, step: camera.step, scale: camera.scale };
         let root = descent.root(&drawing, camera).unwrap();
         let pen = root.pen;
-        let mut ascent = Ascent::new(scene, look, root, [[0.0; 2], [64.0; 2]]).unwrap();
-        ascent.layout.grain = 4;
-        ascent.canvas.reset(64, 64, inks.picture_planes());
-        ascent.stroke(&inks, [[2.0, 20.3], [62.0, 31.7]], pen);
-        let columns = ascent.canvas.covered.iter().fold(0, |all, row| all | row);
+        let mut bottom_up = BottomUp::new(scene, measure, root, [[0.0; 2], [64.0; 2]]).unwrap();
+        bottom_up.layout.grain = 4;
+        bottom_up.canvas.reset(64, 64, inks.picture_planes());
+        bottom_up.stroke(&inks, [[2.0, 20.3], [62.0, 31.7]], pen);
+        let columns = bottom_up.canvas.covered.iter().fold(0, |all, row| all | row);
         assert_eq!(columns | 0b11 | 0b11 << 62, u64::MAX, "{columns:064b}");
     }
 }
