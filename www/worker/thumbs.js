@@ -1,4 +1,4 @@
-/** Small pictures, for the gallery and the sheet of seeds. */
+/** Thumbnails for the gallery and the seed dialog. */
 
 import { STEP_MS, page } from './page.js';
 
@@ -8,16 +8,16 @@ import { STEP_MS, page } from './page.js';
 /** @typedef {import('./page.js').Step} Step */
 
 /**
- * Small pictures of other systems, made while there is nothing else to do, each by a playground that is there for it alone.
+ * Draws small pictures of other systems while nothing else is to do, each with a playground of its own.
  * @param {object} worker
  * @param {Playground} worker.playground
  * @param {Question<'thumb'>[]} worker.waiting
  * @param {(question: number) => void} worker.tellAt
  */
 export function createThumbs({ playground, waiting, tellAt }) {
-    /** A picture that takes more steps is shown as far as it came. */
+    /** After this many steps an unfinished picture is sent as it is. */
     const MOST_STEPS = 40;
-    /** The picture being made. @type {{request: Question<'thumb'>, easel: Playground, sheet: OffscreenCanvas, bitmap: ImageBitmap | null, steps: number} | null} */
+    /** The picture being drawn. @type {{request: Question<'thumb'>, easel: Playground, sheet: OffscreenCanvas, bitmap: ImageBitmap | null, steps: number} | null} */
     let making = null;
 
     /** @param {Question<'thumb'>} request @returns {NonNullable<typeof making>} */
@@ -40,8 +40,8 @@ export function createThumbs({ playground, waiting, tellAt }) {
             return waiting.length > 0;
         },
 
-        /** Begins the picture again later. */
-        putOff() {
+        /** Drops the unfinished picture, to begin it again later. */
+        postpone() {
             if (!making) return;
             waiting.unshift(making.request);
             making.easel.free();
@@ -49,7 +49,7 @@ export function createThumbs({ playground, waiting, tellAt }) {
             making = null;
         },
 
-        /** One step of the picture that is made, or of the next. */
+        /** Draws one step of the current or next picture. */
         step() {
             const request = making?.request ?? waiting.shift();
             if (!request) return;
