@@ -95,4 +95,4 @@ export function closes(dialog, id) {
 }
 
 /** Whether the reader asked for less motion. */
-export const calm = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
+export const reducedMotion = () => matchMedia('(prefers-reduced-motion: reduce)').matches;

@@ -49,7 +49,7 @@ let blank = link === null;
 const rules = rulesPanel(store);
 const constants = constantsPanel(store, rules);
 const dials = createDials(store);
-const host = talk(store, { host: options.host, offer, play: (on) => parts?.playback.turn(on), facts: () => facts });
+const host = talk(store, { host: options.host, offer, play: (on) => parts?.playback.setPlaying(on), facts: () => facts });
 
 offer(controls);
 store.subscribe(show);
@@ -65,7 +65,7 @@ if (!link) {
 watchSight(html('stage'), (now) => {
     seen = now;
     if (seen) wake();
-    else parts?.playback.turn(false);
+    else parts?.playback.setPlaying(false);
 });
 // Paper shows what is out of sight, too.
 addEventListener('beforeprint', wake);
@@ -112,7 +112,7 @@ function begin() {
         busy: (under) => html('stage').setAttribute('aria-busy', String(under)),
         troubled({ how, question }) {
             if (question) return toast(QUESTION);
-            stage.growing(false);
+            stage.setBusy(false);
             const words = trouble.show(how, engine.good.definition !== null);
             // What is tried again by itself is no news for the host.
             if (how !== 'loading') host.error(words);
@@ -123,7 +123,7 @@ function begin() {
         back() {
             const { definition } = engine.good;
             if (definition && !sameSystem(clean(definition), store.state)) store.change({ ...definition, view: null }, '');
-            else store.look(null);
+            else store.setView(null);
         },
         again() {
             engine.define(definitionOf(store.state));
@@ -193,7 +193,7 @@ function show(state, before) {
 
 /** @param {Report} report @param {boolean} past whether it is of the last good state */
 function reported(report, past) {
-    parts?.stage.growing(!isWrong(report) && report.memoised === null);
+    parts?.stage.setBusy(!isWrong(report) && report.memoised === null);
     parts?.stage.report(report);
     if (!past) {
         rules.report(report);

@@ -8,17 +8,17 @@ export const WASM = 'lsystem.wasm';
 export const WORKER = 'worker.js';
 
 /** @param {string} name */
-const carried = (name) => document.querySelector(`script[data-file="${name}"]`);
+const embedded = (name) => document.querySelector(`script[data-file="${name}"]`);
 
 /** Whether the page is a single file. */
-export const isWhole = () => carried(WASM) !== null;
+export const isWhole = () => embedded(WASM) !== null;
 
 /**
  * The address of a classic script.
  * @param {string} name
  */
 export function scriptAddress(name) {
-    const text = carried(name)?.textContent;
+    const text = embedded(name)?.textContent;
     return text ? URL.createObjectURL(new Blob([text], { type: 'text/javascript' })) : name;
 }
 
@@ -28,8 +28,8 @@ export function scriptAddress(name) {
  * @returns {Promise<Response>}
  */
 export async function responseOf(name, anew = false) {
-    const here = carried(name);
-    if (here) return unpacked(here.textContent ?? '');
+    const here = embedded(name);
+    if (here) return gunzip(here.textContent ?? '');
     const response = anew ? await fetch(name, { cache: 'reload' }) : await fetch(name);
     if (!response.ok) throw new Error(`${name}: ${response.status}`);
     return response;
@@ -52,6 +52,6 @@ function decode(text) {
 }
 
 /** Bytes that were deflated by gzip and written in base 64. @param {string} text */
-function unpacked(text) {
+function gunzip(text) {
     return new Response(new Blob([decode(text)]).stream().pipeThrough(new DecompressionStream('gzip')));
 }

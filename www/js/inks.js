@@ -21,12 +21,12 @@ export const INKS = [
 ];
 
 /** What a system looks like that says nothing of its look. @param {'light' | 'dark'} theme @returns {Ink} */
-export function houseInk(theme) {
+export function themeInk(theme) {
     return /** @type {Ink} */ (INKS[theme === 'dark' ? 1 : 0]);
 }
 
 /** What choosing an ink changes. @param {Ink} ink @returns {Pick<State, 'palette' | 'background' | 'paletteHolds'>} */
-export function wearing({ palette, background, holds = false }) {
+export function inkPatch({ palette, background, holds = false }) {
     return { palette: [...palette], background, paletteHolds: holds };
 }
 
@@ -39,8 +39,8 @@ export function hasInk(state, ink) {
  * A definition that says nothing of its look, in the page's inks.
  * @param {import('./state.js').Definition} definition @param {'light' | 'dark'} theme
  */
-export function dressed(definition, theme) {
-    const { palette, background } = hasInk(definition, houseInk('light')) ? houseInk(theme) : definition;
+export function withThemeInk(definition, theme) {
+    const { palette, background } = hasInk(definition, themeInk('light')) ? themeInk(theme) : definition;
     return { ...definition, palette: [...palette], background };
 }
 

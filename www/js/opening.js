@@ -1,6 +1,6 @@
 /** What a first visit shows, at once, and what a system of one's own starts from. */
 
-import { houseInk } from './inks.js';
+import { themeInk } from './inks.js';
 import { clean } from './state.js';
 
 /** The same plant by day and by night: trunk, branches and leaves follow the colour symbol. */
@@ -34,6 +34,6 @@ export function opening(theme) {
 
 /** A line, waiting for its first production. @param {'light' | 'dark'} theme */
 export function blank(theme) {
-    const { palette, background } = houseInk(theme);
+    const { palette, background } = themeInk(theme);
     return clean({ axiom: 'F', iterations: 4, angle: 60, palette: [...palette], background });
 }

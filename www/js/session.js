@@ -7,7 +7,7 @@ import { sameSystem } from './state.js';
 /** @typedef {import('./sessions.js').Session} Session */
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./store.js').Store} Store */
-/** @typedef {import('./storage.js').Keeper} Keeper */
+/** @typedef {import('./storage.js').SafeStorage} SafeStorage */
 
 /** After the last change, in milliseconds. */
 const PAUSE = 400;
@@ -15,10 +15,10 @@ const PAUSE = 400;
 const freshId = () => Math.random().toString(36).slice(2);
 
 /**
- * @param {Keeper} keeper for good
- * @param {Keeper} tab as long as the tab is open
+ * @param {SafeStorage} storage for good
+ * @param {SafeStorage} tab as long as the tab is open
  */
-export function createSession(keeper, tab) {
+export function createSession(storage, tab) {
     let own = freshId();
     /** What was there before the reader changed anything, which is not worth keeping. @type {Readonly<State> | null} */
     let base = null;
@@ -26,8 +26,8 @@ export function createSession(keeper, tab) {
     let followed = null;
     let timer = 0;
 
-    const list = () => readSessions(keeper.read('sessions'));
-    const suspects = () => readSuspects(keeper.read('suspects'));
+    const list = () => readSessions(storage.read('sessions'));
+    const suspects = () => readSuspects(storage.read('suspects'));
     /** Whether there are any, so that nobody looks for them after each picture. */
     let suspected = suspects().length > 0;
 
@@ -36,7 +36,7 @@ export function createSession(keeper, tab) {
         timer = 0;
         if (!followed || (base && sameSystem(base, followed.state))) return;
         base = null;
-        keeper.write('sessions', keepSession(list(), own, followed.state, followed.origin, Date.now()));
+        storage.write('sessions', keepSession(list(), own, followed.state, followed.origin, Date.now()));
         tab.write('tab', { id: own, hash: location.hash });
     }
 
@@ -91,7 +91,7 @@ export function createSession(keeper, tab) {
             const next = names.reduce((kept, name) => withSuspect(kept, name, doubtful), former);
             suspected = next.length > 0;
             if (next.join() === former.join()) return;
-            keeper.write('suspects', next);
+            storage.write('suspects', next);
         },
 
         /** Opens what was made elsewhere: a visit of its own once it is changed. @param {State} state */

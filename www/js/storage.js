@@ -1,6 +1,6 @@
 /** What the browser keeps for this page, where it keeps anything: private windows and sandboxed frames refuse. */
 
-/** @typedef {ReturnType<typeof createStorage>} Keeper */
+/** @typedef {ReturnType<typeof createStorage>} SafeStorage */
 
 /** Longer entries are not read, in UTF-16 units: no browser keeps more for a site, and others may have written there. */
 const LONGEST = 5 << 20;

@@ -44,7 +44,7 @@ export function spansOf(letters) {
  * @param {string} before the text they belong to
  * @param {string} after
  */
-export function carried(letters, before, after) {
+export function carryOver(letters, before, after) {
     if (letters.length !== before.length) return '_'.repeat(after.length);
     const { head, tail } = edit(before, after);
     const fresh = after.length - tail - head;

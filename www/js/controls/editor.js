@@ -5,7 +5,7 @@
 
 import { make, setValue } from '../dom.js';
 import { mostOf } from '../state.js';
-import { carried, spansOf } from '../tint.js';
+import { carryOver, spansOf } from '../tint.js';
 
 /** @typedef {import('../protocol.js').Diagnostic} Diagnostic */
 /**
@@ -46,7 +46,7 @@ export function editor(area, problems, kind, { change, settle }) {
 
     function paint() {
         if (area.value !== text) {
-            letters = carried(letters, text, area.value);
+            letters = carryOver(letters, text, area.value);
             text = area.value;
         }
         const plain = hasMoreLines(text, MOST_LINES);

@@ -52,7 +52,7 @@ export function talk(store, { host, offer, play, facts }) {
         get: async ({ id }) => say({ lsystem: 'state', id, ...(await state()), ...facts() }),
         set: ({ values }) => {
             const { fields, problems } = fieldsOf(values);
-            asHost(() => store.dress(fields));
+            asHost(() => store.restyle(fields));
             if (problems.length > 0) say({ lsystem: 'error', message: problems.join(' '), problems: [] });
         },
         open: async ({ link }) => {

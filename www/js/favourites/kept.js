@@ -5,28 +5,28 @@ import { readFavourites } from '../favourites.js';
 
 /** @typedef {import('../favourites.js').Favourite} Favourite */
 
-/** @param {import('../storage.js').Keeper} keeper */
-export function createKept(keeper) {
-    const list = () => readFavourites(keeper.read('favourites'));
+/** @param {import('../storage.js').SafeStorage} storage */
+export function createKept(storage) {
+    const list = () => readFavourites(storage.read('favourites'));
 
     function showCount() {
         const count = list().length;
         setText(html('favourites-count'), count > 0 ? String(count) : '');
     }
 
-    html('favourites-form').hidden = !keeper.available;
-    html('favourites-refused').hidden = keeper.available;
+    html('favourites-form').hidden = !storage.available;
+    html('favourites-refused').hidden = storage.available;
     // Another tab may change them.
     addEventListener('storage', showCount);
     showCount();
 
     return {
-        available: keeper.available,
+        available: storage.available,
         list,
 
         /** @param {Favourite[]} next @returns {boolean} whether it is kept */
         put(next) {
-            const kept = keeper.write('favourites', next);
+            const kept = storage.write('favourites', next);
             showCount();
             return kept;
         },

@@ -17,10 +17,10 @@ import { openSession } from '../sessions.js';
 /**
  * @param {import('../store.js').Store} store
  * @param {import('../engine.js').Engine} engine
- * @param {{keeper: import('../storage.js').Keeper, session: Session}} visit
+ * @param {{storage: import('../storage.js').SafeStorage, session: Session}} visit
  */
-export function favouritesPanel(store, engine, { keeper, session }) {
-    const kept = createKept(keeper);
+export function favouritesPanel(store, engine, { storage, session }) {
+    const kept = createKept(storage);
     const dialog = createDialog(engine, kept, session);
     const exchange = createExchange(kept, { tell: dialog.tell, changed: dialog.fill });
     addForm(store, kept);

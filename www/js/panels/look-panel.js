@@ -2,7 +2,7 @@
 
 import { button, byId, html, input, make, setChoice, setText } from '../dom.js';
 import { numberField } from '../controls/number-field.js';
-import { INKS, hasInk, wearing } from '../inks.js';
+import { INKS, hasInk, inkPatch } from '../inks.js';
 import { mostOf, rangeOf } from '../state.js';
 
 /** @type {Record<import('../state.js').ColourBy, string>} */
@@ -30,7 +30,7 @@ export function lookPanel(store) {
             swatch.append(stripe);
         }
         const chip = make('button', { type: 'button', class: 'ink', 'aria-pressed': 'false' }, swatch, make('span', {}, ink.name));
-        chip.addEventListener('click', () => store.change(wearing(ink), ''));
+        chip.addEventListener('click', () => store.change(inkPatch(ink), ''));
         html('inks').append(chip);
         return { ink, chip };
     });

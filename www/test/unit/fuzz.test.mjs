@@ -105,12 +105,12 @@ fuzz('storage: whatever stands in it, a visit begins with a valid state or with 
     const entry = (/** @type {string} */ whole) => pick(roll, [() => whole, () => damaged(roll, whole), () => json(junk(roll)), () => junkText(roll)])();
     const kept = new Map([['l-systems:sessions', entry(sessions)], ['l-systems:tab', entry('{"id":"a","hash":""}')], ['l-systems:suspects', entry('["a"]')]]);
     const area = /** @type {any} */ ({ length: kept.size, getItem: (/** @type {string} */ key) => kept.get(key) ?? null, setItem: () => {}, removeItem: () => {} });
-    const keeper = createStorage(() => area);
-    const session = createSession(keeper, createStorage(() => area));
+    const storage = createStorage(() => area);
+    const session = createSession(storage, createStorage(() => area));
     const begun = session.start(pick(roll, ['', '#v=1', writeLink(state)]), roll() < 0.5 ? null : state);
     if (begun) assert.deepEqual([clean(begun.state), clean(begun.origin)], [begun.state, begun.origin]);
     session.others().map(openSession);
-    readFavourites(keeper.read('sessions'));
+    readFavourites(storage.read('sessions'));
 });
 
 fuzz('favourites: a damaged file gives valid ones, and says so where it is too much', async (roll) => {

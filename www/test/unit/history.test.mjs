@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { EMPTY, TOGETHER, record, redo, settle, undo } from '../../js/history.js';
+import { EMPTY, MERGE_MS, record, redo, settle, undo } from '../../js/history.js';
 import { FIELDS, clean, same } from '../../js/state.js';
 import { createStore } from '../../js/store.js';
 import { dice, randomState } from './random.mjs';
@@ -11,16 +11,16 @@ test('quick changes by one control are one step, others are not', () => {
     history = record(history, clean({ angle: 2 }), { angle: 3 }, 'angle', 100);
     assert.equal(history.past.length, 1);
     assert.deepEqual(undo(history)?.patch, { angle: 1 });
-    history = record(history, clean({ angle: 3 }), { angle: 4 }, 'angle', 200 + TOGETHER);
-    history = record(history, clean({ angle: 4 }), { iterations: 5 }, 'iterations', 210 + TOGETHER);
+    history = record(history, clean({ angle: 3 }), { angle: 4 }, 'angle', 200 + MERGE_MS);
+    history = record(history, clean({ angle: 4 }), { iterations: 5 }, 'iterations', 210 + MERGE_MS);
     assert.equal(history.past.length, 3);
 });
 
 test('a drag is one step, however long it rests, until it is let go', () => {
     let history = record(EMPTY, clean({ angle: 1 }), { angle: 2 }, 'drag angle', 0);
-    history = record(history, clean({ angle: 2 }), { angle: 3 }, 'drag angle', 10 * TOGETHER);
+    history = record(history, clean({ angle: 2 }), { angle: 3 }, 'drag angle', 10 * MERGE_MS);
     assert.equal(history.past.length, 1);
-    history = record(settle(history), clean({ angle: 3 }), { angle: 4 }, 'drag angle', 10 * TOGETHER + 1);
+    history = record(settle(history), clean({ angle: 3 }), { angle: 4 }, 'drag angle', 10 * MERGE_MS + 1);
     assert.equal(history.past.length, 2);
     assert.deepEqual(undo(history)?.patch, { angle: 3 });
 });
@@ -34,7 +34,7 @@ test('a control moved there and back leaves nothing to undo', () => {
 test('undo leaves the view where the reader has it, unless the change moved it', () => {
     const store = createStore(clean({ axiom: 'F' }));
     store.change({ angle: 30 }, 'angle');
-    store.look({ x: 1, y: 2, zoom: 3 });
+    store.setView({ x: 1, y: 2, zoom: 3 });
     store.undo();
     assert.equal(store.state.angle, 0);
     assert.deepEqual(store.state.view, { x: 1, y: 2, zoom: 3 });

@@ -5,7 +5,7 @@ import { stopsOf } from '../../js/controls/dial.js';
 import { outgrown, scaleAbout, writtenAs } from '../../js/controls/scale.js';
 import { even, nearest } from '../../js/controls/slider.js';
 import { grouped, plain, readNumber, short, shortText, zoomText } from '../../js/numerals.js';
-import { carried, spansOf } from '../../js/tint.js';
+import { carryOver, spansOf } from '../../js/tint.js';
 import { dice, randomState } from './random.mjs';
 
 test('counts are whole up to nine digits and shortened beyond', () => {
@@ -52,15 +52,15 @@ test('tints are the runs of the letters that have one', () => {
 });
 
 test('letters are carried along with an edit', () => {
-    assert.equal(carried('k_m_nnn', 'r = 0.9', 'r = 0.95'), 'k_m_nnnn');
-    assert.equal(carried('k_m_nnn', 'r = 0.9', 'r = 1'), 'k_m__');
-    assert.equal(carried('k_m_nnn', 'r = 0.9', 'r = 0.'), 'k_m_nn');
-    assert.equal(carried('k_m_n_k_m_n', 'r = 1\ns = 2', 'r = 13\ns = 2'), 'k_m_nn_k_m_n');
-    assert.equal(carried('', 'never read', 'new'), '___');
+    assert.equal(carryOver('k_m_nnn', 'r = 0.9', 'r = 0.95'), 'k_m_nnnn');
+    assert.equal(carryOver('k_m_nnn', 'r = 0.9', 'r = 1'), 'k_m__');
+    assert.equal(carryOver('k_m_nnn', 'r = 0.9', 'r = 0.'), 'k_m_nn');
+    assert.equal(carryOver('k_m_n_k_m_n', 'r = 1\ns = 2', 'r = 13\ns = 2'), 'k_m_nn_k_m_n');
+    assert.equal(carryOver('', 'never read', 'new'), '___');
     const roll = dice(11);
     for (let round = 0; round < 300; round++) {
         const [before, after] = [randomState(roll).rules, randomState(roll).rules];
-        assert.equal(carried('x'.repeat(before.length), before, after).length, after.length);
+        assert.equal(carryOver('x'.repeat(before.length), before, after).length, after.length);
     }
 });
 
