@@ -1,9 +1,9 @@
 /**
- * The site's other files: fetched from beside the page, or found in the page itself where that is a single file, whose
- * build has put them there (crates/xtask/src/one_file.rs).
+ * The site's other files: fetched from the same folder, or read from the page itself if the page is a single file
+ * (crates/xtask/src/one_file.rs).
  */
 
-/** The compiled core, and the worker that runs it. */
+/** The compiled core, and the worker's script. */
 export const WASM = 'lsystem.wasm';
 export const WORKER = 'worker.js';
 
@@ -24,7 +24,7 @@ export function scriptAddress(name) {
 
 /**
  * @param {string} name
- * @param {boolean} [anew] from the server, even where the browser has kept what came from there
+ * @param {boolean} [anew] whether to bypass the browser's cache
  * @returns {Promise<Response>}
  */
 export async function responseOf(name, anew = false) {
@@ -40,9 +40,9 @@ export async function jsonOf(name) {
     return (await responseOf(name)).json();
 }
 
-/** Bytes that were written in base 64. @param {string} text @returns {Uint8Array<ArrayBuffer>} */
+/** Decodes base64. @param {string} text @returns {Uint8Array<ArrayBuffer>} */
 function decode(text) {
-    // A page of many frames does this once for each.
+    // The native function is faster, which matters on a page with many frames.
     const own = /** @type {any} */ (Uint8Array);
     if (own.fromBase64) return own.fromBase64(text);
     const letters = atob(text);
@@ -51,7 +51,7 @@ function decode(text) {
     return bytes;
 }
 
-/** Bytes that were deflated by gzip and written in base 64. @param {string} text */
+/** Decodes base64 and gzip. @param {string} text */
 function gunzip(text) {
     return new Response(new Blob([decode(text)]).stream().pipeThrough(new DecompressionStream('gzip')));
 }

@@ -70,7 +70,7 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
     }
 
     /** @param {Picked} picked with a segment or a polygon */
-    function tell(picked) {
+    function show(picked) {
         const { ancestry, stroke, filled } = picked;
         if (!place) return;
         mark(filled ? filled.outline : stroke ? [stroke.fittedFrom, stroke.fittedTo] : []);

@@ -8,7 +8,7 @@ import { createEngine, isWrong } from './engine.js';
 import { createGallery } from './gallery.js';
 import { createGrowing } from './growing.js';
 import { createHover } from './hover.js';
-import { withThemeInk, hasInk, themeInk, isDark } from './inks.js';
+import { withThemeScheme, hasScheme, themeScheme, isDark } from './colour-schemes.js';
 import { createMarks } from './marks.js';
 import { followNotation } from './notation.js';
 import { keepOffline } from './offline.js';
@@ -78,7 +78,7 @@ keepPanel(store, engine, {
     favourites: favourites.take,
     canvas: stage.resolution,
 });
-createGallery(engine, { pick: (definition) => store.open(definition), dress: (definition) => withThemeInk(definition, theme()), look: theme });
+createGallery(engine, { pick: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()), theme });
 createSeeds(store, engine);
 createShortcuts();
 engine.share(createMates(matesOn(navigator)));
@@ -86,8 +86,8 @@ tabs();
 themeButton((next) => {
     // A system in the theme's default colours, and the opening plant, take the new theme's colours.
     const former = next === 'dark' ? 'light' : 'dark';
-    const { palette, background } = hasInk(store.state, opening(former)) ? opening(next) : themeInk(next);
-    if ([themeInk(former), opening(former)].some((ink) => hasInk(store.state, ink))) store.restyle({ palette: [...palette], background });
+    const { palette, background } = hasScheme(store.state, opening(former)) ? opening(next) : themeScheme(next);
+    if ([themeScheme(former), opening(former)].some((scheme) => hasScheme(store.state, scheme))) store.restyle({ palette: [...palette], background });
 });
 
 html('skip').addEventListener('click', (event) => {

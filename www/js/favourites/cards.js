@@ -1,4 +1,4 @@
-/** Cards of the favourites dialog: a system kept by name, with what can be done to it, and where a visit ended. */
+/** Cards of the favourites dialog: favourites with their buttons, and earlier visits. */
 
 import { make } from '../dom.js';
 

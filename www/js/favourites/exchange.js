@@ -1,11 +1,11 @@
-/** Favourites as a file: saved for the reader, and read from what somebody chose or opened. */
+/** Exports favourites to a file and imports files of favourites. */
 
 import { button, input } from '../dom.js';
 import { download } from '../download.js';
 import { LARGEST_FILE, readFile, writeFile } from '../favourites.js';
 
-/** What is said where nothing more can be kept. */
-export const FULL = 'The browser has no more room for this page: export the favourites as a file, and delete some.';
+/** The message when the storage is full. */
+export const FULL = 'The browser’s storage for this page is full. Export the favourites to a file, then delete some.';
 
 /**
  * @param {ReturnType<typeof import('./kept.js').createKept>} kept
@@ -16,7 +16,7 @@ export function createExchange(kept, { tell, changed }) {
 
     button('export-favourites').addEventListener('click', () => {
         download(new Blob([writeFile(kept.list())], { type: 'application/json' }), 'favourites.json');
-        tell('All favourites are saved in favourites.json.');
+        tell('Exported all favourites to favourites.json.');
     });
     button('import-favourites').addEventListener('click', () => chooser.click());
     chooser.addEventListener('change', async () => {
@@ -24,16 +24,16 @@ export function createExchange(kept, { tell, changed }) {
         chooser.value = '';
         if (!file) return;
         try {
-            tell(file.size > LARGEST_FILE ? 'This file is too large: a file of favourites has at most 2 MB.' : await take(await file.text()));
+            tell(file.size > LARGEST_FILE ? 'This file is too large. Files of favourites have at most 2 MB.' : await take(await file.text()));
         } catch (error) {
             tell(`${file.name} could not be read: ${error instanceof Error ? error.message : error}`);
         }
     });
 
-    /** Adds the favourites of a file. @param {string} text @returns {Promise<string>} what came of it, in words */
+    /** Adds the favourites of a file. @param {string} text @returns {Promise<string>} a message about the result */
     async function take(text) {
         const read = await readFile(kept.list(), text);
-        if (!read) return 'This file holds no favourites.';
+        if (!read) return 'This file contains no favourites.';
         const isKept = read.added === 0 || kept.put(read.list);
         changed();
         return isKept ? resultText(read) : FULL;
@@ -46,7 +46,7 @@ export function createExchange(kept, { tell, changed }) {
 function resultText({ added, known, damaged, tooMany }) {
     const parts = [
         added === 1 ? 'Added 1 favourite.' : `Added ${added} favourites.`,
-        known > 0 && `${known} ${known === 1 ? 'was' : 'were'} there already.`,
+        known > 0 && `${known} ${known === 1 ? 'was' : 'were'} already there.`,
         damaged > 0 && `${damaged} could not be read.`,
         tooMany > 0 && `There was no room for ${tooMany} more.`,
     ];

@@ -1,4 +1,4 @@
-/** The favourites that the browser keeps, and how many there are, on the button that shows them. */
+/** The stored favourites, and their number on the button that opens them. */
 
 import { html, setText } from '../dom.js';
 import { readFavourites } from '../favourites.js';
@@ -16,7 +16,7 @@ export function createKept(storage) {
 
     html('favourites-form').hidden = !storage.available;
     html('favourites-refused').hidden = storage.available;
-    // Another tab may change them.
+    // Another tab may change the favourites.
     addEventListener('storage', showCount);
     showCount();
 
@@ -24,7 +24,7 @@ export function createKept(storage) {
         available: storage.available,
         list,
 
-        /** @param {Favourite[]} next @returns {boolean} whether it is kept */
+        /** @param {Favourite[]} next @returns {boolean} whether the list was stored */
         put(next) {
             const kept = storage.write('favourites', next);
             showCount();

@@ -2,7 +2,7 @@
 
 import { button, byId, html, input, make, setChoice, setText } from '../dom.js';
 import { numberField } from '../controls/number-field.js';
-import { INKS, hasInk, inkPatch } from '../inks.js';
+import { SCHEMES, hasScheme, schemePatch } from '../colour-schemes.js';
 import { mostOf, rangeOf } from '../state.js';
 
 /** @type {Record<import('../state.js').ColourBy, string>} */
@@ -21,18 +21,18 @@ export function lookPanel(store) {
     const settle = () => store.settle();
     const wells = html('wells');
 
-    const inks = INKS.map((ink) => {
+    const schemes = SCHEMES.map((scheme) => {
         const swatch = make('span', { class: 'swatch', 'aria-hidden': 'true' });
-        swatch.style.background = ink.background;
-        for (const colour of ink.palette.slice(0, 5)) {
+        swatch.style.background = scheme.background;
+        for (const colour of scheme.palette.slice(0, 5)) {
             const stripe = make('i');
             stripe.style.background = colour;
             swatch.append(stripe);
         }
-        const chip = make('button', { type: 'button', class: 'ink', 'aria-pressed': 'false' }, swatch, make('span', {}, ink.name));
-        chip.addEventListener('click', () => store.change(inkPatch(ink), ''));
+        const chip = make('button', { type: 'button', class: 'ink', 'aria-pressed': 'false' }, swatch, make('span', {}, scheme.name));
+        chip.addEventListener('click', () => store.change(schemePatch(scheme), ''));
         html('inks').append(chip);
-        return { ink, chip };
+        return { scheme, chip };
     });
 
     const inkKind = byId('ink', HTMLSelectElement);
@@ -109,7 +109,7 @@ export function lookPanel(store) {
             });
             button('remove-colour').disabled = state.palette.length === 1;
             button('add-colour').disabled = state.palette.length >= mostOf('palette');
-            for (const { ink, chip } of inks) chip.setAttribute('aria-pressed', String(hasInk(state, ink)));
+            for (const { scheme, chip } of schemes) chip.setAttribute('aria-pressed', String(hasScheme(state, scheme)));
             setChoice(colourBy, state.colourBy);
             holds.checked = state.paletteHolds;
             html('holds-row').hidden = state.colourBy !== 'level' && state.colourBy !== 'generation';

@@ -231,7 +231,7 @@ test('mistakes are told in words', () =>
         const all = await until(() => { const frames = embedded(page); return frames.length === 3 && frames; }, 'three frames');
         const [wrong, nothing, damaged] = /** @type {[Frame, Frame, Frame]} */ (all);
         await until(async () => /->/.test((await wrong.textContent('#mistake')) ?? '') && (await wrong.isVisible('#mistake')), 'the wrong arrow');
-        assert.match((await nothing.textContent('#mistake')) ?? '', /no drawing in the address/);
+        assert.match((await nothing.textContent('#mistake')) ?? '', /contains no drawing/);
         await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
         await ready(damaged);
         assert.match((await damaged.textContent('#toast')) ?? '', /“angle”/);

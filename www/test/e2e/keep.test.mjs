@@ -196,9 +196,9 @@ test('all favourites go into one file, and come back from it: chosen, opened and
         await until(async () => (await text(page, '#favourites-status')) === 'Added 2 favourites.', 'they are back');
         assert.deepEqual(links(await stored(page)), links(before));
         await page.setInputFiles('#favourites-file', { name: 'favourites.json', mimeType: 'application/json', buffer: file });
-        await until(async () => (await text(page, '#favourites-status')).includes('2 were there already'), 'not twice');
+        await until(async () => (await text(page, '#favourites-status')).includes('2 were already there'), 'not twice');
         await page.setInputFiles('#favourites-file', { name: 'x.json', mimeType: 'application/json', buffer: Buffer.from('{"initial": "F"}') });
-        await until(async () => (await text(page, '#favourites-status')).includes('holds no favourites'), 'the refusal');
+        await until(async () => (await text(page, '#favourites-status')).includes('contains no favourites'), 'the refusal');
         await clear();
         await page.setInputFiles('#file', { name: 'mine.json', mimeType: 'application/json', buffer: file });
         await until(async () => (await text(page, '#toast')).includes('Added 2'), 'opened like a system');

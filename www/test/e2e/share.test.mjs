@@ -215,7 +215,7 @@ test('a page from a disk says what its links are good for', () =>
     withPage({ address: new URL('../../../dist/playground.html', import.meta.url).href, hash: KOCH }, async (page) => {
         await share(page);
         assert.match(await text(page, '#share-link-note'), /this computer only/);
-        assert.match(await text(page, '#qr-note'), /no address that a phone could open/);
+        assert.match(await text(page, '#qr-note'), /no address for phones/);
         assert.match(await text(page, '#embed-note'), /web server/);
         assert.ok(!(await page.isVisible('#qr')));
         assert.match(await page.inputValue('#share-link'), /^file:.*\/playground\.html#v=1&title=Koch/);

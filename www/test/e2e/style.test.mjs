@@ -66,7 +66,7 @@ test('nine seeds to choose from', () =>
         await until(async () => (await page.locator('#seed-cards .thumb.inked').count()) === 9, 'all nine are drawn');
         assert.equal(new Set(await cards.evaluateAll((all) => all.map((card) => /** @type {HTMLButtonElement} */ (card).value))).size, 9);
         // The present one has the focus; arrows go from there.
-        assert.match((await page.evaluate(() => document.activeElement?.getAttribute('aria-label'))) ?? '', /Seed 7, the present one/);
+        assert.match((await page.evaluate(() => document.activeElement?.getAttribute('aria-label'))) ?? '', /Seed 7, current/);
         await page.keyboard.press('ArrowRight');
         const chosen = await page.evaluate(() => /** @type {HTMLButtonElement} */ (document.activeElement).value);
         await page.keyboard.press('Enter');
