@@ -18,7 +18,7 @@ import { bestLink, openLink } from './packed.js';
 import { constantsPanel } from './panels/constants-panel.js';
 import { favouritesPanel } from './panels/favourites-panel.js';
 import { captionOf, growthPanel } from './panels/growth-panel.js';
-import { keepPanel } from './panels/keep-panel.js';
+import { savePanel } from './panels/save-panel.js';
 import { lookPanel } from './panels/look-panel.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { tabs } from './panels/tabs.js';
@@ -72,7 +72,7 @@ const showAddress = followAddress(store, { open: opened });
 
 const share = createShare(store, engine);
 const favourites = favouritesPanel(store, engine, { storage, session });
-keepPanel(store, engine, {
+savePanel(store, engine, {
     address: async () => new URL(await bestLink(store.state), location.href).href,
     select: share.select,
     favourites: favourites.take,

@@ -1,4 +1,4 @@
-/** Systems kept by name, and where earlier visits ended: a form in Save, and a dialog of small pictures. */
+/** Favourites and earlier visits: a form in the Save section, and a dialog with thumbnails. */
 
 import { toast } from '../announce.js';
 import { button, byId, closes, html, input, setText } from '../dom.js';
@@ -26,9 +26,9 @@ export function favouritesPanel(store, engine, { storage, session }) {
     addForm(store, kept);
 
     return {
-        /** A file of favourites that was opened like a system. @param {string} text */
+        /** Imports a file of favourites that was opened like a system. @param {string} text */
         async take(text) {
-            if (!kept.available) return toast('This browser keeps no favourites here.');
+            if (!kept.available) return toast('This browser cannot store favourites here.');
             try {
                 toast(await exchange.take(text));
             } catch (error) {
@@ -38,7 +38,7 @@ export function favouritesPanel(store, engine, { storage, session }) {
     };
 }
 
-/** The form that adds what is shown. @param {import('../store.js').Store} store @param {ReturnType<typeof createKept>} kept */
+/** The form that adds the current state to favourites. @param {import('../store.js').Store} store @param {ReturnType<typeof createKept>} kept */
 function addForm(store, kept) {
     const name = input('favourite-name');
 
@@ -53,7 +53,7 @@ function addForm(store, kept) {
         toast(`Added “${added.name}” to favourites.`);
     });
 
-    /** The name a system would be kept by. */
+    /** Shows the default name of a new favourite. */
     function showName() {
         name.placeholder = store.state.title || store.state.name || 'Untitled system';
     }
@@ -83,7 +83,7 @@ function createDialog(engine, kept, session) {
         shelf.replaceChildren(...favourites.map(cardOf));
         const visits = session.others().flatMap((one) => {
             const state = openSession(one)?.state;
-            return state ? [visitCard(one.time, state, thumbs.of(state), leaving(() => session.resume(one)))] : [];
+            return state ? [visitCard(one.time, state, thumbs.of(state), closeAndThen(() => session.resume(one)))] : [];
         });
         html('visit-cards').replaceChildren(...visits);
         html('no-favourites').hidden = favourites.length > 0;
@@ -92,7 +92,7 @@ function createDialog(engine, kept, session) {
     }
 
     /** Closes the dialog and then acts. @param {() => void} act */
-    const leaving = (act) => () => {
+    const closeAndThen = (act) => () => {
         dialog.close();
         act();
     };
@@ -100,7 +100,7 @@ function createDialog(engine, kept, session) {
     /** @param {Favourite} one */
     function cardOf(one) {
         const state = readLink(one.link)?.state;
-        return favouriteCard(one, state ? thumbs.of(state) : null, { open: leaving(() => state && session.visit(state)), rename: () => startRenaming(one.id), remove: () => remove(one.id) });
+        return favouriteCard(one, state ? thumbs.of(state) : null, { open: closeAndThen(() => state && session.visit(state)), rename: () => startRenaming(one.id), remove: () => remove(one.id) });
     }
 
     /** A part of a favourite's card. @param {string} id @param {string} selector */
@@ -130,7 +130,7 @@ function createDialog(engine, kept, session) {
         fill();
         before = former;
         tell(`Deleted “${gone.name}”.`, true);
-        // The keyboard stays where it was, on the card that took the place.
+        // Focus the card that took the place of the deleted one.
         const next = kept.list()[Math.min(at, former.length - 2)];
         (next ? partOf(next.id, '.card-acts button:last-child') : button('close-favourites'))?.focus();
     }
@@ -138,11 +138,11 @@ function createDialog(engine, kept, session) {
     undo.addEventListener('click', () => {
         const former = before;
         if (!former) return;
-        // What came in meanwhile stays.
+        // Favourites added since then stay.
         const now = kept.list();
         kept.put([...now.filter((one) => !former.some(({ id }) => id === one.id)), ...former]);
         fill();
-        tell('It is back.');
+        tell('Restored.');
         button('close-favourites').focus();
     });
     button('open-favourites').addEventListener('click', () => {

@@ -1,4 +1,4 @@
-/** Colours and strokes. */
+/** The Look section: colours and strokes. */
 
 import { button, byId, html, input, make, setChoice, setText } from '../dom.js';
 import { numberField } from '../controls/number-field.js';
@@ -8,11 +8,11 @@ import { mostOf, rangeOf } from '../state.js';
 /** @type {Record<import('../state.js').ColourBy, string>} */
 const NOTES = {
     symbol: '',
-    level: 'The first colour for the stem, the next for its branches, and so on.',
-    generation: 'By the iteration that made a symbol. A symbol that a rule puts in its own place stays as old as it was.',
-    path: 'All colours as a gradient, from the first segment to the last.',
-    turn: 'The first colour at the start, others after turns. A branch ends in the colour it began with.',
-    density: 'With additive blending: all colours as a gradient, from the least ink to the most.',
+    level: 'First colour for the stem, next colour for its branches, and so on.',
+    generation: 'Colour by the iteration that made a symbol. A symbol that a rule copies keeps its generation.',
+    path: 'A gradient of all colours, from the first segment to the last.',
+    turn: 'First colour at the start, other colours after turns. Each branch restores the colour before it.',
+    density: 'With additive blending: a gradient of all colours, from the least ink to the most.',
     single: '',
 };
 

@@ -54,7 +54,7 @@ const STATES = {
     },
     turtle: tab('turtle'),
     look: tab('look'),
-    keep: tab('keep'),
+    save: tab('save'),
     gallery: async (page) => {
         await page.click('#open-gallery');
         await page.waitForSelector('.thumb.inked');
@@ -63,7 +63,7 @@ const STATES = {
     shortcuts: (page) => page.click('#open-shortcuts'),
     share: (page) => page.click('#share'),
     favourites: async (page) => {
-        await tab('keep')(page);
+        await tab('save')(page);
         await page.click('#open-favourites');
     },
     'angles in space': async (page) => {
@@ -263,7 +263,7 @@ for (const [width, height] of /** @type {const} */ ([[640, 400], [320, 640], [32
             const sideways = () =>
                 page.evaluate(() => [document.scrollingElement, ...document.querySelectorAll('.sections, .section, .shelves, .shortcuts-body')].filter((element) => element && element.scrollWidth > element.clientWidth + 1).map((element) => `${element?.className}: ${element?.scrollWidth} > ${element?.clientWidth}`));
             assert.deepEqual(await sideways(), []);
-            for (const name of ['rules', 'grow', 'turtle', 'look', 'keep']) {
+            for (const name of ['rules', 'grow', 'turtle', 'look', 'save']) {
                 await page.click(`#tab-${name}`);
                 assert.ok(await page.isVisible(`#section-${name}`), name);
                 assert.deepEqual(await sideways(), [], name);

@@ -27,7 +27,7 @@ const kept = (page, part) => until(() => page.evaluate((wanted) => localStorage.
 /** @param {Page} page @param {string} name */
 async function keep(page, name) {
     await page.fill('#favourite-name', name);
-    await page.click('#keep-favourite');
+    await page.click('#add-favourite');
     await until(async () => (await text(page, '#toast')).includes('favourites'), 'it is told');
 }
 
@@ -81,10 +81,10 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
 
     test(`favourites are kept, opened, renamed, deleted and brought back: ${device}`, () =>
         withPage({ hash: KOCH, options }, async (page) => {
-            await page.click('#tab-keep');
+            await page.click('#tab-save');
             await keep(page, '');
             await page.fill('#favourite-name', 'Koch');
-            await page.click('#keep-favourite');
+            await page.click('#add-favourite');
             await until(async () => (await text(page, '#toast')).includes('already'), 'not twice');
             await page.evaluate((hash) => (location.hash = hash), ISLAND);
             await until(async () => (await page.inputValue('#axiom')) === 'F-F-F-F', 'the link is open');
@@ -152,7 +152,7 @@ test('two tabs do not take each other’s work', () =>
         await kept(page, 'angle=11');
         const third = await another(page, '');
         assert.equal(await third.inputValue('#angle'), '11');
-        await third.click('#tab-keep');
+        await third.click('#tab-save');
         await third.click('#open-favourites');
         // This tab came back to the newest, which stays beside the other.
         assert.equal(await third.locator('#visit-cards .card').count(), 2);
@@ -169,7 +169,7 @@ test('a visit that changed nothing leaves nothing', () =>
 
 test('all favourites go into one file, and come back from it: chosen, opened and dropped', () =>
     withPage({ hash: KOCH }, async (page) => {
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         await page.click('#zoom-in');
         await until(() => page.evaluate(() => location.hash.includes('view=')), 'the view is in the address');
         await keep(page, 'Close up');
@@ -216,7 +216,7 @@ test('all favourites go into one file, and come back from it: chosen, opened and
 test('names and storage may hold anything', () =>
     withPage({ hash: KOCH }, async (page) => {
         page.on('dialog', (dialog) => assert.fail(dialog.message()));
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         await keep(page, '<img src=x onerror=alert(1)>');
         await page.click('#open-favourites');
         assert.deepEqual(await names(page), ['<img src=x onerror=alert(1)>']);
@@ -229,7 +229,7 @@ test('names and storage may hold anything', () =>
         await page.goto('about:blank');
         await page.goto(ADDRESS);
         await ready(page);
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         await page.click('#open-favourites');
         assert.deepEqual(await names(page), ['odd']);
         await page.getByRole('button', { name: 'Delete odd' }).click();
@@ -261,15 +261,15 @@ for (const [what, area] of /** @type {const} */ ([['refused', 'refused'], ['full
             },
             async (page) => {
                 await page.fill('#angle', '50');
-                await page.click('#tab-keep');
+                await page.click('#tab-save');
                 if (area === 'refused') {
-                    assert.ok(!(await page.isVisible('#keep-favourite')));
+                    assert.ok(!(await page.isVisible('#add-favourite')));
                     assert.match(await text(page, '#favourites-refused'), /stores nothing/);
                     assert.ok(await page.isVisible('#favourites-refused'));
                     await page.setInputFiles('#file', { name: 'mine.json', mimeType: 'application/json', buffer: Buffer.from('{"format": "l-systems favourites", "favourites": []}') });
-                    await until(async () => (await text(page, '#toast')).includes('keeps no favourites'), 'the refusal');
+                    await until(async () => (await text(page, '#toast')).includes('cannot store favourites'), 'the refusal');
                 } else {
-                    await page.click('#keep-favourite');
+                    await page.click('#add-favourite');
                     await until(async () => (await text(page, '#toast')).includes('no more room'), 'the refusal');
                 }
                 await until(() => page.evaluate(() => location.hash.includes('angle=50')), 'the address follows');
@@ -288,7 +288,7 @@ test('a sandboxed frame, which may keep nothing, works and says so', () =>
         const inside = page.frameLocator('iframe');
         await inside.locator('#stage.inked').waitFor();
         await inside.locator('#angle').fill('50');
-        await inside.locator('#tab-keep').click();
+        await inside.locator('#tab-save').click();
         assert.ok(await inside.locator('#favourites-refused').isVisible());
         await inside.locator('#copy-link').click();
         await until(async () => (await inside.locator('#share-status').textContent()) !== '', 'the dialog, or the clipboard');
@@ -298,7 +298,7 @@ test('a sandboxed frame, which may keep nothing, works and says so', () =>
 test('undo and redo cover the gallery, links, favourites, files and playthings between them', () =>
     withPage({ hash: KOCH }, async (page) => {
         const axiom = () => page.inputValue('#axiom');
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         await keep(page, 'Koch');
         await page.click('#open-gallery');
         await page.waitForSelector('.card');

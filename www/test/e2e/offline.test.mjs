@@ -101,7 +101,7 @@ test('the page, the gallery, exports, embedded drawings and the course page work
             await page.click('#open-gallery');
             await page.waitForSelector('.thumb.inked');
             await page.click('#close-gallery');
-            await page.click('#tab-keep');
+            await page.click('#tab-save');
             const [saved] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=json]')]);
             assert.ok(JSON.parse(await readFile(await saved.path(), 'utf8')).initial);
             await page.goto(`${origin}index.html`);

@@ -49,7 +49,7 @@ test('asks for nothing, and has the gallery and the exports in itself', () =>
         await page.fill('#search', 'dragon');
         await page.locator('.card:visible').first().click();
         await nextPicture(page, before);
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         const [saved] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=json]')]);
         assert.ok(JSON.parse(await readFile(await saved.path(), 'utf8')).initial);
         const [svg] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=svg]')]);

@@ -402,7 +402,7 @@ test('what would pass a limit is refused in words, and the picture stays', () =>
         await until(async () => (await page.locator('#numbers-problems li').count()) === 0, 'the list is empty again');
         assert.equal((await stillPicture(page)).digest, before.digest);
         // The limit is known by now: the slider ends there, and says why.
-        assert.match(await text(page, '#status'), /It can grow to n = \d+\. Beyond: .{10,}/);
+        assert.match(await text(page, '#status'), /At most n = \d+\. Above: .{10,}/);
         const highest = Number(await page.getAttribute('#iterations-slider', 'max'));
         assert.equal(/n = (\d+)/.exec(await text(page, '#status'))?.[1], String(highest));
     }));
@@ -437,7 +437,7 @@ test('counts stay exact at any depth, shortened and whole on demand', () =>
 
 test('everything saves under a name that says what it is', () =>
     withPage({ hash: KOCH }, async (page) => {
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         for (const [format, starts] of /** @type {[string, RegExp][]} */ ([
             ['svg', /^<(\?xml|svg)/],
             ['png', /^.PNG/],
@@ -463,7 +463,7 @@ test('everything saves under a name that says what it is', () =>
 
 test('a title stands under the drawing, in its link and in the names of its files', () =>
     withPage({ hash: `${KOCH}&name=course-1` }, async (page) => {
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         assert.equal(await page.inputValue('#title'), 'Koch');
         await page.fill('#title', 'Snow, by Ada');
         assert.equal(await text(page, '#caption-title'), 'Snow, by Ada');
@@ -478,7 +478,7 @@ test('a title stands under the drawing, in its link and in the names of its file
 test('what is in space saves with its depth', () =>
     withPage({ hash: '#v=1&title=Corner&axiom=F%26F&n=0&angle=90' }, async (page) => {
         await stillPicture(page);
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         for (const [format, holds] of /** @type {[string, RegExp][]} */ ([
             ['csv', /^x0,y0,z0,x1,y1,z1,level,colour\n0,0,0,0,1,0,0,0\n/],
             ['svg', /<path/],
@@ -492,7 +492,7 @@ test('what is in space saves with its depth', () =>
 test('what was saved as JSON opens again, and other files are refused in words', () =>
     withPage({ hash: KOCH }, async (page) => {
         const before = await stillPicture(page);
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=json]')]);
         const saved = String(await download.path());
         await page.fill('#axiom', 'F+F');
@@ -540,7 +540,7 @@ test('a dropped file opens', () =>
 test('copy link copies the address of exactly this picture', () =>
     withPage({ hash: KOCH, options: { viewport: { width: 1280, height: 800 }, permissions: ['clipboard-read', 'clipboard-write'] } }, async (page) => {
         await page.fill('#iterations', '2');
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         await page.click('#copy-link');
         await until(async () => (await text(page, '#toast')) === 'Link copied', 'the note');
         const copied = await page.evaluate(() => navigator.clipboard.readText());
@@ -598,7 +598,7 @@ test('on a phone everything is within reach', () =>
             ['grow', '#iterations-slider'],
             ['turtle', '#dialect'],
             ['look', '#background'],
-            ['keep', '[data-save=svg]'],
+            ['save', '[data-save=svg]'],
         ]) {
             await page.tap(`#tab-${tab}`);
             await page.locator(String(control)).scrollIntoViewIfNeeded();
@@ -674,7 +674,7 @@ test('it works where storage and the clipboard are refused', () =>
         },
         async (page) => {
             await page.click('#theme');
-            await page.click('#tab-keep');
+            await page.click('#tab-save');
             await page.click('#copy-link');
             await until(async () => (await text(page, '#share-status')).includes('clipboard'), 'the note');
             await page.click('#close-share');

@@ -162,7 +162,7 @@ test('where the clipboard is refused the text is selected, and the older way tri
                 assert.equal(await selected(), ADDRESS + KOCH);
                 await page.click('#close-share');
                 // The button in Save has no field of its own.
-                await page.click('#tab-keep');
+                await page.click('#tab-save');
                 await page.click('#copy-link');
                 await until(async () => (await text(page, '#share-status')).includes('selected'), 'the dialog opens for it');
                 assert.equal(await selected(), ADDRESS + KOCH);

@@ -214,7 +214,7 @@ for (const way of WAYS) {
             await page.fill('#axiom', `F+F${way.toLowerCase()}`);
             await nextPicture(page, first);
             const before = await stillPicture(page);
-            await page.click('[role=tab][aria-controls=section-keep]').catch(() => {});
+            await page.click('[role=tab][aria-controls=section-save]').catch(() => {});
             for (const format of ['svg', 'png']) {
                 const begun = Date.now();
                 await page.locator(`[data-save=${format}]`).click();

@@ -15,7 +15,7 @@ const SIZES = [
     [1000, 1400],
 ];
 
-const BUTTONS = ['#undo', '#redo', '#start-anew', '#two-angles', '#symbols', '#segments', '#dice', '#theme', '#add-colour', '#remove-colour', '#inks button', '#palette-holds', '#copy-link', '#keep-favourite', 'summary', '#renew-later', '.toast-act', '.toast-close', '.problems button', '#legend button'];
+const BUTTONS = ['#undo', '#redo', '#start-anew', '#two-angles', '#symbols', '#segments', '#dice', '#theme', '#add-colour', '#remove-colour', '#inks button', '#palette-holds', '#copy-link', '#add-favourite', 'summary', '#renew-later', '.toast-act', '.toast-close', '.problems button', '#legend button'];
 const CHOICES = /** @type {const} */ ([
     ['#dialect', ['abop', 'every-letter', 'practical', 'lowercase', 'axes']],
     ['#colour-by', ['symbol', 'level', 'generation', 'path', 'turn', 'density', 'single']],
@@ -23,7 +23,7 @@ const CHOICES = /** @type {const} */ ([
     ['#background', ['#ffffff', '#000000', '#336699']],
     ['#wells input', ['#ff0000', '#00ff00']],
 ]);
-const TABS = ['rules', 'grow', 'turtle', 'look', 'keep'];
+const TABS = ['rules', 'grow', 'turtle', 'look', 'save'];
 const SAVES = ['svg', 'svg-compact', 'png', 'json', 'txt', 'csv', 'obj', 'glb'];
 
 /** What the reader has written, by field. @param {import('playwright-core').Frame} frame */

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { linesOf } from '../../js/controls/editor.js';
 import { stopsOf } from '../../js/controls/dial.js';
-import { outgrown, scaleAbout, writtenAs } from '../../js/controls/scale.js';
+import { needsNewScale, scaleAbout, writtenAs } from '../../js/controls/scale.js';
 import { even, nearest } from '../../js/controls/slider.js';
 import { grouped, plain, readNumber, short, shortText, zoomText } from '../../js/numerals.js';
 import { carryOver, spansOf } from '../../js/tint.js';
@@ -78,11 +78,11 @@ test('scales follow their value', () => {
         const stops = scaleAbout(value);
         assert.ok(stops.length >= 50 && stops.length <= 600, `${value}: ${stops.length}`);
         stops.forEach((stop, at) => assert.ok(at === 0 || stop > /** @type {number} */ (stops[at - 1]), String(value)));
-        assert.ok(!outgrown(stops, value), String(value));
+        assert.ok(!needsNewScale(stops, value), String(value));
         assert.ok(Math.abs(/** @type {number} */ (stops[nearest(stops, value)]) - value) <= Math.abs(value) / 50, String(value));
     }
     for (const value of [5e-324, 1e-300, Number.MAX_VALUE, -Number.MAX_VALUE]) assert.ok(scaleAbout(value).every(Number.isFinite), String(value));
-    assert.ok(outgrown(scaleAbout(1), 2) && outgrown(scaleAbout(1), -0.1) && outgrown(scaleAbout(1), 0.01) && !outgrown(scaleAbout(1), 0));
+    assert.ok(needsNewScale(scaleAbout(1), 2) && needsNewScale(scaleAbout(1), -0.1) && needsNewScale(scaleAbout(1), 0.01) && !needsNewScale(scaleAbout(1), 0));
 });
 
 test('numbers are written as those whose place they take', () => {
