@@ -127,7 +127,7 @@ export function createGallery(engine, { pick, restyle, theme }) {
             const pressed = chosen.has(tag);
             chip.setAttribute('aria-pressed', String(pressed));
             const number = count(tagged, pressed ? chosen : choose(chosen, tag));
-            chip.classList.toggle('barren', number === 0);
+            chip.classList.toggle('no-match', number === 0);
             chip.hidden = ![...cards.values()].some(({ tags }) => tags.includes(tag));
             setText(many, String(number));
         }

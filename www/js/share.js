@@ -100,7 +100,7 @@ export function createShare(store, engine) {
         copier.addEventListener('click', async () => {
             const copied = await copyField(field);
             setText(status, copied ? `${what} copied` : `The browser refuses clipboard access. The text is selected: press ${copyKeys()} to copy.`);
-            status.classList.toggle('told', !copied);
+            status.classList.toggle('alert', !copied);
             if (!copied) return;
             copier.focus();
             setText(label, 'Copied');
@@ -124,14 +124,14 @@ export function createShare(store, engine) {
         } catch (error) {
             if (error instanceof Error && error.name === 'AbortError') return;
             setText(status, 'This browser could not send the link. Copy the link instead.');
-            status.classList.add('told');
+            status.classList.add('alert');
         }
     });
 
     function open() {
         withView.checked = true;
         setText(status, '');
-        status.classList.remove('told');
+        status.classList.remove('alert');
         dialog.showModal();
         button('copy-share').focus();
         return refresh();
@@ -146,7 +146,7 @@ export function createShare(store, engine) {
             link.focus();
             link.select();
             setText(status, `The browser refuses clipboard access. The link is selected: press ${copyKeys()} to copy.`);
-            status.classList.add('told');
+            status.classList.add('alert');
         },
     };
 }
