@@ -21,7 +21,7 @@ async function another(page, hash) {
     return other;
 }
 
-/** Waits until this visit is kept. @param {Page} page @param {string} part of its link */
+/** Waits until this visit is saved. @param {Page} page @param {string} part of its link */
 const kept = (page, part) => until(() => page.evaluate((wanted) => localStorage.getItem('l-systems:sessions')?.includes(wanted), part), `${part} is kept`);
 
 /** @param {Page} page @param {string} name */
@@ -38,7 +38,7 @@ const names = (page) => page.locator('#favourite-cards .card-title').allTextCont
 const stored = (page) => page.evaluate(() => JSON.parse(localStorage.getItem('l-systems:favourites') ?? '[]'));
 
 for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['phone', PHONE]])) {
-    test(`who comes back finds what was left: ${device}`, () =>
+    test(`a returning reader finds the last state: ${device}`, () =>
         withPage({ options }, async (page) => {
             await page.fill('#angle', '31');
             await page.fill('#iterations', '4');
@@ -52,12 +52,12 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
             await back.reload();
             await ready(back);
             assert.equal(await back.locator('#toast.shown').count(), 0);
-            // What Reset returns to has come back, too.
+            // Reset still returns to the original system.
             await back.click('#reset');
             assert.equal(await back.inputValue('#angle'), '22.5');
         }));
 
-    test(`an opened link destroys nothing, and the way back is offered: ${device}`, () =>
+    test(`an opened link keeps the last visit and offers to continue it: ${device}`, () =>
         withPage({ hash: KOCH, options }, async (page) => {
             await page.fill('#angle', '77');
             await kept(page, 'angle=77');
@@ -65,7 +65,7 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
             assert.equal(await other.inputValue('#axiom'), 'F-F-F-F');
             const offer = other.locator('#toast button', { hasText: 'Continue where you left off' });
             assert.ok(await offer.isVisible());
-            // Looking around is no change.
+            // Moving the view is no change.
             await other.click('#fit');
             await other.mouse.move(150, 200);
             if (options === DESKTOP) await other.mouse.wheel(0, -300);
@@ -79,7 +79,7 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
             assert.equal(await other.inputValue('#axiom'), 'F-F-F-F');
         }));
 
-    test(`favourites are kept, opened, renamed, deleted and brought back: ${device}`, () =>
+    test(`favourites are saved, opened, renamed, deleted and restored: ${device}`, () =>
         withPage({ hash: KOCH, options }, async (page) => {
             await page.click('#tab-save');
             await keep(page, '');
@@ -125,7 +125,7 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
         }));
 }
 
-test('a reload goes on with the same visit, whatever was not yet in the address', () =>
+test('a reload continues the same visit, even with changes that are not yet in the address', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.fill('#angle', '50');
         await kept(page, 'angle=50');
@@ -141,7 +141,7 @@ test('a reload goes on with the same visit, whatever was not yet in the address'
         assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem('l-systems:sessions') ?? '').length), 1);
     }));
 
-test('two tabs do not take each other’s work', () =>
+test('two tabs do not overwrite each other’s visits', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.fill('#angle', '10');
         await kept(page, 'angle=10');
@@ -154,20 +154,20 @@ test('two tabs do not take each other’s work', () =>
         assert.equal(await third.inputValue('#angle'), '11');
         await third.click('#tab-save');
         await third.click('#open-favourites');
-        // This tab came back to the newest, which stays beside the other.
+        // This tab restored the newest visit, and both visits stay.
         assert.equal(await third.locator('#visit-cards .card').count(), 2);
         await third.locator('#visit-cards .card').nth(1).click();
         assert.equal(await third.inputValue('#angle'), '20');
     }));
 
-test('a visit that changed nothing leaves nothing', () =>
+test('a visit without changes is not saved', () =>
     withPage({ hash: ISLAND }, async (page) => {
         await page.click('#zoom-in');
         await page.waitForTimeout(700);
         assert.equal(await page.evaluate(() => localStorage.getItem('l-systems:sessions')), null);
     }));
 
-test('all favourites go into one file, and come back from it: chosen, opened and dropped', () =>
+test('favourites are exported to one file and imported from it: chosen, opened and dropped', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.click('#tab-save');
         await page.click('#zoom-in');
@@ -213,7 +213,7 @@ test('all favourites go into one file, and come back from it: chosen, opened and
         assert.equal(await page.inputValue('#axiom'), 'F-F-F-F');
     }));
 
-test('names and storage may hold anything', () =>
+test('names and storage may contain anything', () =>
     withPage({ hash: KOCH }, async (page) => {
         page.on('dialog', (dialog) => assert.fail(dialog.message()));
         await page.click('#tab-save');
@@ -280,7 +280,7 @@ for (const [what, area] of /** @type {const} */ ([['refused', 'refused'], ['full
         ));
 }
 
-test('a sandboxed frame, which may keep nothing, works and says so', () =>
+test('a sandboxed frame without storage works and says so', () =>
     withPage({ hash: KOCH, expected: /Permissions policy/ }, async (page) => {
         const frame = `${ADDRESS}frame.html`;
         await page.route(frame, (route) => route.fulfill({ contentType: 'text/html', body: `<iframe sandbox="allow-scripts" width="1200" height="700" src="playground.html${KOCH}"></iframe>` }));
@@ -295,7 +295,7 @@ test('a sandboxed frame, which may keep nothing, works and says so', () =>
         assert.match(await inside.locator('#share-link').inputValue(), /angle=50/);
     }));
 
-test('undo and redo cover the gallery, links, favourites, files and playthings between them', () =>
+test('undo and redo cover the gallery, links, favourites, files and changes between them', () =>
     withPage({ hash: KOCH }, async (page) => {
         const axiom = () => page.inputValue('#axiom');
         await page.click('#tab-save');

@@ -5,7 +5,7 @@ import { FIELDS, clean, same } from '../../js/state.js';
 import { createStore } from '../../js/store.js';
 import { dice, randomState } from './random.mjs';
 
-test('quick changes by one control are one step, others are not', () => {
+test('quick changes by one control are one undo step, others are not', () => {
     const state = clean({ angle: 1 });
     let history = record(EMPTY, state, { angle: 2 }, 'angle', 0);
     history = record(history, clean({ angle: 2 }), { angle: 3 }, 'angle', 100);
@@ -16,7 +16,7 @@ test('quick changes by one control are one step, others are not', () => {
     assert.equal(history.past.length, 3);
 });
 
-test('a drag is one step, however long it rests, until it is let go', () => {
+test('a drag is one undo step until it is released, even with pauses', () => {
     let history = record(EMPTY, clean({ angle: 1 }), { angle: 2 }, 'drag angle', 0);
     history = record(history, clean({ angle: 2 }), { angle: 3 }, 'drag angle', 10 * MERGE_MS);
     assert.equal(history.past.length, 1);
@@ -25,13 +25,13 @@ test('a drag is one step, however long it rests, until it is let go', () => {
     assert.deepEqual(undo(history)?.patch, { angle: 3 });
 });
 
-test('a control moved there and back leaves nothing to undo', () => {
+test('a control moved and moved back leaves nothing to undo', () => {
     let history = record(EMPTY, clean({ angle: 1 }), { angle: 2 }, 'angle', 0);
     history = record(history, clean({ angle: 2 }), { angle: 1 }, 'angle', 1);
     assert.equal(undo(history), null);
 });
 
-test('undo leaves the view where the reader has it, unless the change moved it', () => {
+test('undo keeps the view unless the change moved it', () => {
     const store = createStore(clean({ axiom: 'F' }));
     store.change({ angle: 30 }, 'angle');
     store.setView({ x: 1, y: 2, zoom: 3 });
@@ -45,7 +45,7 @@ test('undo leaves the view where the reader has it, unless the change moved it',
     assert.equal(store.state.axiom, 'F');
 });
 
-test('what Reset returns to goes back and forth with what was opened', () => {
+test('undo and redo of opening a system change what Reset returns to', () => {
     const store = createStore(clean({ axiom: 'F' }));
     const first = store.origin;
     store.change({ angle: 30 }, '');
@@ -62,7 +62,7 @@ test('what Reset returns to goes back and forth with what was opened', () => {
     assert.deepEqual(store.origin, clean({ axiom: 'G' }));
 });
 
-test('undo to the start and redo to the end walk the same states', () => {
+test('undo to the start and redo to the end pass the same states', () => {
     const roll = dice(7);
     for (let round = 0; round < 50; round++) {
         const store = createStore(randomState(roll));
@@ -87,7 +87,7 @@ test('undo to the start and redo to the end walk the same states', () => {
     }
 });
 
-test('a new change forgets what could be redone', () => {
+test('a new change clears the redo list', () => {
     const store = createStore(clean({}));
     store.change({ axiom: 'A' }, '');
     store.undo();

@@ -6,7 +6,7 @@ import { clean } from '../../js/state.js';
 import { createStorage } from '../../js/storage.js';
 import { dice, randomState } from './random.mjs';
 
-test('a visit comes back as it was, and Reset with it', () => {
+test('a visit is restored with its state and Reset', () => {
     const roll = dice(5);
     for (let round = 0; round < 50; round++) {
         const [state, origin] = [randomState(roll), randomState(roll)];
@@ -28,7 +28,7 @@ test('the newest visits are kept, each once', () => {
     assert.deepEqual(again.map(({ id }) => id).slice(0, 3), ['another', 'visit 19', 'visit 17']);
 });
 
-test('what stands in the storage may be anything', () => {
+test('visits are read from any stored value', () => {
     for (const value of [undefined, null, 7, 'text', {}, [null], [{}], [{ id: 'a', time: 'now', link: '#', origin: '#' }]]) assert.deepEqual(readSessions(value), []);
     assert.equal(openSession({ id: 'a', time: 0, link: 'no link', origin: '' }), null);
 });
@@ -50,7 +50,7 @@ function area(room = Infinity) {
     });
 }
 
-test('storage that is refused, full or scribbled over is no error', () => {
+test('refused, full or damaged storage is no error', () => {
     for (const refused of [() => { throw new DOMException('refused', 'SecurityError'); }, () => /** @type {any} */ (null)]) {
         const storage = createStorage(refused);
         assert.equal(storage.available, false);
@@ -95,7 +95,7 @@ test('states that stopped the drawing are remembered until they are drawn', () =
 test('a link typed after a change is what a quick reload shows', (t) => {
     const page = /** @type {any} */ (globalThis);
     t.after(() => ['location', 'window', 'addEventListener'].forEach((name) => delete page[name]));
-    // Timers never end: the reload is quicker.
+    // The timer never ends, because the reload is quicker.
     Object.assign(page, { location: { hash: '#v=1&axiom=F' }, window: { setTimeout: () => 1 }, addEventListener() {} });
     const storage = createStorage(() => area());
     const tab = createStorage(() => area());
@@ -109,7 +109,7 @@ test('a link typed after a change is what a quick reload shows', (t) => {
     page.location.hash = '#v=1&axiom=A';
     session.visit(linked);
     assert.equal(createSession(storage, tab).start(page.location.hash, linked)?.state.axiom ?? 'A', 'A');
-    // What was typed before is not lost.
+    // The former text is not lost.
     const [before] = createSession(storage, tab).others();
     assert.ok(before);
     assert.equal(openSession(before)?.state.rules, 'F -> FF');
