@@ -23,7 +23,7 @@ const SHELVES = new Map([
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{pick: (definition: Definition) => void, dress: (definition: Definition) => Definition, look: () => string}} page
+ * @param {{pick: (definition: Definition) => void, restyle: (definition: Definition) => Definition, theme: () => string}} page
  *   `restyle` gives a system with default colours the theme's colours; `theme` names the theme
  */
 export function createGallery(engine, { pick, restyle, theme }) {

@@ -127,7 +127,7 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
 
 /**
  * The bar itself: opening and closing, the play button, and the slider over the whole drawing.
- * @param {{play: () => void, changed: (open: boolean) => void, stand: (part: number) => void}} playback
+ * @param {{play: () => void, changed: (open: boolean) => void, seek: (part: number) => void}} playback
  */
 function createBar({ play, changed, seek }) {
     const bar = html('playback');

@@ -38,7 +38,7 @@ export {};
  * @property {boolean | null} memoised whether the drawing shares its blocks; null while unknown
  * @property {string | null} symbols exact decimal digits; null while unknown
  * @property {string | null} segments exact decimal digits; null while unknown
- * @property {number | null} the number of blocks of the drawing; null while unknown
+ * @property {number | null} blocks the number of blocks of the drawing; null while unknown
  * @property {number | null} largest the most iterations within the limits, if a limit was exceeded
  * @property {{symbol: string, actions: string, rewritten: boolean}[]} legend
  * @property {string | null} empty why the drawing is empty

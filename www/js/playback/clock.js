@@ -7,7 +7,7 @@ const REDUCED_MOTION_MS = 500;
 /** A longer pause, such as a hidden page, does not count as playing time, in milliseconds. */
 const GAP = 1000;
 
-/** @param {{perSecond: () => number, goOn: (segments: bigint) => void}} playback */
+/** @param {{perSecond: () => number, advance: (segments: bigint) => void}} playback */
 export function createClock({ perSecond, advance }) {
     let running = false;
     let frame = 0;

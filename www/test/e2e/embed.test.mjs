@@ -213,7 +213,7 @@ test('a sandbox without origin, storage or popups works', () =>
         { expected: /Blocked opening/ },
     ));
 
-test('the playground opens with the visitor's changes', () =>
+test('the playground opens with the visitor’s changes', () =>
     withHost(frameOf(`${WEED}&controls=n`), async (page) => {
         const frame = await drawn(page);
         await frame.fill('#iterations', '3');

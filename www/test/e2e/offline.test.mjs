@@ -188,7 +188,7 @@ test('an incomplete upload is not cached, and neither are files of other sites',
         }),
     ));
 
-test('a development server's page caches nothing', () =>
+test('a development server’s page caches nothing', () =>
     withPage({ hash: KOCH }, async (page) => {
         await new Promise((resolve) => setTimeout(resolve, 300));
         assert.deepEqual(await page.evaluate(async () => [(await navigator.serviceWorker.getRegistrations()).length, (await caches.keys()).length]), [0, 0]);

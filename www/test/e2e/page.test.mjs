@@ -635,7 +635,7 @@ test('two fingers zoom about the point between them', () =>
         await until(async () => (await picture(page)).digest === before.digest, 'Fit brings it back');
     }));
 
-test('the skip link and unknown hashes do not change the drawing's address', () =>
+test('the skip link and unknown hashes do not change the drawing’s address', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.focus('#skip');
         await page.keyboard.press('Enter');

@@ -327,7 +327,7 @@ test('the string of a context-sensitive system is read at any generation', () =>
         assert.equal(await page.locator('.cells .chosen').count(), 1);
     }));
 
-test('playback goes from nothing to the whole picture, and shows the turtle's pose', () =>
+test('playback goes from nothing to the whole picture, and shows the turtle’s pose', () =>
     withPage({ hash: STRAIGHT.replace('n=3', 'n=10') }, async (page) => {
         await stillPicture(page);
         await page.click('#open-playback');

@@ -26,7 +26,7 @@ const TEXTS = [
 
 const NUMBERS = ['#iterations', '#angle', '#right', '#length-factor', '#angle-variation', '#length-variation', '#seed', '#heading', '#step', '#start-x', '#start-y', '#elasticity', '#tropism-x', '#tropism-y', '#pitch-down', '#roll-right', '#exposure', '#width', '#width-factor', '#min-width', '#left-colour', '#play-place', '#reader-goto', '#constants-list .number'];
 const SLIDERS = ['#iterations-slider', '#angle-slider', '#right-slider', '#length-factor-slider', '#angle-variation-slider', '#width-slider', '#min-width-slider', '#exposure-slider', '#fade', '#play-slider', '#play-speed', '#reader-step', '#constants-list input[type=range]'];
-/** The part of the range used of sliders whose high values make drawings too slow for a test. */
+/** The part of a slider’s range that is used, because high values make drawings too slow for a test. */
 const REACH = 0.35;
 
 const KEYS = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', '+', '-', '0', ' ', 'Escape', 'Enter', 'Tab', 'Home', 'End', 'PageDown', '?', 'Shift+ArrowLeft', 'Shift+ArrowUp', 'Alt+ArrowRight', 'Control+z', 'Control+Shift+z', 'Control+y', 'Backspace', 'Delete', 'a', 'F'];

@@ -25,7 +25,7 @@ function withStates(use) {
 
 function statesOf() {
     let id = 0;
-    /** @type {(import('../../js/protocol.js').Define | import('../../js/protocol.js').Sight)[]} */
+    /** @type {(import('../../js/protocol.js').Define | import('../../js/protocol.js').ViewMessage)[]} */
     const posted = [];
     /** @type {[number | undefined, boolean][]} */
     const doubts = [];
