@@ -16,7 +16,7 @@ const SPEED = 0.4;
 /** Rounded to a millionth, so that links do not contain rounding errors. @param {number} degrees */
 const rounded = (degrees) => Math.round(degrees * 1e6) / 1e6;
 
-/** @param {number} degrees @returns {number} at least -180, less than 180 */
+/** @param {number} degrees @returns {number} from -180 to 180 */
 const wrapped = (degrees) => rounded(((((degrees + 180) % 360) + 360) % 360) - 180);
 
 /**

@@ -18,7 +18,7 @@ import { captionOf } from './panels/growth-panel.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { createPlayback } from './playback.js';
 import { createReader } from './reading/reader.js';
-import { showSheet } from './sheet.js';
+import { showPrintText } from './print-text.js';
 import { createStage } from './stage.js';
 import { DEFAULTS, clean, definitionOf, sameDrawing, sameSystem } from './state.js';
 import { createStore } from './store.js';
@@ -187,7 +187,7 @@ function show(state, before) {
     button('reset').disabled = !store.canReset;
     html('stage').classList.toggle('on-dark', isDark(state.background));
     html('stage').style.setProperty('--sheet', state.background);
-    showSheet(state, before);
+    showPrintText(state, before);
     address();
 }
 

@@ -214,18 +214,18 @@ function createReceiver({ events, troubles, connection, questions, newest, outbo
 /** Reports troubles, and once the end of the last one. @param {Pick<Events, 'troubled' | 'recovered'>} events */
 function createTroubles({ troubled, recovered }) {
     /** The reported trouble that is not over yet. @type {Trouble['how'] | null} */
-    let told = null;
+    let reportedTrouble = null;
 
     function end() {
-        if (told === null) return;
-        told = null;
+        if (reportedTrouble === null) return;
+        reportedTrouble = null;
         recovered();
     }
 
     return {
         /** @param {Trouble['how']} how @param {string} message */
         tell(how, message) {
-            told = how;
+            reportedTrouble = how;
             troubled({ how, question: false, message });
         },
 
@@ -235,7 +235,7 @@ function createTroubles({ troubled, recovered }) {
         end,
 
         endOfLoading() {
-            if (told === 'loading' || told === 'unloadable') end();
+            if (reportedTrouble === 'loading' || reportedTrouble === 'unloadable') end();
         },
     };
 }

@@ -7,8 +7,8 @@ import { latest } from './latest.js';
 /** How near the pointer a segment or polygon must be, in CSS pixels. */
 const NEAR = { mouse: 6, touch: 16 };
 /** A press that moved farther (CSS pixels) or lasted longer (milliseconds) is no tap. */
-const SLIP = 6;
-const LONG = 500;
+const TAP_DISTANCE = 6;
+const TAP_MS = 500;
 /** The pause after the last turn of a drawing in space, in milliseconds. */
 const REST_MS = 200;
 /** @typedef {import('./protocol.js').Picked} Picked */
@@ -86,7 +86,7 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
     }
 
     canvas.addEventListener('pointermove', (event) => {
-        if (press && Math.hypot(event.clientX - press.x, event.clientY - press.y) <= SLIP) return;
+        if (press && Math.hypot(event.clientX - press.x, event.clientY - press.y) <= TAP_DISTANCE) return;
         if (event.buttons !== 0) return leave();
         if (event.pointerType !== 'mouse') return;
         place = placeOf(event);
@@ -96,7 +96,7 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
         press = event.isPrimary && event.button === 0 ? { x: event.clientX, y: event.clientY, time: event.timeStamp } : null;
     });
     canvas.addEventListener('pointerup', (event) => {
-        const tap = press && event.isPrimary && Math.hypot(event.clientX - press.x, event.clientY - press.y) <= SLIP && event.timeStamp - press.time < LONG;
+        const tap = press && event.isPrimary && Math.hypot(event.clientX - press.x, event.clientY - press.y) <= TAP_DISTANCE && event.timeStamp - press.time < TAP_MS;
         press = null;
         if (!tap) return;
         place = placeOf(event);

@@ -30,7 +30,7 @@ import { createSeeds } from './seeds.js';
 import { createSession } from './session.js';
 import { openSession } from './sessions.js';
 import { createShare } from './share.js';
-import { showSheet } from './sheet.js';
+import { showPrintText } from './print-text.js';
 import { createShortcuts } from './shortcuts.js';
 import { createStage } from './stage.js';
 import { clean, definitionOf, same, sameDrawing, sameSystem } from './state.js';
@@ -153,7 +153,7 @@ function show(state, before) {
     }
     if (before && before.camera !== state.camera) hover.turned();
     showNames(state);
-    showSheet(state, before);
+    showPrintText(state, before);
     button('undo').disabled = !store.canUndo;
     button('redo').disabled = !store.canRedo;
     button('reset').disabled = !store.canReset;

@@ -18,7 +18,7 @@ const MOST_BYTES = 512 << 10;
 const PIECE = 256;
 
 /**
- * The link of a state, with its `#`: readable, or compressed if the readable form is long and the compressed form shorter.
+ * The link of a state, with its `#`: readable, or compressed if the readable form is long and the compressed one shorter.
  * @param {Readonly<State>} state
  * @returns {Promise<string>}
  */

@@ -126,7 +126,7 @@ export {};
 /** A rectangle of the canvas, in its pixels; `budget` is the most work that may be spent on the pane. @typedef {{number: number, x: number, y: number, width: number, height: number, budget: number}} Pane */
 /** The state that a mate needs for drawing. @typedef {{definition: Definition, view: ViewMessage, upto: bigint | null}} SharedState */
 /**
- * From a worker to its mate: a pane to draw, with the state unless the mate has it. Another `round` cancels unfinished panes.
+ * From a worker to its mate: a pane to draw, with the state unless the mate has it. A new `round` cancels former panes.
  * @typedef {{round: number, pane: Pane, state: SharedState | null} | {round: 0, pane: null, state: null}} ToMate
  */
 /** The work spent on a pane, and whether the budget was too small to draw everything (`poor`). @typedef {{work: number, poor: boolean}} Outcome */

@@ -19,7 +19,8 @@ const SLOW_MS = 300;
  * @param {import('./engine.js').Engine} engine
  * @param {{look: (viewpoint: import('./marks.js').Viewpoint | null) => void}} marks the marks on the picture, which move with it
  * @param {{takes?: (event: Event) => boolean, keys?: () => readonly ('angle' | 'iterations')[]}} [page]
- *   `takes` tells which gestures are for the drawing rather than the page around it; `keys` tells which fields the arrow keys change
+ *   `takes` tells which gestures are for the drawing rather than the page around it; `keys` tells which fields the arrow
+ *   keys change
  */
 export function createStage(store, engine, marks, { takes = () => true, keys = () => ['angle', 'iterations'] } = {}) {
     const frame = html('stage');

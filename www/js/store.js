@@ -96,7 +96,7 @@ export function createStore(initial, from = initial) {
         },
 
         /**
-         * Changes fields of the state and of the state that Reset returns to, without an undo step, when the theme changes.
+         * Changes fields of the state and of the state that Reset returns to, without an undo step.
          * @param {Partial<State>} patch
          */
         restyle(patch) {

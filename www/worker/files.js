@@ -84,15 +84,15 @@ export function createFiles({ playground, guard, wake, tellAt }) {
 
     /** Writes a PNG file that stores its system, so that the file can be opened again. @param {Question<'png'>} question @returns {Promise<Answer<'png'>>} */
     async function writePng({ type, id, width, height, definition }) {
-        const sheet = new OffscreenCanvas(1, 1);
-        const picture = playground.snapshot(sheet, width, height);
+        const canvas = new OffscreenCanvas(1, 1);
+        const picture = playground.snapshot(canvas, width, height);
         try {
             await runSteps(id, () => picture.step(STEP_MS));
         } finally {
-            // The sheet has the pixels, and drawings wait until the picture is freed.
+            // The canvas has the pixels, and drawings wait until the picture is freed.
             picture.free();
         }
-        const plain = await sheet.convertToBlob({ type: 'image/png' });
+        const plain = await canvas.convertToBlob({ type: 'image/png' });
         const bytes = new Uint8Array(await plain.arrayBuffer());
         tellAt(id);
         const file = /** @type {Uint8Array<ArrayBuffer>} */ (wasm_bindgen.tag_png(bytes, definition));

@@ -17,19 +17,19 @@ import { STEP_MS, page } from './page.js';
 export function createThumbs({ playground, waiting, tellAt }) {
     /** After this many steps an unfinished picture is sent as it is. */
     const MOST_STEPS = 40;
-    /** The picture being drawn. @type {{request: Question<'thumb'>, easel: Playground, sheet: OffscreenCanvas, bitmap: ImageBitmap | null, steps: number} | null} */
+    /** The picture being drawn. @type {{request: Question<'thumb'>, small: Playground, canvas: OffscreenCanvas, bitmap: ImageBitmap | null, steps: number} | null} */
     let making = null;
 
     /** @param {Question<'thumb'>} request @returns {NonNullable<typeof making>} */
     function begin(request) {
         const { definition, width, height } = request;
         playground.forget();
-        const sheet = new OffscreenCanvas(1, 1);
-        const easel = wasm_bindgen.Playground.small(sheet);
+        const canvas = new OffscreenCanvas(1, 1);
+        const small = wasm_bindgen.Playground.small(canvas);
         /** @type {import('../js/protocol.js').Report} */
-        const { ok } = easel.define(definition);
-        easel.view(width, height, 1, 0, 0, 1, 0, 0);
-        return { request, easel, sheet, bitmap: null, steps: ok ? MOST_STEPS : 0 };
+        const { ok } = small.define(definition);
+        small.view(width, height, 1, 0, 0, 1, 0, 0);
+        return { request, small, canvas, bitmap: null, steps: ok ? MOST_STEPS : 0 };
     }
 
     return {
@@ -44,7 +44,7 @@ export function createThumbs({ playground, waiting, tellAt }) {
         postpone() {
             if (!making) return;
             waiting.unshift(making.request);
-            making.easel.free();
+            making.small.free();
             making.bitmap?.close();
             making = null;
         },
@@ -56,15 +56,15 @@ export function createThumbs({ playground, waiting, tellAt }) {
             tellAt(request.id);
             const thumb = (making ??= begin(request));
             /** @type {Step} */
-            const { drawn, idle } = thumb.steps > 0 ? thumb.easel.step(STEP_MS) : { report: null, drawn: null, idle: true };
+            const { drawn, idle } = thumb.steps > 0 ? thumb.small.step(STEP_MS) : { report: null, drawn: null, idle: true };
             thumb.steps -= 1;
             if (drawn) {
                 thumb.bitmap?.close();
-                thumb.bitmap = thumb.sheet.transferToImageBitmap();
+                thumb.bitmap = thumb.canvas.transferToImageBitmap();
             }
             if (!idle && !drawn?.complete && thumb.steps > 0) return;
             making = null;
-            thumb.easel.free();
+            thumb.small.free();
             page.postMessage({ type: 'thumb', id: request.id, bitmap: thumb.bitmap }, thumb.bitmap ? [thumb.bitmap] : []);
         },
     };

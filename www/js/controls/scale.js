@@ -2,7 +2,7 @@
 
 import { plain } from '../numerals.js';
 
-/** The minimum number of stops between zero and twice the value. */
+/** The minimum number of stops between zero and twice the value, except for whole values. */
 const FEWEST = 200;
 /** A value below this fraction of the scale needs a finer scale. */
 const SMALL = 1 / 20;

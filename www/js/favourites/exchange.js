@@ -8,14 +8,14 @@ import { LARGEST_FILE, readFile, writeFile } from '../favourites.js';
 export const FULL = 'The browser’s storage for this page is full. Export the favourites to a file, then delete some.';
 
 /**
- * @param {ReturnType<typeof import('./kept.js').createKept>} kept
+ * @param {ReturnType<typeof import('./stored.js').createStored>} stored
  * @param {{tell: (words: string) => void, changed: () => void}} dialog
  */
-export function createExchange(kept, { tell, changed }) {
+export function createExchange(stored, { tell, changed }) {
     const chooser = input('favourites-file');
 
     button('export-favourites').addEventListener('click', () => {
-        download(new Blob([writeFile(kept.list())], { type: 'application/json' }), 'favourites.json');
+        download(new Blob([writeFile(stored.list())], { type: 'application/json' }), 'favourites.json');
         tell('Exported all favourites to favourites.json.');
     });
     button('import-favourites').addEventListener('click', () => chooser.click());
@@ -32,11 +32,11 @@ export function createExchange(kept, { tell, changed }) {
 
     /** Adds the favourites of a file. @param {string} text @returns {Promise<string>} a message about the result */
     async function take(text) {
-        const read = await readFile(kept.list(), text);
+        const read = await readFile(stored.list(), text);
         if (!read) return 'This file contains no favourites.';
-        const isKept = read.added === 0 || kept.put(read.list);
+        const isStored = read.added === 0 || stored.put(read.list);
         changed();
-        return isKept ? resultText(read) : FULL;
+        return isStored ? resultText(read) : FULL;
     }
 
     return { take };

@@ -5,8 +5,8 @@ import { button, byId, closes, html, input, setText } from '../dom.js';
 import { MOST_FAVOURITES, favourite, rename } from '../favourites.js';
 import { favouriteCard, visitCard } from '../favourites/cards.js';
 import { FULL, createExchange } from '../favourites/exchange.js';
-import { createKept } from '../favourites/kept.js';
-import { createLateThumbs } from '../favourites/late-thumbs.js';
+import { createStored } from '../favourites/stored.js';
+import { createLazyThumbs } from '../favourites/lazy-thumbs.js';
 import { showNameField } from '../favourites/name-field.js';
 import { readLink } from '../link.js';
 import { openSession } from '../sessions.js';
@@ -20,15 +20,15 @@ import { openSession } from '../sessions.js';
  * @param {{storage: import('../storage.js').SafeStorage, session: Session}} visit
  */
 export function favouritesPanel(store, engine, { storage, session }) {
-    const kept = createKept(storage);
-    const dialog = createDialog(engine, kept, session);
-    const exchange = createExchange(kept, { tell: dialog.tell, changed: dialog.fill });
-    addForm(store, kept);
+    const stored = createStored(storage);
+    const dialog = createDialog(engine, stored, session);
+    const exchange = createExchange(stored, { tell: dialog.tell, changed: dialog.fill });
+    addForm(store, stored);
 
     return {
         /** Imports a file of favourites that was opened like a system. @param {string} text */
         async take(text) {
-            if (!kept.available) return toast('This browser cannot store favourites here.');
+            if (!stored.available) return toast('This browser cannot store favourites here.');
             try {
                 toast(await exchange.take(text));
             } catch (error) {
@@ -38,17 +38,17 @@ export function favouritesPanel(store, engine, { storage, session }) {
     };
 }
 
-/** The form that adds the current state to favourites. @param {import('../store.js').Store} store @param {ReturnType<typeof createKept>} kept */
-function addForm(store, kept) {
+/** The form that adds the current state to favourites. @param {import('../store.js').Store} store @param {ReturnType<typeof createStored>} stored */
+function addForm(store, stored) {
     const name = input('favourite-name');
 
     html('favourites-form').addEventListener('submit', (event) => {
         event.preventDefault();
         const added = favourite(name.value, store.state);
-        const former = kept.list();
+        const former = stored.list();
         if (former.some((one) => one.name === added.name && one.link === added.link)) return toast(`“${added.name}” is already in favourites.`);
         if (former.length >= MOST_FAVOURITES) return toast(`At most ${MOST_FAVOURITES} favourites: delete some first.`);
-        if (!kept.put([added, ...former])) return toast(FULL);
+        if (!stored.put([added, ...former])) return toast(FULL);
         name.value = '';
         toast(`Added “${added.name}” to favourites.`);
     });
@@ -61,12 +61,12 @@ function addForm(store, kept) {
     showName();
 }
 
-/** The dialog of favourites and visits. @param {import('../engine.js').Engine} engine @param {ReturnType<typeof createKept>} kept @param {Session} session */
-function createDialog(engine, kept, session) {
+/** The dialog of favourites and visits. @param {import('../engine.js').Engine} engine @param {ReturnType<typeof createStored>} stored @param {Session} session */
+function createDialog(engine, stored, session) {
     const dialog = byId('favourites', HTMLDialogElement);
     const shelf = html('favourite-cards');
     const undo = button('favourites-undo');
-    const thumbs = createLateThumbs(engine, html('favourites-shelves'));
+    const thumbs = createLazyThumbs(engine, html('favourites-shelves'));
     /** The list before the last deletion. @type {Favourite[] | null} */
     let before = null;
 
@@ -79,7 +79,7 @@ function createDialog(engine, kept, session) {
 
     function fill() {
         thumbs.clear();
-        const favourites = kept.list();
+        const favourites = stored.list();
         shelf.replaceChildren(...favourites.map(cardOf));
         const visits = session.others().flatMap((one) => {
             const state = openSession(one)?.state;
@@ -109,12 +109,12 @@ function createDialog(engine, kept, session) {
     /** @param {string} id */
     function startRenaming(id) {
         const acts = partOf(id, '.card-acts');
-        const one = kept.list().find((each) => each.id === id);
+        const one = stored.list().find((each) => each.id === id);
         if (!acts || !one) return fill();
         showNameField(acts, one.name, (name, focused) => {
-            const next = name === null ? [] : rename(kept.list(), id, name);
+            const next = name === null ? [] : rename(stored.list(), id, name);
             const given = next.find((each) => each.id === id)?.name ?? one.name;
-            if (given !== one.name) tell(kept.put(next) ? `Renamed to “${given}”.` : FULL);
+            if (given !== one.name) tell(stored.put(next) ? `Renamed to “${given}”.` : FULL);
             fill();
             if (focused) partOf(id, '.card-act')?.focus();
         });
@@ -122,16 +122,16 @@ function createDialog(engine, kept, session) {
 
     /** @param {string} id */
     function remove(id) {
-        const former = kept.list();
+        const former = stored.list();
         const at = former.findIndex((one) => one.id === id);
         const gone = former[at];
         if (!gone) return fill();
-        kept.put(former.filter((one) => one.id !== id));
+        stored.put(former.filter((one) => one.id !== id));
         fill();
         before = former;
         tell(`Deleted “${gone.name}”.`, true);
         // Focus the card that took the place of the deleted one.
-        const next = kept.list()[Math.min(at, former.length - 2)];
+        const next = stored.list()[Math.min(at, former.length - 2)];
         (next ? partOf(next.id, '.card-acts button:last-child') : button('close-favourites'))?.focus();
     }
 
@@ -139,8 +139,8 @@ function createDialog(engine, kept, session) {
         const former = before;
         if (!former) return;
         // Favourites added since then stay.
-        const now = kept.list();
-        kept.put([...now.filter((one) => !former.some(({ id }) => id === one.id)), ...former]);
+        const now = stored.list();
+        stored.put([...now.filter((one) => !former.some(({ id }) => id === one.id)), ...former]);
         fill();
         tell('Restored.');
         button('close-favourites').focus();

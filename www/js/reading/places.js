@@ -44,7 +44,7 @@ export function rowsOf(length, columns) {
 }
 
 /**
- * The position of the window: its top row, and how far this row is scrolled out, in CSS pixels, from 0 to a row's height.
+ * The position of the window: its top row, and how far this row is scrolled out, in CSS pixels (less than a row's height).
  * @typedef {{row: bigint, offset: number}} Top
  */
 

@@ -270,7 +270,7 @@ for (const [what, area] of /** @type {const} */ ([['refused', 'refused'], ['full
                     await until(async () => (await text(page, '#toast')).includes('cannot store favourites'), 'the refusal');
                 } else {
                     await page.click('#add-favourite');
-                    await until(async () => (await text(page, '#toast')).includes('no more room'), 'the refusal');
+                    await until(async () => (await text(page, '#toast')).includes('storage for this page is full'), 'the refusal');
                 }
                 await until(() => page.evaluate(() => location.hash.includes('angle=50')), 'the address follows');
                 await page.reload();

@@ -6,7 +6,7 @@ import { readFavourites } from '../favourites.js';
 /** @typedef {import('../favourites.js').Favourite} Favourite */
 
 /** @param {import('../storage.js').SafeStorage} storage */
-export function createKept(storage) {
+export function createStored(storage) {
     const list = () => readFavourites(storage.read('favourites'));
 
     function showCount() {
@@ -26,9 +26,9 @@ export function createKept(storage) {
 
         /** @param {Favourite[]} next @returns {boolean} whether the list was stored */
         put(next) {
-            const kept = storage.write('favourites', next);
+            const isStored = storage.write('favourites', next);
             showCount();
-            return kept;
+            return isStored;
         },
     };
 }

@@ -12,7 +12,7 @@ const SIDE = 168;
  * @param {import('../engine.js').Engine} engine
  * @param {Element} root the scrolling element
  */
-export function createLateThumbs(engine, root) {
+export function createLazyThumbs(engine, root) {
     /** The thumbnails that are not painted yet. @type {Map<Element, State>} */
     const unpainted = new Map();
     const seen = new IntersectionObserver(
