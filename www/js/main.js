@@ -87,7 +87,7 @@ themeButton((next) => {
     // A system in the theme's default colours, and the opening plant, take the new theme's colours.
     const former = next === 'dark' ? 'light' : 'dark';
     const { palette, background } = hasScheme(store.state, opening(former)) ? opening(next) : themeScheme(next);
-    if ([themeScheme(former), opening(former)].some((scheme) => hasScheme(store.state, scheme))) store.restyle({ palette: [...palette], background });
+    if ([themeScheme(former), opening(former)].some((scheme) => hasScheme(store.state, scheme))) store.changeOrigin({ palette: [...palette], background });
 });
 
 html('skip').addEventListener('click', (event) => {

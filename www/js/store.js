@@ -99,7 +99,7 @@ export function createStore(initial, from = initial) {
          * Changes fields of the state and of the state that Reset returns to, without an undo step.
          * @param {Partial<State>} patch
          */
-        restyle(patch) {
+        changeOrigin(patch) {
             origin = clean({ ...origin, ...patch }, origin);
             become(clean({ ...state, ...patch }, state));
         },

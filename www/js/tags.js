@@ -10,7 +10,7 @@ export const TAGS = Object.freeze({
     parametric: 'Symbols have parameters',
     '2D': 'Drawn in the plane',
     '3D': 'Drawn in space',
-    'reusable parts': 'Equal parts are drawn once, so iterations are unlimited',
+    'reusable parts': 'Equal parts are drawn once, so many iterations are possible',
     'expanded in full': 'Every symbol is drawn separately, so memory limits the iterations',
 });
 

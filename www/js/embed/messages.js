@@ -53,7 +53,7 @@ export function talk(store, { host, offer, play, facts }) {
         get: async ({ id }) => send({ lsystem: 'state', id, ...(await state()), ...facts() }),
         set: ({ values }) => {
             const { fields, problems } = fieldsOf(values);
-            asHost(() => store.restyle(fields));
+            asHost(() => store.changeOrigin(fields));
             if (problems.length > 0) send({ lsystem: 'error', message: problems.join(' '), problems: [] });
         },
         open: async ({ link }) => {
