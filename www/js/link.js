@@ -127,7 +127,7 @@ export function readLink(hash, unpacked = null) {
         }
     }
     const version = given.get('v');
-    if (version !== undefined && Number(version) !== VERSION) problems.push('The link was made by another version of this page; some of it may be missing.');
+    if (version !== undefined && Number(version) !== VERSION) problems.push('The link was made by another version of this page; parts of the drawing may be missing.');
     if (given.has(PACKED) && unpacked === null) problems.push('The compressed part of the link was not read.');
     /** @type {Partial<Record<keyof State, unknown>>} */
     const values = {};

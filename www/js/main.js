@@ -280,5 +280,5 @@ function opened(pasted) {
 /** The first few of a link's problems. @param {import('./link.js').Link} link */
 function problemWords({ problems }) {
     const more = problems.length - MOST_PROBLEMS;
-    return [...problems.slice(0, MOST_PROBLEMS), ...(more > 0 ? [`There are ${more} more such problems.`] : [])].join(' ');
+    return [...problems.slice(0, MOST_PROBLEMS), ...(more > 0 ? [`${more} more problems.`] : [])].join(' ');
 }

@@ -98,9 +98,9 @@ async function inflate(bytes) {
 
 /** @param {unknown} error */
 function wordsOf(error) {
-    if (error instanceof TooLarge) return 'The compressed part of the link holds more than any drawing needs, and was not read.';
-    if (typeof DecompressionStream !== 'function') return 'This browser cannot read compressed links: a newer one can.';
-    return 'The compressed part of the link is damaged or cut off, and was not read.';
+    if (error instanceof TooLarge) return 'The compressed part of the link contains more than any drawing needs and was not read.';
+    if (typeof DecompressionStream !== 'function') return 'This browser cannot read compressed links. Use a newer browser.';
+    return 'The compressed part of the link is damaged or cut off and was not read.';
 }
 
 /** @param {Uint8Array} bytes */

@@ -29,7 +29,7 @@ export function createSegmentField({ total, shown, seek }) {
         field.disabled = !total();
         if (document.activeElement === field) return;
         setValue(field, total() === null ? '' : placeText(shown()));
-        field.title = `${grouped(String(shown()))} segments are drawn. Write a number, 10^12, 50 %`;
+        field.title = `${grouped(String(shown()))} segments are drawn. Type a number, 10^12, 50 %`;
         field.removeAttribute('data-wrong');
     }
 

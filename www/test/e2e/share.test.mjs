@@ -154,7 +154,7 @@ test('if the clipboard is refused, the older method is tried and the text select
                     assert.equal(await page.inputValue('#axiom'), ADDRESS + KOCH);
                     return;
                 }
-                assert.match(await text(page, '#share-status'), /selected: (Ctrl\+|⌘)C/);
+                assert.match(await text(page, '#share-status'), /selected: press (Ctrl\+|⌘)C/);
                 const selected = () => page.evaluate(() => {
                     const field = /** @type {HTMLInputElement} */ (document.activeElement);
                     return field.value.slice(field.selectionStart ?? 0, field.selectionEnd ?? 0);
