@@ -3,7 +3,7 @@
 import { announce, toast } from './announce.js';
 import { button, html, input, setText } from './dom.js';
 import { createDials } from './embed/dials.js';
-import { talk } from './embed/messages.js';
+import { connectHost } from './embed/messages.js';
 import { readOptions } from './embed/options.js';
 import { watchVisibility } from './embed/visibility.js';
 import { createEngine, isWrong } from './engine.js';
@@ -49,7 +49,7 @@ let blank = link === null;
 const rules = rulesPanel(store);
 const constants = constantsPanel(store, rules);
 const dials = createDials(store);
-const host = talk(store, { host: options.host, offer, play: (on) => parts?.playback.setPlaying(on), facts: () => facts });
+const host = connectHost(store, { host: options.host, offer, play: (on) => parts?.playback.setPlaying(on), facts: () => facts });
 
 offer(controls);
 store.subscribe(show);

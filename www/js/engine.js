@@ -41,7 +41,7 @@ export function createEngine(events) {
     const nextId = () => ++lastId;
     const troubles = createTroubles(events);
     const newest = createNewest();
-    const connection = createConnection({ begun, received: (message) => receive(message), left, stopped, missed, owes: () => outbox.owes || questions.size > 0, doubted: (silent) => fallback.doubt(silent) });
+    const connection = createConnection({ begun, received: (message) => receive(message), left, stopped, loadFailed, owes: () => outbox.owes || questions.size > 0, doubted: (silent) => fallback.doubt(silent) });
     const questions = createQuestions({ post: connection.post, nextId });
     const outbox = createOutbox(newest, { post: connection.post, ready: () => connection.ready, nextId, sent, settled: () => events.busy(false) });
     const fallback = createFallback(newest, outbox, (state, doubtful) => events.doubted?.(state, doubtful));
@@ -84,7 +84,7 @@ export function createEngine(events) {
     }
 
     /** @param {'loading' | 'unloadable'} how @param {string} message */
-    function missed(how, message) {
+    function loadFailed(how, message) {
         if (how === 'unloadable') end(how, message);
         else troubles.tell(how, message);
     }
@@ -176,7 +176,7 @@ function createReceiver({ events, troubles, connection, questions, newest, outbo
             return;
         }
         const look = outbox.lookOf(picture.viewId);
-        connection.took(picture.slow);
+        connection.noteSlow(picture.slow);
         const last = outbox.isLast(picture);
         // A fresh worker begins with a coarse picture of a state whose finest picture is already shown.
         const known = last && !picture.complete && fallback.isKept();

@@ -48,12 +48,12 @@ const MOST_PROBLEMS = 3;
 const link = await openLink(location.hash);
 const storage = createStorage(() => localStorage);
 const session = createSession(storage, createStorage(() => sessionStorage));
-const left = session.start(location.hash, link && link.state);
-const store = createStore(left?.state ?? link?.state ?? opening(theme()), left?.origin);
+const restored = session.start(location.hash, link && link.state);
+const store = createStore(restored?.state ?? link?.state ?? opening(theme()), restored?.origin);
 const engine = createEngine({ report: reported, drawn, busy, troubled, recovered, doubted });
 /** Whether the first state stopped the drawing on an earlier visit, and so is not drawn before the reader acts. */
-let held = session.isSuspect(store.state);
-if (!held) engine.define(definitionOf(store.state));
+let notDrawn = session.isSuspect(store.state);
+if (!notDrawn) engine.define(definitionOf(store.state));
 const marks = createMarks();
 const stage = createStage(store, engine, marks);
 const orbit = createOrbit(store, stage);
@@ -122,8 +122,8 @@ addEventListener('beforeinput', (event) => {
 store.subscribe((state, before) => {
     if (!sameSystem(state, before)) {
         growing.forget();
-        if (held) trouble.hide();
-        held = false;
+        if (notDrawn) trouble.hide();
+        notDrawn = false;
         engine.define(definitionOf(state));
     }
     show(state, before);
@@ -131,10 +131,10 @@ store.subscribe((state, before) => {
 session.follow(store);
 // The opening plant has the plain address; a restored visit has a link.
 // After a quick reload the address may be out of date.
-if (left && !(link && same(left.state, link.state))) showAddress();
+if (restored && !(link && same(restored.state, link.state))) showAddress();
 show(store.state, null);
 greet();
-if (held) hold();
+if (notDrawn) offerDrawing();
 keepOffline();
 
 /** @param {Readonly<State>} state @param {Readonly<State> | null} before */
@@ -238,7 +238,7 @@ function doubted({ definition, look }, doubtful) {
 }
 
 /** Offers to draw a system that stopped the drawing before. */
-function hold() {
+function offerDrawing() {
     setText(html('caption-text'), 'Not drawn.');
     trouble.show('held', false);
 }
@@ -261,12 +261,12 @@ function drawAgain() {
 function greet() {
     const problems = link ? problemWords(link) : '';
     const [last] = session.others();
-    const offered = link && !left && last ? openSession(last) : null;
+    const offered = link && !restored && last ? openSession(last) : null;
     if (last && offered && !sameSystem(offered.state, store.state)) {
         toast(problems || 'This is the link you opened.', { action: { label: 'Continue where you left off', act: () => session.resume(last) } });
     } else if (problems) {
         toast(problems);
-    } else if (left && !left.again) {
+    } else if (restored && !restored.again) {
         toast('This is where you left off.');
     }
 }

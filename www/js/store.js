@@ -18,7 +18,7 @@ export function createStore(initial, from = initial) {
     const listeners = [];
 
     /** @param {Readonly<State>} next */
-    function become(next) {
+    function setState(next) {
         const before = state;
         state = next;
         for (const listener of listeners) listener(state, before);
@@ -35,7 +35,7 @@ export function createStore(initial, from = initial) {
         const changed = FIELDS.filter((field) => !same(state[field], next[field]));
         if (changed.length === 0) return;
         history = record(history, state, Object.fromEntries(changed.map((field) => [field, next[field]])), label, Date.now());
-        become(next);
+        setState(next);
     }
 
     return {
@@ -70,7 +70,7 @@ export function createStore(initial, from = initial) {
          */
         setView(view) {
             const next = clean({ ...state, view }, state);
-            if (!same(next.view, state.view)) become(next);
+            if (!same(next.view, state.view)) setState(next);
         },
 
         /**
@@ -79,7 +79,7 @@ export function createStore(initial, from = initial) {
          */
         setCamera(camera) {
             const next = clean({ ...state, camera }, state);
-            if (!same(next.camera, state.camera)) become(next);
+            if (!same(next.camera, state.camera)) setState(next);
         },
 
         /**
@@ -92,7 +92,7 @@ export function createStore(initial, from = initial) {
             const origins = { before: origin, after: clean(from) };
             history = record(settle(history), state, next, '', Date.now(), origins);
             origin = origins.after;
-            become(next);
+            setState(next);
         },
 
         /**
@@ -101,7 +101,7 @@ export function createStore(initial, from = initial) {
          */
         changeOrigin(patch) {
             origin = clean({ ...origin, ...patch }, origin);
-            become(clean({ ...state, ...patch }, state));
+            setState(clean({ ...state, ...patch }, state));
         },
 
         /** Ends a gesture: the next change is a new undo step. */
@@ -114,7 +114,7 @@ export function createStore(initial, from = initial) {
             if (!step) return false;
             history = step.history;
             origin = step.origin ?? origin;
-            become({ ...state, ...step.patch });
+            setState({ ...state, ...step.patch });
             return true;
         },
 
@@ -123,7 +123,7 @@ export function createStore(initial, from = initial) {
             if (!step) return false;
             history = step.history;
             origin = step.origin ?? origin;
-            become({ ...state, ...step.patch });
+            setState({ ...state, ...step.patch });
             return true;
         },
     };

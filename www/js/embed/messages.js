@@ -20,7 +20,7 @@ const MAX_QUEUED = 20;
  * @param {import('../store.js').Store} store
  * @param {{host: string | null, offer: (controls: Control[]) => void, play: (on: boolean) => void, facts: () => {description: string, symbols: string | null, segments: string | null}}} page
  */
-export function talk(store, { host, offer, play, facts }) {
+export function connectHost(store, { host, offer, play, facts }) {
     const holder = parent === window ? null : parent;
     /** The origin of the host, once known. @type {string | null} */
     let listener = host;

@@ -18,7 +18,7 @@ import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
  * @property {(message: FromWorker) => void} received a message has come from the worker
  * @property {() => void} left the worker is gone; a fresh one knows no state
  * @property {(how: 'silent' | 'crashed', message: string) => void} stopped
- * @property {(how: 'loading' | 'unloadable', message: string) => void} missed the worker's files did not load; `loading`: the files are requested again
+ * @property {(how: 'loading' | 'unloadable', message: string) => void} loadFailed the worker's files did not load; `loading`: the files are requested again
  * @property {(silent: number) => void} doubted the worker has been silent for this many milliseconds, within its limit
  * @property {() => boolean} owes whether the worker owes a picture or an answer
  */
@@ -30,11 +30,11 @@ const DELAYS = [500, 1500, 4000];
 const MOST_FAILURES = 4;
 
 /** @param {Events} events */
-export function createConnection({ begun, received, left, stopped, missed, doubted, owes }) {
+export function createConnection({ begun, received, left, stopped, loadFailed, doubted, owes }) {
     /** @type {Hired | null} */
     let worker = null;
     /** Whether the worker has sent any message, has been sent the wasm, and has started the wasm. */
-    let [met, ready, started] = [false, false, false];
+    let [hasSpoken, ready, started] = [false, false, false];
     /** The timer of the next load attempt. */
     let retry = 0;
     const attempts = createAttempts();
@@ -58,7 +58,7 @@ export function createConnection({ begun, received, left, stopped, missed, doubt
                 ready = true;
                 begun();
             },
-            (error) => worker === fresh && miss(error.message),
+            (error) => worker === fresh && failLoading(error.message),
         );
         watchdog.watch();
     }
@@ -68,13 +68,13 @@ export function createConnection({ begun, received, left, stopped, missed, doubt
         watchdog.leave();
         worker?.terminate();
         worker = null;
-        [met, ready, started] = [false, false, false];
+        [hasSpoken, ready, started] = [false, false, false];
         left();
     }
 
     /** @param {FromWorker} message */
     function receive(message) {
-        met = true;
+        hasSpoken = true;
         watchdog.heard();
         if (message.type === 'ready') {
             started = true;
@@ -87,22 +87,22 @@ export function createConnection({ begun, received, left, stopped, missed, doubt
     /** @param {string} message */
     function fail(message) {
         if (started) stopped('crashed', message);
-        else miss(message);
+        else failLoading(message);
     }
 
     /** The worker or its wasm did not load. @param {string} message */
-    function miss(message) {
+    function failLoading(message) {
         leave();
         forgetCore();
-        const delay = attempts.missed();
+        const delay = attempts.loadFailed();
         if (delay !== undefined) retry = window.setTimeout(start, delay);
-        missed(delay === undefined ? 'unloadable' : 'loading', message);
+        loadFailed(delay === undefined ? 'unloadable' : 'loading', message);
     }
 
     /** How long the worker may be silent now, in milliseconds; 0 while nothing is expected from it. */
     function patience() {
         if (!worker) return 0;
-        if (!met) return STARTUP;
+        if (!hasSpoken) return STARTUP;
         return started && !owes() ? 0 : SILENCE;
     }
 
@@ -138,7 +138,7 @@ export function createConnection({ begun, received, left, stopped, missed, doubt
             start();
         },
 
-        took: help.took,
+        noteSlow: help.noteSlow,
         share: help.share,
     };
 }
@@ -146,7 +146,7 @@ export function createConnection({ begun, received, left, stopped, missed, doubt
 /** Counts stopped workers and failed loads in a row. */
 function createAttempts() {
     let failures = 0;
-    let misses = 0;
+    let failedLoads = 0;
     return {
         /** A worker has stopped. @returns {boolean} whether to start another */
         failed() {
@@ -160,19 +160,19 @@ function createAttempts() {
         },
 
         /** A load has failed. @returns {number | undefined} the delay before the next attempt in milliseconds; undefined for no further attempt */
-        missed() {
-            misses += 1;
-            return DELAYS[misses - 1];
+        loadFailed() {
+            failedLoads += 1;
+            return DELAYS[failedLoads - 1];
         },
 
         loaded() {
-            misses = 0;
+            failedLoads = 0;
         },
 
         /** Allows new attempts after the last one failed. */
         renew() {
             if (failures > MOST_FAILURES) failures = 0;
-            if (misses > DELAYS.length) misses = 0;
+            if (failedLoads > DELAYS.length) failedLoads = 0;
         },
     };
 }
@@ -195,7 +195,7 @@ function createHelp(worker) {
         leave: () => mates?.leave(),
 
         /** A picture has come. @param {boolean} long whether the picture was slow */
-        took(long) {
+        noteSlow(long) {
             slow = long;
             if (slow) help();
         },

@@ -45,8 +45,8 @@ export function createMates(count) {
     function hireMate(wasm) {
         const mate = hire();
         const { port1, port2 } = new MessageChannel();
-        let met = false;
-        const watchdog = createWatchdog({ patience: () => (met ? SILENCE : STARTUP), ping: () => mate.postMessage({ type: 'ping' }), stopped: dismiss });
+        let hasSpoken = false;
+        const watchdog = createWatchdog({ patience: () => (hasSpoken ? SILENCE : STARTUP), ping: () => mate.postMessage({ type: 'ping' }), stopped: dismiss });
         /** Ends the mate; the drawing worker draws unanswered panes itself. */
         function dismiss() {
             watchdog.leave();
@@ -58,7 +58,7 @@ export function createMates(count) {
             dismiss();
         };
         mate.onmessage = ({ data }) => {
-            met = true;
+            hasSpoken = true;
             watchdog.heard();
             if (data.type === 'fatal') dismiss();
         };

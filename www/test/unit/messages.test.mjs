@@ -31,9 +31,9 @@ test('after any messages the drawing is valid and answers', async (context) => {
     let hear = () => {};
     const holder = { postMessage: (/** @type {any} */ words) => void said.push(structuredClone(words)) };
     Object.assign(globalThis, { window: globalThis, parent: holder, addEventListener: (/** @type {string} */ _, /** @type {typeof hear} */ listener) => (hear = listener) });
-    const { talk } = await import('../../js/embed/messages.js');
+    const { connectHost } = await import('../../js/embed/messages.js');
     const store = createStore(clean({ axiom: 'F', rules: 'F -> F+F', iterations: 3 }));
-    talk(store, { host: null, offer: (controls) => assert.ok(controls.every((one) => CONTROLS.includes(one))), play: (on) => assert.equal(typeof on, 'boolean'), facts: () => ({ description: '', symbols: null, segments: null }) });
+    connectHost(store, { host: null, offer: (controls) => assert.ok(controls.every((one) => CONTROLS.includes(one))), play: (on) => assert.equal(typeof on, 'boolean'), facts: () => ({ description: '', symbols: null, segments: null }) });
     // An object without a text form used to throw.
     for (const name of [{ toString: 7 }, [{ toString: 7 }]]) {
         hear({ source: holder, origin: 'null', data: { lsystem: name } });
