@@ -1,4 +1,4 @@
-/** Written in front of service-worker.js by the build. */
+/** The name of the version, which the build writes in front of service-worker.js. */
 declare const BUILD: string;
 /** The SHA-256 of each file, by its path. */
 declare const FILES: Record<string, string>;

@@ -1,20 +1,21 @@
 /**
  * <l-system axiom="X" angle="25" n="5" controls="angle,n">X -> F[+X]-X</l-system>: a live drawing in any page.
  *
- * It is built into one classic script, because other sites may not import our modules. The drawing is embed.html in a frame, from beside
- * this script; attributes go there as messages, and what happens there comes back as events. docs/embedding.md tells
- * all of it.
+ * The script is built into one classic script, because other sites may not import our modules. The drawing is
+ * embed.html in an iframe, from the folder of this script. Attributes are sent to the frame as messages, and its
+ * messages become events. docs/embedding.md describes the element.
  */
 import { ATTRIBUTES } from './js/tables.js';
 
 (() => {
     const script = document.currentScript;
     const HOME = new URL('embed.html', script instanceof HTMLScriptElement && script.src ? script.src : location.href);
-    /** Pages from a disk have no origin that could be told from another's. */
+    /** Pages from a disk have no distinct origin. */
     const ORIGIN = HOME.protocol === 'file:' ? null : HOME.origin;
 
-    /** Attributes that are values of the drawing, and their keys in links. */
+    /** Attributes that are values of the drawing, and their link keys. */
     const KEYS = new Map(Object.entries(ATTRIBUTES));
+    /** Changes within this time are sent together, in milliseconds. */
     const PAUSE = 40;
 
     const STYLE = `
@@ -28,25 +29,25 @@ import { ATTRIBUTES } from './js/tables.js';
 
         /** @type {HTMLIFrameElement | null} */
         #frame = null;
-        /** What the frame has been told, by key. @type {Record<string, string>} */
-        #told = {};
+        /** The values that were sent to the frame, by key. @type {Record<string, string>} */
+        #sent = {};
         #timer = 0;
-        /** Whether the frame listens, and what was said before it did. */
-        #heard = false;
+        /** Whether the frame receives messages, and the messages queued until then. */
+        #connected = false;
         /** @type {object[]} */
-        #unsaid = [];
+        #queue = [];
         #ready = false;
         #lastId = 0;
         /** @type {Map<number, (state: Record<string, unknown>) => void>} */
-        #asked = new Map();
-        /** What came last from the frame. @type {{values: Record<string, unknown>, link: string} | null} */
+        #pending = new Map();
+        /** The last state from the frame. @type {{values: Record<string, unknown>, link: string} | null} */
         #state = null;
         #observer = new MutationObserver(() => this.#changed());
 
         connectedCallback() {
             addEventListener('message', this.#hear);
             this.#observer.observe(this, { childList: true, characterData: true, subtree: true });
-            // The text comes after the tag.
+            // While the page loads, the element's text is not parsed yet.
             if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', this.#build, { once: true });
             else queueMicrotask(this.#build);
         }
@@ -59,7 +60,7 @@ import { ATTRIBUTES } from './js/tables.js';
             this.#frame?.remove();
             this.#frame = null;
             this.#ready = false;
-            this.#heard = false;
+            this.#connected = false;
         }
 
         /** @param {string} name @param {string | null} before @param {string | null} now */
@@ -71,35 +72,35 @@ import { ATTRIBUTES } from './js/tables.js';
             else this.#changed();
         }
 
-        /** The drawing as the visitor has left it, by the keys of links. Null before it is there. */
+        /** The current values of the drawing, by link keys. Null before the first message. */
         get values() {
             return this.#state?.values ?? null;
         }
 
-        /** The drawing as the visitor has left it, as the part of an address behind `#`, with the `#`. */
+        /** The current drawing as the hash of a link, with the `#`. Null before the first message. */
         get state() {
             return this.#state?.link ?? null;
         }
 
-        /** Whether the first picture is there. */
+        /** Whether the first picture is shown. */
         get ready() {
             return this.#ready;
         }
 
         /**
-         * Sets values by the keys of links, as attributes do.
+         * Sets values by link keys, as attributes do.
          * @param {Record<string, unknown>} values
          */
         set(values) {
             this.#say({ lsystem: 'set', values });
         }
 
-        /** Opens a whole drawing. @param {string} link an address of the playground, or the part of it behind `#` */
+        /** Opens another drawing. @param {string} link an address of the playground, or its hash */
         open(link) {
             this.#say({ lsystem: 'open', link: hashOf(link) });
         }
 
-        /** Takes back what the visitor has changed. */
+        /** Undoes the visitor's changes. */
         reset() {
             this.#say({ lsystem: 'reset' });
         }
@@ -112,11 +113,11 @@ import { ATTRIBUTES } from './js/tables.js';
             this.#say({ lsystem: 'pause' });
         }
 
-        /** The drawing as it is now, with a description of it and the exact numbers of its symbols and segments. @returns {Promise<Record<string, unknown>>} */
+        /** The current state, a description, and the exact numbers of symbols and segments. @returns {Promise<Record<string, unknown>>} */
         get() {
             return new Promise((resolve) => {
                 const id = ++this.#lastId;
-                this.#asked.set(id, resolve);
+                this.#pending.set(id, resolve);
                 this.#say({ lsystem: 'get', id });
             });
         }
@@ -128,7 +129,7 @@ import { ATTRIBUTES } from './js/tables.js';
         #build = () => {
             if (!this.isConnected || this.#frame) return;
             const root = this.shadowRoot ?? this.attachShadow({ mode: 'open' });
-            // Not an element, which the policy of a page might refuse.
+            // A style element might be refused by the page's content security policy.
             const style = new CSSStyleSheet();
             style.replaceSync(STYLE);
             root.adoptedStyleSheets = [style];
@@ -140,52 +141,52 @@ import { ATTRIBUTES } from './js/tables.js';
             this.#load();
         };
 
-        /** Gives the frame its address, which says all. */
+        /** Sets the frame's address, which contains all values. */
         #load() {
             if (!this.#frame) return;
-            this.#told = this.#given();
-            const name = this.getAttribute('aria-label') ?? this.#told.title;
+            this.#sent = this.#attributeValues();
+            const name = this.getAttribute('aria-label') ?? this.#sent.title;
             this.#frame.title = name ? `L-system: ${name}` : 'L-system';
             const link = hashOf(this.getAttribute('link') ?? '').replace(/^#/, '');
-            const fields = { ...this.#told, controls: this.getAttribute('controls') ?? '', theme: this.getAttribute('theme') ?? '', host: location.origin === 'null' ? '' : location.origin };
+            const fields = { ...this.#sent, controls: this.getAttribute('controls') ?? '', theme: this.getAttribute('theme') ?? '', host: location.origin === 'null' ? '' : location.origin };
             const own = Object.entries(fields).flatMap(([key, value]) => (value === '' ? [] : [`${key}=${encodeURIComponent(value)}`]));
             const address = new URL(HOME);
             address.hash = [link || 'v=1', ...own].join('&');
-            // Later ones leave no trace in the history of the page.
-            if (this.#heard) this.#frame.contentWindow?.location.replace(address.href);
+            // Later addresses replace the former one, to keep the page's history clean.
+            if (this.#connected) this.#frame.contentWindow?.location.replace(address.href);
             else this.#frame.src = address.href;
         }
 
-        /** The values that attributes and text give, as strings. @returns {Record<string, string>} */
-        #given() {
+        /** The values of attributes and text, as strings. @returns {Record<string, string>} */
+        #attributeValues() {
             const values = Object.fromEntries([...KEYS].flatMap(([name, key]) => (this.hasAttribute(name) ? [[key, this.getAttribute(name) ?? '']] : [])));
             if (values.rules === undefined) {
                 const text = rulesIn(this);
                 if (text !== '') values.rules = text;
             }
-            // Links write colours without the sign that HTML has before them.
+            // Links write colours without `#`.
             for (const key of ['bg', 'palette']) if (values[key] !== undefined) values[key] = values[key].replace(/[#\s]/g, '');
             return values;
         }
 
-        /** Tells the frame what has changed; changes that come together are told together. */
+        /** Sends changed values to the frame, after a pause. */
         #changed() {
             if (!this.#frame) return;
             clearTimeout(this.#timer);
             this.#timer = window.setTimeout(() => {
-                const given = this.#given();
-                // What is no longer said is what it would be unsaid, which only a fresh address tells.
-                if (Object.keys(this.#told).some((key) => !(key in given))) return this.#load();
-                const values = Object.fromEntries(Object.entries(given).filter(([key, value]) => this.#told[key] !== value));
-                this.#told = given;
+                const given = this.#attributeValues();
+                // A removed attribute returns to its default, which needs a new address.
+                if (Object.keys(this.#sent).some((key) => !(key in given))) return this.#load();
+                const values = Object.fromEntries(Object.entries(given).filter(([key, value]) => this.#sent[key] !== value));
+                this.#sent = given;
                 if (Object.keys(values).length > 0) this.#say({ lsystem: 'set', values });
             }, PAUSE);
         }
 
         /** @param {object} message */
         #say(message) {
-            if (this.#heard && this.#frame?.contentWindow) this.#frame.contentWindow.postMessage(message, ORIGIN ?? '*');
-            else this.#unsaid.push(message);
+            if (this.#connected && this.#frame?.contentWindow) this.#frame.contentWindow.postMessage(message, ORIGIN ?? '*');
+            else this.#queue.push(message);
         }
 
         /** @param {MessageEvent} event */
@@ -195,18 +196,18 @@ import { ATTRIBUTES } from './js/tables.js';
             if (typeof data !== 'object' || data === null || typeof data.lsystem !== 'string') return;
             const { lsystem: kind, ...detail } = data;
             if (kind === 'hello') {
-                this.#heard = true;
-                // By its own words the frame knows whom to answer.
+                this.#connected = true;
+                // This message tells the frame the origin to answer.
                 this.#say({ lsystem: 'hello' });
-                const waiting = this.#unsaid;
-                this.#unsaid = [];
+                const waiting = this.#queue;
+                this.#queue = [];
                 for (const message of waiting) this.#say(message);
                 return;
             }
             if (detail.values) this.#state = { values: detail.values, link: detail.link };
             if (kind === 'state') {
-                this.#asked.get(detail.id)?.(detail);
-                this.#asked.delete(detail.id);
+                this.#pending.get(detail.id)?.(detail);
+                this.#pending.delete(detail.id);
             } else if (kind === 'ready' || kind === 'change' || kind === 'error') {
                 if (kind === 'ready') this.#ready = true;
                 this.dispatchEvent(new CustomEvent(kind, { detail }));
@@ -214,12 +215,12 @@ import { ATTRIBUTES } from './js/tables.js';
         };
     }
 
-    /** The part of an address behind `#`. @param {string} address */
+    /** The hash of an address. @param {string} address */
     function hashOf(address) {
         return address.includes('#') ? address.slice(address.indexOf('#')) : address;
     }
 
-    /** Rules as text: of a `pre` where there is one, which pages without JavaScript show; else the element's own. @param {HTMLElement} element */
+    /** The rules in the element: the text of a `pre`, which is also shown without JavaScript, or else the element's own text. @param {HTMLElement} element */
     function rulesIn(element) {
         const own = [...element.childNodes].filter((node) => node.nodeType === Node.TEXT_NODE).map((node) => node.textContent ?? '');
         const text = element.querySelector('pre')?.textContent ?? own.join('\n');

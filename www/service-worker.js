@@ -1,15 +1,15 @@
 /**
- * Keeps the page for use without a network. The build writes two lines in front of this: BUILD, which names this
- * version, and FILES, the SHA-256 of each of its files by path ('' is the page itself).
+ * Keeps the page for use without a network. The build writes two lines in front of this script: BUILD, the name of this
+ * version, and FILES, the SHA-256 of each file by path ('' is the page itself).
  *
- * A version is kept whole or not at all: what does not hash to what the build made, in the middle of somebody's upload
- * say, fails, and the browser tries again another time. A page never sees files of two versions, and of nobody else's.
+ * A version is kept completely or not at all. If a file's hash differs, for example during an upload of the site, the
+ * installation fails and the browser tries again later. So a page never gets files of two versions.
  */
 (() => {
     const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
     const scope = worker.registration.scope;
-    const family = `l-systems ${scope} `;
-    const name = family + BUILD;
+    const prefix = `l-systems ${scope} `;
+    const name = prefix + BUILD;
 
     worker.addEventListener('install', (event) => event.waitUntil(keepAll()));
     worker.addEventListener('activate', (event) => event.waitUntil(forgetOthers()));
@@ -21,7 +21,7 @@
         if (address) event.respondWith(answer(address, event.request));
     });
 
-    /** The address under which what is asked for is kept, or null where it is none of ours. @param {Request} request */
+    /** The cached address of a request, or null if the site has no such file. @param {Request} request */
     function addressOf({ method, url }) {
         const address = new URL(url);
         address.hash = '';
@@ -39,7 +39,7 @@
 
     async function keepAll() {
         const cache = await caches.open(name);
-        const others = (await caches.keys()).filter((other) => other.startsWith(family) && other !== name);
+        const others = (await caches.keys()).filter((other) => other.startsWith(prefix) && other !== name);
         try {
             await Promise.all(Object.entries(FILES).map(async ([path, hash]) => cache.put(scope + path, await copy(scope + path, hash, others))));
         } catch (error) {
@@ -48,7 +48,7 @@
         }
     }
 
-    /** A file from the version before, where it is the same, or from the network. @param {string} address @param {string} hash @param {string[]} others */
+    /** Copies an unchanged file from an older version, or fetches it from the network. @param {string} address @param {string} hash @param {string[]} others */
     async function copy(address, hash, others) {
         for (const other of others) {
             const old = await caches.open(other).then((cache) => cache.match(address));
@@ -56,7 +56,7 @@
         }
         const fresh = await fetch(address, { cache: 'no-cache' });
         if (!fresh.ok || (await hashOf(fresh)) !== hash) throw new Error(`${address} is not of this version`);
-        // Some hosts lead elsewhere and back, and a page may not come from such an answer.
+        // Some hosts redirect, and a navigation must not be answered by a redirected response.
         return new Response(fresh.body, { headers: fresh.headers });
     }
 
@@ -67,6 +67,6 @@
     }
 
     async function forgetOthers() {
-        for (const other of await caches.keys()) if (other.startsWith(family) && other !== name) await caches.delete(other);
+        for (const other of await caches.keys()) if (other.startsWith(prefix) && other !== name) await caches.delete(other);
     }
 })();

@@ -1,8 +1,8 @@
-/** The address bar: follows the state, and opens what is pasted into it. */
+/** The address bar: follows the state, and opens pasted links. */
 
 import { bestLink, openLink } from './packed.js';
 
-/** After the last change, in milliseconds: Safari refuses more than 100 changes in 30 s. */
+/** The delay after the last change, in milliseconds: Safari refuses more than 100 changes in 30 s. */
 const PAUSE = 300;
 
 /**
@@ -12,7 +12,7 @@ const PAUSE = 300;
 export function followAddress(store, { open }) {
     let timer = 0;
     let written = location.hash;
-    /** Links are compressed and unpacked in the background; only the last of them counts. */
+    /** The number of the last link; links are packed and unpacked asynchronously, and older ones are dropped. */
     let turn = 0;
 
     /** @param {string} hash */
@@ -22,16 +22,16 @@ export function followAddress(store, { open }) {
         try {
             history.replaceState(null, '', hash);
         } catch {
-            // Some frames refuse it; the share dialog still gives the link.
+            // Some frames refuse; the share dialog still shows the link.
         }
     }
 
     async function write() {
         clearTimeout(timer);
         timer = 0;
-        const mine = ++turn;
+        const own = ++turn;
         const hash = await bestLink(store.state);
-        if (mine === turn) put(hash);
+        if (own === turn) put(hash);
     }
 
     store.subscribe(() => {
@@ -41,13 +41,13 @@ export function followAddress(store, { open }) {
     addEventListener('hashchange', async () => {
         if (location.hash === written) return;
         written = location.hash;
-        const mine = ++turn;
+        const own = ++turn;
         const link = await openLink(written);
-        if (mine !== turn) return;
+        if (own !== turn) return;
         if (link) open(link);
         else write();
     });
 
-    /** Puts what is shown into the address now. */
+    /** Writes the shown state to the address at once. */
     return write;
 }

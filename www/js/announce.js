@@ -1,15 +1,17 @@
-/** Words for assistive technology and short notes on the drawing. */
+/** Announcements for assistive technology, and short messages on the drawing. */
 
 import { html, make, setText } from './dom.js';
 
+/** The pause before an announcement, in milliseconds. */
 const PAUSE = 900;
+/** A message is shown at least this long, in milliseconds. */
 const TOAST = 3200;
 
 let timer = 0;
 let toastTimer = 0;
 
 /**
- * Says something once typing or dragging has paused.
+ * Announces a text once typing or dragging has paused.
  * @param {string} words
  */
 export function announce(words) {
@@ -18,8 +20,8 @@ export function announce(words) {
 }
 
 /**
- * Shows a short note on the drawing; it is read out as well. With an `action` it has a button for it, and stays until it
- * is used or closed.
+ * Shows a short message on the drawing, which is also announced. A message with an `action` has a button for the action
+ * and stays until the button is pressed or the message is closed.
  * @param {string} words
  * @param {{stay?: boolean, action?: {label: string, act: () => void}}} [options]
  */
@@ -29,7 +31,7 @@ export function toast(words, { stay = false, action } = {}) {
     const close = () => note.classList.remove('shown');
     if (action) {
         const act = make('button', { type: 'button', class: 'toast-act' }, action.label);
-        const dismiss = make('button', { type: 'button', class: 'toast-close', 'aria-label': 'Close this note' }, '×');
+        const dismiss = make('button', { type: 'button', class: 'toast-close', 'aria-label': 'Close this message' }, '×');
         act.addEventListener('click', () => {
             close();
             action.act();

@@ -1,4 +1,4 @@
-/** Arithmetic of looking at a drawing in space: orbit, pan, zoom. Pure functions. */
+/** Cameras for drawings in space: orbit, pan, zoom. Pure functions. */
 
 import { rangeOf } from './state.js';
 
@@ -7,20 +7,20 @@ import { rangeOf } from './state.js';
 
 const ZOOM = rangeOf('camera', 'zoom');
 
-/** What is shown until the reader moves it; as the core's own. @type {Readonly<Camera>} */
+/** The camera until the reader moves it; equal to the core's default. @type {Readonly<Camera>} */
 export const FRONT = Object.freeze({ azimuth: 25, elevation: 12, zoom: 1, x: 0, y: 0, z: 0, perspective: true, fade: 0 });
 
-/** Degrees for a CSS pixel of dragging. */
+/** Degrees per CSS pixel of dragging. */
 const SPEED = 0.4;
 
-/** To a millionth, so that a link need not carry the rounding of many turns. @param {number} degrees */
+/** Rounded to a millionth, so that links do not contain rounding errors. @param {number} degrees */
 const rounded = (degrees) => Math.round(degrees * 1e6) / 1e6;
 
-/** @param {number} degrees @returns {number} from -180 up to 180 */
+/** @param {number} degrees @returns {number} from -180 to 180 */
 const wrapped = (degrees) => rounded(((((degrees + 180) % 360) + 360) % 360) - 180);
 
 /**
- * The camera gone round the target, as if the drawing were turned by hand.
+ * The camera moved around its target by a drag, so that the drawing turns with the pointer.
  * @param {Camera} camera
  * @param {number} dx CSS pixels to the right
  * @param {number} dy CSS pixels down
@@ -31,7 +31,7 @@ export function orbit(camera, dx, dy) {
 }
 
 /**
- * The camera looking from another side.
+ * The camera looking from another direction.
  * @param {Camera} camera
  * @param {number} azimuth
  * @param {number} elevation
@@ -42,7 +42,7 @@ export function turned(camera, azimuth, elevation) {
 }
 
 /**
- * Right, up and towards the eye, in the directions of the model.
+ * The directions right, up and towards the eye, in the model's coordinates.
  * @param {Camera} camera
  * @returns {[Vector, Vector, Vector]}
  */
@@ -53,7 +53,7 @@ export function axes({ azimuth, elevation }) {
 }
 
 /**
- * The camera after the drawing was dragged in the picture's plane.
+ * The camera moved by a drag in the picture's plane.
  * @param {Camera} camera
  * @param {number} dx CSS pixels to the right
  * @param {number} dy CSS pixels down
@@ -66,7 +66,7 @@ export function slide(camera, dx, dy, scale) {
 }
 
 /**
- * The camera after zooming about a point that stays where it is.
+ * The camera after zooming about a fixed point.
  * @param {Camera} camera
  * @param {number} factor
  * @param {number} px CSS pixels right of the canvas's centre
@@ -94,13 +94,13 @@ function shifted(camera, right, up) {
 
 /** The eye's distance from the target, in fitted extents. */
 const DISTANCE = 2;
-/** What is nearer to the eye than this part of that distance is not shown. */
+/** The near limit of perspective, as a fraction of that distance. */
 const NEAR = 0.05;
 
 /**
- * Where a place is seen: CSS pixels right of and below the canvas's centre.
+ * Projects a place to the picture: CSS pixels right of and below the canvas's centre.
  * @param {Camera} camera
- * @param {number[]} place from the fitted centre, in fitted extents, in the directions of the model
+ * @param {number[]} place from the fitted centre, in fitted extents, in the model's coordinates
  * @param {number} scale CSS pixels per fitted extent at zoom 1
  * @returns {[number, number]}
  */
@@ -112,7 +112,7 @@ export function seen(camera, [x = 0, y = 0, z = 0], scale) {
 }
 
 /**
- * The camera on the way from one to another, at `t` from 0 to 1, the shorter way round.
+ * Interpolates between two cameras, at `t` from 0 to 1, turning the shorter way.
  * @param {Camera} from
  * @param {Camera} to
  * @param {number} t
@@ -130,7 +130,7 @@ export function midway(from, to, t) {
     };
 }
 
-/** The whole drawing from where the camera is. @param {Camera} camera @returns {Camera} */
+/** The camera that shows the whole drawing from the same direction. @param {Camera} camera @returns {Camera} */
 export const whole = (camera) => ({ ...camera, zoom: 1, x: 0, y: 0, z: 0 });
 
 /** Whether the camera shows the whole drawing. @param {Camera} camera */

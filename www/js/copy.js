@@ -1,23 +1,23 @@
-/** The clipboard, in all the ways a page may reach it. */
+/** Copying to the clipboard. */
 
 /**
- * Copies the text of a field. Where the browser refuses, the text is left selected, so that a key copies it.
+ * Copies the text of a field. If the browser refuses, the text stays selected, so that a key can copy it.
  * @param {HTMLInputElement | HTMLTextAreaElement} field
- * @returns {Promise<boolean>} whether it is copied
+ * @returns {Promise<boolean>} whether the text was copied
  */
 export async function copyField(field) {
     if (await copyText(field.value)) return true;
     field.focus();
     field.select();
     try {
-        // Long deprecated, and still what works from disk and in frames.
+        // Deprecated, but works for pages from disk and in frames.
         return document.execCommand('copy');
     } catch {
         return false;
     }
 }
 
-/** @param {string} text @returns {Promise<boolean>} whether it is copied */
+/** @param {string} text @returns {Promise<boolean>} whether the text was copied */
 export async function copyText(text) {
     try {
         await navigator.clipboard.writeText(text);
@@ -27,5 +27,5 @@ export async function copyText(text) {
     }
 }
 
-/** What copies a selection here. */
+/** The keys that copy a selection on this system. */
 export const copyKeys = () => (/Mac|iPhone|iPad/.test(navigator.userAgent) ? '⌘C' : 'Ctrl+C');

@@ -1,9 +1,9 @@
-/** Small helpers for a page whose elements stand in its HTML and are only ever updated. */
+/** Helpers for a page whose elements stand in its HTML and are only updated. */
 
 const SVG = 'http://www.w3.org/2000/svg';
 
 /**
- * The element with this id, which must be of this type.
+ * The element with this id; throws if the element is missing or has another type.
  * @template {Element} T
  * @param {string} id
  * @param {new (...args: any[]) => T} type
@@ -39,7 +39,7 @@ export function make(tag, attributes = {}, ...children) {
     return element;
 }
 
-/** One of the icons that stand in the page. @param {string} id */
+/** An icon from the page's sprite. @param {string} id */
 export function icon(id) {
     const [svg, use] = [document.createElementNS(SVG, 'svg'), document.createElementNS(SVG, 'use')];
     svg.setAttribute('aria-hidden', 'true');
@@ -49,7 +49,7 @@ export function icon(id) {
 }
 
 /**
- * Sets text only where it differs, so that assistive technology is not told twice.
+ * Sets text only if it differs, so that assistive technology does not read it twice.
  * @param {Element} element
  * @param {string} text
  */
@@ -58,7 +58,7 @@ export function setText(element, text) {
 }
 
 /**
- * Sets a field's text and keeps the caret where the change ends.
+ * Sets a field's text, with the caret at the end of the change.
  * @param {HTMLInputElement | HTMLTextAreaElement} field
  * @param {string} text
  */
@@ -73,8 +73,8 @@ export function setValue(field, text) {
 }
 
 /**
- * Sets what is chosen only where it differs: browsers look through the whole form for what they could fill in whenever
- * something is chosen, even if it was before.
+ * Sets the choice only if it differs, because every change makes browsers search the whole form for fields to
+ * autofill.
  * @param {HTMLSelectElement} element
  * @param {string} value
  */
@@ -83,7 +83,7 @@ export function setChoice(element, value) {
 }
 
 /**
- * Closes a dialog by a button in it, and by a click beside it.
+ * Lets a button in a dialog, and a click beside the dialog, close it.
  * @param {HTMLDialogElement} dialog
  * @param {string} id of the button
  */
@@ -94,5 +94,5 @@ export function closes(dialog, id) {
     });
 }
 
-/** Whether the reader asked for less motion. */
-export const calm = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
+/** Whether the reader prefers reduced motion. */
+export const reducedMotion = () => matchMedia('(prefers-reduced-motion: reduce)').matches;

@@ -1,4 +1,4 @@
-/** Files for the reader to keep. */
+/** Saving files. */
 
 import { announce } from './announce.js';
 import { make } from './dom.js';
@@ -8,12 +8,12 @@ export function download(blob, name) {
     const url = URL.createObjectURL(blob);
     const anchor = make('a', { href: url, download: name });
     anchor.click();
-    // The download has its own hold on the blob by then.
+    // By then the download no longer needs the URL.
     setTimeout(() => URL.revokeObjectURL(url), 60_000);
     announce(`Saved ${name}`);
 }
 
-/** A name for files of a state, without its ending. @param {import('./state.js').State} state */
+/** A file name for a state, without the ending. @param {import('./state.js').State} state */
 export function fileName({ name, title, iterations }) {
     const base = (name || title).normalize('NFKD').replace(/[^\w.-]+/g, '_').replace(/^[_.]+|_+$/g, '').slice(0, 60) || 'l-system';
     return `${base}_n${iterations}`;

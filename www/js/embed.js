@@ -1,14 +1,14 @@
-/** Puts an embedded drawing together: the drawing of the address, with the controls that the address asks for. */
+/** The embedded page: the drawing in the address, with the controls that the address asks for. */
 
 import { announce, toast } from './announce.js';
 import { button, html, input, setText } from './dom.js';
 import { createDials } from './embed/dials.js';
-import { talk } from './embed/messages.js';
+import { connectHost } from './embed/messages.js';
 import { readOptions } from './embed/options.js';
-import { watchSight } from './embed/sight.js';
+import { watchVisibility } from './embed/visibility.js';
 import { createEngine, isWrong } from './engine.js';
 import { createHover } from './hover.js';
-import { isDark } from './inks.js';
+import { isDark } from './colour-schemes.js';
 import { writeLink } from './link.js';
 import { createMarks } from './marks.js';
 import { followNotation } from './notation.js';
@@ -18,7 +18,7 @@ import { captionOf } from './panels/growth-panel.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { createPlayback } from './playback.js';
 import { createReader } from './reading/reader.js';
-import { showSheet } from './sheet.js';
+import { showPrintText } from './print-text.js';
 import { createStage } from './stage.js';
 import { DEFAULTS, clean, definitionOf, sameDrawing, sameSystem } from './state.js';
 import { createStore } from './store.js';
@@ -28,7 +28,7 @@ import { QUESTION, createTrouble } from './trouble.js';
 /** @typedef {import('./protocol.js').Report} Report */
 /** @typedef {import('./embed/options.js').Control} Control */
 
-const NOTHING = 'There is no drawing in the address of this frame.';
+const NOTHING = 'The address of this frame contains no drawing.';
 
 let options = readOptions(location.hash);
 showTheme();
@@ -36,51 +36,51 @@ const link = await openLink(location.hash);
 const store = createStore(link ? link.state : DEFAULTS);
 /** @type {Control[]} */
 let controls = options.controls;
-/** What was last said of the drawing. */
+/** The last facts about the drawing, for the host page. */
 let facts = { description: '', symbols: /** @type {string | null} */ (null), segments: /** @type {string | null} */ (null) };
-/** The parts that draw: there once the drawing has been in sight. @type {ReturnType<typeof begin> | null} */
+/** The parts that draw, created when the drawing first becomes visible. @type {ReturnType<typeof begin> | null} */
 let parts = null;
 let seen = false;
-/** Whether the system has changed while nobody saw it. */
+/** Whether the system has changed while the drawing was not visible. */
 let stale = false;
-/** Whether there is no system at all. */
+/** Whether the address contains no system. */
 let blank = link === null;
 
 const rules = rulesPanel(store);
 const constants = constantsPanel(store, rules);
 const dials = createDials(store);
-const host = talk(store, { host: options.host, offer, play: (on) => parts?.playback.turn(on), facts: () => facts });
+const host = connectHost(store, { host: options.host, offer, play: (on) => parts?.playback.setPlaying(on), facts: () => facts });
 
 offer(controls);
 store.subscribe(show);
 show(store.state, null);
 if (!link) {
-    say(NOTHING);
+    showProblem(NOTHING);
     host.error(NOTHING);
 } else if (link.problems.length > 0) {
     toast(link.problems.slice(0, 3).join(' '));
     host.error(link.problems.join(' '));
 }
 
-watchSight(html('stage'), (now) => {
+watchVisibility(html('stage'), (now) => {
     seen = now;
-    if (seen) wake();
-    else parts?.playback.turn(false);
+    if (seen) draw();
+    else parts?.playback.setPlaying(false);
 });
-// Paper shows what is out of sight, too.
-addEventListener('beforeprint', wake);
+// Printing also shows drawings that are scrolled out of view.
+addEventListener('beforeprint', draw);
 addEventListener('hashchange', async () => {
     options = readOptions(location.hash);
     showTheme();
     offer(options.controls);
     const opened = await openLink(location.hash);
     if (opened) store.open(opened.state);
-    else say(NOTHING);
+    else showProblem(NOTHING);
 });
 
 button('reset').addEventListener('click', store.reset);
 html('drawing').addEventListener('keydown', (event) => {
-    // Back to the page: its keys and its wheel are its own again.
+    // Without focus, keys and wheel belong to the host page again.
     if (event.key === 'Escape') html('drawing').blur();
 });
 html('open').addEventListener('click', openPlayground);
@@ -89,8 +89,8 @@ button('away-close').addEventListener('click', () => {
     html('open').focus();
 });
 
-/** Draws, from now on. */
-function wake() {
+/** Starts drawing, or draws a changed system. */
+function draw() {
     if (blank) return;
     if (!parts) parts = begin();
     else if (stale) parts.engine.define(definitionOf(store.state));
@@ -112,9 +112,9 @@ function begin() {
         busy: (under) => html('stage').setAttribute('aria-busy', String(under)),
         troubled({ how, question }) {
             if (question) return toast(QUESTION);
-            stage.growing(false);
+            stage.setBusy(false);
             const words = trouble.show(how, engine.good.definition !== null);
-            // What is tried again by itself is no news for the host.
+            // Loading is retried automatically, so the host need not know.
             if (how !== 'loading') host.error(words);
         },
         recovered: () => trouble.hide(),
@@ -123,7 +123,7 @@ function begin() {
         back() {
             const { definition } = engine.good;
             if (definition && !sameSystem(clean(definition), store.state)) store.change({ ...definition, view: null }, '');
-            else store.look(null);
+            else store.setView(null);
         },
         again() {
             engine.define(definitionOf(store.state));
@@ -134,13 +134,13 @@ function begin() {
     followNotation(store, engine, [rules, constants]);
     const canvas = html('drawing');
     const stage = createStage(store, engine, marks, {
-        // Until somebody turns to the drawing, wheel and fingers scroll the page it stands in.
+        // Until the drawing has the focus, wheel and touch scroll the host page.
         takes: (event) => (event instanceof PointerEvent && event.pointerType === 'mouse') || (document.hasFocus() && document.activeElement === canvas),
         keys: () => [...(controls.includes('angle') ? /** @type {const} */ (['angle']) : []), ...(controls.includes('n') ? /** @type {const} */ (['iterations']) : [])],
     });
     const playback = createPlayback(engine, { turtle: marks.turtle, offered: () => controls.includes('play') });
     const reader = createReader(engine, { mark: marks.part, opened: () => hover.forget() });
-    // What is under the pointer is told by its symbols, which only those know who can read the string.
+    // Symbols under the pointer are shown only with the string view, which explains them.
     const reads = () => controls.includes('string');
     const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.found, light: reader.light, choose: reader.choose, reading: () => reader.open, upto: () => playback.upto, offered: reads });
     stage.show(store.state, null);
@@ -148,7 +148,7 @@ function begin() {
     return { engine, stage, playback, reader, hover, drawn: () => ready };
 }
 
-/** Shows these controls and no others. @param {Control[]} asked */
+/** Shows only these controls. @param {Control[]} asked */
 function offer(asked) {
     controls = asked;
     dials.offer(controls);
@@ -162,7 +162,7 @@ function offer(asked) {
     if (!has('play')) parts?.playback.close();
     button('reset').hidden = html('panel').hidden;
     document.body.classList.toggle('with-rules', has('rules'));
-    setText(html('keys'), [has('angle') && 'Left and right arrows change the angle.', has('n') && 'Up and down arrows change the iterations.', 'Shift and arrows move the picture, plus and minus zoom, zero fits it.', has('play') && 'Space plays the drawing.', 'Escape leaves it.'].filter(Boolean).join(' '));
+    setText(html('keys'), [has('angle') && 'Left and right arrows change the angle.', has('n') && 'Up and down arrows change the iterations.', 'Shift and arrows move the picture, plus and minus zoom, zero fits the picture.', has('play') && 'Space plays the drawing.', 'Escape leaves the drawing.'].filter(Boolean).join(' '));
 }
 
 /** @param {Readonly<State>} state @param {Readonly<State> | null} before */
@@ -174,7 +174,7 @@ function show(state, before) {
     if (before && !sameSystem(state, before)) {
         stale = true;
         blank = false;
-        if (seen) wake();
+        if (seen) draw();
     }
     if (before && !sameDrawing(state, before)) {
         parts?.hover.forget();
@@ -187,13 +187,13 @@ function show(state, before) {
     button('reset').disabled = !store.canReset;
     html('stage').classList.toggle('on-dark', isDark(state.background));
     html('stage').style.setProperty('--sheet', state.background);
-    showSheet(state, before);
+    showPrintText(state, before);
     address();
 }
 
-/** @param {Report} report @param {boolean} past whether it is of the last good state */
+/** @param {Report} report @param {boolean} past whether the report is about the last good state */
 function reported(report, past) {
-    parts?.stage.growing(!isWrong(report) && report.memoised === null);
+    parts?.stage.setBusy(!isWrong(report) && report.memoised === null);
     parts?.stage.report(report);
     if (!past) {
         rules.report(report);
@@ -208,14 +208,14 @@ function reported(report, past) {
         const listed = controls.includes('rules') && ['axiom', 'rules'].includes(first.field);
         const where = first.field === 'numbers' ? '' : ` (in the ${first.field})`;
         const words = [`${first.message}${where}${more.length > 0 ? `, and ${more.length} more` : ''}.`, first.hint].filter(Boolean).join(' ');
-        // Where the rules are shown, what is wrong with them stands below them.
-        say(listed ? '' : words);
+        // If the rules are shown, their problems are listed below them.
+        showProblem(listed ? '' : words);
         if (parts?.drawn()) setText(html('caption-text'), 'Showing the last valid drawing.');
         announce(words);
         host.error(first.message, mistakes);
         return;
     }
-    say('');
+    showProblem('');
     facts = { description: report.description, symbols: report.symbols, segments: report.segments };
     setText(html('empty'), report.empty ?? '');
     html('empty').hidden = report.empty === null;
@@ -230,15 +230,15 @@ function showTheme() {
     else delete document.documentElement.dataset.theme;
 }
 
-/** What is wrong, in words, on the drawing; nothing with none. @param {string} words */
-function say(words) {
+/** Shows a problem on the drawing, or hides the last one if empty. @param {string} words */
+function showProblem(words) {
     setText(html('mistake'), words);
     html('mistake').hidden = words === '';
 }
 
-/** Points at the playground with what is shown now. */
+/** Links to the playground with the current state. */
 async function address() {
-    // A folder has no page of its own where nobody serves it.
+    // Without a server, a folder address does not open its page.
     const place = new URL(location.protocol === 'file:' ? 'playground.html' : './', location.href);
     const state = store.state;
     html('open').setAttribute('href', new URL(writeLink(state), place).href);
@@ -256,7 +256,7 @@ function openPlayground(event) {
         opened.opener = null;
         return;
     }
-    // A sandbox without popups; the address is still good for another window.
+    // A sandbox without popups: show the address, for another window.
     html('away').hidden = false;
     const field = input('away-address');
     field.value = href;

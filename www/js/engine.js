@@ -1,8 +1,8 @@
 /**
- * The worker as seen from the page: takes states, shows pictures of the newest, and asks questions.
+ * The worker as seen from the page: sends the newest state, shows its pictures, and asks questions.
  *
- * A worker that stops, because it crashes or falls silent, is replaced. What it was at is given up: a fresh worker goes on
- * with everything else, and with the last good state in the place of one that stopped it.
+ * A worker that crashes or falls silent is replaced. The task that stopped the worker is given up: the fresh worker
+ * continues with everything else, and draws the last good state instead of the one that stopped it.
  */
 
 import { createConnection } from './engine/connection.js';
@@ -17,22 +17,22 @@ import { Stopped, asking, createQuestions, isReading } from './engine/questions.
 /** @typedef {import('./engine/newest.js').Shown} Shown */
 /** A picture and what it shows. @typedef {import('./protocol.js').Picture & import('./engine/newest.js').Look} Drawn */
 /**
- * What went wrong. `silent` and `crashed`: the worker stopped over the drawing, or over a `question` about it, and was
- * replaced; `loading`: its files could not be loaded, and are tried again; `unloadable`: they are not; `lost`: fresh workers
- * stopped as well.
+ * `silent` and `crashed`: the worker stopped while drawing, or while answering a `question` about the drawing, and was
+ * replaced; `loading`: the worker's files did not load and are requested again; `unloadable`: the files did not load
+ * after several tries; `lost`: fresh workers stopped as well.
  * @typedef {{how: 'silent' | 'crashed' | 'loading' | 'unloadable' | 'lost', question: boolean, message: string}} Trouble
  */
 /** @typedef {ReturnType<typeof createEngine>} Engine */
 
 /**
  * @typedef {object} Events
- * @property {(report: Report, past: boolean) => void} report `past`: of the last good state, because the newest was given up
+ * @property {(report: Report, past: boolean) => void} report `past`: the report is about the last good state, because the newest was given up
  * @property {(drawn: Drawn) => void} drawn
- * @property {(busy: boolean) => void} busy whether a newer state is under way than the one shown
+ * @property {(busy: boolean) => void} busy whether a newer state than the shown one is being drawn
  * @property {(trouble: Trouble) => void} troubled
- * @property {() => void} recovered it draws again, so that what was told of a trouble holds no longer
- * @property {(state: Shown, doubtful: boolean) => void} [doubted] a state may stop every worker that it is given to, or is
- *   good after all; without its `look` the definition may
+ * @property {() => void} recovered the last trouble is over
+ * @property {(state: Shown, doubtful: boolean) => void} [doubted] whether a state may stop every worker; if the state
+ *   has no `look`, the definition may
  */
 
 /** @param {Events} events */
@@ -41,7 +41,7 @@ export function createEngine(events) {
     const nextId = () => ++lastId;
     const troubles = createTroubles(events);
     const newest = createNewest();
-    const connection = createConnection({ begun, received: (message) => receive(message), left, stopped, missed, owes: () => outbox.owes || questions.size > 0, doubted: (silent) => fallback.doubt(silent) });
+    const connection = createConnection({ begun, received: (message) => receive(message), left, stopped, loadFailed, owes: () => outbox.owes || questions.size > 0, doubted: (silent) => fallback.doubt(silent) });
     const questions = createQuestions({ post: connection.post, nextId });
     const outbox = createOutbox(newest, { post: connection.post, ready: () => connection.ready, nextId, sent, settled: () => events.busy(false) });
     const fallback = createFallback(newest, outbox, (state, doubtful) => events.doubted?.(state, doubtful));
@@ -54,7 +54,7 @@ export function createEngine(events) {
         fallback.forget();
     }
 
-    /** Questions are about the newest state, which the worker has to know. */
+    /** Sends the state first, because questions are about the newest state. */
     function begun() {
         const recalled = fallback.good.definition !== newest.state.definition && outbox.recall(fallback.good);
         outbox.send();
@@ -67,7 +67,7 @@ export function createEngine(events) {
         events.busy(true);
     }
 
-    /** The worker has stopped: what it was at is given up, and a fresh one goes on. @param {'silent' | 'crashed'} how @param {string} message */
+    /** The worker has stopped: gives up its current task and starts a fresh worker. @param {'silent' | 'crashed'} how @param {string} message */
     function stopped(how, message) {
         const question = questions.refuseOne(fallback.question);
         if (question && isReading(question)) {
@@ -84,12 +84,12 @@ export function createEngine(events) {
     }
 
     /** @param {'loading' | 'unloadable'} how @param {string} message */
-    function missed(how, message) {
+    function loadFailed(how, message) {
         if (how === 'unloadable') end(how, message);
         else troubles.tell(how, message);
     }
 
-    /** No worker is started until there is something new to do. @param {'unloadable' | 'lost'} how @param {string} message */
+    /** Starts no worker until the next input or question. @param {'unloadable' | 'lost'} how @param {string} message */
     function end(how, message) {
         questions.refuseAll(new Error(message));
         events.busy(false);
@@ -108,7 +108,7 @@ export function createEngine(events) {
     connection.start();
 
     return {
-        /** The last state that was drawn to its end, if any. @returns {Readonly<Shown>} */
+        /** The last state that was drawn completely, if any. @returns {Readonly<Shown>} */
         get good() {
             return fallback.good;
         },
@@ -123,8 +123,8 @@ export function createEngine(events) {
 
         /**
          * @param {import('./protocol.js').Canvas} canvas
-         * @param {import('./protocol.js').View} view of a drawing in the plane
-         * @param {import('./protocol.js').Camera | null} [camera] of one in space
+         * @param {import('./protocol.js').View} view for drawings in the plane
+         * @param {import('./protocol.js').Camera | null} [camera] for drawings in space
          */
         look(canvas, view, camera = null) {
             if (!newest.look({ canvas, view, camera })) return;
@@ -132,12 +132,12 @@ export function createEngine(events) {
             outbox.send();
         },
 
-        /** Shows only the first segments; all of them with null. @param {bigint | null} segments */
+        /** Shows only the first segments, or all if null. @param {bigint | null} segments */
         play(segments) {
             if (newest.play(segments)) outbox.send();
         },
 
-        /** From now on these help with pictures that take long. */
+        /** Sets the mates that help with slow pictures. */
         share: connection.share,
 
         ...asking(ask),
@@ -145,7 +145,7 @@ export function createEngine(events) {
 }
 
 /**
- * What is done with the worker's messages.
+ * Handles the worker's messages.
  * @param {object} engine
  * @param {Events} engine.events
  * @param {ReturnType<typeof createTroubles>} engine.troubles
@@ -159,7 +159,7 @@ function createReceiver({ events, troubles, connection, questions, newest, outbo
     /** @param {number} id @param {Report} report */
     function reported(id, report) {
         if (outbox.isRecalled(id)) return;
-        // What is wrong is not drawn, nor what passes a limit.
+        // No picture comes for a definition with errors or above a limit.
         if (outbox.isLastDefinition(id) && isWrong(report)) {
             outbox.settle();
             if (!fallback.gaveUp) troubles.end();
@@ -176,14 +176,14 @@ function createReceiver({ events, troubles, connection, questions, newest, outbo
             return;
         }
         const look = outbox.lookOf(picture.viewId);
-        connection.took(picture.slow);
+        connection.noteSlow(picture.slow);
         const last = outbox.isLast(picture);
-        // A worker that takes over begins with a coarse picture of what is shown at its finest already.
+        // A fresh worker begins with a coarse picture of a state whose finest picture is already shown.
         const known = last && !picture.complete && fallback.isKept();
         if (look && !known) events.drawn({ ...picture, ...look });
         if (!fallback.gaveUp) troubles.end();
         if (last && picture.complete && !newest.waits) fallback.keep();
-        // Only the finest is the end of it.
+        // Only the finest picture ends the state.
         if (picture.complete) outbox.ended(picture);
         else outbox.reached(picture);
     }
@@ -211,21 +211,21 @@ function createReceiver({ events, troubles, connection, questions, newest, outbo
     };
 }
 
-/** Tells of troubles, and once of the end of the last. @param {Pick<Events, 'troubled' | 'recovered'>} events */
+/** Reports troubles, and once the end of the last one. @param {Pick<Events, 'troubled' | 'recovered'>} events */
 function createTroubles({ troubled, recovered }) {
-    /** What was told last, if that still holds. @type {Trouble['how'] | null} */
-    let told = null;
+    /** The reported trouble that is not over yet. @type {Trouble['how'] | null} */
+    let reportedTrouble = null;
 
     function end() {
-        if (told === null) return;
-        told = null;
+        if (reportedTrouble === null) return;
+        reportedTrouble = null;
         recovered();
     }
 
     return {
         /** @param {Trouble['how']} how @param {string} message */
         tell(how, message) {
-            told = how;
+            reportedTrouble = how;
             troubled({ how, question: false, message });
         },
 
@@ -235,10 +235,10 @@ function createTroubles({ troubled, recovered }) {
         end,
 
         endOfLoading() {
-            if (told === 'loading' || told === 'unloadable') end();
+            if (reportedTrouble === 'loading' || reportedTrouble === 'unloadable') end();
         },
     };
 }
 
-/** Whether there is a mistake that keeps a state from being drawn. @param {Report} report */
+/** Whether errors keep a state from being drawn. @param {Report} report */
 export const isWrong = ({ ok, diagnostics }) => !ok || diagnostics.some(({ severity }) => severity === 'error');

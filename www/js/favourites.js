@@ -1,4 +1,4 @@
-/** Systems that the reader keeps by name: a list, newest first, and its file. Pure functions. */
+/** Favourites: states saved by name, newest first, and files of favourites. Pure functions. */
 
 import { writeLink } from './link.js';
 import { openLink } from './packed.js';
@@ -11,16 +11,16 @@ export const LONGEST_NAME = 120;
 
 /** Larger files of favourites are not read, in bytes. */
 export const LARGEST_FILE = 2 << 20;
-/** Nor are those with more entries. */
+/** Files with more entries are not read. */
 export const MOST_ENTRIES = 10_000;
-/** A file with more damaged links is given up: short ones may take long to unpack. */
+/** A file with more damaged links is rejected, because short links may take long to unpack. */
 const MOST_DAMAGED = 200;
 
-/** Tells a file of favourites from one of a system. */
+/** Marks a JSON file as favourites rather than a system. */
 const FORMAT = 'l-systems favourites';
 
-/** A list is read for so long before the page gets its turn, in milliseconds. */
-const TURN = 12;
+/** Reading a file pauses after this time to keep the page responsive, in milliseconds. */
+const PAUSE_AFTER = 12;
 
 /** @param {unknown} value of unknown origin @returns {Favourite[]} */
 export function readFavourites(value) {
@@ -42,7 +42,7 @@ export function rename(list, id, name) {
     return list.map((one) => (one.id === id ? { ...one, name: cleanName(name) || one.name } : one));
 }
 
-/** All of them as a file. @param {readonly Favourite[]} list */
+/** The text of a file of favourites. @param {readonly Favourite[]} list */
 export function writeFile(list) {
     return `${JSON.stringify({ format: FORMAT, version: 1, favourites: list.map(({ name, link }) => ({ name, link })) }, null, 2)}\n`;
 }
@@ -53,30 +53,30 @@ export function isFavouritesFile(text) {
 }
 
 /**
- * What a file adds to a list: those that are in it already are not added again, and links that cannot be read are
- * counted. The page stays free meanwhile.
+ * Adds the favourites of a file to a list. Known favourites are skipped and damaged links are counted. Reading pauses to
+ * keep the page responsive.
  * @param {readonly Favourite[]} list
  * @param {string} text
- * @returns {Promise<{list: Favourite[], added: number, known: number, damaged: number, tooMany: number} | null>} null where the text is no such file
- * @throws {RangeError} in words, where it holds more than is read
+ * @returns {Promise<{list: Favourite[], added: number, known: number, damaged: number, tooMany: number} | null>} null if the text is no file of favourites
+ * @throws {RangeError} with a message, if the file exceeds a limit
  */
 export async function readFile(list, text) {
     const given = parse(text)?.favourites;
     if (!Array.isArray(given)) return null;
     if (given.length > MOST_ENTRIES) throw new RangeError(`it has more than ${MOST_ENTRIES.toLocaleString('en')} entries`);
-    let turn = performance.now();
+    let sliceStart = performance.now();
     const same = (/** @type {Favourite} */ { name, link }) => `${name}\n${link}`;
     const there = new Set(list.map(same));
     const result = { list: [...list], added: 0, known: 0, damaged: 0, tooMany: 0 };
     for (const one of given) {
         if (result.list.length >= MOST_FAVOURITES) {
-            // What is left is not read.
+            // The rest of the file is not read.
             result.tooMany = given.length - result.added - result.known - result.damaged;
             break;
         }
-        if (performance.now() - turn > TURN) {
+        if (performance.now() - sliceStart > PAUSE_AFTER) {
             await new Promise((resolve) => setTimeout(resolve));
-            turn = performance.now();
+            sliceStart = performance.now();
         }
         const link = typeof one?.link === 'string' ? await openLink(one.link.slice(one.link.indexOf('#') + 1)) : null;
         if (!link || link.problems.length > 0) {
@@ -90,14 +90,14 @@ export async function readFile(list, text) {
             continue;
         }
         there.add(same(read));
-        // In the order of the file, behind what was there.
+        // In the order of the file, after the existing favourites.
         result.list.push(read);
         result.added += 1;
     }
     return result;
 }
 
-/** @param {string} text @returns {any} null where it is no JSON */
+/** @param {string} text @returns {any} null if the text is no JSON */
 function parse(text) {
     try {
         return JSON.parse(text);

@@ -1,35 +1,35 @@
 /**
- * The site's other files: fetched from beside the page, or found in the page itself where that is a single file, whose
- * build has put them there (crates/xtask/src/one_file.rs).
+ * The site's other files: fetched from the same folder, or read from the page itself if the page is a single file
+ * (crates/xtask/src/one_file.rs).
  */
 
-/** The compiled core, and the worker that runs it. */
+/** The compiled core, and the worker's script. */
 export const WASM = 'lsystem.wasm';
 export const WORKER = 'worker.js';
 
 /** @param {string} name */
-const carried = (name) => document.querySelector(`script[data-file="${name}"]`);
+const embedded = (name) => document.querySelector(`script[data-file="${name}"]`);
 
 /** Whether the page is a single file. */
-export const isWhole = () => carried(WASM) !== null;
+export const isWhole = () => embedded(WASM) !== null;
 
 /**
  * The address of a classic script.
  * @param {string} name
  */
 export function scriptAddress(name) {
-    const text = carried(name)?.textContent;
+    const text = embedded(name)?.textContent;
     return text ? URL.createObjectURL(new Blob([text], { type: 'text/javascript' })) : name;
 }
 
 /**
  * @param {string} name
- * @param {boolean} [anew] from the server, even where the browser has kept what came from there
+ * @param {boolean} [anew] whether to bypass the browser's cache
  * @returns {Promise<Response>}
  */
 export async function responseOf(name, anew = false) {
-    const here = carried(name);
-    if (here) return unpacked(here.textContent ?? '');
+    const here = embedded(name);
+    if (here) return gunzip(here.textContent ?? '');
     const response = anew ? await fetch(name, { cache: 'reload' }) : await fetch(name);
     if (!response.ok) throw new Error(`${name}: ${response.status}`);
     return response;
@@ -40,9 +40,9 @@ export async function jsonOf(name) {
     return (await responseOf(name)).json();
 }
 
-/** Bytes that were written in base 64. @param {string} text @returns {Uint8Array<ArrayBuffer>} */
+/** Decodes base64. @param {string} text @returns {Uint8Array<ArrayBuffer>} */
 function decode(text) {
-    // A page of many frames does this once for each.
+    // The native function is faster, which matters on a page with many frames.
     const own = /** @type {any} */ (Uint8Array);
     if (own.fromBase64) return own.fromBase64(text);
     const letters = atob(text);
@@ -51,7 +51,7 @@ function decode(text) {
     return bytes;
 }
 
-/** Bytes that were deflated by gzip and written in base 64. @param {string} text */
-function unpacked(text) {
+/** Decodes base64 and gzip. @param {string} text */
+function gunzip(text) {
     return new Response(new Blob([decode(text)]).stream().pipeThrough(new DecompressionStream('gzip')));
 }

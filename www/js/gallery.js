@@ -1,4 +1,4 @@
-/** Every system of the collection, with a small picture of each, to search and pick. */
+/** The gallery: all systems of the collection with thumbnails, to search and open. */
 
 import { button, byId, closes, html, input, make, setText } from './dom.js';
 import { jsonOf } from './files.js';
@@ -8,13 +8,13 @@ import { TAGS, choose, count, makingOf, tagsOf } from './tags.js';
 import { emptyThumb, paintThumb } from './thumb.js';
 
 /** @typedef {import('./state.js').Definition} Definition */
-/** @typedef {{path: string, folder: string, definition: Definition} & import('./tags.js').Sorts} Entry */
+/** @typedef {{path: string, folder: string, definition: Definition} & import('./tags.js').Facts} Entry */
 /** @typedef {{entry: Entry, card: HTMLButtonElement, picture: HTMLCanvasElement, words: string, tags: string[], painted: string}} Card */
 
-/** The side of a small picture, in CSS pixels. */
+/** The side of a thumbnail, in CSS pixels. */
 const SIDE = 168;
 
-/** Shelves that come first, with their names; the others follow under the names of their folders. */
+/** The first shelves, with their names. Others follow, named after their folders. */
 const SHELVES = new Map([
     ['garden', 'Garden'],
     ['abop', 'The Algorithmic Beauty of Plants'],
@@ -23,10 +23,10 @@ const SHELVES = new Map([
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{pick: (definition: Definition) => void, dress: (definition: Definition) => Definition, look: () => string}} page
- *   `dress` gives a system that says nothing of its look the page's; `look` names that look
+ * @param {{pick: (definition: Definition) => void, restyle: (definition: Definition) => Definition, theme: () => string}} page
+ *   `restyle` gives a system with default colours the theme's colours; `theme` names the theme
  */
-export function createGallery(engine, { pick, dress, look }) {
+export function createGallery(engine, { pick, restyle, theme }) {
     const dialog = byId('gallery', HTMLDialogElement);
     const shelves = html('shelves');
     const search = input('search');
@@ -90,7 +90,7 @@ export function createGallery(engine, { pick, dress, look }) {
         for (const event of ['focus', 'pointerenter']) card.addEventListener(event, () => tell(definition));
         card.addEventListener('click', () => {
             dialog.close();
-            pick(dress(definition));
+            pick(restyle(definition));
         });
         cards.set(card, made);
         seen.observe(card);
@@ -99,20 +99,20 @@ export function createGallery(engine, { pick, dress, look }) {
 
     /** @param {Card} card */
     async function paint(card) {
-        const wanted = look();
+        const wanted = theme();
         if (card.painted === wanted) return;
         card.painted = wanted;
-        const definition = dress(card.entry.definition);
+        const definition = restyle(card.entry.definition);
         card.picture.style.background = definition.background;
         try {
             await paintThumb(card.picture, engine, definition, SIDE);
         } catch (error) {
-            // One that stopped the worker has no picture. Any other comes when the gallery is next opened.
+            // A system that stopped the worker has no picture; others are drawn when the gallery is next opened.
             if (!(error instanceof Stopped)) card.painted = '';
         }
     }
 
-    /** Where a system comes from and what there is to say of it. @param {Definition} definition */
+    /** Shows the source and notes of a system. @param {Definition} definition */
     function tell({ title, name, source, notes }) {
         setText(html('about-title'), title || name);
         setText(html('about-source'), source);
@@ -127,7 +127,7 @@ export function createGallery(engine, { pick, dress, look }) {
             const pressed = chosen.has(tag);
             chip.setAttribute('aria-pressed', String(pressed));
             const number = count(tagged, pressed ? chosen : choose(chosen, tag));
-            chip.classList.toggle('barren', number === 0);
+            chip.classList.toggle('no-match', number === 0);
             chip.hidden = ![...cards.values()].some(({ tags }) => tags.includes(tag));
             setText(many, String(number));
         }
@@ -150,7 +150,7 @@ export function createGallery(engine, { pick, dress, look }) {
             await (filled ??= fill());
             filter();
             for (const [card] of cards) {
-                // Asks again for those in sight: the look may be another one by now.
+                // Repaint the visible thumbnails, because the theme may have changed.
                 seen.unobserve(card);
                 seen.observe(card);
             }
@@ -166,7 +166,7 @@ export function createGallery(engine, { pick, dress, look }) {
     search.addEventListener('input', filter);
 }
 
-/** The systems by folder, those of SHELVES first. @param {Entry[]} entries */
+/** The systems by folder, the folders of SHELVES first. @param {Entry[]} entries */
 function groups(entries) {
     /** @type {Map<string, Entry[]>} */
     const folders = new Map([...SHELVES.keys()].map((folder) => [folder, []]));

@@ -1,14 +1,14 @@
-/** Growth as it is watched: generations as a continuous value, the youngest modules growing in. */
+/** The growth animation: generations as a continuous value, the youngest modules growing in. */
 
-import { button, calm } from './dom.js';
+import { button, reducedMotion } from './dom.js';
 import { definitionOf } from './state.js';
 
-/** Seconds for a generation, and for all of them: at least and at most. */
+/** Seconds per generation, and limits for the whole animation. */
 const EACH = 0.9;
 const WHOLE = { least: 3, most: 14 };
-/** With less motion whole generations follow each other, in milliseconds. */
-const CALM_MS = 1000;
-/** A picture that takes longer is not waited for, in milliseconds. */
+/** With reduced motion, the time for each whole generation, in milliseconds. */
+const REDUCED_MOTION_MS = 1000;
+/** Pictures are waited for up to this time, in milliseconds. */
 const PATIENCE = 4000;
 
 /** The state at a point of growth: 2.25 is a quarter of the way from generation 2 to 3. @param {import('./state.js').Definition} definition @param {number} grown @returns {import('./state.js').Definition} */
@@ -25,14 +25,14 @@ export function duration(iterations) {
 /**
  * @param {import('./store.js').Store} store
  * @param {import('./engine.js').Engine} engine
- * @param {{begins: () => void, tell: (words: string) => void}} page what is done before it grows, and what it says as it does
+ * @param {{begins: () => void, tell: (words: string) => void}} page `begins` is called before growth begins, `tell` with each generation
  */
 export function createGrowing(store, engine, { begins, tell }) {
     const toggle = button('grow');
     let running = false;
     let frame = 0;
     let began = 0;
-    /** When the last picture was asked for; 0 when it is shown. */
+    /** When the last picture was requested; 0 when it is shown. */
     let asked = 0;
     let shown = -1;
 
@@ -42,8 +42,8 @@ export function createGrowing(store, engine, { begins, tell }) {
         if (asked && now - asked < PATIENCE) return;
         const definition = definitionOf(store.state);
         const part = (now - began) / 1000 / duration(definition.iterations);
-        const whole = Math.floor((now - began) / CALM_MS);
-        const grown = Math.min(definition.iterations, calm() ? whole : part * definition.iterations);
+        const whole = Math.floor((now - began) / REDUCED_MOTION_MS);
+        const grown = Math.min(definition.iterations, reducedMotion() ? whole : part * definition.iterations);
         if (grown === definition.iterations) return stop();
         if (grown === shown) return;
         shown = grown;
@@ -62,7 +62,7 @@ export function createGrowing(store, engine, { begins, tell }) {
         frame = requestAnimationFrame(tick);
     }
 
-    /** Somebody changed the state, which the engine has already been told of. */
+    /** The state has changed, and the engine already draws the new state. */
     function forget() {
         if (!running) return;
         running = false;
@@ -70,7 +70,7 @@ export function createGrowing(store, engine, { begins, tell }) {
         toggle.setAttribute('aria-pressed', 'false');
     }
 
-    /** Back to the state as it is. */
+    /** Stops, and draws the state again. */
     function stop() {
         if (!running) return;
         forget();
@@ -80,7 +80,7 @@ export function createGrowing(store, engine, { begins, tell }) {
     toggle.addEventListener('click', () => (running ? stop() : start()));
 
     return {
-        /** Whether what the engine shows is not the state. */
+        /** Whether the engine shows a state of growth instead of the store's state. */
         get running() {
             return running;
         },

@@ -1,12 +1,12 @@
 /**
- * Undo and redo as patches: a change remembers the fields it touched, before and after, so that undoing it leaves the
- * rest (where the reader looks, above all) as it is. Pure functions.
+ * Undo and redo as patches: a change stores the fields that it touched, before and after. So undo leaves other fields,
+ * such as the view, as they are. Pure functions.
  */
 
 import { same } from './state.js';
 
 /** @typedef {import('./state.js').State} State */
-/** What Reset returns to, where a change opens another system. @typedef {{before: Readonly<State>, after: Readonly<State>}} Origins */
+/** What Reset returns to before and after a change that opens another system. @typedef {{before: Readonly<State>, after: Readonly<State>}} Origins */
 /** @typedef {{before: Partial<State>, after: Partial<State>, label: string, time: number, origins?: Origins}} Change */
 /** @typedef {{history: History, patch: Partial<State>, origin: Readonly<State> | undefined}} Step */
 /** @typedef {{past: readonly Change[], future: readonly Change[]}} History */
@@ -14,24 +14,24 @@ import { same } from './state.js';
 /** @type {History} */
 export const EMPTY = { past: [], future: [] };
 
-/** Changes with the same label that follow each other within this time are one, in milliseconds. */
-export const TOGETHER = 1000;
+/** Changes with the same label within this time are merged, in milliseconds. */
+export const MERGE_MS = 1000;
 
-/** The oldest changes are forgotten beyond this number. */
-const MOST = 500;
+/** The maximum number of changes; older ones are dropped. */
+const MAX_CHANGES = 500;
 
 /**
  * @param {History} history
  * @param {Readonly<State>} before
- * @param {Partial<State>} patch what is new
- * @param {string} label names the control; changes with an empty label are never joined, and those of a drag always
+ * @param {Partial<State>} patch the new values
+ * @param {string} label names the control; changes with an empty label are never merged, and changes of a drag always
  * @param {number} now in milliseconds
  * @param {Origins} [origins]
  * @returns {History}
  */
 export function record(history, before, patch, label, now, origins) {
     const last = history.past.at(-1);
-    const joins = last !== undefined && label !== '' && last.label === label && (now - last.time < TOGETHER || label.startsWith('drag '));
+    const joins = last !== undefined && label !== '' && last.label === label && (now - last.time < MERGE_MS || label.startsWith('drag '));
     /** @type {Partial<State>} */
     const was = {};
     for (const field of fieldsOf(patch)) put(was, field, before[field]);
@@ -41,11 +41,11 @@ export function record(history, before, patch, label, now, origins) {
         : { before: was, after: { ...patch }, label, time: now, ...(origins && { origins }) };
     const past = joins ? history.past.slice(0, -1) : history.past;
     const changed = fieldsOf(change.after).some((field) => !same(change.before[field], change.after[field]));
-    return { past: changed ? [...past, change].slice(-MOST) : past, future: [] };
+    return { past: changed ? [...past, change].slice(-MAX_CHANGES) : past, future: [] };
 }
 
 /**
- * Closes the last change: what comes next is a change of its own.
+ * Closes the last change, so that the next change is not merged with it.
  * @param {History} history
  * @returns {History}
  */

@@ -1,16 +1,16 @@
-/** The card beside the pointer: tells the segment or the polygon there, its symbol, and where that comes from. */
+/** The card beside the pointer: the segment or polygon there, its symbol, and the symbol's ancestry. */
 
 import { html, make } from './dom.js';
 import { placeText } from './reading/places.js';
 import { birth, birthOf, descent, filledText, strokeText, visible } from './reading/words.js';
 
-/** Links of the chain that the card tells: beside a mouse, and where a finger leaves less room. */
-const TOLD = { mouse: 4, touch: 1 };
-/** What a finger tapped near the lower edge is told above: buttons stand there on a phone, in CSS pixels. */
+/** How many ancestors the card shows. A finger leaves less room. */
+const MAX_ANCESTORS = { mouse: 4, touch: 1 };
+/** The lower edge of the stage that the card avoids on touch screens, because phones show buttons there, in CSS pixels. */
 const FOOT = 72;
-/** Between the pointer and the card, in CSS pixels. */
+/** The distance from the pointer to the card, in CSS pixels. */
 const APART = { mouse: 18, touch: 34 };
-/** Between the card and the stage's edge, in CSS pixels. */
+/** The distance from the card to the stage's edge, in CSS pixels. */
 const EDGE = 8;
 
 /** @typedef {import('./protocol.js').Picked} Picked */
@@ -19,9 +19,9 @@ const EDGE = 8;
 /** @param {HTMLElement} stage */
 export function createHoverCard(stage) {
     const card = html('card');
-    let told = '';
+    let shownFacts = '';
 
-    /** @param {string} facts @param {Picked} picked @param {number} most links of the chain */
+    /** @param {string} facts @param {Picked} picked @param {number} most ancestors */
     function fill(facts, { symbol, ancestry }, most) {
         const own = ancestry.at(-1);
         const [, ...older] = descent(ancestry);
@@ -33,8 +33,8 @@ export function createHoverCard(stage) {
         );
     }
 
-    /** Puts the card where there is room for it. @param {Place} place */
-    function stand({ x, y, touch }) {
+    /** Moves the card to a place with room for it. @param {Place} place */
+    function position({ x, y, touch }) {
         const { width, height } = card.getBoundingClientRect();
         const apart = touch ? APART.touch : APART.mouse;
         const room = { width: stage.clientWidth, height: stage.clientHeight - (touch ? FOOT : 0) };
@@ -44,17 +44,17 @@ export function createHoverCard(stage) {
     }
 
     return {
-        /** @param {Picked} picked something @param {Place} place */
+        /** @param {Picked} picked with a segment or a polygon @param {Place} place */
         show(picked, place) {
             const facts = factsOf(picked);
-            if (told !== facts || card.hidden) fill(facts, picked, place.touch ? TOLD.touch : TOLD.mouse);
-            told = facts;
+            if (shownFacts !== facts || card.hidden) fill(facts, picked, place.touch ? MAX_ANCESTORS.touch : MAX_ANCESTORS.mouse);
+            shownFacts = facts;
             card.hidden = false;
-            stand(place);
+            position(place);
         },
 
         hide() {
-            told = '';
+            shownFacts = '';
             card.hidden = true;
         },
     };

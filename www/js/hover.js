@@ -1,15 +1,15 @@
-/** What is under the pointer: marks the segment or the polygon, tells its symbol, and lights that in the string view. */
+/** Marks the segment or polygon under the pointer, shows its symbol on a card, and highlights the symbol in the string view. */
 
 import { html } from './dom.js';
 import { createHoverCard } from './hover-card.js';
 import { latest } from './latest.js';
 
-/** How near something must be, in CSS pixels. */
+/** How near the pointer a segment or polygon must be, in CSS pixels. */
 const NEAR = { mouse: 6, touch: 16 };
-/** A press that moved or lasted more than this was no tap: CSS pixels, milliseconds. */
-const SLIP = 6;
-const LONG = 500;
-/** A drawing in space that was turned rests after this time, in milliseconds. */
+/** A press that moved farther (CSS pixels) or lasted longer (milliseconds) is no tap. */
+const TAP_DISTANCE = 6;
+const TAP_MS = 500;
+/** The pause after the last turn of a drawing in space, in milliseconds. */
 const REST_MS = 200;
 /** @typedef {import('./protocol.js').Picked} Picked */
 /** @typedef {import('./hover-card.js').Place} Place */
@@ -22,13 +22,13 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
     const canvas = html('drawing');
     const stage = html('stage');
     const card = createHoverCard(stage);
-    /** Where the pointer rests, or a finger tapped; null while it is elsewhere or drags. @type {Place | null} */
+    /** Where the pointer is, or a finger tapped; null while the pointer is elsewhere or drags. @type {Place | null} */
     let place = null;
-    /** Whether what is there is to be chosen in the string view, too. */
+    /** Whether to select the symbol in the string view as well. */
     let choosing = false;
     /** @type {{x: number, y: number, time: number} | null} */
     let press = null;
-    /** Runs while a drawing in space is being turned. */
+    /** The timer that runs while a drawing in space turns. */
     let turning = 0;
 
     const ask = latest(
@@ -36,10 +36,10 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
         (picked, _asked, chosen) => {
             if (place === null) return;
             if (turning || (picked.stroke ?? picked.filled) === null) return hide();
-            tell(picked);
+            show(picked);
             if (!chosen) return;
             choose(picked.ancestry);
-            // The string view says the same, and a phone has no room for both.
+            // The string view shows the same facts, and a phone has no room for both.
             if (place.touch && reading() && picked.ancestry.length > 0) card.hide();
         },
     );
@@ -51,7 +51,7 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
         canvas.classList.remove('found');
     }
 
-    // Where the drawing becomes larger or smaller, other things are in that place.
+    // When the stage is resized, another part of the drawing is at that place.
     new ResizeObserver(leave).observe(stage);
 
     function leave() {
@@ -69,8 +69,8 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
         choosing = false;
     }
 
-    /** @param {Picked} picked something */
-    function tell(picked) {
+    /** @param {Picked} picked with a segment or a polygon */
+    function show(picked) {
         const { ancestry, stroke, filled } = picked;
         if (!place) return;
         mark(filled ? filled.outline : stroke ? [stroke.fittedFrom, stroke.fittedTo] : []);
@@ -86,7 +86,7 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
     }
 
     canvas.addEventListener('pointermove', (event) => {
-        if (press && Math.hypot(event.clientX - press.x, event.clientY - press.y) <= SLIP) return;
+        if (press && Math.hypot(event.clientX - press.x, event.clientY - press.y) <= TAP_DISTANCE) return;
         if (event.buttons !== 0) return leave();
         if (event.pointerType !== 'mouse') return;
         place = placeOf(event);
@@ -96,24 +96,24 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
         press = event.isPrimary && event.button === 0 ? { x: event.clientX, y: event.clientY, time: event.timeStamp } : null;
     });
     canvas.addEventListener('pointerup', (event) => {
-        const tap = press && event.isPrimary && Math.hypot(event.clientX - press.x, event.clientY - press.y) <= SLIP && event.timeStamp - press.time < LONG;
+        const tap = press && event.isPrimary && Math.hypot(event.clientX - press.x, event.clientY - press.y) <= TAP_DISTANCE && event.timeStamp - press.time < TAP_MS;
         press = null;
         if (!tap) return;
         place = placeOf(event);
         look(true);
     });
     canvas.addEventListener('pointerleave', (event) => {
-        // A finger always leaves; what it tapped stays until it taps elsewhere. WebKit says that a mouse left wherever
-        // its button is released.
+        // A finger always leaves; its mark stays until the next tap. WebKit also sends pointerleave when a mouse button
+        // is released.
         if (event.pointerType === 'mouse' && document.elementFromPoint(event.clientX, event.clientY) !== canvas) leave();
     });
 
     return {
-        /** The picture is another one: what is under the pointer may be, too. */
+        /** A new picture has come: asks again what is under the pointer. */
         drawn() {
             if (upto() === null) look(false);
         },
-        /** The camera is at another place: what is under the pointer is told when it rests. */
+        /** The camera has moved: hides the card until the camera rests. */
         turned() {
             if (place !== null) hide();
             clearTimeout(turning);
@@ -122,7 +122,7 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
                 look(false);
             }, REST_MS);
         },
-        /** What was told of is gone. */
+        /** The drawing has changed. */
         forget: leave,
     };
 }

@@ -1,10 +1,10 @@
-/** One question at a time: while one is under way only the newest that follows is kept. */
+/** Asks one question at a time. While an answer is awaited, only the newest further question waits. */
 
 /**
  * @template {any[]} Args
  * @template Answer
  * @param {(...args: Args) => Promise<Answer>} ask
- * @param {(answer: Answer, ...args: Args) => void} answered for every question that was asked, in their order
+ * @param {(answer: Answer, ...args: Args) => void} answered called for each asked question, in order
  * @returns {(...args: Args) => void}
  */
 export function latest(ask, answered) {
@@ -20,7 +20,7 @@ export function latest(ask, answered) {
             try {
                 answered(await ask(...args), ...args);
             } catch {
-                // The worker was replaced meanwhile; the fresh one is asked when there is something new to ask.
+                // The worker was replaced; the next question goes to the fresh one.
             }
         }
         asking = false;

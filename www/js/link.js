@@ -1,25 +1,26 @@
 /**
- * The state as a link, version 1: `#v=1&axiom=X&rules=X%20-%3E%20F%5B%2BX%5D&n=5&angle=25`; docs/links.md tells it whole.
+ * The state as a link, version 1: `#v=1&axiom=X&rules=X%20-%3E%20F%5B%2BX%5D&n=5&angle=25`. docs/links.md describes the
+ * format.
  *
- * `&` parts the fields, the first `=` a name from its value; `+` is plus. Fields at their default are left out, unknown
- * ones are ignored, and a link is only ever read as text and numbers. URLSearchParams would turn `+` into a space and
- * escape what makes links readable.
+ * `&` separates fields; the first `=` separates key and value; `+` means plus. Fields with default values are omitted,
+ * and unknown fields are ignored. URLSearchParams is not used, because it turns `+` into a space and escapes more
+ * characters than necessary.
  */
 
 import { DEFAULTS, clean, mostOf, problemOf, same } from './state.js';
 import { FIELDS } from './tables.js';
 
 /** @typedef {import('./state.js').State} State */
-/** @typedef {{state: State, problems: string[]}} Link what a link holds, and what of it could not be read, in words */
+/** @typedef {{state: State, problems: string[]}} Link the state in a link, and the problems found while reading */
 /** @typedef {{write: (value: any) => string, read: (text: string) => unknown}} Form */
 
-/** Longer links are not read, in characters: the longest state there can be, compressed, is shorter. */
+/** Longer links are not read, in characters. Even the longest valid state is shorter when compressed. */
 export const LONGEST = 500_000;
-/** The key of what is compressed: packed.js. */
+/** The key of the compressed part (packed.js). */
 export const PACKED = 'z';
 
 const VERSION = 1;
-/** No number is written with more characters. */
+/** Longer numbers are not read, in characters. */
 const LONGEST_NUMBER = 40;
 
 /** @type {Form} */
@@ -30,7 +31,7 @@ const number = {
     // Adding 0 turns -0 into 0.
     read: (value) => (value.length <= LONGEST_NUMBER && /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i.test(value) ? Number(value) + 0 : undefined),
 };
-/** Numbers that belong together: one more than there may be shows that there are too many. @type {(count: number) => Form} */
+/** A list of `count` numbers. One more is read, so that the list is rejected if there are too many. @type {(count: number) => Form} */
 const list = (count) => ({ write: (value) => value.join(), read: (value) => value.split(',', count + 1).map(number.read) });
 /** @type {Form} */
 const colour = { write: (value) => value.slice(1), read: (value) => `#${value.toLowerCase()}` };
@@ -49,7 +50,7 @@ const view = {
     },
 };
 
-/** Azimuth, elevation, zoom, target, fading, and `flat` without perspective. @type {Form} */
+/** Azimuth, elevation, zoom, target, fading, and `flat` for no perspective. @type {Form} */
 const camera = {
     write: ({ azimuth, elevation, zoom, x, y, z, perspective, fade }) => [azimuth, elevation, zoom, x, y, z, fade, ...(perspective ? [] : ['flat'])].join(),
     read: (value) => {
@@ -73,14 +74,14 @@ function formOf(name) {
     return /** @type {Form} */ (field.kind === 'list' ? list(field.count) : FORMS[field.kind]);
 }
 
-/** Key in the link, field of the state, form of its value; in the order of writing. @type {[string, keyof State, Form][]} */
+/** Key in the link, field of the state, form of the value; in the order of writing. @type {[string, keyof State, Form][]} */
 export const KEYS = /** @type {(keyof State)[]} */ (Object.keys(FIELDS)).map((name) => [FIELDS[name].link, name, formOf(name)]);
 
-/** What a link can hold. */
+/** All keys of links. */
 const KNOWN = new Set(['v', PACKED, ...KEYS.map(([key]) => key)]);
 
 /**
- * The readable form, with its `#`.
+ * Writes a state as a readable link, with its `#`.
  * @param {Readonly<State>} state
  */
 export function writeLink(state) {
@@ -88,9 +89,9 @@ export function writeLink(state) {
 }
 
 /**
- * The fields of a state that are not at their defaults, as `key=value`.
+ * Writes the fields of a state that differ from their defaults, as `key=value`.
  * @param {Readonly<State>} state
- * @param {(value: string) => string} guard escapes `%`, `&`, and what else the place cannot hold
+ * @param {(value: string) => string} guard escapes `%`, `&` and other characters
  */
 export function writeFields(state, guard) {
     const fields = KEYS.filter(([, field]) => !same(state[field], DEFAULTS[field]));
@@ -100,12 +101,12 @@ export function writeFields(state, guard) {
 /**
  * Reads a hash, with or without its `#`.
  * @param {string} hash
- * @param {string | null} [unpacked] the fields that were compressed in it; those that stand beside them win
- * @returns {Link | null} null where the hash holds no state of ours: neither a version nor a field
+ * @param {string | null} [unpacked] the fields of its compressed part; uncompressed fields take precedence
+ * @returns {Link | null} null if the hash has neither a version nor a known field
  */
 export function readLink(hash, unpacked = null) {
     if (hash.length > LONGEST) return { state: clean({}), problems: [`The link is longer than ${LONGEST} characters and was not read.`] };
-    // What is repeated is decoded once, so that damage costs no more than its length.
+    // Repeated keys are decoded only once, so that the time is linear in the length.
     /** @type {Map<string, string>} */
     const parts = new Map();
     for (const part of `${unpacked ?? ''}&${hash.replace(/^#/, '')}`.split('&')) {
@@ -126,7 +127,7 @@ export function readLink(hash, unpacked = null) {
         }
     }
     const version = given.get('v');
-    if (version !== undefined && Number(version) !== VERSION) problems.push('The link was made by another version of this page; some of it may be missing.');
+    if (version !== undefined && Number(version) !== VERSION) problems.push('The link was made by another version of this page; parts of the drawing may be missing.');
     if (given.has(PACKED) && unpacked === null) problems.push('The compressed part of the link was not read.');
     /** @type {Partial<Record<keyof State, unknown>>} */
     const values = {};

@@ -1,4 +1,4 @@
-/** Puts the page together: state, worker, drawing and controls. */
+/** The page: connects state, worker, drawing and controls. */
 
 import { followAddress } from './address.js';
 import { announce, toast } from './announce.js';
@@ -8,7 +8,7 @@ import { createEngine, isWrong } from './engine.js';
 import { createGallery } from './gallery.js';
 import { createGrowing } from './growing.js';
 import { createHover } from './hover.js';
-import { dressed, hasInk, houseInk, isDark } from './inks.js';
+import { withThemeScheme, hasScheme, themeScheme, isDark } from './colour-schemes.js';
 import { createMarks } from './marks.js';
 import { followNotation } from './notation.js';
 import { keepOffline } from './offline.js';
@@ -18,7 +18,7 @@ import { bestLink, openLink } from './packed.js';
 import { constantsPanel } from './panels/constants-panel.js';
 import { favouritesPanel } from './panels/favourites-panel.js';
 import { captionOf, growthPanel } from './panels/growth-panel.js';
-import { keepPanel } from './panels/keep-panel.js';
+import { savePanel } from './panels/save-panel.js';
 import { lookPanel } from './panels/look-panel.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { tabs } from './panels/tabs.js';
@@ -30,7 +30,7 @@ import { createSeeds } from './seeds.js';
 import { createSession } from './session.js';
 import { openSession } from './sessions.js';
 import { createShare } from './share.js';
-import { showSheet } from './sheet.js';
+import { showPrintText } from './print-text.js';
 import { createShortcuts } from './shortcuts.js';
 import { createStage } from './stage.js';
 import { clean, definitionOf, same, sameDrawing, sameSystem } from './state.js';
@@ -42,18 +42,18 @@ import { theme, themeButton } from './theme.js';
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./protocol.js').Report} Report */
 
-/** A note that says more is not read. */
+/** The most problems in one message; longer messages are not read. */
 const MOST_PROBLEMS = 3;
 
 const link = await openLink(location.hash);
-const keeper = createStorage(() => localStorage);
-const session = createSession(keeper, createStorage(() => sessionStorage));
-const left = session.start(location.hash, link && link.state);
-const store = createStore(left?.state ?? link?.state ?? opening(theme()), left?.origin);
+const storage = createStorage(() => localStorage);
+const session = createSession(storage, createStorage(() => sessionStorage));
+const restored = session.start(location.hash, link && link.state);
+const store = createStore(restored?.state ?? link?.state ?? opening(theme()), restored?.origin);
 const engine = createEngine({ report: reported, drawn, busy, troubled, recovered, doubted });
-/** Whether what is shown first stopped the drawing on an earlier visit: it waits for the reader. */
-let held = session.isSuspect(store.state);
-if (!held) engine.define(definitionOf(store.state));
+/** Whether the first state stopped the drawing on an earlier visit, and so is not drawn before the reader acts. */
+let notDrawn = session.isSuspect(store.state);
+if (!notDrawn) engine.define(definitionOf(store.state));
 const marks = createMarks();
 const stage = createStage(store, engine, marks);
 const orbit = createOrbit(store, stage);
@@ -71,27 +71,27 @@ const trouble = createTrouble({ back: goBack, again: drawAgain });
 const showAddress = followAddress(store, { open: opened });
 
 const share = createShare(store, engine);
-const favourites = favouritesPanel(store, engine, { keeper, session });
-keepPanel(store, engine, {
+const favourites = favouritesPanel(store, engine, { storage, session });
+savePanel(store, engine, {
     address: async () => new URL(await bestLink(store.state), location.href).href,
     select: share.select,
     favourites: favourites.take,
     canvas: stage.resolution,
 });
-createGallery(engine, { pick: (definition) => store.open(definition), dress: (definition) => dressed(definition, theme()), look: theme });
+createGallery(engine, { pick: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()), theme });
 createSeeds(store, engine);
 createShortcuts();
 engine.share(createMates(matesOn(navigator)));
 tabs();
 themeButton((next) => {
-    // What wears the page's own inks, or is the page's own plant, changes with it.
+    // A system in the theme's default colours, and the opening plant, take the new theme's colours.
     const former = next === 'dark' ? 'light' : 'dark';
-    const { palette, background } = hasInk(store.state, opening(former)) ? opening(next) : houseInk(next);
-    if ([houseInk(former), opening(former)].some((ink) => hasInk(store.state, ink))) store.dress({ palette: [...palette], background });
+    const { palette, background } = hasScheme(store.state, opening(former)) ? opening(next) : themeScheme(next);
+    if ([themeScheme(former), opening(former)].some((scheme) => hasScheme(store.state, scheme))) store.changeOrigin({ palette: [...palette], background });
 });
 
 html('skip').addEventListener('click', (event) => {
-    // The address belongs to the drawing.
+    // Following the link would replace the drawing in the address.
     event.preventDefault();
     html('drawing').focus();
 });
@@ -111,7 +111,7 @@ addEventListener('keydown', (event) => {
     if (key === 'y' || event.shiftKey) store.redo();
     else store.undo();
 });
-// The browser's own undo knows nothing of the other controls; its menu entry gives ours.
+// The browser's undo covers only text fields, so its menu entries call the page's undo.
 addEventListener('beforeinput', (event) => {
     if (event.inputType !== 'historyUndo' && event.inputType !== 'historyRedo') return;
     event.preventDefault();
@@ -122,19 +122,19 @@ addEventListener('beforeinput', (event) => {
 store.subscribe((state, before) => {
     if (!sameSystem(state, before)) {
         growing.forget();
-        if (held) trouble.hide();
-        held = false;
+        if (notDrawn) trouble.hide();
+        notDrawn = false;
         engine.define(definitionOf(state));
     }
     show(state, before);
 });
 session.follow(store);
-// The first plant has the plain address; what somebody made has its own.
-// After a quick reload the address is that of a moment before.
-if (left && !(link && same(left.state, link.state))) showAddress();
+// The opening plant has the plain address; a restored visit has a link.
+// After a quick reload the address may be out of date.
+if (restored && !(link && same(restored.state, link.state))) showAddress();
 show(store.state, null);
 greet();
-if (held) hold();
+if (notDrawn) offerDrawing();
 keepOffline();
 
 /** @param {Readonly<State>} state @param {Readonly<State> | null} before */
@@ -153,7 +153,7 @@ function show(state, before) {
     }
     if (before && before.camera !== state.camera) hover.turned();
     showNames(state);
-    showSheet(state, before);
+    showPrintText(state, before);
     button('undo').disabled = !store.canUndo;
     button('redo').disabled = !store.canRedo;
     button('reset').disabled = !store.canReset;
@@ -164,7 +164,7 @@ function show(state, before) {
 /** @param {Readonly<State>} state */
 function showNames(state) {
     const title = state.title || state.name || 'Untitled system';
-    // What has been given another title is another system.
+    // A system with another title is a new system, not an edited one.
     const edited = !sameSystem(state, store.origin) && state.title === store.origin.title;
     setText(html('specimen-title'), title);
     setText(html('specimen-source'), state.source);
@@ -174,11 +174,11 @@ function showNames(state) {
     if (document.title !== heading) document.title = heading;
 }
 
-/** @param {Report} next @param {boolean} past whether it is of the last good state */
+/** @param {Report} next @param {boolean} past whether the report is about the last good state */
 function reported(next, past) {
-    // What is on its way to the state is not told about.
+    // Do not report the intermediate states of growth.
     if (growing.running) return;
-    stage.growing(!isWrong(next) && next.memoised === null);
+    stage.setBusy(!isWrong(next) && next.memoised === null);
     if (!past) {
         rules.report(next);
         growth.report(next, store.state);
@@ -214,7 +214,7 @@ function drawn(picture) {
     hover.drawn();
 }
 
-/** @param {boolean} under whether a newer drawing is under way */
+/** @param {boolean} under whether a newer state is being drawn */
 function busy(under) {
     html('stage').setAttribute('aria-busy', String(under));
 }
@@ -223,7 +223,7 @@ function busy(under) {
 function troubled({ how, question }) {
     if (question) return toast(QUESTION);
     growing.forget();
-    stage.growing(false);
+    stage.setBusy(false);
     if (engine.good.definition) setText(html('caption-text'), 'Showing the last valid drawing.');
     trouble.show(how, engine.good.definition !== null);
 }
@@ -237,18 +237,18 @@ function doubted({ definition, look }, doubtful) {
     if (definition) session.suspect(clean({ ...definition, view: look && store.state.view, camera: look && store.state.camera }), doubtful, look !== null);
 }
 
-/** Leaves what stopped the drawing as it is, until the reader wants it drawn. */
-function hold() {
+/** Offers to draw a system that stopped the drawing before. */
+function offerDrawing() {
     setText(html('caption-text'), 'Not drawn.');
     trouble.show('held', false);
 }
 
-/** Back to the last state that was drawn; undo returns to what stopped it. */
+/** Goes back to the last drawn state; undo returns to the state that stopped the drawing. */
 function goBack() {
     const { definition, look } = engine.good;
     if (!definition || !look) return;
     const same = sameSystem(clean(definition), store.state);
-    if (same) return store.look(null);
+    if (same) return store.setView(null);
     store.change({ ...definition, view: null, camera: look.camera && store.state.camera }, '');
 }
 
@@ -257,16 +257,16 @@ function drawAgain() {
     stage.show(store.state, null);
 }
 
-/** Tells of a link's problems, and of the visit before this one. */
+/** Shows a link's problems, or offers to continue the last visit. */
 function greet() {
     const problems = link ? problemWords(link) : '';
     const [last] = session.others();
-    const offered = link && !left && last ? openSession(last) : null;
+    const offered = link && !restored && last ? openSession(last) : null;
     if (last && offered && !sameSystem(offered.state, store.state)) {
         toast(problems || 'This is the link you opened.', { action: { label: 'Continue where you left off', act: () => session.resume(last) } });
     } else if (problems) {
         toast(problems);
-    } else if (left && !left.again) {
+    } else if (restored && !restored.again) {
         toast('This is where you left off.');
     }
 }
@@ -280,5 +280,5 @@ function opened(pasted) {
 /** The first few of a link's problems. @param {import('./link.js').Link} link */
 function problemWords({ problems }) {
     const more = problems.length - MOST_PROBLEMS;
-    return [...problems.slice(0, MOST_PROBLEMS), ...(more > 0 ? [`There are ${more} more such problems.`] : [])].join(' ');
+    return [...problems.slice(0, MOST_PROBLEMS), ...(more > 0 ? [`${more} more problems.`] : [])].join(' ');
 }

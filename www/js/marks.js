@@ -1,4 +1,4 @@
-/** What is marked upon the drawing: a segment or a polygon, the outline of a part, the turtle. They move with the view. */
+/** Marks on the drawing: a segment or a polygon, the outline of a part, the turtle. Marks move with the view. */
 
 import { seen as seenInSpace } from './camera.js';
 import { byId } from './dom.js';
@@ -6,41 +6,41 @@ import { byId } from './dom.js';
 /** @typedef {import('./state.js').View} View */
 /** @typedef {import('./state.js').Camera} Camera */
 /**
- * In fitted extents from the fitted centre: in the plane to the right and upwards, then what is below the precision of
- * these; in space in the directions of the model.
+ * In fitted extents from the fitted centre. In the plane: x to the right, y upwards, and the rounding remainders of
+ * both. In space: x, y and z of the model.
  * @typedef {number[]} Point
  */
 /**
- * `scale` in CSS pixels per fitted extent at zoom 1; `camera` where the drawing is in space.
- * @typedef {{view: View, camera: Camera | null, scale: number, size: {width: number, height: number}}} Sight
+ * `scale` in CSS pixels per fitted extent at zoom 1; `camera` is null for drawings in the plane.
+ * @typedef {{view: View, camera: Camera | null, scale: number, size: {width: number, height: number}}} Viewpoint
  */
 
 /** `heading` in degrees counter-clockwise from the right, in space a vector. @typedef {{at: Point, heading: number | number[]}} Pose */
 
-/** Farther outside the frame nothing is drawn exactly, in CSS pixels. */
+/** Marks are clipped at this distance from the frame, in CSS pixels. */
 const FAR = 1e5;
-/** What is a little way ahead of a turtle in space, in fitted extents. */
+/** A short way ahead of a turtle in space, to project its heading, in fitted extents. */
 const STEP = 1e-6;
-/** A shorter mark gets a ring, so that it is found, in CSS pixels. */
+/** Shorter marks get a ring to make them visible, in CSS pixels. */
 const SHORT = 9;
 
 /**
- * The part of a line that is not farther outside the frame than {@link FAR}; its ends where none is.
+ * Clips a line to {@link FAR} outside the frame; returns its ends if no part is inside.
  * @param {[number, number]} from
  * @param {[number, number]} to
  * @returns {[[number, number], [number, number]]}
  */
 function within(from, to) {
-    const way = [to[0] - from[0], to[1] - from[1]];
+    const direction = [to[0] - from[0], to[1] - from[1]];
     let [first, last] = [0, 1];
     for (const axis of [0, 1]) {
-        const [start = 0, length = 0] = [from[axis], way[axis]];
+        const [start = 0, length = 0] = [from[axis], direction[axis]];
         if (length === 0) continue;
         const sides = [(-FAR - start) / length, (FAR - start) / length];
         first = Math.max(first, Math.min(...sides));
         last = Math.min(last, Math.max(...sides));
     }
-    const at = (/** @type {number} */ part) => /** @type {[number, number]} */ ([from[0] + part * (way[0] ?? 0), from[1] + part * (way[1] ?? 0)]);
+    const at = (/** @type {number} */ part) => /** @type {[number, number]} */ ([from[0] + part * (direction[0] ?? 0), from[1] + part * (direction[1] ?? 0)]);
     return first < last ? [at(first), at(last)] : [from, to];
 }
 
@@ -49,8 +49,8 @@ export function createMarks() {
     const found = byId('mark-found', SVGGElement);
     const part = byId('mark-part', SVGGElement);
     const turtle = byId('mark-turtle', SVGGElement);
-    /** @type {Sight | null} */
-    let sight = null;
+    /** @type {Viewpoint | null} */
+    let viewpoint = null;
     /** The ends of a segment, or the corners of a polygon. @type {Point[]} */
     let points = [];
     /** @type {Point[]} */
@@ -60,7 +60,7 @@ export function createMarks() {
 
     /** @param {Point} point @returns {[number, number]} CSS pixels from the stage's upper left corner */
     function place(point) {
-        const { view, camera, scale, size } = /** @type {Sight} */ (sight);
+        const { view, camera, scale, size } = /** @type {Viewpoint} */ (viewpoint);
         const middle = /** @type {const} */ ([size.width / 2, size.height / 2]);
         if (camera) {
             const [x, y] = seenInSpace(camera, point, scale);
@@ -74,7 +74,7 @@ export function createMarks() {
     /** @param {Point} point */
     const seen = (point) => place(point).map((value) => Math.min(FAR, Math.max(-FAR, value)));
 
-    /** How the turtle is turned in the picture: degrees clockwise from the right. @param {Pose} pose */
+    /** The turtle's direction in the picture, in degrees clockwise from the right. @param {Pose} pose */
     function towards({ at, heading }) {
         if (typeof heading === 'number') return -heading;
         const ahead = at.map((value, axis) => value + STEP * (heading[axis] ?? 0));
@@ -92,7 +92,7 @@ export function createMarks() {
     /** @param {number[]} at */
     const pair = (at) => at.map((value) => value.toFixed(2)).join(' ');
 
-    /** Puts a group's ring around what is short; whether it is. @param {Element} group @param {number[][]} corners */
+    /** Puts the group's ring around a short mark. @param {Element} group @param {number[][]} corners @returns {boolean} whether the mark is short */
     function encircle(group, corners) {
         const [xs = [], ys = []] = [0, 1].map((axis) => corners.map((corner) => corner[axis] ?? 0));
         const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
@@ -104,8 +104,8 @@ export function createMarks() {
     }
 
     function draw() {
-        show(frame, sight !== null && (points.length > 0 || outline.length > 0 || pose !== null));
-        if (!sight) return;
+        show(frame, viewpoint !== null && (points.length > 0 || outline.length > 0 || pose !== null));
+        if (!viewpoint) return;
         show(found, points.length > 0);
         if (points.length > 0) {
             const corners = points.map(place);
@@ -133,9 +133,9 @@ export function createMarks() {
     }
 
     return {
-        /** @param {Sight | null} next */
+        /** @param {Viewpoint | null} next */
         look(next) {
-            sight = next;
+            viewpoint = next;
             draw();
         },
         /** @param {Point[]} next the ends of a segment, or the corners of a polygon */

@@ -1,19 +1,19 @@
-/** How the texts of the state read: asks the core when one has changed, and tells those who show it. */
+/** Syntax of the state's texts: asks the core after each change and passes the answer to listeners. */
 
 import { latest } from './latest.js';
 
 /** @typedef {import('./protocol.js').Notation} Notation */
 /** @typedef {import('./protocol.js').Texts} Texts */
-/** @typedef {{read: (notation: Notation, texts: Texts) => void}} Reader `texts` may be older than what is on the page */
+/** @typedef {{read: (notation: Notation, texts: Texts) => void}} Listener `texts` may be older than the texts on the page */
 
 /**
  * @param {import('./store.js').Store} store
  * @param {import('./engine.js').Engine} engine
- * @param {Reader[]} readers
+ * @param {Listener[]} listeners
  */
-export function followNotation(store, engine, readers) {
+export function followNotation(store, engine, listeners) {
     const ask = latest(engine.notation, (notation, texts) => {
-        for (const reader of readers) reader.read(notation, texts);
+        for (const listener of listeners) listener.read(notation, texts);
     });
     /** @param {Readonly<Texts>} state */
     const follow = ({ axiom, rules, overrides }) => ask({ axiom, rules, overrides });

@@ -1,4 +1,4 @@
-/** Numbers in words and digits. Pure functions. */
+/** Writing and reading numbers. Pure functions. */
 
 const THIN_SPACE = '\u2009';
 
@@ -11,7 +11,7 @@ export function grouped(digits) {
 }
 
 /**
- * A whole number, short enough to read: up to nine digits as they are, more as mantissa and exponent.
+ * A whole number in short form: up to nine digits in full, more as mantissa and exponent.
  * @param {string} digits
  * @returns {{mantissa: string, exponent: number | null}}
  */
@@ -27,7 +27,7 @@ export function short(digits) {
 }
 
 /**
- * The same in one line of plain text: `1.23 × 10^45`, with raised digits.
+ * A whole number in short form as plain text, such as `1.23 × 10⁴⁵`.
  * @param {string} digits
  */
 export function shortText(digits) {
@@ -35,13 +35,13 @@ export function shortText(digits) {
     return exponent === null ? mantissa : `${mantissa}${THIN_SPACE}×${THIN_SPACE}10${raised(exponent)}`;
 }
 
-/** @param {number} value a whole number */
+/** A whole number in superscript digits. @param {number} value */
 export function raised(value) {
     return [...String(value)].map((digit) => (digit === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)])).join('');
 }
 
 /**
- * A zoom for the tool bar: `100 %`, `×12`, `×1.5·10⁶`.
+ * A zoom factor for the toolbar: `100 %`, `×12`, `×1.5·10⁶`.
  * @param {number} zoom
  */
 export function zoomText(zoom) {
@@ -52,7 +52,7 @@ export function zoomText(zoom) {
 }
 
 /**
- * A number as a person wrote it: decimal comma or point, any minus sign, an optional unit sign.
+ * Reads a typed number: decimal comma or point, any minus sign, an optional unit.
  * @param {string} text
  * @returns {number | null}
  */
@@ -62,7 +62,7 @@ export function readNumber(text) {
 }
 
 /**
- * A number for a field: twelve digits, none more than needed.
+ * A number for a field, with at most twelve digits.
  * @param {number} value
  */
 export function plain(value) {

@@ -1,18 +1,18 @@
 /**
- * Use without a network, by service-worker.js. A new version is fetched while the old one is used and takes over when
- * the page is next opened, or at once if the reader likes.
+ * Use without a network, by service-worker.js. A new version is downloaded while the old one is in use. The new version
+ * takes over when the page is next opened, or at once on request.
  */
 
 import { button, html } from './dom.js';
 import { isWhole } from './files.js';
 
-/** A page that stays open asks this often whether there is a new version, in milliseconds. */
-const OFTEN = 60 * 60 * 1000;
+/** The shortest time between checks for a new version, in milliseconds. */
+const CHECK_INTERVAL = 60 * 60 * 1000;
 
-/** While the old version is at work for a page, Chromium puts off the new one until the page is left; in milliseconds. */
-const SETTLED = 1000;
+/** Wait before the new version takes over, in milliseconds: Chromium delays a takeover while the old version serves the page. */
+const TAKE_OVER_DELAY = 1000;
 
-/** Whether this is a copy under development, of which nothing is to be kept. */
+/** Whether the page comes from a development server; then nothing is cached. */
 const isLocal = () => ['localhost', '127.0.0.1', '[::1]'].includes(location.hostname);
 
 export async function keepOffline() {
@@ -22,16 +22,16 @@ export async function keepOffline() {
         if (document.readyState !== 'complete') await new Promise((resolve) => addEventListener('load', resolve, { once: true }));
         await keep();
     } catch {
-        // Refused, as in some private windows: the page works while there is a network.
+        // Refused, for example in some private windows: the page works only with a network.
     }
 }
 
 async function keep() {
     const { serviceWorker } = navigator;
     const registration = await serviceWorker.register('service-worker.js', { updateViaCache: 'none' });
-    // What came while the page was last open takes over now. The address keeps what the reader may have begun.
+    // A version downloaded earlier takes over now. The address keeps the reader's changes.
     if (serviceWorker.controller && registration.waiting) {
-        await new Promise((resolve) => setTimeout(resolve, SETTLED));
+        await new Promise((resolve) => setTimeout(resolve, TAKE_OVER_DELAY));
         if (takeOver(registration)) return;
     }
     let asked = Date.now();
@@ -43,7 +43,7 @@ async function keep() {
     };
     watch();
     registration.addEventListener('updatefound', watch);
-    // Another tab has let it take over.
+    // Another tab has let the new version take over.
     serviceWorker.addEventListener('controllerchange', tell);
     button('renew').addEventListener('click', () => {
         button('renew').disabled = true;
@@ -51,7 +51,7 @@ async function keep() {
     });
     button('renew-later').addEventListener('click', () => (html('renewal').hidden = true));
     document.addEventListener('visibilitychange', () => {
-        if (document.visibilityState !== 'visible' || Date.now() - asked < OFTEN) return;
+        if (document.visibilityState !== 'visible' || Date.now() - asked < CHECK_INTERVAL) return;
         asked = Date.now();
         registration.update().catch(() => {});
     });
@@ -61,7 +61,7 @@ function tell() {
     html('renewal').hidden = false;
 }
 
-/** Lets a version that waits take over, and opens it. @param {ServiceWorkerRegistration} registration @returns {boolean} whether one waits */
+/** Lets the waiting version take over, and reloads the page. @param {ServiceWorkerRegistration} registration @returns {boolean} whether a version waits */
 function takeOver({ waiting }) {
     if (!waiting) return false;
     navigator.serviceWorker.addEventListener('controllerchange', () => location.reload(), { once: true });

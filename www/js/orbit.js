@@ -1,23 +1,23 @@
-/** What the stage has for drawings in space: the axes, perspective, fading with distance, and the turntable. */
+/** Controls for drawings in space: the axis gizmo, perspective, fading with distance, and the turntable. */
 
 import { FRONT, axes, turned } from './camera.js';
-import { button, byId, calm, html, input } from './dom.js';
+import { button, byId, reducedMotion, html, input } from './dom.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./state.js').Camera} Camera */
 
-/** Degrees in a second: once round in 15. */
+/** Speed of the turntable, in degrees per second: a full turn takes 15 s. */
 const PACE = 24;
-/** One step of the turntable where the reader wants less motion. */
+/** One step of the turntable with reduced motion, in degrees. */
 const STEP = 30;
-/** The side from which each axis points at the viewer. @type {Record<string, [number, number]>} */
+/** The azimuth and elevation from which each axis points at the viewer. @type {Record<string, [number, number]>} */
 const SIDES = { x: [90, 0], y: [0, 90], z: [0, 0] };
-/** Length of the gizmo's axes. */
+/** Length of the gizmo's axes, in SVG units. */
 const ARM = 21;
 
 /**
  * @param {import('./store.js').Store} store
- * @param {{glide: (camera: Camera) => void}} stage
+ * @param {{glideTo: (camera: Camera) => void}} stage
  */
 export function createOrbit(store, stage) {
     const tools = html('space-tools');
@@ -40,29 +40,29 @@ export function createOrbit(store, stage) {
     function turn(now) {
         const passed = Math.min(100, now - last) / 1000;
         last = now;
-        store.aim(turned(camera(), camera().azimuth - PACE * passed, camera().elevation));
+        store.setCamera(turned(camera(), camera().azimuth - PACE * passed, camera().elevation));
         turning = requestAnimationFrame(turn);
     }
 
     turntable.addEventListener('click', () => {
         if (turning) return stop();
-        if (calm()) return store.aim(turned(camera(), camera().azimuth - STEP, camera().elevation));
+        if (reducedMotion()) return store.setCamera(turned(camera(), camera().azimuth - STEP, camera().elevation));
         turntable.setAttribute('aria-pressed', 'true');
         last = performance.now();
         turning = requestAnimationFrame(turn);
     });
-    perspective.addEventListener('click', () => store.aim({ ...camera(), perspective: !camera().perspective }));
-    fade.addEventListener('input', () => store.aim({ ...camera(), fade: fade.valueAsNumber / 100 }));
+    perspective.addEventListener('click', () => store.setCamera({ ...camera(), perspective: !camera().perspective }));
+    fade.addEventListener('input', () => store.setCamera({ ...camera(), fade: fade.valueAsNumber / 100 }));
     for (const knob of gizmo.querySelectorAll('g')) {
         const side = SIDES[knob.dataset.axis ?? ''];
         knob.addEventListener('click', () => {
             if (!side) return;
             stop();
-            stage.glide(turned(camera(), side[0], side[1]));
+            stage.glideTo(turned(camera(), side[0], side[1]));
         });
     }
 
-    /** Turns the gizmo as the drawing is turned, the nearest axis on top. */
+    /** Turns the gizmo with the drawing, the nearest axis on top. */
     function draw() {
         const [right, up, back] = axes(camera());
         const knobs = [...gizmo.querySelectorAll('g')].map((knob) => {

@@ -1,6 +1,6 @@
 /**
- * Long states as short links: `#v=1&z=` and the same fields, compressed (zlib, RFC 1950) and written in base64url.
- * The checksum in it tells a damaged link from a whole one.
+ * Long states as short links: `#v=1&z=` and the fields, compressed (zlib, RFC 1950) and written in base64url. The zlib
+ * checksum detects damaged links.
  */
 
 import { LONGEST, PACKED, readLink, writeFields, writeLink } from './link.js';
@@ -8,17 +8,17 @@ import { LONGEST, PACKED, readLink, writeFields, writeLink } from './link.js';
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./link.js').Link} Link */
 
-/** Readable links are kept up to this length, in characters: what mail and chat programs leave whole. */
+/** Links up to this length stay readable, in characters; mail and chat programs do not cut them. */
 export const LONG = 1500;
 
-/** No state is larger, in bytes of its fields. */
+/** Larger states are not read, in uncompressed bytes. */
 const MOST_BYTES = 512 << 10;
 
-/** A compressed part is unpacked in pieces of this many bytes, each of which gives at most a thousand times as much. */
+/** The compressed part is read in pieces of this many bytes; each expands at most about 1000 times. */
 const PIECE = 256;
 
 /**
- * The link of a state, with its `#`: readable, unless that is long and the compressed form is shorter.
+ * The link of a state, with its `#`: readable, or compressed if the readable form is long and the compressed one shorter.
  * @param {Readonly<State>} state
  * @returns {Promise<string>}
  */
@@ -39,7 +39,7 @@ export async function shortestLink(state) {
 /**
  * Reads a hash of either form, with or without its `#`.
  * @param {string} hash
- * @returns {Promise<Link | null>} null where the hash holds no state of ours
+ * @returns {Promise<Link | null>} null if the hash has neither a version nor a known field
  */
 export async function openLink(hash) {
     const code = hash.length > LONGEST ? undefined : new RegExp(`^#?(?:[^]*&)?${PACKED}=([^&]*)`).exec(hash)?.[1];
@@ -52,7 +52,7 @@ export async function openLink(hash) {
     }
 }
 
-/** @param {Readonly<State>} state @returns {Promise<string | null>} null where the browser cannot compress */
+/** @param {Readonly<State>} state @returns {Promise<string | null>} null if the browser cannot compress */
 async function packedLink(state) {
     if (typeof CompressionStream !== 'function') return null;
     const fields = writeFields(state, (value) => value.replace(/[%&]/g, (character) => (character === '%' ? '%25' : '%26')));
@@ -70,7 +70,7 @@ class TooLarge extends Error {}
 /** @param {Uint8Array<ArrayBuffer>} bytes @returns {Promise<string>} */
 async function inflate(bytes) {
     let at = 0;
-    // Piece by piece, because browsers unpack all that they are handed before they look whether anybody wants it.
+    // Read piece by piece, because browsers unpack a whole chunk before they check for cancellation.
     const pieces = new ReadableStream(
         {
             pull(controller) {
@@ -98,9 +98,9 @@ async function inflate(bytes) {
 
 /** @param {unknown} error */
 function wordsOf(error) {
-    if (error instanceof TooLarge) return 'The compressed part of the link holds more than any drawing needs, and was not read.';
-    if (typeof DecompressionStream !== 'function') return 'This browser cannot read compressed links: a newer one can.';
-    return 'The compressed part of the link is damaged or cut off, and was not read.';
+    if (error instanceof TooLarge) return 'The compressed part of the link contains more than any drawing needs and was not read.';
+    if (typeof DecompressionStream !== 'function') return 'This browser cannot read compressed links. Use a newer browser.';
+    return 'The compressed part of the link is damaged or cut off and was not read.';
 }
 
 /** @param {Uint8Array} bytes */

@@ -1,4 +1,4 @@
-/** The playback bar: draws the picture again from the first segment on, at any number of them. */
+/** The playback bar: draws the picture segment by segment. */
 
 import { button, html, input, setText } from './dom.js';
 import { grouped, shortText } from './numerals.js';
@@ -8,25 +8,25 @@ import { createSegmentField } from './playback/segment-field.js';
 import { REACH, portion, ratio, within } from './reading/places.js';
 import { poseText } from './reading/words.js';
 
-/** Positions of the slider. */
-const STOPS = 10_000;
+/** The number of slider positions. */
+const SLIDER_POSITIONS = 10_000;
 
 /**
  * @param {import('./engine.js').Engine} engine
  * @param {{turtle: (pose: import('./marks.js').Pose | null) => void, offered?: () => boolean}} page
  */
 export function createPlayback(engine, { turtle, offered = () => true }) {
-    /** Segments that can be played, null while unknown, and all digits of how many there are. @type {bigint | null} */
+    /** The number of segments that can be played, null while unknown, and the exact number of segments. @type {bigint | null} */
     let total = null;
     let digits = '';
-    /** How many are shown; null for the whole picture. @type {bigint | null} */
+    /** The number of segments shown; null for the whole picture. @type {bigint | null} */
     let upto = null;
     const shown = () => upto ?? total ?? 0n;
 
     const pace = createPace(() => total);
-    const clock = createClock({ perSecond: pace.perSecond, goOn });
-    const bar = createBar({ play: turn, changed: (open) => (open ? show() : stop()), stand: (part) => total !== null && halt(portion(total, part)) });
-    const field = createSegmentField({ total: () => total, shown, stand: halt });
+    const clock = createClock({ perSecond: pace.perSecond, advance });
+    const bar = createBar({ play: toggle, changed: (open) => (open ? show() : stop()), seek: (part) => total !== null && pauseAt(portion(total, part)) });
+    const field = createSegmentField({ total: () => total, shown, seek: pauseAt });
 
     function show() {
         if (!bar.open) return;
@@ -36,37 +36,37 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         if (upto === null) setText(html('play-pose'), total === null ? '' : total === 0n ? 'Nothing is drawn.' : 'The whole drawing.');
     }
 
-    /** Shows the first so many segments; all of them are the whole picture. @param {bigint | null} next */
-    function stand(next) {
+    /** Shows only the first segments; null or all show the whole picture. @param {bigint | null} next */
+    function seek(next) {
         upto = next === null || total === null || next >= total ? null : within(next, 0n, total);
         if (upto === null) turtle(null);
         engine.play(upto);
         show();
     }
 
-    /** Stops at so many segments. @param {bigint | null} next */
-    function halt(next) {
+    /** Pauses at a number of segments. @param {bigint | null} next */
+    function pauseAt(next) {
         clock.stop();
-        stand(next);
+        seek(next);
     }
 
     /** Back to the whole picture. */
-    const stop = () => halt(null);
+    const stop = () => pauseAt(null);
 
     /** @param {bigint} segments */
-    function goOn(segments) {
+    function advance(segments) {
         if (upto === null) return;
         const next = upto + segments;
         if (total !== null && next >= total) clock.stop();
-        stand(next);
+        seek(next);
     }
 
-    /** Plays on, or pauses. */
-    function turn() {
+    /** Plays or pauses. */
+    function toggle() {
         if (clock.running) clock.stop();
         else if (total) {
             clock.start();
-            stand(upto ?? 0n);
+            seek(upto ?? 0n);
         }
         show();
     }
@@ -76,30 +76,30 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         event.preventDefault();
         if (event.repeat) return;
         bar.set(true);
-        turn();
+        toggle();
     });
 
     return {
-        /** How many segments are shown; null for all. */
+        /** The number of segments shown; null for all. */
         get upto() {
             return upto;
         },
 
-        /** Plays on, or pauses. @param {boolean} on */
-        turn(on) {
+        /** Plays or pauses. @param {boolean} on */
+        setPlaying(on) {
             if (on === clock.running || (on && !offered())) return;
             if (on) bar.set(true);
-            turn();
+            toggle();
         },
 
         close: () => bar.set(false),
 
-        /** Says what is drawn while it is not counted. @param {string} words */
+        /** Shows a text in place of the turtle's pose, during growth. @param {string} words */
         tell(words) {
             setText(html('play-pose'), words);
         },
 
-        /** Another drawing comes: back to the whole picture. */
+        /** The drawing has changed: goes back to the whole picture. */
         forget() {
             total = null;
             digits = '';
@@ -126,10 +126,10 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
 }
 
 /**
- * The bar itself, which opens and closes: the play button and the slider over the whole drawing.
- * @param {{play: () => void, changed: (open: boolean) => void, stand: (part: number) => void}} playback
+ * The bar itself: opening and closing, the play button, and the slider over the whole drawing.
+ * @param {{play: () => void, changed: (open: boolean) => void, seek: (part: number) => void}} playback
  */
-function createBar({ play, changed, stand }) {
+function createBar({ play, changed, seek }) {
     const bar = html('playback');
     const toggle = button('open-playback');
     const player = button('play');
@@ -160,7 +160,7 @@ function createBar({ play, changed, stand }) {
     bar.addEventListener('keydown', (event) => {
         if (event.key === 'Escape') button('close-playback').click();
     });
-    slider.addEventListener('input', () => stand(Number(slider.value) / STOPS));
+    slider.addEventListener('input', () => seek(Number(slider.value) / SLIDER_POSITIONS));
 
     return {
         get open() {
@@ -173,7 +173,7 @@ function createBar({ play, changed, stand }) {
             slider.disabled = !total;
             player.disabled = slider.disabled;
             const part = total ? ratio(shown, total) : 1;
-            if (Number(slider.value) !== Math.floor(part * STOPS)) slider.value = String(Math.floor(part * STOPS));
+            if (Number(slider.value) !== Math.floor(part * SLIDER_POSITIONS)) slider.value = String(Math.floor(part * SLIDER_POSITIONS));
             slider.style.setProperty('--at', String(part));
             slider.setAttribute('aria-valuetext', `${shortText(String(shown))} of ${digits ? shortText(digits) : '…'} segments`);
             setText(html('play-total'), digits ? `of ${shortText(digits)}` : '');

@@ -1,10 +1,10 @@
 /** QR codes as pictures. Pure functions. */
 
-/** Light modules around a code, without which readers do not find it. */
+/** The width of the light border that QR readers need, in modules. */
 const QUIET = 4;
 
 /**
- * The outline of the dark modules, and the side of the square it stands in.
+ * An SVG path of the dark modules, and the side of its square with the border, in modules.
  * @param {Uint8Array} modules row by row, 1 for dark
  */
 export function qrPicture(modules) {
@@ -20,7 +20,7 @@ export function qrPicture(modules) {
     return { path, side: size + 2 * QUIET };
 }
 
-/** A code as a file: black on white wherever it is put. @param {Uint8Array} modules */
+/** A QR code as an SVG file, with a white background. @param {Uint8Array} modules */
 export function qrFile(modules) {
     const { path, side } = qrPicture(modules);
     return `<svg xmlns="http://www.w3.org/2000/svg" width="${side * 8}" height="${side * 8}" viewBox="0 0 ${side} ${side}" shape-rendering="crispEdges"><path fill="#fff" d="M0 0h${side}v${side}H0z"/><path d="${path}"/></svg>\n`;

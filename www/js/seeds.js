@@ -1,13 +1,13 @@
-/** A sheet of nine seeds to choose from. */
+/** The dialog that compares nine seeds. */
 
 import { button, byId, closes, html, make } from './dom.js';
 import { Stopped } from './engine/questions.js';
 import { definitionOf } from './state.js';
 import { emptyThumb, paintThumb } from './thumb.js';
 
-/** Pictures on the sheet. */
+/** The number of pictures. */
 const COUNT = 9;
-/** Their side, in CSS pixels. */
+/** The side of a picture, in CSS pixels. */
 const SIDE = 200;
 
 /**
@@ -28,21 +28,21 @@ export function createSeeds(store, engine) {
         html('seed-cards').append(card);
         return { picture, label, card };
     });
-    /** Counts the sheets, so that pictures of an older one are not shown. */
-    let sheet = 0;
+    /** The number of the current set of seeds; pictures of older sets are dropped. */
+    let set = 0;
 
     /** @param {number[]} seeds */
     async function show(seeds) {
-        const own = ++sheet;
-        const wanted = () => own === sheet && dialog.open;
+        const own = ++set;
+        const wanted = () => own === set && dialog.open;
         const definition = definitionOf(store.state);
         cards.forEach(({ picture, label, card }, index) => {
             const seed = /** @type {number} */ (seeds[index]);
             const present = seed === definition.seed;
             card.value = String(seed);
-            card.setAttribute('aria-label', present ? `Seed ${seed}, the present one` : `Seed ${seed}`);
+            card.setAttribute('aria-label', present ? `Seed ${seed}, current` : `Seed ${seed}`);
             card.classList.toggle('present', present);
-            label.textContent = present ? `${seed}, now` : String(seed);
+            label.textContent = present ? `${seed} (current)` : String(seed);
             picture.style.background = definition.background;
             picture.classList.remove('inked');
         });
@@ -52,21 +52,21 @@ export function createSeeds(store, engine) {
                 await paintThumb(picture, engine, { ...definition, seed }, SIDE, wanted);
                 if (!wanted()) return;
             } catch (error) {
-                // One that stopped the worker has no picture; of any other failure the stage tells.
+                // A seed that stopped the worker has no picture; the stage reports all other failures.
                 if (!(error instanceof Stopped)) return;
             }
         }
     }
 
-    /** The present seed among eight others. */
+    /** Shows the current seed among eight others. */
     async function fill() {
         try {
             const fresh = await engine.seed();
-            // One after the other of a random start: all different, and none of them the present one.
+            // Consecutive seeds from a random start, which all differ, without the current one.
             const others = Array.from({ length: COUNT }, (_, index) => (fresh + index) >>> 0).filter((seed) => seed !== store.state.seed);
             await show([...others.slice(0, 4), store.state.seed, ...others.slice(4, 8)]);
         } catch {
-            // As above.
+            // The stage reports the failure.
         }
     }
 

@@ -1,4 +1,4 @@
-/** This visit: kept as it goes on, and found again after a reload or on return. */
+/** The current visit: saved after each change, and restored after a reload or on return. */
 
 import { writeLink } from './link.js';
 import { keepSession, nameOf, openSession, readSessions, readSuspects, withSuspect } from './sessions.js';
@@ -7,52 +7,52 @@ import { sameSystem } from './state.js';
 /** @typedef {import('./sessions.js').Session} Session */
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./store.js').Store} Store */
-/** @typedef {import('./storage.js').Keeper} Keeper */
+/** @typedef {import('./storage.js').SafeStorage} SafeStorage */
 
-/** After the last change, in milliseconds. */
+/** The delay after the last change, in milliseconds. */
 const PAUSE = 400;
 
 const freshId = () => Math.random().toString(36).slice(2);
 
 /**
- * @param {Keeper} keeper for good
- * @param {Keeper} tab as long as the tab is open
+ * @param {SafeStorage} storage permanent storage
+ * @param {SafeStorage} tab storage of this tab
  */
-export function createSession(keeper, tab) {
+export function createSession(storage, tab) {
     let own = freshId();
-    /** What was there before the reader changed anything, which is not worth keeping. @type {Readonly<State> | null} */
+    /** The state before the reader changed anything, which is not saved. @type {Readonly<State> | null} */
     let base = null;
     /** @type {Store | null} */
     let followed = null;
     let timer = 0;
 
-    const list = () => readSessions(keeper.read('sessions'));
-    const suspects = () => readSuspects(keeper.read('suspects'));
-    /** Whether there are any, so that nobody looks for them after each picture. */
+    const list = () => readSessions(storage.read('sessions'));
+    const suspects = () => readSuspects(storage.read('suspects'));
+    /** Whether there are suspects, to avoid reading the storage after each picture. */
     let suspected = suspects().length > 0;
 
-    function keep() {
+    function save() {
         clearTimeout(timer);
         timer = 0;
         if (!followed || (base && sameSystem(base, followed.state))) return;
         base = null;
-        keeper.write('sessions', keepSession(list(), own, followed.state, followed.origin, Date.now()));
+        storage.write('sessions', keepSession(list(), own, followed.state, followed.origin, Date.now()));
         tab.write('tab', { id: own, hash: location.hash });
     }
 
-    /** Keeps what has not been kept yet. */
-    const flush = () => timer && keep();
+    /** Saves unsaved changes. */
+    const flush = () => timer && save();
 
     return {
         /** The last few visits, newest first, without this one. @returns {Session[]} */
         others: () => list().filter((one) => one.id !== own),
 
         /**
-         * What to show first where the address is `hash`: this tab's own visit after a reload, one that ended with just
-         * what is linked, or, without a link, the last one; null where there is none.
+         * The visit to restore for an address: this tab's visit after a reload; else a visit that ended at the linked
+         * state, or, without a link, the last visit; null if there is none.
          * @param {string} hash
-         * @param {State | null} linked what the hash holds
-         * @returns {{state: State, origin: State, again: boolean} | null} `again` where the reader sees what the address says
+         * @param {State | null} linked the state in the hash
+         * @returns {{state: State, origin: State, again: boolean} | null} `again` if the reader expects this state from the address
          */
         start(hash, linked) {
             const here = /** @type {{id?: unknown, hash?: unknown} | undefined} */ (tab.read('tab'));
@@ -70,19 +70,19 @@ export function createSession(keeper, tab) {
             base = store.state;
             store.subscribe(() => {
                 clearTimeout(timer);
-                timer = window.setTimeout(keep, PAUSE);
+                timer = window.setTimeout(save, PAUSE);
             });
             addEventListener('pagehide', flush);
         },
 
-        /** Whether a state, in this view or in any, stopped the drawing when it was last drawn. @param {Readonly<State>} state */
+        /** Whether a state, in this or any view, stopped the drawing when it was last drawn. @param {Readonly<State>} state */
         isSuspect: (state) => suspected && [true, false].some((withView) => suspects().includes(nameOf(state, withView))),
 
         /**
-         * Remembers that a state stops the drawing, so that it is not started by itself again, or that it does not.
+         * Remembers whether a state stops the drawing; if so, the next visit does not draw it at once.
          * @param {Readonly<State>} state
          * @param {boolean} doubtful
-         * @param {boolean} withView whether it does so in this view only
+         * @param {boolean} withView whether this holds for this view only
          */
         suspect(state, doubtful, withView) {
             if (!doubtful && !suspected) return;
@@ -91,20 +91,20 @@ export function createSession(keeper, tab) {
             const next = names.reduce((kept, name) => withSuspect(kept, name, doubtful), former);
             suspected = next.length > 0;
             if (next.join() === former.join()) return;
-            keeper.write('suspects', next);
+            storage.write('suspects', next);
         },
 
-        /** Opens what was made elsewhere: a visit of its own once it is changed. @param {State} state */
+        /** Opens another state, which becomes a new visit once it is changed. @param {State} state */
         visit(state) {
             flush();
-            // The address is that of what comes already.
+            // The address already belongs to the new state.
             tab.write('tab', null);
             own = freshId();
             base = state;
             followed?.open(state);
         },
 
-        /** Goes on where an earlier visit ended. @param {Session} session */
+        /** Continues an earlier visit. @param {Session} session */
         resume(session) {
             const opened = openSession(session);
             if (!opened || !followed) return;

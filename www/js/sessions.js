@@ -1,17 +1,17 @@
 /**
- * Where a reader left off: the last few visits, newest first. A visit is kept from its first change on, under its own
- * id, so that opening a link or another tab destroys none of them. Pure functions.
+ * The last few visits, newest first. A visit is saved from its first change on, under its own id, so that opening a
+ * link or another tab overwrites no visit. Pure functions.
  */
 
 import { readLink, writeLink } from './link.js';
 
 /** @typedef {import('./state.js').State} State */
-/** `origin` is what Reset returns to; both are readable links. @typedef {{id: string, time: number, link: string, origin: string}} Session */
+/** `link` is the state and `origin` the state that Reset returns to, both as readable links. @typedef {{id: string, time: number, link: string, origin: string}} Session */
 
-/** So many states that stopped the drawing are remembered. */
+/** The maximum number of remembered states that stopped the drawing. */
 const MOST_SUSPECTS = 32;
 
-/** Older visits are forgotten. */
+/** The maximum number of visits; older ones are dropped. */
 export const MOST_SESSIONS = 8;
 
 /** @param {unknown} value of unknown origin @returns {Session[]} */
@@ -21,7 +21,7 @@ export function readSessions(value) {
 }
 
 /**
- * The list with a visit as it is now; a former one that was left at the same place says no more.
+ * The list with a visit updated; a former visit with the same state is dropped.
  * @param {readonly Session[]} list
  * @param {string} id
  * @param {Readonly<State>} state
@@ -42,13 +42,13 @@ export function openSession({ link, origin }) {
 }
 
 /**
- * A short name for what is drawn: equal states have equal names. Without a view it stands for the system in every view.
+ * A short name for a state: equal states have equal names. Without a view, the name stands for the system in all views.
  * @param {Readonly<State>} state
  * @param {boolean} withView
  */
 export function nameOf(state, withView) {
     const text = writeLink(withView ? state : { ...state, view: null, camera: null });
-    // FNV-1a in two halves: nobody has to be kept from finding another text of the same name.
+    // Two FNV-1a hashes; the names need not resist attacks.
     let [low, high] = [0x811c9dc5, 0x1b873593];
     for (let at = 0; at < text.length; at++) {
         low = Math.imul(low ^ text.charCodeAt(at), 0x01000193);

@@ -1,15 +1,15 @@
-/** A drawing as markup for other pages: a frame, or the element that wraps one. Pure functions. */
+/** Embed code for other pages: an iframe or the web component. Pure functions. */
 
 import { writeFields } from './link.js';
 
 /** @typedef {import('./state.js').State} State */
 
-/** CSS pixels: as high as a drawing in a column of text wants to be. */
+/** The height of an embedded drawing, in CSS pixels. */
 const HEIGHT = 420;
-/** In one word, the tags would end the script of a page that holds all of this in itself. */
+/** Kept apart from the brackets, because a literal script tag would end the script of a single-file page. */
 const SCRIPT = 'script';
 
-/** Keys of links by which an HTML element would mean something else: their attributes are called otherwise. */
+/** Attributes for link keys whose names already have a meaning in HTML. */
 const ATTRIBUTES = new Map([
     ['title', 'caption'],
     ['width', 'stroke'],

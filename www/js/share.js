@@ -1,4 +1,4 @@
-/** The share dialog: the link, its QR code, and the drawing as markup for another page. */
+/** The share dialog: the link, its QR code, and embed code for other pages. */
 
 import { copyField, copyKeys } from './copy.js';
 import { download, fileName } from './download.js';
@@ -7,10 +7,10 @@ import { bestLink, shortestLink } from './packed.js';
 import { qrFile, qrPicture } from './qr.js';
 import { elementCode, frameCode } from './share-code.js';
 
-/** Longer links do not arrive whole everywhere, in characters. */
+/** Some programs cut longer links, in characters. */
 const LONG = 2000;
-/** How long a button tells that it has copied, in milliseconds. */
-const TOLD = 2500;
+/** How long a button shows “Copied”, in milliseconds. */
+const COPIED_MS = 2500;
 
 /**
  * @param {import('./store.js').Store} store
@@ -26,62 +26,62 @@ export function createShare(store, engine) {
     const picture = byId('qr', SVGSVGElement);
     const choices = [...dialog.querySelectorAll('.embed-choices input')].filter((element) => element instanceof HTMLInputElement);
     const onDisk = location.protocol === 'file:';
-    /** What the code shows now. @type {Uint8Array | null} */
+    /** The modules of the shown QR code. @type {Uint8Array | null} */
     let modules = null;
-    /** Links are made in the background; only the newest counts. */
+    /** The number of the last refresh; links are made asynchronously, and older ones are dropped. */
     let turn = 0;
 
-    /** What is to be shared. */
+    /** The state to share. */
     const shared = () => (withView.checked ? store.state : { ...store.state, view: null });
     /** @param {string} hash */
     const address = (hash) => new URL(hash, location.href).href;
 
     async function refresh() {
-        const mine = ++turn;
+        const own = ++turn;
         const state = shared();
         html('share-view-row').hidden = store.state.view === null;
         const [best, shortest] = await Promise.all([bestLink(state), shortestLink(state)]);
-        if (mine !== turn) return;
+        if (own !== turn) return;
         link.value = address(best);
         setText(html('share-link-note'), linkNote(link.value));
         showCode(state, best);
-        await showQr(address(shortest), mine);
+        await showQr(address(shortest), own);
     }
 
     /** @param {string} href */
     function linkNote(href) {
         if (onDisk) return 'This page was opened from a disk, so the link works on this computer only.';
         if (href.length > LONG) return `The link has ${href.length.toLocaleString('en')} characters, and some programs cut links of this length. A file or picture from Save holds the same.`;
-        return 'The link holds the whole drawing. Nothing is stored anywhere else.';
+        return 'The link contains the whole drawing. Nothing is stored on a server.';
     }
 
     /** @param {import('./state.js').State} state @param {string} best */
     function showCode(state, best) {
         const controls = choices.filter(({ name, checked }) => name === 'controls' && checked).map(({ value }) => value);
         const whole = byId('embed-element', HTMLInputElement).checked;
-        // A single file has no element beside it, and its frame stands beside it under any name.
+        // The page may be a single file under any name, so these addresses are relative to its folder.
         code.value = whole ? elementCode(state, controls, address('l-system.js')) : frameCode(state, best, controls, address('embed.html'));
         setText(html('embed-note'), embedNote(whole));
     }
 
     /** @param {boolean} whole */
     function embedNote(whole) {
-        if (onDisk) return 'This page was opened from a disk: put it on a web server for markup that works in other pages.';
-        return whole ? 'For pages that may run scripts: its attributes can be changed live, and it tells of changes.' : 'For any page, and for Moodle: paste it where its source is edited.';
+        if (onDisk) return 'This page was opened from a disk. Put it on a web server to get code that works in other pages.';
+        return whole ? 'For pages with scripts: scripts can change its attributes and receive its events.' : 'For any page, including Moodle: paste this code into the HTML source.';
     }
 
-    /** @param {string} href @param {number} mine */
-    async function showQr(href, mine) {
+    /** @param {string} href @param {number} own */
+    async function showQr(href, own) {
         let words = '';
         /** @type {Uint8Array | null} */
         let made = null;
         try {
             made = onDisk ? null : await engine.qr(href);
-            words = made ? 'A phone’s camera opens the drawing.' : onDisk ? 'A page on a disk has no address that a phone could open.' : 'This link is too long for a QR code that can be read.';
+            words = made ? 'A phone’s camera opens the drawing.' : onDisk ? 'A page on a disk has no address for phones.' : 'This link is too long for a QR code that can be read.';
         } catch (error) {
             words = `The QR code could not be made (${error instanceof Error ? error.message : error}).`;
         }
-        if (mine !== turn) return;
+        if (own !== turn) return;
         modules = made;
         html('qr-frame').hidden = made === null;
         button('save-qr').hidden = made === null;
@@ -99,13 +99,13 @@ export function createShare(store, engine) {
         let timer = 0;
         copier.addEventListener('click', async () => {
             const copied = await copyField(field);
-            setText(status, copied ? `${what} copied` : `The browser keeps its clipboard from this page. The text is selected: ${copyKeys()} copies it.`);
-            status.classList.toggle('told', !copied);
+            setText(status, copied ? `${what} copied` : `The browser refuses clipboard access. The text is selected: press ${copyKeys()} to copy.`);
+            status.classList.toggle('alert', !copied);
             if (!copied) return;
             copier.focus();
             setText(label, 'Copied');
             clearTimeout(timer);
-            timer = window.setTimeout(() => setText(label, before), TOLD);
+            timer = window.setTimeout(() => setText(label, before), COPIED_MS);
         });
         field.addEventListener('focus', () => field.select());
     }
@@ -123,15 +123,15 @@ export function createShare(store, engine) {
             await navigator.share({ title: store.state.title || store.state.name || 'L-system', url: link.value });
         } catch (error) {
             if (error instanceof Error && error.name === 'AbortError') return;
-            setText(status, 'This browser could not send the link: copy it instead.');
-            status.classList.add('told');
+            setText(status, 'This browser could not send the link. Copy the link instead.');
+            status.classList.add('alert');
         }
     });
 
     function open() {
         withView.checked = true;
         setText(status, '');
-        status.classList.remove('told');
+        status.classList.remove('alert');
         dialog.showModal();
         button('copy-share').focus();
         return refresh();
@@ -140,13 +140,13 @@ export function createShare(store, engine) {
     closes(dialog, 'close-share');
 
     return {
-        /** Opens with the link selected, for the reader to copy. */
+        /** Opens the dialog with the link selected, for the reader to copy. */
         async select() {
             await open();
             link.focus();
             link.select();
-            setText(status, `The browser keeps its clipboard from this page. The link is selected: ${copyKeys()} copies it.`);
-            status.classList.add('told');
+            setText(status, `The browser refuses clipboard access. The link is selected: press ${copyKeys()} to copy.`);
+            status.classList.add('alert');
         },
     };
 }

@@ -1,6 +1,6 @@
 /**
- * The drawing: shows what the worker has painted, and moves that picture at once when the reader pans or zooms, until
- * the worker has painted anew.
+ * The drawing: shows the worker's pictures, and moves the last picture when the reader pans or zooms, until the worker
+ * sends a new one.
  */
 
 import { button, byId, html, setText } from './dom.js';
@@ -11,20 +11,21 @@ import { createMoves } from './stage/moves.js';
 import { createPicture } from './stage/picture.js';
 import { watchSize } from './stage/size.js';
 
-/** What takes longer is shown to be under way, in milliseconds. */
+/** The busy sign appears after this time, in milliseconds. */
 const SLOW_MS = 300;
 
 /**
  * @param {import('./store.js').Store} store
  * @param {import('./engine.js').Engine} engine
- * @param {{look: (sight: import('./marks.js').Sight | null) => void}} marks what moves with the picture
+ * @param {{look: (viewpoint: import('./marks.js').Viewpoint | null) => void}} marks the marks on the picture, which move with it
  * @param {{takes?: (event: Event) => boolean, keys?: () => readonly ('angle' | 'iterations')[]}} [page]
- *   `takes` tells which gestures are the drawing's, rather than of the page it stands in; `keys` what arrows change
+ *   `takes` tells which gestures are for the drawing rather than the page around it; `keys` tells which fields the arrow
+ *   keys change
  */
 export function createStage(store, engine, marks, { takes = () => true, keys = () => ['angle', 'iterations'] } = {}) {
     const frame = html('stage');
     const canvas = byId('drawing', HTMLCanvasElement);
-    /** Whether the drawing is one in space. */
+    /** Whether the drawing is in space. */
     let solid = false;
     let slow = 0;
 
@@ -56,8 +57,8 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
     });
     measure();
 
-    /** @param {boolean} under whether a drawing or its fine picture is being made */
-    function growing(under) {
+    /** @param {boolean} under whether a drawing or its finest picture is being made */
+    function setBusy(under) {
         clearTimeout(slow);
         if (under) slow = window.setTimeout(() => (html('busy').hidden = false), SLOW_MS);
         else html('busy').hidden = true;
@@ -73,12 +74,12 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
     return {
         resolution,
         show,
-        growing,
+        setBusy,
 
-        /** Goes round a drawing in space. */
-        glide: moves.glideRound,
+        /** Turns a drawing in space smoothly. */
+        glideTo: moves.glideToCamera,
 
-        /** Learns whether the drawing is one in space. @param {import('./protocol.js').Report} report */
+        /** Notes whether the drawing is in space. @param {import('./protocol.js').Report} report */
         report(report) {
             if (!report.ok || solid === report.solid) return;
             solid = report.solid;
@@ -90,7 +91,7 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
         drawn(drawn) {
             picture.paint(drawn, solid);
             frame.classList.add('inked');
-            growing(!drawn.complete);
+            setBusy(!drawn.complete);
             place();
         },
     };

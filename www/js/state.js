@@ -1,6 +1,6 @@
 /**
- * The page's state: one flat value that controls, links, undo and the worker share. What its fields are stands in
- * tables.js. Nothing here touches the page.
+ * The page's state: one flat value that controls, links, undo and the worker share. Its fields are defined in
+ * tables.js. This module never touches the page.
  */
 
 import { FIELDS as TABLE } from './tables.js';
@@ -14,19 +14,19 @@ import { FIELDS as TABLE } from './tables.js';
 /** @typedef {Definition['ink']} Ink */
 
 /**
- * Where the reader looks. `x` and `y` move the picture's centre, in fitted extents (the longer side of what Fit
- * shows), y up; `zoom` 1 is fitted.
- * @typedef {{x: number, y: number, zoom: number, fx?: number, fy?: number}} View `fx` and `fy` are to be added to `x` and `y`: what is below their precision
+ * A view of a drawing in the plane. `x` and `y` move the picture's centre; the unit is the longer side of what Fit
+ * shows, y up. `zoom` 1 is fitted. `fx` and `fy` are rounding remainders to add to `x` and `y`.
+ * @typedef {{x: number, y: number, zoom: number, fx?: number, fy?: number}} View
  */
 
 /**
- * From where a drawing in space is looked at. `azimuth` and `elevation` in degrees: 0 looks from the front, 90 from the
- * right and from above; `x`, `y`, `z` move what is in the middle, in fitted extents (the diameter of a ball around the
- * drawing), in the model's directions; `zoom` 1 is fitted; `fade`, 0 to 1, lets what is far fade into the background.
+ * A view of a drawing in space. `azimuth` and `elevation` are in degrees: 0 looks from the front, 90 from the right and
+ * from above. `x`, `y` and `z` move the target along the model's axes; the unit is the diameter of a ball around the
+ * drawing. `zoom` 1 is fitted. `fade`, from 0 to 1, fades distant parts into the background.
  * @typedef {{azimuth: number, elevation: number, zoom: number, x: number, y: number, z: number, perspective: boolean, fade: number}} Camera
  */
 
-/** @typedef {Definition & {view: View | null, camera: Camera | null}} State `view` and `camera` are null while nobody has moved them. */
+/** @typedef {Definition & {view: View | null, camera: Camera | null}} State `view` and `camera` are null until the reader moves them. */
 
 /** The names of the state's fields. */
 export const FIELDS = /** @type {FieldName[]} */ (Object.keys(TABLE));
@@ -35,7 +35,7 @@ export const FIELDS = /** @type {FieldName[]} */ (Object.keys(TABLE));
 export const DEFAULTS = Object.freeze(/** @type {any} */ (Object.fromEntries(FIELDS.map((field) => [field, TABLE[field].usual]))));
 
 /**
- * The range of a field's number, or of a number in its record.
+ * The range of a number field, or of a number in a record or list field.
  * @param {FieldName} field
  * @param {string} [member]
  * @returns {NumberRange}
@@ -47,28 +47,28 @@ export function rangeOf(field, member = '') {
     return range;
 }
 
-/** How many characters or colours a field holds at most. @param {FieldName} field */
+/** The maximum number of characters or colours in a field. @param {FieldName} field */
 export function mostOf(field) {
     const { [field]: found } = TABLE;
     return 'most' in found ? found.most : Infinity;
 }
 
 /**
- * The nearest valid value of a field, or undefined where there is none.
+ * The nearest valid value of a field, or undefined if there is none.
  * @param {FieldName} field
  * @param {unknown} value
  */
 export function cleanField(field, value) {
     const { [field]: found } = TABLE;
     if (value === null && found.optional) return null;
-    // A view has what is below its precision only where there is something.
+    // Drop the view's rounding remainders if both are 0.
     if (field === 'view') return viewOf(nearest(found, typeof value === 'object' ? { fx: 0, fy: 0, ...value } : value));
     return nearest(found, value);
 }
 
 /**
- * What is wrong with a value of a field, in words: it is out of its range, so that the nearest value was taken, or it is
- * no value of the field at all.
+ * The problem with a value of a field, in words: the value is out of range and was replaced by the nearest valid one,
+ * or the value is invalid.
  * @param {FieldName} field
  * @param {unknown} value
  * @returns {string | null}
@@ -81,8 +81,8 @@ export function problemOf(field, value) {
 }
 
 /**
- * A valid state from values of unknown origin: each field is the nearest valid value, or `base`'s where there is none.
- * Unknown fields are left out.
+ * A valid state from untrusted values: each field becomes its nearest valid value, or the value of `base` if there is
+ * none. Unknown fields are ignored.
  * @param {object} values
  * @param {Readonly<State>} [base]
  * @returns {State}
@@ -99,7 +99,7 @@ export function clean(values, base = DEFAULTS) {
 }
 
 /**
- * What the worker, files and the gallery know of a state: all but the view and the camera.
+ * The part of a state that the worker, files and the gallery use: everything but the view and the camera.
  * @param {Readonly<State>} state
  * @returns {Definition}
  */
@@ -118,7 +118,7 @@ export function same(a, b) {
 }
 
 /**
- * Whether two states draw the same system, whatever their views and captions.
+ * Whether two states are equal but for their view and camera.
  * @param {Readonly<State>} a
  * @param {Readonly<State>} b
  */
@@ -136,7 +136,7 @@ export function sameDrawing(a, b) {
 }
 
 /**
- * The nearest value in a range, or undefined where there is none.
+ * The nearest value in a range, or undefined if there is none.
  * @param {Range} range
  * @param {unknown} value
  * @returns {any}
@@ -169,7 +169,7 @@ function nearest(range, value) {
     }
 }
 
-/** The list, where it has no gap. @param {unknown[]} list */
+/** The list, or undefined if an element is undefined. @param {unknown[]} list */
 function all(list) {
     return list.includes(undefined) ? undefined : list;
 }
@@ -181,7 +181,7 @@ function viewOf(view) {
 }
 
 /**
- * Whether a value is what was taken for it, but for letter case and line ends.
+ * Whether a value equals its cleaned value, apart from letter case and line ends.
  * @param {unknown} value
  * @param {unknown} taken
  * @returns {boolean}

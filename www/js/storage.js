@@ -1,34 +1,34 @@
-/** What the browser keeps for this page, where it keeps anything: private windows and sandboxed frames refuse. */
+/** The browser's storage for this page. Private windows and sandboxed frames may refuse storage. */
 
-/** @typedef {ReturnType<typeof createStorage>} Keeper */
+/** @typedef {ReturnType<typeof createStorage>} SafeStorage */
 
-/** Longer entries are not read, in UTF-16 units: no browser keeps more for a site, and others may have written there. */
+/** Longer entries are not read, in UTF-16 units. No browser stores more per site, and other pages may write there. */
 const LONGEST = 5 << 20;
 
-/** Other pages of the same host share the storage. */
+/** The prefix of keys, because pages of the same host share the storage. */
 const PREFIX = 'l-systems:';
 
 /**
- * @param {() => Storage} area throws where it is refused
+ * @param {() => Storage} area throws if the browser refuses
  */
 export function createStorage(area) {
     /** @type {Storage | null} */
     let storage = null;
     try {
         storage = area();
-        // Some browsers hand out a storage that then refuses every entry.
+        // Some browsers return a storage that refuses every entry.
         storage.setItem(`${PREFIX}probe`, '');
         storage.removeItem(`${PREFIX}probe`);
     } catch {
-        // A storage that is only full still gives what it holds.
+        // A full storage can still be read.
         if (!storage?.length) storage = null;
     }
 
     return {
-        /** Whether anything can be kept at all. */
+        /** Whether anything can be stored. */
         available: storage !== null,
 
-        /** @param {string} key @returns {unknown} undefined where there is nothing that can be read */
+        /** @param {string} key @returns {unknown} undefined if there is no valid entry */
         read(key) {
             try {
                 const text = storage?.getItem(PREFIX + key) ?? '';
@@ -38,7 +38,7 @@ export function createStorage(area) {
             }
         },
 
-        /** @param {string} key @param {unknown} value @returns {boolean} whether it is kept: there may be no room */
+        /** @param {string} key @param {unknown} value @returns {boolean} whether the value is stored: the storage may be full */
         write(key, value) {
             try {
                 storage?.setItem(PREFIX + key, JSON.stringify(value));

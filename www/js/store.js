@@ -1,4 +1,4 @@
-/** The one place where the state is kept and changed. */
+/** The store: the only place where the state changes. */
 
 import { EMPTY, record, redo, settle, undo } from './history.js';
 import { FIELDS, clean, same, sameSystem } from './state.js';
@@ -7,26 +7,26 @@ import { FIELDS, clean, same, sameSystem } from './state.js';
 /** @typedef {ReturnType<typeof createStore>} Store */
 /** @typedef {(state: Readonly<State>, before: Readonly<State>) => void} Listener */
 
-/** @param {State} initial @param {State} [from] what Reset returns to, where it is something else */
+/** @param {State} initial @param {State} [from] what Reset returns to, if not the initial state */
 export function createStore(initial, from = initial) {
     /** @type {Readonly<State>} */
     let state = clean(initial);
-    /** What Reset returns to: the system as it was picked or opened. @type {Readonly<State>} */
+    /** What Reset returns to: the system as picked or opened. @type {Readonly<State>} */
     let origin = clean(from);
     let history = EMPTY;
     /** @type {Listener[]} */
     const listeners = [];
 
     /** @param {Readonly<State>} next */
-    function become(next) {
+    function setState(next) {
         const before = state;
         state = next;
         for (const listener of listeners) listener(state, before);
     }
 
     /**
-     * Changes some fields; undo takes it back. Quick changes with the same label are one, and those of a drag, whose
-     * label starts with `drag `, until it is settled.
+     * Changes some fields; undo reverts them. Quick changes with the same label become one undo step. So do all changes
+     * of a drag, whose label starts with `drag `, until `settle` is called.
      * @param {Partial<State>} patch
      * @param {string} label
      */
@@ -35,7 +35,7 @@ export function createStore(initial, from = initial) {
         const changed = FIELDS.filter((field) => !same(state[field], next[field]));
         if (changed.length === 0) return;
         history = record(history, state, Object.fromEntries(changed.map((field) => [field, next[field]])), label, Date.now());
-        become(next);
+        setState(next);
     }
 
     return {
@@ -65,46 +65,46 @@ export function createStore(initial, from = initial) {
         reset: () => change({ ...origin }, ''),
 
         /**
-         * Moves the view, which is no step to undo.
+         * Sets the view, without an undo step.
          * @param {import('./state.js').View | null} view
          */
-        look(view) {
+        setView(view) {
             const next = clean({ ...state, view }, state);
-            if (!same(next.view, state.view)) become(next);
+            if (!same(next.view, state.view)) setState(next);
         },
 
         /**
-         * Looks at a drawing in space from elsewhere, which is no step to undo.
+         * Sets the camera of a drawing in space, without an undo step.
          * @param {import('./state.js').Camera | null} camera
          */
-        aim(camera) {
+        setCamera(camera) {
             const next = clean({ ...state, camera }, state);
-            if (!same(next.camera, state.camera)) become(next);
+            if (!same(next.camera, state.camera)) setState(next);
         },
 
         /**
-         * Opens another system: one step to undo, and what Reset returns to.
+         * Opens another system as one undo step. Reset then returns to this system.
          * @param {object} values
-         * @param {object} [from] what Reset returns to, where it is something else
+         * @param {object} [from] what Reset returns to, if not these values
          */
         open(values, from = values) {
             const next = clean(values);
             const origins = { before: origin, after: clean(from) };
             history = record(settle(history), state, next, '', Date.now(), origins);
             origin = origins.after;
-            become(next);
+            setState(next);
         },
 
         /**
-         * Changes fields here and in what Reset returns to, without a step to undo: the page's own doing.
+         * Changes fields of the state and of the state that Reset returns to, without an undo step.
          * @param {Partial<State>} patch
          */
-        dress(patch) {
+        changeOrigin(patch) {
             origin = clean({ ...origin, ...patch }, origin);
-            become(clean({ ...state, ...patch }, state));
+            setState(clean({ ...state, ...patch }, state));
         },
 
-        /** Ends a gesture: the next change is a step of its own. */
+        /** Ends a gesture: the next change is a new undo step. */
         settle() {
             history = settle(history);
         },
@@ -114,7 +114,7 @@ export function createStore(initial, from = initial) {
             if (!step) return false;
             history = step.history;
             origin = step.origin ?? origin;
-            become({ ...state, ...step.patch });
+            setState({ ...state, ...step.patch });
             return true;
         },
 
@@ -123,7 +123,7 @@ export function createStore(initial, from = initial) {
             if (!step) return false;
             history = step.history;
             origin = step.origin ?? origin;
-            become({ ...state, ...step.patch });
+            setState({ ...state, ...step.patch });
             return true;
         },
     };

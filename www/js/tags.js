@@ -1,8 +1,8 @@
-/** What systems of the gallery can be filtered by. Pure functions. */
+/** The tags by which gallery systems are filtered. Pure functions. */
 
-/** @typedef {{kinds: string[], solid: boolean, memoised: boolean, blocks: number}} Sorts */
+/** @typedef {{kinds: string[], solid: boolean, memoised: boolean, blocks: number}} Facts */
 
-/** All tags, and what they mean. */
+/** All tags, with their meanings. */
 export const TAGS = Object.freeze({
     deterministic: 'No randomness',
     stochastic: 'Productions are chosen at random',
@@ -10,13 +10,13 @@ export const TAGS = Object.freeze({
     parametric: 'Symbols have parameters',
     '2D': 'Drawn in the plane',
     '3D': 'Drawn in space',
-    'reusable parts': 'Equal parts are drawn once: any number of iterations',
-    'expanded in full': 'Every symbol is drawn by itself: memory limits the iterations',
+    'reusable parts': 'Equal parts are drawn once, so many iterations are possible',
+    'expanded in full': 'Every symbol is drawn separately, so memory limits the iterations',
 });
 
 /**
  * The tags of a system, in the order of TAGS.
- * @param {Sorts} sorts
+ * @param {Facts} facts
  */
 export function tagsOf({ kinds, solid, memoised }) {
     const own = [...kinds, solid ? '3D' : '2D', memoised ? 'reusable parts' : 'expanded in full'];
@@ -24,35 +24,35 @@ export function tagsOf({ kinds, solid, memoised }) {
 }
 
 /**
- * How its drawing is made, in a few words.
- * @param {Sorts} sorts
+ * How the drawing of a system is made, in a few words.
+ * @param {Facts} facts
  */
 export function makingOf({ memoised, blocks }) {
     if (!memoised) return 'expanded in full';
     return blocks === 1 ? 'one part' : `${blocks} reusable parts`;
 }
 
-/** A system has one of each of these: who chooses one gives up the other. */
-const EITHER = [
+/** Pairs of tags that exclude each other. */
+const EXCLUSIVE = [
     ['2D', '3D'],
     ['reusable parts', 'expanded in full'],
 ];
 
 /**
- * The chosen tags with one more, or without it if it was chosen.
+ * Adds a tag to the chosen tags, or removes it.
  * @param {ReadonlySet<string>} chosen
  * @param {string} tag
  * @returns {Set<string>}
  */
 export function choose(chosen, tag) {
     if (chosen.has(tag)) return new Set([...chosen].filter((each) => each !== tag));
-    const rivals = EITHER.find((pair) => pair.includes(tag)) ?? [];
+    const rivals = EXCLUSIVE.find((pair) => pair.includes(tag)) ?? [];
     return new Set([...[...chosen].filter((each) => !rivals.includes(each)), tag]);
 }
 
 /**
- * How many of these have all the chosen tags.
- * @param {readonly string[][]} tagged the tags of each
+ * How many systems have all the chosen tags.
+ * @param {readonly string[][]} tagged the tags of each system
  * @param {ReadonlySet<string>} chosen
  */
 export function count(tagged, chosen) {

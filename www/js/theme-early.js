@@ -1,7 +1,7 @@
-// Classic and first, so that the page is never painted in the other theme.
+// A classic script that runs first, so that the page is never painted in the wrong theme.
 try {
     const kept = localStorage.getItem('theme');
     if (kept === 'light' || kept === 'dark') document.documentElement.dataset.theme = kept;
 } catch {
-    // Storage is refused in some frames; the system's theme serves.
+    // Some frames refuse storage; use the system's theme.
 }

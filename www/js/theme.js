@@ -1,4 +1,4 @@
-/** Light and dark: the system's choice until the reader makes one. */
+/** The light and dark theme: the system's choice until the reader chooses. */
 
 import { button } from './dom.js';
 
@@ -20,7 +20,7 @@ export function themeButton(changed) {
         try {
             localStorage.setItem('theme', next);
         } catch {
-            // Not kept, then; it holds until the page is closed.
+            // Without storage, the choice holds until the page is closed.
         }
         show();
         changed(next);

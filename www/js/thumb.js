@@ -1,23 +1,23 @@
-/** Small pictures of systems, on cards. */
+/** Thumbnails: small pictures of systems on cards. */
 
 import { make } from './dom.js';
 
 /** @typedef {import('./state.js').Definition} Definition */
 
-/** A picture that is still to be made. */
+/** A thumbnail that is not drawn yet. */
 export const emptyThumb = () => make('canvas', { class: 'thumb', width: '1', height: '1', 'aria-hidden': 'true' });
 
 /**
- * Draws a system; fails where that stops the worker, or where there is none.
+ * Draws a system; throws if the worker stops or is missing.
  * @param {HTMLCanvasElement} picture
  * @param {import('./engine.js').Engine} engine
  * @param {Definition} definition
  * @param {number} side in CSS pixels
- * @param {() => boolean} [wanted] asked when it is drawn
+ * @param {() => boolean} [wanted] whether to show the finished picture
  */
 export async function paintThumb(picture, engine, definition, side, wanted = () => true) {
     const pixels = Math.round(side * Math.min(2, devicePixelRatio || 1));
-    // Lines that are right for a whole page hide a small plant.
+    // Minimum line widths for a full page would cover a small plant.
     const bitmap = await engine.thumb({ ...definition, minWidth: Math.min(definition.minWidth, 1) }, pixels, pixels);
     if (!bitmap) return;
     if (!wanted()) return bitmap.close();

@@ -1,9 +1,9 @@
 /**
- * Colours of texts. The core says what each UTF-16 unit of a text is, as a letter; here the letters of a line become
- * spans. Pure functions.
+ * Syntax highlighting. The core classifies each UTF-16 unit of a text by a letter; this module turns the letters of a
+ * line into coloured spans. Pure functions.
  */
 
-/** By the core's letter (`Class` in `classes.rs`); what is not here has no tint. @type {Record<string, string>} */
+/** Tints by the core's class letters (crates/lsystem-wasm/src/notation.rs); other letters have no tint. @type {Record<string, string>} */
 const TINTS = {
     c: 'comment',
     h: 'heading',
@@ -38,13 +38,13 @@ export function spansOf(letters) {
 }
 
 /**
- * Letters for a text that was edited, until the core has read it: what stays keeps its letters, what is new has those
- * of what it stands behind.
+ * Letters for an edited text, until the core has classified it: unchanged units keep their letters, and inserted units
+ * get the letter of the unit before them.
  * @param {string} letters
- * @param {string} before the text they belong to
+ * @param {string} before the text of the letters
  * @param {string} after
  */
-export function carried(letters, before, after) {
+export function carryOver(letters, before, after) {
     if (letters.length !== before.length) return '_'.repeat(after.length);
     const { head, tail } = edit(before, after);
     const fresh = after.length - tail - head;
@@ -67,7 +67,7 @@ export function edit(before, after) {
 }
 
 /**
- * The tint of a symbol of a string, if it has one.
+ * The tint of a symbol in the string view, or ''.
  * @param {string} symbol
  */
 export function tintOf(symbol) {

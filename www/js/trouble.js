@@ -1,13 +1,13 @@
 /**
- * What stopped the drawing, in plain words, with what the reader can do: a note on the stage that goes as soon as it
- * holds no longer.
+ * The note on the stage that says why the drawing stopped and what the reader can do. The note disappears when the
+ * trouble is over.
  */
 
 import { announce } from './announce.js';
 import { button, html, setText } from './dom.js';
 
 /** @typedef {import('./engine.js').Trouble} Trouble */
-/** `held`: a drawing that stopped before and was not started this time. @typedef {Trouble['how'] | 'held'} Kind */
+/** `held`: a drawing that stopped on an earlier visit and was not started this time. @typedef {Trouble['how'] | 'held'} Kind */
 
 /** @type {Record<Kind, string>} */
 const WORDS = {
@@ -19,11 +19,11 @@ const WORDS = {
     held: 'This system could not be drawn before, so it was not started. Change it, or draw it anyway.',
 };
 
-/** What a question that stopped the worker is told of as. */
-export const QUESTION = 'This detail of the drawing could not be read: reading it stopped answering.';
+/** The message for a question that stopped the worker. */
+export const QUESTION = 'This detail of the drawing could not be read, because the drawing engine stopped answering.';
 
 /**
- * @param {{back: () => void, again: () => void}} page goes back to the last drawing, or tries the one that stopped
+ * @param {{back: () => void, again: () => void}} page `back` returns to the last drawing, `again` retries the drawing
  */
 export function createTrouble({ back, again }) {
     const note = html('trouble');

@@ -1,4 +1,4 @@
-/** Arithmetic of looking: pan, zoom, and where an old picture stands in a new view. Pure functions. */
+/** Views in the plane: pan, zoom, and the position of an old picture in a new view. Pure functions. */
 
 import { rangeOf } from './state.js';
 
@@ -6,7 +6,7 @@ import { rangeOf } from './state.js';
 
 const ZOOM = rangeOf('view', 'zoom');
 
-/** Below this magnification a single number says a place to well under a pixel. */
+/** Below this zoom the rounding remainders are far less than a pixel and are dropped. */
 const COARSE = 1e6;
 
 /** @type {Readonly<View>} */
@@ -26,7 +26,7 @@ export function pan(view, dx, dy, scale) {
 }
 
 /**
- * The view after zooming about a point that stays where it is.
+ * The view after zooming about a fixed point.
  * @param {View} view
  * @param {number} factor
  * @param {number} px CSS pixels right of the canvas's centre
@@ -41,8 +41,8 @@ export function zoomAt(view, factor, px, py, scale) {
 }
 
 /**
- * The view with its centre moved. A centre is the sum of two numbers, `x` and `fx`, `y` and `fy`: where a drawing is
- * 10^19 steps wide, one has no digits left for a single step.
+ * The view with its centre moved. A centre is the sum of two numbers, `x + fx` and `y + fy`: in a drawing 10^19 steps
+ * wide, one number is too coarse for a single step.
  * @param {View} view
  * @param {number} dx
  * @param {number} dy
@@ -57,7 +57,7 @@ function moved({ x, y, fx = 0, fy = 0 }, dx, dy, zoom) {
 }
 
 /**
- * `high + low + value` as a number and what that leaves (Knuth's two-sum).
+ * `high + low + value` as a number and its rounding remainder (Knuth's two-sum).
  * @param {number} high
  * @param {number} low
  * @param {number} value
@@ -71,7 +71,7 @@ function sum(high, low, value) {
 }
 
 /**
- * The view on the way from one to another, at `t` from 0 to 1: a zoom about the point that both share, or a pan.
+ * Interpolates between two views, at `t` from 0 to 1: a zoom about the point that both views share, or a pan.
  * @param {View} from
  * @param {View} to
  * @param {number} t
@@ -81,29 +81,29 @@ export function between(from, to, t) {
     const zoom = from.zoom * (to.zoom / from.zoom) ** t;
     const whole = 1 / from.zoom - 1 / to.zoom;
     const left = Math.abs(whole) < 1e-9 / from.zoom ? 1 - t : (1 / zoom - 1 / to.zoom) / whole;
-    const [dx, dy] = way(to, from);
+    const [dx, dy] = offset(to, from);
     return moved(to, dx * left, dy * left, zoom);
 }
 
 /**
- * Where a picture that was drawn for one view stands in another: CSS pixels right and down, and a factor, about the
- * canvas's centre.
+ * The position of a picture, drawn for one view, in another view: CSS pixels right and down, and a scale factor about
+ * the canvas's centre.
  * @param {View} drawn
  * @param {View} view
  * @param {number} scale CSS pixels per fitted extent at zoom 1
  */
 export function placement(drawn, view, scale) {
     const pixels = scale * view.zoom;
-    const [dx, dy] = way(view, drawn);
+    const [dx, dy] = offset(view, drawn);
     return { x: dx * pixels, y: -dy * pixels, factor: view.zoom / drawn.zoom };
 }
 
 /**
- * From one centre to another.
+ * The offset from one centre to another.
  * @param {View} from
  * @param {View} to
  * @returns {[number, number]}
  */
-function way(from, to) {
+function offset(from, to) {
     return [to.x - from.x + ((to.fx ?? 0) - (from.fx ?? 0)), to.y - from.y + ((to.fy ?? 0) - (from.fy ?? 0))];
 }

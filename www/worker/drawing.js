@@ -1,38 +1,38 @@
-/** The drawing that the page shows. */
+/** The drawing on the page. */
 
 import { STEP_MS, page } from './page.js';
 
 /** @typedef {wasm_bindgen.Playground} Playground */
-/** @typedef {import('../js/protocol.js').Sight} Sight */
+/** @typedef {import('../js/protocol.js').ViewMessage} ViewMessage */
 /** @typedef {import('./page.js').Inbox} Inbox */
 /** @typedef {import('./page.js').Step} Step */
 
 /**
- * The newest state and view: takes them up, makes pictures of them, and tells the page of both.
+ * Draws the newest definition and view, and reports both to the page.
  * @param {object} worker
  * @param {Playground} worker.playground
  * @param {OffscreenCanvas} worker.canvas
  * @param {Inbox} worker.inbox
  */
 export function createDrawing({ playground, canvas, inbox }) {
-    /** What is not shown after this time is superseded by what is newer. */
+    /** A state that is not shown after this time is superseded by a newer one. */
     const PATIENCE_MS = 250;
-    /** What is taken up. @type {{define: Inbox['define'], view: Inbox['view']}} */
+    /** The messages being drawn. @type {{define: Inbox['define'], view: Inbox['view']}} */
     const at = { define: null, view: null };
-    /** The last good state, which pictures are of. @type {import('../js/protocol.js').Definition | null} */
+    /** The last valid definition, which pictures show. @type {import('../js/protocol.js').Definition | null} */
     let definition = null;
     /** How many segments are shown; null for all. @type {bigint | null} */
     let upto = null;
-    /** Counts what is taken up. */
-    let number = 0;
-    /** Whether the newest definition can be drawn; what is still in the making otherwise belongs to the one before. */
+    /** Counts the states taken up. */
+    let revision = 0;
+    /** Whether the newest definition can be drawn; otherwise the playground still draws the one before. */
     let ok = true;
-    /** When what is not shown yet was begun; null once it is. @type {number | null} */
+    /** When the current state was begun; null once its picture is shown. @type {number | null} */
     let begun = null;
-    /** Whether the picture just shown is one of many while things move. */
+    /** Whether the last picture was made while the drawing moves. */
     let moving = false;
     /** Whether the last step left nothing to draw. */
-    let rested = true;
+    let wasIdle = true;
     const tellAt = onChange((/** @type {number} */ define, /** @type {number} */ view, /** @type {number} */ question) => page.postMessage({ type: 'at', define, view, question }));
     const tellDone = onChange((/** @type {number} */ id, /** @type {number} */ viewId) => page.postMessage({ type: 'done', id, viewId }));
     const ids = () => /** @type {const} */ ([at.define?.id ?? 0, at.view?.id ?? 0]);
@@ -41,14 +41,14 @@ export function createDrawing({ playground, canvas, inbox }) {
     function take(newest, act) {
         upto = newest.upto;
         tellAt(...ids(), 0);
-        rested = false;
+        wasIdle = false;
         act();
         playground.play(upto ?? undefined);
-        number += 1;
+        revision += 1;
     }
 
     return {
-        /** The generation that is defined. */
+        /** The number of iterations of the drawn definition. */
         get iterations() {
             return definition?.iterations ?? 0;
         },
@@ -56,11 +56,11 @@ export function createDrawing({ playground, canvas, inbox }) {
             return moving;
         },
 
-        shown: () => ({ number, state: definition && at.view && { definition, view: at.view, upto } }),
+        shown: () => ({ revision, state: definition && at.view && { definition, view: at.view, upto } }),
 
         /**
-         * Takes up the newest state and view, unless what is in the making may finish first.
-         * @returns {import('../js/protocol.js').Report | null} what is known so far of a new definition
+         * Takes up the newest definition and view, unless the current picture may finish first.
+         * @returns {import('../js/protocol.js').Report | null} the first report on a new definition
          */
         takeUp() {
             /** @type {import('../js/protocol.js').Report | null} */
@@ -82,14 +82,14 @@ export function createDrawing({ playground, canvas, inbox }) {
                     take(view, () => lookAt(playground, view));
                 }
             }
-            if (!rested) tellAt(...ids(), 0);
+            if (!wasIdle) tellAt(...ids(), 0);
             return report;
         },
 
         /**
-         * @param {import('../js/protocol.js').Report | null} first what is known so far of a new definition; most drawings are built in this step, and
-         *   then the page is told once
-         * @returns {boolean} whether there is nothing more to do
+         * @param {import('../js/protocol.js').Report | null} first the first report on a new definition; most drawings are built in this step, and
+         *   then the page gets one report
+         * @returns {boolean} whether nothing is left to do
          */
         step(first) {
             /** @type {Step} */
@@ -104,18 +104,18 @@ export function createDrawing({ playground, canvas, inbox }) {
                 const { complete, scale, rough, slow } = drawn;
                 page.postMessage({ type: 'drawn', id, viewId, complete, scale, rough, slow, bitmap, pose: poseAt(playground, upto) }, [bitmap]);
             }
-            // The page need not wait for a picture, be it that there can be none.
+            // Tell the page not to wait for more pictures, even if there was none.
             if (idle && at.view) tellDone(id, viewId);
-            rested = idle;
+            wasIdle = idle;
             return idle;
         },
 
-        /** Tells the page what comes next, so that it knows what to give up if this worker stops over it. @param {number} question its id, or 0 for the drawing */
+        /** Tells the page the next task, so that the page can give that task up if this worker stops. @param {number} question the question's id, or 0 for the drawing */
         tellAt: (question) => tellAt(...ids(), question),
     };
 }
 
-/** The turtle's pose behind the segments that are shown, or before the first. @param {Playground} playground @param {bigint | null} upto @returns {import('../js/protocol.js').Pose | null} */
+/** The turtle's pose after the last shown segment, or before the first one. @param {Playground} playground @param {bigint | null} upto @returns {import('../js/protocol.js').Pose | null} */
 function poseAt(playground, upto) {
     if (upto === null) return null;
     const began = upto > 0n;
@@ -126,7 +126,7 @@ function poseAt(playground, upto) {
     return { at: began ? to : from, fitted: began ? fittedTo : fittedFrom, heading, level };
 }
 
-/** Calls only with other numbers than the last time. @template {number[]} Numbers @param {(...numbers: Numbers) => void} act @returns {(...numbers: Numbers) => void} */
+/** Calls `act` only if the numbers have changed. @template {number[]} Numbers @param {(...numbers: Numbers) => void} act @returns {(...numbers: Numbers) => void} */
 function onChange(act) {
     let last = '';
     return (...numbers) => {
@@ -137,7 +137,7 @@ function onChange(act) {
     };
 }
 
-/** @param {Playground} playground @param {Sight} sight */
+/** @param {Playground} playground @param {ViewMessage} message */
 export function lookAt(playground, { width, height, ratio, view, camera }) {
     playground.view(width, height, ratio, view.x, view.y, view.zoom, view.fx ?? 0, view.fy ?? 0);
     if (camera) playground.camera(camera.azimuth, camera.elevation, camera.zoom, camera.x, camera.y, camera.z, camera.perspective, camera.fade);

@@ -1,4 +1,4 @@
-/** Files that are read and written. */
+/** Reads and writes files. */
 
 import { STEP_MS, page } from './page.js';
 
@@ -8,7 +8,7 @@ import { STEP_MS, page } from './page.js';
 /** @template {Asked} [T=Asked] @typedef {import('../js/protocol.js').Answer<T>} Answer */
 
 /**
- * Files, which are read and written. They are made one after another: each may take all the memory that there is for one.
+ * Reads and writes files. Files are written one after another, because each may take all the memory reserved for files.
  * @param {object} worker
  * @param {Playground} worker.playground
  * @param {(action: () => void) => void} worker.guard
@@ -16,27 +16,27 @@ import { STEP_MS, page } from './page.js';
  * @param {(question: number) => void} worker.tellAt
  */
 export function createFiles({ playground, guard, wake, tellAt }) {
-    /** The file being made, and those asked for after it; and how many those are. */
-    let saving = Promise.resolve();
-    let unsaved = 0;
+    /** The queue of files to write, and its length. */
+    let queue = Promise.resolve();
+    let queued = 0;
 
-    /** Makes a file after those before it. @param {number} id @param {() => Promise<void>} answered */
-    function save(id, answered) {
-        unsaved += 1;
-        saving = saving.then(async () => {
+    /** Writes a file after those before it. @param {number} id @param {() => Promise<void>} write */
+    function enqueue(id, write) {
+        queued += 1;
+        queue = queue.then(async () => {
             tellAt(id);
-            await answered();
-            unsaved -= 1;
+            await write();
+            queued -= 1;
             wake();
         });
     }
 
     /**
-     * Answers a question whose answer takes others' time as well.
+     * Sends an answer that is made asynchronously.
      * @template {Answer} A
-     * @param {Promise<A>} work @param {(reason: string | null) => A} failed the answer where it fails
+     * @param {Promise<A>} work @param {(reason: string | null) => A} failed makes the answer if the work fails
      */
-    async function later(work, failed) {
+    async function sendLater(work, failed) {
         try {
             page.postMessage(await work);
         } catch (error) {
@@ -54,21 +54,21 @@ export function createFiles({ playground, guard, wake, tellAt }) {
         return { type, id, ...found, text: found.diagnostics.length > 0 ? textOf(bytes) : null };
     }
 
-    /** Goes through the steps of a file. @param {number} id @param {() => boolean} step whether it was the last */
-    async function inSteps(id, step) {
+    /** Runs all steps of a file, with pauses for messages. @param {number} id @param {() => boolean} step returns whether it was the last */
+    async function runSteps(id, step) {
         while (!step()) {
             await new Promise((resolve) => setTimeout(resolve));
             tellAt(id);
         }
     }
 
-    /** A file, whose pieces leave the memory of the wasm as they are written. @param {Question<'export'>} question @returns {Promise<Answer<'export'>>} */
-    async function written({ type, id, format }) {
+    /** Exports a file; each writeExport piece leaves the wasm memory at once. @param {Question<'export'>} question @returns {Promise<Answer<'export'>>} */
+    async function writeExport({ type, id, format }) {
         const file = playground.export(format);
         /** @type {Blob[]} */
         const pieces = [];
         try {
-            await inSteps(id, () => {
+            await runSteps(id, () => {
                 const done = file.step(STEP_MS);
                 pieces.push(new Blob([/** @type {Uint8Array<ArrayBuffer>} */ (file.take())]));
                 return done;
@@ -77,22 +77,22 @@ export function createFiles({ playground, guard, wake, tellAt }) {
             const { complete, diagnostics } = file.report();
             return { type, id, blob: complete ? new Blob(pieces) : null, diagnostics };
         } finally {
-            // No drawing is made as long as it is there.
+            // Drawings wait until the file is freed.
             file.free();
         }
     }
 
-    /** A PNG file that carries its system, so that it can be opened again. @param {Question<'png'>} question @returns {Promise<Answer<'png'>>} */
-    async function tagged({ type, id, width, height, definition }) {
-        const sheet = new OffscreenCanvas(1, 1);
-        const picture = playground.snapshot(sheet, width, height);
+    /** Writes a PNG file that stores its system, so that the file can be opened again. @param {Question<'png'>} question @returns {Promise<Answer<'png'>>} */
+    async function writePng({ type, id, width, height, definition }) {
+        const canvas = new OffscreenCanvas(1, 1);
+        const picture = playground.snapshot(canvas, width, height);
         try {
-            await inSteps(id, () => picture.step(STEP_MS));
+            await runSteps(id, () => picture.step(STEP_MS));
         } finally {
-            // Its pixels are on the sheet, and no drawing is made as long as it is there.
+            // The canvas has the pixels, and drawings wait until the picture is freed.
             picture.free();
         }
-        const plain = await sheet.convertToBlob({ type: 'image/png' });
+        const plain = await canvas.convertToBlob({ type: 'image/png' });
         const bytes = new Uint8Array(await plain.arrayBuffer());
         tellAt(id);
         const file = /** @type {Uint8Array<ArrayBuffer>} */ (wasm_bindgen.tag_png(bytes, definition));
@@ -100,29 +100,29 @@ export function createFiles({ playground, guard, wake, tellAt }) {
     }
 
     return {
-        /** Whether none is being made. */
-        get rest() {
-            return unsaved === 0;
+        /** Whether no file is being written. */
+        get idle() {
+            return queued === 0;
         },
 
         /** @param {Question<'read' | 'export' | 'png'>} question */
         answer(question) {
             const { id } = question;
-            if (question.type === 'read') later(read(question), () => ({ type: 'read', id, definition: null, diagnostics: [], text: null }));
-            else if (question.type === 'export') save(id, () => later(written(question), () => ({ type: 'export', id, blob: null, diagnostics: [] })));
-            else save(id, () => later(tagged(question), (reason) => ({ type: 'png', id, blob: null, reason })));
+            if (question.type === 'read') sendLater(read(question), () => ({ type: 'read', id, definition: null, diagnostics: [], text: null }));
+            else if (question.type === 'export') enqueue(id, () => sendLater(writeExport(question), () => ({ type: 'export', id, blob: null, diagnostics: [] })));
+            else enqueue(id, () => sendLater(writePng(question), (reason) => ({ type: 'png', id, blob: null, reason })));
         },
     };
 }
 
-/** A file as text, where people can read it: in UTF-8, or in UTF-16, as programs of Windows write it. @param {Uint8Array} bytes */
+/** The text of a readable file, in UTF-8, or in UTF-16, which some Windows programs write; null for other files. @param {Uint8Array} bytes */
 function textOf(bytes) {
-    /** Longer files are not shown to their reader, in bytes. */
+    /** Longer files are not shown as text, in bytes. */
     const LONGEST_TEXT = 1 << 20;
     if (bytes.length > LONGEST_TEXT) return null;
     const [first, second] = bytes;
     const mark = first === 0xff && second === 0xfe ? 'utf-16le' : first === 0xfe && second === 0xff ? 'utf-16be' : 'utf-8';
     const text = new TextDecoder(mark).decode(bytes);
-    // What a picture carries is not to be read by people.
+    // SVG and PNG files are pictures, not text to read.
     return text.trim() !== '' && !/^\s*<|^.PNG/.test(text) ? text : null;
 }

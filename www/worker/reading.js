@@ -1,4 +1,4 @@
-/** What the page asks about the string and the segments. */
+/** Answers questions about the string and the segments. */
 
 /** @typedef {wasm_bindgen.Playground} Playground */
 /** @typedef {import('../js/protocol.js').Asked} Asked */
@@ -8,9 +8,9 @@
 /** @typedef {import('../js/protocol.js').Reading} Reading */
 
 /**
- * Questions about what the newest definition derives and draws.
+ * Answers questions about the newest definition's string and drawing.
  * @param {Playground} playground
- * @param {() => number} iterations the generation that is drawn
+ * @param {() => number} iterations the drawn generation
  */
 export function createReading(playground, iterations) {
     /** @type {{[T in Reading]: (question: Question<T>) => Questions[T]['answer']}} */

@@ -1,7 +1,7 @@
 /**
- * How the page's worker shares a picture in space that takes long with mates, workers of the same script. They hear from it
- * alone, through a port, and every pane that it hands out is answered, be it with nothing; what is not answered it makes itself.
- * Both sides of that stand here.
+ * How the main worker shares a slow picture in space with mates, workers of the same script. Mates talk only to the
+ * main worker, through a port, and answer every pane, even one that was not drawn. The main worker draws unanswered
+ * panes itself. Both sides stand here.
  */
 
 /** @typedef {import('../js/protocol.js').Pane} Pane */
@@ -9,60 +9,60 @@
 /** @typedef {import('../js/protocol.js').SharedState} SharedState */
 /** @typedef {import('../js/protocol.js').Channel<import('../js/protocol.js').ToMate, import('../js/protocol.js').FromMate> & {close: () => void}} PortToMate */
 /** @typedef {import('../js/protocol.js').Channel<import('../js/protocol.js').FromMate, import('../js/protocol.js').ToMate>} PortToMaster */
-/** One who helps: how many answers are owed, which state is known there, and the memory in bytes. @typedef {{port: PortToMate, owed: number, knows: number, memory: number}} Mate */
+/** A mate: how many answers it owes, the revision of the state that it has, and its memory in bytes. @typedef {{port: PortToMate, owed: number, knows: number, memory: number}} Mate */
 
 /**
- * The worker that hands out panes of its picture.
+ * The main worker, which hands out panes of its picture.
  * @param {object} worker
  * @param {OffscreenCanvas} worker.canvas
  * @param {wasm_bindgen.Playground} worker.playground
  * @param {(action: () => void) => void} worker.guard
  * @param {() => void} worker.wake
- * @param {() => {number: number, state: SharedState | null}} worker.shown what panes are of; its changes are counted
+ * @param {() => {revision: number, state: SharedState | null}} worker.shown the state that panes show, and its revision
  * @param {() => number} worker.memory of its wasm, in bytes
  */
 export function createSharing({ canvas, playground, guard, wake, shown, memory }) {
-    /** All workers together may have so much memory, in bytes. A mate needs about as much for a drawing as the worker it helps. */
+    /** The most wasm memory of all workers together, in bytes. A mate needs about as much for a drawing as the main worker. */
     const MOST_MEMORY = 512 << 20;
 
-    /** So many panes are handed to a mate before the first of them is answered: it need not wait while this worker is at a step. */
+    /** How many panes a mate may have at once, so that it need not wait while this worker runs a step. */
     const AHEAD = 2;
 
     /** @type {Mate[]} */
     let mates = [];
-    /** The panes that are handed out belong to this round; 0 without any. */
+    /** The round of the panes that are handed out; 0 for none. */
     let round = 0;
 
-    /** Hands out panes of the picture that is being made, if any; mates drop what is not wanted any more. */
+    /** Hands out panes of the current picture, if any; mates drop panes of older rounds. */
     function deal() {
         if (mates.length === 0) return;
         const now = playground.round;
         if (now === 0 && round !== 0) for (const { port } of mates) port.postMessage({ round: 0, pane: null, state: null });
         round = now;
         if (round === 0) return;
-        const { number, state } = shown();
+        const { revision, state } = shown();
         for (let most = 1; most <= AHEAD; most++) {
             for (const mate of mates) {
-                if (mate.owed >= most || !hasRoom(mate, number)) continue;
-                // What is left at the end is for who is free first.
+                if (mate.owed >= most || !hasRoom(mate, revision)) continue;
+                // Keep the last panes for workers that become free first.
                 const task = playground.handOut(most > 1 ? 2 * mates.length : 0);
                 if (!task) return;
-                mate.port.postMessage({ round, pane: paneOf(task), state: mate.knows === number ? null : state });
-                mate.knows = number;
+                mate.port.postMessage({ round, pane: paneOf(task), state: mate.knows === revision ? null : state });
+                mate.knows = revision;
                 mate.memory = Math.max(mate.memory, memory());
                 mate.owed += 1;
             }
         }
     }
 
-    /** @param {Float64Array} task as the wasm hands it out @returns {Pane} */
+    /** @param {Float64Array} task from the wasm @returns {Pane} */
     function paneOf([number = 0, x = 0, y = 0, width = 0, height = 0, budget = 0]) {
         return { number, x, y, width, height, budget };
     }
 
-    /** Whether a mate may build the newest drawing, if it has not yet. @param {Mate} mate @param {number} number of the state */
-    function hasRoom(mate, number) {
-        if (mate.knows === number) return true;
+    /** Whether the memory allows a mate to build the newest drawing. @param {Mate} mate @param {number} revision */
+    function hasRoom(mate, revision) {
+        if (mate.knows === revision) return true;
         const own = memory();
         return mates.reduce((sum, each) => sum + (each === mate ? Math.max(each.memory, own) : each.memory), own) <= MOST_MEMORY;
     }
@@ -82,8 +82,8 @@ export function createSharing({ canvas, playground, guard, wake, shown, memory }
     return {
         deal,
 
-        /** Has these mates from now on. @param {PortToMate[]} ports */
-        meet(ports) {
+        /** Sets the mates. @param {PortToMate[]} ports */
+        setMates(ports) {
             for (const { port } of mates) port.close();
             mates = ports.map((port) => ({ port, owed: 0, knows: -1, memory: 0 }));
             for (const mate of mates) mate.port.onmessage = ({ data }) => guard(() => receive(mate, data));
@@ -94,21 +94,21 @@ export function createSharing({ canvas, playground, guard, wake, shown, memory }
 }
 
 /**
- * A mate, which makes panes for another worker and does nothing else.
+ * A mate, which only draws panes for the main worker.
  * @param {object} worker
- * @param {PortToMaster} worker.master where to answer
+ * @param {PortToMaster} worker.master the port to the main worker
  * @param {wasm_bindgen.Playground} worker.playground
  * @param {() => void} worker.wake
- * @param {(sight: import('../js/protocol.js').Sight) => void} worker.lookAt
+ * @param {(message: import('../js/protocol.js').ViewMessage) => void} worker.lookAt
  * @param {() => number} worker.memory of its wasm, in bytes
  * @param {number} worker.stepMs
  */
 export function createMate({ master, playground, wake, lookAt, memory, stepMs }) {
-    /** What to make, in turn. @type {{round: number, pane: Pane}[]} */
+    /** The panes to draw, in turn. @type {{round: number, pane: Pane}[]} */
     const tasks = [];
-    /** Whether the first of them is begun. */
+    /** Whether the first task is begun. */
     let begun = false;
-    /** A state that was not yet acted on. @type {SharedState | null} */
+    /** A received state that the playground does not have yet. @type {SharedState | null} */
     let newState = null;
 
     master.onmessage = ({ data }) => {
@@ -118,7 +118,7 @@ export function createMate({ master, playground, wake, lookAt, memory, stepMs })
         wake();
     };
 
-    /** Answers the first of the tasks. @param {Outcome | null} outcome null where it was not made */
+    /** Answers the first task. @param {Outcome | null} outcome null if the pane was not drawn */
     function deliver(outcome) {
         const task = tasks.shift();
         begun = false;
@@ -127,7 +127,7 @@ export function createMate({ master, playground, wake, lookAt, memory, stepMs })
         master.postMessage({ ...task, made, memory: memory() }, made ? [made.pixels.buffer] : []);
     }
 
-    /** One step of the pane that is asked for. */
+    /** Draws one step of the first pane. */
     return function assist() {
         const [task] = tasks;
         if (!task) return;

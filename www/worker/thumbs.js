@@ -1,4 +1,4 @@
-/** Small pictures, for the gallery and the sheet of seeds. */
+/** Thumbnails for the gallery and the seed dialog. */
 
 import { STEP_MS, page } from './page.js';
 
@@ -8,28 +8,28 @@ import { STEP_MS, page } from './page.js';
 /** @typedef {import('./page.js').Step} Step */
 
 /**
- * Small pictures of other systems, made while there is nothing else to do, each by a playground that is there for it alone.
+ * Draws small pictures of other systems while nothing else is to do, each with a playground of its own.
  * @param {object} worker
  * @param {Playground} worker.playground
  * @param {Question<'thumb'>[]} worker.waiting
  * @param {(question: number) => void} worker.tellAt
  */
 export function createThumbs({ playground, waiting, tellAt }) {
-    /** A picture that takes more steps is shown as far as it came. */
+    /** After this many steps an unfinished picture is sent as it is. */
     const MOST_STEPS = 40;
-    /** The picture being made. @type {{request: Question<'thumb'>, easel: Playground, sheet: OffscreenCanvas, bitmap: ImageBitmap | null, steps: number} | null} */
+    /** The picture being drawn. @type {{request: Question<'thumb'>, small: Playground, canvas: OffscreenCanvas, bitmap: ImageBitmap | null, steps: number} | null} */
     let making = null;
 
     /** @param {Question<'thumb'>} request @returns {NonNullable<typeof making>} */
     function begin(request) {
         const { definition, width, height } = request;
         playground.forget();
-        const sheet = new OffscreenCanvas(1, 1);
-        const easel = wasm_bindgen.Playground.small(sheet);
+        const canvas = new OffscreenCanvas(1, 1);
+        const small = wasm_bindgen.Playground.small(canvas);
         /** @type {import('../js/protocol.js').Report} */
-        const { ok } = easel.define(definition);
-        easel.view(width, height, 1, 0, 0, 1, 0, 0);
-        return { request, easel, sheet, bitmap: null, steps: ok ? MOST_STEPS : 0 };
+        const { ok } = small.define(definition);
+        small.view(width, height, 1, 0, 0, 1, 0, 0);
+        return { request, small, canvas, bitmap: null, steps: ok ? MOST_STEPS : 0 };
     }
 
     return {
@@ -40,31 +40,31 @@ export function createThumbs({ playground, waiting, tellAt }) {
             return waiting.length > 0;
         },
 
-        /** Begins the picture again later. */
-        putOff() {
+        /** Drops the unfinished picture, to begin it again later. */
+        postpone() {
             if (!making) return;
             waiting.unshift(making.request);
-            making.easel.free();
+            making.small.free();
             making.bitmap?.close();
             making = null;
         },
 
-        /** One step of the picture that is made, or of the next. */
+        /** Draws one step of the current or next picture. */
         step() {
             const request = making?.request ?? waiting.shift();
             if (!request) return;
             tellAt(request.id);
             const thumb = (making ??= begin(request));
             /** @type {Step} */
-            const { drawn, idle } = thumb.steps > 0 ? thumb.easel.step(STEP_MS) : { report: null, drawn: null, idle: true };
+            const { drawn, idle } = thumb.steps > 0 ? thumb.small.step(STEP_MS) : { report: null, drawn: null, idle: true };
             thumb.steps -= 1;
             if (drawn) {
                 thumb.bitmap?.close();
-                thumb.bitmap = thumb.sheet.transferToImageBitmap();
+                thumb.bitmap = thumb.canvas.transferToImageBitmap();
             }
             if (!idle && !drawn?.complete && thumb.steps > 0) return;
             making = null;
-            thumb.easel.free();
+            thumb.small.free();
             page.postMessage({ type: 'thumb', id: request.id, bitmap: thumb.bitmap }, thumb.bitmap ? [thumb.bitmap] : []);
         },
     };

@@ -1,4 +1,4 @@
-/** The order of the worker's work. */
+/** The order of the worker's tasks. */
 
 import { STEP_MS, page } from './page.js';
 import { createReading } from './reading.js';
@@ -10,7 +10,7 @@ import { createReading } from './reading.js';
 /** @typedef {import('./page.js').Inbox} Inbox */
 
 /**
- * What there is to do, in its order: the drawing, then a question about it, then a small picture.
+ * Does the next task: first the drawing, then a question, then a small picture.
  * @param {object} worker
  * @param {Playground} worker.playground
  * @param {Inbox} worker.inbox
@@ -21,15 +21,15 @@ import { createReading } from './reading.js';
  * @param {() => void} worker.wake
  */
 export function createWork({ playground, inbox, drawing, sharing, files, thumbs, wake }) {
-    /** So long after a picture of what moves the next is waited for before a finer one is begun. */
+    /** After a picture of a moving drawing, wait this long for the next view before refining the picture. */
     const PAUSE_MS = 12;
-    /** Mates are looked after again after so long without an answer. */
+    /** Mates are checked again after this time without an answer. */
     const WAIT_MS = 40;
     const { questions } = inbox;
     const reading = createReading(playground, () => drawing.iterations);
     const hasNews = () => inbox.define !== null || inbox.view !== null;
 
-    /** Works towards what a question needs, for one step. @param {Question} question @returns {boolean} whether it can be answered */
+    /** Prepares a question's answer for one step. @param {Question} question @returns {boolean} whether the question can be answered */
     function canAnswer(question) {
         if (!reading.is(question)) return true;
         drawing.tellAt(question.id);
@@ -54,21 +54,21 @@ export function createWork({ playground, inbox, drawing, sharing, files, thumbs,
     }
 
     return function work() {
-        // A small picture shares its memory with drawings and files in the making: it begins again later.
-        if (hasNews() || questions.length > 0 || !files.rest) thumbs.putOff();
+        // A small picture shares its memory with unfinished drawings and files, so postpone it.
+        if (hasNews() || questions.length > 0 || !files.idle) thumbs.postpone();
         const report = drawing.takeUp();
         sharing.deal();
         const idle = drawing.step(report);
         sharing.deal();
-        // Questions are about the newest definition, whose drawing may still be in the making.
+        // Questions are about the newest definition, whose drawing may be unfinished.
         const isNewest = () => !hasNews() && playground.built;
         const [question] = isNewest() ? questions : [];
         if (question && canAnswer(question)) {
             questions.shift();
             answer(question);
         }
-        if (idle && questions.length === 0 && files.rest) thumbs.step();
-        if (hasNews() || (questions.length > 0 && isNewest()) || thumbs.making || (thumbs.waiting && files.rest)) wake();
+        if (idle && questions.length === 0 && files.idle) thumbs.step();
+        if (hasNews() || (questions.length > 0 && isNewest()) || thumbs.making || (thumbs.waiting && files.idle)) wake();
         else if (!idle) {
             const pause = drawing.moving ? PAUSE_MS : playground.waits ? WAIT_MS : 0;
             if (pause > 0) setTimeout(wake, pause);

@@ -1,10 +1,10 @@
 /**
- * The page's worker: keeps one Playground between edits and draws. The build puts the generated glue, which defines
- * `wasm_bindgen`, in front of it in one classic script, because a classic worker also starts from a blob.
+ * The page's worker: keeps one Playground between edits and draws. The build joins this script with the generated glue,
+ * which defines `wasm_bindgen`, in one classic script, because a classic worker can also start from a blob.
  *
- * It keeps only the newest `define` and `view` it has seen, works in steps of at most 8 ms, and returns to its event
- * loop between steps, so that newer input supersedes older. What it is at may finish first while it is quick, so that
- * there are pictures on the way of a long drag.
+ * The worker keeps only the newest `define` and `view`, works in steps of at most 8 ms, and returns to its event loop
+ * between steps, so that newer input supersedes older. The current picture may finish for a while, so that a long drag
+ * shows pictures on the way.
  */
 
 import { createDrawing, lookAt } from './drawing.js';
@@ -18,7 +18,7 @@ import { createWork } from './work.js';
 /** @template {Asked} [T=Asked] @typedef {import('../js/protocol.js').Question<T>} Question */
 /** @typedef {import('./page.js').Inbox} Inbox */
 
-/** Receives the page's messages, and works between them. */
+/** Receives the page's messages and works between them. */
 (() => {
     const canvas = new OffscreenCanvas(1, 1);
     const channel = new MessageChannel();
@@ -26,18 +26,18 @@ import { createWork } from './work.js';
     const inbox = { define: null, view: null, questions: [] };
     /** @type {Question<'thumb'>[]} */
     const thumbs = [];
-    /** Does the next of what there is to do; null until the wasm is there. @type {(() => void) | null} */
+    /** Does the next task; null until the wasm has started. @type {(() => void) | null} */
     let work = null;
-    /** Has these mates from now on. @type {(ports: MessagePort[]) => void} */
-    let meet = () => {};
+    /** Sets the mates. @type {(ports: MessagePort[]) => void} */
+    let setMates = () => {};
     let awake = false;
     let dead = false;
 
     page.onmessage = ({ data }) => {
-        // That this is answered shows that the worker comes back to its event loop.
+        // The answer shows that the worker returns to its event loop.
         if (data.type === 'ping') return page.postMessage({ type: 'pong' });
         if (data.type === 'init') return guard(() => start(data));
-        if (data.type === 'mates') return guard(() => meet(data.ports));
+        if (data.type === 'mates') return guard(() => setMates(data.ports));
         if (data.type === 'define') inbox.define = data;
         else if (data.type === 'view') inbox.view = data;
         else if (data.type === 'thumb') thumbs.push(data);
@@ -55,19 +55,19 @@ import { createWork } from './work.js';
         const memory = () => instance.memory.buffer.byteLength;
         const playground = new wasm_bindgen.Playground(canvas);
         if (master) {
-            work = createMate({ master, playground, wake, lookAt: (sight) => lookAt(playground, sight), memory, stepMs: STEP_MS });
+            work = createMate({ master, playground, wake, lookAt: (message) => lookAt(playground, message), memory, stepMs: STEP_MS });
         } else {
             const drawing = createDrawing({ playground, canvas, inbox });
             const sharing = createSharing({ canvas, playground, guard, wake, shown: drawing.shown, memory });
             const files = createFiles({ playground, guard, wake, tellAt: drawing.tellAt });
             work = createWork({ playground, inbox, drawing, sharing, files, thumbs: createThumbs({ playground, waiting: thumbs, tellAt: drawing.tellAt }), wake });
-            meet = sharing.meet;
+            setMates = sharing.setMates;
         }
         page.postMessage({ type: 'ready' });
         wake();
     }
 
-    /** Goes to work after the messages that are already waiting. */
+    /** Works after the messages that are already waiting. */
     function wake() {
         if (awake || dead || work === null) return;
         awake = true;
@@ -75,7 +75,7 @@ import { createWork } from './work.js';
     }
 
     /**
-     * After a trap the instance is in a doubtful state: say so and do nothing more. The page starts a fresh worker.
+     * After a trap the instance may be in an invalid state: tells the page, which starts a fresh worker, and stops.
      * @param {() => void} action
      */
     function guard(action) {
@@ -88,6 +88,6 @@ import { createWork } from './work.js';
         }
     }
 
-    // Before the wasm is there: the script is.
+    // The script runs, though the wasm has not started.
     page.postMessage({ type: 'hello' });
 })();

@@ -1,10 +1,10 @@
-/** Rows with a label, a slider and a number field, for the fields that the page names in `data-field`. */
+/** Fills rows with a label, a slider and a number field, for the fields named in `data-field`. */
 
 import { make } from '../dom.js';
 import { FIELDS } from '../tables.js';
 import { dial } from './dial.js';
 
-/** Signs of units beside the field, by the unit's word. @type {Record<string, string>} */
+/** Unit signs beside the field, by the unit's name. @type {Record<string, string>} */
 const SIGNS = { degrees: '°', percent: '%', pixels: 'px' };
 
 /** @param {import('../store.js').Store} store */

@@ -1,4 +1,4 @@
-/** A slider and a number field for the same number of the state. */
+/** A slider and a number field for one number of the state. */
 
 import { input } from '../dom.js';
 import { plain } from '../numerals.js';
@@ -10,8 +10,8 @@ import { slider } from './slider.js';
 /**
  * @param {import('../store.js').Store} store
  * @param {import('../state.js').FieldName} field
- * @param {string} id of the number field; `-slider` behind it is the slider's
- * @param {readonly number[]} [stops] under the slider, where they are not those of the table
+ * @param {string} id of the number field; the slider has the same id with `-slider`
+ * @param {readonly number[]} [stops] the slider's values, if not those of the table
  */
 export function dial(store, field, id, stops = stopsOf(field)) {
     const { wanted, unit = '', slider: scale } = FIELDS[field];
@@ -30,7 +30,7 @@ export function dial(store, field, id, stops = stopsOf(field)) {
     };
 }
 
-/** The values under a field's slider. @param {import('../state.js').FieldName} field */
+/** The values of a field's slider. @param {import('../state.js').FieldName} field */
 export function stopsOf(field) {
     const { slider: scale } = FIELDS[field];
     if (!scale) return [];

@@ -1,29 +1,29 @@
 /**
- * A text area whose text is tinted and whose mistakes are underlined in place: the same text stands in a layer behind
- * it, in spans, while the area itself shows only caret and selection.
+ * A text area with syntax highlighting and underlined problems. A layer behind the area shows the same text in coloured
+ * spans; the area itself shows only caret and selection.
  */
 
 import { make, setValue } from '../dom.js';
 import { mostOf } from '../state.js';
-import { carried, spansOf } from '../tint.js';
+import { carryOver, spansOf } from '../tint.js';
 
 /** @typedef {import('../protocol.js').Diagnostic} Diagnostic */
 /**
  * @typedef {object} Editor
  * @property {(text: string) => void} show
- * @property {(start: number, end: number, text: string) => string} replace puts `text` in the place of a part; caret and
- *   selection stay where they are. Gives the whole text.
- * @property {(letters: string, text: string) => void} tint with the letters of `text`, if that is still what it shows
+ * @property {(start: number, end: number, text: string) => string} replace replaces a part of the text; caret and
+ *   selection stay. Returns the whole text.
+ * @property {(letters: string, text: string) => void} tint colours the text by class letters, if `text` is still shown
  * @property {(diagnostics: Diagnostic[]) => void} mark
  */
 
-/** Longer lines are not tinted, in UTF-16 units. */
+/** Longer lines are not coloured, in UTF-16 units. */
 const TINTED = 4000;
-/** Texts of more lines stand in the area itself, without tints and marks: browsers take long to lay out thousands of lines twice. */
+/** Texts with more lines are shown by the area alone, without colours and marks, because laying out thousands of lines twice is slow. */
 const MOST_LINES = 2000;
-/** More problems are only counted. */
+/** The maximum number of listed problems; further ones are only counted. */
 const MOST_LISTED = 50;
-/** Columns farther right are counted in UTF-16 units. */
+/** Columns beyond this one are counted in UTF-16 units, which is faster than characters. */
 const COUNTED = 10_000;
 
 /**
@@ -37,16 +37,16 @@ export function editor(area, problems, kind, { change, settle }) {
     const layer = /** @type {HTMLElement} */ (area.previousElementSibling);
     /** @type {Diagnostic[]} */
     let marks = [];
-    /** What the layer shows, and the letters that tint it. */
+    /** The text of the layer, and its class letters. */
     let text = '';
     let letters = '';
 
-    /** What each line of the layer shows, to leave alone the lines that stay as they are. @type {string[]} */
+    /** A key for each line of the layer, so that unchanged lines are not updated. @type {string[]} */
     let shown = [];
 
     function paint() {
         if (area.value !== text) {
-            letters = carried(letters, text, area.value);
+            letters = carryOver(letters, text, area.value);
             text = area.value;
         }
         const plain = hasMoreLines(text, MOST_LINES);
@@ -76,7 +76,7 @@ export function editor(area, problems, kind, { change, settle }) {
         paint();
         change(area.value);
     });
-    // One more than there may be, so that who pastes too much is told.
+    // One character more than allowed, so that pasting too much is noticed and reported.
     area.maxLength = mostOf(kind) + 1;
     area.addEventListener('blur', settle);
     if (kind === 'axiom') {
@@ -112,8 +112,8 @@ export function editor(area, problems, kind, { change, settle }) {
 }
 
 /**
- * Lists diagnostics in words; those of a `text` with their places in it, and a click goes there in `area`, if it stands
- * in one.
+ * Lists diagnostics. With a `text`, each item has its place in the text; with an `area`, a click on the item goes to
+ * that place.
  * @param {HTMLElement} list
  * @param {Diagnostic[]} diagnostics
  * @param {string} [text]
@@ -139,12 +139,12 @@ export function listProblems(list, diagnostics, text, area) {
     if (more > 0) list.append(make('li', {}, make('span', { class: 'problem-text' }, `${more.toLocaleString('en')} more problems.`)));
 }
 
-/** What stands between backquotes is code; the backquotes stay, because some hints mean them. @param {string} words */
+/** Formats text between backquotes as code. The backquotes stay, because some hints are about backquotes. @param {string} words */
 function withCode(words) {
     return words.split(/(`[^`]+`)/).map((part) => (part.length > 2 && part.startsWith('`') ? make('code', {}, part) : part));
 }
 
-/** Says where an offset is. @param {string} text @returns {(offset: number) => string} */
+/** Describes places in a text by line and column. @param {string} text @returns {(offset: number) => string} */
 export function placesIn(text) {
     const starts = [0];
     for (let at = text.indexOf('\n'); at >= 0; at = text.indexOf('\n', at + 1)) starts.push(at + 1);
@@ -178,22 +178,22 @@ function hasMoreLines(text, most) {
 /** @typedef {{text: string, letters: string, marks: Mark[]}} Line */
 
 /**
- * The lines of a text, each with its line break, its letters and the mistakes in it, by offsets into the line.
+ * The lines of a text, with their line breaks, class letters and problems, by offsets into the line.
  * @param {string} text
  * @param {Diagnostic[]} diagnostics
  * @param {string} [letters] one for each UTF-16 unit
  * @returns {Line[]}
  */
 export function linesOf(text, diagnostics, letters = '') {
-    // A mistake where something is missing has no width: underline the symbol before it.
+    // A problem where something is missing has no width: underline the symbol before it.
     const marks = diagnostics.map(({ start, end, severity }) => (end > start ? { start, end, severity } : { start: Math.max(0, Math.min(start, text.length) - 1), end: Math.max(1, start), severity }));
     marks.sort((a, b) => a.start - b.start);
-    /** Marks that have begun and may not have ended. @type {Mark[]} */
+    /** Marks that have begun and may continue. @type {Mark[]} */
     let open = [];
     let next = 0;
     let from = 0;
     const lines = text.split(/(?<=\n)/);
-    // The line after a line break at the end.
+    // A final line break starts one more line.
     if (text.endsWith('\n')) lines.push('');
     return lines.map((line) => {
         const [first, last] = [from, from + line.length];
@@ -206,7 +206,7 @@ export function linesOf(text, diagnostics, letters = '') {
 }
 
 /**
- * A line in spans: tints and mistakes may overlap, so it is cut at every edge of either.
+ * The spans of a line. Colours and problems may overlap, so the line is cut at the edges of both.
  * @param {Line} line
  */
 function pieces({ text, letters, marks }) {

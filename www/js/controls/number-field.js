@@ -1,29 +1,29 @@
-/** A text field for a number, with arrow keys: Shift ten steps, Alt a tenth. */
+/** Text fields for numbers. Arrow keys change the number by a step, with Shift by ten steps, with Alt by a tenth. */
 
 import { plain, readNumber } from '../numerals.js';
 import { setValue } from '../dom.js';
-import { wanting } from './wanted.js';
+import { rangeNote } from './wanted.js';
 
 /**
- * `wanted` is the range in words; `step` is what an arrow key adds.
+ * `wanted` is the range in words; `step` is the change of an arrow key.
  * @typedef {{low: number, high: number, wanted: string, step: number | (() => number), whole?: boolean, change: (value: number) => void, settle: () => void}} Range
  */
 
 /**
  * @param {HTMLInputElement} field
  * @param {Range} range
- * @returns {(value: number) => void} shows another value
+ * @returns {(value: number) => void} shows a value
  */
 export function numberField(field, { low, high, wanted, step, whole = false, change, settle }) {
     let shown = 0;
-    const wrong = wanting(field, wanted);
+    const setWrong = rangeNote(field, wanted);
     field.setAttribute('role', 'spinbutton');
     if (isBound(low)) field.setAttribute('aria-valuemin', decimal(low));
     if (isBound(high)) field.setAttribute('aria-valuemax', decimal(high));
 
     /** @param {number} value */
     const fits = (value) => Math.min(high, Math.max(low, whole ? Math.round(value) : value));
-    /** What the field says, or null where it says no number within the range. */
+    /** The field's number, or null if the text is no number within the range. */
     const read = () => {
         const value = readNumber(field.value);
         return value === null || fits(value) !== value ? null : value;
@@ -31,7 +31,7 @@ export function numberField(field, { low, high, wanted, step, whole = false, cha
 
     field.addEventListener('input', () => {
         const value = read();
-        wrong(value === null);
+        setWrong(value === null);
         if (value !== null) change((shown = value));
     });
     field.addEventListener('keydown', (event) => {
@@ -40,43 +40,43 @@ export function numberField(field, { low, high, wanted, step, whole = false, cha
         event.preventDefault();
         const next = fits(stepped(readNumber(field.value) ?? shown, event, typeof step === 'number' ? step : step(), whole));
         field.value = plain(next);
-        wrong(false);
+        setWrong(false);
         change((shown = next));
     });
     field.addEventListener('focus', () => field.select());
     field.addEventListener('blur', () => {
         const value = readNumber(field.value);
-        const beyond = value !== null && fits(value) !== value;
-        if (beyond) change((shown = fits(value)));
+        const outside = value !== null && fits(value) !== value;
+        if (outside) change((shown = fits(value)));
         field.value = plain(shown);
-        wrong(false, beyond);
+        setWrong(false, outside);
         settle();
     });
 
     return (value) => {
         shown = value;
         field.setAttribute('aria-valuenow', decimal(value));
-        // What is being typed stays as it is typed: "25." is not to become "25".
+        // Keep the text being typed: "25." must not become "25".
         if (document.activeElement === field && read() === value) return;
-        wrong(false);
+        setWrong(false);
         setValue(field, plain(value));
     };
 }
 
 /**
- * A field for a number that may be left out, for what it has then; it stands there, faint.
+ * A field for an optional number. An empty field shows the inherited number as a placeholder.
  * @param {HTMLInputElement} field
  * @param {{low: number, high: number, wanted: string, step: number, change: (value: number | null) => void, settle: () => void}} range
- * @returns {(value: number | null, inherited: number) => void} shows another value, and what holds without one
+ * @returns {(value: number | null, inherited: number) => void} shows a value and the inherited one
  */
 export function optionalField(field, { low, high, wanted, step, change, settle }) {
     /** @type {number | null} */
     let shown = null;
-    let without = 0;
-    const wrong = wanting(field, wanted);
+    let fallback = 0;
+    const setWrong = rangeNote(field, wanted);
     const written = (/** @type {number | null} */ value) => (value === null ? '' : plain(value));
     const fits = (/** @type {number} */ value) => Math.min(high, Math.max(low, value));
-    /** What the field says; undefined where that is neither nothing nor a number within the range. */
+    /** The field's number, null if empty, or undefined if the text is no number within the range. */
     const read = () => {
         const value = readNumber(field.value);
         if (field.value.trim() === '') return null;
@@ -85,37 +85,37 @@ export function optionalField(field, { low, high, wanted, step, change, settle }
 
     field.addEventListener('input', () => {
         const value = read();
-        wrong(value === undefined);
+        setWrong(value === undefined);
         if (value !== undefined) change((shown = value));
     });
     field.addEventListener('keydown', (event) => {
         if (event.key === 'Enter') return field.select();
         if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
         event.preventDefault();
-        shown = fits(stepped(readNumber(field.value) ?? shown ?? without, event, step));
+        shown = fits(stepped(readNumber(field.value) ?? shown ?? fallback, event, step));
         field.value = plain(shown);
-        wrong(false);
+        setWrong(false);
         change(shown);
     });
     field.addEventListener('focus', () => field.select());
     field.addEventListener('blur', () => {
         field.value = written(shown);
-        wrong(false);
+        setWrong(false);
         settle();
     });
 
     return (value, inherited) => {
         shown = value;
-        without = inherited;
+        fallback = inherited;
         field.placeholder = plain(inherited);
         if (document.activeElement === field && read() === value) return;
-        wrong(false);
+        setWrong(false);
         setValue(field, written(value));
     };
 }
 
 /**
- * What an arrow key makes of a number: Shift ten steps, Alt a tenth.
+ * The number after an arrow key.
  * @param {number} from
  * @param {KeyboardEvent} event
  * @param {number} step
@@ -126,13 +126,13 @@ function stepped(from, { key, shiftKey, altKey }, step, whole = false) {
     return Number(plain(from + (key === 'ArrowUp' ? size : -size)));
 }
 
-/** Without an exponent, which ARIA does not know. @param {number} value */
+/** A number without an exponent, which ARIA does not support. @param {number} value */
 function decimal(value) {
     const digits = String(value).includes('e') ? value.toFixed(12) : String(value);
     return digits.includes('e') ? BigInt(value).toString() : digits;
 }
 
-/** Whether a bound says something: the bounds of all numbers do not. @param {number} bound */
+/** Whether a bound limits the number. @param {number} bound */
 function isBound(bound) {
     return Math.abs(bound) < 1e21;
 }

@@ -1,15 +1,15 @@
-/** Scales for sliders whose values may be anything: the range follows the value. Pure functions. */
+/** Slider scales for unlimited values: the range follows the value. Pure functions. */
 
 import { plain } from '../numerals.js';
 
-/** Stops between zero and twice the value, at least. */
+/** The minimum number of stops between zero and twice the value, except for whole values. */
 const FEWEST = 200;
-/** Values smaller than this part of a scale deserve a finer one. */
+/** A value below this fraction of the scale needs a finer scale. */
 const SMALL = 1 / 20;
 
 /**
- * Stops from zero to twice a value, on its side of zero; about zero itself from -1 to 1. Steps are 1, 2 or 5 times a
- * power of ten, and 1 where whole numbers are many enough.
+ * Stops from zero to twice a value, or from -1 to 1 if the value is zero. Steps are 1, 2 or 5 times a power of ten, and
+ * at least 1 for whole values from 20 on.
  * @param {number} value finite
  * @returns {number[]} ascending
  */
@@ -25,7 +25,7 @@ export function scaleAbout(value) {
     return value < 0 ? down : [...down.slice(most / 2, -1), ...up.slice(0, most / 2 + 1)];
 }
 
-/** The largest of 1, 2 and 5 times a power of ten that is not above `most`. @param {number} most above 0 */
+/** The largest 1, 2 or 5 times a power of ten up to `most`. @param {number} most above 0 */
 function stepBelow(most) {
     const power = 10 ** Math.floor(Math.log10(most));
     const times = [5, 2, 1].find((factor) => factor * power <= most * (1 + 1e-9)) ?? 1;
@@ -33,18 +33,18 @@ function stepBelow(most) {
 }
 
 /**
- * Whether a value is shown badly by a scale: outside of it, at its far end, or so near zero that its steps are coarse.
+ * Whether a value needs a new scale: the value is outside the scale, at its end, or too small for its steps.
  * @param {readonly number[]} stops ascending
  * @param {number} value
  */
-export function outgrown(stops, value) {
+export function needsNewScale(stops, value) {
     const [low = 0, high = 0] = [stops[0], stops.at(-1)];
     const size = Math.max(-low, high);
     return value < low || value > high || Math.abs(value) >= size || (value !== 0 && Math.abs(value) < size * SMALL);
 }
 
 /**
- * A number for a text, written as the one whose place it takes: without a zero before the point if that has none.
+ * Writes a number like the former one: without a zero before the point if the former had none.
  * @param {number} value
  * @param {string} former
  */

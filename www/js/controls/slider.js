@@ -1,6 +1,6 @@
-/** A slider over a scale of values, even or not. */
+/** A slider over a list of values. */
 
-/** `held` tells that more may follow of the same gesture. @typedef {{stops: readonly number[], text: (value: number) => string, change: (value: number, held: boolean) => void, settle: () => void}} Scale */
+/** `held`: more changes of the same drag may follow. @typedef {{stops: readonly number[], text: (value: number) => string, change: (value: number, held: boolean) => void, settle: () => void}} Scale */
 /** @typedef {{show: (value: number) => void, limit: (highest: number | null) => void, scale: (stops: readonly number[]) => void}} Slider */
 
 /**
@@ -61,7 +61,7 @@ export function nearest(stops, value) {
 }
 
 /**
- * Values from one to another in even steps.
+ * Values from `low` to `high` in even steps.
  * @param {number} low
  * @param {number} high
  * @param {number} step

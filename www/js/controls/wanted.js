@@ -1,22 +1,22 @@
-/** What a number field must hold, in words below its row, while it holds something else and where it was mended. */
+/** The note below a number field about its range, shown for an invalid number and after a correction. */
 
 import { make } from '../dom.js';
 
 /**
  * @param {HTMLInputElement} field
  * @param {string} wanted
- * @returns {(wrong: boolean, mended?: boolean) => void} to be told whether the field holds something else, and whether
- *   it held a number out of its range until the nearest one was taken
+ * @returns {(wrong: boolean, mended?: boolean) => void} updates the note; `wrong`: the text is no number within the
+ *   range; `mended`: the nearest valid number was taken
  */
-export function wanting(field, wanted) {
+export function rangeNote(field, wanted) {
     const id = `${field.id}-wanted`;
     const note = make('p', { id, class: 'wanted', role: 'status' });
-    return (wrong, mended = false) => {
+    return (wrong, corrected = false) => {
         field.toggleAttribute('data-wrong', wrong);
         field.setAttribute('aria-invalid', String(wrong));
-        // Who has emptied a field is about to write.
-        if ((wrong && field.value.trim() !== '') || mended) {
-            note.textContent = `Must be ${wanted}${mended ? '; the nearest value was taken' : ''}.`;
+        // An empty field is about to be typed into.
+        if ((wrong && field.value.trim() !== '') || corrected) {
+            note.textContent = `Must be ${wanted}${corrected ? '; the nearest value was taken' : ''}.`;
             if (!note.isConnected) (field.closest('.dial, .quad, .seed') ?? field).after(note);
             if (wrong) field.setAttribute('aria-errormessage', id);
         } else {

@@ -1,6 +1,7 @@
 /**
- * The talk with the page that embeds the drawing: docs/embedding.md. Only the window that holds this one is heard, and
- * nothing but a greeting is said to it before it has spoken or was named in the address by its origin.
+ * Messages between the drawing and the host page that embeds it (docs/embedding.md). The drawing reads only messages of
+ * its parent window. Before the host has sent a message, or is named by its origin in the address, the drawing sends
+ * only `hello`.
  */
 
 import { bestLink, openLink } from '../packed.js';
@@ -10,28 +11,28 @@ import { fieldsOf, valuesOf } from './values.js';
 /** @typedef {import('../protocol.js').Report} Report */
 /** @typedef {import('./options.js').Control} Control */
 
-/** Changes that follow one another more quickly are told as one, in milliseconds. */
+/** Changes within this time are sent as one message, in milliseconds. */
 const PAUSE = 50;
-/** So much is kept for a page that has not spoken yet. */
-const MOST = 20;
+/** The maximum number of messages queued for a host that has not sent a message yet. */
+const MAX_QUEUED = 20;
 
 /**
  * @param {import('../store.js').Store} store
  * @param {{host: string | null, offer: (controls: Control[]) => void, play: (on: boolean) => void, facts: () => {description: string, symbols: string | null, segments: string | null}}} page
  */
-export function talk(store, { host, offer, play, facts }) {
+export function connectHost(store, { host, offer, play, facts }) {
     const holder = parent === window ? null : parent;
-    /** Whom to answer, by origin. @type {string | null} */
+    /** The origin of the host, once known. @type {string | null} */
     let listener = host;
     let byHost = false;
     let timer = 0;
-    /** What was said while nobody was there to hear it. @type {object[]} */
-    let unsaid = [];
+    /** Messages queued until the host is known. @type {object[]} */
+    let queue = [];
 
     /** @param {object} message */
-    function say(message) {
+    function send(message) {
         if (!holder) return;
-        if (listener === null) unsaid = [...unsaid, message].slice(-MOST);
+        if (listener === null) queue = [...queue, message].slice(-MAX_QUEUED);
         else holder.postMessage(message, listener);
     }
 
@@ -39,30 +40,30 @@ export function talk(store, { host, offer, play, facts }) {
         return { values: valuesOf(store.state), link: await bestLink(store.state) };
     }
 
-    /** Changes the drawing for the page. @param {() => void} change */
+    /** Marks a change as the host's. @param {() => void} change */
     function asHost(change) {
         byHost = true;
         change();
         byHost = false;
     }
 
-    /** What can be asked of the drawing. @type {Record<string, (message: Record<string, unknown>) => void | Promise<void>>} */
+    /** The host's requests. @type {Record<string, (message: Record<string, unknown>) => void | Promise<void>>} */
     const REQUESTS = {
         hello: () => {},
-        get: async ({ id }) => say({ lsystem: 'state', id, ...(await state()), ...facts() }),
+        get: async ({ id }) => send({ lsystem: 'state', id, ...(await state()), ...facts() }),
         set: ({ values }) => {
             const { fields, problems } = fieldsOf(values);
-            asHost(() => store.dress(fields));
-            if (problems.length > 0) say({ lsystem: 'error', message: problems.join(' '), problems: [] });
+            asHost(() => store.changeOrigin(fields));
+            if (problems.length > 0) send({ lsystem: 'error', message: problems.join(' '), problems: [] });
         },
         open: async ({ link }) => {
             const opened = typeof link === 'string' ? await openLink(link) : null;
             if (opened) asHost(() => store.open(opened.state));
-            const problems = opened ? opened.problems : ['This link holds no drawing.'];
-            if (problems.length > 0) say({ lsystem: 'error', message: problems.join(' '), problems: [] });
+            const problems = opened ? opened.problems : ['This link contains no drawing.'];
+            if (problems.length > 0) send({ lsystem: 'error', message: problems.join(' '), problems: [] });
         },
         reset: () => asHost(store.reset),
-        // Objects of the host may have no form as text.
+        // Ignore values that are not strings, which may have no text form.
         controls: ({ controls }) => offer(readControls([controls].flat().filter((one) => typeof one === 'string').join())),
         play: () => play(true),
         pause: () => play(false),
@@ -73,32 +74,32 @@ export function talk(store, { host, offer, play, facts }) {
         const { data, origin } = event;
         if (typeof data !== 'object' || data === null || typeof data.lsystem !== 'string' || !Object.hasOwn(REQUESTS, data.lsystem)) return;
         if (host !== null && origin !== host) return;
-        // A page without an origin of its own, such as a file, can only be addressed as whoever is there.
+        // A page with an opaque origin, such as a file, can only be addressed with a wildcard.
         listener = origin === 'null' ? '*' : origin;
-        const waiting = unsaid;
-        unsaid = [];
-        for (const message of waiting) say(message);
+        const waiting = queue;
+        queue = [];
+        for (const message of waiting) send(message);
         REQUESTS[data.lsystem]?.(data);
     });
 
-    // That there is somebody to talk to is no secret.
+    // This greeting contains nothing private, so any host may receive it.
     holder?.postMessage({ lsystem: 'hello' }, '*');
 
     store.subscribe(() => {
         const by = byHost ? 'host' : 'visitor';
         clearTimeout(timer);
-        timer = window.setTimeout(async () => say({ lsystem: 'change', by, ...(await state()) }), PAUSE);
+        timer = window.setTimeout(async () => send({ lsystem: 'change', by, ...(await state()) }), PAUSE);
     });
 
     return {
-        /** The first picture is there. */
+        /** The first picture is shown. */
         async ready() {
-            say({ lsystem: 'ready', ...(await state()), ...facts() });
+            send({ lsystem: 'ready', ...(await state()), ...facts() });
         },
 
         /** @param {string} message @param {import('../protocol.js').Diagnostic[]} [problems] */
         error(message, problems = []) {
-            say({ lsystem: 'error', message, problems });
+            send({ lsystem: 'error', message, problems });
         },
     };
 }

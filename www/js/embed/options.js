@@ -1,4 +1,4 @@
-/** How an embedded drawing is to behave: keys in its address that stand beside those of the system. Pure functions. */
+/** Options of an embedded drawing: keys in its address beside the keys of the system. Pure functions. */
 
 /** @typedef {'angle' | 'n' | 'rules' | 'string' | 'play'} Control */
 
@@ -9,7 +9,7 @@ export const CONTROLS = ['angle', 'n', 'rules', 'string', 'play'];
 const LONGEST = 1000;
 
 /**
- * `host` is the origin that is told of changes from the start.
+ * `host` is the origin of the host page, which gets messages from the start.
  * @typedef {{controls: Control[], theme: 'light' | 'dark' | null, host: string | null}} Options
  */
 
@@ -19,7 +19,7 @@ export function readOptions(hash) {
     return { controls: readControls(valueOf(hash, 'controls')), theme: theme === 'light' || theme === 'dark' ? theme : null, host: originOf(valueOf(hash, 'host')) };
 }
 
-/** The known ones of a list, in the order of CONTROLS. @param {string} list parted by commas or blanks @returns {Control[]} */
+/** The known controls in a list, in the order of CONTROLS. @param {string} list separated by commas or blanks @returns {Control[]} */
 export function readControls(list) {
     const asked = list.toLowerCase().split(/[\s,]+/);
     return CONTROLS.filter((control) => asked.includes(control) || asked.includes('all'));

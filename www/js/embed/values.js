@@ -1,11 +1,11 @@
-/** The state under the keys of links, as messages carry it. Pure functions. */
+/** The state's values by the keys of links, for messages. Pure functions. */
 
 import { KEYS } from '../link.js';
 import { cleanField, problemOf } from '../state.js';
 
 /** @typedef {import('../state.js').State} State */
 
-/** More problems than these are not told. */
+/** The maximum number of reported problems. */
 const MOST_PROBLEMS = 20;
 
 /**
@@ -18,13 +18,13 @@ export function valuesOf(state) {
 }
 
 /**
- * The fields that values of unknown origin stand for, and in words which of them mean nothing. A string is read as in a
- * link where it can be, so that `'25'` and `25` are the same angle.
+ * Reads untrusted values into fields, and lists problems in words. A string is read as in a link if possible, so that
+ * `'25'` and `25` are the same angle.
  * @param {unknown} values by key
  * @returns {{fields: Partial<State>, problems: string[]}}
  */
 export function fieldsOf(values) {
-    if (typeof values !== 'object' || values === null) return { fields: {}, problems: ['What is set has to be an object of values by their keys.'] };
+    if (typeof values !== 'object' || values === null) return { fields: {}, problems: ['The values must be an object with the keys of links.'] };
     /** @type {string[]} */
     const problems = [];
     /** @type {Record<string, unknown>} */
@@ -33,7 +33,7 @@ export function fieldsOf(values) {
         if (problems.length === MOST_PROBLEMS) break;
         const [, field, form] = KEYS.find(([known]) => known === key) ?? [];
         if (!field || !form) {
-            problems.push(`There is nothing called “${key.slice(0, 20)}” to set.`);
+            problems.push(`Unknown key “${key.slice(0, 20)}”.`);
             continue;
         }
         const read = typeof value === 'string' ? form.read(value) : undefined;

@@ -1,6 +1,7 @@
 /**
- * The connection to the worker that draws: starts it, hands it the wasm, watches that it answers, and tries again where its
- * files do not load. The engine says what to do with what the worker sends, and whether another takes its place.
+ * The connection to the drawing worker: starts the worker, hands over the wasm, watches that it answers, and requests
+ * files that did not load again. The engine handles the worker's messages and decides whether a stopped worker is
+ * replaced.
  */
 
 import { core, forgetCore, hire } from './core.js';
@@ -9,32 +10,32 @@ import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
 /** @typedef {import('./core.js').Hired} Hired */
 /** @typedef {import('../protocol.js').FromWorker} FromWorker */
 /** @typedef {import('../protocol.js').ToWorker} ToWorker */
-/** The mates, which help with pictures that take long. @typedef {{help: (worker: Hired, wasm: WebAssembly.Module) => void, leave: () => void}} Helpers */
+/** The mates, which help with slow pictures. @typedef {{help: (worker: Hired, wasm: WebAssembly.Module) => void, leave: () => void}} Mates */
 
 /**
  * @typedef {object} Events
- * @property {() => void} begun the worker has its wasm and takes messages
- * @property {(message: FromWorker) => void} received every message of the worker's
- * @property {() => void} left the worker is gone: a fresh one knows nothing
+ * @property {() => void} begun the worker has the wasm and accepts messages
+ * @property {(message: FromWorker) => void} received a message has come from the worker
+ * @property {() => void} left the worker is gone; a fresh one knows no state
  * @property {(how: 'silent' | 'crashed', message: string) => void} stopped
- * @property {(how: 'loading' | 'unloadable', message: string) => void} missed the worker's files did not load; `loading`: they are tried again
- * @property {(silent: number) => void} doubted the worker has been silent for this long, in milliseconds, but not yet for too long
+ * @property {(how: 'loading' | 'unloadable', message: string) => void} loadFailed the worker's files did not load; `loading`: the files are requested again
+ * @property {(silent: number) => void} doubted the worker has been silent for this many milliseconds, within its limit
  * @property {() => boolean} owes whether the worker owes a picture or an answer
  */
 
-/** What does not load is tried again after these times, in milliseconds. */
+/** Delays before files that did not load are requested again, in milliseconds. */
 const DELAYS = [500, 1500, 4000];
 
-/** After so many workers in a row that have stopped before they drew anything none is started by itself. */
+/** After more workers in a row that stopped before any picture or answer, wait for new input before starting another. */
 const MOST_FAILURES = 4;
 
 /** @param {Events} events */
-export function createConnection({ begun, received, left, stopped, missed, doubted, owes }) {
+export function createConnection({ begun, received, left, stopped, loadFailed, doubted, owes }) {
     /** @type {Hired | null} */
     let worker = null;
-    /** Whether the worker has said anything, has been handed the wasm, and has begun to work. */
-    let [met, ready, started] = [false, false, false];
-    /** The timer of the next try to load. */
+    /** Whether the worker has sent any message, has been sent the wasm, and has started the wasm. */
+    let [hasSpoken, ready, started] = [false, false, false];
+    /** The timer of the next load attempt. */
     let retry = 0;
     const attempts = createAttempts();
     const help = createHelp(() => worker);
@@ -57,7 +58,7 @@ export function createConnection({ begun, received, left, stopped, missed, doubt
                 ready = true;
                 begun();
             },
-            (error) => worker === fresh && miss(error.message),
+            (error) => worker === fresh && failLoading(error.message),
         );
         watchdog.watch();
     }
@@ -67,13 +68,13 @@ export function createConnection({ begun, received, left, stopped, missed, doubt
         watchdog.leave();
         worker?.terminate();
         worker = null;
-        [met, ready, started] = [false, false, false];
+        [hasSpoken, ready, started] = [false, false, false];
         left();
     }
 
     /** @param {FromWorker} message */
     function receive(message) {
-        met = true;
+        hasSpoken = true;
         watchdog.heard();
         if (message.type === 'ready') {
             started = true;
@@ -86,27 +87,27 @@ export function createConnection({ begun, received, left, stopped, missed, doubt
     /** @param {string} message */
     function fail(message) {
         if (started) stopped('crashed', message);
-        else miss(message);
+        else failLoading(message);
     }
 
-    /** The worker or its wasm does not load. @param {string} message */
-    function miss(message) {
+    /** The worker or its wasm did not load. @param {string} message */
+    function failLoading(message) {
         leave();
         forgetCore();
-        const delay = attempts.missed();
+        const delay = attempts.loadFailed();
         if (delay !== undefined) retry = window.setTimeout(start, delay);
-        missed(delay === undefined ? 'unloadable' : 'loading', message);
+        loadFailed(delay === undefined ? 'unloadable' : 'loading', message);
     }
 
-    /** How long the worker may be silent now; 0 while it owes nothing. */
+    /** How long the worker may be silent now, in milliseconds; 0 while nothing is expected from it. */
     function patience() {
         if (!worker) return 0;
-        if (!met) return STARTUP;
+        if (!hasSpoken) return STARTUP;
         return started && !owes() ? 0 : SILENCE;
     }
 
     return {
-        /** Whether the worker takes messages. */
+        /** Whether the worker accepts messages. */
         get ready() {
             return ready;
         },
@@ -117,73 +118,73 @@ export function createConnection({ begun, received, left, stopped, missed, doubt
         /** @param {ToWorker} message */
         post: (message) => worker?.postMessage(message),
 
-        /** The worker has been asked for something. */
+        /** Starts watching that the worker answers. */
         watch: watchdog.watch,
 
-        /** A fresh worker takes the place of one that has stopped. @returns {boolean} whether it may: too many in a row are no use */
+        /** Replaces a stopped worker. @returns {boolean} false if too many workers have stopped in a row */
         replace() {
             const may = attempts.failed();
             if (may) start();
             return may;
         },
 
-        /** The worker has drawn or answered: workers before it that stopped count no more. */
+        /** The worker has drawn or answered: resets the count of stopped workers. */
         proven: attempts.proven,
 
-        /** After a failure for good, new input or a question is worth a fresh start. */
+        /** New input or a question: starts a worker again after the last failure. */
         revive() {
             if (worker) return;
             attempts.renew();
             start();
         },
 
-        took: help.took,
+        noteSlow: help.noteSlow,
         share: help.share,
     };
 }
 
-/** Counts the workers that have stopped, and the loads that have failed, in a row. */
+/** Counts stopped workers and failed loads in a row. */
 function createAttempts() {
     let failures = 0;
-    let misses = 0;
+    let failedLoads = 0;
     return {
-        /** A worker has stopped. @returns {boolean} whether another may be started */
+        /** A worker has stopped. @returns {boolean} whether to start another */
         failed() {
             failures += 1;
             return failures <= MOST_FAILURES;
         },
 
-        /** A worker has done something. */
+        /** A worker has drawn or answered. */
         proven() {
             failures = 0;
         },
 
-        /** A load has failed. @returns {number | undefined} after how long it is tried again, in milliseconds, if it is */
-        missed() {
-            misses += 1;
-            return DELAYS[misses - 1];
+        /** A load has failed. @returns {number | undefined} the delay before the next attempt in milliseconds; undefined for no further attempt */
+        loadFailed() {
+            failedLoads += 1;
+            return DELAYS[failedLoads - 1];
         },
 
         loaded() {
-            misses = 0;
+            failedLoads = 0;
         },
 
-        /** What has failed for good may be tried again. */
+        /** Allows new attempts after the last one failed. */
         renew() {
             if (failures > MOST_FAILURES) failures = 0;
-            if (misses > DELAYS.length) misses = 0;
+            if (failedLoads > DELAYS.length) failedLoads = 0;
         },
     };
 }
 
-/** Calls the mates while the worker's pictures take long. @param {() => Hired | null} worker */
+/** Calls the mates while pictures are slow. @param {() => Hired | null} worker */
 function createHelp(worker) {
-    /** @type {Helpers | null} */
+    /** @type {Mates | null} */
     let mates = null;
-    /** Whether the last picture took long. */
+    /** Whether the last picture was slow. */
     let slow = false;
 
-    /** The next picture is made by several workers. */
+    /** Lets mates help with the next picture. */
     async function help() {
         const helped = worker();
         const wasm = await core();
@@ -193,15 +194,15 @@ function createHelp(worker) {
     return {
         leave: () => mates?.leave(),
 
-        /** A picture has come. @param {boolean} long whether it took long */
-        took(long) {
+        /** A picture has come. @param {boolean} long whether the picture was slow */
+        noteSlow(long) {
             slow = long;
             if (slow) help();
         },
 
-        /** @param {Helpers} helpers */
-        share(helpers) {
-            mates = helpers;
+        /** @param {Mates} newMates */
+        share(newMates) {
+            mates = newMates;
             if (slow) help();
         },
     };

@@ -1,13 +1,13 @@
 /**
- * The compiled core, for all workers. Nothing that failed is kept: what is no wasm, such as the error page of a server that
- * answers 200, is fetched again.
+ * The compiled core, for all workers. A failed download is never kept: an invalid wasm, such as the error page of a
+ * server that answers 200, is fetched again.
  */
 
 import { WASM, WORKER, responseOf, scriptAddress } from '../files.js';
 
 /** @type {Promise<WebAssembly.Module> | null} */
 let compiled = null;
-/** Whether it has failed before, so that the browser's own copy of it is not asked for again. */
+/** Whether a load has failed before; then the browser's cached copy is bypassed. */
 let failed = false;
 
 /** @returns {Promise<WebAssembly.Module>} */
@@ -19,13 +19,13 @@ export function core() {
     return compiled;
 }
 
-/** It could not be used: the next time it is fetched anew. */
+/** Drops an unusable core; the next call fetches a new copy. */
 export function forgetCore() {
     compiled = null;
     failed = true;
 }
 
-/** Compiles while it comes, where the server says what it is. */
+/** Compiles while downloading, if the server sends the right content type. */
 async function compile() {
     const response = await responseOf(WASM, failed);
     const streams = response.headers.get('content-type') === 'application/wasm';
@@ -38,5 +38,5 @@ async function compile() {
 
 /** @typedef {import('../protocol.js').Channel<import('../protocol.js').ToWorker, import('../protocol.js').FromWorker> & Pick<Worker, 'terminate' | 'onerror'>} Hired */
 
-/** A worker that waits for the core. @returns {Hired} */
+/** Starts a worker, which waits for the core. @returns {Hired} */
 export const hire = () => new Worker(scriptAddress(WORKER));

@@ -1,12 +1,12 @@
 /**
- * What to go back to when a state stops the worker: the last state that was drawn to its end takes the place of the newest,
- * which is given up until something newer is asked for. The engine uses it, and tells of states that are in doubt.
+ * Goes back when a state stops the worker: the last state that was drawn completely replaces the newest, which is given
+ * up until newer input comes. The engine is told of doubtful states.
  */
 
 /** @typedef {import('../protocol.js').At} At */
 /** @typedef {import('./newest.js').Shown} Shown */
 
-/** A state over which the worker has been silent for this long is doubtful, in milliseconds. */
+/** A state is doubtful once the worker has been silent over it for this many milliseconds. */
 const DOUBTFUL = 1000;
 
 /** @type {Readonly<Shown>} */
@@ -17,28 +17,28 @@ const NOWHERE = { type: 'at', define: 0, view: 0, question: 0 };
 /**
  * @param {ReturnType<typeof import('./newest.js').createNewest>} newest
  * @param {ReturnType<typeof import('./outbox.js').createOutbox>} outbox
- * @param {(state: Shown, doubtful: boolean) => void} doubted a state may stop every worker that it is given to, or is good
- *   after all; without its `look` the definition may
+ * @param {(state: Shown, doubtful: boolean) => void} doubted whether a state may stop every worker; if the state has no
+ *   `look`, the definition may
  */
 export function createFallback(newest, outbox, doubted) {
-    /** The state that is shown at its finest. */
+    /** The last state that was drawn completely. */
     let good = NOTHING;
-    /** What was given up, as long as nothing newer is asked for. @type {'definition' | 'look' | null} */
-    let given = null;
+    /** The part of the newest state that was given up, until newer input comes. @type {'definition' | 'look' | null} */
+    let givenUp = null;
     /** The state over which the worker is silent. @type {Shown | null} */
     let doubtful = null;
-    /** What the worker is at, as its last `at` says. */
+    /** The worker's last `at` message: its current task. */
     let at = NOWHERE;
 
     return {
         get good() {
             return good;
         },
-        /** Whether what is shown is not what was asked for. */
+        /** Whether an older state is shown instead of the newest. */
         get gaveUp() {
-            return given !== null;
+            return givenUp !== null;
         },
-        /** The id of the question that the worker is at, or 0. */
+        /** The id of the question that the worker is answering, or 0. */
         get question() {
             return at.question;
         },
@@ -48,28 +48,28 @@ export function createFallback(newest, outbox, doubted) {
             at = next;
         },
 
-        /** There is another worker. */
+        /** The worker was replaced. */
         forget() {
             at = NOWHERE;
         },
 
-        /** The newest state is shown at its finest. */
+        /** The newest state was drawn completely. */
         keep() {
             good = newest.state;
             doubted(good, false);
         },
 
-        /** Whether the newest state is shown at its finest. */
+        /** Whether the newest state was drawn completely. */
         isKept: () => good.definition === newest.state.definition && good.look === newest.state.look,
 
         defined() {
-            given = null;
+            givenUp = null;
         },
         looked() {
-            if (given === 'look') given = null;
+            if (givenUp === 'look') givenUp = null;
         },
 
-        /** The worker is silent. @param {number} silent for so long, in milliseconds */
+        /** The worker is silent. @param {number} silent in milliseconds */
         doubt(silent) {
             if (silent < DOUBTFUL || doubtful || !outbox.owes || at.question || !outbox.taken(at).definition) return;
             const { definition, look } = newest.state;
@@ -77,13 +77,13 @@ export function createFallback(newest, outbox, doubted) {
             doubted(doubtful, true);
         },
 
-        /** The worker has said something. */
+        /** The worker has sent a message. */
         trust() {
             if (doubtful) doubted(doubtful, false);
             doubtful = null;
         },
 
-        /** The worker has stopped: puts the last good state in the place of the one that it was at. @returns {boolean} whether that was the newest */
+        /** The worker has stopped: replaces the state that it was drawing by the last good state. @returns {boolean} whether the newest state was given up */
         giveUp() {
             doubtful = null;
             if (!outbox.owes) return false;
@@ -94,11 +94,11 @@ export function createFallback(newest, outbox, doubted) {
             const { definition, look } = newest.state;
             const taken = outbox.taken(at);
             const known = definition === good.definition;
-            // What nobody has tried yet may be good.
+            // The worker has not begun the newest state, which may be good.
             if (!taken.definition || (known && !taken.look)) return false;
-            given = known && look !== good.look ? 'look' : 'definition';
-            doubted({ definition, look: given === 'look' ? look : null }, true);
-            if (known && given === 'definition') good = NOTHING;
+            givenUp = known && look !== good.look ? 'look' : 'definition';
+            doubted({ definition, look: givenUp === 'look' ? look : null }, true);
+            if (known && givenUp === 'definition') good = NOTHING;
             newest.replace(good);
             return true;
         },

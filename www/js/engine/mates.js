@@ -1,6 +1,7 @@
 /**
- * Workers that make panes of pictures in space which take long for one. They are hired when a picture has, and let go when none has
- * for a while. The drawing worker hears from them directly; without them it makes all by itself.
+ * Mates: workers that draw panes of slow pictures in space. Mates are hired when a picture was slow, and dismissed when
+ * no picture has been slow for a while. The drawing worker talks to its mates directly and can draw everything without
+ * them.
  */
 
 import { hire } from './core.js';
@@ -8,24 +9,24 @@ import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
 
 /** @typedef {import('./core.js').Hired} Hired */
 
-const MOST = 3;
-/** Gigabytes, as far as the browser tells. */
-const LEAST_MEMORY = 4;
-/** In milliseconds. */
-const PAUSE = 30_000;
+const MAX_MATES = 3;
+/** Mates are hired only on machines with this much memory, in gigabytes, as far as the browser tells. */
+const MIN_MEMORY = 4;
+/** Mates are dismissed after this time without a slow picture, in milliseconds. */
+const IDLE_TIME = 30_000;
 
 /**
- * How many there may be: the drawing worker has a core to itself, and each of them needs some memory.
+ * The number of mates: the drawing worker needs a core for itself, and each mate needs memory.
  * @param {{hardwareConcurrency?: number, deviceMemory?: number}} machine
  */
-export const matesOn = ({ hardwareConcurrency = 1, deviceMemory = LEAST_MEMORY }) =>
-    deviceMemory < LEAST_MEMORY ? 0 : Math.max(0, Math.min(hardwareConcurrency - 1, MOST));
+export const matesOn = ({ hardwareConcurrency = 1, deviceMemory = MIN_MEMORY }) =>
+    deviceMemory < MIN_MEMORY ? 0 : Math.max(0, Math.min(hardwareConcurrency - 1, MAX_MATES));
 
 /** @param {number} count */
 export function createMates(count) {
-    /** Those at work, and what watches them. @type {{mate: Hired, watchdog: ReturnType<typeof createWatchdog>}[]} */
+    /** The hired mates and their watchdogs. @type {{mate: Hired, watchdog: ReturnType<typeof createWatchdog>}[]} */
     let hired = [];
-    /** The one that they help. @type {Hired | null} */
+    /** The worker that the mates help. @type {Hired | null} */
     let master = null;
     let timer = 0;
 
@@ -40,13 +41,13 @@ export function createMates(count) {
         master = null;
     }
 
-    /** The other end of a new mate's port. @param {WebAssembly.Module} wasm */
-    function recruit(wasm) {
+    /** Hires a mate. @param {WebAssembly.Module} wasm @returns the port to the mate */
+    function hireMate(wasm) {
         const mate = hire();
         const { port1, port2 } = new MessageChannel();
-        let met = false;
-        const watchdog = createWatchdog({ patience: () => (met ? SILENCE : STARTUP), ping: () => mate.postMessage({ type: 'ping' }), stopped: dismiss });
-        /** What it does not answer is made without it. */
+        let hasSpoken = false;
+        const watchdog = createWatchdog({ patience: () => (hasSpoken ? SILENCE : STARTUP), ping: () => mate.postMessage({ type: 'ping' }), stopped: dismiss });
+        /** Ends the mate; the drawing worker draws unanswered panes itself. */
         function dismiss() {
             watchdog.leave();
             mate.terminate();
@@ -57,7 +58,7 @@ export function createMates(count) {
             dismiss();
         };
         mate.onmessage = ({ data }) => {
-            met = true;
+            hasSpoken = true;
             watchdog.heard();
             if (data.type === 'fatal') dismiss();
         };
@@ -68,22 +69,22 @@ export function createMates(count) {
     }
 
     return {
-        /** A worker's picture has taken long. @param {Hired} worker @param {WebAssembly.Module} wasm */
+        /** A worker's picture was slow. @param {Hired} worker @param {WebAssembly.Module} wasm */
         help(worker, wasm) {
             if (worker !== master) {
                 leave();
                 master = worker;
                 try {
-                    const ports = Array.from({ length: count }, () => recruit(wasm));
+                    const ports = Array.from({ length: count }, () => hireMate(wasm));
                     worker.postMessage({ type: 'mates', ports }, ports);
                 } catch {
-                    // A page that may not have more workers does without.
+                    // Some pages may not start more workers.
                     leave();
                     master = worker;
                 }
             }
             clearTimeout(timer);
-            timer = window.setTimeout(leave, PAUSE);
+            timer = window.setTimeout(leave, IDLE_TIME);
         },
 
         leave,

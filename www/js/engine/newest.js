@@ -1,17 +1,17 @@
-/** The newest state that the page wants to see: a system and how it is looked at. The engine sends it when the worker is free. */
+/** The newest state that the page wants to see: a definition and a look. The engine sends the state when the worker is free. */
 
 import { same } from '../state.js';
 
 /** @typedef {import('../protocol.js').Definition} Definition */
-/** How the picture is to be shown; only the first `upto` segments unless it is null. @typedef {{canvas: import('../protocol.js').Canvas, view: import('../protocol.js').View, camera: import('../protocol.js').Camera | null, upto: bigint | null}} Look */
-/** A system and how it is looked at. @typedef {{definition: Definition | null, look: Look | null}} Shown */
+/** How the picture is shown; only the first `upto` segments, or all if null. @typedef {{canvas: import('../protocol.js').Canvas, view: import('../protocol.js').View, camera: import('../protocol.js').Camera | null, upto: bigint | null}} Look */
+/** A definition and its look. @typedef {{definition: Definition | null, look: Look | null}} Shown */
 
 export function createNewest() {
     /** @type {Readonly<Shown>} */
     let state = { definition: null, look: null };
     /** @type {bigint | null} */
     let upto = null;
-    /** Which parts of the state were not sent yet. */
+    /** Which parts of the state are not sent yet. */
     let unsent = { definition: false, look: false };
 
     /** @param {Look} look */
@@ -21,11 +21,11 @@ export function createNewest() {
     }
 
     return {
-        /** A change makes a new object, so that states can be compared by identity. */
+        /** Each change makes a new object, so that states can be compared by identity. */
         get state() {
             return state;
         },
-        /** How many segments are to be shown, even if nothing is looked at yet; null for all. */
+        /** How many segments to show, even before the first look; null for all. */
         get upto() {
             return upto;
         },
@@ -33,7 +33,7 @@ export function createNewest() {
         get unsent() {
             return unsent;
         },
-        /** Whether any part was not sent yet. */
+        /** Whether any part is not sent yet. */
         get waits() {
             return unsent.definition || unsent.look;
         },
@@ -44,7 +44,7 @@ export function createNewest() {
             unsent.definition = true;
         },
 
-        /** @param {Omit<Look, 'upto'>} next @returns {boolean} whether it is another than before */
+        /** @param {Omit<Look, 'upto'>} next @returns {boolean} whether the look has changed */
         look({ canvas, view, camera }) {
             const { look } = state;
             if (look && same(look.canvas, canvas) && same(look.view, view) && same(look.camera, camera)) return false;
@@ -52,7 +52,7 @@ export function createNewest() {
             return true;
         },
 
-        /** Shows only the first segments; all of them with null. @param {bigint | null} segments @returns {boolean} whether the look is another */
+        /** Shows only the first segments, or all if null. @param {bigint | null} segments @returns {boolean} whether the look has changed */
         play(segments) {
             if (segments === upto) return false;
             upto = segments;
@@ -61,7 +61,7 @@ export function createNewest() {
             return true;
         },
 
-        /** Goes back to a former state; without a former look the newest stays. @param {Readonly<Shown>} former */
+        /** Goes back to a former state; without a former look the newest look stays. @param {Readonly<Shown>} former */
         replace({ definition, look }) {
             state = { definition, look: look ?? state.look };
             upto = look?.upto ?? null;
@@ -72,7 +72,7 @@ export function createNewest() {
             unsent = { definition: false, look: false };
         },
 
-        /** There is a fresh worker, which was sent nothing. */
+        /** The worker was replaced; everything must be sent again. */
         unsend() {
             unsent = { definition: state.definition !== null, look: state.look !== null };
         },

@@ -1,37 +1,37 @@
 /**
- * The states on their way to the worker. None is ever queued: the worker is at one state, one more is there for it to go on
- * with, the newest waits, those between are forgotten. A state is let finish while it is quick, so that a long drag shows
- * pictures on the way; then newer ones supersede it.
+ * The states on their way to the worker. No queue grows: the worker draws one state, has one more ready, and only the
+ * newest of the rest waits. A state may finish for a while before a newer one supersedes it, so that a long drag shows
+ * pictures on the way.
  */
 
 /** @typedef {import('./newest.js').Look} Look */
 /** @typedef {import('./newest.js').Shown} Shown */
 /** The state and the view that a message is about. @typedef {{id: number, viewId: number}} Ids */
 
-/** States that are not drawn after this time are waited for no longer, in milliseconds. */
+/** After this time without a picture, the newest state is sent without waiting, in milliseconds. */
 const PATIENCE = 250;
 
-/** So many states are sent before the first of them is drawn: the worker need not wait while the page shows a picture. */
+/** How many states are sent before the first of them is drawn, so that the worker need not wait for the page. */
 const AHEAD = 2;
 
 /**
  * @param {ReturnType<typeof import('./newest.js').createNewest>} newest
  * @param {object} worker
- * @param {(message: import('../protocol.js').Define | import('../protocol.js').Sight) => void} worker.post
- * @param {() => boolean} worker.ready whether it takes messages
+ * @param {(message: import('../protocol.js').Define | import('../protocol.js').ViewMessage) => void} worker.post
+ * @param {() => boolean} worker.ready whether the worker accepts messages
  * @param {() => number} worker.nextId
- * @param {() => void} worker.sent a newer state than the one shown is under way
- * @param {() => void} worker.settled the newest state is shown, or cannot be
+ * @param {() => void} worker.sent a newer state than the shown one is on its way
+ * @param {() => void} worker.settled the newest state is shown or cannot be drawn
  */
 export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
     /** The ids of the last definition and look that were sent. */
     const last = { define: 0, view: 0 };
-    /** The id under which a fresh worker was told what is shown already, or 0. */
+    /** The id under which the shown state was sent to a fresh worker, or 0. */
     let recalled = 0;
     const ahead = createAhead(() => goOn());
     /** Whether the worker owes a picture. */
     let owes = false;
-    /** Looks sent and not yet drawn. @type {Map<number, Look>} */
+    /** Looks that are sent and not yet drawn. @type {Map<number, Look>} */
     const looks = new Map();
 
     /** @param {NonNullable<Shown['definition']>} definition @param {bigint | null} upto */
@@ -62,7 +62,7 @@ export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
         sent();
     }
 
-    /** The states up to an id are drawn, or waited for no longer: the newest may follow. */
+    /** The states up to an id are drawn or no longer waited for: sends the newest. */
     function goOn(id = Infinity) {
         ahead.reach(id);
         send();
@@ -70,12 +70,12 @@ export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
 
     /** A picture of a state has come. @param {Ids} ids */
     const reached = ({ id, viewId }) => goOn(Math.max(id, viewId));
-    /** Whether a message is about the last that was sent. @param {Ids} ids */
+    /** Whether a message is about the last sent state. @param {Ids} ids */
     const isLast = ({ id, viewId }) => id >= last.define && viewId >= last.view;
-    /** Whether it is about what a fresh worker was told first. @param {number} id */
+    /** Whether a message is about the recalled state. @param {number} id */
     const isRecalled = (id) => recalled !== 0 && id === recalled;
 
-    /** The newest state is shown, or cannot be. */
+    /** The newest state is shown or cannot be drawn. */
     function settle() {
         goOn();
         if (!ahead.empty) return;
@@ -93,13 +93,13 @@ export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
         isLast,
         isRecalled,
 
-        /** Whether a report is on the last definition that was sent. @param {number} id */
+        /** Whether a report is about the last sent definition. @param {number} id */
         isLastDefinition: (id) => id === last.define,
 
-        /** Which parts of the newest state the worker has taken up. @param {import('../protocol.js').At} at */
+        /** Which parts of the newest state the worker has begun. @param {import('../protocol.js').At} at */
         taken: (at) => ({ definition: at.define === last.define && !newest.unsent.definition, look: at.view === last.view && !newest.unsent.look }),
 
-        /** There is another worker, which owes nothing. */
+        /** The worker was replaced; the fresh one owes nothing. */
         forget() {
             owes = false;
             recalled = 0;
@@ -108,14 +108,14 @@ export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
         },
 
         /**
-         * Tells a fresh worker first what is shown, which stays where what is newer cannot be drawn.
+         * Sends the shown state to a fresh worker first; that picture stays if the newer state cannot be drawn.
          * @param {Readonly<Shown>} shown
-         * @returns {boolean} whether anything is
+         * @returns {boolean} whether a state is shown
          */
         recall({ definition, look }) {
             if (!definition || !look) return false;
             recalled = postDefinition(definition, look.upto);
-            // Nothing else may come before it is drawn.
+            // No other state may be sent before this one is drawn.
             ahead.fill(postLook(look));
             return true;
         },
@@ -127,7 +127,7 @@ export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
             return look;
         },
 
-        /** There is no more to come for a state. @param {Ids} ids */
+        /** No more pictures follow for a state. @param {Ids} ids */
         ended(ids) {
             if (isRecalled(ids.id)) goOn();
             else if (isLast(ids)) settle();
@@ -136,7 +136,7 @@ export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
     };
 }
 
-/** The states that were sent and are not drawn yet, by their last ids. @param {() => void} impatient called when none of them has been drawn for a while */
+/** The states that are sent and not drawn yet, by their last ids. @param {() => void} impatient called when none of them has been drawn for PATIENCE */
 function createAhead(impatient) {
     /** @type {number[]} */
     let ids = [];
@@ -160,10 +160,10 @@ function createAhead(impatient) {
         /** @param {number} id */
         add: (id) => expect([...ids, id]),
 
-        /** Leaves no room beside a state. @param {number} id */
+        /** Leaves no room for other states. @param {number} id */
         fill: (id) => expect(Array(AHEAD).fill(id)),
 
-        /** The states up to an id are drawn, or waited for no longer. @param {number} id */
+        /** The states up to an id are drawn or no longer waited for. @param {number} id */
         reach: (id) => expect(ids.filter((each) => each > id)),
     };
 }

@@ -1,4 +1,4 @@
-/** Questions to the worker that have no answer yet. They outlive it: a fresh worker is asked what is still open. */
+/** Open questions to the worker. Questions outlive the worker: a fresh worker is asked the open ones again. */
 
 /** @typedef {import('../protocol.js').Asked} Asked */
 /** @typedef {import('../protocol.js').Questions} Questions */
@@ -6,12 +6,12 @@
 /** @template {Asked} [T=Asked] @typedef {import('../protocol.js').Answer<T>} Answer */
 /** @typedef {import('../protocol.js').Definition} Definition */
 
-/** The worker stopped over this question, and would again. */
+/** The worker stopped while answering a question, and would stop again. */
 export class Stopped extends Error {}
 
 /** @type {readonly Asked[]} */
 const READING = /** @satisfies {import('../protocol.js').Reading[]} */ (['string', 'symbol', 'descendant', 'pick']);
-/** Whether a question is about what the newest definition derives and draws. @param {Asked} type */
+/** Whether a question is about the newest definition's string or drawing. @param {Asked} type */
 export const isReading = (type) => READING.includes(type);
 
 /** Questions about the drawing, rather than about texts, files and other systems. @type {readonly Asked[]} */
@@ -25,9 +25,9 @@ const ABOUT_DRAWING = [...READING, 'export', 'png'];
 export function createQuestions({ post, nextId }) {
     /** @type {Map<number, {question: Question, resolve: (answer: any) => void, reject: (reason: Error) => void}>} */
     const open = new Map();
-    /** Whether the worker knows the newest state, so that it can be asked. */
+    /** Whether the worker knows the newest state and can be asked. */
     let askable = false;
-    /** The definition whose questions stopped a worker, and their types. @type {{definition: Definition | null, types: Set<Asked>}} */
+    /** A definition, and the types of questions about it that stopped a worker. @type {{definition: Definition | null, types: Set<Asked>}} */
     let forbidden = { definition: null, types: new Set() };
 
     /** @param {(question: Question) => boolean} which @param {Error} error */
@@ -44,7 +44,7 @@ export function createQuestions({ post, nextId }) {
             return open.size;
         },
 
-        /** Whether such a question about a definition has stopped a worker. @param {Asked} type @param {Definition | null} definition */
+        /** Whether questions of a type about a definition have stopped a worker. @param {Asked} type @param {Definition | null} definition */
         isForbidden: (type, definition) => forbidden.definition === definition && forbidden.types.has(type),
 
         /** @template {Asked} T @param {T} type @param {Questions[T]['asked']} asked @returns {Promise<Answer<T>>} */
@@ -62,12 +62,12 @@ export function createQuestions({ post, nextId }) {
             for (const { question } of open.values()) post(question);
         },
 
-        /** There is another worker, which cannot be asked yet. */
+        /** The worker was replaced; the fresh one cannot be asked yet. */
         forget() {
             askable = false;
         },
 
-        /** @param {Answer} answer @returns {boolean} whether it answers one of them */
+        /** @param {Answer} answer @returns {boolean} whether the question was open */
         answer(answer) {
             const asked = open.get(answer.id);
             open.delete(answer.id);
@@ -75,20 +75,20 @@ export function createQuestions({ post, nextId }) {
             return asked !== undefined;
         },
 
-        /** The worker stopped over a question. @param {number} id @returns {Asked | undefined} the type of the question, if it is one */
+        /** The worker stopped while answering a question. @param {number} id @returns {Asked | undefined} the type of the question, if the id is open */
         refuseOne(id) {
             const type = open.get(id)?.question.type;
             refuse((question) => question.id === id, new Stopped('it stopped answering and was given up'));
             return type;
         },
 
-        /** Such a question about a definition is not asked again. @param {Asked} type @param {Definition | null} definition */
+        /** Questions of this type about a definition are not asked again. @param {Asked} type @param {Definition | null} definition */
         forbid(type, definition) {
             if (forbidden.definition !== definition) forbidden = { definition, types: new Set() };
             forbidden.types.add(type);
         },
 
-        /** Refuses what is about a drawing that was given up. */
+        /** Refuses the questions about a drawing that was given up. */
         refuseAboutDrawing: () => refuse(({ type }) => ABOUT_DRAWING.includes(type), new Stopped('the drawing was given up')),
 
         /** @param {Error} error */
@@ -98,7 +98,7 @@ export function createQuestions({ post, nextId }) {
 
 /** @typedef {<T extends Asked>(type: T, asked: Questions[T]['asked']) => Promise<Answer<T>>} Ask */
 
-/** What can be asked of the worker: the questions of protocol.js as functions. @param {Ask} ask */
+/** The questions of protocol.js as functions. @param {Ask} ask */
 export function asking(ask) {
     return {
         /** @param {number} generation @param {bigint} start @param {number} count */
@@ -122,7 +122,7 @@ export function asking(ask) {
         /** @param {import('../protocol.js').Format} format */
         export: (format) => ask('export', { format }),
 
-        /** @param {number} width @param {number} height @param {Definition} definition carried in the file, to open it again */
+        /** @param {number} width @param {number} height @param {Definition} definition stored in the file, to open it again */
         async png(width, height, definition) {
             const { blob, reason } = await ask('png', { width, height, definition });
             if (!blob) throw new Error(reason ?? 'the browser could not make the picture');

@@ -1,20 +1,20 @@
 /**
- * Notices a worker that has stopped: one that owes something and says nothing. The page pings it while it owes something,
- * and a healthy worker answers from its event loop, to which it returns every few milliseconds.
+ * Detects a worker that owes an answer and is silent. The page pings the worker while it owes something; a healthy
+ * worker returns to its event loop every few milliseconds and answers.
  */
 
-/** A worker that is silent for this long has stopped, in milliseconds. */
+/** A worker counts as stopped after this silence, in milliseconds. */
 export const SILENCE = 4000;
-/** The same before its first word: its script may come from a slow server. */
+/** The limit before the worker's first message, in milliseconds: its script may come from a slow server. */
 export const STARTUP = 15_000;
-/** Between two pings. */
+/** Time between two pings, in milliseconds. */
 const BEAT = 250;
-/** Beats that are farther apart than this: the machine has slept in between. */
+/** Beats farther apart than this, in milliseconds, mean that the machine slept. */
 const SLEEP = 5000;
 
 /**
- * How long a worker has been silent, one beat later. Time in which the machine slept or nobody could see the page does
- * not count, and of a beat that came late, because the page was busy, only the length of two.
+ * How long a worker has been silent, one beat later, in milliseconds. Time does not count while the machine slept or
+ * the page was hidden. A beat that came late, because the page was busy, counts as at most two beats.
  * @param {number} silent so far
  * @param {number} apart since the beat before
  * @param {boolean} visible
@@ -25,9 +25,9 @@ export function silenceAfter(silent, apart, visible) {
 
 /**
  * @param {object} worker
- * @param {() => number} worker.patience how long it may be silent now, in milliseconds; 0 while it owes nothing
+ * @param {() => number} worker.patience how long the worker may be silent now, in milliseconds; 0 while nothing is expected from it
  * @param {() => void} worker.ping
- * @param {(silent: number) => void} [worker.doubted] it has been silent for so long, but not yet for too long
+ * @param {(silent: number) => void} [worker.doubted] the worker has been silent for this many milliseconds, within its limit
  * @param {() => void} worker.stopped
  */
 export function createWatchdog({ patience, ping, doubted, stopped }) {
@@ -53,7 +53,7 @@ export function createWatchdog({ patience, ping, doubted, stopped }) {
     }
 
     return {
-        /** The worker has been asked for something. */
+        /** Starts watching, if the worker owes something. */
         watch() {
             if (timer !== 0 || patience() === 0) return;
             silent = 0;
@@ -61,12 +61,12 @@ export function createWatchdog({ patience, ping, doubted, stopped }) {
             timer = window.setTimeout(beat, BEAT);
         },
 
-        /** The worker has said something. */
+        /** The worker has sent a message. */
         heard() {
             silent = 0;
         },
 
-        /** There is another worker, or none. */
+        /** The worker is gone: stops watching. */
         leave() {
             clearTimeout(timer);
             timer = 0;

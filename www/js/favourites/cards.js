@@ -1,4 +1,4 @@
-/** Cards of the favourites dialog: a system kept by name, with what can be done to it, and where a visit ended. */
+/** Cards of the favourites dialog: favourites with their buttons, and earlier visits. */
 
 import { make } from '../dom.js';
 
@@ -21,7 +21,7 @@ export function favouriteCard(one, picture, { open, rename, remove }) {
     const opener = make('button', { type: 'button', class: 'card', 'data-id': one.id }, ...(picture ? [picture] : []), make('span', { class: 'card-title' }, one.name));
     opener.addEventListener('click', open);
     const acts = make('div', { class: 'card-acts' }, actButton('Rename', `Rename ${one.name}`, rename), actButton('Delete', `Delete ${one.name}`, remove));
-    return make('li', { class: 'kept', 'data-favourite': one.id }, opener, acts);
+    return make('li', { class: 'card-item', 'data-favourite': one.id }, opener, acts);
 }
 
 /** @param {number} time when the visit ended @param {State} state @param {HTMLCanvasElement} picture @param {() => void} open */
@@ -29,5 +29,5 @@ export function visitCard(time, state, picture, open) {
     const when = new Date(time).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
     const opener = make('button', { type: 'button', class: 'card' }, picture, make('span', { class: 'card-title' }, state.title || state.name || 'Untitled system'), make('span', { class: 'card-kind' }, when));
     opener.addEventListener('click', open);
-    return make('li', { class: 'kept' }, opener);
+    return make('li', { class: 'card-item' }, opener);
 }

@@ -1,22 +1,22 @@
-/** Favourites as a file: saved for the reader, and read from what somebody chose or opened. */
+/** Exports favourites to a file and imports files of favourites. */
 
 import { button, input } from '../dom.js';
 import { download } from '../download.js';
 import { LARGEST_FILE, readFile, writeFile } from '../favourites.js';
 
-/** What is said where nothing more can be kept. */
-export const FULL = 'The browser has no more room for this page: export the favourites as a file, and delete some.';
+/** The message when the storage is full. */
+export const FULL = 'The browser’s storage for this page is full. Export the favourites to a file, then delete some.';
 
 /**
- * @param {ReturnType<typeof import('./kept.js').createKept>} kept
+ * @param {ReturnType<typeof import('./stored.js').createStored>} stored
  * @param {{tell: (words: string) => void, changed: () => void}} dialog
  */
-export function createExchange(kept, { tell, changed }) {
+export function createExchange(stored, { tell, changed }) {
     const chooser = input('favourites-file');
 
     button('export-favourites').addEventListener('click', () => {
-        download(new Blob([writeFile(kept.list())], { type: 'application/json' }), 'favourites.json');
-        tell('All favourites are saved in favourites.json.');
+        download(new Blob([writeFile(stored.list())], { type: 'application/json' }), 'favourites.json');
+        tell('Exported all favourites to favourites.json.');
     });
     button('import-favourites').addEventListener('click', () => chooser.click());
     chooser.addEventListener('change', async () => {
@@ -24,19 +24,19 @@ export function createExchange(kept, { tell, changed }) {
         chooser.value = '';
         if (!file) return;
         try {
-            tell(file.size > LARGEST_FILE ? 'This file is too large: a file of favourites has at most 2 MB.' : await take(await file.text()));
+            tell(file.size > LARGEST_FILE ? 'This file is too large. Files of favourites have at most 2 MB.' : await take(await file.text()));
         } catch (error) {
             tell(`${file.name} could not be read: ${error instanceof Error ? error.message : error}`);
         }
     });
 
-    /** Adds the favourites of a file. @param {string} text @returns {Promise<string>} what came of it, in words */
+    /** Adds the favourites of a file. @param {string} text @returns {Promise<string>} a message about the result */
     async function take(text) {
-        const read = await readFile(kept.list(), text);
-        if (!read) return 'This file holds no favourites.';
-        const isKept = read.added === 0 || kept.put(read.list);
+        const read = await readFile(stored.list(), text);
+        if (!read) return 'This file contains no favourites.';
+        const isStored = read.added === 0 || stored.put(read.list);
         changed();
-        return isKept ? resultText(read) : FULL;
+        return isStored ? resultText(read) : FULL;
     }
 
     return { take };
@@ -46,7 +46,7 @@ export function createExchange(kept, { tell, changed }) {
 function resultText({ added, known, damaged, tooMany }) {
     const parts = [
         added === 1 ? 'Added 1 favourite.' : `Added ${added} favourites.`,
-        known > 0 && `${known} ${known === 1 ? 'was' : 'were'} there already.`,
+        known > 0 && `${known} ${known === 1 ? 'was' : 'were'} already there.`,
         damaged > 0 && `${damaged} could not be read.`,
         tooMany > 0 && `There was no room for ${tooMany} more.`,
     ];

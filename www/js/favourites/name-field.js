@@ -1,12 +1,12 @@
-/** The field in which a favourite gets another name, in the place of what can be done to it. */
+/** The field that renames a favourite, in place of its buttons. */
 
 import { make } from '../dom.js';
 import { LONGEST_NAME } from '../favourites.js';
 
 /**
- * @param {Element} place whose children it replaces
- * @param {string} name as it is
- * @param {(name: string | null, focused: boolean) => void} finish null where the name stays; `focused` until then
+ * @param {Element} place the element whose children are replaced
+ * @param {string} name the current name
+ * @param {(name: string | null, focused: boolean) => void} finish called with the new name, or null to keep the name; `focused`: the field had the focus
  */
 export function showNameField(place, name, finish) {
     const field = make('input', { type: 'text', class: 'number', maxlength: String(LONGEST_NAME), value: name, 'aria-label': `New name of ${name}`, autocomplete: 'off' });

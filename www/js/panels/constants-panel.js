@@ -1,16 +1,16 @@
-/** A slider and a number field for each named constant of the rules; they edit its value in the text. */
+/** A slider and a number field for each named constant; they edit the value in the rules. */
 
 import { html, make, setText } from '../dom.js';
 import { numberField } from '../controls/number-field.js';
-import { outgrown, scaleAbout, writtenAs } from '../controls/scale.js';
+import { needsNewScale, scaleAbout, writtenAs } from '../controls/scale.js';
 import { slider } from '../controls/slider.js';
 import { plain } from '../numerals.js';
 
 /** @typedef {import('../protocol.js').Constant} Constant */
 /** @typedef {{element: HTMLElement, name: string, number: boolean, show: (value: number | null) => void}} Row */
 
-/** More than these are not shown: the rest is changed in the text. */
-const MOST = 40;
+/** The maximum number of shown constants; others can be edited in the rules. */
+const MAX_SHOWN = 40;
 
 /**
  * @param {import('../store.js').Store} store
@@ -19,20 +19,20 @@ const MOST = 40;
 export function constantsPanel(store, rules) {
     const group = html('constants');
     const list = html('constants-list');
-    /** In text order, and the rules that they stand in. @type {Constant[]} */
+    /** The constants in text order, and the rules with these constants. @type {Constant[]} */
     let constants = [];
     let text = '';
     /** @type {Row[]} */
     let rows = [];
     let serial = 0;
-    /** Whether a slider is being dragged, so that its scale stays. */
+    /** Whether a slider is being dragged; its scale must not change meanwhile. */
     let held = false;
 
     /** Writes a value into the rules. @param {string} name @param {number} value @param {string} label */
     function set(name, value, label) {
         const at = constants.findIndex((constant) => constant.name === name);
         const constant = constants[at];
-        // Where the text has changed since it was read, its new places are on their way.
+        // If the text has changed since, new places will come.
         if (!constant?.number || store.state.rules !== text) return;
         const written = writtenAs(value, text.slice(constant.start, constant.end));
         const grown = written.length - (constant.end - constant.start);
@@ -83,7 +83,7 @@ export function constantsPanel(store, rules) {
 
         /** @param {number} next */
         function show(next) {
-            if (!held && outgrown(stops, next)) {
+            if (!held && needsNewScale(stops, next)) {
                 stops = scaleAbout(next);
                 scale.scale(stops);
             }
@@ -95,14 +95,14 @@ export function constantsPanel(store, rules) {
     }
 
     function show() {
-        const shown = constants.slice(0, MOST);
+        const shown = constants.slice(0, MAX_SHOWN);
         const fits = rows.length === shown.length && rows.every(({ name, number }, at) => shown[at]?.name === name && shown[at]?.number === number);
         if (!fits) {
             const former = new Map(rows.map((row) => [`${row.name} ${row.number}`, row]));
             rows = shown.map((constant) => former.get(`${constant.name} ${constant.number}`) ?? newRow(constant));
             const kept = new Set(rows);
             for (const row of former.values()) if (!kept.has(row)) row.element.remove();
-            // Moving an element takes the focus from it, so those in their places stay.
+            // Moving an element takes away its focus, so elements in the right place are not moved.
             rows.forEach(({ element }, at) => {
                 if (list.children[at] !== element) list.insertBefore(element, list.children[at] ?? null);
             });
@@ -110,7 +110,7 @@ export function constantsPanel(store, rules) {
         shown.forEach(({ value }, at) => rows[at]?.show(value));
         group.hidden = shown.length === 0;
         const rest = constants.length - shown.length;
-        setText(html('constants-rest'), rest > 0 ? `${rest} more stand in the rules.` : '');
+        setText(html('constants-rest'), rest > 0 ? `${rest} more in the rules.` : '');
     }
 
     return {
@@ -121,7 +121,7 @@ export function constantsPanel(store, rules) {
                 text = texts.rules;
                 return show();
             }
-            // An older text: its places are out of date, but what it computes is newer than what is shown.
+            // The places of an older text are out of date, but its computed values are newer than the shown ones.
             for (const { name, value, number } of notation.constants) {
                 if (!number) rows.find((row) => row.name === name && !row.number)?.show(value);
             }

@@ -1,12 +1,12 @@
-/** Systems kept by name, and where earlier visits ended: a form in Save, and a dialog of small pictures. */
+/** Favourites and earlier visits: a form in the Save section, and a dialog with thumbnails. */
 
 import { toast } from '../announce.js';
 import { button, byId, closes, html, input, setText } from '../dom.js';
 import { MOST_FAVOURITES, favourite, rename } from '../favourites.js';
 import { favouriteCard, visitCard } from '../favourites/cards.js';
 import { FULL, createExchange } from '../favourites/exchange.js';
-import { createKept } from '../favourites/kept.js';
-import { createLateThumbs } from '../favourites/late-thumbs.js';
+import { createStored } from '../favourites/stored.js';
+import { createLazyThumbs } from '../favourites/lazy-thumbs.js';
 import { showNameField } from '../favourites/name-field.js';
 import { readLink } from '../link.js';
 import { openSession } from '../sessions.js';
@@ -17,18 +17,18 @@ import { openSession } from '../sessions.js';
 /**
  * @param {import('../store.js').Store} store
  * @param {import('../engine.js').Engine} engine
- * @param {{keeper: import('../storage.js').Keeper, session: Session}} visit
+ * @param {{storage: import('../storage.js').SafeStorage, session: Session}} visit
  */
-export function favouritesPanel(store, engine, { keeper, session }) {
-    const kept = createKept(keeper);
-    const dialog = createDialog(engine, kept, session);
-    const exchange = createExchange(kept, { tell: dialog.tell, changed: dialog.fill });
-    addForm(store, kept);
+export function favouritesPanel(store, engine, { storage, session }) {
+    const stored = createStored(storage);
+    const dialog = createDialog(engine, stored, session);
+    const exchange = createExchange(stored, { tell: dialog.tell, changed: dialog.fill });
+    addForm(store, stored);
 
     return {
-        /** A file of favourites that was opened like a system. @param {string} text */
+        /** Imports a file of favourites that was opened like a system. @param {string} text */
         async take(text) {
-            if (!kept.available) return toast('This browser keeps no favourites here.');
+            if (!stored.available) return toast('This browser cannot store favourites here.');
             try {
                 toast(await exchange.take(text));
             } catch (error) {
@@ -38,22 +38,22 @@ export function favouritesPanel(store, engine, { keeper, session }) {
     };
 }
 
-/** The form that adds what is shown. @param {import('../store.js').Store} store @param {ReturnType<typeof createKept>} kept */
-function addForm(store, kept) {
+/** The form that adds the current state to favourites. @param {import('../store.js').Store} store @param {ReturnType<typeof createStored>} stored */
+function addForm(store, stored) {
     const name = input('favourite-name');
 
     html('favourites-form').addEventListener('submit', (event) => {
         event.preventDefault();
         const added = favourite(name.value, store.state);
-        const former = kept.list();
+        const former = stored.list();
         if (former.some((one) => one.name === added.name && one.link === added.link)) return toast(`“${added.name}” is already in favourites.`);
         if (former.length >= MOST_FAVOURITES) return toast(`At most ${MOST_FAVOURITES} favourites: delete some first.`);
-        if (!kept.put([added, ...former])) return toast(FULL);
+        if (!stored.put([added, ...former])) return toast(FULL);
         name.value = '';
         toast(`Added “${added.name}” to favourites.`);
     });
 
-    /** The name a system would be kept by. */
+    /** Shows the default name of a new favourite. */
     function showName() {
         name.placeholder = store.state.title || store.state.name || 'Untitled system';
     }
@@ -61,12 +61,12 @@ function addForm(store, kept) {
     showName();
 }
 
-/** The dialog of favourites and visits. @param {import('../engine.js').Engine} engine @param {ReturnType<typeof createKept>} kept @param {Session} session */
-function createDialog(engine, kept, session) {
+/** The dialog of favourites and visits. @param {import('../engine.js').Engine} engine @param {ReturnType<typeof createStored>} stored @param {Session} session */
+function createDialog(engine, stored, session) {
     const dialog = byId('favourites', HTMLDialogElement);
     const shelf = html('favourite-cards');
     const undo = button('favourites-undo');
-    const thumbs = createLateThumbs(engine, html('favourites-shelves'));
+    const thumbs = createLazyThumbs(engine, html('favourites-shelves'));
     /** The list before the last deletion. @type {Favourite[] | null} */
     let before = null;
 
@@ -79,11 +79,11 @@ function createDialog(engine, kept, session) {
 
     function fill() {
         thumbs.clear();
-        const favourites = kept.list();
+        const favourites = stored.list();
         shelf.replaceChildren(...favourites.map(cardOf));
         const visits = session.others().flatMap((one) => {
             const state = openSession(one)?.state;
-            return state ? [visitCard(one.time, state, thumbs.of(state), leaving(() => session.resume(one)))] : [];
+            return state ? [visitCard(one.time, state, thumbs.of(state), closeAndThen(() => session.resume(one)))] : [];
         });
         html('visit-cards').replaceChildren(...visits);
         html('no-favourites').hidden = favourites.length > 0;
@@ -92,7 +92,7 @@ function createDialog(engine, kept, session) {
     }
 
     /** Closes the dialog and then acts. @param {() => void} act */
-    const leaving = (act) => () => {
+    const closeAndThen = (act) => () => {
         dialog.close();
         act();
     };
@@ -100,7 +100,7 @@ function createDialog(engine, kept, session) {
     /** @param {Favourite} one */
     function cardOf(one) {
         const state = readLink(one.link)?.state;
-        return favouriteCard(one, state ? thumbs.of(state) : null, { open: leaving(() => state && session.visit(state)), rename: () => startRenaming(one.id), remove: () => remove(one.id) });
+        return favouriteCard(one, state ? thumbs.of(state) : null, { open: closeAndThen(() => state && session.visit(state)), rename: () => startRenaming(one.id), remove: () => remove(one.id) });
     }
 
     /** A part of a favourite's card. @param {string} id @param {string} selector */
@@ -109,12 +109,12 @@ function createDialog(engine, kept, session) {
     /** @param {string} id */
     function startRenaming(id) {
         const acts = partOf(id, '.card-acts');
-        const one = kept.list().find((each) => each.id === id);
+        const one = stored.list().find((each) => each.id === id);
         if (!acts || !one) return fill();
         showNameField(acts, one.name, (name, focused) => {
-            const next = name === null ? [] : rename(kept.list(), id, name);
+            const next = name === null ? [] : rename(stored.list(), id, name);
             const given = next.find((each) => each.id === id)?.name ?? one.name;
-            if (given !== one.name) tell(kept.put(next) ? `Renamed to “${given}”.` : FULL);
+            if (given !== one.name) tell(stored.put(next) ? `Renamed to “${given}”.` : FULL);
             fill();
             if (focused) partOf(id, '.card-act')?.focus();
         });
@@ -122,27 +122,27 @@ function createDialog(engine, kept, session) {
 
     /** @param {string} id */
     function remove(id) {
-        const former = kept.list();
+        const former = stored.list();
         const at = former.findIndex((one) => one.id === id);
         const gone = former[at];
         if (!gone) return fill();
-        kept.put(former.filter((one) => one.id !== id));
+        stored.put(former.filter((one) => one.id !== id));
         fill();
         before = former;
         tell(`Deleted “${gone.name}”.`, true);
-        // The keyboard stays where it was, on the card that took the place.
-        const next = kept.list()[Math.min(at, former.length - 2)];
+        // Focus the card that took the place of the deleted one.
+        const next = stored.list()[Math.min(at, former.length - 2)];
         (next ? partOf(next.id, '.card-acts button:last-child') : button('close-favourites'))?.focus();
     }
 
     undo.addEventListener('click', () => {
         const former = before;
         if (!former) return;
-        // What came in meanwhile stays.
-        const now = kept.list();
-        kept.put([...now.filter((one) => !former.some(({ id }) => id === one.id)), ...former]);
+        // Favourites added since then stay.
+        const now = stored.list();
+        stored.put([...now.filter((one) => !former.some(({ id }) => id === one.id)), ...former]);
         fill();
-        tell('It is back.');
+        tell('Restored.');
         button('close-favourites').focus();
     });
     button('open-favourites').addEventListener('click', () => {

@@ -1,4 +1,4 @@
-/** Iterations, angles, seed, and how large the result is. */
+/** The Growth section: iterations, angles, seed, and the size of the result. */
 
 import { button, byId, html, input, make, setText } from '../dom.js';
 import { dial } from '../controls/dial.js';
@@ -28,20 +28,20 @@ export function growthPanel(store, source) {
         try {
             store.change({ seed: await source.seed() }, '');
         } catch {
-            // The worker stopped meanwhile; its failure is shown elsewhere.
+            // The worker has stopped; the stage reports the failure.
         }
     });
 
     /** @type {Report | null} */
     let last = null;
-    /** How far the system can grow and why no farther, once that was found. @type {{system: string, largest: number, why: string} | null} */
+    /** The highest possible number of iterations and the reason, once known. @type {{system: string, largest: number, why: string} | null} */
     let bound = null;
-    /** Which of the two counts shows all its digits. @type {'symbols' | 'segments' | null} */
-    let unfolded = null;
+    /** The count that shows all its digits. @type {'symbols' | 'segments' | null} */
+    let expanded = null;
     for (const kind of /** @type {const} */ (['symbols', 'segments'])) {
         button(kind).addEventListener('click', () => {
-            unfolded = unfolded === kind ? null : kind;
-            if (last) showDigits(last, unfolded);
+            expanded = expanded === kind ? null : kind;
+            if (last) showDigits(last, expanded);
         });
     }
 
@@ -65,7 +65,7 @@ export function growthPanel(store, source) {
             if (!report.ok) return;
             last = report;
             for (const kind of /** @type {const} */ (['symbols', 'segments'])) showCount(button(kind), report, kind);
-            showDigits(report, unfolded);
+            showDigits(report, expanded);
             const system = JSON.stringify({ ...definitionOf(state), iterations: 0 });
             if (bound?.system !== system) bound = null;
             if (report.largest !== null && report.largest < rangeOf('iterations').high) {
@@ -75,24 +75,24 @@ export function growthPanel(store, source) {
             iterations.limit(bound && Math.max(bound.largest, state.iterations));
             button('seed-sheet').disabled = !report.stochastic;
             html('seed-row').classList.toggle('idle', !report.stochastic);
-            setText(html('seed-note'), report.stochastic ? 'The same seed grows the same plant.' : 'Nothing is left to chance, so the seed changes nothing. Variation makes every seed another plant.');
+            setText(html('seed-note'), report.stochastic ? 'The same seed grows the same plant.' : 'This system has no randomness, so the seed has no effect. Angle or length variation adds randomness.');
             setText(html('status'), statusOf(report, bound));
         },
     };
 }
 
 /**
- * How the picture is made, in words.
+ * The kind of the system and how the picture is made, in words.
  * @param {Report} report
  * @param {{largest: number, why: string} | null} bound
  */
 function statusOf({ kind, solid, memoised, blocks, largest }, bound) {
-    const limit = bound ? ` It can grow to n = ${bound.largest}. ${largest === null ? `Beyond: ${bound.why}.` : ''}` : '';
+    const limit = bound ? ` At most n = ${bound.largest}. ${largest === null ? `Above: ${bound.why}.` : ''}` : '';
     if (memoised === null || blocks === null) return bound ? limit.trim() : 'Growing…';
-    const sort = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}${solid ? ', in space' : ''}`;
-    if (!memoised) return `${sort}; expanded in full.${limit}`;
-    if (blocks <= 1) return `${sort}.${limit}`;
-    return `${sort}; drawn from ${grouped(String(blocks))} reusable parts.${limit}`;
+    const sentence = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}${solid ? ', in space' : ''}`;
+    if (!memoised) return `${sentence}; expanded in full.${limit}`;
+    if (blocks <= 1) return `${sentence}.${limit}`;
+    return `${sentence}; drawn from ${grouped(String(blocks))} reusable parts.${limit}`;
 }
 
 /** @param {HTMLButtonElement} element @param {Report} report @param {'symbols' | 'segments'} kind */
@@ -101,7 +101,7 @@ function showCount(element, report, kind) {
     const long = digits !== null && short(digits).exponent !== null;
     element.disabled = !long;
     element.title = long ? `Show all digits of the number of ${kind}` : '';
-    // Without a picture yet the count may still come; with one, it was never made.
+    // Before the first picture the count may still come; afterwards it is unknown.
     if (digits === null) return setText(element, report.memoised === null ? '…' : '–');
     const { mantissa, exponent } = short(digits);
     if (exponent === null) return setText(element, mantissa);
@@ -120,7 +120,7 @@ function showDigits(report, kind) {
     if (shown && digits) setText(frame, `${grouped(digits)} ${kind}`);
 }
 
-/** The angle itself beside its name. @param {number} degrees */
+/** Draws the angle beside its label. @param {number} degrees */
 function showAnglePicture(degrees) {
     const picture = byId('angle-picture', SVGSVGElement);
     const turn = ((degrees % 360) + 360) % 360;
@@ -131,7 +131,7 @@ function showAnglePicture(degrees) {
 }
 
 /**
- * What the caption says under the title.
+ * The text under the title of the caption.
  * @param {import('../state.js').State} state
  * @param {Report} report
  */

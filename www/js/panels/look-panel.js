@@ -1,18 +1,18 @@
-/** Colours and strokes. */
+/** The Look section: colours and strokes. */
 
 import { button, byId, html, input, make, setChoice, setText } from '../dom.js';
 import { numberField } from '../controls/number-field.js';
-import { INKS, hasInk, wearing } from '../inks.js';
+import { SCHEMES, hasScheme, schemePatch } from '../colour-schemes.js';
 import { mostOf, rangeOf } from '../state.js';
 
 /** @type {Record<import('../state.js').ColourBy, string>} */
 const NOTES = {
     symbol: '',
-    level: 'The first colour for the stem, the next for its branches, and so on.',
-    generation: 'By the iteration that made a symbol. A symbol that a rule puts in its own place stays as old as it was.',
-    path: 'All colours as a gradient, from the first segment to the last.',
-    turn: 'The first colour at the start, others after turns. A branch ends in the colour it began with.',
-    density: 'With additive blending: all colours as a gradient, from the least ink to the most.',
+    level: 'First colour for the stem, next colour for its branches, and so on.',
+    generation: 'Colour by the iteration that made a symbol. A symbol that a rule copies keeps its generation.',
+    path: 'A gradient of all colours, from the first segment to the last.',
+    turn: 'First colour at the start, other colours after turns. Each branch restores the colour before it.',
+    density: 'With additive blending: a gradient of all colours, from the least ink to the most.',
     single: '',
 };
 
@@ -21,18 +21,18 @@ export function lookPanel(store) {
     const settle = () => store.settle();
     const wells = html('wells');
 
-    const inks = INKS.map((ink) => {
+    const schemes = SCHEMES.map((scheme) => {
         const swatch = make('span', { class: 'swatch', 'aria-hidden': 'true' });
-        swatch.style.background = ink.background;
-        for (const colour of ink.palette.slice(0, 5)) {
+        swatch.style.background = scheme.background;
+        for (const colour of scheme.palette.slice(0, 5)) {
             const stripe = make('i');
             stripe.style.background = colour;
             swatch.append(stripe);
         }
-        const chip = make('button', { type: 'button', class: 'ink', 'aria-pressed': 'false' }, swatch, make('span', {}, ink.name));
-        chip.addEventListener('click', () => store.change(wearing(ink), ''));
+        const chip = make('button', { type: 'button', class: 'ink', 'aria-pressed': 'false' }, swatch, make('span', {}, scheme.name));
+        chip.addEventListener('click', () => store.change(schemePatch(scheme), ''));
         html('inks').append(chip);
-        return { ink, chip };
+        return { scheme, chip };
     });
 
     const inkKind = byId('ink', HTMLSelectElement);
@@ -109,7 +109,7 @@ export function lookPanel(store) {
             });
             button('remove-colour').disabled = state.palette.length === 1;
             button('add-colour').disabled = state.palette.length >= mostOf('palette');
-            for (const { ink, chip } of inks) chip.setAttribute('aria-pressed', String(hasInk(state, ink)));
+            for (const { scheme, chip } of schemes) chip.setAttribute('aria-pressed', String(hasScheme(state, scheme)));
             setChoice(colourBy, state.colourBy);
             holds.checked = state.paletteHolds;
             html('holds-row').hidden = state.colourBy !== 'level' && state.colourBy !== 'generation';

@@ -1,4 +1,4 @@
-/** Axiom and productions. */
+/** The Rules section: axiom and productions. */
 
 import { toast } from '../announce.js';
 import { byId, html, setText } from '../dom.js';
@@ -38,7 +38,7 @@ export function rulesPanel(store) {
             rules.tint(notation.rules, texts.rules);
         },
         /**
-         * Puts another value in the place of a constant's; caret and selection stay.
+         * Replaces the value of a constant; caret and selection stay.
          * @param {import('../protocol.js').Constant} constant
          * @param {string} value
          * @param {string} label of the change

@@ -1,9 +1,9 @@
 /**
- * The sections of the controls. Beside the drawing, rules and growth are always open and the tabs choose among the
- * rest; on a phone the tabs choose among all.
+ * The sections of the controls. Beside the drawing, rules and growth are always open, and the tabs switch between the
+ * other sections. On a phone the tabs switch between all sections.
  */
 
-/** Open beside the drawing, whatever the tab. */
+/** Sections that are always open beside the drawing. */
 const ALWAYS = ['rules', 'grow'];
 const FIRST_BESIDE = 'turtle';
 

@@ -1,4 +1,4 @@
-/** What symbols do, and where the turtle starts. */
+/** The Turtle section: actions of symbols, and the start of the turtle. */
 
 import { byId, html, input, make, setChoice, setText } from '../dom.js';
 import { editor } from '../controls/editor.js';
@@ -26,31 +26,31 @@ export function turtlePanel(store) {
     const showStart = listFields('start', ['start-x', 'start-y'], 1);
 
     const bends = html('bends');
-    const [showDown, showUp, showLeft, showRight] = [leftOut('pitchDown', 'pitch-down'), leftOut('pitchUp', 'pitch-up'), leftOut('rollLeft', 'roll-left'), leftOut('rollRight', 'roll-right')];
+    const [showDown, showUp, showLeft, showRight] = [optionalAngle('pitchDown', 'pitch-down'), optionalAngle('pitchUp', 'pitch-up'), optionalAngle('rollLeft', 'roll-left'), optionalAngle('rollRight', 'roll-right')];
     const showElasticity = plainField('elasticity', 'elasticity', 0.01);
     const showPull = listFields('tropism', ['tropism-x', 'tropism-y', 'tropism-z'], 0.1);
-    /** Whether the drawing leaves the plane, and whether it bends. */
+    /** Whether the drawing is in space, and whether tropism bends it. */
     let solid = false;
     let bent = false;
 
-    /** A number. @param {FieldName} field @param {string} id @param {number} step */
+    /** A field for a number. @param {FieldName} field @param {string} id @param {number} step */
     function plainField(field, id, step) {
         return numberField(input(id), { ...rangeOf(field), wanted: FIELDS[field].wanted, step, settle, change: (value) => store.change({ [field]: value }, field) });
     }
 
-    /** An angle that may be left out. @param {FieldName} field @param {string} id */
-    function leftOut(field, id) {
+    /** A field for an optional angle. @param {FieldName} field @param {string} id */
+    function optionalAngle(field, id) {
         return optionalField(input(id), { ...rangeOf(field), wanted: FIELDS[field].wanted, step: 1, settle, change: (value) => store.change({ [field]: value }, field) });
     }
 
-    /** The numbers of a list. @param {'start' | 'tropism'} field @param {string[]} ids @param {number} step */
+    /** Fields for the numbers of a list. @param {'start' | 'tropism'} field @param {string[]} ids @param {number} step */
     function listFields(field, ids, step) {
         const { wanted = '', ...range } = rangeOf(field);
         const show = ids.map((id, at) => numberField(input(id), { ...range, wanted, step, settle, change: (value) => store.change({ [field]: store.state[field].with(at, value) }, field) }));
         return (/** @type {readonly number[]} */ values) => values.forEach((value, at) => show[at]?.(value));
     }
 
-    /** Angles in space are shown where they matter, or were given. @param {import('../state.js').State} state */
+    /** Shows the angles in space if the drawing is in space or an angle is set. @param {import('../state.js').State} state */
     function showSpace({ angle, pitchDown, pitchUp, rollLeft, rollRight }) {
         html('space').hidden = !solid && [pitchDown, pitchUp, rollLeft, rollRight].every((value) => value === null);
         showDown(pitchDown, angle);
@@ -59,20 +59,20 @@ export function turtlePanel(store) {
         showRight(rollRight, rollLeft ?? angle);
     }
 
-    /** What each row of the legend tells, to leave alone those that stay as they are. @type {string[]} */
-    let told = [];
+    /** A key for each row of the legend, so that unchanged rows are not updated. @type {string[]} */
+    let shownKeys = [];
     /** @param {Report['legend']} legend */
     function showLegend(legend) {
         const rows = html('legend');
-        const tells = legend.map((entry) => JSON.stringify(entry));
+        const keys = legend.map((entry) => JSON.stringify(entry));
         while (rows.childElementCount > legend.length) rows.lastElementChild?.remove();
         legend.forEach((entry, at) => {
-            if (tells[at] === told[at]) return;
+            if (keys[at] === shownKeys[at]) return;
             const [row, former] = [legendRow(entry), rows.children[at]];
             if (former) former.replaceWith(row);
             else rows.append(row);
         });
-        told = tells;
+        shownKeys = keys;
     }
 
     return {
@@ -87,7 +87,7 @@ export function turtlePanel(store) {
             showSpace(state);
             showElasticity(state.elasticity);
             showPull(state.tropism);
-            // What begins to bend is shown; the reader may close it again.
+            // Open the tropism fields when bending begins; the reader may close them.
             if (state.elasticity !== 0 && !bent) bends.setAttribute('open', '');
             bent = state.elasticity !== 0;
         },
@@ -114,6 +114,6 @@ function legendRow({ symbol, actions, rewritten }) {
         'tr',
         {},
         make('th', { scope: 'row' }, make('kbd', {}, symbol === ' ' ? '␣' : symbol)),
-        make('td', {}, words, ...(rewritten ? [make('span', { class: 'rewritten', title: 'A production rewrites it at each iteration' }, 'rewritten')] : [])),
+        make('td', {}, words, ...(rewritten ? [make('span', { class: 'rewritten', title: 'A production rewrites this symbol at each iteration' }, 'rewritten')] : [])),
     );
 }

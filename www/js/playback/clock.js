@@ -1,31 +1,31 @@
-/** The clock of playback: goes on by whole segments, as many as the pace says, while it runs. */
+/** The clock of playback: advances by whole segments at the chosen speed. */
 
-import { calm } from '../dom.js';
+import { reducedMotion } from '../dom.js';
 
-/** With less motion the picture goes on this often, in milliseconds. */
-const CALM_MS = 500;
-/** After a longer pause, such as a hidden page, playing goes on from where it was, in milliseconds. */
+/** With reduced motion, the time between two pictures, in milliseconds. */
+const REDUCED_MOTION_MS = 500;
+/** A longer pause, such as a hidden page, does not count as playing time, in milliseconds. */
 const GAP = 1000;
 
-/** @param {{perSecond: () => number, goOn: (segments: bigint) => void}} playback */
-export function createClock({ perSecond, goOn }) {
+/** @param {{perSecond: () => number, advance: (segments: bigint) => void}} playback */
+export function createClock({ perSecond, advance }) {
     let running = false;
     let frame = 0;
     let before = 0;
-    /** What is more than a whole segment. */
+    /** The fraction of a segment that is left over. */
     let rest = 0;
 
     /** @param {number} now */
     function tick(now) {
         frame = requestAnimationFrame(tick);
         const time = now - before;
-        if (calm() && time < CALM_MS) return;
+        if (reducedMotion() && time < REDUCED_MOTION_MS) return;
         before = now;
-        if (time <= 0 || time > GAP + CALM_MS) return;
-        const way = (perSecond() * time) / 1000 + rest;
-        const whole = Math.floor(way);
-        rest = way - whole;
-        if (whole > 0) goOn(BigInt(whole));
+        if (time <= 0 || time > GAP + REDUCED_MOTION_MS) return;
+        const segments = (perSecond() * time) / 1000 + rest;
+        const whole = Math.floor(segments);
+        rest = segments - whole;
+        if (whole > 0) advance(BigInt(whole));
     }
 
     return {

@@ -1,4 +1,4 @@
-/** The field of playback that says how many segments are drawn, and in which their number is typed. */
+/** The playback field that shows the number of drawn segments and accepts a new number. */
 
 import { input, setValue } from '../dom.js';
 import { grouped } from '../numerals.js';
@@ -6,14 +6,14 @@ import { placeText, readPlace, within } from '../reading/places.js';
 
 /**
  * @param {object} playback
- * @param {() => bigint | null} playback.total how many segments there are, null while unknown
- * @param {() => bigint} playback.shown how many are shown
- * @param {(segments: bigint) => void} playback.stand
+ * @param {() => bigint | null} playback.total the number of segments, null while unknown
+ * @param {() => bigint} playback.shown the number of segments shown
+ * @param {(segments: bigint) => void} playback.seek
  */
-export function createSegmentField({ total, shown, stand }) {
+export function createSegmentField({ total, shown, seek }) {
     const field = input('play-place');
 
-    /** The number that is typed: a place that is counted from 0, and so one less than the segments up to it. */
+    /** The typed number of segments. `readPlace` counts from 0, so its place is one less. */
     function typed() {
         const all = total();
         if (all === null) return null;
@@ -22,14 +22,14 @@ export function createSegmentField({ total, shown, stand }) {
         return place === null ? null : place + 1n;
     }
 
-    /** While it is not written in, a long number is shown shortened. */
+    /** Writes the exact number, to be edited; an unfocused field shows a shortened number. */
     const write = () => setValue(field, grouped(String(shown())));
 
     function show() {
         field.disabled = !total();
         if (document.activeElement === field) return;
         setValue(field, total() === null ? '' : placeText(shown()));
-        field.title = `${grouped(String(shown()))} segments are drawn. Write a number, 10^12, 50 %`;
+        field.title = `${grouped(String(shown()))} segments are drawn. Type a number, 10^12, 50 %`;
         field.removeAttribute('data-wrong');
     }
 
@@ -40,12 +40,12 @@ export function createSegmentField({ total, shown, stand }) {
         const by = { ArrowUp: 1n, ArrowDown: -1n }[event.key];
         if (by !== undefined) {
             event.preventDefault();
-            stand(within(shown() + by * (event.shiftKey ? 10n : 1n), 0n, all));
+            seek(within(shown() + by * (event.shiftKey ? 10n : 1n), 0n, all));
             write();
         } else if (event.key === 'Enter') {
             const segments = typed();
             if (segments === null) return;
-            stand(segments);
+            seek(segments);
             write();
             field.select();
         }
@@ -56,7 +56,7 @@ export function createSegmentField({ total, shown, stand }) {
     });
     field.addEventListener('blur', () => {
         const segments = typed();
-        if (segments !== null && segments !== shown()) stand(segments);
+        if (segments !== null && segments !== shown()) seek(segments);
         show();
     });
 

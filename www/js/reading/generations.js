@@ -1,18 +1,18 @@
-/** Which generation's string is read: the buttons and the slider of the reader. */
+/** The buttons and the slider that choose the generation of the string view. */
 
 import { button, html, input, setText } from '../dom.js';
 
-/** @param {(to: number) => void} turn */
-export function createGenerations(turn) {
+/** @param {(to: number) => void} goTo */
+export function createGenerations(goTo) {
     const slider = input('reader-step');
     let iterations = 0;
-    /** The generation that is shown, null for the last. @type {number | null} */
+    /** The shown generation; null for the last. @type {number | null} */
     let step = null;
     const now = () => Math.min(step ?? iterations, iterations);
 
-    button('reader-back').addEventListener('click', () => turn(now() - 1));
-    button('reader-on').addEventListener('click', () => turn(now() + 1));
-    slider.addEventListener('input', () => turn(Number(slider.value)));
+    button('reader-back').addEventListener('click', () => goTo(now() - 1));
+    button('reader-on').addEventListener('click', () => goTo(now() + 1));
+    slider.addEventListener('input', () => goTo(Number(slider.value)));
 
     return {
         now,
@@ -20,7 +20,7 @@ export function createGenerations(turn) {
             return iterations;
         },
 
-        /** A generation that there is. @param {number} generation */
+        /** The nearest existing generation. @param {number} generation */
         bounded: (generation) => Math.min(iterations, Math.max(0, generation)),
 
         /** @param {number} generation */
@@ -29,7 +29,7 @@ export function createGenerations(turn) {
         },
 
         /** @param {number} next */
-        grow(next) {
+        setIterations(next) {
             iterations = next;
             if (step !== null && step >= iterations) step = null;
         },

@@ -1,4 +1,4 @@
-/** What is at hand of a generation's string: one page of it, and how long it is. The text window asks for more. */
+/** The loaded page of a generation's string, and the string's length. The text window requests further pages. */
 
 import { latest } from '../latest.js';
 import { REACH, within } from './places.js';
@@ -6,34 +6,34 @@ import { modulesOf } from './words.js';
 
 /** @typedef {import('../protocol.js').StringPage} StringPage */
 /**
- * What a fetched page tells: whether it is of another string than the last, whether the string can be read, and whether more
+ * `another`: the page belongs to another string than the last; `readable`: the string can be read; `full`: more symbols
  * may follow.
  * @typedef {{another: boolean, readable: boolean, full: boolean}} Arrived
  */
 
 /**
  * @param {(generation: number, start: bigint, count: number) => Promise<StringPage>} read
- * @param {() => number} generation that is shown
+ * @param {() => number} generation the shown generation
  * @param {(page: Arrived) => void} arrived
  */
 export function createPages(read, generation, arrived) {
     let page = { generation: -1, start: 0n, symbols: /** @type {string[]} */ ([]) };
-    /** How many symbols can be reached, null while unknown; and all digits of how many there are. @type {bigint | null} */
+    /** The number of symbols that can be reached, null while unknown, and the exact number of symbols. @type {bigint | null} */
     let length = null;
     let digits = '';
-    /** Why there is nothing to read. */
-    let why = '';
-    /** Whether the page is of a former definition, and the next is of another than the last. */
+    /** Why the string cannot be read. */
+    let reason = '';
+    /** Whether the page must be loaded again, and whether the next page belongs to another definition. */
     let stale = true;
-    let renewed = true;
+    let redefined = true;
 
     const fetch = latest(read, (answer, wanted, start, count) => {
         if (wanted !== generation()) return;
         const readable = answer.text !== null;
-        const another = page.generation !== wanted || renewed;
+        const another = page.generation !== wanted || redefined;
         stale = false;
-        renewed = false;
-        why = readable ? '' : 'This generation is too long to be derived.';
+        redefined = false;
+        reason = readable ? '' : 'This generation is too long to derive.';
         setLength(answer.length);
         page = { generation: wanted, start, symbols: modulesOf(answer.text ?? '', answer.apart) };
         arrived({ another, readable, full: page.symbols.length >= count });
@@ -52,16 +52,16 @@ export function createPages(read, generation, arrived) {
         get digits() {
             return digits;
         },
-        get why() {
-            return why;
+        get reason() {
+            return reason;
         },
 
-        /** What is at hand of the generation that is shown. */
+        /** The loaded page, empty if it belongs to another generation. */
         get page() {
             return page.generation === generation() ? page : { ...page, symbols: [] };
         },
 
-        /** All that is at hand, be it of another generation. */
+        /** All loaded symbols, even of another generation. */
         get symbols() {
             return page.symbols;
         },
@@ -75,31 +75,31 @@ export function createPages(read, generation, arrived) {
         /** @param {bigint} start @param {number} count */
         fetch: (start, count) => fetch(generation(), start, count),
 
-        /** Another generation is shown. */
-        turn() {
+        /** Drops the page, because another generation is shown. */
+        changeGeneration() {
             stale = true;
             length = null;
             page = { ...page, generation: -1 };
         },
 
-        /** What is at hand may be of a former definition. */
-        age() {
+        /** The loaded page may be out of date. */
+        markStale() {
             stale = true;
         },
 
-        /** There is another definition. */
-        renew() {
+        /** The definition has changed. */
+        redefine() {
             stale = true;
-            renewed = true;
+            redefined = true;
         },
 
-        /** A symbol that there is. Where it is not known yet how long the string is, the next page puts it right. @param {bigint} index */
+        /** The nearest existing symbol. While the length is unknown, any index is accepted and the next page corrects it. @param {bigint} index */
         bounded(index) {
             length ??= REACH;
             return within(index, 0n, length > 0n ? length - 1n : 0n);
         },
 
-        /** Learns how long the string is before any of it is fetched. @returns {Promise<boolean>} whether that is known */
+        /** Fetches the length of the string. @returns {Promise<boolean>} whether the length is known */
         async measure() {
             const wanted = generation();
             const answer = await read(wanted, 0n, 1).catch(() => null);

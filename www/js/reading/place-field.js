@@ -1,4 +1,4 @@
-/** The field in which a place in the string is typed. The reader goes there. */
+/** The Go to field of the string view: accepts a position in the string. */
 
 import { input } from '../dom.js';
 import { REACH, readPlace } from './places.js';
@@ -6,10 +6,10 @@ import { REACH, readPlace } from './places.js';
 /** @param {{length: () => bigint | null, choose: (place: bigint) => void}} reader `length` is null while unknown */
 export function createPlaceField({ length, choose }) {
     const field = input('reader-goto');
-    /** Whether a place was asked for before the length was known. */
+    /** Whether a position was entered before the length was known. */
     let waits = false;
 
-    /** Goes to the place that was typed, as soon as the length is known. */
+    /** Goes to the entered position once the length is known. */
     function go() {
         const all = length();
         waits = all === null;
@@ -23,8 +23,8 @@ export function createPlaceField({ length, choose }) {
     field.addEventListener('input', () => field.toggleAttribute('data-wrong', field.value.trim() !== '' && readPlace(field.value, length() ?? REACH) === null));
 
     return {
-        /** More of the string is known. */
-        goOn() {
+        /** More of the string was loaded. */
+        update() {
             if (waits) go();
         },
         forget() {

@@ -1,18 +1,18 @@
 /**
- * Places in strings and drawings of any length, as big integers counted from 0, and rows of a page that scrolls through
- * them. Pure functions.
+ * Places in strings and drawings of any length, as big integers counted from 0, and the rows of a window that scrolls
+ * through them. Pure functions.
  */
 
 import { grouped, raised, shortText } from '../numerals.js';
 
-/** The core counts in 128 bits: what lies behind this cannot be reached. */
+/** The last place that can be reached, because the core counts in 128 bits. */
 export const REACH = 2n ** 128n - 1n;
 
-/** Parts of a whole are taken in steps of this. */
+/** Fractions are rounded to this denominator. */
 const STEPS = 2 ** 53;
 
 /**
- * A part of a whole, rounded down; exact at 0 and 1.
+ * A fraction of a whole, rounded down; exact at 0 and 1.
  * @param {bigint} whole
  * @param {number} part from 0 to 1
  */
@@ -21,7 +21,7 @@ export function portion(whole, part) {
 }
 
 /**
- * Which part of a whole something is, from 0 to 1.
+ * The fraction of a whole that a place is at, from 0 to 1.
  * @param {bigint} place
  * @param {bigint} whole
  */
@@ -35,7 +35,7 @@ export function within(value, low, high) {
 }
 
 /**
- * How many rows a string fills.
+ * The number of rows of a string.
  * @param {bigint} length
  * @param {number} columns
  */
@@ -44,12 +44,12 @@ export function rowsOf(length, columns) {
 }
 
 /**
- * Where a page stands: the row at its top, and how far that has moved out, in CSS pixels, from 0 to a row's height.
+ * The position of the window: its top row, and how far this row is scrolled out, in CSS pixels (less than a row's height).
  * @typedef {{row: bigint, offset: number}} Top
  */
 
 /**
- * The top after scrolling, kept within the string: the last row may come no higher than the page's lower edge.
+ * The position after scrolling, kept within the string: the last row stays at the window's lower edge.
  * @param {Top} top
  * @param {number} pixels down
  * @param {{rows: bigint, rowHeight: number, height: number}} page
@@ -66,7 +66,7 @@ export function scrolled(top, pixels, { rows, rowHeight, height }) {
 }
 
 /**
- * The top of the last page.
+ * The lowest position of the window.
  * @param {{rows: bigint, rowHeight: number, height: number}} page
  * @returns {Top}
  */
@@ -77,7 +77,7 @@ export function lastTop({ rows, rowHeight, height }) {
 }
 
 /**
- * The top from where a row is in sight: the same if it is already, else with the row in the middle.
+ * A position that shows a row: unchanged if the row is visible, else with the row in the middle.
  * @param {Top} top
  * @param {bigint} row
  * @param {{rows: bigint, rowHeight: number, height: number}} page
@@ -92,10 +92,10 @@ export function revealed(top, row, page) {
 }
 
 /**
- * A position as a person writes it, counted from 1: `1,234`, `10^12`, `1e12`, `2.5e6`, `2·10^30`, `50 %`, `end`.
+ * Reads a typed position, counted from 1: `1,234`, `10^12`, `1e12`, `2.5e6`, `2·10^30`, `50 %`, `end`.
  * @param {string} text
  * @param {bigint} length of the whole
- * @returns {bigint | null} counted from 0 and within the whole; null where the text says no position
+ * @returns {bigint | null} counted from 0 and within the whole; null if the text is no position
  */
 export function readPlace(text, length) {
     const last = length > 0n ? length - 1n : 0n;
@@ -116,7 +116,7 @@ export function readPlace(text, length) {
 }
 
 /**
- * A place for the margin of a page, counted from 1: the last digits where there are many.
+ * A place for the margin, counted from 1; of a long number only the last digits.
  * @param {bigint} place counted from 0
  */
 export function marginText(place) {
@@ -125,14 +125,14 @@ export function marginText(place) {
 }
 
 /**
- * What one moves by in a second to be through in so many seconds, at least one.
+ * The speed that covers the whole in a number of seconds, at least 1 per second.
  * @param {bigint} whole
  * @param {number} seconds
  */
 export const pace = (whole, seconds) => Math.max(1, Number(whole) / seconds);
 
 /**
- * A pace in words: `1,200 a second`, `3.1 × 10²⁶ a second`.
+ * A speed in words: `1,200 a second`, `3.1 × 10²⁶ a second`.
  * @param {number} perSecond
  */
 export function paceText(perSecond) {
@@ -142,11 +142,11 @@ export function paceText(perSecond) {
     return `${(perSecond / 10 ** exponent).toFixed(1)}\u2009×\u200910${raised(exponent)} a second`;
 }
 
-/** A count, short. @param {bigint} count */
+/** A count in short form. @param {bigint} count */
 export const countText = (count) => shortText(String(count));
 
 /**
- * A position: all digits as long as there are not too many.
+ * A position: in full up to `most` digits, else in short form.
  * @param {bigint} place
  * @param {number} [most]
  */

@@ -1,4 +1,4 @@
-/** The string view: scrolls through any generation, however long it is, and tells where a symbol comes from. */
+/** The string view: scrolls through a generation of any length and shows the origin of a symbol. */
 
 import { button, html } from '../dom.js';
 import { latest } from '../latest.js';
@@ -10,7 +10,7 @@ import { createTextWindow } from './text-window.js';
 /** @typedef {import('../protocol.js').Link} Link */
 /** @typedef {import('../state.js').State} State */
 
-/** The fields of the state that decide the string. @type {(keyof State)[]} */
+/** The fields of the state that determine the string. @type {(keyof State)[]} */
 const WRITTEN_BY = ['axiom', 'rules', 'seed', 'dialect', 'overrides'];
 
 /**
@@ -21,7 +21,7 @@ export function createReader(engine, { mark, opened }) {
     const area = html('reader-text');
     const frame = createFrame((open) => {
         if (open) {
-            text.pages.age();
+            text.pages.markStale();
             opened();
             generations.show();
             text.measure();
@@ -30,15 +30,15 @@ export function createReader(engine, { mark, opened }) {
             forget();
         }
     });
-    const generations = createGenerations(turn);
-    const card = createOriginCard(turn);
+    const generations = createGenerations(goTo);
+    const card = createOriginCard(goTo);
     const marked = createMarked(generations.now);
-    const text = createTextWindow(area, { read: engine.string, open: () => frame.open, generation: generations.now, marks: () => marked, arrived: () => field.goOn(), choose });
+    const text = createTextWindow(area, { read: engine.string, open: () => frame.open, generation: generations.now, marks: () => marked, arrived: () => field.update(), choose });
     const field = createPlaceField({ length: () => text.pages.length, choose });
 
     const fetchFacts = latest(engine.symbol, (facts, generation, index) => {
         if (generation !== generations.now() || index !== marked.chosen) return;
-        // What draws nothing is marked where the turtle is.
+        // A symbol that draws nothing is marked at the turtle's position.
         const outline = facts.part?.outline ?? [];
         mark(outline.length > 0 || !facts.stroke ? outline : [facts.stroke.fittedFrom]);
         card.show({ symbol: text.pages.symbolAt(index), index, generation, iterations: generations.iterations }, facts);
@@ -57,7 +57,7 @@ export function createReader(engine, { mark, opened }) {
         marked.choose(place);
         text.reveal(place);
         show();
-        text.need();
+        text.fetchMissing();
         fetchFacts(generations.now(), place);
     }
 
@@ -68,28 +68,28 @@ export function createReader(engine, { mark, opened }) {
     }
 
     /**
-     * Shows another generation. What was chosen is chosen there too; without anything chosen the place stays in
-     * proportion.
+     * Shows another generation. The related symbol is selected there; without a selection the window keeps its relative
+     * position.
      * @param {number} to
-     * @param {bigint} [index] what to choose there
+     * @param {bigint} [index] the symbol to select there
      */
-    function turn(to, index) {
+    function goTo(to, index) {
         const from = generations.now();
         const next = generations.bounded(to);
         if (next === from && index === undefined) return;
         const { part } = text;
         generations.set(next);
         if (next !== from) {
-            text.pages.turn();
-            const had = marked.turn();
+            text.pages.changeGeneration();
+            const had = marked.changeGeneration();
             if (index === undefined && had !== null) return descend(from, had, next);
         }
         if (index !== undefined) return choose(index);
         mark([]);
-        // How long the other one is has to be known first.
+        // Scrolling needs the length of the other generation.
         text.pages.measure().then((known) => (known ? text.goToPart(part) : show()));
         show();
-        text.need();
+        text.fetchMissing();
     }
 
     listenToKeys(area, text, (by) => choose(marked.chosen === null ? text.first : marked.chosen + by));
@@ -105,20 +105,20 @@ export function createReader(engine, { mark, opened }) {
         /** @param {State} state @param {State | null} before */
         show(state, before) {
             const grown = generations.iterations !== state.iterations;
-            generations.grow(state.iterations);
+            generations.setIterations(state.iterations);
             if (before && (grown || WRITTEN_BY.some((name) => state[name] !== before[name]))) forget();
             show();
         },
 
-        /** A new definition was taken: what is at hand is of the former. @param {import('../protocol.js').Report} report */
+        /** The definition has changed: loads the string again. @param {import('../protocol.js').Report} report */
         report({ ok, stochastic, memoised }) {
-            // A random string is derived once more: let the drawing come first.
+            // Deriving a random string takes extra time: let the drawing come first.
             if (!ok || (stochastic && memoised === null)) return;
-            text.pages.renew();
-            text.need();
+            text.pages.redefine();
+            text.fetchMissing();
         },
 
-        /** Lights a symbol of the last generation, or the one it descends from; an empty chain lights none. @param {Link[]} chain */
+        /** Highlights a symbol of the last generation, or its ancestor in the shown generation; an empty chain highlights none. @param {Link[]} chain */
         light(chain) {
             if (!marked.light(chain)) return;
             if (frame.open && marked.lit !== null) text.reveal(marked.lit);
@@ -134,7 +134,7 @@ export function createReader(engine, { mark, opened }) {
 }
 
 /**
- * Finds in another generation what descends from a symbol, or what that descends from.
+ * Finds a symbol's first descendant, or its ancestor, in another generation.
  * @param {import('../engine.js').Engine} engine
  * @param {(index: bigint, generation: number) => void} found
  */
@@ -155,11 +155,11 @@ function createDescent(engine, found) {
     };
 }
 
-/** The symbols that are marked, by their positions in the generation that is shown. @param {() => number} generation */
+/** The marked symbols, by their positions in the shown generation. @param {() => number} generation */
 function createMarked(generation) {
-    /** What the reader has chosen. @type {bigint | null} */
+    /** The symbol that the reader has selected. @type {bigint | null} */
     let chosen = null;
-    /** What the pointer is at in the drawing, and who that descends from, to light its ancestor in an earlier generation. @type {bigint | null} */
+    /** The symbol under the pointer in the drawing, or its ancestor in the shown generation. @type {bigint | null} */
     let lit = null;
     /** @type {Link[]} */
     let chain = [];
@@ -182,7 +182,7 @@ function createMarked(generation) {
             chosen = index;
         },
 
-        /** @param {Link[]} next @returns {boolean} whether another symbol is lit, or none any more */
+        /** @param {Link[]} next @returns {boolean} whether the highlight has changed */
         light(next) {
             const before = lit;
             chain = next;
@@ -190,8 +190,8 @@ function createMarked(generation) {
             return lit !== before;
         },
 
-        /** Another generation is shown. @returns {bigint | null} what was chosen */
-        turn() {
+        /** Another generation is shown. @returns {bigint | null} the former selection */
+        changeGeneration() {
             const had = chosen;
             chosen = null;
             relight();
@@ -206,7 +206,7 @@ function createMarked(generation) {
     };
 }
 
-/** The frame around the view, which opens and closes. @param {(open: boolean) => void} changed */
+/** The panel of the string view, which opens and closes. @param {(open: boolean) => void} changed */
 function createFrame(changed) {
     const frame = html('reader');
     const toggle = button('open-reader');
@@ -243,15 +243,15 @@ function createFrame(changed) {
 }
 
 /**
- * Keys that scroll through the text, and choose the symbol beside.
+ * Keys that scroll through the text or select the next or previous symbol.
  * @param {HTMLElement} area
  * @param {ReturnType<typeof createTextWindow>} text
- * @param {(by: bigint) => void} step to the symbol so many places farther
+ * @param {(by: bigint) => void} step selects a symbol this many places farther
  */
 function listenToKeys(area, text, step) {
     area.addEventListener('keydown', (event) => {
         if (event.ctrlKey || event.metaKey || event.altKey || text.pages.length === null) return;
-        const pixels = text.reachOf(event);
+        const pixels = text.scrollOf(event);
         const sideways = { ArrowLeft: -1n, ArrowRight: 1n }[event.key];
         if (pixels !== undefined) text.scroll(pixels);
         else if (sideways !== undefined) step(sideways);

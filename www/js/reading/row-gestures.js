@@ -1,12 +1,12 @@
-/** Wheel, fingers and clicks on the rows of a string: they scroll, fingers with a flick, and mean a symbol. */
+/** Wheel, touch and clicks on the rows of a string: scrolling, flicks, and selecting a symbol. */
 
-/** A finger that moved less than this meant a symbol, in CSS pixels. */
-const SLIP = 6;
-/** A flick loses this part of its speed in a millisecond. */
+/** A press that moved no farther is a tap on a symbol, in CSS pixels. */
+const TAP_DISTANCE = 6;
+/** A flick loses this fraction of its speed per millisecond. */
 const FRICTION = 0.004;
-/** A finger that rested for longer before it left did not flick, in milliseconds. */
+/** A finger that rested longer before it was lifted does not flick, in milliseconds. */
 const REST = 60;
-/** A slower flick has come to rest, in CSS pixels a millisecond. */
+/** A flick stops below this speed, in CSS pixels per millisecond. */
 const SLOWEST = 0.02;
 
 /**
@@ -39,23 +39,23 @@ export function listenToGestures(area, rows, { scroll, click }) {
         const by = finger.y - event.clientY;
         const time = Math.max(1, event.timeStamp - finger.time);
         Object.assign(finger, { y: event.clientY, travelled: finger.travelled + Math.abs(by), speed: by / time, time: event.timeStamp });
-        if (event.pointerType !== 'mouse' && finger.travelled > SLIP) scroll(by);
+        if (event.pointerType !== 'mouse' && finger.travelled > TAP_DISTANCE) scroll(by);
     });
     area.addEventListener('pointerup', (event) => {
         if (finger?.id !== event.pointerId) return;
         const { travelled, speed, time } = finger;
         finger = null;
-        if (travelled <= SLIP) {
+        if (travelled <= TAP_DISTANCE) {
             const index = rows.symbolAt(event.clientX, event.clientY);
             if (index !== null) click(index);
         } else if (event.pointerType !== 'mouse' && event.timeStamp - time < REST) {
-            glide(speed);
+            startFlick(speed);
         }
     });
     area.addEventListener('pointercancel', () => (finger = null));
 
-    /** @param {number} speed CSS pixels a millisecond */
-    function glide(speed) {
+    /** @param {number} speed in CSS pixels per millisecond */
+    function startFlick(speed) {
         let last = performance.now();
         const tick = (/** @type {number} */ now) => {
             const time = Math.max(0, now - last);

@@ -1,6 +1,6 @@
 /**
- * Rows with as many symbols each: what is in sight of a long string. Symbols are found by arithmetic, not by elements;
- * those with arguments are as wide as these.
+ * Rows with equal numbers of symbols: the visible part of a long string. Symbols are found by arithmetic, not by
+ * elements. Arguments make symbols wider.
  */
 
 import { make } from '../dom.js';
@@ -8,7 +8,7 @@ import { tintOf } from '../tint.js';
 import { marginText } from './places.js';
 import { partsOf, visible } from './words.js';
 
-/** Rows are whole tens of symbols where there is room for them. */
+/** Rows have a multiple of ten symbols, if there is room. */
 const TEN = 10;
 
 /** @param {HTMLElement} area */
@@ -16,14 +16,14 @@ export function rowsView(area) {
     const sheet = make('div', { class: 'rows' });
     const ruler = make('span', { class: 'ruler', 'aria-hidden': 'true' }, '0'.repeat(50));
     area.append(sheet, ruler);
-    /** The rows that are shown, by number. @type {Map<bigint, {key: string, element: HTMLElement, symbols: string[]}>} */
+    /** The shown rows, by number. @type {Map<bigint, {key: string, element: HTMLElement, symbols: string[]}>} */
     let shown = new Map();
-    /** Symbols of a row. */
+    /** The number of symbols in a row. */
     let columns = TEN;
-    /** Characters that a row has room for. */
+    /** The number of characters that fit in a row. */
     let room = TEN;
-    /** How many of them a row should have where each is a symbol. */
-    let narrow = TEN;
+    /** The most symbols in a row. */
+    let maxColumns = TEN;
     let rowHeight = 22;
     let height = 0;
     let charWidth = 8;
@@ -38,12 +38,12 @@ export function rowsView(area) {
         height = area.clientHeight;
         margin = charWidth * 9;
         room = Math.max(1, Math.floor((area.clientWidth - margin - charWidth) / charWidth));
-        narrow = room >= 2 * TEN ? room - (room % TEN) : room;
+        maxColumns = room >= 2 * TEN ? room - (room % TEN) : room;
         sheet.style.setProperty('--margin', `${margin}px`);
         sheet.style.setProperty('--row', `${rowHeight}px`);
     }
 
-    /** The symbol at a place in the page. @param {number} clientX @param {number} clientY @returns {bigint | null} */
+    /** The symbol at a place in the window. @param {number} clientX @param {number} clientY @returns {bigint | null} */
     function symbolAt(clientX, clientY) {
         const box = area.getBoundingClientRect();
         const place = Math.floor((clientX - box.left - margin) / charWidth);
@@ -68,14 +68,14 @@ export function rowsView(area) {
         measure,
 
         /**
-         * Chooses the number of columns so that these symbols have room; fewer than before, unless all is new. Says
-         * whether it is another number.
+         * Sets the number of columns so that the symbols fit. Without `anew` the number may only decrease.
+         * Returns whether the number has changed.
          * @param {string[]} symbols
          * @param {boolean} anew
          */
         fit(symbols, anew) {
             const before = columns;
-            const most = fitting(symbols, narrow, room);
+            const most = mostFitting(symbols, maxColumns, room);
             columns = anew ? most : Math.min(columns, most);
             return columns !== before;
         },
@@ -115,10 +115,10 @@ export function rowsView(area) {
     };
 }
 
-/** In characters. @param {string} symbol */
+/** The width of a symbol, in characters. @param {string} symbol */
 const widthOf = (symbol) => (symbol.length === 1 ? 1 : [...visible(symbol)].length);
 
-/** A mark in a row. @param {bigint | null} index @param {bigint} start @param {number} columns @param {string} name */
+/** The mark of a symbol, if the symbol is in the row. @param {bigint | null} index @param {bigint} start @param {number} columns @param {string} name */
 function marked(index, start, columns, name) {
     return index !== null && index >= start && index < start + BigInt(columns) ? [{ at: Number(index - start), name }] : [];
 }
@@ -126,7 +126,7 @@ function marked(index, start, columns, name) {
 /** A row as an element. @param {bigint} start @param {string[]} symbols @param {{at: number, name: string}[]} marks */
 function rowOf(start, symbols, marks) {
     const cells = make('span', { class: 'cells' });
-    /** What is alike goes into one element: symbols by their tint and marks. */
+    /** Symbols with equal tint and marks share an element. */
     let run = '';
     let names = '';
     const flush = () => {
@@ -134,44 +134,44 @@ function rowOf(start, symbols, marks) {
         run = '';
     };
     symbols.forEach((module, at) => {
-        const [symbol, given] = partsOf(module);
+        const [symbol, args] = partsOf(module);
         const tint = tintOf(symbol);
         const own = marks.filter((mark) => mark.at === at).map(({ name }) => name);
-        if (given && own.length > 0) {
+        if (args && own.length > 0) {
             flush();
-            cells.append(make('span', { class: own.join(' ') }, symbol, given));
+            cells.append(make('span', { class: own.join(' ') }, symbol, args));
             return;
         }
-        // Others may be wider than a column in the font at hand.
+        // Other characters may be wider than a column.
         const foreign = [...symbol].length === 1 && (symbol < '\u0020' || symbol > '\u007e');
         const next = [tint ? `t-${tint}` : '', foreign ? 'foreign' : '', ...own].filter(Boolean).join(' ');
         if (next !== names || foreign) flush();
         names = next;
         run += symbol;
-        if (!given) return;
+        if (!args) return;
         flush();
-        cells.append(make('span', { class: 'given' }, given));
+        cells.append(make('span', { class: 'args' }, args));
     });
     flush();
     return make('div', { class: 'row-line' }, make('span', { class: 'margin', 'aria-hidden': 'true' }, marginText(start)), cells);
 }
 
 /**
- * How many symbols go into every row.
+ * The most symbols per row such that every row fits.
  * @param {string[]} symbols
- * @param {number} wanted as many at most
+ * @param {number} wanted the most symbols
  * @param {number} room of a row, in characters
  */
-function fitting(symbols, wanted, room) {
-    // Where a run of as many as are wanted is too long, fewer are.
+function mostFitting(symbols, wanted, room) {
+    // Any run of `count` symbols must fit; search for the largest such count.
     const ends = [0];
     for (const symbol of symbols) ends.push(/** @type {number} */ (ends.at(-1)) + widthOf(symbol));
     const fits = (/** @type {number} */ count) => ends.every((end, at) => at < count || end - /** @type {number} */ (ends[at - count]) <= room);
-    let [some, tooMany] = [1, wanted + 1];
-    while (tooMany - some > 1) {
-        const between = Math.floor((some + tooMany) / 2);
-        if (fits(between)) some = between;
+    let [fitting, tooMany] = [1, wanted + 1];
+    while (tooMany - fitting > 1) {
+        const between = Math.floor((fitting + tooMany) / 2);
+        if (fits(between)) fitting = between;
         else tooMany = between;
     }
-    return some;
+    return fitting;
 }

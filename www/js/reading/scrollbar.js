@@ -1,8 +1,8 @@
-/** The bar beside the string: a part of a whole that is too long for the browser's own, to see and to drag. */
+/** The scroll bar of the string view, because strings are too long for the browser's scroll bars. */
 
 import { html } from '../dom.js';
 
-/** @param {(part: number) => void} moved to this part of the whole, from 0 to 1 */
+/** @param {(part: number) => void} moved called with the new position, from 0 to 1 */
 export function createScrollbar(moved) {
     const bar = html('reader-bar');
     const thumb = html('reader-thumb');
@@ -15,8 +15,8 @@ export function createScrollbar(moved) {
         const inside = event.clientY >= grip.top && event.clientY <= grip.bottom ? event.clientY - grip.top : grip.height / 2;
         const move = (/** @type {PointerEvent} */ { clientY }) => {
             const box = bar.getBoundingClientRect();
-            const way = Math.max(1, box.height - grip.height);
-            moved(Math.min(1, Math.max(0, (clientY - box.top - inside) / way)));
+            const track = Math.max(1, box.height - grip.height);
+            moved(Math.min(1, Math.max(0, (clientY - box.top - inside) / track)));
         };
         move(event);
         bar.addEventListener('pointermove', move);
@@ -26,7 +26,7 @@ export function createScrollbar(moved) {
     });
 
     return {
-        /** @param {{part: number, size: number, needed: boolean}} state what is before the window, and how much is in it, of the whole */
+        /** @param {{part: number, size: number, needed: boolean}} state `part`: the fraction before the window; `size`: the fraction in the window */
         show({ part, size, needed }) {
             bar.hidden = !needed;
             bar.setAttribute('aria-valuenow', (part * 100).toFixed(1));

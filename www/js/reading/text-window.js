@@ -1,6 +1,6 @@
 /**
- * The window through which the string is read: where it stands, what is in sight of the string, and the bar and the words
- * that tell of that. The reader says which generation is shown and which symbols are marked.
+ * The scrolling window of the string view: its position, the visible rows, the scroll bar and the position text. The
+ * reader supplies the generation and the marked symbols.
  */
 
 import { html, setText } from '../dom.js';
@@ -13,7 +13,7 @@ import { createScrollbar } from './scrollbar.js';
 
 /** @typedef {import('./places.js').Top} Top */
 
-/** Rows that are asked for above and below those in sight, so that scrolling finds them there. */
+/** The number of rows loaded above and below the visible rows, so that scrolling is smooth. */
 const SPARE = 40n;
 
 /**
@@ -23,7 +23,7 @@ const SPARE = 40n;
  * @param {() => boolean} reader.open
  * @param {() => number} reader.generation
  * @param {() => {chosen: bigint | null, lit: bigint | null}} reader.marks
- * @param {() => void} reader.arrived more of the string is known
+ * @param {() => void} reader.arrived more of the string was loaded
  * @param {(index: bigint) => void} reader.choose
  */
 export function createTextWindow(area, { read, open, generation, marks, arrived, choose }) {
@@ -32,37 +32,37 @@ export function createTextWindow(area, { read, open, generation, marks, arrived,
     const bar = createScrollbar(goToPart);
     /** @type {Top} */
     let top = { row: 0n, offset: 0 };
-    /** The first symbol in sight, which stays there when rows become longer or shorter. */
+    /** The first visible symbol, which stays visible when the length of rows changes. */
     let first = 0n;
 
     const scale = () => ({ rows: rowsOf(pages.length ?? 0n, rows.columns), rowHeight: rows.rowHeight, height: rows.height });
-    const rowsInSight = () => BigInt(Math.ceil(rows.height / rows.rowHeight));
+    const visibleRows = () => BigInt(Math.ceil(rows.height / rows.rowHeight));
 
     /** @param {import('./pages.js').Arrived} page */
     function receive({ another, readable, full }) {
         const before = BigInt(rows.columns);
-        // Modules with their arguments may need more room than those before.
+        // Modules with arguments may be wider than the former symbols.
         const changed = rows.fit(pages.symbols, another);
         if (changed) top = { row: (top.row * before) / BigInt(rows.columns), offset: 0 };
-        settle();
+        clamp();
         const { chosen } = marks();
         if (changed && chosen !== null) reveal(chosen);
         show();
-        // Rows may have become longer, or more, while it was on its way.
-        if (readable && (changed || full)) need();
+        // The window may need more symbols than the page has.
+        if (readable && (changed || full)) fetchMissing();
         arrived();
     }
 
     /** Keeps the window within the string. */
-    function settle() {
+    function clamp() {
         if (pages.length !== null) top = scrolled(top, 0, scale());
     }
 
-    /** Asks for what is in sight, unless it is at hand. */
-    function need() {
+    /** Fetches the visible symbols unless they are loaded. */
+    function fetchMissing() {
         if (!open() || rows.height === 0) return;
         const columns = BigInt(rows.columns);
-        const count = rowsInSight() + 1n;
+        const count = visibleRows() + 1n;
         if (pages.holds(top.row * columns, (top.row + count) * columns)) return;
         const start = top.row > SPARE ? (top.row - SPARE) * columns : 0n;
         pages.fetch(start, Number((count + 2n * SPARE) * columns));
@@ -73,43 +73,43 @@ export function createTextWindow(area, { read, open, generation, marks, arrived,
         rows.show({ top, page: pages.page, length: pages.length ?? 0n, ...marks() });
         first = top.row * BigInt(rows.columns);
         const { row } = lastTop(scale());
-        const size = Number(within((rowsInSight() * 1000n) / (scale().rows || 1n), 0n, 1000n)) / 1000;
+        const size = Number(within((visibleRows() * 1000n) / (scale().rows || 1n), 0n, 1000n)) / 1000;
         bar.show({ part: ratio(top.row, row), size, needed: size < 1 || row > 0n || top.row > 0n });
-        showWhere(pages, first, first + rowsInSight() * BigInt(rows.columns));
+        showWhere(pages, first, first + visibleRows() * BigInt(rows.columns));
     }
 
     /** @param {Top} next */
-    function stand(next) {
+    function moveTo(next) {
         top = next;
         show();
-        need();
+        fetchMissing();
     }
 
     /** @param {number} part of the string, from 0 to 1 */
     function goToPart(part) {
         const last = lastTop(scale());
-        stand(part >= 1 ? last : { row: portion(last.row, part), offset: 0 });
+        moveTo(part >= 1 ? last : { row: portion(last.row, part), offset: 0 });
     }
 
     /** @param {number} pixels down */
-    const scroll = (pixels) => pages.length !== null && stand(scrolled(top, pixels, scale()));
+    const scroll = (pixels) => pages.length !== null && moveTo(scrolled(top, pixels, scale()));
 
-    /** Brings a symbol into sight, and into the middle where it was far. @param {bigint} index */
+    /** Scrolls a symbol into view, into the middle unless it is visible. @param {bigint} index */
     function reveal(index) {
         const next = revealed(top, index / BigInt(rows.columns), scale());
-        if (next !== top) stand(next);
+        if (next !== top) moveTo(next);
     }
 
-    /** The area has another size, or is shown again. */
+    /** The area was resized or shown. */
     function measure() {
         if (!open()) return;
         const before = rows.columns;
         rows.measure();
         rows.fit(pages.symbols, true);
         if (rows.columns !== before) top = { row: first / BigInt(rows.columns), offset: 0 };
-        settle();
+        clamp();
         show();
-        need();
+        fetchMissing();
     }
 
     listenToGestures(area, rows, { scroll, click: (index) => pages.length !== null && index < pages.length && choose(index) });
@@ -120,32 +120,32 @@ export function createTextWindow(area, { read, open, generation, marks, arrived,
         get first() {
             return first;
         },
-        /** Which part of the string is before the window, from 0 to 1. */
+        /** The fraction of the string before the window, from 0 to 1. */
         get part() {
             return ratio(top.row, lastTop(scale()).row);
         },
         show,
-        need,
+        fetchMissing,
         reveal,
         scroll,
         goToPart,
         measure,
 
-        /** How far a key scrolls, in CSS pixels. @param {KeyboardEvent} event @returns {number | undefined} */
-        reachOf({ key, shiftKey }) {
+        /** The distance that a key scrolls, in CSS pixels. @param {KeyboardEvent} event @returns {number | undefined} */
+        scrollOf({ key, shiftKey }) {
             const sheet = rows.height - rows.rowHeight;
             return { ArrowDown: rows.rowHeight, ArrowUp: -rows.rowHeight, PageDown: sheet, PageUp: -sheet, ' ': shiftKey ? -sheet : sheet }[key];
         },
     };
 }
 
-/** Tells which symbols are in sight. @param {ReturnType<typeof createPages>} pages @param {bigint} first @param {bigint} end */
-function showWhere({ length, digits, why }, first, end) {
+/** Shows which symbols are visible. @param {ReturnType<typeof createPages>} pages @param {bigint} first @param {bigint} end */
+function showWhere({ length, digits, reason }, first, end) {
     const where = html('reader-where');
-    if (length === null) return setText(where, why || '…');
+    if (length === null) return setText(where, reason || '…');
     if (length === 0n) return setText(where, 'There are no symbols.');
     const last = within(end, 0n, length);
-    const beyond = length === REACH ? ', of which the first 3.4 × 10³⁸ can be read' : '';
-    setText(where, `${placeText(first + 1n, 20)} to ${placeText(last)} of ${shortText(digits)}${beyond}`);
+    const limitText = length === REACH ? ', of which the first 3.4 × 10³⁸ can be read' : '';
+    setText(where, `${placeText(first + 1n, 20)} to ${placeText(last)} of ${shortText(digits)}${limitText}`);
     where.title = `From ${grouped(String(first + 1n))} to ${grouped(String(last))} of ${grouped(digits)} symbols`;
 }

@@ -1,4 +1,4 @@
-/** Where a symbol comes from, and how the turtle stands, in words. Pure functions. */
+/** The origin of a symbol and the pose of the turtle, in words. Pure functions. */
 
 import { grouped, plain, raised } from '../numerals.js';
 
@@ -18,24 +18,24 @@ export function ordinal(position) {
 }
 
 /**
- * The symbols of a page, each with its arguments in parentheses, if any.
+ * The modules of a page: symbols with their arguments, if any.
  * @param {string} text
- * @param {boolean} apart whether every one ends with a line end
+ * @param {boolean} apart whether every module ends with a line end
  */
 export const modulesOf = (text, apart) => (apart ? text.split('\n').slice(0, -1) : [...text]);
 
 /**
- * A module as it is shown: its symbol, and its arguments with their parentheses, if any, their numbers to four digits.
+ * The shown symbol and arguments of a module; arguments are in parentheses, with numbers to four digits.
  * @param {string} module
  * @returns {[string, string]}
  */
 export function partsOf(module) {
-    const [, quoted, plain, given = ''] = /^(?:`([^`]+|`)`|(.))(\(.*\))?$/su.exec(module) ?? [];
+    const [, quoted, plain, args = ''] = /^(?:`([^`]+|`)`|(.))(\(.*\))?$/su.exec(module) ?? [];
     const symbol = quoted ?? plain ?? module;
-    return [symbol === ' ' ? '␣' : symbol, given.replace(/\d+(?:\.\d+)?(?:e-?\d+)?/g, fewDigits)];
+    return [symbol === ' ' ? '␣' : symbol, args.replace(/\d+(?:\.\d+)?(?:e-?\d+)?/g, fewDigits)];
 }
 
-/** The same in one. @param {string} module */
+/** The shown text of a module. @param {string} module */
 export const visible = (module) => partsOf(module).join('');
 
 /** @param {string} number without a sign */
@@ -44,15 +44,15 @@ function fewDigits(number) {
     return String(Number(value.toPrecision(value < 1e4 ? 4 : 6)));
 }
 
-/** How a symbol came to be where it is: `step 5, by rule 1, third symbol`. @param {Link} link */
+/** The origin of a link's symbol: `step 5, by rule 1, third symbol`. @param {Link} link */
 export function birth({ generation, production, position }) {
     if (generation === 0) return `${ordinal(position)} symbol of the axiom`;
-    if (production === null) return `still there at step ${generation}`;
+    if (production === null) return `copied at step ${generation}`;
     return `step ${generation}, by rule ${production + 1}, ${ordinal(position)} symbol`;
 }
 
 /**
- * The chain from a symbol back to the axiom, with steps at which it only stayed left out.
+ * The chain from a symbol back to the axiom, without the steps that only copied it.
  * @param {Link[]} chain from the axiom on
  * @returns {Link[]} from the symbol back
  */
@@ -60,7 +60,7 @@ export function descent(chain) {
     return chain.filter(({ generation, production }) => generation === 0 || production !== null).reverse();
 }
 
-/** The same of the last of a chain: when it came to be what it is. @param {Link[]} chain */
+/** The origin of the last symbol of a chain. @param {Link[]} chain */
 export function birthOf(chain) {
     const [born] = descent(chain);
     return born ? birth(born) : '';
@@ -86,10 +86,10 @@ function headingText(heading) {
     return `heading ${typeof heading === 'number' ? `${plain(Number(heading.toFixed(2)))}°` : heading.map(coordinate).join(', ')}`;
 }
 
-/** How a segment is drawn, in words. @param {Stroke} stroke */
+/** The look of a segment, in words. @param {Stroke} stroke */
 export const strokeText = (stroke) => [headingText(stroke.heading), ...looks(stroke)].join(', ');
 
-/** How a polygon is filled, in words. @param {Filled} filled */
+/** The look of a polygon, in words. @param {Filled} filled */
 export const filledText = (filled) => ['filled', ...looks(filled)].join(', ');
 
 /** @param {{level: number, colour: number}} drawn */

@@ -1,7 +1,7 @@
-/** Gestures on the drawing: what fingers, a mouse, a wheel and a track pad mean. The stage moves the picture by them. */
+/** Gestures on the drawing with fingers, mouse, wheel and track pad. */
 
 /**
- * Pointer, wheel and pinch, as drags and zooms in client coordinates.
+ * Turns pointer, wheel and pinch events into drags and zooms, in client coordinates.
  * @param {HTMLElement} element
  * @param {{takes: (event: Event) => boolean, drag: (dx: number, dy: number, aside: boolean) => void, zoom: (factor: number, x: number, y: number) => void, fit: () => void}} act
  */
@@ -47,7 +47,7 @@ export function listenToGestures(element, { takes, drag, zoom, fit }) {
         },
         { passive: false },
     );
-    // In Safari a pinch on a track pad has events of its own; one on the screen is in the pointers already.
+    // Safari sends separate events for a pinch on a track pad; pointer events already cover a pinch on the screen.
     let pinched = 1;
     /** @param {Event} event */
     const pinch = (event) => {

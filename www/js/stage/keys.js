@@ -1,13 +1,13 @@
-/** What keys do on the drawing: arrows change angle and iterations, with Shift they move; others zoom. */
+/** Keys on the drawing: arrows change angle and iterations, or move with Shift; other keys zoom. */
 
-/** One press of a zoom key or button. */
+/** The zoom factor of one press of a key or button. */
 export const ZOOM_STEP = 1.5;
-/** One press of an arrow, as a part of the drawing's shorter side. */
+/** The movement of one press of an arrow, as a fraction of the drawing's shorter side. */
 const PAN_STEP = 0.1;
-/** One press of an arrow in space, in CSS pixels of dragging. */
+/** The turn of one press of an arrow in space, in CSS pixels of dragging. */
 const ORBIT_STEP = 25;
 
-/** Right and up, as the arrows have it. @type {Record<string, [number, number]>} */
+/** The arrows' directions: right and up. @type {Record<string, [number, number]>} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /**
@@ -15,7 +15,7 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowD
  * @param {import('../store.js').Store} store
  * @param {ReturnType<typeof import('./moves.js').createMoves>} moves
  * @param {{solid: () => boolean, side: () => number, changes: () => readonly ('angle' | 'iterations')[]}} stage `side` is the
- *   shorter one, in CSS pixels; `changes` tells what arrows change
+ *   length of the shorter side, in CSS pixels; `changes` tells which fields the arrows change
  */
 export function listenToKeys(canvas, store, moves, { solid, side, changes }) {
     canvas.addEventListener('keydown', (event) => {

@@ -1,10 +1,10 @@
 /**
- * How one moves about a drawing: by its view in the plane, by the camera in space. Gestures, keys and buttons of the stage
- * do it at once or smoothly.
+ * Moves the view of a drawing in the plane, or the camera of a drawing in space. Gestures, keys and buttons of the
+ * stage use these moves, at once or smoothly.
  */
 
 import { FRONT, isWhole, midway, orbit, slide, whole, zoomed } from '../camera.js';
-import { calm } from '../dom.js';
+import { reducedMotion } from '../dom.js';
 import { FITTED, between, pan, zoomAt } from '../view.js';
 
 /** @typedef {import('../state.js').View} View */
@@ -15,7 +15,7 @@ const GLIDE_MS = 260;
 /**
  * @param {import('../store.js').Store} store
  * @param {{readonly painted: boolean, readonly scale: number}} picture
- * @param {() => boolean} solid whether the drawing is one in space
+ * @param {() => boolean} solid whether the drawing is in space
  */
 export function createMoves(store, picture, solid) {
     let glide = 0;
@@ -25,32 +25,32 @@ export function createMoves(store, picture, solid) {
     /** @param {View} next */
     function look(next) {
         cancelAnimationFrame(glide);
-        store.look(next);
+        store.setView(next);
     }
 
     /** @param {Camera} next */
     function aim(next) {
         cancelAnimationFrame(glide);
-        store.aim(next);
+        store.setCamera(next);
     }
 
-    /** Moves to a view smoothly; null is the fitted one. @param {View | null} target */
+    /** Moves smoothly to a view; null is the fitted view. @param {View | null} target */
     function glideTo(target) {
         const from = view();
         const to = target ?? FITTED;
-        glideBy((part) => store.look(part < 1 ? between(from, to, part) : target));
+        animate((part) => store.setView(part < 1 ? between(from, to, part) : target));
     }
 
     /** Moves the camera smoothly. @param {Camera} target */
-    function glideRound(target) {
+    function glideToCamera(target) {
         const from = camera();
-        glideBy((part) => store.aim(part < 1 ? midway(from, target, part) : target));
+        animate((part) => store.setCamera(part < 1 ? midway(from, target, part) : target));
     }
 
-    /** @param {(part: number) => void} move goes so much of its way, from 0 to 1 */
-    function glideBy(move) {
+    /** @param {(part: number) => void} move makes a part of the movement, from 0 to 1 */
+    function animate(move) {
         cancelAnimationFrame(glide);
-        if (calm() || !picture.painted) return move(1);
+        if (reducedMotion() || !picture.painted) return move(1);
         const start = performance.now();
         const tick = (/** @type {number} */ now) => {
             const t = Math.min(1, Math.max(0, (now - start) / GLIDE_MS));
@@ -63,23 +63,23 @@ export function createMoves(store, picture, solid) {
     return {
         view,
         camera,
-        glideRound,
+        glideToCamera,
 
-        /** Whether all of the drawing is in sight, as it is at first. */
+        /** Whether the view is the initial one, which shows the whole drawing. */
         isFitted: () => (solid() ? isWhole(camera()) : store.state.view === null),
 
-        fit: () => (solid() ? glideRound(whole(camera())) : glideTo(null)),
+        fit: () => (solid() ? glideToCamera(whole(camera())) : glideTo(null)),
 
-        /** Towards the middle, smoothly. @param {number} factor */
-        zoom: (factor) => (solid() ? glideRound(zoomed(camera(), factor, 0, 0, picture.scale)) : glideTo(zoomAt(view(), factor, 0, 0, picture.scale))),
+        /** Zooms smoothly about the middle. @param {number} factor */
+        zoom: (factor) => (solid() ? glideToCamera(zoomed(camera(), factor, 0, 0, picture.scale)) : glideTo(zoomAt(view(), factor, 0, 0, picture.scale))),
 
-        /** @param {number} factor @param {number} x of the place that stays, in CSS pixels from the middle @param {number} y */
+        /** @param {number} factor @param {number} x of the fixed point, in CSS pixels from the middle @param {number} y */
         zoomAt(factor, x, y) {
             if (solid()) aim(zoomed(camera(), factor, x, y, picture.scale));
             else look(zoomAt(view(), factor, x, y, picture.scale));
         },
 
-        /** @param {number} dx in CSS pixels @param {number} dy @param {boolean} aside moves the camera rather than turning it */
+        /** @param {number} dx in CSS pixels @param {number} dy @param {boolean} aside moves the camera instead of turning it */
         drag(dx, dy, aside) {
             if (!solid()) look(pan(view(), dx, dy, picture.scale));
             else aim(aside ? slide(camera(), dx, dy, picture.scale) : orbit(camera(), dx, dy));

@@ -1,4 +1,4 @@
-/** The picture on the canvas: what the worker painted last, and where it stands until the worker has painted anew. */
+/** The picture on the canvas: the worker's last picture, moved to its place in the current view. */
 
 import { placement } from '../view.js';
 
@@ -8,15 +8,15 @@ import { placement } from '../view.js';
 
 /**
  * @param {HTMLCanvasElement} canvas
- * @param {(sight: import('../marks.js').Sight) => void} mark moves what is marked upon it
+ * @param {(viewpoint: import('../marks.js').Viewpoint) => void} mark moves the marks
  */
 export function createPicture(canvas, mark) {
     const context = /** @type {ImageBitmapRenderingContext} */ (canvas.getContext('bitmaprenderer', { alpha: false }));
-    /** What the canvas shows, and its scale in CSS pixels per fitted extent. @type {{view: View, scale: number, size: Size} | null} */
+    /** The picture's view, its size, and its scale in CSS pixels per fitted extent at zoom 1. @type {{view: View, scale: number, size: Size} | null} */
     let shown = null;
 
     return {
-        /** Whether there is one. */
+        /** Whether there is a picture. */
         get painted() {
             return shown !== null;
         },
@@ -24,7 +24,7 @@ export function createPicture(canvas, mark) {
             return shown?.scale ?? 1;
         },
 
-        /** Puts the picture where a view has it. @param {View} view @param {Camera | null} camera of a drawing in space @param {Size} size of the stage */
+        /** Moves the picture to its place in a view. @param {View} view @param {Camera | null} camera null for a drawing in the plane @param {Size} size of the stage */
         place(view, camera, size) {
             if (!shown) return;
             mark({ view, camera, scale: shown.scale, size: { width: size.width, height: size.height } });
@@ -32,15 +32,15 @@ export function createPicture(canvas, mark) {
             const x = size.width / 2 + at.x - (shown.size.width / 2) * at.factor;
             const y = size.height / 2 + at.y - (shown.size.height / 2) * at.factor;
             const still = Math.abs(x) < 0.01 && Math.abs(y) < 0.01 && Math.abs(at.factor - 1) < 1e-6;
-            // No other picture stands for one from another side.
+            // A moved picture cannot stand in for a view from another side.
             canvas.style.transform = camera || still ? 'none' : `translate(${x}px, ${y}px) scale(${at.factor})`;
         },
 
-        /** @param {import('../engine.js').Drawn} drawn @param {boolean} solid whether the drawing is one in space */
+        /** @param {import('../engine.js').Drawn} drawn @param {boolean} solid whether the drawing is in space */
         paint({ bitmap, scale, view, canvas: made }, solid) {
             if (canvas.width !== bitmap.width) canvas.width = bitmap.width;
             if (canvas.height !== bitmap.height) canvas.height = bitmap.height;
-            // While a drawing in space moves there may be fewer pixels than asked for.
+            // While a drawing in space moves, its picture may have fewer pixels than the canvas.
             const { width, height } = solid ? made : bitmap;
             shown = { view, scale: scale / made.ratio, size: { width: width / made.ratio, height: height / made.ratio } };
             context.transferFromImageBitmap(bitmap);

@@ -1,6 +1,7 @@
-/** How large the stage is, and how fine its pixels are. */
+/** The size of the stage and its pixel ratio. */
 
-const MOST_RATIO = 3;
+/** The highest pixel ratio used: finer pixels cost time and are hardly visible. */
+const MAX_RATIO = 3;
 
 /** @param {HTMLElement} frame @param {() => void} changed */
 export function watchSize(frame, changed) {
@@ -8,7 +9,7 @@ export function watchSize(frame, changed) {
     const size = { width: 0, height: 0, ratio: 1 };
 
     function measure() {
-        Object.assign(size, { width: frame.clientWidth, height: frame.clientHeight, ratio: Math.min(MOST_RATIO, devicePixelRatio || 1) });
+        Object.assign(size, { width: frame.clientWidth, height: frame.clientHeight, ratio: Math.min(MAX_RATIO, devicePixelRatio || 1) });
         if (size.width > 0 && size.height > 0) changed();
     }
 

@@ -1,13 +1,13 @@
 /**
- * Pictures while a slider is dragged and while the turtle plays, how many of them were fine at once, and how free the
- * page's thread stays: prints a table.
+ * Measures pictures while a slider is dragged and while the turtle plays: how many were fine at once, and how
+ * responsive the page's thread stays. Prints a table.
  */
 
 import { close, stillPicture, withPage } from '../e2e/browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
-/** Changes in a drag, and how long it takes, in milliseconds. */
+/** The number of changes in a drag, and its duration in milliseconds. */
 const CHANGES = 200;
 const DURATION = 2000;
 
@@ -43,7 +43,7 @@ function slide(page, selector) {
     );
 }
 
-/** Counts the pictures that a worker sends, in the page. */
+/** Runs in the page: counts the pictures that a worker sends. */
 function countFine() {
     const seen = (/** @type {any} */ (globalThis).seen = { tasks: /** @type {number[]} */ ([]), pictures: 0, fine: 0 });
     const Plain = Worker;

@@ -1,6 +1,6 @@
 /**
- * What opening costs: bytes as hosts send them, requests, time to the first picture on this machine and at simulated 4G,
- * and ten drawings at once in the page of another site: `cargo xtask bench load`.
+ * The cost of opening: compressed bytes, requests, the time to the first picture on this machine and at simulated 4G,
+ * and ten drawings at once in a page of another site: `cargo xtask bench load`.
  */
 
 import { execFileSync } from 'node:child_process';
@@ -12,9 +12,9 @@ import { chromium } from 'playwright-core';
 
 const DIST = new URL('../../../dist/', import.meta.url);
 const RUNS = 5;
-/** Longer than any of it takes on a busy machine, in milliseconds. */
+/** The timeout for each step, also on a busy machine, in milliseconds. */
 const PATIENCE = 120_000;
-/** Chromium's own idea of 4G: bytes a second, milliseconds. */
+/** Chromium's 4G profile: bytes per second, latency in milliseconds. */
 const MOBILE = { offline: false, latency: 60, downloadThroughput: 9e6 / 8, uploadThroughput: 1.5e6 / 8 };
 const PLANT = 'v=1&axiom=X&rules=X%20-%3E%20F%5B+X%5DF%5B-X%5D+X%0AF%20-%3E%20FF&n=7&angle=20&controls=n,angle';
 /** @type {Record<string, string>} */
@@ -27,9 +27,9 @@ const launch = () => chromium.launchServer({ executablePath: process.env.CHROMIU
 const median = (values) => Math.round([...values].sort((a, b) => a - b)[values.length >> 1] ?? 0);
 
 let packing = 'br';
-/** Files as sent. @type {Map<string, Buffer>} */
+/** The files as sent. @type {Map<string, Buffer>} */
 const packed = new Map();
-/** What was sent, in bytes. @type {number[]} */
+/** The sizes of the sent files, in bytes. @type {number[]} */
 let sent = [];
 
 /** @param {import('node:http').RequestListener} answer @returns {Promise<string>} */
@@ -56,7 +56,7 @@ const site = `http://127.0.0.1:${await serve(async (request, response) => {
     }
 })}/`;
 
-/** Opens a page with an empty cache: the time of its first picture in milliseconds, and what was sent until then. @param {import('playwright-core').Browser} browser @param {string} path @param {boolean} mobile */
+/** Opens a page with an empty cache. Returns the time of its first picture in milliseconds, and the bytes sent until then. @param {import('playwright-core').Browser} browser @param {string} path @param {boolean} mobile */
 async function firstPicture(browser, path, mobile) {
     const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
     const page = await context.newPage();
@@ -84,7 +84,7 @@ for (const path of ['', `embed.html#${PLANT}`, 'playground.html']) {
     /** @type {Record<string, number>} */
     const bytes = {};
     let requests = 0;
-    // Brotli last: it is what hosts send, and what is timed. What is opened here packs the files as well.
+    // Brotli last, because hosts send Brotli and the times below use it. Opening also compresses the files.
     for (packing of Object.keys(PACKERS).reverse()) {
         const opened = await firstPicture(browser, path, false);
         bytes[packing] = opened.bytes;
@@ -100,15 +100,15 @@ for (const path of ['', `embed.html#${PLANT}`, 'playground.html']) {
 await browser.close();
 await server.close();
 
-/** Megabytes of the processes that render pages, as the system counts them. @param {number | undefined} root */
+/** The memory of the renderer processes, in megabytes. @param {number | undefined} root */
 function memory(root) {
     const rows = execFileSync('ps', ['-eo', 'pid,ppid,rss,args', '--no-headers'], { encoding: 'utf8' }).trim().split('\n').map((line) => line.trim().split(/\s+/));
-    const family = new Set([String(root)]);
-    for (let size = 0; size !== family.size; ) {
-        size = family.size;
-        for (const [pid, parent] of rows) if (pid && parent && family.has(parent)) family.add(pid);
+    const processes = new Set([String(root)]);
+    for (let size = 0; size !== processes.size; ) {
+        size = processes.size;
+        for (const [pid, parent] of rows) if (pid && parent && processes.has(parent)) processes.add(pid);
     }
-    return Math.round(rows.filter(([pid, , , ...words]) => pid && family.has(pid) && words.includes('--type=renderer')).reduce((sum, row) => sum + Number(row[2]) / 1024, 0));
+    return Math.round(rows.filter(([pid, , , ...words]) => pid && processes.has(pid) && words.includes('--type=renderer')).reduce((sum, row) => sum + Number(row[2]) / 1024, 0));
 }
 
 packing = 'br';

@@ -1,6 +1,6 @@
 /**
- * Pictures in space that take long, at 1600x1000 in the page's worker, alone and with mates: milliseconds from the view to
- * the finished picture, each time at another magnification, and how many times faster it is with mates. Prints a table.
+ * Measures slow pictures in space at 1600x1000, in the page's worker, alone and with mates: milliseconds from the view
+ * to the finished picture, each time at another zoom, and the speedup by mates. Prints a table.
  */
 
 import { close, withPage } from '../e2e/browser.mjs';
@@ -19,7 +19,7 @@ const WORKS = [
 ];
 
 /**
- * Runs in the page: the median time alone, and with so many mates.
+ * Runs in the page: the median time alone, and with a number of mates.
  * @param {{definition: object, zoom: number, turns: number, count: number}} work
  */
 async function measure({ definition, zoom, turns, count }) {
@@ -34,7 +34,7 @@ async function measure({ definition, zoom, turns, count }) {
     worker.postMessage({ type: 'init', wasm: bytes });
     let id = 0;
     worker.postMessage({ type: 'define', id: ++id, definition, upto: null });
-    /** Shows it a little larger than before, until it is finished. */
+    /** Draws at a slightly larger zoom, and waits for the finished picture. */
     const show = () =>
         new Promise((resolve) => {
             const began = performance.now();

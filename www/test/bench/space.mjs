@@ -1,12 +1,12 @@
 /**
- * Frame times of drawings in space at 1600x1000, in the worker: the first picture while the camera turns, and the time
- * until the finest is there, beside drawing every segment as a line of a canvas where that ends. Prints a table.
+ * Measures drawings in space at 1600x1000, in the worker: the time of the first picture while the camera turns, and the
+ * time to the finest picture, beside drawing each segment as a line of a canvas, if that ends. Prints a table.
  */
 
 import { close, withPage } from '../e2e/browser.mjs';
 
 const TURNS = 24;
-/** Segments beyond which lines of a canvas are not waited for. */
+/** The most segments that are drawn as lines of a canvas. */
 const MOST = 2e6;
 
 const TREE = { axiom: 'T', rules: 'T -> TF\nF -> F[+F][-FF][<F][>FF][&F]', dialect: 'practical', angle: 45, pitchUp: 50, pitchDown: 40, rollLeft: 30, rollRight: 30, width: 0.1, colourBy: 'level' };
@@ -101,7 +101,7 @@ await withPage({ options: { viewport: { width: 1280, height: 800 } } }, async (p
     for (const [name, system, iterations] of WORKS) {
         for (const n of iterations) {
             const { first, moving, rest, lines } = await page.evaluate(measure, { definition: { ...system, iterations: n }, turns: TURNS, most: MOST });
-            // What moves finds its pace first.
+            // Moving pictures adapt their quality first.
             const settled = moving.slice(moving.length / 3).sort((a, b) => a - b);
             const median = Number(settled[Math.floor(settled.length / 2)]);
             console.log(`${`${name}, n = ${n}`.padEnd(32)}${number(first)}${number(median).padStart(16)}${number(Number(settled.at(-1)))}${number(rest)}${number(lines).padStart(21)}`);

@@ -13,7 +13,7 @@ const TREE = `#v=1&title=Tree&axiom=A(1)&rules=${encodeURIComponent(RULES)}&n=5&
 const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 /**
- * What axe-core finds at the levels that keep people out.
+ * The violations that axe-core finds at the levels that exclude people.
  * @param {Page} page
  * @returns {Promise<string[]>}
  */
@@ -29,12 +29,12 @@ async function barriers(page) {
 
 /** A tab of the controls, on a phone as well. @param {string} name */
 const tab = (name) => async (/** @type {Page} */ page) => {
-    // A tab that is chosen closes what it shows.
+    // Clicking a selected tab closes its section.
     const other = page.locator(`#tab-${name}:visible:not([aria-selected="true"])`);
     if (await other.count()) await other.click();
 };
 
-/** Every state that the page can be in, as far as what can be seen and reached differs. @type {Record<string, (page: Page) => Promise<unknown>>} */
+/** The page's states that differ in what can be seen and reached. @type {Record<string, (page: Page) => Promise<unknown>>} */
 const STATES = {
     'as it opens': async () => {},
     rules: async (page) => {
@@ -54,7 +54,7 @@ const STATES = {
     },
     turtle: tab('turtle'),
     look: tab('look'),
-    keep: tab('keep'),
+    save: tab('save'),
     gallery: async (page) => {
         await page.click('#open-gallery');
         await page.waitForSelector('.thumb.inked');
@@ -63,7 +63,7 @@ const STATES = {
     shortcuts: (page) => page.click('#open-shortcuts'),
     share: (page) => page.click('#share'),
     favourites: async (page) => {
-        await tab('keep')(page);
+        await tab('save')(page);
         await page.click('#open-favourites');
     },
     'angles in space': async (page) => {
@@ -86,7 +86,7 @@ const STATES = {
     },
 };
 
-/** Closes what a state opened, and shows the tree again. @param {Page} page */
+/** Closes everything and shows the tree again. @param {Page} page */
 async function leave(page) {
     if (await page.isVisible('dialog[open]')) await page.keyboard.press('Escape');
     for (const close of ['#close-reader', '#close-playback']) if (await page.isVisible(close)) await page.click(close);
@@ -95,7 +95,7 @@ async function leave(page) {
     await until(async () => (await page.inputValue('#rules')) === RULES && page.isVisible('#stage.inked'), 'the tree is shown again');
 }
 
-/** What is only another size or other colours of the same is looked at in these. */
+/** The states that are checked in other sizes and colours. */
 const SOME = ['as it opens', 'mistakes', 'gallery'];
 
 for (const [name, options, states] of /** @type {[string, import('playwright-core').BrowserContextOptions, string[]?][]} */ ([
@@ -107,7 +107,7 @@ for (const [name, options, states] of /** @type {[string, import('playwright-cor
     ['more contrast, dark', { ...DESKTOP, contrast: 'more', colorScheme: 'dark' }, SOME],
     ['zoomed to 200 %', { viewport: { width: 640, height: 400 } }, SOME],
 ])) {
-    test(`axe-core finds no barrier: ${name}`, async () => {
+    test(`axe-core finds no violation: ${name}`, async () => {
         const entered = Object.entries(STATES).filter(([state]) => !states || states.includes(state));
         await withPage({ hash: TREE, options }, async (page) => {
             for (const [state, enter] of entered) {
@@ -119,7 +119,7 @@ for (const [name, options, states] of /** @type {[string, import('playwright-cor
     });
 }
 
-test('axe-core finds no barrier: embedded, and in a page of a course', async () => {
+test('axe-core finds no violation: embedded, and in the course page', async () => {
     const address = `${ADDRESS}embed.html`;
     for (const options of /** @type {import('playwright-core').BrowserContextOptions[]} */ ([DESKTOP, { ...DESKTOP, colorScheme: 'dark' }, PHONE])) {
         await withPage({ address, also: ADDRESS, hash: `${TREE}&controls=n,angle,rules,string,play`, options }, async (page) => {
@@ -139,7 +139,7 @@ test('axe-core finds no barrier: embedded, and in a page of a course', async () 
     });
 });
 
-test('the sheet of keys opens with ? and its button, and closes with Escape', () =>
+test('the dialog of keys opens with ? and its button, and closes with Escape', () =>
     withPage({ hash: TREE }, async (page) => {
         await page.focus('#rules');
         await page.keyboard.type('?');
@@ -155,7 +155,7 @@ test('the sheet of keys opens with ? and its button, and closes with Escape', ()
         await page.click('#close-shortcuts');
     }));
 
-test('everything can be reached and left with the keyboard', () =>
+test('every control can be reached and left with the keyboard', () =>
     withPage({ hash: TREE }, async (page) => {
         const reached = new Set();
         await page.focus('#skip');
@@ -171,14 +171,14 @@ test('everything can be reached and left with the keyboard', () =>
         for (const id of ['drawing', 'fit', 'open-reader', 'open-playback', 'open-gallery', 'open-shortcuts', 'theme', 'axiom', 'rules', 'iterations-slider', 'iterations', 'angle', 'tab-turtle', 'dialect', 'overrides']) {
             assert.ok(reached.has(id), `${id} among ${[...reached].join(', ')}`);
         }
-        // Tabs move with the arrows.
+        // Arrow keys move between tabs.
         await page.focus('#tab-turtle');
         await page.keyboard.press('ArrowRight');
         assert.equal(await page.evaluate(() => document.activeElement?.id), 'tab-look');
         assert.ok(await page.isVisible('#section-look'));
     }));
 
-test('keys on the drawing do what the sheet says', () =>
+test('keys on the drawing do what the dialog of keys says', () =>
     withPage({ hash: TREE }, async (page) => {
         await page.focus('#drawing');
         await page.keyboard.press('ArrowRight');
@@ -209,7 +209,7 @@ test('number fields step with the arrows, ten times with Shift, a tenth with Alt
         assert.equal(await page.inputValue('#iterations'), '15');
     }));
 
-test('a number field that holds something else says what it wants', () =>
+test('a number field with an invalid text says what it expects', () =>
     withPage({ hash: TREE }, async (page) => {
         for (const [id, wrong, words] of [['iterations', '12 times', 'Must be a whole number from 0 to 1,000.'], ['angle', 'wide', 'Must be a number.'], ['seed', 'NaN', 'Must be a whole number from 0 to 4,294,967,295.']]) {
             const field = page.locator(`#${id}`);
@@ -222,7 +222,7 @@ test('a number field that holds something else says what it wants', () =>
             assert.equal(await page.locator('.wanted').count(), 0);
             assert.equal(await field.getAttribute('aria-invalid'), 'false');
         }
-        // What is out of range becomes the nearest value, and that is told until the next change.
+        // A value out of range becomes the nearest value; the note stays until the next change.
         await page.fill('#iterations', '5000');
         await page.locator('#iterations').blur();
         assert.equal(await page.inputValue('#iterations'), '1000');
@@ -231,7 +231,7 @@ test('a number field that holds something else says what it wants', () =>
         assert.equal(await page.locator('.wanted').count(), 0);
     }));
 
-test('results and mistakes are announced, once and when typing has paused', () =>
+test('results and errors are announced once, after typing has paused', () =>
     withPage(
         {
             hash: TREE,
@@ -258,17 +258,17 @@ test('results and mistakes are announced, once and when typing has paused', () =
     ));
 
 for (const [width, height] of /** @type {const} */ ([[640, 400], [320, 640], [320, 256]])) {
-    test(`nothing is lost or scrolls sideways at ${width} x ${height}`, () =>
+    test(`nothing is cut off or scrolls sideways at ${width} x ${height}`, () =>
         withPage({ hash: TREE, options: { viewport: { width, height } } }, async (page) => {
             const sideways = () =>
                 page.evaluate(() => [document.scrollingElement, ...document.querySelectorAll('.sections, .section, .shelves, .shortcuts-body')].filter((element) => element && element.scrollWidth > element.clientWidth + 1).map((element) => `${element?.className}: ${element?.scrollWidth} > ${element?.clientWidth}`));
             assert.deepEqual(await sideways(), []);
-            for (const name of ['rules', 'grow', 'turtle', 'look', 'keep']) {
+            for (const name of ['rules', 'grow', 'turtle', 'look', 'save']) {
                 await page.click(`#tab-${name}`);
                 assert.ok(await page.isVisible(`#section-${name}`), name);
                 assert.deepEqual(await sideways(), [], name);
                 const last = page.locator(`#section-${name} :is(button, input, textarea, select, summary):visible`).last();
-                // What the page still has to say may move it.
+                // Late messages may move the content.
                 await until(async () => {
                     await last.scrollIntoViewIfNeeded();
                     const box = await last.boundingBox();
@@ -284,7 +284,7 @@ for (const [width, height] of /** @type {const} */ ([[640, 400], [320, 640], [32
         }));
 }
 
-test('with the system’s own colours, texts, mistakes and sliders can be seen', () =>
+test('with forced colours, texts, errors and sliders are visible', () =>
     withPage({ hash: TREE, options: { ...DESKTOP, forcedColors: 'active' } }, async (page) => {
         const colours = () =>
             page.evaluate(() => {
@@ -300,7 +300,7 @@ test('with the system’s own colours, texts, mistakes and sliders can be seen',
         assert.equal(line, 'underline');
     }));
 
-test('with less motion nothing glides', () =>
+test('with reduced motion nothing is animated', () =>
     withPage({ hash: TREE, options: { ...DESKTOP, reducedMotion: 'reduce' } }, async (page) => {
         const before = await stillPicture(page);
         await page.click('#zoom-in');

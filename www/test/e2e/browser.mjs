@@ -33,20 +33,20 @@ export async function close() {
     browser = undefined;
 }
 
-/** Waits until the first picture is there. @param {Page | import('playwright-core').Frame} page @param {string} [drawing] */
+/** Waits for the first picture. @param {Page | import('playwright-core').Frame} page @param {string} [drawing] */
 export async function ready(page, drawing = '#stage.inked') {
     await page.waitForSelector(drawing);
 }
 
-/** Serves the modules that the page is made of to a test that imports one in the page. @param {Page} page */
+/** Serves the page's source modules, for tests that import one in the page. @param {Page} page */
 export const withModules = (page) =>
     page.route('**/js/*.js', (route) => route.fulfill({ path: fileURLToPath(new URL(`../../js/${route.request().url().split('/').pop()}`, import.meta.url)) }));
 
 /**
- * Opens the page, or the one at `address`, lets `use` work with it, and checks that nothing went wrong on the way
- * but what the test brings about: `expected` lines of the console. `also` names another address that may be asked, and
- * `drawing` the element that tells that the drawing is there, or null. A test that fails runs once
- * more in a fresh page, and its first error is printed: on a busy machine a browser may be late, but a fault stays.
+ * Opens the page, or the page at `address`, lets `use` work with it, and checks that nothing failed except the
+ * `expected` lines of the console. `also` names another address that may be requested. `drawing` is the element that
+ * shows that the drawing is ready, or null. A failing test runs once more in a fresh page, and its first error is
+ * printed: a busy machine may be late, but a fault is repeated.
  * @typedef {{address?: string, also?: string, drawing?: string | null, hash?: string, expected?: RegExp | undefined, options?: import('playwright-core').BrowserContextOptions, before?: (page: Page) => Promise<unknown>}} How
  * @param {How} how
  * @param {(page: Page) => Promise<unknown>} use
@@ -84,7 +84,7 @@ async function once({ address = ADDRESS, also = address, drawing = '#stage.inked
 }
 
 /**
- * Tries until it holds: `check` throws or gives false while it does not.
+ * Repeats `check` until it neither throws nor returns false.
  * @template T
  * @param {() => Promise<T> | T} check
  * @param {string} what
@@ -106,7 +106,7 @@ export async function until(check, what, patience = 8000) {
 }
 
 /**
- * Runs a function in the page, on the pixels of the drawing: row by row, a number each.
+ * Runs a function in the page on the pixels of the drawing, one number per pixel, row by row.
  * @template T
  * @param {Page | import('playwright-core').Frame} page
  * @param {(pixels: {words: Uint32Array, width: number, height: number}) => T} read
@@ -143,7 +143,7 @@ export function inkedRows(page) {
 }
 
 /**
- * The picture as it is on the canvas: a digest of its pixels, and the part of them that is not background.
+ * The picture on the canvas: a digest of its pixels, and the fraction of pixels that are not background.
  * @param {Page | import('playwright-core').Frame} page
  * @returns {Promise<{digest: string, ink: number, width: number, height: number}>}
  */
@@ -160,7 +160,7 @@ export function picture(page) {
 }
 
 /**
- * Waits for another picture than `before`, and for that to be the last of its kind.
+ * Waits until the picture differs from `before` and no longer changes.
  * @param {Page} page
  * @param {{digest: string}} before
  */
@@ -169,20 +169,20 @@ export async function nextPicture(page, before) {
     return stillPicture(page);
 }
 
-/** Waits until a former picture is there again, to the last pixel. @param {Page} page @param {{digest: string}} former */
+/** Waits until a former picture is shown again, with equal pixels. @param {Page} page @param {{digest: string}} former */
 export async function sameAgain(page, former) {
     await until(async () => (await picture(page)).digest === former.digest, 'the former picture is there again');
 }
 
-/** Waits until the page has shown what it has been told, however slow the machine. @param {Page} page */
+/** Waits until the page has handled all input. @param {Page} page */
 const frames = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
-/** Waits until nothing newer is under way and the picture has stopped changing. @param {Page} page */
+/** Waits until no newer state is being drawn and the picture has stopped changing. @param {Page} page */
 export async function stillPicture(page) {
     let last = await picture(page);
     let since = Date.now();
     return until(async () => {
-        // In this order: the last picture may come in between.
+        // In this order, because the last picture may come in between.
         const busy = (await page.getAttribute('#stage', 'aria-busy')) === 'true';
         await frames(page);
         const now = await picture(page);

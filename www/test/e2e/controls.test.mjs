@@ -12,7 +12,7 @@ const dial = (page, name) => page.locator('#constants .dial').filter({ has: page
 /** @param {import('playwright-core').Page} page */
 const constantRows = async (page) => (await page.locator('#constants .dial').allTextContents()).join('|');
 
-test('named constants have sliders that edit their value in the text', () =>
+test('named constants have sliders that edit the value in the rules', () =>
     withPage({ hash: TREE }, async (page) => {
         const before = await stillPicture(page);
         await page.waitForSelector('#constants:visible');
@@ -20,7 +20,7 @@ test('named constants have sliders that edit their value in the text', () =>
         assert.equal(await dial(page, 'r').locator('.number').inputValue(), '0.9');
         assert.equal(await dial(page, 'b').locator('output').textContent(), '1.8');
         assert.equal(await dial(page, 'b').locator('input').count(), 0);
-        // The caret stays where it is in the text, though what stands before it becomes longer.
+        // The caret keeps its place in the text, though the text before it becomes longer.
         await page.evaluate((at) => /** @type {HTMLTextAreaElement} */ (document.querySelector('#rules')).setSelectionRange(at, at), RULES.indexOf('A(l)'));
         await dial(page, 'r').locator('input[type=range]').evaluate((element) => (element.id = 'r-slider'));
         await drag(page, '#r-slider', [100, 110, 120, 125]);
@@ -31,7 +31,7 @@ test('named constants have sliders that edit their value in the text', () =>
         assert.equal(await dial(page, 'r').locator('.number').inputValue(), '0.625');
         assert.notEqual((await nextPicture(page, before)).digest, before.digest);
         await until(() => page.evaluate(() => location.hash.includes('.625')), 'the address follows');
-        // A whole drag is one step.
+        // A whole drag is one undo step.
         await page.click('#undo');
         assert.equal(await page.inputValue('#rules'), RULES);
         await until(async () => (await dial(page, 'r').locator('.number').inputValue()) === '0.9', 'the field is back');
@@ -40,7 +40,7 @@ test('named constants have sliders that edit their value in the text', () =>
         assert.equal(await page.inputValue('#rules'), text);
     }));
 
-test('the text moves the sliders, and their range follows', () =>
+test('editing the rules moves the sliders and their ranges', () =>
     withPage({ hash: TREE }, async (page) => {
         await page.waitForSelector('#constants:visible');
         const slider = dial(page, 'a').locator('input[type=range]');
@@ -66,7 +66,7 @@ test('the text moves the sliders, and their range follows', () =>
         await until(async () => (await constantRows(page)) === 'q–', 'one without a value is named');
     }));
 
-test('a text with mistakes keeps its sliders', () =>
+test('rules with errors keep their sliders', () =>
     withPage({ hash: TREE }, async (page) => {
         await page.waitForSelector('#constants:visible');
         await page.fill('#rules', `${RULES}\nG = = 1`);
@@ -76,14 +76,14 @@ test('a text with mistakes keeps its sliders', () =>
         assert.equal(await page.locator('#rules-problems .error').count(), 1);
     }));
 
-test('on a phone the sliders stand under Growth', () =>
+test('on a phone the sliders of constants are under Growth', () =>
     withPage({ hash: TREE, options: PHONE }, async (page) => {
         await page.waitForSelector('#constants:visible');
         const box = await dial(page, 'r').locator('input[type=range]').boundingBox();
         assert.ok(box && box.x >= 0 && box.x + box.width <= 390 && box.width > 100, JSON.stringify(box));
     }));
 
-test('the parts of the notation have their tints, in place', () =>
+test('the parts of the notation are coloured in place', () =>
     withPage({ hash: TREE }, async (page) => {
         const rules = 'ignore: +-\nr = 0.9\nA < B(x) > C : x > r -> F[+B(x)] : 0.5\n// so\ndraw:\nC -> F\n';
         await page.fill('#rules', rules);
@@ -97,13 +97,13 @@ test('the parts of the notation have their tints, in place', () =>
         assert.deepEqual(await parts('comment'), ['// so']);
         assert.deepEqual(await parts('bracket'), ['[', ']']);
         assert.deepEqual(await parts('number'), ['0.9']);
-        // The layer shows exactly the text, line by line in the place of the area's lines.
+        // The layer shows exactly the same text, its lines in the same places.
         assert.equal(await page.locator('[data-editor=rules] > pre').evaluate((layer) => layer.textContent), rules);
         const [layer, area] = await page.evaluate(() => ['#rules', '[data-editor=rules] > pre'].map((name) => document.querySelector(name)?.scrollHeight));
         assert.equal(layer, area);
     }));
 
-test('wrapped and blank lines stand in the same place in the text and in its layer', () =>
+test('wrapped and blank lines are in the same place in the text and in its layer', () =>
     withPage({ hash: TREE }, async (page) => {
         for (const text of ['', '\n', '\n\nF -> F\n\n', `F -> ${'F[+F]'.repeat(60)}\nX -> ${'long '.repeat(40)}`, 'F -> F   \n\t\tX -> 🌿 ']) {
             await page.fill('#rules', text);
@@ -112,7 +112,7 @@ test('wrapped and blank lines stand in the same place in the text and in its lay
         }
     }));
 
-test('a text that is too long is cut, and that is said', () =>
+test('a text that is too long is cut, with a message', () =>
     withPage({ hash: TREE }, async (page) => {
         await page.locator('#axiom').evaluate((area) => {
             /** @type {HTMLTextAreaElement} */ (area).value = 'F+'.repeat(15_000);
@@ -126,7 +126,7 @@ test('fifty thousand characters can be typed in', () =>
     withPage({ hash: TREE }, async (page) => {
         const line = 'A(l) : l > 0.1 -> F(l)[+(a)A(l*r)]';
         const text = `r = 0.5\na = 20\n${`${line}\n`.repeat(Math.floor(49_000 / (line.length + 1)))}`;
-        // A driver's typing would take longer than the page.
+        // Typing through the driver would take longer than the page.
         await page.locator('#rules').evaluate((area, all) => {
             /** @type {HTMLTextAreaElement} */ (area).value = all;
             area.dispatchEvent(new Event('input', { bubbles: true }));
@@ -150,7 +150,7 @@ test('fifty thousand characters can be typed in', () =>
         console.log(`# a key in a text of ${text.length} characters: ${middle?.toFixed(0)} ms to the next frame, in the middle`);
     }));
 
-test('the gallery says what sort each system is, and filters by it', () =>
+test('the gallery shows the kind of each system and filters by kind', () =>
     withPage({}, async (page) => {
         await page.click('#open-gallery');
         await page.waitForSelector('#gallery .card');
@@ -164,7 +164,7 @@ test('the gallery says what sort each system is, and filters by it', () =>
         for (const kind of await page.locator('#gallery .card:visible .card-kind').allTextContents()) assert.match(kind, /stochastic|expanded in full|part/);
         assert.equal(await page.getAttribute('.chip:has-text("stochastic")', 'aria-pressed'), 'true');
         await page.click('.chip:has-text("stochastic")');
-        // A system is drawn in the plane or in space: one of them at a time.
+        // 2D and 3D exclude each other.
         await page.click('.chip:has-text("2D")');
         const flat = await shown();
         await page.click('.chip:has-text("3D")');
@@ -190,7 +190,7 @@ test('the gallery says what sort each system is, and filters by it', () =>
         await until(async () => /^[A-Z][a-z, -]+(;|\.)/.test((await page.textContent('#status')) ?? ''), 'the page says it too');
     }));
 
-test('angles in space are asked for where the turtle leaves the plane, and tropism where it bends', () =>
+test('angles in space are shown for drawings in space, and tropism for drawings that bend', () =>
     withPage({ hash: '#v=1&axiom=A&rules=A%20-%3E%20F%5B%26A%5D%5B/%5EA%5D&n=4&angle=30' }, async (page) => {
         await page.waitForSelector('#space:visible');
         assert.equal(await page.getAttribute('#pitch-down', 'placeholder'), '30');

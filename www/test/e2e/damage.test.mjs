@@ -1,4 +1,4 @@
-/** Damaged deliveries and hostile files: wasm that is not wasm, files that are far too large. */
+/** Damaged downloads and hostile files: invalid wasm, files that are far too large. */
 
 import assert from 'node:assert/strict';
 import { mkdtemp, open, rm } from 'node:fs/promises';
@@ -21,14 +21,14 @@ after(async () => {
 
 const WEED = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%5B-F%5DF&n=4&angle=25';
 
-/** What a server may send in the place of wasm, with status 200. @type {Record<string, (wasm: Buffer) => Buffer>} */
+/** Responses with status 200 that are no valid wasm. @type {Record<string, (wasm: Buffer) => Buffer>} */
 const DAMAGE = {
     'an error page': () => Buffer.from('<!doctype html><title>Not found</title>'),
     'nothing': () => Buffer.alloc(0),
     'the first half': (wasm) => wasm.subarray(0, wasm.length >> 1),
 };
 
-/** Damages what is sent for a file the first few times. @param {RegExp} file @param {(wasm: Buffer) => Buffer} damage @param {number} times */
+/** Damages the first few responses for a file. @param {RegExp} file @param {(wasm: Buffer) => Buffer} damage @param {number} times */
 const damaged = (file, damage, times) => async (/** @type {Page} */ page) => {
     let sent = 0;
     await page.route(file, async (route) => {
@@ -39,14 +39,14 @@ const damaged = (file, damage, times) => async (/** @type {Page} */ page) => {
 };
 
 for (const [what, damage] of Object.entries(DAMAGE)) {
-    test(`${what} in the place of the wasm: it is fetched again`, () =>
+    test(`${what} in place of the wasm: the wasm is fetched again`, () =>
         withPage({ hash: WEED, before: damaged(/lsystem\.wasm$/, damage, 2), expected: /preload/ }, async (page) => {
             await stillPicture(page);
             await page.waitForSelector('#trouble', { state: 'hidden' });
         }));
 }
 
-test('wasm that never comes is told of, and asked for again with the next input', () => {
+test('wasm that never loads is reported, and requested again with the next input', () => {
     let broken = true;
     return withPage(
         {
@@ -66,7 +66,7 @@ test('wasm that never comes is told of, and asked for again with the next input'
     );
 });
 
-/** Measures how long the main thread is not free. @param {Page} page */
+/** Measures how long the main thread is busy. @param {Page} page */
 const watched = (page) =>
     page.addInitScript(() => {
         const site = /** @type {any} */ (globalThis);
@@ -76,7 +76,7 @@ const watched = (page) =>
         }).observe({ type: 'longtask', buffered: true });
     });
 
-/** The longest task since this was last asked, in milliseconds. @param {Page} page @returns {Promise<number>} */
+/** The longest task since the last call, in milliseconds. @param {Page} page @returns {Promise<number>} */
 const longestTask = (page) =>
     page.evaluate(async () => {
         const site = /** @type {any} */ (globalThis);
@@ -101,7 +101,7 @@ async function written(name, [start = '', end = ''], piece, count) {
 const HEAD = '{"format":"l-systems favourites","version":1,"favourites":[';
 const packed = deflateSync(`rules=${'F'.repeat(500_000)}`).toString('base64url');
 
-/** Files that are far too much, and what is told of them. @type {Record<string, [string, () => Promise<string>, RegExp]>} */
+/** Files that are far too large, and their messages. @type {Record<string, [string, () => Promise<string>, RegExp]>} */
 const BOMBS = {
     '1.6 million damaged links': ['favourites', () => written('links.json', [HEAD, 'null]}'], '{"name":"a","link":"#v=1&rules=%"},', 1_600_000), /too large/],
     '2 MB of damaged links': ['favourites', () => written('few.json', [HEAD, 'null]}'], '{"link":"#v=1&n=x"},', 100_000), /could not be read/],
@@ -118,7 +118,7 @@ const BOMBS = {
 };
 
 for (const [what, [field, make, words]] of Object.entries(BOMBS)) {
-    test(`${what}: refused in words, and the page stays free`, async () => {
+    test(`${what}: refused with a message, and the page stays responsive`, async () => {
         const path = await make();
         try {
             await withPage({ hash: WEED, before: watched }, async (page) => {
@@ -141,7 +141,7 @@ for (const [what, [field, make, words]] of Object.entries(BOMBS)) {
     });
 }
 
-test('a text that is far too long is cut, and the page stays free', () =>
+test('a text that is far too long is cut, and the page stays responsive', () =>
     withPage({ hash: WEED, before: watched }, async (page) => {
         await stillPicture(page);
         await longestTask(page);
@@ -156,7 +156,7 @@ test('a text that is far too long is cut, and the page stays free', () =>
         console.log(`400,000 characters pasted: longest task ${(await longestTask(page)).toFixed(0)} ms`);
     }));
 
-test('thousands of productions are marked and tinted without holding the page up', () =>
+test('thousands of productions are marked and coloured without blocking the page', () =>
     withPage({ hash: WEED, before: watched }, async (page) => {
         await stillPicture(page);
         for (const line of ['A -> F', 'A -> %']) {

@@ -1,4 +1,4 @@
-/** The drawing in other people's pages: a frame, a sandbox, an element, a file. The host is another site. */
+/** Embedded drawings: in a frame, a sandbox, an element, a file. The host is another site. */
 
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
@@ -16,11 +16,11 @@ import { ADDRESS, DESKTOP, PHONE, close, picture, ready, until, withPage } from 
 const WEED = 'v=1&title=Weed&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%5B-F%5DF&n=4&angle=25';
 const ELEMENT = `<script src="${ADDRESS}l-system.js"></script>`;
 
-/** The host's own style, and how a policy names it. */
+/** The host's style, and its hash for the content security policy. */
 const STYLE = 'iframe, l-system { display: block; width: 600px; max-width: 100%; height: 400px; border: 0; aspect-ratio: auto }';
 const STYLE_HASH = createHash('sha256').update(STYLE).digest('base64');
 
-/** What the host serves, by path. @type {Map<string, string>} */
+/** The host's pages, by path. @type {Map<string, string>} */
 const pages = new Map();
 const server = createServer((request, response) => {
     const page = pages.get(String(request.url));
@@ -33,7 +33,7 @@ let folder = '';
 before(async () => {
     await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
     const address = server.address();
-    // By another name than the playground's: not only another origin, but another site.
+    // Another host name than the playground's makes the host another site, not only another origin.
     host = `http://localhost:${typeof address === 'object' ? address?.port : ''}/`;
     folder = await mkdtemp(join(tmpdir(), 'on a stick ü '));
     await copyFile(new URL('../../../dist/embed.html', import.meta.url), join(folder, 'embed.html'));
@@ -59,7 +59,7 @@ function withHost(body, use, { options = DESKTOP, expected, head = '' } = {}) {
 /** @param {string} hash @param {string} [more] attributes */
 const frameOf = (hash, more = '') => `<iframe title="A drawing" src="${ADDRESS}embed.html#${hash.replaceAll('&', '&amp;')}" ${more}></iframe>`;
 
-/** The frame with a drawing in it. @param {Page} page @param {number} [index] @returns {Promise<Frame>} */
+/** The frame of a drawing. @param {Page} page @param {number} [index] @returns {Promise<Frame>} */
 function drawn(page, index = 0) {
     return until(async () => {
         const frame = embedded(page)[index];
@@ -74,7 +74,7 @@ const embedded = (page) => page.frames().filter((frame) => frame.url().includes(
 /** Waits for another picture. @param {Frame} frame @param {{digest: string}} before */
 const changes = (frame, before) => until(async () => (await picture(frame)).digest !== before.digest && (await frame.getAttribute('#stage', 'aria-busy')) === 'false', 'the picture changes');
 
-/** Behind an element: collects what it says. */
+/** A script after an element that collects its events. */
 const LISTEN = `<script>
     var heard = [];
     for (const kind of ['ready', 'change', 'error']) document.querySelector('l-system').addEventListener(kind, ({ detail }) => heard.push([kind, detail]));
@@ -82,7 +82,7 @@ const LISTEN = `<script>
 /** @param {Page} page @returns {Promise<[string, any][]>} */
 const heard = (page) => page.evaluate(() => /** @type {any} */ (window).heard);
 
-test('a frame draws, names itself, and shows the controls that were asked for and no others', () =>
+test('a frame draws, has a name, and shows only the requested controls', () =>
     withHost(frameOf(`${WEED}&controls=n,angle`) + frameOf(WEED), async (page) => {
         const [first, second] = [await drawn(page), await drawn(page, 1)];
         assert.ok((await picture(first)).ink > 0.002);
@@ -92,7 +92,7 @@ test('a frame draws, names itself, and shows the controls that were asked for an
         const shown = async (/** @type {Frame} */ frame) => Object.fromEntries(await Promise.all(['#iterations', '#angle', '#right', '#rules', '#open-reader', '#open-playback', '#reset', '#open'].map(async (name) => [name, await frame.isVisible(name)])));
         assert.deepEqual(await shown(first), { '#iterations': true, '#angle': true, '#right': false, '#rules': false, '#open-reader': false, '#open-playback': false, '#reset': true, '#open': true });
         assert.deepEqual(await shown(second), { '#iterations': false, '#angle': false, '#right': false, '#rules': false, '#open-reader': false, '#open-playback': false, '#reset': false, '#open': true });
-        // Keys change what controls change.
+        // Keys change the same fields as the controls.
         const before = await picture(second);
         await second.focus('#drawing');
         await page.keyboard.press('ArrowUp');
@@ -126,7 +126,7 @@ test('string and playback work in a frame', () =>
         await until(async () => /16 segments/.test((await frame.textContent('#caption-text')) ?? ''), 'the edited rules are drawn');
     }));
 
-test('a low frame shows its drawing beside the playback, and symbols of its string', () =>
+test('a low frame shows its drawing with the playback bar, and symbols of its string', () =>
     withHost(frameOf(`${WEED}&controls=all`, 'style="width: 400px; height: 300px"'), async (page) => {
         const frame = await drawn(page);
         assert.ok(await frame.isHidden('#start-anew'), 'a frame begins no other system');
@@ -138,7 +138,7 @@ test('a low frame shows its drawing beside the playback, and symbols of its stri
         await until(async () => (await frame.locator('#reader-text .cells').allTextContents()).every((row) => row.length > 20), 'every row is full');
     }));
 
-test('a drawing in space is drawn, and turns under the pointer', () =>
+test('a drawing in space turns with the pointer', () =>
     withHost(frameOf('v=1&axiom=A&rules=A%20-%3E%20F%5B%26A%5D%2FF%5B%5EA%5D%2FA&n=4&angle=35&controls=n,play'), async (page) => {
         const frame = await drawn(page);
         const before = await picture(frame);
@@ -167,13 +167,13 @@ test('the wheel scrolls the page until the drawing has the focus', () =>
         await page.mouse.wheel(0, -300);
         await changes(frame, before);
         assert.equal(await page.evaluate(() => scrollY), 0);
-        // Escape gives the wheel back.
+        // Escape gives the wheel back to the page.
         await page.keyboard.press('Escape');
         await page.mouse.wheel(0, 100);
         await until(() => page.evaluate(() => scrollY > 50), 'the page scrolls again');
     }));
 
-test('a finger scrolls the page over a drawing that was not tapped', () =>
+test('touch scrolls the page until the drawing is tapped', () =>
     withHost(
         `<meta name="viewport" content="width=device-width">${frameOf(WEED)}<p style="height: 3000px">text</p>`,
         async (page) => {
@@ -195,7 +195,7 @@ test('a finger scrolls the page over a drawing that was not tapped', () =>
         { options: PHONE },
     ));
 
-test('a sandbox without an origin, storage or popups', () =>
+test('a sandbox without origin, storage or popups works', () =>
     withHost(
         frameOf(`${WEED}&controls=n,angle,rules,string,play`, 'sandbox="allow-scripts"'),
         async (page) => {
@@ -213,7 +213,7 @@ test('a sandbox without an origin, storage or popups', () =>
         { expected: /Blocked opening/ },
     ));
 
-test('the playground opens with what the visitor has made of it', () =>
+test('the playground opens with the visitor’s changes', () =>
     withHost(frameOf(`${WEED}&controls=n`), async (page) => {
         const frame = await drawn(page);
         await frame.fill('#iterations', '3');
@@ -226,18 +226,18 @@ test('the playground opens with what the visitor has made of it', () =>
         assert.equal(await opened.evaluate(() => window.opener), null);
     }));
 
-test('mistakes are told in words', () =>
+test('errors are shown in words', () =>
     withHost(frameOf('v=1&axiom=F&rules=F%20%3D%20FF&n=3') + frameOf('') + frameOf('v=1&axiom=F&rules=F%20-%3E%20FF&n=2&angle=x'), async (page) => {
         const all = await until(() => { const frames = embedded(page); return frames.length === 3 && frames; }, 'three frames');
         const [wrong, nothing, damaged] = /** @type {[Frame, Frame, Frame]} */ (all);
         await until(async () => /->/.test((await wrong.textContent('#mistake')) ?? '') && (await wrong.isVisible('#mistake')), 'the wrong arrow');
-        assert.match((await nothing.textContent('#mistake')) ?? '', /no drawing in the address/);
+        assert.match((await nothing.textContent('#mistake')) ?? '', /contains no drawing/);
         await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
         await ready(damaged);
         assert.match((await damaged.textContent('#toast')) ?? '', /“angle”/);
     }));
 
-test('a drawing out of sight waits, and stops playing when it is scrolled away', () =>
+test('a drawing out of view waits, and stops playing when scrolled away', () =>
     withHost(`${frameOf(WEED)}<p style="height: 6000px">text</p>${frameOf(`${WEED}&controls=play`)}`, async (page) => {
         await drawn(page);
         const far = await until(() => embedded(page)[1], 'the second frame');
@@ -254,14 +254,14 @@ test('a drawing out of sight waits, and stops playing when it is scrolled away',
         await until(async () => (await far.getAttribute('#play', 'aria-label')) === 'Play', 'it pauses');
     }));
 
-test('a frame from a disk', () =>
+test('a frame from a disk draws', () =>
     withPage({ address: pathToFileURL(join(folder, 'embed.html')).href, hash: `#${WEED}&controls=n`, drawing: '#stage.inked' }, async (page) => {
         assert.ok((await picture(page)).ink > 0.001);
         await page.fill('#iterations', '3');
         await until(async () => (await page.getAttribute('#open', 'href'))?.includes('playground.html#v=1'), 'the playground is the file beside it');
     }));
 
-test('on paper there are picture and system, and no controls', () =>
+test('printing shows picture and system, without controls', () =>
     withPage({ address: `${ADDRESS}embed.html`, hash: `#${WEED}&controls=n,angle,rules,string,play`, options: { viewport: { width: 600, height: 400 } } }, async (page) => {
         await page.emulateMedia({ media: 'print' });
         for (const name of ['#panel', '.tools-read', '.tools-view']) assert.equal(await page.isVisible(name), false, name);
@@ -272,7 +272,7 @@ test('on paper there are picture and system, and no controls', () =>
         assert.ok((await page.pdf()).length > 2000);
     }));
 
-test('an element draws from attributes and text, and they can be changed', () =>
+test('an element draws from attributes and text, which can be changed', () =>
     withHost(
         `<l-system caption="Weed" axiom="F" angle="25" n="4" controls="n" stroke="0.2">
             F -&gt; F[+F]F[-F]F
@@ -315,7 +315,7 @@ test('an element draws from attributes and text, and they can be changed', () =>
         { head: ELEMENT },
     ));
 
-test('an element tells mistakes, opens links, plays, moves and starts again', () =>
+test('an element reports errors, opens links, plays, moves and restarts', () =>
     withHost(
         `<l-system axiom="F" n="3" controls="play"><pre>F = FF</pre></l-system><div id="elsewhere"></div>${LISTEN}`,
         async (page) => {
@@ -343,7 +343,7 @@ test('an element tells mistakes, opens links, plays, moves and starts again', ()
         { head: ELEMENT },
     ));
 
-test('an element in a page with a policy', () =>
+test('an element works in a page with a content security policy', () =>
     withHost(
         '<l-system axiom="F" n="3"><pre>F -&gt; F+F</pre></l-system>',
         async (page) => {
@@ -353,7 +353,7 @@ test('an element in a page with a policy', () =>
         { head: `<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'sha256-${STYLE_HASH}'; script-src ${ADDRESS}; frame-src ${ADDRESS}">${ELEMENT}` },
     ));
 
-test('without JavaScript the element shows what it holds', () =>
+test('without JavaScript the element shows its text', () =>
     withHost(
         '<l-system axiom="F"><pre>F -&gt; FF</pre></l-system>',
         async (page) => {
@@ -363,7 +363,7 @@ test('without JavaScript the element shows what it holds', () =>
         { head: ELEMENT, options: { ...DESKTOP, javaScriptEnabled: false } },
     ));
 
-test('a frame hears its holder and nobody else, and answers only whom it knows', () =>
+test('a frame accepts messages only from its host, and answers only a known origin', () =>
     withHost(`${frameOf(`${WEED}&host=https%3A%2F%2Fexample.org`)}${frameOf(WEED)}<script>
         var heard = [];
         addEventListener('message', (event) => heard.push([event.source === frames[0] ? 0 : 1, event.data]));
@@ -383,7 +383,7 @@ test('a frame hears its holder and nobody else, and answers only whom it knows',
         await until(async () => /^n = 2/.test((await open.textContent('#caption-text')) ?? ''), 'the one changes');
         assert.match((await strict.textContent('#caption-text')) ?? '', /^n = 4/);
         assert.deepEqual([...new Set(await kinds(0))], ['hello']);
-        // The frame beside it is not its holder.
+        // A frame beside it is not its host.
         await open.evaluate(() => parent.frames[0]?.postMessage({ lsystem: 'set', values: { n: 1 } }, '*'));
         await strict.evaluate(() => parent.frames[1]?.postMessage({ lsystem: 'set', values: { n: 1 } }, '*'));
         await new Promise((resolve) => setTimeout(resolve, 300));

@@ -21,13 +21,13 @@ async function another(page, hash) {
     return other;
 }
 
-/** Waits until this visit is kept. @param {Page} page @param {string} part of its link */
+/** Waits until this visit is saved. @param {Page} page @param {string} part of its link */
 const kept = (page, part) => until(() => page.evaluate((wanted) => localStorage.getItem('l-systems:sessions')?.includes(wanted), part), `${part} is kept`);
 
 /** @param {Page} page @param {string} name */
 async function keep(page, name) {
     await page.fill('#favourite-name', name);
-    await page.click('#keep-favourite');
+    await page.click('#add-favourite');
     await until(async () => (await text(page, '#toast')).includes('favourites'), 'it is told');
 }
 
@@ -38,7 +38,7 @@ const names = (page) => page.locator('#favourite-cards .card-title').allTextCont
 const stored = (page) => page.evaluate(() => JSON.parse(localStorage.getItem('l-systems:favourites') ?? '[]'));
 
 for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['phone', PHONE]])) {
-    test(`who comes back finds what was left: ${device}`, () =>
+    test(`a returning reader finds the last state: ${device}`, () =>
         withPage({ options }, async (page) => {
             await page.fill('#angle', '31');
             await page.fill('#iterations', '4');
@@ -52,12 +52,12 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
             await back.reload();
             await ready(back);
             assert.equal(await back.locator('#toast.shown').count(), 0);
-            // What Reset returns to has come back, too.
+            // Reset still returns to the original system.
             await back.click('#reset');
             assert.equal(await back.inputValue('#angle'), '22.5');
         }));
 
-    test(`an opened link destroys nothing, and the way back is offered: ${device}`, () =>
+    test(`an opened link keeps the last visit and offers to continue it: ${device}`, () =>
         withPage({ hash: KOCH, options }, async (page) => {
             await page.fill('#angle', '77');
             await kept(page, 'angle=77');
@@ -65,7 +65,7 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
             assert.equal(await other.inputValue('#axiom'), 'F-F-F-F');
             const offer = other.locator('#toast button', { hasText: 'Continue where you left off' });
             assert.ok(await offer.isVisible());
-            // Looking around is no change.
+            // Moving the view is no change.
             await other.click('#fit');
             await other.mouse.move(150, 200);
             if (options === DESKTOP) await other.mouse.wheel(0, -300);
@@ -79,12 +79,12 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
             assert.equal(await other.inputValue('#axiom'), 'F-F-F-F');
         }));
 
-    test(`favourites are kept, opened, renamed, deleted and brought back: ${device}`, () =>
+    test(`favourites are saved, opened, renamed, deleted and restored: ${device}`, () =>
         withPage({ hash: KOCH, options }, async (page) => {
-            await page.click('#tab-keep');
+            await page.click('#tab-save');
             await keep(page, '');
             await page.fill('#favourite-name', 'Koch');
-            await page.click('#keep-favourite');
+            await page.click('#add-favourite');
             await until(async () => (await text(page, '#toast')).includes('already'), 'not twice');
             await page.evaluate((hash) => (location.hash = hash), ISLAND);
             await until(async () => (await page.inputValue('#axiom')) === 'F-F-F-F', 'the link is open');
@@ -125,7 +125,7 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
         }));
 }
 
-test('a reload goes on with the same visit, whatever was not yet in the address', () =>
+test('a reload continues the same visit, even with changes that are not yet in the address', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.fill('#angle', '50');
         await kept(page, 'angle=50');
@@ -141,7 +141,7 @@ test('a reload goes on with the same visit, whatever was not yet in the address'
         assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem('l-systems:sessions') ?? '').length), 1);
     }));
 
-test('two tabs do not take each other’s work', () =>
+test('two tabs do not overwrite each other’s visits', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.fill('#angle', '10');
         await kept(page, 'angle=10');
@@ -152,24 +152,24 @@ test('two tabs do not take each other’s work', () =>
         await kept(page, 'angle=11');
         const third = await another(page, '');
         assert.equal(await third.inputValue('#angle'), '11');
-        await third.click('#tab-keep');
+        await third.click('#tab-save');
         await third.click('#open-favourites');
-        // This tab came back to the newest, which stays beside the other.
+        // This tab restored the newest visit, and both visits stay.
         assert.equal(await third.locator('#visit-cards .card').count(), 2);
         await third.locator('#visit-cards .card').nth(1).click();
         assert.equal(await third.inputValue('#angle'), '20');
     }));
 
-test('a visit that changed nothing leaves nothing', () =>
+test('a visit without changes is not saved', () =>
     withPage({ hash: ISLAND }, async (page) => {
         await page.click('#zoom-in');
         await page.waitForTimeout(700);
         assert.equal(await page.evaluate(() => localStorage.getItem('l-systems:sessions')), null);
     }));
 
-test('all favourites go into one file, and come back from it: chosen, opened and dropped', () =>
+test('favourites are exported to one file and imported from it: chosen, opened and dropped', () =>
     withPage({ hash: KOCH }, async (page) => {
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         await page.click('#zoom-in');
         await until(() => page.evaluate(() => location.hash.includes('view=')), 'the view is in the address');
         await keep(page, 'Close up');
@@ -196,9 +196,9 @@ test('all favourites go into one file, and come back from it: chosen, opened and
         await until(async () => (await text(page, '#favourites-status')) === 'Added 2 favourites.', 'they are back');
         assert.deepEqual(links(await stored(page)), links(before));
         await page.setInputFiles('#favourites-file', { name: 'favourites.json', mimeType: 'application/json', buffer: file });
-        await until(async () => (await text(page, '#favourites-status')).includes('2 were there already'), 'not twice');
+        await until(async () => (await text(page, '#favourites-status')).includes('2 were already there'), 'not twice');
         await page.setInputFiles('#favourites-file', { name: 'x.json', mimeType: 'application/json', buffer: Buffer.from('{"initial": "F"}') });
-        await until(async () => (await text(page, '#favourites-status')).includes('holds no favourites'), 'the refusal');
+        await until(async () => (await text(page, '#favourites-status')).includes('contains no favourites'), 'the refusal');
         await clear();
         await page.setInputFiles('#file', { name: 'mine.json', mimeType: 'application/json', buffer: file });
         await until(async () => (await text(page, '#toast')).includes('Added 2'), 'opened like a system');
@@ -213,10 +213,10 @@ test('all favourites go into one file, and come back from it: chosen, opened and
         assert.equal(await page.inputValue('#axiom'), 'F-F-F-F');
     }));
 
-test('names and storage may hold anything', () =>
+test('names and storage may contain anything', () =>
     withPage({ hash: KOCH }, async (page) => {
         page.on('dialog', (dialog) => assert.fail(dialog.message()));
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         await keep(page, '<img src=x onerror=alert(1)>');
         await page.click('#open-favourites');
         assert.deepEqual(await names(page), ['<img src=x onerror=alert(1)>']);
@@ -229,7 +229,7 @@ test('names and storage may hold anything', () =>
         await page.goto('about:blank');
         await page.goto(ADDRESS);
         await ready(page);
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         await page.click('#open-favourites');
         assert.deepEqual(await names(page), ['odd']);
         await page.getByRole('button', { name: 'Delete odd' }).click();
@@ -261,16 +261,16 @@ for (const [what, area] of /** @type {const} */ ([['refused', 'refused'], ['full
             },
             async (page) => {
                 await page.fill('#angle', '50');
-                await page.click('#tab-keep');
+                await page.click('#tab-save');
                 if (area === 'refused') {
-                    assert.ok(!(await page.isVisible('#keep-favourite')));
+                    assert.ok(!(await page.isVisible('#add-favourite')));
                     assert.match(await text(page, '#favourites-refused'), /stores nothing/);
                     assert.ok(await page.isVisible('#favourites-refused'));
                     await page.setInputFiles('#file', { name: 'mine.json', mimeType: 'application/json', buffer: Buffer.from('{"format": "l-systems favourites", "favourites": []}') });
-                    await until(async () => (await text(page, '#toast')).includes('keeps no favourites'), 'the refusal');
+                    await until(async () => (await text(page, '#toast')).includes('cannot store favourites'), 'the refusal');
                 } else {
-                    await page.click('#keep-favourite');
-                    await until(async () => (await text(page, '#toast')).includes('no more room'), 'the refusal');
+                    await page.click('#add-favourite');
+                    await until(async () => (await text(page, '#toast')).includes('storage for this page is full'), 'the refusal');
                 }
                 await until(() => page.evaluate(() => location.hash.includes('angle=50')), 'the address follows');
                 await page.reload();
@@ -280,7 +280,7 @@ for (const [what, area] of /** @type {const} */ ([['refused', 'refused'], ['full
         ));
 }
 
-test('a sandboxed frame, which may keep nothing, works and says so', () =>
+test('a sandboxed frame without storage works and says so', () =>
     withPage({ hash: KOCH, expected: /Permissions policy/ }, async (page) => {
         const frame = `${ADDRESS}frame.html`;
         await page.route(frame, (route) => route.fulfill({ contentType: 'text/html', body: `<iframe sandbox="allow-scripts" width="1200" height="700" src="playground.html${KOCH}"></iframe>` }));
@@ -288,17 +288,17 @@ test('a sandboxed frame, which may keep nothing, works and says so', () =>
         const inside = page.frameLocator('iframe');
         await inside.locator('#stage.inked').waitFor();
         await inside.locator('#angle').fill('50');
-        await inside.locator('#tab-keep').click();
+        await inside.locator('#tab-save').click();
         assert.ok(await inside.locator('#favourites-refused').isVisible());
         await inside.locator('#copy-link').click();
         await until(async () => (await inside.locator('#share-status').textContent()) !== '', 'the dialog, or the clipboard');
         assert.match(await inside.locator('#share-link').inputValue(), /angle=50/);
     }));
 
-test('undo and redo cover the gallery, links, favourites, files and playthings between them', () =>
+test('undo and redo cover the gallery, links, favourites, files and changes between them', () =>
     withPage({ hash: KOCH }, async (page) => {
         const axiom = () => page.inputValue('#axiom');
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         await keep(page, 'Koch');
         await page.click('#open-gallery');
         await page.waitForSelector('.card');

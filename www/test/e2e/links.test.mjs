@@ -14,7 +14,7 @@ const hash = (page) => page.evaluate(() => location.hash);
 /** @param {import('playwright-core').Page} page @param {string} selector */
 const text = async (page, selector) => (await page.textContent(selector)) ?? '';
 
-test('a long system has a compressed address, and opens from it as it was', async () => {
+test('a long system has a compressed address, which opens the same system', async () => {
     const link = await bestLink(LONG);
     assert.match(link, /^#v=1&z=/);
     await withPage({ hash: link }, async (page) => {
@@ -32,7 +32,7 @@ test('a long system has a compressed address, and opens from it as it was', asyn
     });
 });
 
-test('a compressed link pasted into an open page opens, one undo away from what was there', async () => {
+test('a compressed link pasted into an open page opens, and undo returns', async () => {
     const link = await bestLink(LONG);
     await withPage({ hash: '#v=1&axiom=F&n=2' }, async (page) => {
         await page.evaluate((pasted) => (location.hash = pasted), link);
@@ -42,7 +42,7 @@ test('a compressed link pasted into an open page opens, one undo away from what 
     });
 });
 
-test('a compressed link that was cut off says so and shows the defaults', async () => {
+test('a cut compressed link shows a message and the defaults', async () => {
     const link = await bestLink(LONG);
     await withPage({ hash: `#axiom=F+F&${link.slice(1, -8)}` }, async (page) => {
         assert.match(await text(page, '#toast'), /damaged or cut off/);
@@ -51,7 +51,7 @@ test('a compressed link that was cut off says so and shows the defaults', async 
     });
 });
 
-test('every system of the gallery comes back from its link, readable and compressed', () =>
+test('every system of the gallery reads back from its readable and compressed links', () =>
     withPage({ before: withModules }, async (page) => {
         const wrong = await page.evaluate(async () => {
             /** @param {string} path */
@@ -75,7 +75,7 @@ test('every system of the gallery comes back from its link, readable and compres
         assert.deepEqual(wrong, []);
     }));
 
-test('hostile links cost this browser little, too', () =>
+test('hostile links cost little time and memory in this browser', () =>
     withPage({ before: withModules }, async (page) => {
         const links = DAMAGED.map(({ hash }) => hash);
         const { unsaid, slowest, megabytes } = await page.evaluate(async (hashes) => {
@@ -99,7 +99,7 @@ test('hostile links cost this browser little, too', () =>
         assert.ok(megabytes < 200, `${megabytes} MB`);
     }));
 
-test('what a link holds is shown and never run', () =>
+test('the content of a link is shown and never run', () =>
     withPage({ hash: '#axiom=F' }, async (page) => {
         page.on('dialog', (dialog) => assert.fail(`a script ran: ${dialog.message()}`));
         for (const script of SCRIPTS) {
@@ -112,7 +112,7 @@ test('what a link holds is shown and never run', () =>
         }
     }));
 
-test('a bomb of a link leaves the page at work', async () => {
+test('a link that is a compression bomb leaves the page working', async () => {
     const bomb = DAMAGED.find(({ name }) => name === 'packed: a bomb of letters');
     await withPage({ hash: String(bomb?.hash) }, async (page) => {
         assert.match(await text(page, '#toast'), /more than any drawing needs/);
@@ -122,7 +122,7 @@ test('a bomb of a link leaves the page at work', async () => {
     });
 });
 
-test('the address holds what is shown, even after a reload that came before it was written', () =>
+test('the address matches the shown state, even after a reload before the address was written', () =>
     withPage({ hash: '#v=1&axiom=F&rules=F%20-%3E%20F+F&n=3&angle=60' }, async (page) => {
         await page.fill('#angle', '39');
         await until(async () => (await hash(page)).includes('angle=39'), 'the address follows');

@@ -1,4 +1,4 @@
-/** Without a network, and from one version to the next. A copy of the site is served under a name that is not local. */
+/** Use without a network, and updates. A copy of the site is served under a name that is not local. */
 
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
@@ -16,7 +16,7 @@ const TYPES = { html: 'text/html; charset=utf-8', js: 'text/javascript; charset=
 
 let site = '';
 let origin = '';
-/** What was asked for since it was last emptied. @type {string[]} */
+/** The requests since the list was last cleared. @type {string[]} */
 let asked = [];
 let down = false;
 
@@ -71,14 +71,14 @@ async function publish(title) {
     await writeFile(worker, text);
 }
 
-/** Waits until this version is kept whole. @param {Page} page */
+/** Waits until this version is completely cached. @param {Page} page */
 const kept = (page) => page.evaluate(async () => { await navigator.serviceWorker.ready; });
 /** @param {Page} page */
 const update = (page) => page.evaluate(async () => { await (await navigator.serviceWorker.getRegistration())?.update(); });
 /** @param {Page} page */
 const title = (page) => page.textContent('h1');
 
-/** Opens the page again once it is kept; its title. @param {Page} page */
+/** Opens the page again once it is cached. Returns its title. @param {Page} page */
 async function reopened(page) {
     await kept(page);
     await page.reload();
@@ -88,7 +88,7 @@ async function reopened(page) {
 
 const how = () => ({ address: origin, hash: KOCH, expected: /ERR_EMPTY_RESPONSE|Failed to load resource|ERR_FAILED|unknown error occurred when fetching the script/ });
 
-test('the page, the gallery, exports, embedded drawings and the course page work after one visit without a network', () =>
+test('after one visit, the page, gallery, exports, embedded drawings and course page work without a network', () =>
     withSite(() =>
         withPage(how(), async (page) => {
             const before = await stillPicture(page);
@@ -101,7 +101,7 @@ test('the page, the gallery, exports, embedded drawings and the course page work
             await page.click('#open-gallery');
             await page.waitForSelector('.thumb.inked');
             await page.click('#close-gallery');
-            await page.click('#tab-keep');
+            await page.click('#tab-save');
             const [saved] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=json]')]);
             assert.ok(JSON.parse(await readFile(await saved.path(), 'utf8')).initial);
             await page.goto(`${origin}index.html`);
@@ -109,7 +109,7 @@ test('the page, the gallery, exports, embedded drawings and the course page work
             await page.goto(`${origin}embed.html${KOCH}`);
             await ready(page);
             await page.goto(`${origin}course.html`);
-            // Those out of sight wait.
+            // Drawings out of view wait.
             await until(async () => {
                 const frames = page.frames().filter((frame) => frame.url().includes('embed.html'));
                 return (await Promise.all(frames.map((frame) => frame.locator('#stage.inked').count()))).some((count) => count > 0);
@@ -118,12 +118,12 @@ test('the page, the gallery, exports, embedded drawings and the course page work
         }),
     ));
 
-test('a new version is told of, and opens with the next visit', () =>
+test('a new version is announced, and opens with the next visit', () =>
     withSite(() =>
         withPage(how(), async (page) => {
             const old = await reopened(page);
             await publish('Second');
-            // The browser looks for one by itself, but in its own time.
+            // The browser checks by itself, but at its own time.
             await update(page);
             await page.waitForSelector('#renewal:visible');
             assert.equal(await title(page), old);
@@ -132,7 +132,7 @@ test('a new version is told of, and opens with the next visit', () =>
             await ready(page);
             assert.equal(await page.isVisible('#renewal'), false);
             assert.equal((await page.evaluate(() => caches.keys())).length, 1);
-            // And stays.
+            // The new version stays.
             down = true;
             await page.reload();
             await ready(page);
@@ -140,7 +140,7 @@ test('a new version is told of, and opens with the next visit', () =>
         }),
     ));
 
-test('a new version opens at once if the reader likes, and keeps the drawing', () =>
+test('a new version opens at once on request, and keeps the drawing', () =>
     withSite(() =>
         withPage(how(), async (page) => {
             await reopened(page);
@@ -157,14 +157,14 @@ test('a new version opens at once if the reader likes, and keeps the drawing', (
         }),
     ));
 
-test('half an upload is not kept, and nothing that is not of the site', () =>
+test('an incomplete upload is not cached, and neither are files of other sites', () =>
     withSite(() =>
         withPage(how(), async (page) => {
             const old = await reopened(page);
             await publish('Fourth');
             await writeFile(join(site, 'page.js'), 'not yet');
             const worker = join(site, 'service-worker.js');
-            // The list names the file that is still to come.
+            // The list names a file that is not uploaded yet.
             const text = (await readFile(worker, 'utf8')).replace(/"page.js":"\w+"/, `"page.js":"${'0'.repeat(64)}"`);
             await writeFile(worker, text);
             const state = await page.evaluate(async () => {
@@ -188,7 +188,7 @@ test('half an upload is not kept, and nothing that is not of the site', () =>
         }),
     ));
 
-test('a copy under development keeps nothing', () =>
+test('a development server’s page caches nothing', () =>
     withPage({ hash: KOCH }, async (page) => {
         await new Promise((resolve) => setTimeout(resolve, 300));
         assert.deepEqual(await page.evaluate(async () => [(await navigator.serviceWorker.getRegistrations()).length, (await caches.keys()).length]), [0, 0]);

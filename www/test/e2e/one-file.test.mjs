@@ -14,7 +14,7 @@ let folder = '';
 let address = '';
 
 before(async () => {
-    // As a person would keep it: alone, in a folder with a blank and a letter beyond ASCII.
+    // The file alone, in a folder whose name has a blank and a non-ASCII letter.
     folder = await mkdtemp(join(tmpdir(), 'on a stick ü '));
     const file = join(folder, 'playground.html');
     await copyFile(new URL('../../../dist/playground.html', import.meta.url), file);
@@ -26,7 +26,7 @@ after(async () => {
 });
 
 for (const [name, options] of /** @type {const} */ ([['a desktop', {}], ['a phone', { options: PHONE }]])) {
-    test(`draws from a file on ${name}, and the address holds the state`, () =>
+    test(`draws from a file on ${name}, and the address contains the state`, () =>
         withPage({ address, hash: KOCH, ...options }, async (page) => {
             assert.equal(page.url(), address + KOCH);
             const before = await stillPicture(page);
@@ -38,7 +38,7 @@ for (const [name, options] of /** @type {const} */ ([['a desktop', {}], ['a phon
         }));
 }
 
-test('asks for nothing, and has the gallery and the exports in itself', () =>
+test('requests nothing, and contains the gallery and the exports', () =>
     withPage({ address }, async (page) => {
         /** @type {string[]} */
         const asked = [];
@@ -49,7 +49,7 @@ test('asks for nothing, and has the gallery and the exports in itself', () =>
         await page.fill('#search', 'dragon');
         await page.locator('.card:visible').first().click();
         await nextPicture(page, before);
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         const [saved] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=json]')]);
         assert.ok(JSON.parse(await readFile(await saved.path(), 'utf8')).initial);
         const [svg] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=svg]')]);
@@ -57,7 +57,7 @@ test('asks for nothing, and has the gallery and the exports in itself', () =>
         assert.deepEqual(asked, []);
     }));
 
-test('its policy runs no other script and asks for nothing', () =>
+test('its policy forbids other scripts and requests', () =>
     withPage({ address, hash: KOCH, expected: /Content Security Policy/ }, async (page) => {
         const policy = (await page.getAttribute('meta[http-equiv="Content-Security-Policy"]', 'content')) ?? '';
         assert.doesNotMatch(policy, /unsafe-inline|'unsafe-eval'|https?:|\*|'self'/);
@@ -79,7 +79,7 @@ test('its policy runs no other script and asks for nothing', () =>
 test('the engine starts again after a failure', () =>
     withPage({ address, hash: KOCH }, async (page) => {
         const before = await stillPicture(page);
-        // One that has gone meanwhile, because the page grew or replaced it, cannot be asked.
+        // A worker that is gone, because the page replaced it, cannot be asked.
         const fail = () => self.postMessage({ type: 'fatal', message: 'a test' });
         const failed = await Promise.allSettled(page.workers().map((worker) => worker.evaluate(fail)));
         assert.ok(failed.some(({ status }) => status === 'fulfilled'));

@@ -14,7 +14,7 @@ const hash = (page) => page.evaluate(() => location.hash);
 /** @param {import('playwright-core').Page} page @param {string} selector */
 const text = async (page, selector) => (await page.textContent(selector)) ?? '';
 
-test('a first visit shows a plant at once, and says what it is', () =>
+test('a first visit shows a plant at once, with its title', () =>
     withPage({}, async (page) => {
         assert.ok((await picture(page)).ink > 0.003);
         assert.match(await text(page, '#symbols'), /^[\d,]{3,}$/);
@@ -39,7 +39,7 @@ test('every control has a name', () =>
         assert.deepEqual(nameless, []);
     }));
 
-test('a first picture takes at most 455 KB as hosts send it', async () => {
+test('a first picture needs at most 455 KB of compressed files', async () => {
     /** @type {string[]} */
     const asked = [];
     await withPage({ before: async (page) => void page.on('request', (request) => asked.push(request.url())) }, async () => {
@@ -50,7 +50,7 @@ test('a first picture takes at most 455 KB as hosts send it', async () => {
     });
 });
 
-test('where lines are not in their places, that is told until they are again', () =>
+test('the page says when lines are not exact, until they are exact again', () =>
     withPage({ hash: '#v=1&axiom=A&rules=A%20-%3E%20F%5B+A%5D%5B-A%5D&n=40&angle=20' }, async (page) => {
         await until(() => page.isVisible('#rough'), 'it is told', 60_000);
         await page.fill('#iterations', '5');
@@ -58,7 +58,7 @@ test('where lines are not in their places, that is told until they are again', (
         await until(async () => !(await page.isVisible('#rough')), 'the finer picture is there');
     }));
 
-test('paper shows the drawing and its system, and no controls', () =>
+test('printing shows the drawing and its system, without controls', () =>
     withPage({ hash: KOCH }, async (page) => {
         assert.equal(await page.isVisible('#sheet'), false);
         await page.emulateMedia({ media: 'print' });
@@ -69,7 +69,7 @@ test('paper shows the drawing and its system, and no controls', () =>
         assert.match(await page.innerText('.caption'), /Koch/);
     }));
 
-test('a system is picked from the gallery', () =>
+test('a system can be opened from the gallery', () =>
     withPage({}, async (page) => {
         const before = await stillPicture(page);
         await page.click('#open-gallery');
@@ -89,7 +89,7 @@ test('a system is picked from the gallery', () =>
         assert.ok((await page.isHidden('#edited')) && (await page.isDisabled('#reset')), 'the first plant is as it was');
     }));
 
-test('every system of the gallery draws, or says why not', () =>
+test('every system of the gallery draws or says why it does not', () =>
     withPage({}, async (page) => {
         const entries = await page.evaluate(async () => (await fetch('gallery.json')).json());
         assert.ok(entries.length > 30);
@@ -116,7 +116,7 @@ test('editing the rules changes the picture and the counts', () =>
         assert.equal(await text(page, '#caption-title'), 'Koch, edited');
     }));
 
-test('who writes rules over the first plant gets plain lines, and New begins with one', () =>
+test('rules typed over the first plant draw plain lines, and New starts with one line', () =>
     withPage({}, async (page) => {
         const plant = await stillPicture(page);
         await page.fill('#axiom', 'F--F--F');
@@ -135,7 +135,7 @@ test('who writes rules over the first plant gets plain lines, and New begins wit
         await sameAgain(page, koch);
     }));
 
-test('a mistake is underlined in its place and explained, and the picture stays', () =>
+test('an error is underlined and explained, and the picture stays', () =>
     withPage({ hash: KOCH }, async (page) => {
         const before = await stillPicture(page);
         await page.fill('#rules', 'F -> F+F--F+F\nG = = 2');
@@ -153,7 +153,7 @@ test('a mistake is underlined in its place and explained, and the picture stays'
         assert.equal((await stillPicture(page)).digest, before.digest);
     }));
 
-test('when nothing draws, the page says why', () =>
+test('when the drawing is empty, the page says why', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.fill('#axiom', 'X');
         await page.waitForSelector('#empty:visible');
@@ -162,7 +162,7 @@ test('when nothing draws, the page says why', () =>
         await until(async () => !(await page.isVisible('#empty')), 'the note is gone');
     }));
 
-test('the address holds the whole state, and opens to the same picture', () =>
+test('the address contains the whole state and opens the same picture', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.fill('#iterations', '3');
         await page.fill('#angle', '59,5');
@@ -181,7 +181,7 @@ test('the address holds the whole state, and opens to the same picture', () =>
         });
     }));
 
-test('a link pasted into an open page opens, one undo away from what was there', () =>
+test('a link pasted into an open page opens, and undo returns', () =>
     withPage({ hash: KOCH }, async (page) => {
         const before = await stillPicture(page);
         await page.evaluate(() => (location.hash = '#v=1&axiom=F-F-F-F&rules=F%20-%3E%20F-F+F+FF-F-F+F&n=2&angle=90'));
@@ -192,14 +192,14 @@ test('a link pasted into an open page opens, one undo away from what was there',
         assert.equal((await stillPicture(page)).digest, before.digest);
     }));
 
-test('a damaged link opens as far as it can be read, and says so', () =>
+test('the valid parts of a damaged link open, with a message', () =>
     withPage({ hash: '#v=1&axiom=F&rules=F%20-%3E%20FF%zz&n=99999&angle=abc&bg=zzz' }, async (page) => {
         assert.equal(await page.inputValue('#axiom'), 'F');
         assert.equal(await page.inputValue('#iterations'), '1000');
         assert.match(await text(page, '#toast'), /damaged/);
     }));
 
-test('dragging a slider queues nothing: the last state is the one shown', () =>
+test('dragging a slider queues no states: the last state is shown', () =>
     withPage(
         {
             hash: KOCH,
@@ -230,7 +230,7 @@ test('dragging a slider queues nothing: the last state is the one shown', () =>
         },
     ));
 
-test('a long drag shows pictures on the way, of systems that memoise and of those that do not', async () => {
+test('a long drag shows pictures on the way, of systems with and without shared blocks', async () => {
     for (const hash of [KOCH, CHANCE]) {
         await withPage({ hash }, async (page) => {
             await stillPicture(page);
@@ -309,7 +309,7 @@ test('undo works inside a text field too', () =>
         assert.equal(await page.inputValue('#axiom'), 'F+F');
     }));
 
-test('wheel, drag, keys and buttons move the picture; Fit brings it back', () =>
+test('wheel, drag, keys and buttons move the picture, and Fit restores the view', () =>
     withPage({ hash: KOCH }, async (page) => {
         const fitted = await stillPicture(page);
         await page.mouse.move(400, 400);
@@ -339,7 +339,7 @@ test('wheel, drag, keys and buttons move the picture; Fit brings it back', () =>
         assert.match(await text(page, '#zoom'), /150/);
     }));
 
-test('Safari’s events for a pinch on a track pad zoom the picture, and not the page', () =>
+test('Safari’s events for a pinch on a track pad zoom the picture, not the page', () =>
     withPage({ hash: KOCH }, async (page) => {
         const zooms = await page.evaluate(() => {
             const canvas = /** @type {HTMLElement} */ (document.querySelector('#drawing'));
@@ -352,7 +352,7 @@ test('Safari’s events for a pinch on a track pad zoom the picture, and not the
         assert.deepEqual(zooms, [100, 150, 200, 200, 100]);
     }));
 
-test('the picture moves with the pointer before it is painted anew', () =>
+test('the picture moves with the pointer before a new picture is drawn', () =>
     withPage({ hash: KOCH }, async (page) => {
         await stillPicture(page);
         const transform = await page.evaluate(() => {
@@ -369,7 +369,7 @@ test('the picture moves with the pointer before it is painted anew', () =>
         await until(async () => (await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('#drawing')).style.transform)) === 'none', 'the new picture stands where the old one was moved');
     }));
 
-test('the view is kept while angle and iterations change under it', () =>
+test('the view stays while angle and iterations change', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.mouse.move(400, 400);
         await page.mouse.wheel(0, -400);
@@ -380,7 +380,7 @@ test('the view is kept while angle and iterations change under it', () =>
         assert.ok((await hash(page)).includes(String(view)));
     }));
 
-test('chance: the dice change the plant, the same seed grows the same one', () =>
+test('a new seed changes a random plant, and the same seed grows the same plant', () =>
     withPage({ hash: CHANCE }, async (page) => {
         const first = await stillPicture(page);
         assert.match(await text(page, '#seed-note'), /same seed grows the same plant/);
@@ -391,7 +391,7 @@ test('chance: the dice change the plant, the same seed grows the same one', () =
         await sameAgain(page, first);
     }));
 
-test('what would pass a limit is refused in words, and the picture stays', () =>
+test('a system above a limit is refused with a message, and the picture stays', () =>
     withPage({ hash: CHANCE }, async (page) => {
         const before = await stillPicture(page);
         await page.fill('#iterations', '60');
@@ -401,13 +401,13 @@ test('what would pass a limit is refused in words, and the picture stays', () =>
         await page.fill('#iterations', '5');
         await until(async () => (await page.locator('#numbers-problems li').count()) === 0, 'the list is empty again');
         assert.equal((await stillPicture(page)).digest, before.digest);
-        // The limit is known by now: the slider ends there, and says why.
-        assert.match(await text(page, '#status'), /It can grow to n = \d+\. Beyond: .{10,}/);
+        // The limit is known: the slider ends there, and the status says why.
+        assert.match(await text(page, '#status'), /At most n = \d+\. Above: .{10,}/);
         const highest = Number(await page.getAttribute('#iterations-slider', 'max'));
         assert.equal(/n = (\d+)/.exec(await text(page, '#status'))?.[1], String(highest));
     }));
 
-test('a view that is asked for again before it was left is drawn again, not waited for', () =>
+test('a view that returns to the former one is drawn again', () =>
     withPage({ hash: KOCH }, async (page) => {
         await stillPicture(page);
         for (let times = 0; times < 5; times++) {
@@ -416,7 +416,7 @@ test('a view that is asked for again before it was left is drawn again, not wait
         }
     }));
 
-test('a mistake leaves the picture, which can still be moved', () =>
+test('after an error the picture stays and can be moved', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.fill('#rules', 'F = = F');
         await until(async () => (await page.locator('#rules-problems li').count()) > 0, 'the mistake is told');
@@ -426,7 +426,7 @@ test('a mistake leaves the picture, which can still be moved', () =>
         await nextPicture(page, former);
     }));
 
-test('counts stay exact at any depth, shortened and whole on demand', () =>
+test('counts are exact for any number of iterations, in short form and in full', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.fill('#iterations', '40');
         await until(async () => (await text(page, '#segments')).startsWith('1.21'), 'four to the fortieth');
@@ -435,9 +435,9 @@ test('counts stay exact at any depth, shortened and whole on demand', () =>
         assert.equal(await text(page, '#digits'), '1,208,925,819,614,629,174,706,176 segments');
     }));
 
-test('everything saves under a name that says what it is', () =>
+test('files are saved under descriptive names', () =>
     withPage({ hash: KOCH }, async (page) => {
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         for (const [format, starts] of /** @type {[string, RegExp][]} */ ([
             ['svg', /^<(\?xml|svg)/],
             ['png', /^.PNG/],
@@ -461,9 +461,9 @@ test('everything saves under a name that says what it is', () =>
         assert.equal(Math.max(bytes.readUInt32BE(16), bytes.readUInt32BE(20)), 2048);
     }));
 
-test('a title stands under the drawing, in its link and in the names of its files', () =>
+test('a title is shown under the drawing, in its link and in file names', () =>
     withPage({ hash: `${KOCH}&name=course-1` }, async (page) => {
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         assert.equal(await page.inputValue('#title'), 'Koch');
         await page.fill('#title', 'Snow, by Ada');
         assert.equal(await text(page, '#caption-title'), 'Snow, by Ada');
@@ -475,10 +475,10 @@ test('a title stands under the drawing, in its link and in the names of its file
         assert.deepEqual([await page.inputValue('#title'), await text(page, '#specimen-title')], ['Koch', 'Koch']);
     }));
 
-test('what is in space saves with its depth', () =>
+test('files of drawings in space have three dimensions', () =>
     withPage({ hash: '#v=1&title=Corner&axiom=F%26F&n=0&angle=90' }, async (page) => {
         await stillPicture(page);
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         for (const [format, holds] of /** @type {[string, RegExp][]} */ ([
             ['csv', /^x0,y0,z0,x1,y1,z1,level,colour\n0,0,0,0,1,0,0,0\n/],
             ['svg', /<path/],
@@ -489,10 +489,10 @@ test('what is in space saves with its depth', () =>
         }
     }));
 
-test('what was saved as JSON opens again, and other files are refused in words', () =>
+test('saved files open again, and other files are refused with a message', () =>
     withPage({ hash: KOCH }, async (page) => {
         const before = await stillPicture(page);
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=json]')]);
         const saved = String(await download.path());
         await page.fill('#axiom', 'F+F');
@@ -500,7 +500,7 @@ test('what was saved as JSON opens again, and other files are refused in words',
         await page.setInputFiles('#file', saved);
         await until(async () => (await page.inputValue('#axiom')) === 'F', 'the file is open');
         assert.equal((await stillPicture(page)).digest, before.digest);
-        // A picture carries its system.
+        // A picture contains its system.
         for (const format of ['svg', 'svg-compact', 'png']) {
             const [picture] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${format}]`)]);
             const bytes = await readFile(String(await picture.path()));
@@ -537,17 +537,17 @@ test('a dropped file opens', () =>
         assert.equal(await text(page, '#specimen-title'), 'two');
     }));
 
-test('copy link copies the address of exactly this picture', () =>
+test('Copy link copies the address of the shown picture', () =>
     withPage({ hash: KOCH, options: { viewport: { width: 1280, height: 800 }, permissions: ['clipboard-read', 'clipboard-write'] } }, async (page) => {
         await page.fill('#iterations', '2');
-        await page.click('#tab-keep');
+        await page.click('#tab-save');
         await page.click('#copy-link');
         await until(async () => (await text(page, '#toast')) === 'Link copied', 'the note');
         const copied = await page.evaluate(() => navigator.clipboard.readText());
         assert.equal(new URL(copied).hash, KOCH.replace('n=4', 'n=2'));
     }));
 
-test('a worker that fails is replaced, and the page goes on', () =>
+test('a worker that fails is replaced, and the page continues', () =>
     withPage(
         {
             hash: KOCH,
@@ -575,7 +575,7 @@ test('a worker that fails is replaced, and the page goes on', () =>
         },
     ));
 
-test('on a phone on its side the middle of the drawing is free, and the panel keeps its edges', () =>
+test('on a phone in landscape the middle of the drawing is free, and the panel fits', () =>
     withPage({ options: { ...PHONE, viewport: { width: 844, height: 390 } } }, async (page) => {
         const left = async (/** @type {string} */ part) => (await page.locator(part).boundingBox())?.x ?? 0;
         const right = async (/** @type {string} */ part) => (await left(part)) + ((await page.locator(part).boundingBox())?.width ?? 0);
@@ -590,7 +590,7 @@ test('on a phone everything is within reach', () =>
         assert.ok((await picture(page)).ink > 0.002);
         const wide = await page.evaluate(() => document.documentElement.scrollWidth);
         assert.equal(wide, 390);
-        // Phones zoom into fields of smaller type.
+        // Phones zoom into fields with smaller type.
         const small = await page.evaluate(() => [...document.querySelectorAll('[inputmode], [type=text], [type=search], textarea')].filter((field) => field.matches(':read-write') && parseFloat(getComputedStyle(field).fontSize) < 16).map(({ id }) => id));
         assert.deepEqual(small, []);
         for (const [tab, control] of [
@@ -598,7 +598,7 @@ test('on a phone everything is within reach', () =>
             ['grow', '#iterations-slider'],
             ['turtle', '#dialect'],
             ['look', '#background'],
-            ['keep', '[data-save=svg]'],
+            ['save', '[data-save=svg]'],
         ]) {
             await page.tap(`#tab-${tab}`);
             await page.locator(String(control)).scrollIntoViewIfNeeded();
@@ -606,7 +606,7 @@ test('on a phone everything is within reach', () =>
             assert.ok(box && box.x >= 0 && box.x + box.width <= 390 && box.y > 300 && box.y + box.height <= 844, `${control} ${JSON.stringify(box)}`);
         }
         assert.ok(await page.isVisible('#fit'));
-        // Nothing lies upon the drawing for want of anything to undo.
+        // Undo is hidden while there is nothing to undo.
         assert.ok(!(await page.isVisible('#undo')));
         assert.ok(((await page.locator('.tools-read').boundingBox())?.x ?? 0) > 260, 'the stem is in sight');
         const whole = await stillPicture(page);
@@ -635,7 +635,7 @@ test('two fingers zoom about the point between them', () =>
         await until(async () => (await picture(page)).digest === before.digest, 'Fit brings it back');
     }));
 
-test('the skip link and foreign hashes leave the address to the drawing', () =>
+test('the skip link and unknown hashes do not change the drawing’s address', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.focus('#skip');
         await page.keyboard.press('Enter');
@@ -645,7 +645,7 @@ test('the skip link and foreign hashes leave the address to the drawing', () =>
         assert.equal(await page.inputValue('#axiom'), 'F');
     }));
 
-test('the dark theme is followed, chosen and kept', () =>
+test('the dark theme follows the system, can be chosen, and is remembered', () =>
     withPage({ options: { viewport: { width: 1280, height: 800 }, colorScheme: 'dark' } }, async (page) => {
         const dark = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
         const night = await dark();
@@ -658,7 +658,7 @@ test('the dark theme is followed, chosen and kept', () =>
         assert.notEqual(await dark(), night);
     }));
 
-test('it works where storage and the clipboard are refused', () =>
+test('the page works if storage and clipboard are refused', () =>
     withPage(
         {
             hash: KOCH,
@@ -674,7 +674,7 @@ test('it works where storage and the clipboard are refused', () =>
         },
         async (page) => {
             await page.click('#theme');
-            await page.click('#tab-keep');
+            await page.click('#tab-save');
             await page.click('#copy-link');
             await until(async () => (await text(page, '#share-status')).includes('clipboard'), 'the note');
             await page.click('#close-share');

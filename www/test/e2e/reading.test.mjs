@@ -9,7 +9,7 @@ after(close);
 const PLANT = '#v=1&title=Plant&axiom=X&rules=X%20-%3E%20F%5B+X%5DF%5B-X%5D+X%0AF%20-%3E%20FF&angle=20&n=40';
 const SMALL = PLANT.replace('n=40', 'n=3');
 const STRAIGHT = '#v=1&axiom=F&rules=F%20-%3E%20FF&n=3&angle=90';
-/** 3^40 steps high; the first of them fills a part of the picture. */
+/** A drawing 3^40 steps high, zoomed in on its first step. */
 const DEEP = '#v=1&axiom=F&rules=F%20-%3E%20F+F-F-F+F&n=40&angle=90&view=0.25,-0.5,1e18,0,4.1126e-20';
 const CHANCE = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%20:%200.5%0AF%20-%3E%20F%5B-F%5DF%20:%200.5&n=4&angle=25';
 
@@ -21,7 +21,7 @@ const SIGNALS = `#v=1&axiom=F1F1F1&rules=${encodeURIComponent(
 
 /** @param {Page} page @param {string} selector */
 const text = async (page, selector) => (await page.textContent(selector)) ?? '';
-/** The symbols in sight. @param {Page} page */
+/** The visible symbols. @param {Page} page */
 const symbols = async (page) => (await page.locator('.row-line .cells').allTextContents()).join('');
 /** @param {Page} page */
 const firstPlace = (page) => page.locator('.row-line .margin').first().textContent();
@@ -32,11 +32,11 @@ async function goTo(page, place) {
     await page.press('#reader-goto', 'Enter');
 }
 
-/** The middle of a place where the picture has one colour, which is not the background's: a filled polygon. CSS pixels. @param {Page} page @returns {Promise<[number, number]>} */
+/** A point inside a filled polygon: the middle of an area in one colour that is not the background's, in CSS pixels. @param {Page} page @returns {Promise<[number, number]>} */
 const flatPlace = (page) =>
     onPixels(page, ({ words, width, height }) => {
         const size = 5;
-        // Not below the tools at the edges.
+        // Not under the tools at the edges.
         for (let top = Math.floor(height / 4); top < height * 0.75; top++) {
             for (let left = Math.floor(width / 4); left < width * 0.75; left++) {
                 const first = words[top * width + left];
@@ -47,7 +47,7 @@ const flatPlace = (page) =>
         throw new Error('nothing is filled');
     });
 
-/** What the rules derive, the plain way. @param {number} n */
+/** The derived string, by plain rewriting. @param {number} n */
 function derive(n) {
     const rules = /** @type {Record<string, string>} */ ({ X: 'F[+X]F[-X]+X', F: 'FF' });
     let word = 'X';
@@ -55,7 +55,7 @@ function derive(n) {
     return word;
 }
 
-test('the string is shown whole, generation by generation', () =>
+test('the whole string is shown, generation by generation', () =>
     withPage({ hash: SMALL }, async (page) => {
         await page.click('#open-reader');
         for (const n of [3, 2, 1, 0]) {
@@ -67,14 +67,14 @@ test('the string is shown whole, generation by generation', () =>
         await page.click('#reader-on');
         await until(async () => (await symbols(page)) === derive(1), 'generation 1 again');
         assert.equal(await page.locator('.cells .t-bracket').count() > 0, true);
-        // It follows the rules while it is open.
+        // The open string view follows the rules.
         await page.fill('#rules', 'X -> FX');
         await until(async () => (await symbols(page)) === 'FX', 'the new string');
         await page.press('#reader-text', 'Escape');
         assert.ok(!(await page.isVisible('#reader')));
     }));
 
-test('a string of 10^19 symbols scrolls by rows, pages and to its ends', () =>
+test('a string of 10^19 symbols scrolls by rows, by pages and to its ends', () =>
     withPage({ hash: PLANT }, async (page) => {
         await page.click('#open-reader');
         await until(async () => /^F+$/.test(await symbols(page)), 'the first page');
@@ -96,14 +96,14 @@ test('a string of 10^19 symbols scrolls by rows, pages and to its ends', () =>
         await page.mouse.wheel(0, 4000);
         await until(async () => (await firstPlace(page)) !== '1', 'the wheel scrolls');
         await until(async () => /^F{400}/.test(await symbols(page)), 'rows are filled');
-        // The scroll bar goes to any part of it.
+        // The scroll bar goes to any part of the string.
         const bar = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#reader-bar').boundingBox());
         await page.mouse.click(bar.x + bar.width / 2, bar.y + bar.height / 2);
         await until(async () => Math.abs(Number(await page.getAttribute('#reader-bar', 'aria-valuenow')) - 50) < 2, 'half way');
         await until(async () => (await symbols(page)).length > columns * 3, 'rows are filled again');
     }));
 
-test('one jumps to a position, and a symbol tells where it comes from and what it draws', () =>
+test('Go to jumps to a position, and a symbol shows its origin and its part of the drawing', () =>
     withPage({ hash: PLANT }, async (page) => {
         await page.click('#open-reader');
         await goTo(page, '10^12');
@@ -113,10 +113,10 @@ test('one jumps to a position, and a symbol tells where it comes from and what i
         assert.ok(await page.isVisible('#mark-part'));
         await goTo(page, '100 %');
         await until(async () => (await text(page, '#reader-path')).startsWith('XX at step 40, by rule 1, twelfth symbol'), 'the last symbol');
-        assert.match(await text(page, '#reader-path'), /Draws no segment itself/);
+        assert.match(await text(page, '#reader-path'), /Draws no segment/);
         await goTo(page, 'nowhere');
         assert.ok(await page.locator('#reader-goto[data-wrong]').count());
-        // What was chosen is followed through the generations.
+        // The selection follows its descendants and ancestors in other generations.
         await page.click('#reader-back');
         await until(async () => (await text(page, '#reader-path')).startsWith('XX at step 39'), 'its parent');
         await page.click('#reader-on');
@@ -127,7 +127,7 @@ test('one jumps to a position, and a symbol tells where it comes from and what i
         assert.match(await text(page, '#reader-path'), /first symbol of the axiom.*7\.90.×.10¹⁹ symbols at n = 40/s);
     }));
 
-test('a click in the string chooses that very symbol', () =>
+test('a click in the string selects exactly that symbol', () =>
     withPage({ hash: SMALL }, async (page) => {
         await page.click('#open-reader');
         await until(async () => (await symbols(page)) === derive(3), 'the string');
@@ -141,7 +141,7 @@ test('a click in the string chooses that very symbol', () =>
         await until(async () => (await page.locator('.cells .chosen').textContent()) === derive(3)[10], 'the next one');
     }));
 
-test('the pointer on the drawing tells the segment and its symbol, and lights it in the string', () =>
+test('the pointer on the drawing shows the segment and its symbol, and highlights the symbol in the string', () =>
     withPage({ hash: STRAIGHT }, async (page) => {
         // Eight segments, one above the other: the third is a little above a quarter of the height.
         await page.click('#open-reader');
@@ -153,7 +153,7 @@ test('the pointer on the drawing tells the segment and its symbol, and lights it
         await page.mouse.move(box.x + box.width / 2 + 2, at(2.5 / 8));
         await page.waitForSelector('#card:visible');
         assert.match(await text(page, '#card'), /^Fstep 3, by rule 1, first symbol.*Segment 3, heading 90°.*Symbol 3$/s);
-        // WebKit says that the pointer left when a button is released.
+        // WebKit sends pointerleave when a button is released.
         const left = { pointerType: 'mouse', clientX: box.x + box.width / 2 + 2, clientY: at(2.5 / 8) };
         await page.evaluate((told) => document.querySelector('#drawing')?.dispatchEvent(new PointerEvent('pointerleave', told)), left);
         assert.ok(await page.isVisible('#card'));
@@ -161,7 +161,7 @@ test('the pointer on the drawing tells the segment and its symbol, and lights it
         await until(async () => (await page.locator('.cells .lit').count()) === 1, 'it is lit');
         const before = await page.evaluate(() => document.querySelector('.cells .lit')?.previousSibling?.textContent);
         assert.equal(before, 'FF');
-        // Its ancestor is lit where an earlier generation is shown.
+        // In an earlier generation the symbol's ancestor is highlighted.
         await page.click('#reader-back');
         await page.mouse.move(box.x + box.width / 2 + 2, at(6.5 / 8));
         await until(async () => (await text(page, '#card')).includes('Segment 7'), 'the seventh');
@@ -173,7 +173,7 @@ test('the pointer on the drawing tells the segment and its symbol, and lights it
     }));
 
 for (const [title, own] of /** @type {const} */ ([['Lime twig', 'L'], ['Bush with leaves', '{']])) {
-    test(`a leaf is told, marked and chosen: ${title}`, () =>
+    test(`a leaf is described, marked and selected: ${title}`, () =>
         withPage({}, async (page) => {
             const before = await stillPicture(page);
             await page.click('#open-gallery');
@@ -201,14 +201,14 @@ for (const [title, own] of /** @type {const} */ ([['Lime twig', 'L'], ['Bush wit
         }));
 }
 
-test('a single step of a drawing 10^19 steps high is found, marked and lit', () =>
+test('a single step of a drawing 10^19 steps high is found, marked and highlighted', () =>
     withPage({ hash: DEEP }, async (page) => {
         await page.click('#open-reader');
         await until(async () => (await symbols(page)).startsWith('F+F-F-F+F+F+F-F'), 'the string');
         await stillPicture(page);
         const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
         const middle = [box.x + box.width / 2, box.y + box.height / 2];
-        // The middle of the picture is that of the first step, upwards; the second leads to the left from its end.
+        // The first step goes up through the middle of the picture; the second goes left from its end.
         const line = () => page.evaluate(() => (document.querySelector('#mark-found .line')?.getAttribute('d')?.match(/-?[\d.]+/g) ?? []).map(Number));
         await page.mouse.move(Number(middle[0]) + 2, Number(middle[1]));
         await page.waitForSelector('#card:visible');
@@ -220,7 +220,7 @@ test('a single step of a drawing 10^19 steps high is found, marked and lit', () 
         await until(async () => (await page.locator('.cells .lit').count()) === 1, 'it is lit');
         await page.mouse.move(Number(middle[0]) - (y1 - y2) / 2, Number(middle[1]) - (y1 - y2) / 2 + 2);
         await until(async () => /Segment 2, heading 180°Symbol 3$/.test(await text(page, '#card')), 'the second step');
-        // What the string shows is marked there, too.
+        // The selected symbol is marked in the drawing.
         await page.mouse.move(box.x + 20, box.y + 20);
         await goTo(page, '3');
         await until(async () => (await text(page, '#reader-path')).includes('Segment 2, marked'), 'the symbol');
@@ -229,7 +229,7 @@ test('a single step of a drawing 10^19 steps high is found, marked and lit', () 
         assert.ok(Math.abs(Math.abs(ax - bx) - (y1 - y2)) < 0.5 && Math.abs(ay - by) < 0.5 && Math.abs(ay - y2) < 0.5, outline);
     }));
 
-test('hovering asks one question at a time, and nothing is asked without it', () =>
+test('hovering asks one question at a time, and without hovering none is asked', () =>
     withPage(
         {
             hash: PLANT,
@@ -269,7 +269,7 @@ test('hovering asks one question at a time, and nothing is asked without it', ()
         },
     ));
 
-test('where chance decides, symbols and segments are traced too', () =>
+test('symbols and segments of random systems are traced', () =>
     withPage({ hash: CHANCE }, async (page) => {
         await stillPicture(page);
         const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
@@ -283,7 +283,7 @@ test('where chance decides, symbols and segments are traced too', () =>
         await until(async () => /81 segments, marked/.test(await text(page, '#reader-path')), 'what it has become');
         await page.click('#close-reader');
         await stillPicture(page);
-        // Down the middle, until the stem is met.
+        // Move down the middle until the pointer meets the stem.
         let x = 0.3;
         await until(async () => {
             if (await page.isVisible('#card')) return true;
@@ -304,7 +304,7 @@ test('modules with parameters are shown with their numbers, and traced', () =>
         assert.ok(widths.every(([content = 0, room = 0]) => content <= room), String(widths));
         const place = /** @type {{x: number, y: number}} */ (await page.locator('.row-line .cells').first().boundingBox());
         const width = await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.ruler')).getBoundingClientRect().width / 50);
-        // In the midst of `F(0.7)`, the fourth module.
+        // In the middle of `F(0.7)`, the fourth module.
         await page.mouse.click(place.x + width * 9, place.y + 8);
         await until(async () => /^F\(0\.7\)step 2, by rule 1, first symbolSegment 2, marked/.test(await text(page, '#reader-path')), 'its origin');
         assert.match(await text(page, '#reader-path'), /A\(0\.7\)step 1, by rule 1, fourth symbolA\(1\)first symbol of the axiom/);
@@ -315,7 +315,7 @@ test('modules with parameters are shown with their numbers, and traced', () =>
         await until(async () => (await symbols(page)).startsWith('F(1)[+F(0.7)[+A(0.49)]'), 'two generations before');
     }));
 
-test('what looks around itself is read at any generation', () =>
+test('the string of a context-sensitive system is read at any generation', () =>
     withPage({ hash: SIGNALS }, async (page) => {
         await page.click('#open-reader');
         await until(async () => (await text(page, '#reader-where')).endsWith('of 6,910'), 'the string');
@@ -327,7 +327,7 @@ test('what looks around itself is read at any generation', () =>
         assert.equal(await page.locator('.cells .chosen').count(), 1);
     }));
 
-test('playback goes from nothing to the whole picture, and says where the turtle is', () =>
+test('playback goes from nothing to the whole picture, and shows the turtle’s pose', () =>
     withPage({ hash: STRAIGHT.replace('n=3', 'n=10') }, async (page) => {
         await stillPicture(page);
         await page.click('#open-playback');
@@ -359,7 +359,7 @@ test('playback goes from nothing to the whole picture, and says where the turtle
         assert.ok(!(await page.evaluate(() => location.hash)).includes('play'));
     }));
 
-test('the space bar plays to the end at any number of segments', () =>
+test('the space bar plays to the end for any number of segments', () =>
     withPage({ hash: PLANT, options: { ...DESKTOP, reducedMotion: 'no-preference' } }, async (page) => {
         await stillPicture(page);
         await page.focus('#drawing');
@@ -372,7 +372,7 @@ test('the space bar plays to the end at any number of segments', () =>
         await page.keyboard.press(' ');
         assert.equal(await page.getAttribute('#play', 'aria-label'), 'Play');
         await stillPicture(page);
-        // As fast as it goes: all in a second.
+        // The highest speed: everything in a second.
         await page.fill('#play-speed', '1000');
         assert.equal(await page.getAttribute('#play-ten', 'aria-pressed'), 'false');
         await page.click('#play');
@@ -382,7 +382,7 @@ test('the space bar plays to the end at any number of segments', () =>
         assert.equal(await page.getAttribute('#play-ten', 'aria-pressed'), 'true');
     }));
 
-test('another system ends playback with its whole picture; other inks do not', () =>
+test('another system ends playback and shows its whole picture; other colours do not', () =>
     withPage({ hash: SMALL }, async (page) => {
         await page.click('#open-playback');
         await page.fill('#play-place', '20');

@@ -4,14 +4,14 @@ import { close, withModules, withPage } from './browser.mjs';
 
 after(close);
 
-test('every system of the gallery comes back from the files that the page saves of it', () =>
+test('every system of the gallery reads back from its saved files', () =>
     withPage({ before: withModules }, async (page) => {
         const { checked, wrong } = await page.evaluate(async () => {
             const worker = new Worker('worker.js');
             const wasm = await (await fetch('lsystem.wasm')).arrayBuffer();
             const { clean, definitionOf, same } = await import(new URL('js/state.js', document.baseURI).href);
             let id = 0;
-            /** The next message that answers. @param {object} request @param {string} type @param {(message: any) => boolean} [last] @returns {Promise<any>} */
+            /** The answer to a request. @param {object} request @param {string} type @param {(message: any) => boolean} [last] @returns {Promise<any>} */
             const ask = (request, type, last = () => true) =>
                 new Promise((resolve, reject) => {
                     worker.onmessage = ({ data }) => {
@@ -26,7 +26,7 @@ test('every system of the gallery comes back from the files that the page saves 
             /** @type {string[]} */
             const wrong = [];
             for (const entry of entries) {
-                // The generation has no bearing on how a system is written, and small ones are written quickly.
+                // Files are the same for any number of iterations, and small drawings are written quickly.
                 const definition = definitionOf(clean({ ...entry.definition, iterations: Math.min(3, entry.definition.iterations) }));
                 await ask({ type: 'define', definition, upto: null }, 'report', ({ report }) => report.memoised !== null || !report.ok);
                 const files = [];

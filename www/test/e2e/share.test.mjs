@@ -16,13 +16,13 @@ const text = async (page, selector) => (await page.textContent(selector)) ?? '';
 /** @param {import('playwright-core').Page} page */
 const copied = (page) => page.evaluate(() => navigator.clipboard.readText());
 
-/** Opens the dialog and waits for all it shows. @param {import('playwright-core').Page} page */
+/** Opens the dialog and waits for its content. @param {import('playwright-core').Page} page */
 async function share(page) {
     await page.click('#share');
     await until(async () => (await page.inputValue('#share-link')) !== '' && (await text(page, '#qr-note')) !== '', 'the dialog is filled');
 }
 
-/** What a camera would read. @param {import('playwright-core').Page} page */
+/** Decodes the shown QR code. @param {import('playwright-core').Page} page */
 async function scan(page) {
     const shot = (await page.locator('#qr-frame').screenshot()).toString('base64');
     const { dots, width, height } = await page.evaluate(async (png) => {
@@ -31,7 +31,7 @@ async function scan(page) {
         const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
         context.drawImage(bitmap, 0, 0);
         const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-        // A text of one character a pixel crosses quickly.
+        // One character per pixel is transferred quickly.
         let dots = '';
         for (let at = 0; at < data.length; at += 4) dots += Number(data[at]) < 128 ? '#' : ' ';
         return { dots, width: bitmap.width, height: bitmap.height };
@@ -80,7 +80,7 @@ for (const [device, options] of /** @type {const} */ ([
         ));
 }
 
-test('the place looked at is shared, or not', () =>
+test('the current view is shared or not', () =>
     withPage({ hash: `${KOCH}&view=0.1,0.2,3` }, async (page) => {
         await share(page);
         assert.match(await page.inputValue('#share-link'), /&view=0\.1,0\.2,3$/);
@@ -93,7 +93,7 @@ test('the place looked at is shared, or not', () =>
         assert.ok(!(await page.isVisible('#share-view')));
     }));
 
-test('code for other pages has the state and the controls asked for', () =>
+test('embed code has the state and the chosen controls', () =>
     withPage({ hash: `${KOCH}&title=${encodeURIComponent('"Koch" <&>')}&do=X:%20turn%20left%2090%0AY:%20move`, options: { ...DESKTOP, ...CLIPBOARD, bypassCSP: true } }, async (page) => {
         await share(page);
         await page.check('input[name=controls][value=rules]');
@@ -129,7 +129,7 @@ test('code for other pages has the state and the controls asked for', () =>
         });
     }));
 
-test('where the clipboard is refused the text is selected, and the older way tried', async () => {
+test('if the clipboard is refused, the older method is tried and the text selected', async () => {
     for (const older of [true, false]) {
         await withPage(
             {
@@ -154,15 +154,15 @@ test('where the clipboard is refused the text is selected, and the older way tri
                     assert.equal(await page.inputValue('#axiom'), ADDRESS + KOCH);
                     return;
                 }
-                assert.match(await text(page, '#share-status'), /selected: (Ctrl\+|⌘)C/);
+                assert.match(await text(page, '#share-status'), /selected: press (Ctrl\+|⌘)C/);
                 const selected = () => page.evaluate(() => {
                     const field = /** @type {HTMLInputElement} */ (document.activeElement);
                     return field.value.slice(field.selectionStart ?? 0, field.selectionEnd ?? 0);
                 });
                 assert.equal(await selected(), ADDRESS + KOCH);
                 await page.click('#close-share');
-                // The button in Save has no field of its own.
-                await page.click('#tab-keep');
+                // The button in Save has no text field.
+                await page.click('#tab-save');
                 await page.click('#copy-link');
                 await until(async () => (await text(page, '#share-status')).includes('selected'), 'the dialog opens for it');
                 assert.equal(await selected(), ADDRESS + KOCH);
@@ -171,7 +171,7 @@ test('where the clipboard is refused the text is selected, and the older way tri
     }
 });
 
-test('a link too long for a QR code says so; one that is long enough for both is compressed', () =>
+test('a link too long for a QR code shows a message; the QR code of a long link has its compressed form', () =>
     withPage({ hash: KOCH }, async (page) => {
         await stillPicture(page);
         let seed = 1;
@@ -189,7 +189,7 @@ test('a link too long for a QR code says so; one that is long enough for both is
         assert.deepEqual((await openLink(new URL(await page.inputValue('#share-link')).hash))?.state, clean({ title: 'Koch', axiom: 'F', rules: `// ${noise}\nF -> F+F`, iterations: 4, angle: 60, heading: 0 }));
     }));
 
-test('the QR code is saved as a picture', () =>
+test('the QR code can be saved as a picture', () =>
     withPage({ hash: KOCH }, async (page) => {
         await share(page);
         const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-qr')]);
@@ -197,7 +197,7 @@ test('the QR code is saved as a picture', () =>
         assert.match(await readFile(String(await download.path()), 'utf8'), /^<svg xmlns="http:\/\/www\.w3\.org\/2000\/svg" .*<\/svg>\n$/);
     }));
 
-test('the keyboard reaches everything in the dialog, in order, and stays there', () =>
+test('the keyboard reaches every control of the dialog in order and stays inside', () =>
     withPage({ hash: KOCH }, async (page) => {
         await share(page);
         assert.equal(await page.evaluate(() => document.activeElement?.id), 'copy-share');
@@ -211,11 +211,11 @@ test('the keyboard reaches everything in the dialog, in order, and stays there',
         assert.ok(!order.some((id) => ['axiom', 'drawing', 'share'].includes(id)));
     }));
 
-test('a page from a disk says what its links are good for', () =>
+test('a page from a disk says where its links work', () =>
     withPage({ address: new URL('../../../dist/playground.html', import.meta.url).href, hash: KOCH }, async (page) => {
         await share(page);
         assert.match(await text(page, '#share-link-note'), /this computer only/);
-        assert.match(await text(page, '#qr-note'), /no address that a phone could open/);
+        assert.match(await text(page, '#qr-note'), /no address for phones/);
         assert.match(await text(page, '#embed-note'), /web server/);
         assert.ok(!(await page.isVisible('#qr')));
         assert.match(await page.inputValue('#share-link'), /^file:.*\/playground\.html#v=1&title=Koch/);

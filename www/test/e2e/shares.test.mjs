@@ -10,9 +10,9 @@ const BUSH = '#v=1&axiom=F&rules=F%20-%3E%20FF-%5B-F+F+F%5D+%5B+F-F-F%5D&n=12&an
 const LEAF = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF&n=4&angle=25';
 
 /**
- * Runs in the page: a worker that makes pictures by itself, and then with a mate, whose messages pass through here. How
- * different they are, and how many panes the mate has made. A mate that is `lost` answers nothing; with `drags` there
- * are other views before the last.
+ * Runs in the page: a worker makes pictures alone, and then with a mate whose messages pass through here. Returns how
+ * much the pictures differ, and how many panes the mate has drawn. A mate that is `lost` answers nothing; with `drags`
+ * there are other views before the last.
  * @param {{definition: object, lost?: boolean, drags?: number}} work
  */
 async function compare({ definition, lost = false, drags = 0 }) {
@@ -71,7 +71,7 @@ async function compare({ definition, lost = false, drags = 0 }) {
 const WOOD = { axiom: 'T', rules: 'T -> TF\nF -> F[+F][-FF][<F][>FF][&F]', dialect: 'practical', angle: 40, iterations: 8, colourBy: 'level' };
 const LEAVES = { axiom: 'A', rules: "A -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\nL -> ['''^^-f+f+f-|-f+f+f]", angle: 22.5, width: 0.1, iterations: 8 };
 
-test('pictures that workers make together are those that one makes', () =>
+test('pictures drawn with a mate equal pictures drawn alone', () =>
     withPage({}, async (page) => {
         for (const definition of [WOOD, LEAVES]) {
             const { mean, ink, made } = await page.evaluate(compare, { definition });
@@ -80,14 +80,14 @@ test('pictures that workers make together are those that one makes', () =>
         }
     }));
 
-test('newer views supersede what is shared, and mates are told', () =>
+test('newer views supersede shared pictures, also for mates', () =>
     withPage({}, async (page) => {
         const { mean, made, stopped } = await page.evaluate(compare, { definition: WOOD, drags: 8 });
         assert.equal(mean, 0);
         assert.ok(made > 0 && stopped > 0);
     }));
 
-test('a mate that never answers loses nothing', () =>
+test('the picture is complete without the answers of a mate', () =>
     withPage({}, async (page) => {
         for (const definition of [WOOD, LEAVES]) {
             const { mean, ink, made } = await page.evaluate(compare, { definition, lost: true });
@@ -97,7 +97,7 @@ test('a mate that never answers loses nothing', () =>
         }
     }));
 
-/** On a machine with so many cores; its workers are at hand for the test. @param {number} cores */
+/** Simulates a machine with this many cores, and lists the workers of the page for the test. @param {number} cores */
 const machine = (cores) => (/** @type {import('playwright-core').Page} */ page) =>
     page.addInitScript((count) => {
         Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => count });
@@ -117,13 +117,13 @@ const machine = (cores) => (/** @type {import('playwright-core').Page} */ page) 
 /** @param {import('playwright-core').Page} page */
 const patient = (page) => until(() => stillPicture(page), 'a picture', 30_000);
 
-test('the page has mates where a picture takes long, and shows the same with them and without', async () => {
+test('the page hires mates for a slow picture, and the picture is the same without mates', async () => {
     /** @type {string[][]} */
     const seen = [];
     for (const cores of [1, 4]) {
         await withPage({ hash: TREE, before: machine(cores) }, async (page) => {
             const first = await patient(page);
-            // The page's worker, and those that help it.
+            // The main worker and its mates.
             await until(() => page.workers().length === cores, `${cores} workers`);
             await page.focus('#drawing');
             await page.keyboard.press('Shift+ArrowLeft');
@@ -140,7 +140,7 @@ test('the page has mates where a picture takes long, and shows the same with the
     assert.deepEqual(seen[0], seen[1]);
 });
 
-test('what each would have to build again is not shared, nor is what is in the plane', async () => {
+test('drawings that are not memoised and drawings in the plane are not shared', async () => {
     for (const hash of [CHANCE, BUSH]) {
         await withPage({ hash, before: machine(4) }, async (page) => {
             await patient(page);

@@ -19,7 +19,7 @@ async function drag(page, from, to) {
     await page.mouse.up();
 }
 
-test('a drawing in space is drawn, and the tools for it are there only then', () =>
+test('the tools for drawings in space are shown only for them', () =>
     withPage({ hash: TREE }, async (page) => {
         const tree = await stillPicture(page);
         assert.ok(tree.ink > 0.003);
@@ -29,7 +29,7 @@ test('a drawing in space is drawn, and the tools for it are there only then', ()
         await until(async () => !(await page.isVisible('#space-tools')), 'the tools are gone');
     }));
 
-test('it is played from the first segment on, and the turtle\'s pose is told', () =>
+test('a drawing in space is played segment by segment, with the turtle\'s pose', () =>
     withPage({ hash: TREE }, async (page) => {
         const whole = await stillPicture(page);
         await page.click('#open-playback');
@@ -47,7 +47,7 @@ test('it is played from the first segment on, and the turtle\'s pose is told', (
         await sameAgain(page, whole);
     }));
 
-test('a drag goes round it, Shift and a drag move it, Fit shows it whole, and the link keeps it', () =>
+test('a drag turns the drawing, Shift and a drag move the drawing, Fit shows it whole, and the link keeps the camera', () =>
     withPage({ hash: TREE }, async (page) => {
         const first = await stillPicture(page);
         await drag(page, [500, 400], [620, 430]);
@@ -67,7 +67,7 @@ test('a drag goes round it, Shift and a drag move it, Fit shows it whole, and th
         await nextPicture(page, round);
     }));
 
-test('what is under the pointer is told, marked and lit, but not while the drawing is turned', () =>
+test('the segment under the pointer is described, marked and highlighted, but not while the drawing turns', () =>
     withPage({ hash: STICK }, async (page) => {
         await page.click('#open-reader');
         await until(async () => (await page.locator('.row-line .cells').allTextContents()).join('') === 'FFFFFFFF/', 'the string');
@@ -85,18 +85,18 @@ test('what is under the pointer is told, marked and lit, but not while the drawi
         assert.ok(Math.abs(x1 - box.width / 2) < 1 && Math.abs(x2 - x1) < 1 && y1 > y && y > y2, `${x1} ${y1} ${x2} ${y2}`);
         assert.ok(Math.abs(y1 - y2 - step) < 0.15 * step && Math.abs((y1 + y2) / 2 - y) < 0.3 * step, `${y1} ${y2} ${step}`);
         await until(async () => (await page.locator('.cells .lit').count()) === 1, 'it is lit');
-        // It stands upright, so that it is in the same place when one has gone round it.
+        // The drawing is upright, so turning about the vertical does not move it.
         await page.mouse.down();
         await page.mouse.move(box.x + box.width / 2 + 60, box.y + y, { steps: 4 });
         assert.ok(!(await page.isVisible('#card')));
         await page.mouse.up();
         await hover();
         await until(async () => (await page.isVisible('#card')) && (await card()).includes('Segment 3'), 'it is told again');
-        // Seen from nearer the card goes until the drawing rests; what is there then is told.
+        // Zooming hides the card until the drawing rests.
         await page.mouse.wheel(0, -100);
         await until(async () => !(await page.isVisible('#card')), 'the card is gone');
         await until(async () => (await page.isVisible('#card')) && (await card()).includes('Segment 3'), 'it is told when the drawing rests');
-        // What the turtle has not drawn yet is not there.
+        // Segments that playback has not drawn yet are not found.
         await page.click('#open-playback');
         await page.click('#play');
         await page.fill('#play-place', '2');
@@ -120,13 +120,13 @@ test('perspective, fading and the turntable change the picture', () =>
         const flat = await nextPicture(page, first);
         await page.fill('#fade', '80');
         const faded = await nextPicture(page, flat);
-        // Motion is reduced here: a step at a time.
+        // With reduced motion the turntable moves by steps.
         await page.click('#turntable');
         await nextPicture(page, faded);
         assert.equal(await page.getAttribute('#turntable', 'aria-pressed'), 'false');
     }));
 
-test('the turntable turns until it is told to stop', () =>
+test('the turntable turns until it is stopped', () =>
     withPage({ hash: TREE, options: { ...DESKTOP, reducedMotion: 'no-preference' } }, async (page) => {
         await stillPicture(page);
         await page.click('#turntable');
@@ -138,7 +138,7 @@ test('the turntable turns until it is told to stop', () =>
         await until(async () => /camera=/.test(await hash(page)), 'the link has the camera');
     }));
 
-test('what turns fills the stage at once, whatever its pixels, and has all of them at rest', () =>
+test('a turning drawing fills the stage with fewer pixels, and has all pixels at rest', () =>
     withPage({ hash: TREE.replace('n=4', 'n=8&width=0.1'), options: { ...DESKTOP, reducedMotion: 'no-preference' } }, async (page) => {
         const sizes = () =>
             page.evaluate(() => {
@@ -159,7 +159,7 @@ test('what turns fills the stage at once, whatever its pixels, and has all of th
         assert.deepEqual(pixels, shown);
     }));
 
-test('it works on a phone', () =>
+test('drawings in space work on a phone', () =>
     withPage({ hash: TREE, options: PHONE }, async (page) => {
         const first = await stillPicture(page);
         await page.locator('#turntable').tap();

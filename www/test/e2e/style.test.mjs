@@ -9,7 +9,7 @@ const PLANT = `#v=1&title=Plant&axiom=X&rules=${encodeURIComponent('X -> F[+X][-
 /** @param {import('playwright-core').Page} page @param {string} name */
 const tab = (page, name) => page.click(`#tab-${name}`, { timeout: 2000 }).catch(() => {});
 
-test('colours follow what is chosen', () =>
+test('colours follow the choice of Colour by', () =>
     withPage({ hash: PLANT }, async (page) => {
         const digests = new Set([(await stillPicture(page)).digest]);
         await tab(page, 'look');
@@ -27,7 +27,7 @@ test('colours follow what is chosen', () =>
         assert.ok(await page.isVisible('#holds-row'));
     }));
 
-test('ink adds up, and shows as much as it is exposed', () =>
+test('additive ink adds up and follows the exposure', () =>
     withPage({ hash: PLANT.replace('n=5', 'n=30') }, async (page) => {
         const solid = await stillPicture(page);
         await tab(page, 'look');
@@ -47,7 +47,7 @@ test('ink adds up, and shows as much as it is exposed', () =>
         assert.equal(await page.inputValue('#ink'), 'solid');
     }));
 
-test('drawings in space say that their ink covers', () =>
+test('drawings in space say that they are opaque', () =>
     withPage({ hash: PLANT.replace('%2BX', '%26X') + '&ink=density' }, async (page) => {
         await stillPicture(page);
         await tab(page, 'look');
@@ -55,7 +55,7 @@ test('drawings in space say that their ink covers', () =>
         assert.match(await page.innerText('#ink-note'), /space/);
     }));
 
-test('nine seeds to choose from', () =>
+test('nine seeds can be compared', () =>
     withPage({ hash: `${PLANT}&vary=20&seed=7` }, async (page) => {
         const before = await stillPicture(page);
         await tab(page, 'grow');
@@ -65,8 +65,8 @@ test('nine seeds to choose from', () =>
         assert.equal(await cards.count(), 9);
         await until(async () => (await page.locator('#seed-cards .thumb.inked').count()) === 9, 'all nine are drawn');
         assert.equal(new Set(await cards.evaluateAll((all) => all.map((card) => /** @type {HTMLButtonElement} */ (card).value))).size, 9);
-        // The present one has the focus; arrows go from there.
-        assert.match((await page.evaluate(() => document.activeElement?.getAttribute('aria-label'))) ?? '', /Seed 7, the present one/);
+        // The current seed has the focus; arrow keys move from there.
+        assert.match((await page.evaluate(() => document.activeElement?.getAttribute('aria-label'))) ?? '', /Seed 7, current/);
         await page.keyboard.press('ArrowRight');
         const chosen = await page.evaluate(() => /** @type {HTMLButtonElement} */ (document.activeElement).value);
         await page.keyboard.press('Enter');
@@ -76,7 +76,7 @@ test('nine seeds to choose from', () =>
         await until(async () => (await page.inputValue('#seed')) === '7', 'it can be undone');
     }));
 
-test('a drawing grows and comes back to what it was', () =>
+test('growth ends with the former drawing', () =>
     withPage({ hash: PLANT }, async (page) => {
         const before = await stillPicture(page);
         await page.click('#open-playback');
@@ -88,6 +88,6 @@ test('a drawing grows and comes back to what it was', () =>
         await page.click('#grow');
         await page.click('#close-playback');
         await until(async () => (await stillPicture(page)).digest === before.digest, 'the whole plant is back');
-        // The state was never another one.
+        // Growth did not change the state.
         assert.ok(!(await page.evaluate(() => location.hash)).includes('growth'));
     }));

@@ -5,8 +5,8 @@ import { close, withPage } from './browser.mjs';
 after(close);
 
 /**
- * Both SVG forms of a system drawn by the browser and compared, in the page: the mean difference of a channel, and the
- * largest mean of an 8x8 tile, of 255. Null where the forms are the same text.
+ * The browser draws both SVG forms of a system and compares them in the page: the mean difference of a channel, and the
+ * largest mean of an 8x8 tile, of 255. Null if the forms have the same text.
  * @param {{definition: object, size: number}} what
  */
 async function compare({ definition, size }) {
@@ -25,7 +25,7 @@ async function compare({ definition, size }) {
                 worker.postMessage({ ...message, id: ++id });
             });
         await ask({ type: 'init', wasm }, (answer) => answer.type === 'ready');
-        // Nothing is drawn before there is somewhere to look.
+        // The worker draws nothing before it has a view.
         worker.postMessage({ type: 'view', id: 0, width: 16, height: 16, ratio: 1, view: { x: 0, y: 0, zoom: 1 } });
         /** @param {object} system */
         global.exports = async (system) => {
@@ -75,15 +75,15 @@ async function compare({ definition, size }) {
 }
 
 /*
- * The forms draw the same strokes. They differ where strokes meet or lie over each other in a partly covered pixel: the
- * strokes of one path cover it once, those of two paths one over the other. Where both cover the part a of it, that is
- * darker by a - a * a of the contrast, at most a quarter: 64 of 255. Only pictures of strokes thinner than a pixel, drawn
- * again and again, come near that in a whole tile; the mean is of the whole picture.
+ * Both forms draw the same strokes. They differ in partly covered pixels where strokes meet or overlap: strokes of one
+ * path cover such a pixel once, strokes of two paths one over the other. If both cover the fraction a of the pixel, its
+ * colour differs by a - a * a of the contrast, at most a quarter: 64 of 255. Only pictures of many strokes thinner than
+ * a pixel come near that in a whole tile. The mean is over the whole picture.
  */
 const MEAN = 2;
 const TILE = 64;
 
-test('compact pictures look like flat ones', () =>
+test('compact SVG pictures look like flat ones', () =>
     withPage({}, async (page) => {
         const entries = await page.evaluate(async () => (await fetch('gallery.json')).json());
         /** @type {any[]} */

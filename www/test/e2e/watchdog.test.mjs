@@ -1,6 +1,6 @@
 /**
- * Workers that stop: they hang, crash, or are gone without a word, over a drawing, a small picture, a file, or before they
- * have begun. The page works again soon, tells what it gave up, and loses nothing that was typed.
+ * Workers that stop: they hang, crash or end silently, over a drawing, a small picture, a file, or before they have
+ * started. The page soon works again, reports what was given up, and loses no typed text.
  */
 
 import assert from 'node:assert/strict';
@@ -14,10 +14,10 @@ after(close);
 
 const WEED = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%5B-F%5DF&n=4&angle=25';
 
-/** Ways to stop, as words of an axiom. In capitals the definition stops the worker, in small letters its file does. */
+/** Ways to stop, as words in an axiom. In capitals the definition stops the worker, in small letters its file does. */
 const WAYS = ['HANG', 'CRASH', 'CLOSE'];
 
-/** Stands behind the worker's script. The symbols of these words draw nothing in most systems. */
+/** Appended to the worker's script. The symbols of these words draw nothing in most systems. */
 const FAULTS = `
 (() => {
     const { prototype } = wasm_bindgen.Playground;
@@ -27,7 +27,7 @@ const FAULTS = `
         if (text.includes(hang)) for (;;);
         if (text.includes(crash)) throw new WebAssembly.RuntimeError('unreachable');
         if (!text.includes(gone)) return;
-        // Nothing is said any more, not even that it fails.
+        // The worker sends no more messages, not even about its failure.
         self.postMessage = () => {};
         self.close();
         throw new Error('gone');
@@ -53,14 +53,14 @@ const FAULTS = `
 })();
 `;
 
-/** Puts the faults into the workers of a page, be they files or inside a single file. @param {Page} page */
+/** Adds the faults to the workers of a page, from files or inside a single-file page. @param {Page} page */
 async function withFaults(page) {
     await page.route(/\/worker\.js$/, async (route) => {
         try {
             const response = await route.fetch();
             await route.fulfill({ response, body: (await response.text()) + FAULTS });
         } catch {
-            // The page was closed meanwhile.
+            // The page was closed.
         }
     });
     await page.route(/\/embed\.html$/, async (route) => {
@@ -72,7 +72,7 @@ async function withFaults(page) {
     });
 }
 
-/** Types an axiom, and waits for what the page says. @param {Page} page @param {string} axiom @returns {Promise<number>} milliseconds until then */
+/** Types an axiom and waits for the page's message. @param {Page} page @param {string} axiom @returns {Promise<number>} the time until then, in milliseconds */
 async function typeUntilTold(page, axiom) {
     const begun = Date.now();
     await page.fill('#axiom', axiom);
@@ -84,7 +84,7 @@ async function typeUntilTold(page, axiom) {
 const tell = (what, milliseconds) => console.log(`${what}: ${(milliseconds / 1000).toFixed(1)} s`);
 
 for (const way of WAYS) {
-    test(`${way}: a drawing that stops its worker is given up, and nothing that was typed is lost`, () =>
+    test(`${way}: a drawing that stops its worker is given up, and no typed text is lost`, () =>
         withPage({ hash: WEED, before: withFaults }, async (page) => {
             const before = await stillPicture(page);
             tell(`${way}, page, until it is told`, await typeUntilTold(page, way));
@@ -107,7 +107,7 @@ for (const way of WAYS) {
         }));
 }
 
-test('what is typed while a worker hangs is drawn as soon as another has taken its place', () =>
+test('a text typed while a worker hangs is drawn by the next worker', () =>
     withPage({ hash: WEED, before: withFaults }, async (page) => {
         const before = await stillPicture(page);
         await page.fill('#axiom', 'HANG');
@@ -119,7 +119,7 @@ test('what is typed while a worker hangs is drawn as soon as another has taken i
         assert.ok(await page.isHidden('#trouble'));
     }));
 
-test('a state that stopped a worker waits for the reader on the next visit, from a link too', () =>
+test('a state that stopped a worker is not drawn at once on the next visit or from a link', () =>
     withPage({ hash: WEED, before: withFaults }, async (page) => {
         await typeUntilTold(page, 'FHANG');
         await page.waitForTimeout(600);
@@ -137,7 +137,7 @@ test('a state that stopped a worker waits for the reader on the next visit, from
         await page.waitForSelector('#trouble', { state: 'hidden' });
     }));
 
-test('a link that hangs is told of, and a reload in the middle of it does not start it again', () =>
+test('a link that hangs is reported, and a reload meanwhile does not draw it again', () =>
     withPage({ hash: WEED.replace('axiom=F', 'axiom=FHANG'), drawing: '#trouble:not([hidden])', before: withFaults }, async (page) => {
         assert.ok(await page.isHidden('#trouble-back'));
         await page.click('#trouble-again');
@@ -149,7 +149,7 @@ test('a link that hangs is told of, and a reload in the middle of it does not st
         await until(async () => /restarted/.test(await page.innerText('#trouble')), 'it is told again');
     }));
 
-test('a worker that is gone while it has nothing to do is replaced when it has', () =>
+test('a worker that ends while idle is replaced when it is needed', () =>
     withPage(
         {
             hash: WEED,
@@ -179,7 +179,7 @@ test('a worker that is gone while it has nothing to do is replaced when it has',
     ));
 
 for (const way of WAYS) {
-    test(`${way}: one bad small picture leaves the others`, () =>
+    test(`${way}: one bad thumbnail does not affect the others`, () =>
         withPage(
             {
                 hash: WEED,
@@ -214,7 +214,7 @@ for (const way of WAYS) {
             await page.fill('#axiom', `F+F${way.toLowerCase()}`);
             await nextPicture(page, first);
             const before = await stillPicture(page);
-            await page.click('[role=tab][aria-controls=section-keep]').catch(() => {});
+            await page.click('[role=tab][aria-controls=section-save]').catch(() => {});
             for (const format of ['svg', 'png']) {
                 const begun = Date.now();
                 await page.locator(`[data-save=${format}]`).click();
@@ -230,7 +230,7 @@ for (const way of WAYS) {
         }));
 }
 
-test('a question that stops its worker is not asked again of the same drawing', () =>
+test('a question that stops its worker is not asked again about the same drawing', () =>
     withPage({ hash: WEED.replace('axiom=F', 'axiom=Fpickhang'), before: withFaults }, async (page) => {
         const before = await stillPicture(page);
         await page.hover('#drawing');
@@ -242,7 +242,7 @@ test('a question that stops its worker is not asked again of the same drawing', 
     }));
 
 for (const way of WAYS) {
-    test(`${way}: an embedded drawing recovers, and tells its page`, async () => {
+    test(`${way}: an embedded drawing recovers and tells its host`, async () => {
         const server = createServer((_request, response) => {
             response.writeHead(200, { 'content-type': 'text/html' });
             response.end(`<!doctype html><title>host</title><script>

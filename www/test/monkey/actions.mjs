@@ -1,4 +1,4 @@
-/** What the monkey does wherever a drawing is: on the page, and in the frame of an embedded one. */
+/** Actions of the monkey on the page and on embedded drawings. */
 
 import { ENDS, stopWorker } from './instrument.mjs';
 import { NOTHING, click, drag, enter, leave, open, paste, set, valueOf } from './hands.mjs';
@@ -7,15 +7,15 @@ import { axiomText, numberText, overridesText, pick, rulesText, whole } from './
 /** @typedef {import('./hands.mjs').Place} Place */
 /** @typedef {import('./texts.mjs').Roll} Roll */
 /**
- * A kind of action: how often it is chosen beside the others, and what it does. What it gives tells what came of it, for
- * the log. What must hold at once is checked by it, and a fault is thrown.
+ * A kind of action: its relative frequency, and a function. The function returns its result in words, for the log,
+ * checks conditions that must hold at once, and throws a fault.
  * @typedef {{kind: string, weight: number, act: (place: Place, roll: Roll) => Promise<string | void>}} Action
  */
 
-/** Something that must not happen, as opposed to a mistake of the monkey. */
+/** A fault of the page, as opposed to an error of the monkey. */
 export class Fault extends Error {}
 
-/** Fields of text, with what is written into them. @type {readonly (readonly [string, (roll: Roll) => string, number])[]} */
+/** Text fields, with their random texts. @type {readonly (readonly [string, (roll: Roll) => string, number])[]} */
 const TEXTS = [
     ['#rules', rulesText, 50_000],
     ['#rules', rulesText, 50_000],
@@ -26,7 +26,7 @@ const TEXTS = [
 
 const NUMBERS = ['#iterations', '#angle', '#right', '#length-factor', '#angle-variation', '#length-variation', '#seed', '#heading', '#step', '#start-x', '#start-y', '#elasticity', '#tropism-x', '#tropism-y', '#pitch-down', '#roll-right', '#exposure', '#width', '#width-factor', '#min-width', '#left-colour', '#play-place', '#reader-goto', '#constants-list .number'];
 const SLIDERS = ['#iterations-slider', '#angle-slider', '#right-slider', '#length-factor-slider', '#angle-variation-slider', '#width-slider', '#min-width-slider', '#exposure-slider', '#fade', '#play-slider', '#play-speed', '#reader-step', '#constants-list input[type=range]'];
-/** Sliders of the look and of growth that make drawings too heavy for a test are drawn with a light hand. */
+/** The part of a slider’s range that is used, because high values make drawings too slow for a test. */
 const REACH = 0.35;
 
 const KEYS = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', '+', '-', '0', ' ', 'Escape', 'Enter', 'Tab', 'Home', 'End', 'PageDown', '?', 'Shift+ArrowLeft', 'Shift+ArrowUp', 'Alt+ArrowRight', 'Control+z', 'Control+Shift+z', 'Control+y', 'Backspace', 'Delete', 'a', 'F'];
@@ -35,7 +35,7 @@ const KEYS = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', '+', '-', '0', 
 const asKept = (text) => text.replace(/\r\n?/g, '\n');
 
 /**
- * Writes into a field, and now and then takes it back and brings it back, which must lose nothing.
+ * Types into a field, and sometimes undoes and redoes, which must lose nothing.
  * @param {Place} place
  * @param {Roll} roll
  */
@@ -60,7 +60,7 @@ async function write(place, roll) {
     if (way >= 0.3 && one && text.length <= most && after !== asKept(text)) throw new Fault(`${selector} holds other text than was typed: ${show(after)} for ${show(text)}`);
     await page.waitForTimeout(howLong);
     await same(place, selector, after, 'a while after it was typed');
-    // An embedded drawing has no undo of its own.
+    // An embedded drawing has no undo.
     if (takesBack && before !== after && after.length <= most && (await frame.$('#undo'))) {
         await leave(frame);
         await page.keyboard.press('Control+z');
@@ -77,7 +77,7 @@ async function same({ frame }, selector, expected, when) {
     if (now !== expected) throw new Fault(`lost text: ${selector} ${when} holds ${show(now)} and not ${show(expected)}`);
 }
 
-/** A text as the log shows it. @param {string} text */
+/** A text for the log. @param {string} text */
 export const show = (text) => `${JSON.stringify(text.slice(0, 50))}${text.length > 50 ? ` (${text.length} characters)` : ''}`;
 
 /** @type {readonly Action[]} */

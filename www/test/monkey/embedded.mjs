@@ -1,4 +1,4 @@
-/** A page of another site with a drawing in it, as a frame or as an element, and what the monkey does there. */
+/** A page of another site with an embedded drawing, as a frame or as an element, and the monkey's actions there. */
 
 import { createServer } from 'node:http';
 import { COMMON, Fault } from './actions.mjs';
@@ -12,7 +12,7 @@ import { SYSTEMS, axiomText, hash, numberText, pick, rulesText, whole } from './
 const STYLE = 'body { min-height: 3000px } iframe, l-system { display: block; width: 700px; max-width: 100%; height: 460px; border: 0; aspect-ratio: auto }';
 const WEED = 'v=1&title=Weed&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%5B-F%5DF&n=4&angle=25';
 
-/** The same words for both forms: `say` sends a message, `ask` gives what the drawing says of itself. */
+/** The same functions for both forms: `say` sends a message, `ask` returns the state of the drawing. */
 const FRAME_SCRIPT = `
     var asked = new Map(), lastId = 0, drawing = document.querySelector('iframe');
     addEventListener('message', ({ data }) => { if (data && data.lsystem === 'state') { asked.get(data.id)?.(data); asked.delete(data.id); } });
@@ -34,7 +34,7 @@ function hostPage(address, element, controls) {
 }
 
 /**
- * Serves the host's pages, by another name than the playground's.
+ * Serves the host's pages, under another host name than the playground's.
  * @param {string} address of the playground
  * @returns {Promise<{address: (element: boolean, controls: string) => string, close: () => void}>}
  */
@@ -52,7 +52,7 @@ export async function serveHost(address) {
     };
 }
 
-/** What the drawing says of itself, in time. @param {Page} page @returns {Promise<{link: string, values: Record<string, unknown>}>} */
+/** The state of the drawing, within the time limit. @param {Page} page @returns {Promise<{link: string, values: Record<string, unknown>}>} */
 export async function ask(page) {
     const state = await within(page.evaluate(() => /** @type {any} */ (window).ask()), 10_000, 'an embedded drawing answers its host');
     if (typeof state?.link !== 'string' || typeof state.values !== 'object') throw new Fault(`an embedded drawing answers ${JSON.stringify(state).slice(0, 100)}`);
@@ -62,7 +62,7 @@ export async function ask(page) {
 /** @param {Page} page @param {unknown} message */
 const say = (page, message) => page.evaluate((words) => void /** @type {any} */ (window).say(words), message);
 
-/** Messages that mean nothing, or should not. @type {readonly unknown[]} */
+/** Invalid messages. @type {readonly unknown[]} */
 const JUNK = [null, 7, 'set', [], {}, { lsystem: 7 }, { lsystem: '__proto__' }, { lsystem: 'toString' }, { lsystem: { toString: 7 } }, { lsystem: 'controls', controls: { toString: 7 } }, { lsystem: 'set' }, { lsystem: 'set', values: 7 }, { lsystem: 'set', values: { n: 'x', __proto__: 1, constructor: 2 } }, { lsystem: 'open' }, { lsystem: 'open', link: 7 }, { lsystem: 'controls', controls: { a: 1 } }, { lsystem: 'get', id: { deep: [1] } }, { lsystem: 'hello' }];
 const CONTROLS = ['', 'all', 'n', 'angle,rules', 'string play', 'nothing', 'rules'];
 

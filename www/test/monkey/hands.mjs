@@ -1,16 +1,16 @@
-/** What a hand can do on a page or in a frame of it. Nothing waits for an element: what is not there is not touched. */
+/** Clicks, keys and gestures on a page or in a frame. No action waits for an element: a missing element is skipped. */
 
 /** @typedef {import('playwright-core').Page} Page */
 /** @typedef {import('playwright-core').Frame} Frame */
 /**
- * Where the monkey is: `frame` holds the drawing and is the page's own, or one in it.
+ * The place of the monkey: `frame` has the drawing and is the page's main frame or an inner one.
  * @typedef {{page: Page, frame: Frame}} Place
  */
 
-/** What a network that was off leaves behind may be told for so long after it is back, in milliseconds. */
+/** Network errors are ignored for this time after the network is back, in milliseconds. */
 const ECHO = 5000;
 
-/** When the network was last off: Infinity while it is. @type {WeakMap<import('playwright-core').BrowserContext, number>} */
+/** When the network was last off; Infinity while off. @type {WeakMap<import('playwright-core').BrowserContext, number>} */
 const offline = new WeakMap();
 
 /** Switches the network off or on. @param {import('playwright-core').BrowserContext} context @param {boolean} off */
@@ -20,14 +20,14 @@ export async function setOffline(context, off) {
     await context.setOffline(off);
 }
 
-/** Whether the network is off, or was a moment ago. @param {import('playwright-core').BrowserContext} context */
+/** Whether the network is off or was off recently. @param {import('playwright-core').BrowserContext} context */
 export const wasOffline = (context) => Date.now() - (offline.get(context) ?? 0) < ECHO;
 
-/** Told of an action that found nothing to act on. */
+/** The result of an action that found no element. */
 export const NOTHING = 'nothing there';
 
 /**
- * The element of a selector that can be seen and reached, or null; with several, the one counted round.
+ * A visible and reachable element of a selector, or null; of several, the one at an index.
  * @param {Frame} frame
  * @param {string} selector
  * @param {number} [which]
@@ -41,7 +41,7 @@ export async function reach(frame, selector, which = 0) {
             element.scrollIntoView({ block: 'nearest', inline: 'nearest' });
             const box = element.getBoundingClientRect();
             const top = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
-            // Labels and icons belong to what they stand for; what lies above another hides it.
+            // A label or icon counts as its control; an element on top of another hides it.
             const own = top && (element.contains(top) || top.contains(element) || /** @type {HTMLLabelElement | null} */ (top.closest('label'))?.control === element);
             return own ? element : null;
         },
@@ -60,9 +60,9 @@ export async function click({ page, frame }, selector, which = 0) {
     return `clicked ${name}`;
 }
 
-/** Puts the caret into a field by a click, or by focus where it is hidden behind another. @param {Place} place @param {string} selector */
+/** Puts the caret into a field by a click, or by focus if the field is covered. @param {Place} place @param {string} selector */
 export async function enter(place, selector) {
-    // What was written elsewhere is a change of its own, as it is when a reader goes from field to field.
+    // Leave the former field first, as a reader does, so that its change is a separate undo step.
     await leave(place.frame);
     await open(place, selector);
     const done = await click(place, selector);
@@ -70,7 +70,7 @@ export async function enter(place, selector) {
     return place.frame.evaluate((name) => document.activeElement === document.querySelector(name), selector);
 }
 
-/** Opens the panel and the fold that an element stands in, where it has any. @param {Place} place @param {string} selector */
+/** Opens the panel and the details around an element. @param {Place} place @param {string} selector */
 export async function open(place, selector) {
     const tab = await place.frame.evaluate((name) => {
         const element = document.querySelector(name);
@@ -82,13 +82,13 @@ export async function open(place, selector) {
     if (tab) await click(place, `#tab-${tab}`);
 }
 
-/** Takes the caret out of whatever field it is in. @param {Frame} frame */
+/** Removes the focus from any field. @param {Frame} frame */
 export const leave = (frame) => frame.evaluate(() => document.activeElement instanceof HTMLElement && document.activeElement.blur());
 
-/** Longer texts, in UTF-16 units, are not typed: Chromium takes a minute over some thousand lines that it is handed as typed. */
+/** Longer texts, in UTF-16 units, are set at once: Chromium needs a minute to type some thousand lines. */
 const TYPED = 200;
 
-/** Puts a text in the place of what is in the field that holds the caret. @param {Place} place @param {string} selector @param {string} text */
+/** Replaces the text of the focused field. @param {Place} place @param {string} selector @param {string} text */
 export async function paste({ page, frame }, selector, text) {
     if (text.length > TYPED) {
         return frame.evaluate(
@@ -107,7 +107,7 @@ export async function paste({ page, frame }, selector, text) {
 /** The text of a field. @param {Frame} frame @param {string} selector @returns {Promise<string>} */
 export const valueOf = (frame, selector) => frame.evaluate((name) => /** @type {HTMLInputElement | null} */ (document.querySelector(name))?.value ?? '', selector);
 
-/** Sets a slider, a choice or a colour the way its own widget does. @param {Frame} frame @param {string} selector @param {(string | number)[]} values one after the other */
+/** Sets a slider, a choice or a colour with the events of its widget. @param {Frame} frame @param {string} selector @param {(string | number)[]} values one after the other */
 export function set(frame, selector, values) {
     return frame.evaluate(
         ([name, all]) => {
@@ -124,7 +124,7 @@ export function set(frame, selector, values) {
     );
 }
 
-/** Drags the pointer over the drawing. @param {Place} place @param {number[]} by parts of its size: from x, y, to x, y @param {number} steps */
+/** Drags the pointer over the drawing. @param {Place} place @param {number[]} by fractions of its size: from x, y, to x, y @param {number} steps */
 export async function drag({ page, frame }, [fromX = 0, fromY = 0, toX = 0, toY = 0], steps) {
     const box = await (await frame.$('#drawing'))?.boundingBox();
     if (!box) return NOTHING;
@@ -135,7 +135,7 @@ export async function drag({ page, frame }, [fromX = 0, fromY = 0, toX = 0, toY 
     return 'dragged';
 }
 
-/** Lets files fall onto the page. @param {Frame} frame @param {{name: string, mimeType: string, buffer: Buffer}} file */
+/** Drops a file onto the page. @param {Frame} frame @param {{name: string, mimeType: string, buffer: Buffer}} file */
 export function drop(frame, { name, mimeType, buffer }) {
     return frame.evaluate(
         ([title, type, base64]) => {

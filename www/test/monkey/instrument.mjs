@@ -1,10 +1,10 @@
-/** What stands in every frame before its own scripts: workers that can be stopped from outside, and a list of long tasks. */
+/** Runs in each frame before its scripts: makes workers stoppable from outside and lists long tasks. */
 
 /** @typedef {{start: number, duration: number}} Task in milliseconds; `start` since 1970 */
-/** `reads` are the times in which the monkey itself held the page, from and to. @typedef {{workers: Worker[], tasks: Task[], reads: [number, number][]}} Kept */
+/** `reads` are the times when the monkey itself blocked the page, from and to. @typedef {{workers: Worker[], tasks: Task[], reads: [number, number][]}} Kept */
 /** @typedef {Window & {monkey: Kept}} Watched a window with what stands here */
 
-/** How a worker is stopped: the page is told nothing, or of an error, or of a trap, or the worker never comes back. */
+/** Ways to stop a worker: silently, with an error, with a trap, or by an endless loop. */
 export const ENDS = /** @type {const} */ (['silent', 'throw', 'fatal', 'loop']);
 
 /** Runs in the page. */
@@ -22,10 +22,10 @@ export function instrument() {
             for (const { startTime, duration } of list.getEntries()) tasks.push({ start: performance.timeOrigin + startTime, duration });
         }).observe({ type: 'longtask', buffered: true });
     } catch {
-        // A frame that is not loaded yet has nothing to observe.
+        // A frame that is not loaded yet cannot be observed.
     }
 
-    // The listener is added before the worker's own script, so that an order never arrives there.
+    // The listener is added before the worker's script, so that the script never gets these messages.
     const head = `self.addEventListener('message', (event) => {
         const order = event.data && event.data.monkey;
         if (!order) return;
@@ -34,7 +34,7 @@ export function instrument() {
         if (order === 'fatal') self.postMessage({ type: 'fatal', message: 'the monkey' });
         else throw new Error('the monkey');
     });`;
-    // A page in a single file starts its worker from a blob, which the policy of the page lets no other script import.
+    // A single-file page starts its worker from a blob, whose policy forbids importing other scripts.
     /** @type {Map<string, Blob>} */
     const blobs = new Map();
     const addressOf = URL.createObjectURL;
@@ -60,7 +60,7 @@ export function instrument() {
     };
 }
 
-/** Runs in the page: the long tasks since the last time, without those of the monkey's own. @returns {Task[]} */
+/** Runs in the page: the long tasks since the last call, without tasks of the monkey. @returns {Task[]} */
 export function longTasks() {
     const { tasks, reads } = /** @type {Watched} */ (/** @type {unknown} */ (window)).monkey;
     const found = tasks.splice(0).filter(({ start, duration }) => !reads.some(([from, to]) => from < start + duration && start < to));
@@ -79,7 +79,7 @@ export function stopWorker([which, how]) {
     if (!worker) return 'there is none';
     if (how !== 'silent') worker.postMessage({ monkey: how });
     else {
-        // The page's own variable still holds the worker, which says nothing any more.
+        // The page still references the worker, which sends no more messages.
         Object.getPrototypeOf(Object.getPrototypeOf(worker)).terminate.call(worker);
         workers.splice(workers.indexOf(worker), 1);
     }

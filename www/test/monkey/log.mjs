@@ -1,27 +1,27 @@
-/** What the monkey did, and what came of it. */
+/** The log of the monkey's actions and their results. */
 
 /** @typedef {import('./instrument.mjs').Task} Task */
 /** @typedef {{kind: string, time: number, words: string}} Entry */
 
-/** Longer tasks on the main thread are felt, in milliseconds. */
+/** Longer tasks on the main thread are noticeable, in milliseconds. */
 const FELT = 100;
-/** So many of the longest tasks are told. */
+/** How many of the longest tasks are printed. */
 const TOLD = 12;
 
 export class Log {
     /** @type {string[]} */
     faults = [];
-    /** How often each kind of action was done, and how often there was nothing to do it with. @type {Map<string, {done: number, idle: number}>} */
+    /** How often each kind of action was done, and how often its element was missing. @type {Map<string, {done: number, idle: number}>} */
     counts = new Map();
     checks = 0;
-    /** What pictures in a fresh page were like, in words. @type {Map<string, number>} */
+    /** Results of comparing pictures with a fresh page, in words. @type {Map<string, number>} */
     pictures = new Map();
     /** @type {{duration: number, cause: string}[]} */
     tasks = [];
     /** The actions of the round. @type {Entry[]} */
     #entries = [];
     #round = '';
-    /** @param {boolean} verbose whether everything is told as it happens */
+    /** @param {boolean} verbose whether to print everything at once */
     constructor(verbose) {
         this.verbose = verbose;
     }
@@ -38,7 +38,7 @@ export class Log {
         this.#entries.push({ kind, time: Date.now(), words: '' });
     }
 
-    /** It is done. @param {string} words @param {boolean} idle whether there was nothing to do it with */
+    /** An action ends. @param {string} words @param {boolean} idle whether its element was missing */
     ends(words, idle) {
         const entry = this.#entries.at(-1);
         if (!entry) return;
@@ -57,7 +57,7 @@ export class Log {
         if (this.verbose) console.log(`     picture: ${words}`);
     }
 
-    /** Long tasks were caused by the action before them. @param {Task[]} tasks */
+    /** Assigns long tasks to the action before them. @param {Task[]} tasks */
     long(tasks) {
         for (const { start, duration } of tasks) {
             const cause = this.#entries.findLast(({ time }) => time <= start + 1);

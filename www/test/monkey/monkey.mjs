@@ -1,10 +1,10 @@
 /**
- * A monkey at the page: it does whatever can be done, in an order that a seed decides, and looks whether anything is lost,
- * stuck or broken. `node monkey.mjs [--seed S] [--minutes M] [--actions N] [--verbose]`.
+ * A monkey test: random actions on the page, in an order that a seed decides, with checks that nothing is lost, stuck
+ * or broken. `node monkey.mjs [--seed S] [--minutes M] [--actions N] [--verbose]`.
  *
- * It works in rounds, each in a fresh browser profile with a seed of its own, which decides whether the round is on the
- * page of a desktop, on that of a telephone or at an embedded drawing. A fault ends a round; `--seed S --actions N` plays
- * the first N actions of the round with the seed S again.
+ * The test works in rounds. Each round has a fresh browser profile and its own seed, which decides whether the round
+ * uses the desktop page, the phone page or an embedded drawing. A fault ends a round; `--seed S --actions N` repeats
+ * the first N actions of the round with the seed S.
  */
 
 import { parseArgs } from 'node:util';
@@ -19,7 +19,7 @@ const seed = Number(values.seed ?? Math.floor(Math.random() * 1e6));
 const end = Date.now() + Number(values.minutes) * 60_000;
 if (!Number.isInteger(seed) || Number.isNaN(end)) throw new Error('--seed takes a whole number, --minutes a number');
 
-/** A round is at most so long: what goes wrong is found again quickly. */
+/** The most actions of a round; short rounds make faults quick to repeat. */
 const MOST_ACTIONS = 60;
 
 const address = process.env.LSYSTEM_URL ?? 'http://127.0.0.1:8080/';

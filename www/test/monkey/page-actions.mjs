@@ -1,4 +1,4 @@
-/** What the monkey does on the page alone: history, links, panels, dialogs, files, and the machine around it. */
+/** Actions of the monkey only on the page: history, links, panels, dialogs, files, network and workers. */
 
 import { Fault, COMMON } from './actions.mjs';
 import { NOTHING, click, drop, enter, open, set, setOffline, valueOf } from './hands.mjs';
@@ -15,7 +15,7 @@ const SIZES = [
     [1000, 1400],
 ];
 
-const BUTTONS = ['#undo', '#redo', '#start-anew', '#two-angles', '#symbols', '#segments', '#dice', '#theme', '#add-colour', '#remove-colour', '#inks button', '#palette-holds', '#copy-link', '#keep-favourite', 'summary', '#renew-later', '.toast-act', '.toast-close', '.problems button', '#legend button'];
+const BUTTONS = ['#undo', '#redo', '#start-anew', '#two-angles', '#symbols', '#segments', '#dice', '#theme', '#add-colour', '#remove-colour', '#inks button', '#palette-holds', '#copy-link', '#add-favourite', 'summary', '#renew-later', '.toast-act', '.toast-close', '.problems button', '#legend button'];
 const CHOICES = /** @type {const} */ ([
     ['#dialect', ['abop', 'every-letter', 'practical', 'lowercase', 'axes']],
     ['#colour-by', ['symbol', 'level', 'generation', 'path', 'turn', 'density', 'single']],
@@ -23,10 +23,10 @@ const CHOICES = /** @type {const} */ ([
     ['#background', ['#ffffff', '#000000', '#336699']],
     ['#wells input', ['#ff0000', '#00ff00']],
 ]);
-const TABS = ['rules', 'grow', 'turtle', 'look', 'keep'];
+const TABS = ['rules', 'grow', 'turtle', 'look', 'save'];
 const SAVES = ['svg', 'svg-compact', 'png', 'json', 'txt', 'csv', 'obj', 'glb'];
 
-/** What the reader has written, by field. @param {import('playwright-core').Frame} frame */
+/** The texts in the fields, by field. @param {import('playwright-core').Frame} frame */
 export async function texts(frame) {
     const found = [];
     for (const field of ['#axiom', '#rules', '#overrides', '#title']) found.push(await valueOf(frame, field));
@@ -93,7 +93,7 @@ export const PAGE = [
             const [which, searches, card] = [whole(roll, 90), roll() < 0.3, roll() < 0.85];
             if ((await click(place, '#open-gallery')) === NOTHING) return NOTHING;
             if (searches && (await enter(place, '#search'))) await place.page.keyboard.type(pick(roll, ['koch', 'tree', 'zzz', 'space', '<b>']));
-            // The cards come with the list of the gallery.
+            // The cards appear once the gallery's list is loaded.
             await place.page.waitForTimeout(100);
             return click(place, card ? '#gallery .card' : pick(roll, ['#chips button', '#close-gallery']), which);
         },

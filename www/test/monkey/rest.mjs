@@ -1,4 +1,4 @@
-/** What must hold when nothing is under way: the texts are those of the link, the picture is that of a fresh load. */
+/** Checks of a page at rest: texts match the link, and the picture matches a fresh load. */
 
 import { openLink } from '../../js/packed.js';
 import { plain } from '../../js/numerals.js';
@@ -10,12 +10,12 @@ import { leave, valueOf } from './hands.mjs';
 /** @typedef {import('./hands.mjs').Place} Place */
 /** @typedef {{width: number, height: number, stage: {width: number, height: number}, ratio: number, digest: number}} Picture */
 
-/** So long may a drawing take, a stopped worker being noticed and replaced first, in milliseconds: a guess for a machine that others use too. */
+/** The most time for a drawing, including replacing a stopped worker, in milliseconds: a guess for a busy machine. */
 export const PATIENCE = 30_000;
-/** A picture that has not changed for so long is at rest; the address is written after 300 ms. */
+/** A picture is at rest if unchanged for this time, in milliseconds; the address is written after 300 ms. */
 const STILL = 600;
 
-/** Leaves everything that was opened, as a reader does: no dialog may stay. @param {Place} place */
+/** Closes everything that is open, as a reader does; no dialog may stay. @param {Place} place */
 export async function leaveAll({ page, frame }) {
     for (let times = 0; times < 4; times++) {
         if (await frame.evaluate(() => document.querySelector('dialog[open]') === null)) break;
@@ -37,8 +37,7 @@ export async function leaveAll({ page, frame }) {
 }
 
 /**
- * Waits until the drawing is at rest, and gives what is on the canvas; null where nothing has been drawn, because what is
- * written cannot be.
+ * Waits until the drawing is at rest and returns the picture; null if nothing was drawn because the system has errors.
  * @param {Frame} frame
  * @param {string} whose
  * @returns {Promise<Picture | null>}
@@ -59,8 +58,8 @@ export async function atRest(frame, whose) {
 }
 
 /**
- * The picture at rest, of a page that draws. What was given up when a worker was stopped is tried again, as the page offers
- * it: the drawing was not to blame.
+ * The picture at rest, of a page that draws. A state that was given up when the monkey stopped a worker is drawn again
+ * by “Try again”.
  * @param {Frame} frame
  */
 async function recovered(frame) {
@@ -73,7 +72,7 @@ async function recovered(frame) {
     }
 }
 
-/** Runs in the page: what is on the canvas, as a digest. */
+/** Runs in the page: a digest of the canvas. */
 function look() {
     const began = performance.timeOrigin + performance.now();
     const stage = /** @type {HTMLElement} */ (document.querySelector('#stage'));
@@ -106,7 +105,7 @@ function pixels() {
 }
 
 /**
- * How far two pictures differ, in levels of 255: in the mean, and in the mean of that square of 8 pixels where it is most.
+ * The difference of two pictures, in levels of 255: the mean, and the largest mean of a square of 8 pixels.
  * @param {Frame} one
  * @param {Frame} other
  * @param {number} width of both, in pixels
@@ -128,22 +127,21 @@ export async function difference(one, other, width) {
     return { mean: (4 * all) / a.length, worst: squares.reduce((most, { sum, count }) => Math.max(most, sum / count), 0) };
 }
 
-/** So often is "Try again" pressed. */
+/** How often “Try again” is pressed. */
 const RETRIES = 2;
 
-/** Pixels along the side of what is compared as one. */
+/** The side of the squares that are compared, in pixels. */
 const SQUARE = 8;
 
 /**
- * So far may pictures of the same be apart, as in the tests of the core: which parts of them recur and are painted once
- * depends on what was painted before and on how a picture was shared between workers. Where there is too much to draw
- * every line, what stands for the rest does, too.
+ * The tolerance between equal pictures, as in the tests of the core. Which repeated parts are painted once depends on
+ * former pictures and on sharing between workers. Random strokes for unexplored parts depend on this as well.
  */
 const SAME = { mean: 1, worst: 12 };
 const ROUGH = { mean: 3, worst: 24 };
 
 /**
- * The picture must be the one that a fresh load of the same link shows on a canvas of the same size.
+ * The picture must equal that of a fresh load of the same link on a canvas of the same size.
  * @param {Place} place
  * @param {Page} fresh a page of another visit
  * @param {string} link
@@ -159,8 +157,8 @@ export async function comparePicture({ page, frame }, fresh, link) {
     }, mine?.stage ?? { width: 600, height: 400 });
     const theirs = await atRest(fresh.mainFrame(), `a fresh page with the link ${link}`);
     if (!theirs) {
-        // Nothing can be drawn: the last good drawing stays here, and the reader is told why.
-        if (!(await frame.evaluate(() => document.querySelector('.problems li, #mistake:not([hidden])')))) throw new Fault('nothing can be drawn, and nobody is told why');
+        // The state has errors: the last good drawing stays, and the page must say why.
+        if (!(await frame.evaluate(() => document.querySelector('.problems li, #mistake:not([hidden])')))) throw new Fault('nothing can be drawn, and the page does not say why');
         return 'cannot be drawn';
     }
     if (!mine) throw new Fault('nothing is drawn, a fresh page draws');
@@ -174,13 +172,13 @@ export async function comparePicture({ page, frame }, fresh, link) {
 }
 
 /**
- * The fields must show what the link says.
+ * The fields must match the link.
  * @param {Frame} frame
  * @param {string} link
  */
 export async function compareTexts(frame, link) {
     const opened = await openLink(new URL(link).hash);
-    // The first plant has the plain address.
+    // The opening plant has the plain address.
     if (!opened) return;
     const { state, problems } = opened;
     if (problems.length > 0) throw new Fault(`the page wrote a link that it cannot read: ${problems.join(' ')}`);
@@ -192,7 +190,7 @@ export async function compareTexts(frame, link) {
 }
 
 /**
- * A promise that must be kept in time. It is a fault where it is not: nothing that a reader does may take so long.
+ * Awaits a promise. Taking longer than the limit is a fault, because no action of a reader may take so long.
  * @template T
  * @param {Promise<T>} promise
  * @param {number} milliseconds

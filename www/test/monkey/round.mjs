@@ -1,4 +1,4 @@
-/** One round of the monkey: a fresh profile, some actions, and a look every now and then whether all is well. */
+/** One round of the monkey: a fresh profile, some actions, and regular checks. */
 
 import { Fault } from './actions.mjs';
 import { EMBEDDED, ask } from './embedded.mjs';
@@ -14,7 +14,7 @@ import { file, pick } from './texts.mjs';
 /** @typedef {import('./texts.mjs').Roll} Roll */
 /**
  * @typedef {object} Round
- * @property {number} seed decides all that is done, and where
+ * @property {number} seed decides all actions and the place
  * @property {number} actions
  * @property {number} until when to end, in milliseconds since 1970
  * @property {string} address of the playground
@@ -23,22 +23,22 @@ import { file, pick } from './texts.mjs';
  * @property {(seed: number) => Roll} dice
  */
 
-/** All is looked at after so many actions. */
+/** All checks run after this number of actions. */
 const EVERY = 10;
-/** No action takes longer, in milliseconds; reloading has its own limit. */
+/** The time limit of an action, in milliseconds; reloading has its own limit. */
 const MOST = 60_000;
-/** A page that is free answers within this time, in milliseconds. */
+/** A responsive page answers within this time, in milliseconds. */
 const ANSWER = 10_000;
 
-/** The address holds the last change within this time, in milliseconds, on a busy machine, too. */
+/** The address contains the last change within this time, also on a busy machine, in milliseconds. */
 const WRITTEN = 5000;
 
 const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 const DESKTOP = { viewport: { width: 1280, height: 800 } };
 
-/** What browsers say themselves of a network that is off. */
+/** Browser messages while the network is off. */
 const OFFLINE = /ERR_INTERNET_DISCONNECTED|Failed to fetch|NetworkError|ERR_FAILED|Failed to load/;
-/** What the monkey brings about. */
+/** Console messages that the monkey causes. */
 const OWN = /the monkey/;
 
 /** @param {Browser} browser @param {Round} round */
@@ -73,19 +73,19 @@ export async function playRound(browser, round) {
         const message = error instanceof Fault ? error.message : `the monkey failed: ${error instanceof Error ? error.stack : error}`;
         log.fault(`${message}\n    at ${page?.url().slice(0, 500)}`);
     } finally {
-        // A worker that never comes back is ended with its page.
+        // Closing the page ends a worker in an endless loop.
         await Promise.all([context.close(), other.close()]);
     }
 }
 
-/** Where the drawing is: frames come and go. @param {Page} page @param {boolean} embedded @returns {() => Promise<Place>} */
+/** Finds the frame with the drawing, because frames come and go. @param {Page} page @param {boolean} embedded @returns {() => Promise<Place>} */
 function placeOf(page, embedded) {
     return async () => {
         if (!embedded) return { page, frame: page.mainFrame() };
         const end = Date.now() + ANSWER;
         for (;;) {
             const frame = page.frames().find((each) => each.url().includes('embed.html') && !each.isDetached());
-            // It listens once it has a theme and a state.
+            // The frame accepts messages once it has a theme and a state.
             const there = await frame?.evaluate(() => document.readyState === 'complete' && document.title !== '').catch(() => false);
             if (frame && there) return { page, frame };
             if (Date.now() > end) throw new Fault('the frame of the drawing is not there');
@@ -98,7 +98,7 @@ function placeOf(page, embedded) {
 async function act({ seed, actions, until, log, dice }, place, kinds, wrong, check) {
     const weights = kinds.reduce((sum, { weight }) => sum + weight, 0);
     for (let at = 0; at < actions && Date.now() < until; at++) {
-        // Its own dice for each action: what one finds on the page changes nothing about the next.
+        // Each action has its own random numbers, so that an action does not influence the next one.
         const roll = dice(seed * 1009 + at);
         let left = roll() * weights;
         const kind = kinds.find(({ weight }) => (left -= weight) < 0) ?? kinds[0];
@@ -114,7 +114,7 @@ async function act({ seed, actions, until, log, dice }, place, kinds, wrong, che
     }
 }
 
-/** A page that is loaded anew in the middle of an action is no fault. @param {import('./actions.mjs').Action} kind @param {Place} where @param {Roll} roll */
+/** Runs an action. A page that reloads meanwhile is no fault. @param {import('./actions.mjs').Action} kind @param {Place} where @param {Roll} roll */
 async function attempt(kind, where, roll) {
     try {
         return await kind.act(where, roll);
@@ -124,7 +124,7 @@ async function attempt(kind, where, roll) {
     }
 }
 
-/** The page must answer; it tells its long tasks. @param {() => Promise<Place>} place @param {import('./log.mjs').Log} log */
+/** Checks that the page answers, and collects its long tasks. @param {() => Promise<Place>} place @param {import('./log.mjs').Log} log */
 async function settled(place, log) {
     const { frame } = await place();
     log.long(await within(frame.evaluate(longTasks).catch(() => []), ANSWER, 'the page answers'));
@@ -137,7 +137,7 @@ async function compare(place, fresh, address, embedded) {
         await compareTexts(place.frame, `${address}embed.html${link}`);
         return comparePicture(place, fresh, `${address}embed.html${link}`);
     }
-    // What was dropped on the page may be opened as late as this.
+    // A dropped file may be opened this late.
     for (;;) {
         await written(place);
         const link = place.page.url();
@@ -149,7 +149,7 @@ async function compare(place, fresh, address, embedded) {
     }
 }
 
-/** The address is written a little after the last change: what is lost stays lost. @param {Place} place */
+/** The address is written with a delay: a wrong address must become right in time. @param {Place} place */
 async function written({ page, frame }) {
     const end = Date.now() + WRITTEN;
     for (;;) {
@@ -162,7 +162,7 @@ async function written({ page, frame }) {
     }
 }
 
-/** Whatever goes wrong, as it comes; files are chosen, windows closed and downloads forgotten. @param {Page} page @param {Roll} roll */
+/** Collects errors of the page; handles file choosers, new windows and downloads. @param {Page} page @param {Roll} roll */
 function listen(page, roll) {
     /** @type {string[]} */
     const wrong = [];

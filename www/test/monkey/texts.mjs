@@ -1,4 +1,4 @@
-/** What the monkey types, opens and drops. */
+/** Texts and files that the monkey types, opens and drops. */
 
 import { deflateSync } from 'node:zlib';
 import { writeLink } from '../../js/link.js';
@@ -30,11 +30,11 @@ export const SYSTEMS = [
 
 const PRODUCTIONS = ['F -> FF', 'F -> F[+F]F[-F]F', 'X -> F[+X]F[-X]+X', 'A(l) : l > 0.1 -> F(l)A(l*0.9)', 'A < B > C -> D', 'ignore: +-', 'r = 0.9', 'draw: A -> F', '// words', 'F -> F : 0.5', 'F -> *', 'p1: F → F+F', '`->` -> F'];
 const BROKEN = ['F ->', '-> F', 'F', 'F -> F[', 'F -> ]F', 'A( -> F', 'A(l) : l > -> F', 'r = ', 'F -> F : x', 'F -> F : -1', '] -> [', 'ignore:', 'draw:', 'F -> F(1,', '`', 'A(x,x) -> F', 'r = r', 'F -> F(1/0)'];
-/** Characters that look like those of the notation, and others that editors get wrong. */
+/** Characters that look like characters of the notation, and others that editors often mishandle. */
 const LOOKALIKES = ['F −> F＋F', 'Ｆ -> FF', 'F ⟶ F+F', '“F” -> ‘F’', 'F – F', 'F\u00a0->\u00a0F', 'F\u200b -> F\u200dF', '\ufeffF -> F', 'А -> F', '[+F] ⇒ F', '\u202eF -> F\u202c', '🌿 -> F🌿', 'é -> é', 'F\t->\tF\r\nX -> F\r'];
 const JUNK = [...SCRIPTS, '{"initial": "F"}', 'https://example.org/#v=1', '%00%ff', '\u0001\u001b[2J', '((((((((((((((', '[[[[[[[[[[[[', ']]]]', '1e999', '::::', '\n\n\n\n', ' ', ''];
 
-/** A text for rules, be it right or wrong. @param {Roll} roll @returns {string} */
+/** A text for rules, valid or not. @param {Roll} roll @returns {string} */
 export function rulesText(roll) {
     const kind = roll();
     const lines = (/** @type {readonly string[]} */ from, /** @type {number} */ most) => Array.from({ length: 1 + whole(roll, most) }, () => pick(roll, from)).join('\n');
@@ -61,19 +61,19 @@ export function overridesText(roll) {
     return pick(roll, ['G: move', 'A: draw 10', 'B: turn left 90, draw', 'F: draw\nX: draw 2', 'F:', ': draw', 'F: fly', 'F: draw\n'.repeat(500), 'é: draw', ...JUNK]);
 }
 
-/** Texts near and beyond what a field holds. @param {Roll} roll */
+/** Texts near and beyond the maximum length of a field. @param {Roll} roll */
 function longText(roll) {
     const line = pick(roll, ['F -> FF', '// words of a comment that is long', 'X -> F[+X]F[-X]+X', 'F -> F+F : 1', 'junk junk junk']);
     return `${line}\n`.repeat(1 + whole(roll, Math.ceil(60_000 / line.length)));
 }
 
-/** What somebody may type into a number field. @param {Roll} roll */
+/** A text for a number field. @param {Roll} roll */
 export function numberText(roll) {
     const number = () => String(Math.round((roll() - 0.3) * 10 ** whole(roll, 6)) / pick(roll, [1, 10, 1000]));
     return roll() < 0.5 ? number() : pick(roll, ['', '0', '1', '-1', '90', '25,7', '−5', '1e3', '1e999', '-', '.', '5.', 'x', '٣', '1 000', '0x10', '60°', '3 steps', '50 %', '10^12', '9'.repeat(60), 'NaN', 'Infinity', '1e-12']);
 }
 
-/** The part of an address behind `#`: a healthy link, a random state, or a hostile one. @param {Roll} roll @returns {string} */
+/** A hash: a valid link, a random state, or a hostile link. @param {Roll} roll @returns {string} */
 export function hash(roll) {
     const kind = roll();
     if (kind < 0.6) return writeLink(clean(pick(roll, SYSTEMS)));

@@ -6,7 +6,7 @@ import { dice } from './random.mjs';
 
 /** @typedef {import('../../js/state.js').Camera} Camera */
 
-/** Where a point, in fitted extents, is seen without perspective: CSS pixels right of and above the middle. @param {Camera} camera @param {number[]} point */
+/** Projects a point, in fitted extents, without perspective: CSS pixels right of and above the middle. @param {Camera} camera @param {number[]} point */
 function seen(camera, point, scale = 700) {
     const away = [camera.x, camera.y, camera.z].map((c, i) => Number(point[i]) - c);
     return axes(camera).slice(0, 2).map((axis) => scale * camera.zoom * axis.reduce((sum, c, i) => sum + c * Number(away[i]), 0));
@@ -21,7 +21,7 @@ const random = (roll) => ({ azimuth: short(roll() * 360 - 180), elevation: short
 /** @param {number[]} a @param {number[]} b @param {number} within */
 const near = (a, b, within) => a.forEach((value, i) => assert.ok(Math.abs(value - Number(b[i])) <= within, `${a} is not ${b}`));
 
-test('axes are at right angles, and up is never below the level', () => {
+test('axes are orthogonal, and up never points below the horizon', () => {
     const roll = dice(1);
     near(axes({ ...FRONT, azimuth: 0, elevation: 0 }).flat(), [1, 0, 0, 0, 1, 0, 0, 0, 1], 1e-12);
     near(axes({ ...FRONT, azimuth: 90, elevation: 0 })[2], [1, 0, 0], 1e-12);
@@ -33,7 +33,7 @@ test('axes are at right angles, and up is never below the level', () => {
     }
 });
 
-test('what is slid goes with the pointer, and a zoom keeps the point under it', () => {
+test('a slide follows the pointer, and a zoom keeps the point under the pointer', () => {
     const roll = dice(2);
     for (let round = 0; round < 200; round++) {
         const camera = random(roll);
@@ -44,14 +44,14 @@ test('what is slid goes with the pointer, and a zoom keeps the point under it', 
     }
 });
 
-test('a drag to the right shows what was on the left; the poles are as far as it goes', () => {
+test('a drag to the right turns the drawing right, and a drag stops at the poles', () => {
     assert.ok(orbit(FRONT, 10, 0).azimuth < FRONT.azimuth);
     assert.ok(orbit(FRONT, 0, 10).elevation > FRONT.elevation);
     assert.equal(orbit(FRONT, 0, 1e6).elevation, 90);
     assert.equal(turned(FRONT, 190, 0).azimuth, -170);
 });
 
-test('on the way round the shorter way is taken, and both ends are reached', () => {
+test('interpolation takes the shorter way round and reaches both ends', () => {
     const roll = dice(3);
     const [from, to] = [turned(FRONT, 170, 0), turned(FRONT, -170, 0)];
     assert.equal(Math.abs(midway(from, to, 0.5).azimuth), 180);
@@ -64,13 +64,13 @@ test('on the way round the shorter way is taken, and both ends are reached', () 
     assert.ok(isWhole(whole(random(roll))) && !isWhole(zoomed(FRONT, 2, 0, 0, 700)));
 });
 
-test('a camera of unknown origin is valid or none', () => {
+test('an untrusted camera becomes valid or null', () => {
     assert.deepEqual(clean({ camera: FRONT }).camera, FRONT);
     assert.deepEqual(clean({ camera: { ...FRONT, elevation: 500, zoom: 1e99, fade: 7 } }).camera, { ...FRONT, elevation: 90, zoom: 1e4, fade: 1 });
     for (const nonsense of [1, 'x', {}, { ...FRONT, azimuth: NaN }, { ...FRONT, perspective: 1 }]) assert.equal(clean({ camera: nonsense }).camera, null);
 });
 
-test('with perspective what is nearer to the eye lies farther from the middle', () => {
+test('with perspective, points nearer to the eye are projected farther from the middle', () => {
     const roll = dice(5);
     near(projected({ ...FRONT, azimuth: 0, elevation: 0 }, [0.1, 0.2, 0], 700), [70, -140], 1e-9);
     // Half-way to the eye, which is two fitted extents from the target, everything is twice as large.
@@ -88,7 +88,7 @@ test('with perspective what is nearer to the eye lies farther from the middle', 
     }
 });
 
-test('however often it is turned, its angles stay short', () => {
+test('after many turns the angles have few digits', () => {
     let camera = { ...FRONT, azimuth: 30, elevation: 20 };
     for (let round = 0; round < 1000; round++) camera = orbit(camera, 0.3, round % 2 ? 0.7 : -0.7);
     near([camera.azimuth, camera.elevation], [30 - 120, 20], 1e-3);

@@ -7,7 +7,7 @@ import { DEFAULTS, clean } from '../../js/state.js';
 import { ATTRIBUTES } from '../../js/tables.js';
 import { dice, randomState } from './random.mjs';
 
-test('options stand in the address beside the system', () => {
+test('options are read from the address beside the system', () => {
     const none = { controls: [], theme: null, host: null };
     assert.deepEqual(readOptions(''), none);
     assert.deepEqual(readOptions('#v=1&axiom=controls&rules=theme'), none);
@@ -19,25 +19,25 @@ test('options stand in the address beside the system', () => {
     }
 });
 
-test('controls are known by name, in any order and case', () => {
+test('controls are read in any order and case', () => {
     assert.deepEqual(readControls('Play  string,N'), ['n', 'string', 'play']);
     assert.deepEqual(readControls('all'), CONTROLS);
     assert.deepEqual(readControls('all-of-them'), []);
 });
 
-test('values carry a state whole, and come back the same', () => {
+test('values contain the whole state and read back the same', () => {
     for (let seed = 1; seed <= 200; seed++) {
         const state = randomState(dice(seed));
         const { fields, problems } = fieldsOf(structuredClone(valuesOf(state)));
         assert.deepEqual(problems, []);
         assert.deepEqual(clean({ ...DEFAULTS, ...fields }), state);
-        // As attributes give them, in strings.
+        // Attributes give strings.
         const strings = Object.fromEntries(KEYS.filter(([, field]) => state[field] !== null).map(([key, field, form]) => [key, form.write(state[field])]));
         assert.deepEqual(clean({ ...DEFAULTS, ...fieldsOf(strings).fields }), state);
     }
 });
 
-test('what is no value is told and left out', () => {
+test('invalid values are reported and ignored', () => {
     const { fields, problems } = fieldsOf({ n: 3, angle: 'wide', palette: ['red'], view: {}, colour: 'level', nothing: 1, toString: 2 });
     assert.deepEqual(fields, { iterations: 3, colourBy: 'level' });
     for (const key of ['angle', 'palette', 'view', 'nothing', 'toString']) assert.ok(problems.some((words) => words.includes(`“${key}”`)), key);

@@ -10,7 +10,7 @@ const LOOK = { canvas: { width: 8, height: 8, ratio: 1 }, view: FITTED, camera: 
 /** @param {number} angle */
 const system = (angle) => ({ ...definitionOf(DEFAULTS), angle });
 
-/** The engine's states with a worker that only takes messages. @param {(states: ReturnType<typeof statesOf>) => void} use */
+/** The engine's states with a fake worker that only receives messages. @param {(states: ReturnType<typeof statesOf>) => void} use */
 function withStates(use) {
     const global = /** @type {any} */ (globalThis);
     global.window = globalThis;
@@ -25,7 +25,7 @@ function withStates(use) {
 
 function statesOf() {
     let id = 0;
-    /** @type {(import('../../js/protocol.js').Define | import('../../js/protocol.js').Sight)[]} */
+    /** @type {(import('../../js/protocol.js').Define | import('../../js/protocol.js').ViewMessage)[]} */
     const posted = [];
     /** @type {[number | undefined, boolean][]} */
     const doubts = [];
@@ -46,7 +46,7 @@ function statesOf() {
     return { newest, outbox, fallback, define, angles, at, doubts };
 }
 
-test('two states are sent, then only the newest of those that follow', () =>
+test('two states are sent, then only the newest waits', () =>
     withStates(({ newest, outbox, define, angles, at }) => {
         for (const angle of [1, 2, 3, 4]) define(angle);
         assert.deepEqual(angles(), [1, 2]);
@@ -58,7 +58,7 @@ test('two states are sent, then only the newest of those that follow', () =>
         assert.ok(!newest.waits && !outbox.owes);
     }));
 
-test('states that take long are waited for no longer', () =>
+test('the newest state is sent after a while without a picture', () =>
     withStates(({ define, angles }) => {
         for (const angle of [1, 2, 3]) define(angle);
         assert.deepEqual(angles(), [1, 2]);
@@ -66,7 +66,7 @@ test('states that take long are waited for no longer', () =>
         assert.deepEqual(angles(), [1, 2, 3]);
     }));
 
-test('a state that stops the worker gives way to the last good one, and is asked for again by nobody', () =>
+test('a state that stops the worker is replaced by the last good state and not sent again', () =>
     withStates(({ newest, outbox, fallback, define, angles, at, doubts }) => {
         define(1);
         outbox.ended({ id: at().define, viewId: at().view });
@@ -86,7 +86,7 @@ test('a state that stops the worker gives way to the last good one, and is asked
         assert.ok(!fallback.gaveUp);
     }));
 
-test('a fresh worker first gets what is shown where something newer waits', () =>
+test('a fresh worker first gets the shown state if a newer state waits', () =>
     withStates(({ newest, outbox, fallback, define, angles, at }) => {
         define(1);
         outbox.ended({ id: at().define, viewId: at().view });

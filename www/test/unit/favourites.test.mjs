@@ -8,7 +8,7 @@ import { dice, randomState } from './random.mjs';
 
 const ROUNDS = Math.min(2000, Number(process.env.LSYSTEM_CASES ?? 100));
 
-test('favourites come back from their file, and are not added twice', async () => {
+test('favourites are read back from their file and not added twice', async () => {
     const roll = dice(11);
     for (let round = 0; round < ROUNDS; round++) {
         const states = Array.from({ length: 1 + Math.floor(roll() * 5) }, () => randomState(roll));
@@ -23,7 +23,7 @@ test('favourites come back from their file, and are not added twice', async () =
     }
 });
 
-test('a favourite has a name, whatever it was given', () => {
+test('a favourite always has a name', () => {
     assert.equal(favourite(' \n ', clean({ title: 'Koch' })).name, 'Koch');
     assert.equal(favourite('', clean({})).name, 'Untitled system');
     assert.equal(favourite('x'.repeat(1000), clean({})).name.length, 120);
@@ -33,7 +33,7 @@ test('a favourite has a name, whatever it was given', () => {
     assert.deepEqual(rename(list, String(a?.id), ' '), list);
 });
 
-test('files by other hands: whole addresses and compressed links, damage and excess', async () => {
+test('files from elsewhere may have full addresses, compressed or damaged links, and too many entries', async () => {
     const state = clean({ axiom: 'F', rules: 'F -> F+F\n'.repeat(100) });
     const links = [`https://example.org/page/${await shortestLink(state)}`, '#v=1&axiom=F', 'axiom=F+F', '#v=1&angle=x', 'nothing', '', 7, null, '#v=1&z=eJzz'];
     const file = JSON.stringify({ favourites: [...links.map((link) => ({ name: 'x', link })), null, 7, 'text', {}, { link: '#axiom=G', name: 7 }] });
@@ -48,13 +48,13 @@ test('files by other hands: whole addresses and compressed links, damage and exc
     assert.ok(!isFavouritesFile('{"initial": "F", "notes": "l-systems favourites"}'));
 });
 
-test('what stands in the storage may be anything', () => {
+test('favourites are read from any stored value', () => {
     for (const value of [undefined, null, 7, 'text', {}, [null], [{}], [{ id: 1, name: 'a', link: '#' }]]) assert.deepEqual(readFavourites(value), []);
     const list = [favourite('A', clean({}))];
     assert.deepEqual(readFavourites(list), list);
 });
 
-test('a file with more than there is room to read is refused', async () => {
+test('a file with too many entries is refused', async () => {
     /** @param {number} count */
     const file = (count) => JSON.stringify({ format: 'l-systems favourites', version: 1, favourites: Array(count).fill({ name: 'a', link: '#v=1&rules=%' }) });
     await assert.rejects(readFile([], file(MOST_ENTRIES + 1)), /more than 10,000 entries/);

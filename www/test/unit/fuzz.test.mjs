@@ -1,4 +1,4 @@
-/** Whatever comes from outside is read without an exception, and what is kept of it is valid. */
+/** Random untrusted input never throws and gives valid values. */
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -20,11 +20,11 @@ import { dice, randomState } from './random.mjs';
 
 const ROUNDS = Number(process.env.LSYSTEM_CASES ?? 500);
 
-/** The longest texts, each of whose characters may be written as six, and the rest. */
+/** The maximum JSON size of a state: the longest texts with six characters per character, and the rest. */
 const LARGEST_STATE = 700_000;
 
 /**
- * A test of many cases: each has dice of its own, so that one that fails can be told.
+ * A test of many random cases. Each case has its own seed, so that a failure can be repeated.
  * @param {string} name
  * @param {(roll: Roll) => Promise<void> | void} check
  * @param {number} [rounds]
@@ -49,7 +49,7 @@ function isValid(link) {
     assert.ok(link.problems.join('').length < 5000);
 }
 
-fuzz('links: what can be read of one is valid, and is written so that it reads back', async (roll) => {
+fuzz('links: a read state is valid, and its link reads back the same', async (roll) => {
     const link = await openLink(junkLink(roll));
     isValid(link);
     if (!link) return;
@@ -58,7 +58,7 @@ fuzz('links: what can be read of one is valid, and is written so that it reads b
     }
 });
 
-fuzz('links: a state is the same after it was written and read, and so is any part of it', async (roll) => {
+fuzz('links: a state and its parts are the same after writing and reading', async (roll) => {
     const state = randomState(roll);
     const part = clean(Object.fromEntries(Object.entries(state).filter(() => roll() < 0.5)));
     assert.deepEqual(readLink(writeLink(part)), { state: part, problems: [] });
@@ -81,13 +81,13 @@ fuzz(
     Math.ceil(ROUNDS / 100),
 );
 
-fuzz('states: whatever is cleaned stays as it is when it is cleaned again', (roll) => {
+fuzz('states: cleaning twice equals cleaning once', (roll) => {
     const state = clean(roll() < 0.5 ? junkObject(roll) : { ...randomState(roll), ...junkObject(roll) });
     assert.deepEqual(clean(state), state);
     assert.deepEqual(Object.keys(state), Object.keys(DEFAULTS));
 });
 
-fuzz('sessions: a damaged list gives valid visits, at most as many as are kept', (roll) => {
+fuzz('sessions: a damaged list gives valid visits, up to the maximum', (roll) => {
     const list = keepSession([], 'a', randomState(roll), randomState(roll), 1);
     const given = pick(roll, [() => junk(roll), () => list.map((one) => ({ ...one, ...junkObject(roll) })), () => Array(whole(roll, 40)).fill(list[0])])();
     const read = readSessions(given);
@@ -99,21 +99,21 @@ fuzz('sessions: a damaged list gives valid visits, at most as many as are kept',
     assert.ok(keepSession(read, 'b', clean({}), clean({}), 2).length <= MOST_SESSIONS);
 });
 
-fuzz('storage: whatever stands in it, a visit begins with a valid state or with none', (roll) => {
+fuzz('storage: any stored value starts a visit with a valid state or none', (roll) => {
     const state = randomState(roll);
     const sessions = JSON.stringify(keepSession([], 'a', state, state, 1));
     const entry = (/** @type {string} */ whole) => pick(roll, [() => whole, () => damaged(roll, whole), () => json(junk(roll)), () => junkText(roll)])();
     const kept = new Map([['l-systems:sessions', entry(sessions)], ['l-systems:tab', entry('{"id":"a","hash":""}')], ['l-systems:suspects', entry('["a"]')]]);
     const area = /** @type {any} */ ({ length: kept.size, getItem: (/** @type {string} */ key) => kept.get(key) ?? null, setItem: () => {}, removeItem: () => {} });
-    const keeper = createStorage(() => area);
-    const session = createSession(keeper, createStorage(() => area));
+    const storage = createStorage(() => area);
+    const session = createSession(storage, createStorage(() => area));
     const begun = session.start(pick(roll, ['', '#v=1', writeLink(state)]), roll() < 0.5 ? null : state);
     if (begun) assert.deepEqual([clean(begun.state), clean(begun.origin)], [begun.state, begun.origin]);
     session.others().map(openSession);
-    readFavourites(keeper.read('sessions'));
+    readFavourites(storage.read('sessions'));
 });
 
-fuzz('favourites: a damaged file gives valid ones, and says so where it is too much', async (roll) => {
+fuzz('favourites: a damaged file gives valid favourites, or an error above a limit', async (roll) => {
     const list = Array.from({ length: whole(roll, 6) }, (_, at) => favourite(junkText(roll), at % 2 ? randomState(roll) : clean({ axiom: junkText(roll) })));
     const file = writeFile(list);
     const text = pick(roll, [() => damaged(roll, file), () => json({ favourites: junk(roll) }), () => json({ format: 'l-systems favourites', favourites: Array.from({ length: whole(roll, 20) }, () => ({ name: junk(roll, 1), link: pick(roll, [junkLink(roll), junk(roll, 1)]) })) })])();
@@ -136,7 +136,7 @@ fuzz('messages: values of any kind give valid fields', (roll) => {
     assert.ok(problems.every((words) => words.length < 200));
 });
 
-fuzz('options: of any address they are known controls, a theme or none, and an origin or none', (roll) => {
+fuzz('options: any address gives known controls, a theme or null, and an origin or null', (roll) => {
     const hash = pick(roll, [() => junkLink(roll), () => `#v=1&controls=${junkText(roll)}&theme=${junkText(roll)}&host=${junkText(roll)}`, () => damaged(roll, '#v=1&controls=all&theme=dark&host=https%3A%2F%2Fexample.org%3A8080')])();
     const { controls, theme, host } = readOptions(hash);
     assert.ok(controls.every((one) => CONTROLS.includes(one)));
@@ -145,7 +145,7 @@ fuzz('options: of any address they are known controls, a theme or none, and an o
     assert.ok(readControls(junkText(roll)).length <= CONTROLS.length);
 });
 
-fuzz('numbers: a field shows what it reads, and what is no number is none', (roll) => {
+fuzz('numbers: a written number reads back the same, and other text gives null', (roll) => {
     const value = (roll() - 0.5) * 10 ** (whole(roll, 60) - 30);
     assert.equal(readNumber(plain(value)), Number(value.toPrecision(12)));
     const read = readNumber(pick(roll, [() => junkText(roll), () => damaged(roll, plain(value)), () => `${plain(value)} °`])());
@@ -153,7 +153,7 @@ fuzz('numbers: a field shows what it reads, and what is no number is none', (rol
     assert.ok(!Number.isNaN(read));
 });
 
-/** As JSON where it can be. @param {any} value @returns {string} */
+/** A value as JSON, if possible. @param {any} value @returns {string} */
 function json(value) {
     return JSON.stringify(value, (_, each) => (typeof each === 'bigint' ? String(each) : each)) ?? '';
 }

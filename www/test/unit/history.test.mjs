@@ -1,40 +1,40 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { EMPTY, TOGETHER, record, redo, settle, undo } from '../../js/history.js';
+import { EMPTY, MERGE_MS, record, redo, settle, undo } from '../../js/history.js';
 import { FIELDS, clean, same } from '../../js/state.js';
 import { createStore } from '../../js/store.js';
 import { dice, randomState } from './random.mjs';
 
-test('quick changes by one control are one step, others are not', () => {
+test('quick changes by one control are one undo step, others are not', () => {
     const state = clean({ angle: 1 });
     let history = record(EMPTY, state, { angle: 2 }, 'angle', 0);
     history = record(history, clean({ angle: 2 }), { angle: 3 }, 'angle', 100);
     assert.equal(history.past.length, 1);
     assert.deepEqual(undo(history)?.patch, { angle: 1 });
-    history = record(history, clean({ angle: 3 }), { angle: 4 }, 'angle', 200 + TOGETHER);
-    history = record(history, clean({ angle: 4 }), { iterations: 5 }, 'iterations', 210 + TOGETHER);
+    history = record(history, clean({ angle: 3 }), { angle: 4 }, 'angle', 200 + MERGE_MS);
+    history = record(history, clean({ angle: 4 }), { iterations: 5 }, 'iterations', 210 + MERGE_MS);
     assert.equal(history.past.length, 3);
 });
 
-test('a drag is one step, however long it rests, until it is let go', () => {
+test('a drag is one undo step until it is released, even with pauses', () => {
     let history = record(EMPTY, clean({ angle: 1 }), { angle: 2 }, 'drag angle', 0);
-    history = record(history, clean({ angle: 2 }), { angle: 3 }, 'drag angle', 10 * TOGETHER);
+    history = record(history, clean({ angle: 2 }), { angle: 3 }, 'drag angle', 10 * MERGE_MS);
     assert.equal(history.past.length, 1);
-    history = record(settle(history), clean({ angle: 3 }), { angle: 4 }, 'drag angle', 10 * TOGETHER + 1);
+    history = record(settle(history), clean({ angle: 3 }), { angle: 4 }, 'drag angle', 10 * MERGE_MS + 1);
     assert.equal(history.past.length, 2);
     assert.deepEqual(undo(history)?.patch, { angle: 3 });
 });
 
-test('a control moved there and back leaves nothing to undo', () => {
+test('a control moved and moved back leaves nothing to undo', () => {
     let history = record(EMPTY, clean({ angle: 1 }), { angle: 2 }, 'angle', 0);
     history = record(history, clean({ angle: 2 }), { angle: 1 }, 'angle', 1);
     assert.equal(undo(history), null);
 });
 
-test('undo leaves the view where the reader has it, unless the change moved it', () => {
+test('undo keeps the view unless the change moved it', () => {
     const store = createStore(clean({ axiom: 'F' }));
     store.change({ angle: 30 }, 'angle');
-    store.look({ x: 1, y: 2, zoom: 3 });
+    store.setView({ x: 1, y: 2, zoom: 3 });
     store.undo();
     assert.equal(store.state.angle, 0);
     assert.deepEqual(store.state.view, { x: 1, y: 2, zoom: 3 });
@@ -45,7 +45,7 @@ test('undo leaves the view where the reader has it, unless the change moved it',
     assert.equal(store.state.axiom, 'F');
 });
 
-test('what Reset returns to goes back and forth with what was opened', () => {
+test('undo and redo of opening a system change what Reset returns to', () => {
     const store = createStore(clean({ axiom: 'F' }));
     const first = store.origin;
     store.change({ angle: 30 }, '');
@@ -62,7 +62,7 @@ test('what Reset returns to goes back and forth with what was opened', () => {
     assert.deepEqual(store.origin, clean({ axiom: 'G' }));
 });
 
-test('undo to the start and redo to the end walk the same states', () => {
+test('undo to the start and redo to the end pass the same states', () => {
     const roll = dice(7);
     for (let round = 0; round < 50; round++) {
         const store = createStore(randomState(roll));
@@ -87,7 +87,7 @@ test('undo to the start and redo to the end walk the same states', () => {
     }
 });
 
-test('a new change forgets what could be redone', () => {
+test('a new change clears the redo list', () => {
     const store = createStore(clean({}));
     store.change({ axiom: 'A' }, '');
     store.undo();

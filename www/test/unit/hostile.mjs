@@ -1,4 +1,4 @@
-/** Links that somebody damaged, or made to do harm; `keeps` is what a reader may keep of them. */
+/** Damaged and malicious links; `keeps` is the part of the state that survives. */
 
 import { deflateSync } from 'node:zlib';
 
@@ -10,14 +10,14 @@ const pack = (bytes, level = 9) => deflateSync(bytes, { level }).toString('base6
 const WHOLE = 'axiom=X&rules=X -> F[+X]F[-X]+X\nF -> FF&n=5&angle=25.7&palette=010203,040506&view=0.1,0.2,3';
 const PACKED = pack(WHOLE);
 
-/** Names that objects have from their prototypes, and other words that are no values. */
+/** Property names of object prototypes, and other special names. */
 const WORDS = ['__proto__', 'constructor', 'prototype', 'hasOwnProperty', 'toString', 'valueOf', 'undefined', 'null', 'NaN', 'true'];
 
 const HUGE = ['1e999', '-1e999', '9'.repeat(41), `${'1'.repeat(400_000)}x`, `1e${'9'.repeat(400_000)}`, `.${'0'.repeat(400_000)}1`, '-'.repeat(400_000)];
 
 const NO_NUMBERS = ['', ' ', 'abc', '0x10', '1_000', '1e', 'e5', '--5', '1 2', '٣', '½', '1,5', 'Infinity', '-Infinity', '[1]', '{"valueOf":1}', '1;alert(1)', '0b11', '1n'];
 
-/** Damage of UTF-8 and of percent signs. */
+/** Invalid UTF-8 and percent escapes. */
 const JUNK = ['%', '%2', '%zz', '%E0%A4%A', '%C0%AF', '%ED%A0%80', '%F4%90%80%80', '%80', '%FF%FE', '%u0041', 'F%', `${'%'.repeat(300_000)}`, `${'%F0%9F'.repeat(60_000)}`];
 
 /** @param {string} name @param {string} hash @param {object} [keeps] @returns {Hostile} */
@@ -91,7 +91,7 @@ export const DAMAGED = [
     }),
 ];
 
-/** Texts that would run if they were ever taken for anything but text. */
+/** Texts that would run if interpreted as markup or code. */
 export const SCRIPTS = [
     '<script>alert(1)</script>',
     '<img src=x onerror=alert(1)>',

@@ -1,4 +1,4 @@
-/** Values, texts and links that nobody would write: the same dice give the same ones. */
+/** Random invalid values, texts and links; equal seeds give equal results. */
 
 import { deflateSync } from 'node:zlib';
 import { KEYS, writeFields, writeLink } from '../../js/link.js';
@@ -16,7 +16,7 @@ export const whole = (roll, most) => Math.floor(roll() * most);
 const NAMES = ['__proto__', 'constructor', 'toString', 'id', 'name', 'link', 'origin', 'time', 'hash', 'favourites', 'format', 'lsystem', 'values', 'controls', 'v', 'z', ...KEYS.flatMap(([key, field]) => [key, field])];
 const PIECES = ['&', '=', '%', '%2', '%25', '%zz', '%FF', '%F0%9F%8C%BF', '#', '#v=1', '&v=1', '&v=9', '&z=', '&z=eJ', '+', ',', ',,,,', '-', '.', 'e', '1e999', '-1e-999', '0x1', 'NaN', 'Infinity', 'null', '\0', '\n', '\r\n', ' ', '\u202e', '\ud800', '\udc00', '🌿', '٣', '−', '"', '{', '}', '[', ']', ':', '\\', '\\u0000', ...SCRIPTS];
 
-/** A text of pieces that mean something somewhere. @param {Roll} roll @param {number} [most] pieces */
+/** A text of pieces with a special meaning somewhere. @param {Roll} roll @param {number} [most] pieces */
 export const junkText = (roll, most = 12) => Array.from({ length: whole(roll, most) }, () => (roll() < 0.6 ? pick(roll, PIECES) : roll() < 0.5 ? pick(roll, NAMES) : String.fromCharCode(whole(roll, 0x10000)))).join('');
 
 /** Any value that JSON or a message can carry. @param {Roll} roll @param {number} [depth] @returns {any} */
@@ -38,7 +38,7 @@ export function junkObject(roll, depth = 3) {
     return Object.fromEntries(entries);
 }
 
-/** A text that was damaged in a few places: cut, swapped, doubled, scribbled over. @param {Roll} roll @param {string} text @param {number} [most] */
+/** Damages a text in a few places by cutting, swapping, doubling and overwriting. @param {Roll} roll @param {string} text @param {number} [most] */
 export function damaged(roll, text, most = 4) {
     for (let times = 1 + whole(roll, most); times > 0; times--) {
         const [one, other] = [whole(roll, text.length + 1), whole(roll, text.length + 1)];
@@ -55,7 +55,7 @@ export function damaged(roll, text, most = 4) {
     return text;
 }
 
-/** The part of an address behind `#`: of a random state, damaged before or after it was compressed, or put together at random. @param {Roll} roll @returns {string} */
+/** A random hash: of a random state, damaged before or after compression, or assembled at random. @param {Roll} roll @returns {string} */
 export function junkLink(roll) {
     const kind = roll();
     const state = randomState(roll);

@@ -10,7 +10,7 @@ import { DAMAGED, SCRIPTS } from './hostile.mjs';
 import { dice, randomState } from './random.mjs';
 
 const ROUNDS = Number(process.env.LSYSTEM_CASES ?? 500);
-/** What a hostile link may take of memory. */
+/** The memory that a hostile link may use, in bytes. */
 const MOST_MEGABYTES = 64;
 
 /** @param {string} hash */
@@ -27,7 +27,7 @@ async function gives(hash, state) {
     assert.deepEqual(link?.state, state);
 }
 
-test('a link gives back the state it was made from, in both forms', async () => {
+test('a readable or compressed link reads back as the same state', async () => {
     const roll = dice(1);
     for (let round = 0; round < ROUNDS; round++) {
         const state = randomState(roll);
@@ -36,7 +36,7 @@ test('a link gives back the state it was made from, in both forms', async () => 
     }
 });
 
-test('long states are compressed, and the longest there is can be opened', async () => {
+test('long states are compressed, and the longest state can be opened', async () => {
     const short = clean({ axiom: 'F', rules: 'F -> F+F' });
     assert.equal(await bestLink(short), writeLink(short));
     const long = clean({ axiom: 'F', rules: 'F -> F[+F]F[-F]F & more, 100 % of it\n'.repeat(40) });
@@ -52,7 +52,7 @@ test('long states are compressed, and the longest there is can be opened', async
     }
 });
 
-test('without compression in the browser links are readable, and compressed ones are refused in words', async () => {
+test('without browser compression, links are readable, and compressed links are refused with a message', async () => {
     const { CompressionStream: compress, DecompressionStream: decompress } = globalThis;
     const long = clean({ axiom: 'F', rules: 'F -> F+F\n'.repeat(400) });
     const packed = await bestLink(long);
@@ -67,7 +67,7 @@ test('without compression in the browser links are readable, and compressed ones
     }
 });
 
-test('the writer leaves readable what may stay, and nothing else', () => {
+test('the writer escapes only the necessary characters', () => {
     const roll = dice(2);
     for (let round = 0; round < ROUNDS; round++) {
         assert.match(writeLink(randomState(roll)), /^#v=1(&[a-z]+=([\w.~!*',;:@/=+-]|%[0-9A-F]{2})*)*$/);
@@ -82,23 +82,23 @@ test('plus is plus, not a space', () => {
     assert.equal(open('#v=1&axiom=F=F').state.axiom, 'F=F');
 });
 
-test('a hash that holds no system is none of ours', () => {
+test('a hash without a system gives null', () => {
     for (const hash of ['', '#', '#drawing', '#a=b', '#&&&', '#=v']) assert.equal(readLink(hash), null, hash);
 });
 
-test('old links open as they did', async () => {
+test('old links open unchanged', async () => {
     const golden = JSON.parse(readFileSync(new URL('./links.json', import.meta.url), 'utf8'));
     assert.ok(golden.length >= 40);
     for (const { hash, state } of golden) {
         const link = await openLink(hash);
         assert.deepEqual(link?.state, { ...DEFAULTS, ...state }, hash);
         assert.deepEqual(link?.problems, [], hash);
-        // What is written today holds the same.
+        // The link written today has the same state.
         await gives(await bestLink(link.state), link.state);
     }
 });
 
-test('hostile links give a message and what is whole of them, in bounded time and memory', async (context) => {
+test('hostile links give a message and their valid parts, in bounded time and memory', async (context) => {
     assert.ok(DAMAGED.length >= 100);
     setFlagsFromString('--expose-gc');
     const collect = /** @type {() => void} */ (runInNewContext('gc'));
@@ -125,7 +125,7 @@ test('hostile links give a message and what is whole of them, in bounded time an
     assert.ok(Number(largest[0]?.megabytes) < MOST_MEGABYTES, largest[0]?.name);
 });
 
-test('texts of links stay texts', async () => {
+test('texts in links stay text', async () => {
     for (const script of SCRIPTS) {
         for (const hash of [`#v=1&axiom=${encodeURIComponent(script)}&title=${encodeURIComponent(script)}`, await shortestLink(clean({ axiom: script, title: script }))]) {
             await gives(hash, clean({ axiom: script, title: script }));
@@ -149,7 +149,7 @@ test('cut and scrambled links never fail', async () => {
     }
 });
 
-/** Bytes in use, on the heap and off it. */
+/** The memory in use, on and off the heap, in bytes. */
 function memory() {
     const { heapUsed, external, arrayBuffers } = process.memoryUsage();
     return heapUsed + external + arrayBuffers;

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 const root = new URL('../../', import.meta.url);
 const page = readFileSync(new URL('index.html', root), 'utf8');
 
-test('the page asks for nothing from elsewhere, and holds no script or style of its own', () => {
+test('the page loads nothing from other sites and has no inline script or style', () => {
     assert.doesNotMatch(page, /(src|href)="(https?:)?\/\//);
     assert.doesNotMatch(page, / style=| on[a-z]+=|<style/);
     for (const [, inside] of page.matchAll(/<script[^>]*>([^<]*)</g)) assert.equal(inside, '');
@@ -20,7 +20,7 @@ test('ids are unique, and labels and descriptions name elements that exist', () 
     }
 });
 
-test('the page sets HTML nowhere from data', () => {
+test('the page never sets HTML from data', () => {
     for (const name of readdirSync(new URL('js', root), { recursive: true, encoding: 'utf8' })) {
         if (!name.endsWith('.js')) continue;
         assert.doesNotMatch(readFileSync(new URL(`js/${name}`, root), 'utf8'), /innerHTML|outerHTML|insertAdjacentHTML|document\.write|eval\(|new Function/, name);

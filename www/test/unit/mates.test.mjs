@@ -2,10 +2,10 @@ import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
 import { createMates, matesOn } from '../../js/engine/mates.js';
 
-/** The smallest there is. */
+/** The smallest wasm module. */
 const WASM = new WebAssembly.Module(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]));
 
-test('there are no more mates than the machine has room for', () => {
+test('the number of mates depends on cores and memory', () => {
     assert.equal(matesOn({}), 0);
     assert.equal(matesOn({ hardwareConcurrency: 1 }), 0);
     assert.equal(matesOn({ hardwareConcurrency: 2 }), 1);
@@ -14,7 +14,7 @@ test('there are no more mates than the machine has room for', () => {
     assert.equal(matesOn({ hardwareConcurrency: 0, deviceMemory: 4 }), 0);
 });
 
-/** A page in which workers are only counted. @param {() => void} use @param {boolean} [refuses] */
+/** A page with fake workers. @param {() => void} use @param {boolean} [refuses] */
 function inPage(use, refuses = false) {
     const page = /** @type {any} */ (globalThis);
     const live = new Set();
@@ -43,7 +43,7 @@ function inPage(use, refuses = false) {
 /** @returns {Set<any>} */
 const live = () => /** @type {any} */ (globalThis).live;
 
-/** A worker that is told how many mates it has. */
+/** A fake worker that records its numbers of mates. */
 function master() {
     /** @type {number[]} */
     const told = [];
@@ -51,7 +51,7 @@ function master() {
     return { worker, told };
 }
 
-test('mates stay as long as they are of use, and go with their worker', () =>
+test('mates stay while pictures are slow and end with their worker', () =>
     inPage(() => {
         const mates = createMates(3);
         const [first, second] = [master(), master()];
@@ -75,7 +75,7 @@ test('mates stay as long as they are of use, and go with their worker', () =>
         assert.equal(live().size, 0);
     }));
 
-test('a mate that fails is gone, and a page without room for workers does without', () => {
+test('a failed mate is removed, and a page that may not start workers works without mates', () => {
     inPage(() => {
         const mates = createMates(2);
         mates.help(master().worker, WASM);

@@ -1,4 +1,4 @@
-/** The talk of an embedded drawing with its host, by messages that nobody should send. */
+/** Random messages from a host to an embedded drawing. */
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -11,7 +11,7 @@ import { dice, randomState } from './random.mjs';
 
 const ROUNDS = Number(process.env.LSYSTEM_CASES ?? 500);
 
-/** A message as a host may send it. @param {() => number} roll @param {number} id */
+/** A random message of a host. @param {() => number} roll @param {number} id */
 function message(roll, id) {
     return pick(roll, [
         () => junk(roll),
@@ -24,17 +24,17 @@ function message(roll, id) {
     ])();
 }
 
-test('messages of any kind leave a valid drawing that still answers', async (context) => {
+test('after any messages the drawing is valid and answers', async (context) => {
     /** @type {any[]} */
     const said = [];
     /** @type {(event: any) => void} */
     let hear = () => {};
     const holder = { postMessage: (/** @type {any} */ words) => void said.push(structuredClone(words)) };
     Object.assign(globalThis, { window: globalThis, parent: holder, addEventListener: (/** @type {string} */ _, /** @type {typeof hear} */ listener) => (hear = listener) });
-    const { talk } = await import('../../js/embed/messages.js');
+    const { connectHost } = await import('../../js/embed/messages.js');
     const store = createStore(clean({ axiom: 'F', rules: 'F -> F+F', iterations: 3 }));
-    talk(store, { host: null, offer: (controls) => assert.ok(controls.every((one) => CONTROLS.includes(one))), play: (on) => assert.equal(typeof on, 'boolean'), facts: () => ({ description: '', symbols: null, segments: null }) });
-    // An object without a form as text was an exception.
+    connectHost(store, { host: null, offer: (controls) => assert.ok(controls.every((one) => CONTROLS.includes(one))), play: (on) => assert.equal(typeof on, 'boolean'), facts: () => ({ description: '', symbols: null, segments: null }) });
+    // An object without a text form used to throw.
     for (const name of [{ toString: 7 }, [{ toString: 7 }]]) {
         hear({ source: holder, origin: 'null', data: { lsystem: name } });
         hear({ source: holder, origin: 'null', data: { lsystem: 'controls', controls: name } });
@@ -53,7 +53,7 @@ test('messages of any kind leave a valid drawing that still answers', async (con
             throw new Error(`message ${round}`, { cause: error });
         }
     }
-    // Others than the one that holds the frame are not heard.
+    // Messages of other windows than the host are ignored.
     said.length = 0;
     hear({ source: {}, origin: 'https://example.org', data: { lsystem: 'get', id: 'another' } });
     await new Promise((resolve) => setTimeout(resolve, 100));

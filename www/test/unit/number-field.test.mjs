@@ -1,4 +1,4 @@
-/** Number fields, by whatever somebody may write into them. */
+/** Number fields with random input. */
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -8,7 +8,7 @@ import { dice } from './random.mjs';
 
 const ROUNDS = Number(process.env.LSYSTEM_CASES ?? 500);
 
-/** As much of an input as a number field needs. */
+/** A fake input element for a number field. */
 class Field {
     id = 'field';
     value = '';
@@ -37,7 +37,7 @@ class Field {
 const page = { activeElement: null, createElement: () => ({ setAttribute() {}, append() {}, remove() {}, isConnected: false }) };
 Object.assign(globalThis, { document: page });
 
-/** What the state's fields allow. */
+/** The ranges of the state's fields. */
 const RANGES = [
     { low: 0, high: 1000, step: 1, whole: true },
     { low: 0, high: 2 ** 32 - 1, step: 1, whole: true },
@@ -49,7 +49,7 @@ const RANGES = [
 /** @param {() => number} roll */
 const text = (roll) => pick(roll, [() => junkText(roll, 6), () => String((roll() - 0.5) * 10 ** whole(roll, 30)), () => damaged(roll, String(roll() * 1000), 2), () => pick(roll, ['', ' ', '1e999', '-1e999', '9'.repeat(400), '25,7', '−5', '5.', '60°', '-0'])])();
 
-test('a number field gives only numbers within its range, and shows what it gave when it is left', (context) => {
+test('a number field gives only numbers within its range, and shows the last number when it loses focus', (context) => {
     for (let round = 0; round < ROUNDS; round++) {
         const roll = dice(round * 7919);
         const [range, optional] = [pick(roll, RANGES), roll() < 0.4];

@@ -1,9 +1,9 @@
-/** Random states for tests: the same seed gives the same ones. */
+/** Random states for tests; equal seeds give equal states. */
 
 import { clean } from '../../js/state.js';
 import { FIELDS } from '../../js/tables.js';
 
-/** A small generator of numbers in [0, 1) (mulberry32). @param {number} seed */
+/** A small generator of random numbers in [0, 1) (mulberry32). @param {number} seed */
 export function dice(seed) {
     let state = seed >>> 0;
     return () => {

@@ -8,7 +8,7 @@ import { dice } from './random.mjs';
 const LONG = 10n ** 30n;
 const page = (/** @type {bigint} */ rows, height = 200) => ({ rows, rowHeight: 20, height });
 
-test('a row that is out of sight comes into the middle, within the string', () => {
+test('a hidden row is scrolled to the middle, within the string', () => {
     const top = { row: 100n, offset: 5 };
     assert.equal(revealed(top, 104n, page(LONG)), top);
     assert.deepEqual(revealed(top, 100n, page(LONG)), { row: 95n, offset: 0 });
@@ -17,7 +17,7 @@ test('a row that is out of sight comes into the middle, within the string', () =
     assert.deepEqual(revealed(top, LONG - 1n, page(LONG)), lastTop(page(LONG)));
 });
 
-test('parts of a whole are exact at its ends and never leave it', () => {
+test('fractions are exact at both ends and stay within the whole', () => {
     for (const whole of [0n, 1n, 7n, LONG, REACH]) {
         assert.equal(portion(whole, 0), 0n);
         assert.equal(portion(whole, 1), whole);
@@ -31,7 +31,7 @@ test('parts of a whole are exact at its ends and never leave it', () => {
     assert.equal(within(-5n, 0n, 3n), 0n);
 });
 
-test('rows hold every symbol once', () => {
+test('rows contain every symbol once', () => {
     assert.deepEqual([0n, 1n, 10n, 11n].map((length) => rowsOf(length, 10)), [0n, 1n, 1n, 2n]);
     assert.equal(rowsOf(LONG, 60), LONG / 60n + 1n);
 });
@@ -45,7 +45,7 @@ test('scrolling by rows is exact at any depth', () => {
     assert.deepEqual(top, { row: rows / 2n, offset: 0 });
 });
 
-test('scrolling about never leaves the string', () => {
+test('random scrolling stays within the string', () => {
     const random = dice(5);
     for (let round = 0; round < 200; round++) {
         const rows = [3n, 10n, 11n, 500n, LONG][Math.floor(random() * 5)] ?? 0n;
@@ -57,7 +57,7 @@ test('scrolling about never leaves the string', () => {
             assert.ok(top.row >= 0n && top.offset >= 0 && top.offset < 20);
             assert.ok(top.row < last.row || (top.row === last.row && top.offset <= last.offset));
         }
-        // The last page shows the last row whole, at its lower edge.
+        // The lowest position shows the whole last row at the lower edge.
         if (last.row > 0n || last.offset > 0) assert.equal(Number(rows - last.row) * 20 - last.offset, height);
     }
 });
@@ -89,7 +89,7 @@ test('positions are read as people write them, counted from 1', () => {
     assert.equal(readPlace('7', 0n), 0n);
 });
 
-test('places and paces are shown short', () => {
+test('places and speeds are shown in short form', () => {
     assert.equal(marginText(0n), '1');
     assert.equal(marginText(1_234_566n), '1,234,567');
     assert.equal(marginText(LONG), '…000,001');
@@ -98,7 +98,7 @@ test('places and paces are shown short', () => {
     assert.equal(paceText(2.43e18), '2.4\u2009×\u200910¹⁸ a second');
 });
 
-test('where a symbol comes from is told as people say it', () => {
+test('the origin of a symbol is described in words', () => {
     /** @type {import('../../js/protocol.js').Link[]} */
     const chain = [
         { generation: 0, symbol: 'Y', index: '1', production: null, position: 1 },
@@ -127,7 +127,7 @@ test('modules are shown with their arguments, numbers to four digits', () => {
     assert.equal(birthOf([]), '');
 });
 
-test('one question is under way at a time, and only the newest waits', async () => {
+test('one question is asked at a time, and only the newest waits', async () => {
     /** @type {((value: number) => void)[]} */
     const open = [];
     /** @type {number[][]} */
@@ -147,7 +147,7 @@ test('one question is under way at a time, and only the newest waits', async () 
     assert.equal(open.length, 2);
 });
 
-test('what is drawn is told in words', () => {
+test('segments and polygons are described in words', () => {
     const stroke = { from: [0, 0], to: [0, 1], fittedFrom: [], fittedTo: [], heading: 90, level: 2, colour: -1 };
     assert.equal(strokeText(stroke), 'heading 90°, branch level 2, colour −1');
     assert.equal(strokeText({ ...stroke, heading: [0, 0.5, 1], level: 0, colour: 0 }), 'heading 0, 0.5, 1');

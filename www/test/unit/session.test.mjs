@@ -6,7 +6,7 @@ import { clean } from '../../js/state.js';
 import { createStorage } from '../../js/storage.js';
 import { dice, randomState } from './random.mjs';
 
-test('a visit comes back as it was, and Reset with it', () => {
+test('a visit is restored with its state and Reset', () => {
     const roll = dice(5);
     for (let round = 0; round < 50; round++) {
         const [state, origin] = [randomState(roll), randomState(roll)];
@@ -28,7 +28,7 @@ test('the newest visits are kept, each once', () => {
     assert.deepEqual(again.map(({ id }) => id).slice(0, 3), ['another', 'visit 19', 'visit 17']);
 });
 
-test('what stands in the storage may be anything', () => {
+test('visits are read from any stored value', () => {
     for (const value of [undefined, null, 7, 'text', {}, [null], [{}], [{ id: 'a', time: 'now', link: '#', origin: '#' }]]) assert.deepEqual(readSessions(value), []);
     assert.equal(openSession({ id: 'a', time: 0, link: 'no link', origin: '' }), null);
 });
@@ -50,13 +50,13 @@ function area(room = Infinity) {
     });
 }
 
-test('storage that is refused, full or scribbled over is no error', () => {
+test('refused, full or damaged storage is no error', () => {
     for (const refused of [() => { throw new DOMException('refused', 'SecurityError'); }, () => /** @type {any} */ (null)]) {
-        const keeper = createStorage(refused);
-        assert.equal(keeper.available, false);
-        assert.equal(keeper.write('a', 1), false);
-        assert.equal(keeper.read('a'), undefined);
-        assert.equal(createSession(keeper, keeper).start('', null), null);
+        const storage = createStorage(refused);
+        assert.equal(storage.available, false);
+        assert.equal(storage.write('a', 1), false);
+        assert.equal(storage.read('a'), undefined);
+        assert.equal(createSession(storage, storage).start('', null), null);
     }
     const small = createStorage(() => area(4));
     assert.ok(small.available);
@@ -69,15 +69,15 @@ test('storage that is refused, full or scribbled over is no error', () => {
 });
 
 test('states that stopped the drawing are remembered until they are drawn', () => {
-    const keeper = createStorage(() => area());
+    const storage = createStorage(() => area());
     const tab = createStorage(() => area());
     const [bad, good] = [clean({ axiom: 'FHANG' }), clean({ axiom: 'F' })];
     const viewed = { ...good, view: { x: 0, y: 0, zoom: 1e20 } };
-    const first = createSession(keeper, tab);
+    const first = createSession(storage, tab);
     assert.ok(!first.isSuspect(bad));
     first.suspect(bad, true, false);
     first.suspect(viewed, true, true);
-    const next = createSession(keeper, tab);
+    const next = createSession(storage, tab);
     for (const session of [first, next]) {
         assert.ok(session.isSuspect(bad));
         assert.ok(session.isSuspect({ ...bad, view: { x: 0, y: 0, zoom: 2 } }));
@@ -86,31 +86,31 @@ test('states that stopped the drawing are remembered until they are drawn', () =
     }
     next.suspect(bad, false, false);
     next.suspect(viewed, false, true);
-    assert.ok(!createSession(keeper, tab).isSuspect(bad));
-    assert.ok(!createSession(keeper, tab).isSuspect(viewed));
-    keeper.write('suspects', [7, null, 'x'.repeat(100), { a: 1 }]);
-    assert.ok(!createSession(keeper, tab).isSuspect(bad));
+    assert.ok(!createSession(storage, tab).isSuspect(bad));
+    assert.ok(!createSession(storage, tab).isSuspect(viewed));
+    storage.write('suspects', [7, null, 'x'.repeat(100), { a: 1 }]);
+    assert.ok(!createSession(storage, tab).isSuspect(bad));
 });
 
 test('a link typed after a change is what a quick reload shows', (t) => {
     const page = /** @type {any} */ (globalThis);
     t.after(() => ['location', 'window', 'addEventListener'].forEach((name) => delete page[name]));
-    // Timers never end: the reload is quicker.
+    // The timer never ends, because the reload is quicker.
     Object.assign(page, { location: { hash: '#v=1&axiom=F' }, window: { setTimeout: () => 1 }, addEventListener() {} });
-    const keeper = createStorage(() => area());
+    const storage = createStorage(() => area());
     const tab = createStorage(() => area());
     const [typed, linked] = [clean({ axiom: 'F', rules: 'F -> FF' }), clean({ axiom: 'A' })];
     let change = () => {};
     const store = { state: clean({ axiom: 'F' }), origin: clean({ axiom: 'F' }), subscribe: (/** @type {() => void} */ call) => void (change = call), open: (/** @type {any} */ state) => void (store.state = state) };
-    const session = createSession(keeper, tab);
+    const session = createSession(storage, tab);
     session.follow(/** @type {any} */ (store));
     store.state = typed;
     change();
     page.location.hash = '#v=1&axiom=A';
     session.visit(linked);
-    assert.equal(createSession(keeper, tab).start(page.location.hash, linked)?.state.axiom ?? 'A', 'A');
-    // What was typed before is not lost.
-    const [before] = createSession(keeper, tab).others();
+    assert.equal(createSession(storage, tab).start(page.location.hash, linked)?.state.axiom ?? 'A', 'A');
+    // The former text is not lost.
+    const [before] = createSession(storage, tab).others();
     assert.ok(before);
     assert.equal(openSession(before)?.state.rules, 'F -> FF');
 });

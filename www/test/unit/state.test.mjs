@@ -2,12 +2,12 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { DEFAULTS, FIELDS, clean, problemOf, sameSystem } from '../../js/state.js';
 
-test('defaults are valid and stand for themselves', () => {
+test('defaults are valid and unchanged by cleaning', () => {
     assert.deepEqual(clean({}), DEFAULTS);
     assert.deepEqual(clean(DEFAULTS), DEFAULTS);
 });
 
-test('what is out of range becomes the nearest valid value', () => {
+test('a value out of range becomes the nearest valid value', () => {
     const state = clean({ iterations: 1e9, seed: -5, step: 0, minWidth: 1e9, angle: 25.7, view: { x: 0, y: 9e99, zoom: 1e99 } });
     assert.equal(state.iterations, 1000);
     assert.equal(state.seed, 0);
@@ -19,7 +19,7 @@ test('what is out of range becomes the nearest valid value', () => {
     assert.ok(Object.is(clean({ heading: -0 }).heading, 0));
 });
 
-test('what is no value of its field leaves the base as it is', () => {
+test('an invalid value keeps the value of the base', () => {
     const base = clean({ axiom: 'F', palette: ['#112233'] });
     for (const nonsense of [null, undefined, {}, [], 'text', NaN, Infinity, () => 1, Symbol('x')]) {
         const wrong = Object.fromEntries(FIELDS.map((field) => [field, nonsense]));
@@ -33,7 +33,7 @@ test('what is no value of its field leaves the base as it is', () => {
     assert.equal(clean(JSON.parse('{"__proto__": {"axiom": "X"}}')).axiom, '');
 });
 
-test('what is out of range is told in words', () => {
+test('problems of values are described in words', () => {
     assert.equal(problemOf('iterations', 1001), 'must be a whole number from 0 to 1,000; the nearest value was taken');
     assert.equal(problemOf('iterations', 2.5), 'must be a whole number from 0 to 1,000; the nearest value was taken');
     assert.equal(problemOf('growth', 'half'), 'must be a number from 0 to 1; it was left out');
@@ -44,14 +44,14 @@ test('what is out of range is told in words', () => {
     }
 });
 
-test('texts are well formed, with plain line ends and a bound', () => {
+test('texts are well formed, with plain line ends and a maximum length', () => {
     assert.equal(clean({ rules: 'a\r\nb\rc' }).rules, 'a\nb\nc');
     assert.equal(clean({ axiom: 'F\ud800F' }).axiom, 'F\ufffdF');
     assert.equal(clean({ axiom: '🌿' }).axiom, '🌿');
     assert.ok(clean({ rules: 'x'.repeat(1e6) }).rules.length <= 50_000);
 });
 
-test('the view is no part of the system', () => {
+test('the view is not part of the system', () => {
     assert.ok(sameSystem(clean({ axiom: 'F' }), clean({ axiom: 'F', view: { x: 1, y: 1, zoom: 2 } })));
     assert.ok(!sameSystem(clean({ axiom: 'F' }), clean({ axiom: 'G' })));
 });

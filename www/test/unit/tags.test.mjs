@@ -13,7 +13,7 @@ test('systems have the tags of their kinds', () => {
     assert.equal(makingOf({ ...KOCH, blocks: 1 }), 'one part');
 });
 
-test('tags are chosen together, but not with what they exclude', () => {
+test('tags can be combined unless they exclude each other', () => {
     const chosen = choose(choose(new Set(), '2D'), 'stochastic');
     assert.deepEqual([...choose(chosen, '3D')], ['stochastic', '3D']);
     assert.deepEqual([...choose(chosen, '2D')], ['stochastic']);

@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { between, pan, placement, zoomAt } from '../../js/view.js';
 import { dice } from './random.mjs';
 
-/** Where a point, in fitted extents about the fitted centre, is seen: CSS pixels right of and below the canvas's centre. */
+/** Projects a point, in fitted extents from the fitted centre: CSS pixels right of and below the canvas's centre. */
 const seen = (/** @type {any} */ view, /** @type {number} */ scale, /** @type {number} */ x, /** @type {number} */ y) => [(x - view.x) * scale * view.zoom, (view.y - y) * scale * view.zoom];
 
 /** @param {number[]} a @param {number[]} b @param {number} within */
@@ -47,7 +47,7 @@ test('a drag is exact where a step is 10^-19 of the drawing', () => {
     assert.equal(pan({ x: 0.1, y: 0.1, zoom: 10 }, 1, 1, 700).fx, undefined);
 });
 
-test('an old picture is placed where its points are seen now', () => {
+test('an old picture is moved to where its points are in the new view', () => {
     const roll = dice(3);
     for (let round = 0; round < 200; round++) {
         const [then, now] = [randomView(roll), randomView(roll)];
@@ -57,7 +57,7 @@ test('an old picture is placed where its points are seen now', () => {
     }
 });
 
-test('a glide begins and ends where it should', () => {
+test('interpolation reaches both ends', () => {
     const [from, to] = [{ x: 0.2, y: -0.3, zoom: 500 }, { x: 0, y: 0, zoom: 1 }];
     near(Object.values(between(from, to, 0)), Object.values(from), 1e-9);
     near(Object.values(between(from, to, 1)), Object.values(to), 1e-9);

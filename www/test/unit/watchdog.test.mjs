@@ -4,7 +4,7 @@ import { Stopped, createQuestions } from '../../js/engine/questions.js';
 import { SILENCE, silenceAfter } from '../../js/engine/watchdog.js';
 import { DEFAULTS, definitionOf } from '../../js/state.js';
 
-test('silence is counted while the page is visible, and anew after sleep', () => {
+test('silence counts only while the page is visible and the machine awake', () => {
     let silent = 0;
     let beats = 0;
     while (silent < SILENCE) {
@@ -14,11 +14,11 @@ test('silence is counted while the page is visible, and anew after sleep', () =>
     assert.equal(beats, 10);
     assert.equal(silenceAfter(3600, 400, false), 0);
     assert.equal(silenceAfter(3600, 3_600_000, true), 0);
-    // A page that was busy for a while heard nothing for that long, whoever spoke.
+    // A busy page hears nothing meanwhile, so a late beat counts as at most two.
     assert.equal(silenceAfter(0, 3000, true), 500);
 });
 
-test('a fresh worker is asked what is open, and not what stopped the one before', async () => {
+test('a fresh worker gets the open questions, except the one that stopped the former worker', async () => {
     let lastId = 0;
     /** @type {number[]} */
     let put = [];
@@ -45,7 +45,7 @@ test('a fresh worker is asked what is open, and not what stopped the one before'
     assert.equal(questions.size, 0);
 });
 
-test('questions that stopped a worker are forbidden for that definition alone', () => {
+test('questions that stopped a worker are forbidden only for that definition', () => {
     const questions = createQuestions({ post: () => {}, nextId: () => 1 });
     const [one, other] = [definitionOf(DEFAULTS), definitionOf(DEFAULTS)];
     questions.forbid('pick', one);

@@ -2,13 +2,13 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { linesOf } from '../../js/controls/editor.js';
 import { stopsOf } from '../../js/controls/dial.js';
-import { outgrown, scaleAbout, writtenAs } from '../../js/controls/scale.js';
+import { needsNewScale, scaleAbout, writtenAs } from '../../js/controls/scale.js';
 import { even, nearest } from '../../js/controls/slider.js';
 import { grouped, plain, readNumber, short, shortText, zoomText } from '../../js/numerals.js';
-import { carried, spansOf } from '../../js/tint.js';
+import { carryOver, spansOf } from '../../js/tint.js';
 import { dice, randomState } from './random.mjs';
 
-test('counts are whole up to nine digits and shortened beyond', () => {
+test('counts are shown in full up to nine digits, and shortened beyond', () => {
     assert.equal(grouped('1234567'), '1,234,567');
     assert.deepEqual(short('999999999'), { mantissa: '999,999,999', exponent: null });
     assert.deepEqual(short('1234567890'), { mantissa: '1.23', exponent: 9 });
@@ -41,7 +41,7 @@ test('sliders find the nearest stop', () => {
     assert.equal(nearest([0, 1, 5, 10], 1e9), 3);
 });
 
-test('tints are the runs of the letters that have one', () => {
+test('runs of equal letters become tinted spans', () => {
     assert.deepEqual(spansOf('pp_mm__bt'), [
         { start: 0, end: 2, tint: 'predecessor' },
         { start: 3, end: 5, tint: 'mark' },
@@ -51,20 +51,20 @@ test('tints are the runs of the letters that have one', () => {
     assert.deepEqual(spansOf(''), []);
 });
 
-test('letters are carried along with an edit', () => {
-    assert.equal(carried('k_m_nnn', 'r = 0.9', 'r = 0.95'), 'k_m_nnnn');
-    assert.equal(carried('k_m_nnn', 'r = 0.9', 'r = 1'), 'k_m__');
-    assert.equal(carried('k_m_nnn', 'r = 0.9', 'r = 0.'), 'k_m_nn');
-    assert.equal(carried('k_m_n_k_m_n', 'r = 1\ns = 2', 'r = 13\ns = 2'), 'k_m_nn_k_m_n');
-    assert.equal(carried('', 'never read', 'new'), '___');
+test('an edit carries over the class letters', () => {
+    assert.equal(carryOver('k_m_nnn', 'r = 0.9', 'r = 0.95'), 'k_m_nnnn');
+    assert.equal(carryOver('k_m_nnn', 'r = 0.9', 'r = 1'), 'k_m__');
+    assert.equal(carryOver('k_m_nnn', 'r = 0.9', 'r = 0.'), 'k_m_nn');
+    assert.equal(carryOver('k_m_n_k_m_n', 'r = 1\ns = 2', 'r = 13\ns = 2'), 'k_m_nn_k_m_n');
+    assert.equal(carryOver('', 'never read', 'new'), '___');
     const roll = dice(11);
     for (let round = 0; round < 300; round++) {
         const [before, after] = [randomState(roll).rules, randomState(roll).rules];
-        assert.equal(carried('x'.repeat(before.length), before, after).length, after.length);
+        assert.equal(carryOver('x'.repeat(before.length), before, after).length, after.length);
     }
 });
 
-test('scales follow their value', () => {
+test('scales follow the value', () => {
     const ends = (/** @type {number} */ value) => [scaleAbout(value)[0], scaleAbout(value).at(-1)];
     assert.deepEqual(ends(0.9), [0, 1.8]);
     assert.deepEqual(ends(-0.9), [-1.8, 0]);
@@ -78,21 +78,21 @@ test('scales follow their value', () => {
         const stops = scaleAbout(value);
         assert.ok(stops.length >= 50 && stops.length <= 600, `${value}: ${stops.length}`);
         stops.forEach((stop, at) => assert.ok(at === 0 || stop > /** @type {number} */ (stops[at - 1]), String(value)));
-        assert.ok(!outgrown(stops, value), String(value));
+        assert.ok(!needsNewScale(stops, value), String(value));
         assert.ok(Math.abs(/** @type {number} */ (stops[nearest(stops, value)]) - value) <= Math.abs(value) / 50, String(value));
     }
     for (const value of [5e-324, 1e-300, Number.MAX_VALUE, -Number.MAX_VALUE]) assert.ok(scaleAbout(value).every(Number.isFinite), String(value));
-    assert.ok(outgrown(scaleAbout(1), 2) && outgrown(scaleAbout(1), -0.1) && outgrown(scaleAbout(1), 0.01) && !outgrown(scaleAbout(1), 0));
+    assert.ok(needsNewScale(scaleAbout(1), 2) && needsNewScale(scaleAbout(1), -0.1) && needsNewScale(scaleAbout(1), 0.01) && !needsNewScale(scaleAbout(1), 0));
 });
 
-test('numbers are written as those whose place they take', () => {
+test('numbers are written in the style of the numbers they replace', () => {
     assert.equal(writtenAs(0.85, '0.9'), '0.85');
     assert.equal(writtenAs(0.85, '.9'), '.85');
     assert.equal(writtenAs(-0.5, '−.9'), '-.5');
     assert.equal(writtenAs(12, '.9'), '12');
 });
 
-test('mistakes are cut at line ends, and one without width marks the symbol before it', () => {
+test('problems are cut at line ends, and a problem without width marks the symbol before it', () => {
     /** @param {string} text @param {number} start @param {number} end */
     const marked = (text, start, end) => linesOf(text, [{ field: 'rules', severity: 'error', message: '', hint: null, start, end }]).flatMap((line) => line.marks.map((mark) => line.text.slice(mark.start, mark.end)));
     assert.deepEqual(marked('ab\ncd', 1, 4), ['b\n', 'c']);

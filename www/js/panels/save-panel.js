@@ -1,4 +1,4 @@
-/** The title, links, files, and opening them again. */
+/** The Save section: title, link, files, and opening files. */
 
 import { toast } from '../announce.js';
 import { listProblems, placesIn } from '../controls/editor.js';
@@ -11,21 +11,21 @@ import { FORMATS } from '../tables.js';
 
 /** @typedef {import('../engine.js').Engine} Engine */
 
-/** Larger files with a system in JSON are not read, in bytes: its texts have at most 1 MiB, which may be escaped. */
+/** Larger JSON files are not read, in bytes: a system's texts have at most 1 MiB, and more when escaped. */
 const LARGEST_JSON = 4 << 20;
-/** Nor are larger pictures that carry a system. */
+/** Larger pictures are not read, in bytes. */
 const LARGEST_PICTURE = 64 << 20;
 
 /**
  * @param {import('../store.js').Store} store
  * @param {Engine} engine
  * @param {{address: () => Promise<string>, select: () => void, favourites: (text: string) => void, canvas: () => import('../protocol.js').Canvas}} page
- *   `select` shows the link for the reader to copy, `favourites` takes a file of them
+ *   `select` shows the link for the reader to copy, `favourites` imports a file of favourites
  */
-export function keepPanel(store, engine, page) {
+export function savePanel(store, engine, page) {
     const title = input('title');
     const showTitle = () => setValue(title, store.state.title || store.state.name);
-    // The name of a file it came from is no name for what has been given another.
+    // A new title replaces the name of the file.
     title.addEventListener('input', () => store.change({ title: title.value, name: '' }, 'title'));
     title.addEventListener('blur', () => store.settle());
     store.subscribe(showTitle);
@@ -66,12 +66,12 @@ export function keepPanel(store, engine, page) {
         const { blob, diagnostics } = await engine.export(format);
         if (!blob) {
             const first = diagnostics[0];
-            return toast(first ? `Not saved: ${[first.message, first.hint].filter(Boolean).join(' ')}` : 'Not saved: there is nothing to save.');
+            return toast(first ? `Not saved: ${[first.message, first.hint].filter(Boolean).join(' ')}` : 'Not saved: the file could not be made.');
         }
         const { ending, mime } = FORMATS[format];
         const [, form] = format.split('-');
         download(new Blob([blob], { type: mime }), `${name}${form ? `_${form}` : ''}.${ending}`);
-        // A compact picture may ask much of who shows it.
+        // A compact SVG may open slowly.
         if (diagnostics[0]) toast([diagnostics[0].message, diagnostics[0].hint].filter(Boolean).join(' '));
     }
 
@@ -80,23 +80,23 @@ export function keepPanel(store, engine, page) {
         const problems = html('file-problems');
         problems.replaceChildren();
         const json = /\.json$/i.test(file.name);
-        if (file.size > (json ? LARGEST_JSON : LARGEST_PICTURE)) return toast(`This file is too large: ${json ? 'a system has at most 4 MB' : 'a picture with its system has at most 64 MB'}.`);
+        if (file.size > (json ? LARGEST_JSON : LARGEST_PICTURE)) return toast(`This file is too large. ${json ? 'JSON files have at most 4 MB' : 'Pictures have at most 64 MB'}.`);
         try {
             if (json && file.size <= LARGEST_FILE) {
                 const text = await file.text();
                 if (isFavouritesFile(text)) return page.favourites(text);
             }
-            // The worker reads it, so that the page stays free.
+            // The worker reads the file, so that the page stays responsive.
             const { definition, diagnostics, text } = await engine.read(file);
             listProblems(problems, diagnostics, text ?? undefined);
             if (!definition) {
                 const mistake = diagnostics.find(({ severity }) => severity === 'error');
-                const words = [text !== null && mistake && `${placesIn(text)(mistake.start)}: `, mistake?.message ?? 'it holds no system'];
+                const words = [text !== null && mistake && `${placesIn(text)(mistake.start)}: `, mistake?.message ?? 'The file contains no system'];
                 return toast(`${file.name} could not be read. ${words.filter(Boolean).join('')}`);
             }
             const name = definition.name || file.name.replace(/\.(json|svg|png)$/i, '');
             store.open({ ...definition, name });
-            toast(`Opened ${file.name}${diagnostics.length > 0 ? ', with remarks: see Save' : ''}`);
+            toast(`Opened ${file.name}${diagnostics.length > 0 ? ', with warnings: see Save' : ''}`);
         } catch (error) {
             toast(`${file.name} could not be read: ${error instanceof Error ? error.message : error}`);
         }

@@ -1,12 +1,12 @@
-/** Sets of inks and paper to choose from. */
+/** Colour schemes: palettes with backgrounds. */
 
 /** @typedef {import('./state.js').State} State */
-/** @typedef {{name: string, palette: string[], background: string, holds?: boolean}} Ink `holds` goes on with the last colour, by level and generation */
+/** @typedef {{name: string, palette: string[], background: string, holds?: boolean}} Scheme `holds` repeats the last colour for deeper levels and later generations */
 
 import { DEFAULTS, same } from './state.js';
 
-/** @type {readonly Ink[]} */
-export const INKS = [
+/** @type {readonly Scheme[]} */
+export const SCHEMES = [
     { name: 'Fern', palette: [...DEFAULTS.palette], background: DEFAULTS.background },
     { name: 'Night garden', palette: ['#9fd3a4', '#d3dc8c', '#f0c36d', '#ee9b78', '#d88ab0'], background: '#101512' },
     { name: 'Sepia', palette: ['#4b3524', '#7a573a', '#a67c52', '#6b4a2f', '#8d6e4f'], background: '#f4ead6' },
@@ -20,32 +20,32 @@ export const INKS = [
     { name: 'Chalk', palette: ['#f1efe6'], background: '#25302b' },
 ];
 
-/** What a system looks like that says nothing of its look. @param {'light' | 'dark'} theme @returns {Ink} */
-export function houseInk(theme) {
-    return /** @type {Ink} */ (INKS[theme === 'dark' ? 1 : 0]);
+/** The theme's colour scheme for systems without own colours. @param {'light' | 'dark'} theme @returns {Scheme} */
+export function themeScheme(theme) {
+    return /** @type {Scheme} */ (SCHEMES[theme === 'dark' ? 1 : 0]);
 }
 
-/** What choosing an ink changes. @param {Ink} ink @returns {Pick<State, 'palette' | 'background' | 'paletteHolds'>} */
-export function wearing({ palette, background, holds = false }) {
+/** The fields that a scheme changes. @param {Scheme} scheme @returns {Pick<State, 'palette' | 'background' | 'paletteHolds'>} */
+export function schemePatch({ palette, background, holds = false }) {
     return { palette: [...palette], background, paletteHolds: holds };
 }
 
-/** @param {Pick<State, 'palette' | 'background'>} state @param {Pick<State, 'palette' | 'background'>} ink */
-export function hasInk(state, ink) {
-    return same(state.palette, ink.palette) && same(state.background, ink.background);
+/** @param {Pick<State, 'palette' | 'background'>} state @param {Pick<State, 'palette' | 'background'>} scheme */
+export function hasScheme(state, scheme) {
+    return same(state.palette, scheme.palette) && same(state.background, scheme.background);
 }
 
 /**
- * A definition that says nothing of its look, in the page's inks.
+ * Gives a definition with the default colours the theme's colours.
  * @param {import('./state.js').Definition} definition @param {'light' | 'dark'} theme
  */
-export function dressed(definition, theme) {
-    const { palette, background } = hasInk(definition, houseInk('light')) ? houseInk(theme) : definition;
+export function withThemeScheme(definition, theme) {
+    const { palette, background } = hasScheme(definition, themeScheme('light')) ? themeScheme(theme) : definition;
     return { ...definition, palette: [...palette], background };
 }
 
 /**
- * Whether a background asks for light marks upon it.
+ * Whether a background is so dark that marks on it must be light.
  * @param {string} colour `#rrggbb`
  */
 export function isDark(colour) {

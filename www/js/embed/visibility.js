@@ -1,13 +1,13 @@
-/** Whether the drawing can be seen: in a tab that is shown, and scrolled to. */
+/** Whether the drawing is visible: its tab is shown, and the drawing is scrolled into view. */
 
-/** It is drawn a little before it is scrolled to, where the browser lets a frame know. */
-const AHEAD = '200px';
+/** A drawing this near the view counts as visible, if the browser tells the frame. */
+const MARGIN = '200px';
 
 /**
  * @param {Element} element
  * @param {(seen: boolean) => void} changed
  */
-export function watchSight(element, changed) {
+export function watchVisibility(element, changed) {
     let near = false;
     let seen = false;
     function tell() {
@@ -19,7 +19,7 @@ export function watchSight(element, changed) {
             near = entries.at(-1)?.isIntersecting ?? near;
             tell();
         },
-        { rootMargin: AHEAD },
+        { rootMargin: MARGIN },
     ).observe(element);
     document.addEventListener('visibilitychange', tell);
 }

@@ -1,19 +1,19 @@
-/** Small pictures that are painted when they come into sight, on the cards of favourites and visits. */
+/** Thumbnails on the cards of favourites and visits, painted when they become visible. */
 
 import { definitionOf } from '../state.js';
 import { emptyThumb, paintThumb } from '../thumb.js';
 
 /** @typedef {import('../state.js').State} State */
 
-/** The side of a small picture, in CSS pixels. */
+/** The side of a thumbnail, in CSS pixels. */
 const SIDE = 168;
 
 /**
  * @param {import('../engine.js').Engine} engine
- * @param {Element} root what they scroll in
+ * @param {Element} root the scrolling element
  */
-export function createLateThumbs(engine, root) {
-    /** What is not painted yet. @type {Map<Element, State>} */
+export function createLazyThumbs(engine, root) {
+    /** The thumbnails that are not painted yet. @type {Map<Element, State>} */
     const unpainted = new Map();
     const seen = new IntersectionObserver(
         (entries) => {
@@ -30,7 +30,7 @@ export function createLateThumbs(engine, root) {
         try {
             await paintThumb(picture, engine, definitionOf(state), SIDE);
         } catch {
-            // The worker was replaced meanwhile; the picture comes when the dialog is next opened.
+            // The worker was replaced; the thumbnail is painted when the dialog is next opened.
         }
     }
 
