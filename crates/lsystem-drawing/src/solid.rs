@@ -1,4 +1,4 @@
-//! Space of three dimensions: frames are rotation matrices.
+//! Space of three dimensions: turns are rotation matrices.
 
 use crate::rotation::Axis;
 use crate::rotation::{Rotation, Vector, combine};
@@ -6,7 +6,7 @@ use crate::space::{Geometry, Tropism};
 use lsystem_syntax::Heading;
 
 /// Drawings in space: x to the right, y up, z towards the viewer. A turtle with the usual heading of 90 degrees starts
-/// with its heading up, its left along -x and its own up towards the viewer.
+/// with heading +y, left -x and up +z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Solid;
 

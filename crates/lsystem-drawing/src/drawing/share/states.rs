@@ -1,10 +1,10 @@
 //! Sharing blocks among modules with parameters.
 //!
-//! A module with the same parameters draws the same piece in the same number of steps, so pieces are made once for each
-//! state: letter, parameters, steps. Where lengths only ever scale together, states are equal up to the scale, and a
-//! figure has a few of them for each step; otherwise equal numbers are what brings states together. Where a piece looks to
-//! the vertical (`$`), that is part of its state as the turtle has it (ABOP figure 2.6 has 4,096 apices in step 12, and few
-//! ways in which the vertical lies).
+//! A module with the same parameters draws the same piece in the same number of steps, so each state (letter,
+//! parameters, steps) has one piece. If lengths scale together, states are equal up to a scale, and a figure has a few
+//! states for each step. Otherwise only equal numbers make equal states. If a piece uses the vertical (`$`), the
+//! direction of the vertical in the turtle's frame is part of the state: ABOP figure 2.6 has 4,096 apices in step 12,
+//! but few such directions.
 
 mod write;
 
@@ -28,16 +28,17 @@ use std::collections::HashMap;
 use std::sync::Arc;
 use write::Writing;
 
-/// The most states: some hundred bytes each. More of them than this hardly ever come together.
+/// The most states; each takes about 100 bytes. Systems with more states hardly ever repeat them.
 const STATES: usize = 1 << 16;
 
-/// Whether pieces depend on nothing but letters, parameters, the vertical and steps: no contexts, no chance, no cutting,
-/// nothing that bends towards directions of the model, no rewritten module or image that ends on another branch than it
-/// began on, and no polygon that is made by more than one production.
+/// Whether pieces depend only on letters, parameters, the vertical and steps. The system must have:
+/// - no contexts, no chance, no cutting and no tropism;
+/// - balanced branches in every rewritten module, successor and image;
+/// - every polygon within one successor or image.
 pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     let bends = |op: &Op<S>| matches!(op, Op::Bend(_));
     let (letters, ops) = (rules.by_letter.len(), |letter: usize| score.ops[letter].as_slice());
-    // Images stand for themselves, and rewritten modules for what they become.
+    // Rewritten modules and modules with images do not act in a word; their pieces and images are checked separately.
     let is_rewritten = |letter: usize| !rules.by_letter[letter].is_empty();
     let apart = |letter: usize| is_rewritten(letter) || !rules.images[letter].is_empty();
     let own = |letter: usize| if apart(letter) { &[] } else { ops(letter) };
@@ -68,35 +69,41 @@ pub(crate) struct States<S: Space> {
     rules: Arc<Rules>,
     keys: Keys,
     scales: Scales,
-    /// By letter, whether its pieces look to the vertical; none where nothing does.
+    /// By letter: whether its pieces use the vertical. Empty if no piece does.
     lookers: Vec<bool>,
     n: u32,
-    /// How many parts there may be.
+    /// The most parts.
     most: u64,
-    /// The axiom.
+    /// The axiom's range in `parts`.
     top: Range<u32>,
-    /// By derivation step: the states that are rewritten in it.
+    /// By derivation step: the states that the step rewrites.
     levels: Vec<Vec<State>>,
+    /// The modules of the axiom and of all successors.
     parts: Vec<Part>,
+    /// The arguments of all modules.
     arguments: Vec<f64>,
+    /// The number of states in all levels.
     states: usize,
-    /// Of the level in the making: the states of the next, and where those with some keys are.
+    /// The states of the next level.
     next: Vec<State>,
+    /// The indices in `next`, by key.
     met: HashMap<Keyed, u32>,
-    /// Whether there are too many states; no more of them are kept then.
+    /// Whether there are more than [`STATES`] states. Further states are not kept.
     is_crowded: bool,
-    /// What is done of the level in the making.
+    /// The number of states done in the present level.
     done: usize,
     /// The word whose parts are being found.
     planning: Option<Planning<S>>,
-    /// While pieces are made: those of the level below, and of this one.
+    /// The pieces of the level below and of the present level; `None` during planning.
     pieces: Option<[Vec<Counted<S>>; 2]>,
-    /// The piece that is being made.
+    /// The next piece, in the making.
     writing: Option<Box<Writing<S>>>,
+    /// A reusable buffer.
     deeds: Vec<Deed<S>>,
-    /// By letter, whether it shows anything, where that tells what goes on in another's place and does not grow.
+    /// By letter: whether it or an image draws, to find the module that continues another under growth. Empty without
+    /// growth.
     shows: Vec<bool>,
-    /// The words of the states; only where there are polygons, to find the symbol that opens one.
+    /// The words of the states, to find the symbol that opens a polygon; only in systems with polygons.
     words: Option<StateWords>,
 }
 
@@ -104,20 +111,20 @@ pub(crate) struct States<S: Space> {
 #[derive(Clone, Debug)]
 struct State {
     letter: LetterId,
-    /// The vertical in its frame, where it looks to that.
+    /// The vertical in the module's frame; 0 if its piece does not use the vertical.
     tilt: Tilt,
-    /// Where its arguments start.
+    /// The index of the first argument.
     argument: u32,
-    /// What it becomes.
+    /// The successor's range in [`States::parts`].
     parts: Range<u32>,
 }
 
 /// A module of a successor or of the axiom.
 #[derive(Clone, Copy, Debug)]
 enum Part {
-    /// It acts as it is; where its arguments start.
+    /// A module that is not rewritten: letter, and index of the first argument.
     Module(LetterId, u32),
-    /// It is rewritten, and this state of the next step, so many times as long.
+    /// A module that is rewritten: letter, index of the state in the next level, and scale of its lengths.
     State(LetterId, u32, f64),
 }
 
@@ -137,46 +144,48 @@ impl Part {
     }
 }
 
-/// What tells states apart: letter, the keys of the arguments, the vertical.
+/// The identity of a state in a level: letter, keys of the arguments, vertical.
 type Keyed = (LetterId, [u64; lsystem_syntax::MAX_PARAMETERS], Tilt);
 
 /// A word whose parts are being found.
 #[derive(Clone, Debug)]
 struct Planning<S: Space> {
     letters: Vec<LetterId>,
-    /// The letters done.
+    /// The number of letters done.
     done: usize,
-    /// Where the arguments of the next letter start.
+    /// The index of the next letter's first argument.
     argument: usize,
-    /// Where they must be computed yet: the letter that is rewritten and which of its rules does that, where the
-    /// arguments of that letter are, and which of the successor's comes next.
+    /// If the arguments are still to be computed: the predecessor, the index of its production, the range of its
+    /// arguments, and the index of the successor's next argument.
     made: Option<(LetterId, usize, Range<usize>, usize)>,
-    /// The first of the parts.
+    /// The index of the word's first part.
     first: u32,
-    /// The steps to go.
+    /// The number of derivation steps left.
     depth: u32,
+    /// The turtle's orientation after the letters done.
     course: Course<S>,
 }
 
-/// Images of more letters and deeds are not shared: there are more than can be held.
+/// The most letters and operations of an image in a shared drawing: one buffer holds all commands of an image.
 const IMAGE: usize = 2 * 4096;
 
-/// A state's piece, and how many symbols it is made of.
+/// A state's piece, and the number of symbols in its derivation.
 type Counted<S> = (Piece<S>, u128);
 
-/// What the turtle does one after the other.
+/// A command to the turtle.
 #[derive(Clone, Copy, Debug)]
 enum Deed<S: Space> {
     Op(Op<S>),
-    /// The index in the word of the module that the next deeds belong to; only where there are polygons.
+    /// The index in the word of the module of the next commands; only in systems with polygons.
     Place(u32),
-    /// The colour that tells when what follows was made.
+    /// The colour of the next commands, by generation.
     Date(ColourChange),
+    /// Place a piece, times a scale.
     Piece(Piece<S>, f64),
 }
 
 impl<S: Space> States<S> {
-    /// Ready to draw generation `n` from the axiom on.
+    /// Prepares to draw from the axiom on.
     pub(super) fn new(task: &Task<S>) -> Result<Self, Diagnostic> {
         let Task { rules, turtle, score, seed, n, limits } = task;
         let n = *n;
@@ -204,7 +213,7 @@ impl<S: Space> States<S> {
             shows: if score.growth < 1.0 { score.shows(rules) } else { vec![] },
             words: score.fills().then(StateWords::default),
         };
-        // The axiom's arguments are computed as everywhere.
+        // A rewriter computes the axiom's arguments.
         let started = lsystem_derive::Rewriter::new(rules.clone(), *seed, *limits);
         let started = started.map_err(|error| fault(rules, error, 0, limits, None))?;
         let word = started.word();
@@ -215,7 +224,7 @@ impl<S: Space> States<S> {
         Ok(new)
     }
 
-    /// The bytes that it takes.
+    /// The bytes that the work occupies, without the builder.
     pub(super) fn bytes(&self) -> u64 {
         let planning = self.planning.as_ref().map_or(0, |planning| bytes_of(&planning.letters));
         let writing = self.writing.as_ref().map_or(0, |writing| writing.bytes());
@@ -233,7 +242,7 @@ impl<S: Space> States<S> {
             + self.words.as_ref().map_or(0, StateWords::bytes)
     }
 
-    /// Works on until the meter is spent.
+    /// Continues until the meter is spent.
     pub(super) fn step(&mut self, task: &Task<S>, builder: &mut Builder<S>, meter: &mut Meter) -> Outcome<Made<S>> {
         let Task { turtle, score, limits, .. } = task;
         if self.pieces.is_none() {
@@ -264,7 +273,7 @@ impl<S: Space> States<S> {
             Ok(None) => self.writing = Some(writing),
             Ok(Some((piece, symbols))) if is_top => {
                 let symbols = u64::try_from(symbols).ok();
-                return Outcome::Ended(Made { root: piece.block, pieces: self.made_of(), symbols });
+                return Outcome::Ended(Made { root: piece.block, pieces: self.take_words(), symbols });
             }
             Ok(Some(made)) => {
                 if let Some([_, here]) = &mut self.pieces {
@@ -276,7 +285,7 @@ impl<S: Space> States<S> {
         Outcome::Paused
     }
 
-    /// Goes on to the level above.
+    /// Completes a level of pieces and continues with the level above.
     fn close_pieces(&mut self, meter: &mut Meter) {
         self.done = 0;
         let (Some(level), Some([below, here])) = (self.levels.pop(), &mut self.pieces) else { return };
@@ -292,14 +301,14 @@ impl<S: Space> States<S> {
         *below = core::mem::take(here);
     }
 
-    /// The words of all states, when all pieces are made.
-    fn made_of(&mut self) -> Pieces<S> {
+    /// Takes the words of all states, after all pieces are made.
+    fn take_words(&mut self) -> Pieces<S> {
         let axiom = self.top.clone();
         self.words.take().map_or(Pieces::None, |words| Pieces::States(StateWords { axiom, ..words }))
     }
 
-    /// For a piece of the last step, under growth: its one part that is not new, if any; all others are still growing. `None`
-    /// for every other piece.
+    /// For a piece of the last step, under growth: the one part that is fully grown, if any; all other parts still
+    /// grow. `None` for every other piece.
     fn young(&self, parts: Range<u32>, origin: &Origin, meter: &mut Meter) -> Option<Option<u32>> {
         let former = origin.former.filter(|_| !self.shows.is_empty() && origin.step == self.n)?;
         meter.charge(parts.len() as u64 / 4);
@@ -308,13 +317,13 @@ impl<S: Space> States<S> {
         Some(heir(former, letters, |letter| self.shows[usize::from(letter)]).map(|at| first + at as u32))
     }
 
-    /// Goes on with the plan.
+    /// Continues with the plan.
     fn plan(&mut self, with: (&Turtle, &Score<S>), limits: &Limits, meter: &mut Meter) -> Outcome<Made<S>> {
         let steps = self.levels.len() as u32;
         if self.planning.is_none() {
             meter.charge(1);
             let Some(state) = self.levels.last().and_then(|level| level.get(self.done)) else {
-                // All states of the axiom are in the first level.
+                // The present level is complete.
                 if steps >= self.n || self.next.is_empty() {
                     self.done = 0;
                     self.pieces = Some([vec![], vec![]]);
@@ -354,7 +363,7 @@ impl<S: Space> States<S> {
         Outcome::Paused
     }
 
-    /// What becomes of a letter whose arguments start at `from`, with `depth` steps to go.
+    /// The successor of a letter, ready for planning. The letter's arguments start at `from`; `depth` steps are left.
     fn planned(&self, letter: LetterId, from: usize, depth: u32, course: Course<S>) -> Planning<S> {
         let Self { rules, arguments, parts, .. } = self;
         let own = from..from + usize::from(rules.letters[usize::from(letter)].arity);
@@ -369,8 +378,8 @@ impl<S: Space> States<S> {
         Planning { letters, done: 0, argument, made, first, depth, course }
     }
 
-    /// Appends parts of the word that is being planned, until the meter is spent; an error where there are too many. Where
-    /// a number cannot be computed, what there is to say.
+    /// Appends parts of the word that is being planned, until the meter is spent. An error means too many parts. A
+    /// diagnostic means that a number is not finite.
     fn find(
         &mut self,
         (with, limits): ((&Turtle, &Score<S>), &Limits),
@@ -427,7 +436,7 @@ impl<S: Space> States<S> {
         if *depth == 0 || self.rules.by_letter[usize::from(letter)].is_empty() {
             if !self.lookers.is_empty() {
                 deeds.clear();
-                // What cannot be computed is told of when pieces are made.
+                // A number that is not finite is reported when the piece is made.
                 let _ = self.act(with, letter, *argument, deeds);
                 for deed in deeds {
                     if let Deed::Op(op) = deed {
@@ -444,7 +453,7 @@ impl<S: Space> States<S> {
         let looks = lookers.get(usize::from(letter)).is_some_and(|&looks| looks);
         let tilt = if looks { course.tilt() } else { Tilt::default() };
         let key = (letter, keys.of(letter, own, scales), tilt);
-        // Of those with equal keys the first in the order of the word stands for all.
+        // The first module with a key stands for all with the same key.
         let state = match met.get(&key) {
             Some(&state) => state,
             None if *states >= STATES => {
@@ -462,14 +471,14 @@ impl<S: Space> States<S> {
         Part::State(letter, state, scale)
     }
 
-    /// Begins a level with the states that were found.
+    /// Completes a level of the plan: the states found become the next level.
     fn close(&mut self) {
         self.met.clear();
         self.levels.push(core::mem::take(&mut self.next));
         self.done = 0;
     }
 
-    /// Appends what a module, or its image, does.
+    /// Appends the operations of a module or its image.
     fn act(
         &self,
         (turtle, score): (&Turtle, &Score<S>),

@@ -1,4 +1,4 @@
-//! Drawing letter by letter, where no two pieces need be alike.
+//! Drawing letter by letter, without shared pieces.
 
 use super::tally::Tally;
 use crate::drawing::block::{BlockId, Item, Space};
@@ -11,7 +11,7 @@ use crate::turtle::{Op, Pen, Score};
 use lsystem_derive::{LetterId, Next, Rules, Walk};
 use lsystem_syntax::{LimitName, Limits, Meter};
 
-/// What a derivation has cost so far.
+/// A walk through the last generation that counts symbols and segments.
 #[derive(Clone, Debug)]
 pub(crate) struct Census {
     walk: Walk,
@@ -19,13 +19,13 @@ pub(crate) struct Census {
     tally: Tally,
 }
 
-/// How far a derivation has been gone through.
+/// The outcome of a step of a walk.
 pub(super) enum Gone<T> {
-    /// The work allowed is done; there is more.
+    /// The budget is spent; there is more to do.
     Paused,
-    /// The whole derivation has been gone through.
+    /// The walk is at the end.
     Ended(T),
-    /// One segment or letter more would pass a limit.
+    /// The walk has exceeded a limit.
     Passed(LimitName),
 }
 
@@ -34,9 +34,8 @@ impl Census {
         Self { walk: Walk::new(n, seed), symbols: 0, tally: Tally::default() }
     }
 
-    /// Goes on until the meter is spent, handing the actions of each letter of the last generation to `act`, with its place
-    /// there; `act` says how much work that has been, and nothing where it
-    /// cannot go on.
+    /// Continues until the meter is spent. Hands the place and the operations of each letter of the last generation to
+    /// `act`. `act` returns the units of work, or `None` to pause.
     pub(super) fn step<S: Space>(
         &mut self,
         rules: &Rules,
@@ -86,10 +85,10 @@ pub(crate) struct Letters<S: Space> {
     saved: Vec<Pen<S>>,
     tree: Tree<S>,
     seed: u32,
-    /// The word that was asked about last (what it replaces, its address and length), and which of its letters goes on in
-    /// the place of what it replaces.
+    /// A cache for the last successor (predecessor, address, length): the index of the letter that continues the
+    /// predecessor.
     heir: Option<((LetterId, usize, usize), Option<usize>)>,
-    /// What a module does that is not like the others of its letter.
+    /// A reusable buffer for the operations of one module.
     own: Vec<Op<S>>,
 }
 
@@ -106,17 +105,17 @@ impl<S: Space> Letters<S> {
         }
     }
 
-    /// The symbols met so far.
+    /// The number of symbols read so far.
     pub(super) fn symbols(&self) -> u64 {
         self.census.symbols
     }
 
-    /// The bytes that it takes.
+    /// The bytes that the work occupies, without the builder.
     pub(super) fn bytes(&self) -> u64 {
         bytes_of(&self.saved) + self.tree.bytes()
     }
 
-    /// Goes on until the meter is spent.
+    /// Continues until the meter is spent.
     pub(super) fn step(
         &mut self,
         Task { rules, score, limits, .. }: &Task<S>,

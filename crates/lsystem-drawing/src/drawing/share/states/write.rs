@@ -1,4 +1,4 @@
-//! Pieces of modules with parameters: what the turtle does one after the other, drawn into a block.
+//! The making of a piece of modules with parameters: the turtle's commands become a block.
 
 use super::{Counted, Deed, Part, States};
 use crate::Turtle;
@@ -22,29 +22,32 @@ pub(super) struct Writing<S: Space> {
     origin: Origin,
     /// As [`States::young`].
     young: Option<Option<u32>>,
-    /// How many branches are open behind what is measured.
+    /// The number of open branches after the parts measured.
     level: i32,
-    /// The parts done: measured while there is no tree, then drawn.
+    /// The first part not yet done: parts are measured while `tree` is `None`, then drawn.
     done: u32,
+    /// The exponent of the piece's longest length so far.
     unit: Option<i32>,
+    /// The number of symbols in the parts measured.
     symbols: u128,
-    /// The part after those whose deeds are held; none where no deeds are.
+    /// The end of the parts whose commands are in the buffer; `None` if the buffer is not valid.
     held: Option<u32>,
-    /// How many of those deeds are drawn.
+    /// The number of these commands that are drawn.
     drawn: usize,
-    /// What the parts do at most, in items.
+    /// An upper bound on the number of items.
     weight: usize,
-    /// The index in the word of the module that is drawn; only where there are polygons.
+    /// The index in the word of the module that is drawn; only in systems with polygons.
     place: u32,
     pen: Pen<S>,
     saved: Vec<Pen<S>>,
     tree: Option<Tree<S>>,
 }
 
-/// Deeds of a piece that are held at a time, about.
+/// The number of commands after which the buffer takes no more parts.
 const HELD: usize = 4096;
+
 impl<S: Space> States<S> {
-    /// Goes on with a piece until the meter is spent; the piece when it is made.
+    /// Continues with a piece until the meter is spent. Returns the finished piece.
     pub(super) fn write(
         &mut self,
         writing: &mut Writing<S>,
@@ -82,7 +85,7 @@ impl<S: Space> States<S> {
             while let Some(deed) = deeds.get(writing.drawn).filter(|_| !meter.is_spent() && !builder.is_full) {
                 writing.draw(builder, deed, (&mut tree, unit, scale));
                 writing.drawn += 1;
-                // Hulls of the blocks that it completes are most of it.
+                // Most of the work is for hulls of blocks that the command completes.
                 meter.charge(2 + builder.take_work());
             }
             if writing.drawn < deeds.len() {
@@ -103,8 +106,7 @@ impl<S: Space> States<S> {
         Ok(None)
     }
 
-    /// Puts what the first of some parts do in the place of `deeds`: of as many as there is room for. Returns the part that
-    /// comes next.
+    /// Replaces `deeds` by the commands of the next parts, as many as there is room for. Returns the part after them.
     fn collect(
         &self,
         with: (&Turtle, &Score<S>),
@@ -123,7 +125,7 @@ impl<S: Space> States<S> {
                 Part::Module(letter, argument) => {
                     let before = deeds.len();
                     let acted = self.act(with, letter, argument as usize, deeds);
-                    // Images count as a step of their own.
+                    // An image counts as a step after generation `n`.
                     acted.map_err(|error| fault(&self.rules, error, self.n, &Limits::default(), None))?;
                     if writing.young.is_some_and(|heir| heir != Some(number)) {
                         deeds[before..].iter_mut().for_each(|deed| {
@@ -141,11 +143,12 @@ impl<S: Space> States<S> {
         Ok(writing.parts.end)
     }
 
+    /// The piece of a state of the level below.
     fn below(&self, state: u32) -> Option<&Counted<S>> {
         self.pieces.as_ref().and_then(|[below, _]| below.get(state as usize))
     }
 
-    /// How many symbols a part is made of.
+    /// The number of symbols in a part's derivation.
     fn symbols_of(&self, part: u32) -> u128 {
         match self.parts[part as usize] {
             Part::Module(..) => 1,
@@ -155,7 +158,7 @@ impl<S: Space> States<S> {
 }
 
 impl<S: Space> Writing<S> {
-    /// Of these parts; the turtle enters with this heading, in a frame with that vertical.
+    /// A piece of these parts. The turtle enters with `heading`, in a frame with `vertical`.
     pub(super) fn new(
         parts: Range<u32>,
         origin: Origin,
@@ -180,12 +183,12 @@ impl<S: Space> Writing<S> {
         }
     }
 
-    /// The bytes that it takes.
+    /// The bytes that the piece in the making occupies.
     pub(super) fn bytes(&self) -> u64 {
         bytes_of(&self.saved) + self.tree.as_ref().map_or(0, Tree::bytes)
     }
 
-    /// Looks how far some deeds go.
+    /// Measures the lengths and the number of some commands.
     fn measure(&mut self, builder: &Builder<S>, score: &Score<S>, deeds: &[Deed<S>]) {
         for deed in deeds {
             let unit = match deed {
