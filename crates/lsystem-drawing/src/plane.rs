@@ -54,7 +54,7 @@ impl Geometry for Plane {
         (c * factor, s * factor)
     }
 
-    fn lie(&(c, s): &(f64, f64), [x, y]: [f64; 2], [u, v]: [f64; 2]) -> [f64; 2] {
+    fn transform(&(c, s): &(f64, f64), [x, y]: [f64; 2], [u, v]: [f64; 2]) -> [f64; 2] {
         [x + (c * u - s * v), y + (s * u + c * v)]
     }
 

@@ -52,7 +52,7 @@ impl Geometry for Solid {
         axes.map(|axis| axis.map(|c| c * factor))
     }
 
-    fn lie(axes: &[Vector; 3], at: Vector, point: Vector) -> Vector {
+    fn transform(axes: &[Vector; 3], at: Vector, point: Vector) -> Vector {
         let by = combine(axes, point);
         [at[0] + by[0], at[1] + by[1], at[2] + by[2]]
     }

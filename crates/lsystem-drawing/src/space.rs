@@ -50,7 +50,7 @@ pub trait Geometry: Copy + Debug + PartialEq + 'static {
     fn scaled(axes: Self::Axes, factor: f64) -> Self::Axes;
 
     /// A point of the frame at `at` with these axes, in the coordinates of the outer frame.
-    fn lie(axes: &Self::Axes, at: Self::Point, point: Self::Point) -> Self::Point;
+    fn transform(axes: &Self::Axes, at: Self::Point, point: Self::Point) -> Self::Point;
 
     /// The point `length` ahead of `at`.
     fn ahead(axes: &Self::Axes, at: Self::Point, length: f64) -> Self::Point;

@@ -64,7 +64,7 @@ impl System {
             let opens = |symbol: char| actions.of(symbol).contains(&Action::OpenPolygon);
             opens(symbol) || drawn.iter().any(|module| opens(module.symbol))
         });
-        diagnostics.extend(doubts(&reading, &rules, &actions));
+        diagnostics.extend(warnings(&reading, &rules, &actions));
         let angle =
             |own: [Option<f64>; 2]| Heading::from_degrees(own.into_iter().flatten().next().unwrap_or(definition.angle));
         let Definition { right_angle, pitch_down, pitch_up, roll_left, roll_right, .. } = *definition;
@@ -201,7 +201,7 @@ impl Actions<'_> {
 }
 
 /// The warnings about a system without errors.
-fn doubts(reading: &Reading, rules: &Rules, actions: &Actions<'_>) -> Vec<Diagnostic> {
+fn warnings(reading: &Reading, rules: &Rules, actions: &Actions<'_>) -> Vec<Diagnostic> {
     let Reading { grammar, .. } = reading;
     let mut axiom_notes = Notes::new(Field::Axiom);
     let mut notes = Notes::new(Field::Rules);
@@ -232,7 +232,7 @@ fn doubts(reading: &Reading, rules: &Rules, actions: &Actions<'_>) -> Vec<Diagno
                     _ => {}
                 }
             }
-            if is_arrow(word, spans, at) && (is_second(word, at) || arrow_is_idle) {
+            if is_arrow(word, spans, at) && (follows_separator(word, at) || arrow_is_idle) {
                 let notes = if number == 0 { &mut axiom_notes } else { &mut notes };
                 notes.add(Kind::ArrowOfSymbols, spans[at].start..spans[at + 1].end);
             }
@@ -280,7 +280,7 @@ fn is_arrow(word: &[Module], spans: &[Range<usize>], at: usize) -> bool {
 }
 
 /// Whether `,` or `;` and one symbol stand before the arrow at `at`: other notations separate productions so.
-fn is_second(word: &[Module], at: usize) -> bool {
+fn follows_separator(word: &[Module], at: usize) -> bool {
     at >= 2 && matches!(word[at - 2].symbol, ',' | ';')
 }
 

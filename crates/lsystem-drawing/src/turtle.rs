@@ -76,7 +76,7 @@ pub(crate) enum Op<S: Geometry = Plane> {
     Upright,
     /// Turn the heading by a tropism.
     Bend(Tropism),
-    Push(Deeper),
+    Push(BranchFactors),
     Pop,
     Style(StyleChange),
     OpenPolygon,
@@ -97,7 +97,7 @@ pub(crate) struct Turning<S: Geometry> {
 
 /// The factors of widths and lengths in a branch.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Deeper {
+pub(crate) struct BranchFactors {
     width: f64,
     length: f64,
 }
@@ -118,9 +118,9 @@ pub(crate) struct Score<S: Geometry = Plane> {
     /// The largest deviations of angles and of lengths, as fractions.
     variations: [f64; 2],
     /// Whether the colour index is the derivation step that made the module.
-    pub(crate) dated: bool,
+    pub(crate) colours_by_generation: bool,
     /// The factor of lengths in a branch.
-    pub(crate) shrinking: f64,
+    pub(crate) branch_length_factor: f64,
 }
 
 impl Default for Turtle {
@@ -172,8 +172,8 @@ impl Turtle {
             width: finite(self.width).max(0.0) * self.steps(),
             growth: finite(self.growth).clamp(0.0, 1.0),
             variations: [self.angle_variation, self.length_variation].map(|part| finite(part).clamp(0.0, 1.0)),
-            dated: self.colouring == Colouring::Generations,
-            shrinking: self.deeper().length,
+            colours_by_generation: self.colouring == Colouring::Generations,
+            branch_length_factor: self.branch_factors().length,
         }
     }
 
@@ -209,9 +209,9 @@ impl Turtle {
         ops
     }
 
-    fn deeper(&self) -> Deeper {
+    fn branch_factors(&self) -> BranchFactors {
         let [width, length] = [self.width_factor, self.length_factor].map(|factor| finite(factor).max(0.0));
-        Deeper { width, length }
+        BranchFactors { width, length }
     }
 
     /// The operation of an action; lengths in units of [`Turtle::unit`].
@@ -237,7 +237,7 @@ impl Turtle {
             Action::RollRight(degrees) => back(Axis::Ahead, degrees, self.roll_right),
             Action::RollUpright => Op::Upright,
             Action::TurnRound => Op::Turn(Turning::new(Axis::Up, Heading::HALF, false)),
-            Action::Push => Op::Push(self.deeper()),
+            Action::Push => Op::Push(self.branch_factors()),
             Action::Pop => Op::Pop,
             // A cut acts during the derivation.
             Action::Cut => Op::Style(StyleChange::NONE),
@@ -302,8 +302,8 @@ impl<S: Geometry> Score<S> {
     }
 
     /// Whether modules of the same letter may do different things: by variation, colour or growth.
-    pub(crate) fn is_personal(&self) -> bool {
-        self.varies() || self.dated || self.growth < 1.0
+    pub(crate) fn differs_by_module(&self) -> bool {
+        self.varies() || self.colours_by_generation || self.growth < 1.0
     }
 
     /// Replaces `own` by the operations of one module. `ops` are the operations of its letter.
@@ -320,7 +320,7 @@ impl<S: Geometry> Score<S> {
             }
         };
         own.clear();
-        if self.dated {
+        if self.colours_by_generation {
             own.push(Op::Style(ColourChange::Set(fate.since.cast_signed()).into()));
         }
         own.extend(ops.iter().map(|op| match *op {
@@ -360,14 +360,14 @@ impl<S: Geometry> Score<S> {
     }
 
     /// The index in `successor` of the letter that continues `former`.
-    pub(crate) fn heir(&self, former: LetterId, successor: &[LetterId]) -> Option<usize> {
-        heir(former, successor.iter().copied(), |letter| self.draws(letter))
+    pub(crate) fn continuation(&self, former: LetterId, successor: &[LetterId]) -> Option<usize> {
+        continuation(former, successor.iter().copied(), |letter| self.draws(letter))
     }
 }
 
 /// The index in `successor` of the letter that continues `former`: the first of the same letter, or else, if `former`
 /// draws, the first that draws.
-pub(crate) fn heir(
+pub(crate) fn continuation(
     former: LetterId,
     mut successor: impl Iterator<Item = LetterId> + Clone,
     draws: impl Fn(LetterId) -> bool,
@@ -448,12 +448,12 @@ impl<S: Geometry> Pen<S> {
                 Op::Turn(by) => self.heading = S::then(self.heading, by.turn),
                 Op::Upright => self.heading = S::upright(self.heading, &self.vertical),
                 Op::Bend(tropism) => self.heading = S::bent(self.heading, &tropism),
-                Op::Push(Deeper { width, length }) => {
+                Op::Push(BranchFactors { width, length }) => {
                     reserve(saved, 1);
                     saved.push(*self);
                     self.style.level = self.style.level.saturating_add(1);
                     self.style.width = self.style.width.then(WidthChange { factor: width, offset: 0.0 });
-                    self.scale = (self.scale * length).min(LARGEST);
+                    self.scale = (self.scale * length).min(LARGEST_SCALE);
                 }
                 Op::Pop => *self = saved.pop().unwrap_or(*self),
                 Op::Style(change) => self.style = self.style.then(&change),
@@ -470,4 +470,4 @@ impl<S: Geometry> Pen<S> {
 }
 
 /// The largest factor of lengths in nested branches: far beyond any picture.
-pub(crate) const LARGEST: f64 = 1e30;
+pub(crate) const LARGEST_SCALE: f64 = 1e30;

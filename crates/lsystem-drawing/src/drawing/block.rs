@@ -18,8 +18,8 @@ pub trait Space: Geometry {
     /// A search for that box.
     type Survey: Clone + Debug;
 
-    /// The body around `items`, which may place the blocks of `ground`.
-    fn enclose(ground: Ground<'_, Self>, items: &[Item<Self>]) -> Enclosed<Self>;
+    /// The body around `items`, which may place the blocks of `input`.
+    fn enclose(input: HullInput<'_, Self>, items: &[Item<Self>]) -> Enclosed<Self>;
 
     /// Adds to `size` the part of a picture's scene that a block with these items needs.
     fn measure(_size: &mut SceneSize, _items: &[Item<Self>]) {}
@@ -140,7 +140,7 @@ impl<'a, S: Space> Contents<'a, S> {
 
 /// The input for the body around a new block, and the list that receives its corners.
 #[derive(Debug)]
-pub struct Ground<'a, S: Space> {
+pub struct HullInput<'a, S: Space> {
     /// The blocks made so far, with their items and the vertices of all polygons.
     pub blocks: &'a [Block<S>],
     pub items: &'a Chunks<Item<S>>,

@@ -3,9 +3,9 @@
 //! A body made only from the bodies of inner blocks would be loose, and the slack would add up from block to block. A
 //! best-first search through the inner blocks makes the body tight to a tolerance.
 
-use super::girth::{self, Girth, Outwards};
+use super::girth::{self, Girth, OutwardCoordinate};
 use crate::Solid;
-use crate::drawing::block::{Block, BlockId, Contents, Enclosed, Ground, Item, Placed, Space};
+use crate::drawing::block::{Block, BlockId, Contents, Enclosed, HullInput, Item, Placed, Space};
 use crate::drawing::scene::SceneSize;
 use crate::rotation::{Vector, dot, norm};
 use crate::space::unit_of;
@@ -30,8 +30,8 @@ impl Space for Solid {
     type Extent = Extent;
     type Survey = Survey;
 
-    fn enclose(ground: Ground<'_, Self>, items: &[Item<Self>]) -> Enclosed<Self> {
-        let Ground { blocks, items: made, corners, vertices, .. } = ground;
+    fn enclose(input: HullInput<'_, Self>, items: &[Item<Self>]) -> Enclosed<Self> {
+        let HullInput { blocks, items: made, corners, vertices, .. } = input;
         Body::enclose(Contents { blocks, items: made, corners, vertices }, items)
     }
 
@@ -104,15 +104,16 @@ impl Body {
         let mut slack = 0.0_f64;
         // Without blocks, the box is complete.
         if items.iter().any(|item| matches!(item, Item::Block(_))) {
-            let probe = Away { from: [0.0; 3], scale: 1.0 };
-            let (size, _) = Hunt::new((contents, items), probe, f64::INFINITY, (0, 0)).finish(contents, &mut work);
+            let quantity = DistanceFrom { from: [0.0; 3], scale: 1.0 };
+            let (size, _) =
+                MaximumSearch::new((contents, items), quantity, f64::INFINITY, (0, 0)).finish(contents, &mut work);
             for i in 0..3 {
                 for (side, sign) in [(&mut low[i], -1.0), (&mut high[i], 1.0)] {
                     let mut direction = [0.0; 3];
                     direction[i] = sign;
-                    let probe = Along { base: 0.0, direction, scale: 1.0 };
-                    let hunt = Hunt::new((contents, items), probe, TOLERANCE * size, (EFFORT, WORK));
-                    let (most, gap) = hunt.finish(contents, &mut work);
+                    let quantity = CoordinateAlong { base: 0.0, direction, scale: 1.0 };
+                    let search = MaximumSearch::new((contents, items), quantity, TOLERANCE * size, (EFFORT, WORK));
+                    let (most, gap) = search.finish(contents, &mut work);
                     *side = sign * most;
                     slack = slack.max(gap);
                 }
@@ -120,9 +121,9 @@ impl Body {
         }
         let reach = low.iter().chain(&high).fold(0.0_f64, |reach, c| reach.max(c.abs()));
         let centre = [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]));
-        let probe = Away { from: centre, scale: 1.0 };
-        let hunt = Hunt::new((contents, items), probe, TOLERANCE * reach, (EFFORT, WORK));
-        let (radius, gap) = hunt.finish(contents, &mut work);
+        let quantity = DistanceFrom { from: centre, scale: 1.0 };
+        let search = MaximumSearch::new((contents, items), quantity, TOLERANCE * reach, (EFFORT, WORK));
+        let (radius, gap) = search.finish(contents, &mut work);
         // The ball around the box is large enough.
         let radius = radius.min(norm(Self { low, high, radius }.half()));
         let shift = unit_of(reach);
@@ -147,11 +148,11 @@ pub struct Survey {
     /// The sides found so far: the least coordinates, then the greatest.
     sides: Vec<f64>,
     /// The search for the next side.
-    side: Option<Hunt<Along>>,
+    side: Option<MaximumSearch<CoordinateAlong>>,
     /// The distances found so far, for [`girth::girth`].
     reach: Vec<f64>,
     /// The search for the next distance.
-    ring: Option<Hunt<Outwards>>,
+    ring: Option<MaximumSearch<OutwardCoordinate>>,
 }
 
 impl Survey {
@@ -166,20 +167,26 @@ impl Survey {
         let items = contents.items_of(self.root);
         while self.sides.len() < 6 {
             let (i, sign) = (self.sides.len() % 3, if self.sides.len() < 3 { -1.0 } else { 1.0 });
-            let hunt = self.side.get_or_insert_with(|| {
+            let search = self.side.get_or_insert_with(|| {
                 let mut direction = [0.0; 3];
                 direction[i] = sign;
-                Hunt::new((contents, items), Along { base: 0.0, direction, scale: 1.0 }, EXACT, PATIENCE)
+                MaximumSearch::new(
+                    (contents, items),
+                    CoordinateAlong { base: 0.0, direction, scale: 1.0 },
+                    EXACT,
+                    PATIENCE,
+                )
             });
-            let (most, _) = hunt.step(contents, meter)?;
+            let (most, _) = search.step(contents, meter)?;
             self.sides.push(sign * most);
             self.side = None;
         }
         let from = contents.blocks[self.root.0 as usize].hull.centre();
-        while let Some(probe) = Outwards::new(from, self.reach.len()) {
+        while let Some(quantity) = OutwardCoordinate::new(from, self.reach.len()) {
             let effort = (girth::EFFORT, 1 << 18);
-            let hunt = self.ring.get_or_insert_with(|| Hunt::new((contents, items), probe, girth::EXACT, effort));
-            let (most, _) = hunt.step(contents, meter)?;
+            let search =
+                self.ring.get_or_insert_with(|| MaximumSearch::new((contents, items), quantity, girth::EXACT, effort));
+            let (most, _) = search.step(contents, meter)?;
             self.reach.push(most);
             self.ring = None;
         }
@@ -189,7 +196,7 @@ impl Survey {
 }
 
 /// A quantity of points, with bounds on its maximum over the contents of a body.
-pub(super) trait Probe: Copy {
+pub(super) trait Quantity: Copy {
     /// The quantity at a point.
     fn of(&self, point: Vector) -> f64;
     /// An upper bound on the maximum over a body's contents.
@@ -202,13 +209,13 @@ pub(super) trait Probe: Copy {
 
 /// The coordinate of a point in a direction.
 #[derive(Clone, Copy, Debug)]
-struct Along {
+struct CoordinateAlong {
     base: f64,
     direction: Vector,
     scale: f64,
 }
 
-impl Probe for Along {
+impl Quantity for CoordinateAlong {
     fn of(&self, point: Vector) -> f64 {
         self.base + self.scale * dot(self.direction, point)
     }
@@ -239,12 +246,12 @@ impl Probe for Along {
 
 /// The distance of a point from `from`.
 #[derive(Clone, Copy, Debug)]
-struct Away {
+struct DistanceFrom {
     from: Vector,
     scale: f64,
 }
 
-impl Probe for Away {
+impl Quantity for DistanceFrom {
     fn of(&self, point: Vector) -> f64 {
         self.scale * norm([0, 1, 2].map(|i| point[i] - self.from[i]))
     }
@@ -267,36 +274,36 @@ impl Probe for Away {
 
 /// A block that may contain the maximum, ordered by its upper bound.
 #[derive(Clone, Debug)]
-struct Open<P> {
+struct OpenBlock<P> {
     most: f64,
     block: BlockId,
-    probe: P,
+    quantity: P,
 }
 
-impl<P> Ord for Open<P> {
+impl<P> Ord for OpenBlock<P> {
     fn cmp(&self, other: &Self) -> Ordering {
         self.most.total_cmp(&other.most)
     }
 }
 
-impl<P> PartialOrd for Open<P> {
+impl<P> PartialOrd for OpenBlock<P> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl<P> PartialEq for Open<P> {
+impl<P> PartialEq for OpenBlock<P> {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other) == Ordering::Equal
     }
 }
 
-impl<P> Eq for Open<P> {}
+impl<P> Eq for OpenBlock<P> {}
 
 /// A search for the maximum of a quantity over some items.
 #[derive(Clone, Debug)]
-pub(super) struct Hunt<P> {
-    open: BinaryHeap<Open<P>>,
+pub(super) struct MaximumSearch<P> {
+    open: BinaryHeap<OpenBlock<P>>,
     /// A lower bound on the maximum.
     least: f64,
     tolerance: f64,
@@ -306,16 +313,16 @@ pub(super) struct Hunt<P> {
     work: u64,
 }
 
-impl<P: Probe> Hunt<P> {
+impl<P: Quantity> MaximumSearch<P> {
     pub(super) fn new(
         (contents, items): (Contents<'_, Solid>, &[Item<Solid>]),
-        probe: P,
+        quantity: P,
         tolerance: f64,
         effort: (usize, u64),
     ) -> Self {
-        let mut hunt = Self { open: BinaryHeap::new(), least: f64::NEG_INFINITY, tolerance, effort, work: 0 };
-        hunt.look(contents, items, probe);
-        hunt
+        let mut search = Self { open: BinaryHeap::new(), least: f64::NEG_INFINITY, tolerance, effort, work: 0 };
+        search.look(contents, items, quantity);
+        search
     }
 
     /// Continues until the meter is spent. Returns at the end an upper bound on the maximum, and the bound's largest
@@ -331,13 +338,13 @@ impl<P: Probe> Hunt<P> {
             if meter.is_spent() {
                 return None;
             }
-            let Open { block, probe, .. } = self.open.pop()?;
-            self.look(contents, contents.items_of(block), probe);
+            let OpenBlock { block, quantity, .. } = self.open.pop()?;
+            self.look(contents, contents.items_of(block), quantity);
             self.effort = (self.effort.0 - 1, self.effort.1.saturating_sub(self.work));
         }
     }
 
-    /// Runs [`Hunt::step`] to the end and adds the units of work to `work`.
+    /// Runs [`MaximumSearch::step`] to the end and adds the units of work to `work`.
     fn finish(mut self, contents: Contents<'_, Solid>, work: &mut u64) -> (f64, f64) {
         let mut meter = Meter::new(u64::MAX);
         let found = self.step(contents, &mut meter).unwrap_or((f64::INFINITY, f64::INFINITY));
@@ -346,27 +353,27 @@ impl<P: Probe> Hunt<P> {
     }
 
     /// Raises the lower bound by `items`, and opens the blocks among them that may exceed it.
-    fn look(&mut self, contents: Contents<'_, Solid>, items: &[Item<Solid>], probe: P) {
+    fn look(&mut self, contents: Contents<'_, Solid>, items: &[Item<Solid>], quantity: P) {
         let Self { open, least, work, .. } = self;
         // A stroke takes an eighth of a unit.
         *work += 4 + items.len() as u64 / 8;
         for item in items {
             match item {
-                Item::Stroke(stroke) => *least = least.max(probe.of(stroke.from)).max(probe.of(stroke.to)),
+                Item::Stroke(stroke) => *least = least.max(quantity.of(stroke.from)).max(quantity.of(stroke.to)),
                 Item::Polygon(polygon) => {
-                    let all = contents.vertices[polygon.range()].iter().map(|&vertex| probe.of(vertex));
+                    let all = contents.vertices[polygon.range()].iter().map(|&vertex| quantity.of(vertex));
                     *work += u64::from(polygon.count) / 16;
                     *least = all.fold(*least, f64::max);
                 }
-                Item::Block(placed) if placed.scale < SPECK => *least = least.max(probe.of(placed.at)),
+                Item::Block(placed) if placed.scale < SPECK => *least = least.max(quantity.of(placed.at)),
                 Item::Block(placed) => {
                     let Block { hull, slack, .. } = &contents.blocks[placed.block.0 as usize];
                     *work += 1;
-                    let probe = probe.within(placed);
-                    *least = least.max(probe.least(hull, *slack));
-                    let most = probe.most(hull);
+                    let quantity = quantity.within(placed);
+                    *least = least.max(quantity.least(hull, *slack));
+                    let most = quantity.most(hull);
                     if most > *least {
-                        open.push(Open { most, block: placed.block, probe });
+                        open.push(OpenBlock { most, block: placed.block, quantity });
                     }
                 }
             }

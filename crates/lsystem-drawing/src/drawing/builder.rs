@@ -1,7 +1,7 @@
 //! The making of blocks: exponent, hull, counts and widest stroke.
 use crate::Plane;
 use crate::chunks::Chunks;
-use crate::drawing::block::{Block, BlockId, Contents, Enclosed, Ground, Item, Placed, Space, Stroke};
+use crate::drawing::block::{Block, BlockId, Contents, Enclosed, HullInput, Item, Placed, Space, Stroke};
 use crate::drawing::scene::SceneSize;
 use crate::room::{bytes_for, bytes_of, reserve};
 use crate::space::times;
@@ -119,8 +119,8 @@ impl<S: Space> Builder<S> {
             }
         }
         let Self { blocks, items: made, vertices, corners, directions, points, .. } = self;
-        let ground = Ground { blocks, items: made, vertices, corners, directions, points };
-        let Enclosed { hull, slack, shift, work } = S::enclose(ground, items);
+        let input = HullInput { blocks, items: made, vertices, corners, directions, points };
+        let Enclosed { hull, slack, shift, work } = S::enclose(input, items);
         self.work += work + 2 * (1 + items.len() as u64);
         let unit = libm::scalbn(1.0, -shift);
         let numbers = self.items.push(items.iter().map(|item| item.scaled(unit)));

@@ -172,7 +172,7 @@ impl<'a> Emitter<'a> {
                     match item {
                         Item::Stroke(stroke) => {
                             let style = frame.style.then(&drawing.styles[stroke.style.0 as usize]);
-                            let ends = ends(frame.lie(stroke.from), frame.lie(stroke.to));
+                            let ends = ends(frame.transform(stroke.from), frame.transform(stroke.to));
                             sink(1, &mut |room| {
                                 room.ends.copy_from_slice(&ends);
                                 room.colours[0] = style.colour.of(0);

@@ -178,7 +178,7 @@ impl<S: Space> Drawer<S> {
                 *symbols = made.symbols;
                 *state = complete(made);
             }
-            Outcome::Apart(largest) => {
+            Outcome::NotShareable(largest) => {
                 *shares = false;
                 *state = Unfold::new(task, largest).map_or_else(State::Failed, State::Unfold);
             }

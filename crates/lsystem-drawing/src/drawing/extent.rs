@@ -2,7 +2,7 @@
 
 use super::hull::hull;
 use crate::Plane;
-use crate::drawing::block::{BlockId, Contents, Enclosed, Ground, Item, Placed, Space};
+use crate::drawing::block::{BlockId, Contents, Enclosed, HullInput, Item, Placed, Space};
 use crate::plane::Directions;
 use crate::space::{Geometry, times, unit_of};
 use core::ops::Range;
@@ -18,8 +18,8 @@ impl Space for Plane {
     type Extent = [f64; 4];
     type Survey = Survey;
 
-    fn enclose(ground: Ground<'_, Self>, items: &[Item]) -> Enclosed<Self> {
-        let Ground { blocks, corners, vertices, directions, points, .. } = ground;
+    fn enclose(input: HullInput<'_, Self>, items: &[Item]) -> Enclosed<Self> {
+        let HullInput { blocks, corners, vertices, directions, points, .. } = input;
         points.clear();
         let (mut slack, mut work, mut boxed) = (0.0_f64, 0, 0.0_f64);
         for item in items {
@@ -42,7 +42,7 @@ impl Space for Plane {
                     let block = &blocks[placed.block.0 as usize];
                     let axes = Self::scaled(directions.cos_sin(placed.heading), placed.scale);
                     let corners = &corners[block.hull.start as usize..block.hull.end as usize];
-                    points.extend(corners.iter().map(|&corner| Self::lie(&axes, placed.at, corner)));
+                    points.extend(corners.iter().map(|&corner| Self::transform(&axes, placed.at, corner)));
                     slack = slack.max(placed.scale * block.slack);
                 }
             }

@@ -1,7 +1,7 @@
 //! The girth of a drawing in space: its reach from an upright axis at every height, so that a picture has room for the
 //! drawing at every rotation about that axis.
 
-use super::body::{Body, Probe};
+use super::body::{Body, Quantity};
 use crate::Solid;
 use crate::drawing::block::Placed;
 use crate::rotation::{Vector, dot, norm};
@@ -17,7 +17,7 @@ pub(super) const EXACT: f64 = 1e-3;
 /// points about the axis contain the whole drawing in their convex hull.
 pub(crate) type Girth = [[f64; 2]; DIRECTIONS - 1];
 
-/// The girth of a drawing with this reach in the directions of [`Outwards::new`].
+/// The girth of a drawing with this reach in the directions of [`OutwardCoordinate::new`].
 pub(super) fn girth(reach: &[f64]) -> Option<Girth> {
     let reach: [f64; DIRECTIONS] = reach.try_into().ok()?;
     // A point is the meeting point of the bounds in two neighbouring directions.
@@ -37,7 +37,7 @@ fn steep(number: usize) -> [f64; 2] {
 
 /// The coordinate of a point in a direction away from an axis and along it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Outwards {
+pub(super) struct OutwardCoordinate {
     from: Vector,
     up: Vector,
     /// The direction as a unit vector: away from the axis, and along it.
@@ -45,7 +45,7 @@ pub(super) struct Outwards {
     scale: f64,
 }
 
-impl Outwards {
+impl OutwardCoordinate {
     /// The quantity for direction `number` (0-based) about the upright axis through `from`; `None` after the last
     /// direction.
     pub(super) fn new(from: Vector, number: usize) -> Option<Self> {
@@ -53,7 +53,7 @@ impl Outwards {
     }
 }
 
-impl Probe for Outwards {
+impl Quantity for OutwardCoordinate {
     fn of(&self, point: Vector) -> f64 {
         let way = [0, 1, 2].map(|i| point[i] - self.from[i]);
         let height = dot(way, self.up);

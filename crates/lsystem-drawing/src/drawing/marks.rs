@@ -1,6 +1,6 @@
 //! The marks of a drawing, segments and polygons, one by one.
 
-use super::segments::{Part, Standing};
+use super::segments::{Cursor, Part};
 use super::{Drawing, Frame, Segment};
 use crate::drawing::block::Space;
 use crate::style::StyleChange;
@@ -19,7 +19,7 @@ pub enum Mark<S: Space> {
 /// Reads the marks of a drawing. The reader does not borrow the drawing between calls.
 #[derive(Clone, Debug)]
 pub struct MarkReader<S: Space> {
-    standing: Standing<S>,
+    cursor: Cursor<S>,
     /// The number of segments read so far.
     segments: u64,
     /// The number of segments and polygons read so far.
@@ -34,16 +34,16 @@ impl<S: Space> MarkReader<S> {
     /// A reader at the first mark.
     #[must_use]
     pub fn new(drawing: &Drawing<S>) -> Self {
-        let mut standing = Standing::new();
+        let mut cursor = Cursor::new();
         if let Some(root) = drawing.root {
-            standing.enter(drawing, root, &Frame::new(1.0, StyleChange::start(drawing.width)));
+            cursor.enter(drawing, root, &Frame::new(1.0, StyleChange::start(drawing.width)));
         }
-        Self { standing, segments: 0, marks: 0, all: drawing.segment_count() as f64, unit: drawing.unit() }
+        Self { cursor, segments: 0, marks: 0, all: drawing.segment_count() as f64, unit: drawing.unit() }
     }
 
     /// The next mark. Every call needs the same drawing.
     pub fn next(&mut self, drawing: &Drawing<S>) -> Option<Mark<S>> {
-        let (part, frame) = self.standing.next_part(drawing)?;
+        let (part, frame) = self.cursor.next_part(drawing)?;
         let change = |id: crate::style::StyleId| frame.style.then(&drawing.styles[id.0 as usize]);
         let own = if self.all > 0.0 { (self.segments as f64 + 0.5) / self.all } else { 0.0 };
         let place = drawing.places.get(self.marks).copied().unwrap_or(own);
@@ -52,14 +52,14 @@ impl<S: Space> MarkReader<S> {
         Some(match part {
             Part::Stroke(stroke) => {
                 let style = change(stroke.style);
-                let ends = [stroke.from, stroke.to].map(|end| frame.lie(end));
+                let ends = [stroke.from, stroke.to].map(|end| frame.transform(end));
                 self.segments += 1;
                 Mark::Segment(drawing.segment(ends, &style, self.unit), tint(&style))
             }
             Part::Polygon(polygon) => {
                 let style = change(polygon.style);
                 let vertices = drawing.vertices_of(polygon).iter();
-                let vertices = vertices.map(|&vertex| drawing.model(frame.lie(vertex), self.unit)).collect();
+                let vertices = vertices.map(|&vertex| drawing.model(frame.transform(vertex), self.unit)).collect();
                 Mark::Polygon(vertices, tint(&style))
             }
         })

@@ -5,7 +5,7 @@ use super::builder::Builder;
 use crate::Plane;
 use crate::space::{reach, times, unit_of};
 use crate::style::StyleChange;
-use crate::turtle::{LARGEST, Pen, Score};
+use crate::turtle::{LARGEST_SCALE, Pen, Score};
 use lsystem_derive::LetterId;
 
 /// The change of the turtle's state by a piece. The frame is the turtle's at entry: position at the origin, heading +x.
@@ -35,10 +35,10 @@ pub(super) type Level<S = Plane> = Vec<(LetterId, Piece<S>)>;
 
 /// The exponent of the factor of lengths on a branch at `level`.
 pub(super) fn branch_exponent<S: Space>(score: &Score<S>, level: i32) -> i32 {
-    if score.shrinking == 1.0 || level == 0 {
+    if score.branch_length_factor == 1.0 || level == 0 {
         return 0;
     }
-    unit_of(libm::pow(score.shrinking, f64::from(level)).min(LARGEST))
+    unit_of(libm::pow(score.branch_length_factor, f64::from(level)).min(LARGEST_SCALE))
 }
 
 /// The exponent of the farthest coordinate of a piece; `None` if the piece neither draws nor moves the turtle.
@@ -75,7 +75,7 @@ pub(super) fn follow<S: Space>(
 ) {
     let axes = S::axes(&mut builder.directions, pen.heading);
     let by = times(shifted(times(effect.at, factor), effect.exponent.saturating_sub(exponent)), pen.scale);
-    pen.at = S::lie(&axes, pen.at, by);
+    pen.at = S::transform(&axes, pen.at, by);
     pen.heading = S::then(pen.heading, effect.heading);
     pen.style = pen.style.then(&effect.style);
 }

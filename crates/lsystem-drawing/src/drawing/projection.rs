@@ -4,7 +4,7 @@ use super::Drawing;
 use super::builder::Builder;
 use super::extent::{Survey, falling};
 use super::pieces::Pieces;
-use super::segments::{Frame, Part, Standing};
+use super::segments::{Cursor, Frame, Part};
 use super::tree::Tree;
 use crate::Solid;
 use crate::drawing::block::{BlockId, Space};
@@ -62,7 +62,7 @@ impl Drawing<Solid> {
 pub struct Projection {
     /// As [`Outlook::axes`].
     axes: [[f64; 3]; 3],
-    standing: Standing<Solid>,
+    cursor: Cursor<Solid>,
     /// The number of segments read so far.
     segments: f64,
     /// The marks read so far, in drawing order.
@@ -109,15 +109,15 @@ impl Projection {
     /// As [`Drawing::seen_from`].
     pub fn new(drawing: &Drawing<Solid>, outlook: &Outlook, most: u64) -> Result<Self, Diagnostic> {
         drawing.check_size(most)?;
-        let mut standing = Standing::new();
+        let mut cursor = Cursor::new();
         if let Some(root) = drawing.root {
-            standing.enter(drawing, root, &Frame::new(1.0, StyleChange::start(drawing.width)));
+            cursor.enter(drawing, root, &Frame::new(1.0, StyleChange::start(drawing.width)));
         }
         // Coordinates in space are within 1, so those in the picture are within √3.
         let exponent = drawing.root.map_or(0, |root| drawing.blocks[root.0 as usize].exponent);
         Ok(Self {
             axes: outlook.axes(),
-            standing,
+            cursor,
             segments: 0.0,
             seen: vec![],
             points: vec![],
@@ -171,7 +171,7 @@ impl Projection {
 
     /// Reads the next segment or polygon. Returns false if there is none.
     fn read(&mut self, drawing: &Drawing<Solid>, meter: &mut Meter) -> bool {
-        let Some((part, frame)) = self.standing.next_part(drawing) else { return false };
+        let Some((part, frame)) = self.cursor.next_part(drawing) else { return false };
         let (points, filled, id) = match part {
             Part::Stroke(stroke) => (&[stroke.from, stroke.to][..], false, stroke.style),
             Part::Polygon(polygon) => (drawing.vertices_of(polygon), true, polygon.style),
@@ -180,7 +180,7 @@ impl Projection {
         let [right, up, back] = self.axes;
         let first = self.points.len() as u32;
         let depths = points.iter().map(|&point| {
-            let point = frame.lie(point);
+            let point = frame.transform(point);
             self.points.push([dot(right, point), dot(up, point)]);
             dot(back, point)
         });

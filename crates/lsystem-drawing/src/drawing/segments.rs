@@ -99,15 +99,15 @@ impl<S: Space> Frame<S> {
     }
 
     /// A point of the block in the outer frame.
-    pub fn lie(&self, point: S::Point) -> S::Point {
-        S::lie(&self.axes, self.at, point)
+    pub fn transform(&self, point: S::Point) -> S::Point {
+        S::transform(&self.axes, self.at, point)
     }
 
     /// The frame of a block inside this one.
     pub fn place(&self, placed: &Placed<S>, drawing: &Drawing<S>, directions: &mut S::Directions) -> Self {
         let (heading, scale) = (S::then(self.heading, placed.heading), self.scale * placed.scale);
         Self {
-            at: self.lie(placed.at),
+            at: self.transform(placed.at),
             heading,
             scale,
             style: self.style.then(&drawing.styles[placed.style.0 as usize]),
@@ -125,13 +125,13 @@ pub(super) enum Part<'a, S: Space> {
 
 /// A position in a drawing, for reading its strokes and polygons. A cursor does not borrow the drawing between calls.
 #[derive(Clone, Debug)]
-pub(super) struct Standing<S: Space> {
+pub(super) struct Cursor<S: Space> {
     /// The open blocks, outermost first: the first unread item, the end of the items, and the block's frame.
     open: Vec<(u32, u32, Frame<S>)>,
     directions: S::Directions,
 }
 
-impl<S: Space> Standing<S> {
+impl<S: Space> Cursor<S> {
     pub(super) fn new() -> Self {
         Self { open: vec![], directions: S::directions() }
     }
@@ -168,17 +168,17 @@ impl<S: Space> Standing<S> {
 #[derive(Clone, Debug)]
 pub(super) struct Strokes<'a, S: Space = Plane> {
     drawing: &'a Drawing<S>,
-    standing: Standing<S>,
+    cursor: Cursor<S>,
 }
 
 impl<'a, S: Space> Strokes<'a, S> {
     pub(super) fn new(drawing: &'a Drawing<S>) -> Self {
-        Self { drawing, standing: Standing::new() }
+        Self { drawing, cursor: Cursor::new() }
     }
 
     /// Opens `block`, whose items come next.
     pub(super) fn enter(&mut self, block: BlockId, frame: &Frame<S>) {
-        self.standing.enter(self.drawing, block, frame);
+        self.cursor.enter(self.drawing, block, frame);
     }
 
     /// The next stroke, and the frame of its block.
@@ -192,13 +192,13 @@ impl<'a, S: Space> Strokes<'a, S> {
 
     /// The next stroke or polygon, and the frame of its block.
     pub(super) fn next_part(&mut self) -> Option<(Part<'a, S>, Frame<S>)> {
-        self.standing.next_part(self.drawing)
+        self.cursor.next_part(self.drawing)
     }
 
     /// Skips the next `count` strokes.
     fn pass(&mut self, mut count: u128) {
         while count > 0 {
-            let Some((next, end, frame)) = self.standing.open.last_mut() else { return };
+            let Some((next, end, frame)) = self.cursor.open.last_mut() else { return };
             let items = &self.drawing.items[*next as usize..*end as usize];
             let (passed, left) = self.drawing.before(items, count);
             *next += passed as u32;
@@ -206,12 +206,12 @@ impl<'a, S: Space> Strokes<'a, S> {
             match items.get(passed) {
                 Some(Item::Block(placed)) => {
                     *next += 1;
-                    let inner = frame.place(placed, self.drawing, &mut self.standing.directions);
+                    let inner = frame.place(placed, self.drawing, &mut self.cursor.directions);
                     self.enter(placed.block, &inner);
                 }
                 Some(_) => return,
                 None => {
-                    self.standing.open.pop();
+                    self.cursor.open.pop();
                 }
             }
         }
@@ -224,6 +224,6 @@ impl<S: Space> Iterator for Strokes<'_, S> {
     fn next(&mut self) -> Option<Self::Item> {
         let (stroke, frame) = self.next_placed()?;
         let style = frame.style.then(&self.drawing.styles[stroke.style.0 as usize]);
-        Some((frame.lie(stroke.from), frame.lie(stroke.to), style))
+        Some((frame.transform(stroke.from), frame.transform(stroke.to), style))
     }
 }

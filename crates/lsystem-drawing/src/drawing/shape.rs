@@ -98,7 +98,7 @@ impl Line {
 
     /// The line in the outer frame of `frame`.
     fn within(&self, frame: &Frame) -> Self {
-        Self { from: frame.lie(self.from), to: frame.lie(self.to), style: frame.style.then(&self.style) }
+        Self { from: frame.transform(self.from), to: frame.transform(self.to), style: frame.style.then(&self.style) }
     }
 
     /// Both as one line, if `next` continues straight ahead in the same style.

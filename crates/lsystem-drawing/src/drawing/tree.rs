@@ -1,7 +1,7 @@
 //! A tree of blocks of consecutive strokes: for drawings without shared pieces, and for the word of one piece.
 
 use super::builder::Builder;
-use super::sheet::{Desk, Sheet, is_hollow, origin, shift};
+use super::sheet::{Sheet, SheetWriter, is_hollow, origin, shift};
 use crate::drawing::block::{BlockId, Item, Placed, Space};
 use crate::room::bytes_of;
 use crate::space::minus;

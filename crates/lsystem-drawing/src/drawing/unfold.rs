@@ -7,7 +7,7 @@ mod limits;
 mod tally;
 
 use self::generations::Generations;
-use self::letters::{Gone, Letters};
+use self::letters::{Letters, WalkOutcome};
 use self::limits::{Exceeded, Forecast, Search};
 use super::block::Space;
 use super::builder::Builder;
@@ -78,9 +78,9 @@ impl<S: Space> Unfold<S> {
                 Some(Ok(())) => self.stage = Stage::Letters(Box::new(Letters::new(task))),
             },
             Stage::Letters(letters) => match letters.step(task, builder, meter) {
-                Gone::Paused => {}
-                Gone::Ended(root) => return made(root, letters.symbols()),
-                Gone::Passed(limit) => {
+                WalkOutcome::Paused => {}
+                WalkOutcome::Ended(root) => return made(root, letters.symbols()),
+                WalkOutcome::Passed(limit) => {
                     *builder = Builder::within(task.limits.memory);
                     self.stage = Stage::Search(Search::new(limit, task.n, task.seed));
                 }
@@ -98,7 +98,7 @@ impl<S: Space> Unfold<S> {
                     }
                     return Outcome::Failed(diagnostic);
                 }
-                Outcome::Paused | Outcome::Apart(_) => {}
+                Outcome::Paused | Outcome::NotShareable(_) => {}
             },
         }
         Outcome::Paused

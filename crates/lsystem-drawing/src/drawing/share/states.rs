@@ -10,7 +10,7 @@ mod write;
 
 use super::letters::{is_balanced, is_filled_at_once};
 use super::scales::{Keys, Scales, applying};
-use super::vertical::{self, Course, Tilt, vertical_of};
+use super::vertical::{self, Orientation, Tilt, vertical_of};
 use super::word::Origin;
 use crate::Turtle;
 use crate::drawing::block::Space;
@@ -20,7 +20,7 @@ use crate::drawing::pieces::{Pieces, StateWord, StateWords};
 use crate::drawing::task::{Made, Outcome, Task};
 use crate::room::{bytes_of, reserve};
 use crate::style::ColourChange;
-use crate::turtle::{Op, Score, heir};
+use crate::turtle::{Op, Score, continuation};
 use core::ops::Range;
 use lsystem_derive::{Fault, LetterId, Rules, Template, fault};
 use lsystem_syntax::{Diagnostic, Limits, Meter};
@@ -52,13 +52,14 @@ pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     let shown = |word: &Template| {
         alone(&word.letters.iter().flat_map(|&letter| ops(usize::from(letter))).copied().collect::<Vec<_>>())
     };
-    let deeds = |word: &Template| word.letters.iter().map(|&letter| 1 + ops(usize::from(letter)).len()).sum::<usize>();
+    let commands =
+        |word: &Template| word.letters.iter().map(|&letter| 1 + ops(usize::from(letter)).len()).sum::<usize>();
     let special = score.varies() || score.ops.iter().flatten().any(bends);
     let decided_elsewhere = special || rules.is_random() || rules.is_cutting();
     !decided_elsewhere
         && filled(&rules.axiom)
         && rules.by_letter.iter().flatten().all(|rule| !rule.is_context_sensitive() && inside(&rule.successor))
-        && rules.images.iter().flatten().all(|image| deeds(&image.successor) <= IMAGE && shown(&image.successor))
+        && rules.images.iter().flatten().all(|image| commands(&image.successor) <= IMAGE && shown(&image.successor))
         && (0..letters).all(|letter| !apart(letter) || alone(ops(letter)))
         && vertical::is_known(rules, score)
 }
@@ -70,7 +71,7 @@ pub(crate) struct States<S: Space> {
     keys: Keys,
     scales: Scales,
     /// By letter: whether its pieces use the vertical. Empty if no piece does.
-    lookers: Vec<bool>,
+    uses_vertical: Vec<bool>,
     n: u32,
     /// The most parts.
     most: u64,
@@ -87,19 +88,19 @@ pub(crate) struct States<S: Space> {
     /// The states of the next level.
     next: Vec<State>,
     /// The indices in `next`, by key.
-    met: HashMap<Keyed, u32>,
+    state_indices: HashMap<StateKey, u32>,
     /// Whether there are more than [`STATES`] states. Further states are not kept.
-    is_crowded: bool,
+    has_too_many_states: bool,
     /// The number of states done in the present level.
     done: usize,
     /// The word whose parts are being found.
     planning: Option<Planning<S>>,
     /// The pieces of the level below and of the present level; `None` during planning.
-    pieces: Option<[Vec<Counted<S>>; 2]>,
+    pieces: Option<[Vec<CountedPiece<S>>; 2]>,
     /// The next piece, in the making.
     writing: Option<Box<Writing<S>>>,
     /// A reusable buffer.
-    deeds: Vec<Deed<S>>,
+    commands: Vec<Command<S>>,
     /// By letter: whether it or an image draws, to find the module that continues another under growth. Empty without
     /// growth.
     shows: Vec<bool>,
@@ -145,7 +146,7 @@ impl Part {
 }
 
 /// The identity of a state in a level: letter, keys of the arguments, vertical.
-type Keyed = (LetterId, [u64; lsystem_syntax::MAX_PARAMETERS], Tilt);
+type StateKey = (LetterId, [u64; lsystem_syntax::MAX_PARAMETERS], Tilt);
 
 /// A word whose parts are being found.
 #[derive(Clone, Debug)]
@@ -163,23 +164,23 @@ struct Planning<S: Space> {
     /// The number of derivation steps left.
     depth: u32,
     /// The turtle's orientation after the letters done.
-    course: Course<S>,
+    orientation: Orientation<S>,
 }
 
 /// The most letters and operations of an image in a shared drawing: one buffer holds all commands of an image.
 const IMAGE: usize = 2 * 4096;
 
 /// A state's piece, and the number of symbols in its derivation.
-type Counted<S> = (Piece<S>, u128);
+type CountedPiece<S> = (Piece<S>, u128);
 
 /// A command to the turtle.
 #[derive(Clone, Copy, Debug)]
-enum Deed<S: Space> {
+enum Command<S: Space> {
     Op(Op<S>),
     /// The index in the word of the module of the next commands; only in systems with polygons.
     Place(u32),
     /// The colour of the next commands, by generation.
-    Date(ColourChange),
+    Colour(ColourChange),
     /// Place a piece, times a scale.
     Piece(Piece<S>, f64),
 }
@@ -189,11 +190,11 @@ impl<S: Space> States<S> {
     pub(super) fn new(task: &Task<S>) -> Result<Self, Diagnostic> {
         let Task { rules, turtle, score, seed, n, limits } = task;
         let n = *n;
-        let lookers = vertical::lookers(rules, score);
+        let uses_vertical = vertical::uses_vertical(rules, score);
         let mut new = Self {
             keys: Keys::new(rules),
             scales: Scales::new(rules, turtle),
-            lookers: if lookers.contains(&true) { lookers } else { vec![] },
+            uses_vertical: if uses_vertical.contains(&true) { uses_vertical } else { vec![] },
             rules: rules.clone(),
             n,
             most: task.most_letters().0,
@@ -203,13 +204,13 @@ impl<S: Space> States<S> {
             arguments: vec![],
             states: 0,
             next: vec![],
-            met: HashMap::new(),
-            is_crowded: false,
+            state_indices: HashMap::new(),
+            has_too_many_states: false,
             done: 0,
             planning: None,
             pieces: None,
             writing: None,
-            deeds: vec![],
+            commands: vec![],
             shows: if score.growth < 1.0 { score.shows(rules) } else { vec![] },
             words: score.fills().then(StateWords::default),
         };
@@ -218,8 +219,8 @@ impl<S: Space> States<S> {
         let started = started.map_err(|error| fault(rules, error, 0, limits, None))?;
         let word = started.word();
         new.arguments.extend_from_slice(&word.arguments);
-        let (letters, course) = (word.letters.clone(), Course::new(turtle.start_turn::<S>(), S::UPWARDS));
-        let planning = Planning { letters, done: 0, argument: 0, made: None, first: 0, depth: n, course };
+        let (letters, orientation) = (word.letters.clone(), Orientation::new(turtle.start_turn::<S>(), S::UPWARDS));
+        let planning = Planning { letters, done: 0, argument: 0, made: None, first: 0, depth: n, orientation };
         new.planning = Some(planning);
         Ok(new)
     }
@@ -229,16 +230,16 @@ impl<S: Space> States<S> {
         let planning = self.planning.as_ref().map_or(0, |planning| bytes_of(&planning.letters));
         let writing = self.writing.as_ref().map_or(0, |writing| writing.bytes());
         // A hash map leaves an eighth of its places free.
-        let met = self.met.capacity() / 7 * 8 * size_of::<(Keyed, u32)>();
+        let state_indices = self.state_indices.capacity() / 7 * 8 * size_of::<(StateKey, u32)>();
         let states = self.states * size_of::<State>();
         let pieces = self.pieces.iter().flatten().map(bytes_of).sum::<u64>();
         planning
             + writing
             + pieces
-            + (met + states) as u64
+            + (state_indices + states) as u64
             + bytes_of(&self.parts)
             + bytes_of(&self.arguments)
-            + bytes_of(&self.deeds)
+            + bytes_of(&self.commands)
             + self.words.as_ref().map_or(0, StateWords::bytes)
     }
 
@@ -266,7 +267,7 @@ impl<S: Space> States<S> {
         };
         let mut writing = self.writing.take().unwrap_or_else(|| {
             let (parts, origin, way) = begun;
-            Box::new(Writing::new(parts.clone(), origin, self.young(parts, &origin, meter), way))
+            Box::new(Writing::new(parts.clone(), origin, self.fully_grown(parts, &origin, meter), way))
         });
         match self.write(&mut writing, (turtle, score), builder, meter) {
             Err(diagnostic) => return Outcome::Failed(diagnostic),
@@ -291,7 +292,7 @@ impl<S: Space> States<S> {
         let (Some(level), Some([below, here])) = (self.levels.pop(), &mut self.pieces) else { return };
         meter.charge(1 + level.len() as u64 / 4);
         if let Some(words) = &mut self.words {
-            let word = |(state, made): (&State, &Counted<S>)| StateWord {
+            let word = |(state, made): (&State, &CountedPiece<S>)| StateWord {
                 modules: state.parts.clone(),
                 block: made.0.block,
                 symbols: made.1,
@@ -309,12 +310,12 @@ impl<S: Space> States<S> {
 
     /// For a piece of the last step, under growth: the one part that is fully grown, if any; all other parts still
     /// grow. `None` for every other piece.
-    fn young(&self, parts: Range<u32>, origin: &Origin, meter: &mut Meter) -> Option<Option<u32>> {
+    fn fully_grown(&self, parts: Range<u32>, origin: &Origin, meter: &mut Meter) -> Option<Option<u32>> {
         let former = origin.former.filter(|_| !self.shows.is_empty() && origin.step == self.n)?;
         meter.charge(parts.len() as u64 / 4);
         let first = parts.start;
         let letters = self.parts[parts.start as usize..parts.end as usize].iter().map(Part::letter);
-        Some(heir(former, letters, |letter| self.shows[usize::from(letter)]).map(|at| first + at as u32))
+        Some(continuation(former, letters, |letter| self.shows[usize::from(letter)]).map(|at| first + at as u32))
     }
 
     /// Continues with the plan.
@@ -332,15 +333,15 @@ impl<S: Space> States<S> {
                 }
                 return Outcome::Paused;
             };
-            if self.is_crowded {
-                return Outcome::Apart(steps.checked_sub(1));
+            if self.has_too_many_states {
+                return Outcome::NotShareable(steps.checked_sub(1));
             }
             let (letter, from) = (state.letter, state.argument as usize);
-            let course = Course::new(S::AHEAD, vertical_of(&state.tilt));
-            self.planning = Some(self.planned(letter, from, self.n - steps, course));
+            let orientation = Orientation::new(S::AHEAD, vertical_of(&state.tilt));
+            self.planning = Some(self.planned(letter, from, self.n - steps, orientation));
         }
         match self.find((with, limits), meter) {
-            Err(()) => return Outcome::Apart(steps.checked_sub(1)),
+            Err(()) => return Outcome::NotShareable(steps.checked_sub(1)),
             Ok(Some(diagnostic)) => return Outcome::Failed(diagnostic),
             Ok(None) => {}
         }
@@ -364,7 +365,7 @@ impl<S: Space> States<S> {
     }
 
     /// The successor of a letter, ready for planning. The letter's arguments start at `from`; `depth` steps are left.
-    fn planned(&self, letter: LetterId, from: usize, depth: u32, course: Course<S>) -> Planning<S> {
+    fn planned(&self, letter: LetterId, from: usize, depth: u32, orientation: Orientation<S>) -> Planning<S> {
         let Self { rules, arguments, parts, .. } = self;
         let own = from..from + usize::from(rules.letters[usize::from(letter)].arity);
         let first = parts.len() as u32;
@@ -375,7 +376,7 @@ impl<S: Space> States<S> {
             (Some(rule), Some(at)) => (rule.successor.letters.clone(), arguments.len(), Some((letter, at, own, 0))),
             _ => (vec![letter], from, None),
         };
-        Planning { letters, done: 0, argument, made, first, depth, course }
+        Planning { letters, done: 0, argument, made, first, depth, orientation }
     }
 
     /// Appends parts of the word that is being planned, until the meter is spent. An error means too many parts. A
@@ -386,7 +387,7 @@ impl<S: Space> States<S> {
         meter: &mut Meter,
     ) -> Result<Option<Diagnostic>, ()> {
         let Some(mut planning) = self.planning.take() else { return Ok(None) };
-        let mut deeds = core::mem::take(&mut self.deeds);
+        let mut commands = core::mem::take(&mut self.commands);
         while let Some(&letter) = planning.letters.get(planning.done) {
             if meter.is_spent() {
                 break;
@@ -411,7 +412,7 @@ impl<S: Space> States<S> {
                 *code += arity;
             }
             reserve(&mut self.parts, 1);
-            let part = self.part(with, letter, &mut planning, &mut deeds);
+            let part = self.part(with, letter, &mut planning, &mut commands);
             if let Some(words) = &mut self.words {
                 reserve(&mut words.modules, 1);
                 words.modules.push(part.state());
@@ -420,7 +421,7 @@ impl<S: Space> States<S> {
             planning.argument += arity;
             planning.done += 1;
         }
-        self.deeds = deeds;
+        self.commands = commands;
         self.planning = Some(planning);
         Ok(None)
     }
@@ -430,39 +431,50 @@ impl<S: Space> States<S> {
         &mut self,
         with: (&Turtle, &Score<S>),
         letter: LetterId,
-        Planning { argument, depth, course, .. }: &mut Planning<S>,
-        deeds: &mut Vec<Deed<S>>,
+        Planning { argument, depth, orientation, .. }: &mut Planning<S>,
+        commands: &mut Vec<Command<S>>,
     ) -> Part {
         if *depth == 0 || self.rules.by_letter[usize::from(letter)].is_empty() {
-            if !self.lookers.is_empty() {
-                deeds.clear();
+            if !self.uses_vertical.is_empty() {
+                commands.clear();
                 // A number that is not finite is reported when the piece is made.
-                let _ = self.act(with, letter, *argument, deeds);
-                for deed in deeds {
-                    if let Deed::Op(op) = deed {
-                        course.follow(op);
+                let _ = self.act(with, letter, *argument, commands);
+                for command in commands {
+                    if let Command::Op(op) = command {
+                        orientation.follow(op);
                     }
                 }
             }
             return Part::Module(letter, *argument as u32);
         }
-        let Self { rules, keys, scales, lookers, arguments, next, met, states, is_crowded, .. } = self;
+        let Self {
+            rules,
+            keys,
+            scales,
+            uses_vertical,
+            arguments,
+            next,
+            state_indices,
+            states,
+            has_too_many_states,
+            ..
+        } = self;
         let arity = usize::from(rules.letters[usize::from(letter)].arity);
         let own = &mut arguments[*argument..*argument + arity];
         let scale = scales.take(letter, own);
-        let looks = lookers.get(usize::from(letter)).is_some_and(|&looks| looks);
-        let tilt = if looks { course.tilt() } else { Tilt::default() };
+        let uses = uses_vertical.get(usize::from(letter)).is_some_and(|&uses| uses);
+        let tilt = if uses { orientation.tilt() } else { Tilt::default() };
         let key = (letter, keys.of(letter, own, scales), tilt);
         // The first module with a key stands for all with the same key.
-        let state = match met.get(&key) {
+        let state = match state_indices.get(&key) {
             Some(&state) => state,
             None if *states >= STATES => {
-                *is_crowded = true;
+                *has_too_many_states = true;
                 0
             }
             None => {
                 let state = next.len() as u32;
-                met.insert(key, state);
+                state_indices.insert(key, state);
                 next.push(State { letter, tilt, argument: *argument as u32, parts: 0..0 });
                 *states += 1;
                 state
@@ -473,7 +485,7 @@ impl<S: Space> States<S> {
 
     /// Completes a level of the plan: the states found become the next level.
     fn close(&mut self) {
-        self.met.clear();
+        self.state_indices.clear();
         self.levels.push(core::mem::take(&mut self.next));
         self.done = 0;
     }
@@ -484,12 +496,12 @@ impl<S: Space> States<S> {
         (turtle, score): (&Turtle, &Score<S>),
         letter: LetterId,
         argument: usize,
-        deeds: &mut Vec<Deed<S>>,
+        commands: &mut Vec<Command<S>>,
     ) -> Result<(), Fault> {
         let arity = |letter: LetterId| usize::from(self.rules.letters[usize::from(letter)].arity);
         let own = argument..argument + arity(letter);
         let mut one = |letter: LetterId, arguments: &[f64]| {
-            deeds.extend(score.ops_of(turtle, usize::from(letter), arguments.first().copied()).map(Deed::Op));
+            commands.extend(score.ops_of(turtle, usize::from(letter), arguments.first().copied()).map(Command::Op));
         };
         match applying(&self.rules.images[usize::from(letter)], &self.arguments[own.clone()]) {
             None => one(letter, &self.arguments[own]),

@@ -36,8 +36,8 @@ pub(super) fn is_known<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     if S::LEVEL {
         return true;
     }
-    let looks = lookers(rules, score);
-    if !looks.contains(&true) {
+    let uses = uses_vertical(rules, score);
+    if !uses.contains(&true) {
         return true;
     }
     let turns = spread(rules, score, &|op| matches!(op, Op::Turn(_) | Op::Upright), true);
@@ -45,7 +45,7 @@ pub(super) fn is_known<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
         let (mut lost, mut saved) = (false, vec![]);
         word.letters.iter().all(|&letter| {
             let letter = usize::from(letter);
-            let is_fine = !(lost && looks[letter]);
+            let is_fine = !(lost && uses[letter]);
             if !rules.by_letter[letter].is_empty() {
                 lost |= turns[letter];
                 return is_fine;
@@ -64,7 +64,7 @@ pub(super) fn is_known<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
 }
 
 /// By letter: whether the letter, or any letter derived from it, uses the vertical. Empty if the left is always level.
-pub(super) fn lookers<S: Space>(rules: &Rules, score: &Score<S>) -> Vec<bool> {
+pub(super) fn uses_vertical<S: Space>(rules: &Rules, score: &Score<S>) -> Vec<bool> {
     if S::LEVEL { vec![] } else { spread(rules, score, &|op| matches!(op, Op::Upright), false) }
 }
 
@@ -113,13 +113,13 @@ fn spread<S: Space>(rules: &Rules, score: &Score<S>, is: &dyn Fn(&Op<S>) -> bool
 
 /// The turtle's orientation along a word, with the vertical in the frame of the word.
 #[derive(Clone, Debug)]
-pub(super) struct Course<S: Space> {
+pub(super) struct Orientation<S: Space> {
     heading: S::Turn,
     vertical: S::Point,
     saved: Vec<S::Turn>,
 }
 
-impl<S: Space> Course<S> {
+impl<S: Space> Orientation<S> {
     pub(super) fn new(heading: S::Turn, vertical: S::Point) -> Self {
         Self { heading, vertical, saved: vec![] }
     }

@@ -2,7 +2,7 @@
 
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
-use crate::drawing::piece::{Level, Piece, effect, exponent, follow, place, smaller};
+use crate::drawing::piece::{Level, Piece, branch_exponent, effect, exponent, follow, place};
 use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;
 use crate::style::{ColourChange, StyleChange};
@@ -21,7 +21,7 @@ pub(crate) struct Origin {
 
 impl Origin {
     /// The colour by generation of a letter of the word: a letter equal to its predecessor keeps the colour at entry.
-    pub(super) fn date_of(&self, letter: LetterId) -> ColourChange {
+    pub(super) fn colour_of(&self, letter: LetterId) -> ColourChange {
         let continues = self.former == Some(letter);
         if continues { ColourChange::Add(0) } else { ColourChange::Set(self.step.cast_signed()) }
     }
@@ -64,7 +64,7 @@ pub(super) struct Writing<S: Space> {
     weight: usize,
     /// In the last step, under growth: the index of the one letter that is fully grown, if any; all other letters still
     /// grow. `None` if no letter grows.
-    young: Option<Option<usize>>,
+    fully_grown: Option<Option<usize>>,
     pen: Pen<S>,
     saved: Vec<Pen<S>>,
     tree: Option<Tree<S>>,
@@ -73,13 +73,13 @@ pub(super) struct Writing<S: Space> {
 impl<S: Space> Writing<S> {
     pub(super) fn new(word: &Word<'_, S>) -> Self {
         let Word { score, below, letters, origin, heading } = *word;
-        let youngest = origin.former.filter(|_| below.is_none() && score.growth < 1.0);
+        let growing = origin.former.filter(|_| below.is_none() && score.growth < 1.0);
         Self {
             done: 0,
             level: 0,
             exponent: None,
             weight: 0,
-            young: youngest.map(|former| score.heir(former, letters)),
+            fully_grown: growing.map(|former| score.continuation(former, letters)),
             pen: Pen::new(heading, StyleChange::NONE),
             saved: vec![],
             tree: None,
@@ -135,7 +135,7 @@ impl<S: Space> Writing<S> {
             None => score.goes(symbol).then_some(score.exponent),
             Some(piece) => exponent(builder, piece),
         };
-        self.exponent = self.exponent.max(own.map(|own| own.saturating_add(smaller(score, self.level))));
+        self.exponent = self.exponent.max(own.map(|own| own.saturating_add(branch_exponent(score, self.level))));
         self.weight += 1;
         if below.is_none() {
             self.weight += word.ops(symbol).len();
@@ -155,23 +155,23 @@ impl<S: Space> Writing<S> {
         symbol: LetterId,
         (tree, exponent): (&mut Tree<S>, i32),
     ) {
-        let Self { done, young, pen, saved, .. } = self;
+        let Self { done, fully_grown, pen, saved, .. } = self;
         let score = word.score;
-        if score.dated {
-            pen.style.colour = word.origin.date_of(symbol);
+        if score.colours_by_generation {
+            pen.style.colour = word.origin.colour_of(symbol);
         }
         match word.lower(symbol) {
             None => {
                 let scale = libm::scalbn(1.0, score.exponent - exponent);
                 let grown;
-                let ops = match young {
-                    Some(heir) if *heir != Some(*done) => {
+                let ops = match fully_grown {
+                    Some(continuation) if *continuation != Some(*done) => {
                         grown = word.ops(symbol).iter().map(|&op| score.growing(op)).collect::<Vec<_>>();
                         grown.as_slice()
                     }
                     _ => word.ops(symbol),
                 };
-                tree.draw(builder, *done as u64, |desk, directions| pen.act(ops, saved, scale, directions, desk));
+                tree.draw(builder, *done as u64, |paper, directions| pen.act(ops, saved, scale, directions, paper));
             }
             Some(piece) => {
                 if let Some(block) = piece.block {

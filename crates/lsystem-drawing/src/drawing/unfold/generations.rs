@@ -54,8 +54,8 @@ impl<S: Space> Generations<S> {
         let seed = *seed;
         let mut rewriter =
             Rewriter::new(rules.clone(), seed, *limits).map_err(|fault_| fault(rules, fault_, 0, limits, None))?;
-        if score.is_personal() {
-            let aged = score.dated || score.growth < 1.0;
+        if score.differs_by_module() {
+            let aged = score.colours_by_generation || score.growth < 1.0;
             rewriter.remember(aged.then(|| score.shows(rules)));
         }
         Ok(Self { rewriter, seed, reader: Reader::default(), stage: Stage::Derive })
@@ -154,7 +154,7 @@ impl<S: Space> Generations<S> {
         let Stage::Draw { pen, saved, tree, scale } = stage else { return Outcome::Paused };
         let derived = rewriter.bytes();
         let mut act = |place: usize, ops: &[Op<S>]| {
-            tree.draw(builder, place as u64, |desk, directions| pen.act(ops, saved, *scale, directions, desk));
+            tree.draw(builder, place as u64, |paper, directions| pen.act(ops, saved, *scale, directions, paper));
             let bytes = builder.bytes() + derived + bytes_of(saved) + tree.bytes();
             let is_full = builder.is_full || bytes > limits.memory;
             (!is_full).then(|| builder.take_work())
@@ -307,7 +307,7 @@ impl<S: Space> Reader<S> {
             let letter = word.letters[*at];
             let arity = |letter: u16| usize::from(rules.letters[usize::from(letter)].arity);
             let after = *argument + arity(letter);
-            let mut fate = score.is_personal().then(|| {
+            let mut fate = score.differs_by_module().then(|| {
                 let age = word.age_of(*at).unwrap_or(Age { since: 0, made: 0 });
                 let grows = age.made > 0 && u32::from(age.made) == rewriter.generation();
                 Fate { key: word.key_of(*at), since: u32::from(age.since), grows }

@@ -20,7 +20,7 @@ pub(crate) struct Census {
 }
 
 /// The outcome of a step of a walk.
-pub(super) enum Gone<T> {
+pub(super) enum WalkOutcome<T> {
     /// The budget is spent; there is more to do.
     Paused,
     /// The walk is at the end.
@@ -43,7 +43,7 @@ impl Census {
         limits: &Limits,
         meter: &mut Meter,
         mut act: impl FnMut(&Walk, (u64, LetterId), &[Op<S>]) -> Option<u64>,
-    ) -> Gone<()> {
+    ) -> WalkOutcome<()> {
         let began = self.walk.work;
         let mut acted = 0_u64;
         let outcome = loop {
@@ -57,19 +57,19 @@ impl Census {
                     ops.iter().for_each(|op| self.tally.add(op));
                     self.walk.work += self.tally.work() - before;
                     if self.tally.segments > limits.segments {
-                        break Gone::Passed(LimitName::Segments);
+                        break WalkOutcome::Passed(LimitName::Segments);
                     }
                     if self.tally.segments.saturating_mul(size_of::<Item<S>>() as u64) > limits.memory {
-                        break Gone::Passed(LimitName::Memory);
+                        break WalkOutcome::Passed(LimitName::Memory);
                     }
                     match act(&self.walk, (place, symbol), ops) {
                         Some(work) => acted += work,
-                        None => break Gone::Paused,
+                        None => break WalkOutcome::Paused,
                     }
                 }
-                Next::End => break Gone::Ended(()),
-                Next::Pause if self.walk.work >= limits.work => break Gone::Passed(LimitName::Work),
-                Next::Pause => break Gone::Paused,
+                Next::End => break WalkOutcome::Ended(()),
+                Next::Pause if self.walk.work >= limits.work => break WalkOutcome::Passed(LimitName::Work),
+                Next::Pause => break WalkOutcome::Paused,
             }
         };
         meter.charge((self.walk.work - began).max(1) + acted);
@@ -87,7 +87,7 @@ pub(crate) struct Letters<S: Space> {
     seed: u32,
     /// A cache for the last successor (predecessor, address, length): the index of the letter that continues the
     /// predecessor.
-    heir: Option<((LetterId, usize, usize), Option<usize>)>,
+    continuation: Option<((LetterId, usize, usize), Option<usize>)>,
     /// A reusable buffer for the operations of one module.
     own: Vec<Op<S>>,
 }
@@ -100,7 +100,7 @@ impl<S: Space> Letters<S> {
             saved: vec![],
             tree: Tree::new(score.exponent),
             seed: *seed,
-            heir: None,
+            continuation: None,
             own: vec![],
         }
     }
@@ -121,31 +121,31 @@ impl<S: Space> Letters<S> {
         Task { rules, score, limits, .. }: &Task<S>,
         builder: &mut Builder<S>,
         meter: &mut Meter,
-    ) -> Gone<Option<BlockId>> {
-        let Self { census, pen, saved, tree, seed, heir, own } = self;
+    ) -> WalkOutcome<Option<BlockId>> {
+        let Self { census, pen, saved, tree, seed, continuation, own } = self;
         let outcome = census.step(rules, score, limits, meter, |walk, (place, symbol), ops| {
             let mut ops = ops;
-            if score.is_personal() {
+            if score.differs_by_module() {
                 let fate = walk.fate(rules, symbol, |former, successor| {
                     let word = (former, successor.as_ptr().addr(), successor.len());
-                    match heir {
+                    match continuation {
                         Some((of, at)) if *of == word => *at,
-                        _ => heir.insert((word, score.heir(former, successor))).1,
+                        _ => continuation.insert((word, score.continuation(former, successor))).1,
                     }
                 });
                 score.own(ops, &fate, *seed, own);
                 ops = own;
             }
-            tree.draw(builder, place, |desk, directions| pen.act(ops, saved, 1.0, directions, desk));
+            tree.draw(builder, place, |paper, directions| pen.act(ops, saved, 1.0, directions, paper));
             let is_full = builder.is_full || builder.bytes() + bytes_of(saved) + tree.bytes() > limits.memory;
             (!is_full).then(|| ops.len() as u64 + builder.take_work())
         });
         let outcome = match outcome {
-            Gone::Paused => Gone::Paused,
-            Gone::Passed(limit) => Gone::Passed(limit),
-            Gone::Ended(()) => match tree.finish_one(builder) {
-                Some(root) => Gone::Ended(root),
-                None => Gone::Paused,
+            WalkOutcome::Paused => WalkOutcome::Paused,
+            WalkOutcome::Passed(limit) => WalkOutcome::Passed(limit),
+            WalkOutcome::Ended(()) => match tree.finish_one(builder) {
+                Some(root) => WalkOutcome::Ended(root),
+                None => WalkOutcome::Paused,
             },
         };
         meter.charge(builder.take_work());

@@ -1,6 +1,6 @@
 //! The check of a drawing's limits, and the search for the largest n within them.
 
-use super::letters::{Census, Gone};
+use super::letters::{Census, WalkOutcome};
 use crate::drawing::block::{Item, Space};
 use crate::turtle::{Op, Score};
 use lsystem_derive::{LetterId, Rewrite, Rules};
@@ -163,9 +163,9 @@ impl Search {
         let bytes = (size_of::<Item<S>>() as u64 + S::least_picture()) * 9 / 8;
         let sure = Limits { segments: limits.segments.min(limits.memory / bytes), ..*limits };
         match self.census.step(rules, score, &sure, meter, |_, _, _| Some(0)) {
-            Gone::Paused => return None,
-            Gone::Ended(()) => self.fits = Some(self.trial),
-            Gone::Passed(limit) => {
+            WalkOutcome::Paused => return None,
+            WalkOutcome::Ended(()) => self.fits = Some(self.trial),
+            WalkOutcome::Passed(limit) => {
                 let is_memory = limit == LimitName::Segments && sure.segments < limits.segments;
                 (self.exceeds, self.limit) = (self.trial, if is_memory { LimitName::Memory } else { limit });
             }

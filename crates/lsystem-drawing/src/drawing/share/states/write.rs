@@ -1,10 +1,10 @@
 //! The making of a piece of modules with parameters: the turtle's commands become a block.
 
-use super::{Counted, Deed, Part, States};
+use super::{Command, CountedPiece, Part, States};
 use crate::Turtle;
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
-use crate::drawing::piece::{Piece, effect, exponent, follow, place, smaller};
+use crate::drawing::piece::{Piece, branch_exponent, effect, exponent, follow, place};
 use crate::drawing::share::word::Origin;
 use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;
@@ -20,8 +20,8 @@ use lsystem_syntax::{Diagnostic, Limits, Meter};
 pub(super) struct Writing<S: Space> {
     parts: Range<u32>,
     origin: Origin,
-    /// As [`States::young`].
-    young: Option<Option<u32>>,
+    /// As [`States::fully_grown`].
+    fully_grown: Option<Option<u32>>,
     /// The number of open branches after the parts measured.
     level: i32,
     /// The first part not yet done: parts are measured while `tree` is `None`, then drawn.
@@ -54,19 +54,19 @@ impl<S: Space> States<S> {
         (turtle, score): (&Turtle, &Score<S>),
         builder: &mut Builder<S>,
         meter: &mut Meter,
-    ) -> Result<Option<Counted<S>>, Diagnostic> {
+    ) -> Result<Option<CountedPiece<S>>, Diagnostic> {
         let end = writing.parts.end;
-        let mut deeds = core::mem::take(&mut self.deeds);
+        let mut commands = core::mem::take(&mut self.commands);
         while writing.tree.is_none() && (writing.done < end || writing.weight == 0) {
-            let next = self.collect((turtle, score), writing, &mut deeds)?;
-            writing.measure(builder, score, &deeds);
+            let next = self.collect((turtle, score), writing, &mut commands)?;
+            writing.measure(builder, score, &commands);
             let symbols = (writing.done..next).map(|part| self.symbols_of(part)).fold(0, u128::saturating_add);
             writing.symbols = writing.symbols.saturating_add(symbols);
             writing.held = (writing.done == writing.parts.start && next == end).then_some(end);
-            meter.charge(4 + 2 * u64::from(next - writing.done) + deeds.len() as u64);
+            meter.charge(4 + 2 * u64::from(next - writing.done) + commands.len() as u64);
             writing.done = next;
             if meter.is_spent() && writing.held.is_none() {
-                self.deeds = deeds;
+                self.commands = commands;
                 return Ok(None);
             }
         }
@@ -79,21 +79,21 @@ impl<S: Space> States<S> {
         while writing.done < end {
             let next = match writing.held {
                 Some(next) => next,
-                None => self.collect((turtle, score), writing, &mut deeds)?,
+                None => self.collect((turtle, score), writing, &mut commands)?,
             };
             writing.held = Some(next);
-            while let Some(deed) = deeds.get(writing.drawn).filter(|_| !meter.is_spent() && !builder.is_full) {
-                writing.draw(builder, deed, (&mut tree, unit, scale));
+            while let Some(command) = commands.get(writing.drawn).filter(|_| !meter.is_spent() && !builder.is_full) {
+                writing.draw(builder, command, (&mut tree, unit, scale));
                 writing.drawn += 1;
                 // Most of the work is for hulls of blocks that the command completes.
                 meter.charge(2 + builder.take_work());
             }
-            if writing.drawn < deeds.len() {
+            if writing.drawn < commands.len() {
                 break;
             }
             (writing.done, writing.held, writing.drawn) = (next, None, 0);
         }
-        self.deeds = deeds;
+        self.commands = commands;
         while writing.done == end && !meter.is_spent() && !builder.is_full {
             let finished = tree.finish_one(builder);
             meter.charge(1 + builder.take_work());
@@ -106,37 +106,38 @@ impl<S: Space> States<S> {
         Ok(None)
     }
 
-    /// Replaces `deeds` by the commands of the next parts, as many as there is room for. Returns the part after them.
+    /// Replaces `commands` by the commands of the next parts, as many as there is room for. Returns the part after them.
     fn collect(
         &self,
         with: (&Turtle, &Score<S>),
         writing: &Writing<S>,
-        deeds: &mut Vec<Deed<S>>,
+        commands: &mut Vec<Command<S>>,
     ) -> Result<u32, Diagnostic> {
-        deeds.clear();
+        commands.clear();
         for number in writing.done..writing.parts.end {
-            if deeds.len() >= HELD {
+            if commands.len() >= HELD {
                 return Ok(number);
             }
             let part = self.parts[number as usize];
-            deeds.extend(self.words.is_some().then(|| Deed::Place(number - writing.parts.start)));
-            deeds.extend(with.1.dated.then(|| Deed::Date(writing.origin.date_of(part.letter()))));
+            commands.extend(self.words.is_some().then(|| Command::Place(number - writing.parts.start)));
+            commands
+                .extend(with.1.colours_by_generation.then(|| Command::Colour(writing.origin.colour_of(part.letter()))));
             match part {
                 Part::Module(letter, argument) => {
-                    let before = deeds.len();
-                    let acted = self.act(with, letter, argument as usize, deeds);
+                    let before = commands.len();
+                    let acted = self.act(with, letter, argument as usize, commands);
                     // An image counts as a step after generation `n`.
                     acted.map_err(|error| fault(&self.rules, error, self.n, &Limits::default(), None))?;
-                    if writing.young.is_some_and(|heir| heir != Some(number)) {
-                        deeds[before..].iter_mut().for_each(|deed| {
-                            if let Deed::Op(op) = deed {
+                    if writing.fully_grown.is_some_and(|continuation| continuation != Some(number)) {
+                        commands[before..].iter_mut().for_each(|command| {
+                            if let Command::Op(op) = command {
                                 *op = with.1.growing(*op);
                             }
                         });
                     }
                 }
                 Part::State(_, state, scale) => {
-                    deeds.extend(self.below(state).map(|(piece, _)| Deed::Piece(*piece, scale)));
+                    commands.extend(self.below(state).map(|(piece, _)| Command::Piece(*piece, scale)));
                 }
             }
         }
@@ -144,7 +145,7 @@ impl<S: Space> States<S> {
     }
 
     /// The piece of a state of the level below.
-    fn below(&self, state: u32) -> Option<&Counted<S>> {
+    fn below(&self, state: u32) -> Option<&CountedPiece<S>> {
         self.pieces.as_ref().and_then(|[below, _]| below.get(state as usize))
     }
 
@@ -162,14 +163,14 @@ impl<S: Space> Writing<S> {
     pub(super) fn new(
         parts: Range<u32>,
         origin: Origin,
-        young: Option<Option<u32>>,
+        fully_grown: Option<Option<u32>>,
         (heading, vertical): (S::Turn, S::Point),
     ) -> Self {
         Self {
             done: parts.start,
             parts,
             origin,
-            young,
+            fully_grown,
             level: 0,
             unit: None,
             symbols: 0,
@@ -189,37 +190,39 @@ impl<S: Space> Writing<S> {
     }
 
     /// Measures the lengths and the number of some commands.
-    fn measure(&mut self, builder: &Builder<S>, score: &Score<S>, deeds: &[Deed<S>]) {
-        for deed in deeds {
-            let unit = match deed {
-                Deed::Op(Op::Draw(length) | Op::Move(length)) if *length != 0.0 => {
+    fn measure(&mut self, builder: &Builder<S>, score: &Score<S>, commands: &[Command<S>]) {
+        for command in commands {
+            let unit = match command {
+                Command::Op(Op::Draw(length) | Op::Move(length)) if *length != 0.0 => {
                     Some(score.exponent.saturating_add(unit_of(*length)))
                 }
-                Deed::Op(Op::Push(_)) => {
+                Command::Op(Op::Push(_)) => {
                     self.level = self.level.saturating_add(1);
                     None
                 }
-                Deed::Op(Op::Pop) => {
+                Command::Op(Op::Pop) => {
                     self.level = self.level.saturating_sub(1).max(0);
                     None
                 }
-                Deed::Op(_) | Deed::Date(_) | Deed::Place(_) => None,
-                Deed::Piece(piece, scale) => exponent(builder, piece).map(|own| own.saturating_add(unit_of(*scale))),
+                Command::Op(_) | Command::Colour(_) | Command::Place(_) => None,
+                Command::Piece(piece, scale) => exponent(builder, piece).map(|own| own.saturating_add(unit_of(*scale))),
             };
-            self.unit = self.unit.max(unit.map(|unit| unit.saturating_add(smaller(score, self.level))));
+            self.unit = self.unit.max(unit.map(|unit| unit.saturating_add(branch_exponent(score, self.level))));
         }
-        self.weight += 1 + deeds.len();
+        self.weight += 1 + commands.len();
     }
 
-    fn draw(&mut self, builder: &mut Builder<S>, deed: &Deed<S>, (tree, unit, scale): (&mut Tree<S>, i32, f64)) {
+    fn draw(&mut self, builder: &mut Builder<S>, command: &Command<S>, (tree, unit, scale): (&mut Tree<S>, i32, f64)) {
         let Self { pen, saved, place: at, .. } = self;
-        match deed {
-            Deed::Op(op) => {
-                tree.draw(builder, u64::from(*at), |desk, directions| pen.act(&[*op], saved, scale, directions, desk));
+        match command {
+            Command::Op(op) => {
+                tree.draw(builder, u64::from(*at), |paper, directions| {
+                    pen.act(&[*op], saved, scale, directions, paper)
+                });
             }
-            Deed::Place(place) => *at = *place,
-            Deed::Date(colour) => pen.style.colour = *colour,
-            Deed::Piece(piece, scale) => {
+            Command::Place(place) => *at = *place,
+            Command::Colour(colour) => pen.style.colour = *colour,
+            Command::Piece(piece, scale) => {
                 if let Some(block) = piece.block {
                     let placed = place(builder, block, pen, unit, *scale);
                     tree.place(builder, placed);
