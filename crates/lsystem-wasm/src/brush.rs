@@ -1,4 +1,4 @@
-//! What makes a picture of a drawing in the plane: one renderer for ink that covers, one for ink that adds up.
+//! Pictures of drawings in the plane: one renderer for opaque ink, one for additive ink.
 
 use crate::viewer::Scene;
 use lsystem::DensityRenderer;
@@ -8,18 +8,18 @@ use lsystem::{Drawing, PlaneRenderer, Progress, Renderer, Style, Viewport};
 use std::sync::Arc;
 
 /// A renderer for one of the inks.
-enum Maker {
+enum InkRenderer {
     Covering(Box<Renderer>),
     Adding(Box<DensityRenderer>),
 }
 
-impl Maker {
-    /// For ink that covers.
+impl InkRenderer {
+    /// A renderer for opaque ink; a `light` one takes less memory.
     fn covering(light: bool) -> Self {
         Self::Covering(Box::new(if light { Renderer::light() } else { Renderer::new() }))
     }
 
-    fn of(&mut self) -> &mut dyn PlaneRenderer {
+    fn get_mut(&mut self) -> &mut dyn PlaneRenderer {
         match self {
             Self::Covering(renderer) => &mut **renderer,
             Self::Adding(renderer) => &mut **renderer,
@@ -34,10 +34,10 @@ impl Maker {
     }
 }
 
-/// Makes pictures in the ink that they ask for.
+/// Makes pictures in the ink of their style.
 pub(crate) struct Brush {
-    maker: Maker,
-    /// Whether it does without what takes memory for pictures of crowds.
+    renderer: InkRenderer,
+    /// As [`Renderer::light`].
     light: bool,
     drawing: Option<Arc<Drawing>>,
     /// Whether the renderer has the drawing.
@@ -51,16 +51,16 @@ impl Default for Brush {
 }
 
 impl Brush {
-    /// For small pictures.
+    /// A brush for small pictures.
     pub(crate) fn light() -> Self {
         Self::of(true)
     }
 
     fn of(light: bool) -> Self {
-        Self { maker: Maker::covering(light), light, drawing: None, loaded: false }
+        Self { renderer: InkRenderer::covering(light), light, drawing: None, loaded: false }
     }
 
-    /// The most bytes that a fine and a coarse picture take together.
+    /// The most bytes of a fine and a coarse picture together.
     pub(crate) fn most_bytes(drawing: &Drawing, style: &Style, viewport: Viewport) -> u64 {
         let most = |detail| match style.ink {
             Ink::Density => DensityRenderer::most_bytes(drawing, style, viewport, detail),
@@ -69,7 +69,7 @@ impl Brush {
         most(Detail::Fine) + most(Detail::Coarse)
     }
 
-    /// Takes the drawing that the next pictures are of.
+    /// Sets the drawing of the next pictures.
     pub(crate) fn load(&mut self, drawing: Arc<Drawing>) {
         self.drawing = Some(drawing);
         self.loaded = false;
@@ -79,51 +79,50 @@ impl Brush {
     pub(crate) fn begin(&mut self, scene: &Scene, detail: Detail) {
         self.prepare(scene);
         let Scene { style, viewport, view, upto, .. } = scene;
-        self.maker.of().begin_with(style, *viewport, *view, detail, *upto);
+        self.renderer.get_mut().begin_with(style, *viewport, *view, detail, *upto);
     }
 
-    /// Starts a pane of a fine picture; what its pass is concerns ink that adds up.
+    /// Starts a pane of a fine picture; only additive ink uses `pass`.
     pub(crate) fn begin_pane(&mut self, scene: &Scene, pane: Pane, pass: Pass) {
         self.prepare(scene);
         let Scene { style, viewport, view, upto, .. } = scene;
-        match &mut self.maker {
-            Maker::Covering(renderer) => renderer.begin_pane(style, *viewport, *view, *upto, pane),
-            Maker::Adding(renderer) => renderer.begin_pane(style, *viewport, *view, *upto, pane, pass),
+        match &mut self.renderer {
+            InkRenderer::Covering(renderer) => renderer.begin_pane(style, *viewport, *view, *upto, pane),
+            InkRenderer::Adding(renderer) => renderer.begin_pane(style, *viewport, *view, *upto, pane, pass),
         }
     }
 
-    /// Makes sure that the right renderer has the drawing.
+    /// Loads the drawing into a renderer for the scene's ink.
     fn prepare(&mut self, scene: &Scene) {
-        match (scene.style.ink, &self.maker) {
-            (Ink::Solid, Maker::Covering(_)) | (Ink::Density, Maker::Adding(_)) => {}
+        match (scene.style.ink, &self.renderer) {
+            (Ink::Solid, InkRenderer::Covering(_)) | (Ink::Density, InkRenderer::Adding(_)) => {}
             (ink, _) => {
-                self.maker = match ink {
-                    Ink::Solid => Maker::covering(self.light),
-                    Ink::Density => Maker::Adding(Box::new(DensityRenderer::new())),
+                self.renderer = match ink {
+                    Ink::Solid => InkRenderer::covering(self.light),
+                    Ink::Density => InkRenderer::Adding(Box::new(DensityRenderer::new())),
                 };
                 self.loaded = false;
             }
         }
         if let Some(drawing) = self.drawing.as_ref().filter(|_| !self.loaded) {
-            self.maker.of().load(drawing.clone());
+            self.renderer.get_mut().load(drawing.clone());
             self.loaded = true;
         }
     }
 
-    /// Goes on with it.
+    /// Continues the picture for about `work` units.
     pub(crate) fn step(&mut self, work: usize) -> Progress {
-        self.maker.of().step(work)
+        self.renderer.get_mut().step(work)
     }
 
-    /// Whether not every line is in its place: it is put together from pictures of its parts, or outlines stand for fine
-    /// detail.
+    /// Whether the picture is not exact: pictures of parts compose it, or outlines stand for fine detail.
     pub(crate) fn is_rough(&self) -> bool {
-        let RenderStats { outlines, parts, .. } = self.maker.get().stats();
+        let RenderStats { outlines, parts, .. } = self.renderer.get().stats();
         outlines + parts > 0
     }
 
     /// The picture so far.
     pub(crate) fn pixels(&self) -> &[u8] {
-        self.maker.get().pixels()
+        self.renderer.get().pixels()
     }
 }
