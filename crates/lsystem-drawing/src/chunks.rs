@@ -8,7 +8,7 @@ const PIECE: usize = 1 << SHIFT;
 const SHIFT: usize = 15;
 
 /// Elements in runs; each run is a slice. The numbers of elements are not consecutive: each piece starts at a multiple
-/// of [`PIECE`].
+/// of 32,768.
 #[derive(Clone, Debug)]
 pub struct Chunks<T> {
     pieces: Vec<Vec<T>>,

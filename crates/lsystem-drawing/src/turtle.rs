@@ -11,7 +11,7 @@ use lsystem_syntax::{Action, Heading};
 /// The actions of all letters and the settings of the turtle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turtle {
-    /// The actions by letter ([`LetterId`](lsystem_derive::LetterId)).
+    /// The actions by letter ([`LetterId`]).
     pub actions: Vec<Vec<Action>>,
     /// The angle of a left turn, counter-clockwise.
     pub left: Heading,

@@ -217,7 +217,7 @@ impl<S: Space> Writing<S> {
         match command {
             Command::Op(op) => {
                 tree.draw(builder, u64::from(*at), |paper, directions| {
-                    pen.act(&[*op], saved, scale, directions, paper)
+                    pen.act(&[*op], saved, scale, directions, paper);
                 });
             }
             Command::Place(place) => *at = *place,
