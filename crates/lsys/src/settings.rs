@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn mistakes_are_told() {
-        assert!(set(&[("colr", "1")]).unwrap_err().contains("no `colr`"));
+        assert!(set(&[("colr", "1")]).unwrap_err().contains("no field `colr`"));
         assert_eq!(
             set(&[("width", "wide")]).unwrap_err(),
             "--set width=wide: Stroke width (steps) must be a number from 0 to 1,000,000,000"
