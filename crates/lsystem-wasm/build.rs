@@ -1,6 +1,6 @@
-//! Bounds the memory of the wasm: no drawing, whatever its definition, takes more from the browser.
+//! Links the wasm with a maximum of memory.
 
-/// All of a page's workers together may have this many bytes; a single one never has more.
+/// The most bytes of one instance: a backstop. The shares of `src/budget.rs` add up to half of this.
 const MOST_MEMORY: u32 = 512 << 20;
 
 fn main() {

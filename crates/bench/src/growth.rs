@@ -1,23 +1,23 @@
-//! Derivation one generation after the other: productions with contexts, and with parameters.
+//! The measured systems with contexts or parameters, which are derived by whole generations.
 
 use lsystem::derive::{Rewriter, Rules};
 use lsystem::{Definition, Limits, System};
 use std::sync::Arc;
 
-/// A system whose productions look around themselves or compute.
+/// A system with contexts or parameters.
 #[derive(Clone, Copy, Debug)]
 pub struct Growth {
-    /// What the tables call it.
+    /// The name in the tables.
     pub name: &'static str,
-    /// What it measures, with its unit.
+    /// The kind of work, with its unit.
     pub what: &'static str,
-    /// Its axiom.
+    /// The axiom.
     pub axiom: &'static str,
-    /// Its productions and constants.
+    /// The productions and constants.
     pub rules: &'static str,
-    /// Derivation steps.
+    /// The number of derivation steps.
     pub n: u32,
-    /// Modules of that generation.
+    /// The number of modules in generation `n`.
     pub modules: u64,
 }
 
@@ -35,8 +35,8 @@ const TREE: &str = "r1 = 0.9\nr2 = 0.6\nwr = 0.707\n\
     B(l,w) -> !(w)F(l)[-(45)$C(l*r2,w*wr)]C(l*r1,w*wr)\n\
     C(l,w) -> !(w)F(l)[+(45)$B(l*r2,w*wr)]B(l*r1,w*wr)";
 
-/// Figure 1.31a twice: deep, and as deep as a peer comes whose right contexts leave their branches, so that its words
-/// are another system's and longer.
+/// Figure 1.31a twice: with many steps, and with as many as a peer can derive. That peer's right contexts leave their
+/// branches, so its words differ and are longer.
 pub const GROWTHS: [Growth; 3] = [
     Growth { name: "1.31a", what: CONTEXTS, axiom: "F1F1F1", rules: SIGNALS, n: 60, modules: 9_239_061 },
     Growth { name: "1.31a", what: CONTEXTS, axiom: "F1F1F1", rules: SIGNALS, n: 30, modules: 6_910 },
@@ -44,7 +44,7 @@ pub const GROWTHS: [Growth; 3] = [
 ];
 
 impl Growth {
-    /// Its rules, compiled.
+    /// The compiled rules.
     #[must_use]
     pub fn compile(&self) -> Arc<Rules> {
         let definition = Definition { axiom: self.axiom.into(), rules: self.rules.into(), ..Definition::default() };
@@ -52,7 +52,7 @@ impl Growth {
         system.rules
     }
 
-    /// Derives; how many modules were read on the way, in all generations but the last.
+    /// Derives generation `n`. Returns the number of modules read: those of all generations before `n`.
     #[must_use]
     pub fn derive(&self, rules: &Arc<Rules>) -> u64 {
         let mut rewriter = Rewriter::new(rules.clone(), 0, Limits::default()).expect("finite numbers");

@@ -1,4 +1,4 @@
-//! Measurements: the same work by this library, by others, and by a plain copy of as many bytes.
+//! Measurements: the same work by this library, by other libraries, and by a plain copy of the same bytes.
 
 mod growth;
 mod row;

@@ -1,4 +1,4 @@
-//! `bench`: measures natively and prints tables. `bench FILE`: prints the tables of results measured in a browser.
+//! `bench` measures natively and prints tables. `bench FILE` prints tables of results from a browser.
 
 #[cfg(not(target_arch = "wasm32"))]
 mod peers;
@@ -43,7 +43,7 @@ mod native {
         rows
     }
 
-    /// Peers that do other work are not worth measuring.
+    /// Checks that peers give the same results.
     fn compare(work: &Work, buffers: &mut Buffers) {
         buffers.expand(&work.system(), work.n);
         assert_eq!(peers::lindenmayer(work).string(work.n as usize), buffers.text);
@@ -69,7 +69,7 @@ mod native {
         });
     }
 
-    /// The peer's derivation is done before, and not measured.
+    /// Measures drawing. The peer derives before the measurement, so its time is only for drawing.
     fn drawing(work: &Work, buffers: &mut Buffers, rows: &mut Vec<Row>) {
         let name = name(work.name, work.n);
         let mut add = |who: &str, run: &mut dyn FnMut() -> u64| rows.push(best(DRAWING, &name, who, run));
@@ -82,7 +82,7 @@ mod native {
         add("dcc-lsystem 0.6", &mut || peers::dcc_lines(work, &peer));
     }
 
-    /// Of the peers only one computes with parameters, and none looks around itself.
+    /// Measures derivation. Only one peer supports parameters, and none supports contexts in the same way.
     fn derivation(growth: &Growth, rows: &mut Vec<Row>) {
         let name = name(growth.name, growth.n);
         let mut add = |who: &str, run: &mut dyn FnMut() -> u64| rows.push(best(growth.what, &name, who, run));
@@ -98,8 +98,8 @@ mod native {
         format!("{work}, n = {n}")
     }
 
-    /// The best of at least three batches and half a second: what disturbs a run only ever makes it slower. A batch
-    /// takes 20 ms or more, as in the browser.
+    /// The best of at least three batches and half a second, because disturbances only make a run slower. A batch takes
+    /// at least 20 ms, as in the browser.
     fn best(what: &str, work: &str, who: &str, run: &mut dyn FnMut() -> u64) -> Row {
         let begin = Instant::now();
         let (mut batches, mut seconds, mut amount) = (0, f64::INFINITY, 0);

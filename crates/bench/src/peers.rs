@@ -1,4 +1,4 @@
-//! The same work done by other people's crates.
+//! The same work by other crates.
 
 use bench::Work;
 use dcc_lsystem::renderer::{DataRendererOptions, Renderer, TurtleRenderer};
@@ -12,7 +12,7 @@ pub(crate) fn lindenmayer(work: &Work) -> lindenmayer::LSystem {
     lindenmayer::LSystem::new(work.axiom.to_owned(), work.rules)
 }
 
-/// `dcc-lsystem`: token numbers, and a turtle over them that keeps lines in whole units.
+/// `dcc-lsystem`: strings of token numbers, and a turtle with lines in whole units.
 pub(crate) fn dcc(work: &Work) -> (dcc_lsystem::LSystem, TurtleRenderer<TurtleLSystemState>) {
     let spaced = |text: &str| text.chars().map(String::from).collect::<Vec<_>>().join(" ");
     let mut builder = TurtleLSystemBuilder::new();
@@ -32,7 +32,7 @@ pub(crate) fn dcc(work: &Work) -> (dcc_lsystem::LSystem, TurtleRenderer<TurtleLS
     builder.finish()
 }
 
-/// How many lines a derived system draws. A renderer serves once.
+/// The number of lines that a derived system draws. A renderer can be used only once, so each call makes a new one.
 pub(crate) fn dcc_lines(work: &Work, system: &dcc_lsystem::LSystem) -> u64 {
     dcc(work).1.render(system, &DataRendererOptions::default()).len() as u64
 }
@@ -60,7 +60,7 @@ pub(crate) fn tree() -> Tree {
     system
 }
 
-/// Derives it `n` times; how many modules were read on the way.
+/// Derives `n` generations. Returns the number of modules read.
 pub(crate) fn derive_tree(tree: &Tree, n: u32, modules: u64) -> u64 {
     let mut word = vec![Grown::new_from_vec('A', vec![1.0, 10.0]).expect("a symbol")];
     let mut read = 0;

@@ -1,4 +1,4 @@
-//! Pictures for a browser's script to time: one system after the other, at several depths and magnifications.
+//! Pictures that a script in the browser times: each system at several depths and magnifications.
 
 use lsystem::syntax::Ink;
 use lsystem::{Definition, Drawing, Limits, Progress, Renderer, System, View, Viewport, draw, fit, read_json};
@@ -6,12 +6,12 @@ use serde_json::{Value, json};
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
-/// The picture's size, in device pixels.
+/// The size of the pictures, in device pixels.
 const VIEWPORT: Viewport = Viewport { width: 1600, height: 1000, ratio: 1.0 };
-/// Work between two looks at anything else, as in the page.
+/// The units of work of a step, as in the page.
 const WORK: usize = 16_384;
 
-/// Systems that are hard to draw, beside those of the gallery: name, axiom, rules, angle.
+/// Systems that are hard to draw, in addition to those of the gallery: name, axiom, rules, angle.
 const HARD: [(&str, &str, &str, f64); 7] = [
     ("hard: Koch", "F", "F -> F+F--F+F", 60.0),
     ("hard: dragon", "F", "F -> F+G\nG -> F-G", 90.0),
@@ -22,7 +22,7 @@ const HARD: [(&str, &str, &str, f64); 7] = [
     ("hard: Gosper", "F", "F -> F-G--G+F++FF+G-\nG -> +F-GG--G-F++F+G", 60.0),
 ];
 
-/// The heaviest overlap among them, for which more time is allowed, whatever its letter is.
+/// The successor of the system with the heaviest overlap, which is allowed more time. In some files its letter is `g`.
 const BUSH: &str = "FF-[-F+F+F]+[+F-F-F]";
 
 #[wasm_bindgen]
@@ -31,10 +31,11 @@ extern "C" {
     fn now() -> f64;
 }
 
-/// The systems to be pictured, and the picture in the making.
+/// The systems, and the picture in the making.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Pictures {
+    /// The name, whether the successor is [`BUSH`], and the system.
     systems: Vec<(String, bool, System)>,
     current: usize,
     drawing: Option<Arc<Drawing>>,
@@ -43,8 +44,8 @@ pub struct Pictures {
 
 #[wasm_bindgen]
 impl Pictures {
-    /// The hard systems, and those among `files` (a JSON object of names and contents of system files) that
-    /// memoise and are drawn in the plane.
+    /// The hard systems, and the systems in `files` whose drawings are in the plane and share blocks. `files` is a JSON
+    /// object of names and contents of system files.
     #[wasm_bindgen(constructor)]
     #[must_use]
     pub fn new(files: &str) -> Self {
@@ -70,7 +71,8 @@ impl Pictures {
         Self { systems: systems.collect(), ..Self::default() }
     }
 
-    /// Makes the graph of generation `n` of a system; its name, whether it is the bush, and how many segments it draws. Nothing after the last.
+    /// Makes the drawing of generation `n` of a system. Returns JSON: name, whether the system is the bush, numbers of
+    /// segments and blocks. `undefined` after the last system or if a limit is exceeded.
     pub fn build(&mut self, index: usize, n: u32) -> Option<String> {
         let (name, bush, system) = self.systems.get(index)?;
         let drawing = draw(system, n, &Limits::default()).ok()?;
@@ -80,15 +82,16 @@ impl Pictures {
         Some(json!({"name": name, "bush": bush, "segments": segments, "blocks": blocks}).to_string())
     }
 
-    /// Forgets every tile, as a change of the system does.
+    /// Drops all tiles, as a change of the system does.
     pub fn load(&mut self) {
         if let Some(drawing) = &self.drawing {
             self.renderer.load(drawing.clone());
         }
     }
 
-    /// Makes a whole picture: fitted at `zoom` 1, else of a place near a segment in the midst, `shift` pixels beside.
-    /// Whether that ended within `limit` milliseconds; it is cut off if not.
+    /// Makes a whole picture: fitted at `zoom` 1, otherwise around a segment in the middle of the drawing, moved by
+    /// `shift` thousandths of the extent at `zoom`. Stops after `limit` milliseconds. Returns whether the picture is
+    /// complete.
     pub fn picture(&mut self, zoom: f64, shift: f64, limit: f64) -> bool {
         let Some(drawing) = &self.drawing else { return true };
         let rect = fit(drawing);
@@ -111,7 +114,7 @@ impl Pictures {
         true
     }
 
-    /// What the last picture took: blocks looked into, strokes, tiles made, tiles stamped.
+    /// The work of the last picture: the numbers of blocks visited, strokes, tiles made and tiles stamped.
     #[must_use]
     pub fn stats(&self) -> Vec<f64> {
         let stats = self.renderer.stats();
@@ -124,7 +127,7 @@ impl Pictures {
         js_sys::Uint8ClampedArray::from(self.renderer.pixels())
     }
 
-    /// The ends of all segments, for those who draw them one by one; nothing where there are more than `most`.
+    /// The ends of all segments, for drawing them one by one; `undefined` if there are more than `most`.
     #[must_use]
     pub fn segments(&self, most: u32) -> Option<js_sys::Float32Array> {
         let mut arrays = lsystem::SegmentArrays::default();

@@ -1,4 +1,4 @@
-//! Results, and how they are shown.
+//! Results as tables.
 
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
@@ -6,15 +6,15 @@ use std::fmt::Write;
 /// One result.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Row {
-    /// What was done, with its unit: `expansion, symbols/s`.
+    /// The kind of work, with its unit: `expansion, symbols/s`.
     pub what: String,
-    /// On which system.
+    /// The name of the system.
     pub work: String,
-    /// By whom: `ours` (`ours, …` for another way), `copy` for a plain copy of the same bytes, or the name of a peer.
+    /// The program: `ours` (`ours, …` for another method), `copy` for a plain copy of the same bytes, or a peer's name.
     pub who: String,
-    /// How many units.
+    /// The number of units of one run.
     pub amount: u64,
-    /// In which time, at best.
+    /// The shortest time of one run, in seconds.
     pub seconds: f64,
 }
 
@@ -24,7 +24,7 @@ impl Row {
     }
 }
 
-/// A table for each kind of work: units a second, and how they compare. Rows keep their order.
+/// A table for each kind of work: units per second, and ratios. Rows keep their order.
 #[must_use]
 pub fn tables(rows: &[Row], place: &str) -> String {
     let mut text = String::new();
@@ -65,7 +65,7 @@ fn table(text: &mut String, title: &str, rows: &[&Row]) {
     text.push('\n');
 }
 
-/// Each of the texts once, in the order of their first occurrence.
+/// The distinct texts, in the order of their first occurrence.
 fn distinct<'a>(texts: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     let mut found = vec![];
     for text in texts {
@@ -76,7 +76,7 @@ fn distinct<'a>(texts: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     found
 }
 
-/// Three digits and a unit of thousands.
+/// A number with three digits and a decimal prefix.
 fn short(number: f64) -> String {
     let (value, unit) = match number {
         1e9.. => (number / 1e9, " G"),

@@ -1,4 +1,4 @@
-//! The same measurements for a browser's script to time.
+//! The measured work as functions that a script in the browser times.
 
 use crate::{Buffers, GROWTHS, Growth, WORKS, Work};
 use lsystem::System;
@@ -17,7 +17,7 @@ pub struct Bench {
 
 #[wasm_bindgen]
 impl Bench {
-    /// The work at `index`, or nothing after the last; a `shorter` one is for comparing results.
+    /// The work at `index`, or `undefined` after the last. `shorter` work is for comparing results.
     #[must_use]
     pub fn at(index: usize, shorter: bool) -> Option<Self> {
         let work = *WORKS.get(index)?;
@@ -25,42 +25,42 @@ impl Bench {
         Some(Self { work, system: work.system(), buffers: Buffers::default() })
     }
 
-    /// As JSON: name, axiom, rules, angle, n.
+    /// The work as JSON: name, axiom, rules, angle, n.
     #[must_use]
     pub fn work(&self) -> String {
         let Work { name, axiom, rules, angle, n } = self.work;
         serde_json::json!({"name": name, "axiom": axiom, "rules": rules, "angle": angle, "n": n}).to_string()
     }
 
-    /// Derives into memory that is used again; how many symbols.
+    /// Derives the string into reused memory. Returns the number of symbols.
     pub fn expand(&mut self) -> f64 {
         self.buffers.expand(&self.system, self.work.n) as f64
     }
 
-    /// Copies the string; how many bytes.
+    /// Copies the string. Returns the number of bytes.
     #[wasm_bindgen(js_name = copyText)]
     pub fn copy_text(&mut self) -> f64 {
         self.buffers.copy_text() as f64
     }
 
-    /// Draws and writes all segments to memory that is used again; how many.
+    /// Draws and writes all segments to reused memory. Returns the number of segments.
     pub fn draw(&mut self) -> f64 {
         self.buffers.draw(&self.system, self.work.n) as f64
     }
 
-    /// Draws and goes through all segments; how many.
+    /// Draws and reads all segments in chunks. Returns the number of segments.
     #[wasm_bindgen(js_name = drawInChunks)]
     pub fn draw_in_chunks(&mut self) -> f64 {
         self.buffers.draw_in_chunks(&self.system, self.work.n) as f64
     }
 
-    /// Copies the segments' ends; how many segments.
+    /// Copies the segments' ends. Returns the number of segments.
     #[wasm_bindgen(js_name = copySegments)]
     pub fn copy_segments(&mut self) -> f64 {
         self.buffers.copy_segments() as f64
     }
 
-    /// The last string derived.
+    /// The string derived last.
     #[must_use]
     pub fn text(&self) -> String {
         self.buffers.text.clone()
@@ -77,21 +77,21 @@ pub struct Derivation {
 
 #[wasm_bindgen]
 impl Derivation {
-    /// The derivation at `index`, or nothing after the last.
+    /// The derivation at `index`, or `undefined` after the last.
     #[must_use]
     pub fn at(index: usize) -> Option<Self> {
         let growth = *GROWTHS.get(index)?;
         Some(Self { growth, rules: growth.compile() })
     }
 
-    /// As JSON: what it measures, name, axiom, n, modules of that generation.
+    /// The work as JSON: kind of work, name, axiom, n, number of modules in generation n.
     #[must_use]
     pub fn work(&self) -> String {
         let Growth { name, what, axiom, n, modules, .. } = self.growth;
         serde_json::json!({"what": what, "name": name, "axiom": axiom, "n": n, "modules": modules}).to_string()
     }
 
-    /// Derives; how many modules were read on the way.
+    /// Derives generation n. Returns the number of modules read.
     #[must_use]
     pub fn derive(&self) -> f64 {
         self.growth.derive(&self.rules) as f64

@@ -1,23 +1,24 @@
-//! What is measured, and this library's part of it.
+//! The measured systems, and the measured work of this library.
 
 use lsystem::{Definition, Limits, SegmentArrays, System};
 
-/// A system to be derived and drawn.
+/// A system to derive and draw.
 #[derive(Clone, Copy, Debug)]
 pub struct Work {
-    /// What the tables call it.
+    /// The name in the tables.
     pub name: &'static str,
-    /// Its axiom.
+    /// The axiom.
     pub axiom: &'static str,
-    /// Its productions.
+    /// The productions.
     pub rules: &'static [(char, &'static str)],
-    /// Degrees.
+    /// The angle of turns, in degrees.
     pub angle: f64,
-    /// Derivation steps.
+    /// The number of derivation steps.
     pub n: u32,
 }
 
-/// Four well-known systems, each with ten to thirty million symbols: more than the processor's caches hold.
+/// Four well-known systems, each with ten to thirty million symbols, so that the strings do not fit into the
+/// processor's caches.
 pub const WORKS: [Work; 4] = [
     Work { name: "plant", axiom: "X", rules: &[('X', "F+[[X]-X]-F[-FX]+X"), ('F', "FF")], angle: 25.0, n: 10 },
     Work { name: "Koch", axiom: "F", rules: &[('F', "F+F-F-F+F")], angle: 90.0, n: 10 },
@@ -25,19 +26,19 @@ pub const WORKS: [Work; 4] = [
     Work { name: "Sierpinski", axiom: "F-G-G", rules: &[('F', "F-G+F+G-F"), ('G', "GG")], angle: 120.0, n: 14 },
 ];
 
-/// No work here comes near these.
+/// Limits far above the measured work.
 fn limits() -> Limits {
     Limits { symbols: 1 << 30, segments: 1 << 30, ..Limits::default() }
 }
 
 impl Work {
-    /// The same work, a few steps shorter: to compare results before measuring.
+    /// The same work with four steps fewer, to compare results before measuring.
     #[must_use]
     pub fn shorter(self) -> Self {
         Self { n: self.n - 4, ..self }
     }
 
-    /// The system of this library.
+    /// The system for this library.
     #[must_use]
     pub fn system(&self) -> System {
         let rules: Vec<String> = self.rules.iter().map(|(symbol, text)| format!("{symbol} -> {text}")).collect();
@@ -52,37 +53,37 @@ impl Work {
     }
 }
 
-/// Memory that is used again by every run: the first touch of fresh memory costs more than what is measured.
+/// Memory that all runs reuse, because the first write to fresh memory costs more than the measured work.
 #[derive(Debug, Default)]
 pub struct Buffers {
-    /// The last string derived.
+    /// The string derived last.
     pub text: String,
-    /// The last drawing written out.
+    /// The segments written last.
     pub segments: SegmentArrays,
     copy: Vec<u8>,
     ends: Vec<f32>,
 }
 
 impl Buffers {
-    /// Derives the string and returns how many symbols it has.
+    /// Derives the string. Returns the number of symbols.
     pub fn expand(&mut self, system: &System, n: u32) -> u64 {
         lsystem::drawing::expand_into(system, n, &limits(), &mut self.text).expect("within the limits");
         self.text.len() as u64
     }
 
-    /// Copies as many bytes as the last string has, and returns how many those are.
+    /// Copies the string derived last. Returns the number of bytes.
     pub fn copy_text(&mut self) -> u64 {
         copy(self.text.as_bytes(), &mut self.copy)
     }
 
-    /// Draws, writes every segment out and returns how many there are.
+    /// Draws and writes all segments to memory. Returns the number of segments.
     pub fn draw(&mut self, system: &System, n: u32) -> u64 {
         let drawing = lsystem::draw(system, n, &limits()).expect("within the limits");
         drawing.write_segments(limits().segments, &mut self.segments).expect("within the limits");
         self.segments.levels.len() as u64
     }
 
-    /// Draws and goes through all segments some thousand at a time; how many there are.
+    /// Draws and reads all segments in chunks. Returns the number of segments.
     pub fn draw_in_chunks(&mut self, system: &System, n: u32) -> u64 {
         let drawing = lsystem::draw(system, n, &limits()).expect("within the limits");
         let mut count = 0;
@@ -93,7 +94,7 @@ impl Buffers {
         count
     }
 
-    /// Copies the ends of the last drawing's segments; how many segments those are.
+    /// Copies the ends of the segments written last. Returns the number of segments.
     pub fn copy_segments(&mut self) -> u64 {
         copy(&self.segments.ends, &mut self.ends) / 4
     }

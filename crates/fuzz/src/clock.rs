@@ -1,20 +1,20 @@
-//! Processor time, which a busy machine does not stretch.
+//! Processor time, which does not depend on the load of the machine.
 
 use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
-/// When somebody first asked.
+/// The time of the first call.
 static START: LazyLock<Instant> = LazyLock::new(Instant::now);
 
-/// The processor time of this process so far, to a hundredth of a second; where the system does not tell it as Linux does,
-/// the time that has passed.
+/// The processor time of this process so far, to a hundredth of a second. Without Linux's `/proc`, the wall-clock time
+/// since the first call.
 pub(crate) fn processor_time() -> Duration {
     let told = std::fs::read_to_string("/proc/self/stat").ok().and_then(|text| ticks(&text));
-    // The clock of /proc counts in hundredths of a second on every machine.
+    // The clock of `/proc` counts hundredths of a second on every machine.
     told.map_or_else(|| START.elapsed(), |ticks| Duration::from_millis(10 * ticks))
 }
 
-/// The ticks in user and kernel mode, fields 14 and 15; the second, a name, may hold anything.
+/// The ticks in user and kernel mode: fields 14 and 15. Field 2, a name in parentheses, may contain any characters.
 fn ticks(text: &str) -> Option<u64> {
     let mut fields = text.rsplit_once(')')?.1.split_whitespace().skip(11);
     Some(fields.next()?.parse::<u64>().ok()? + fields.next()?.parse::<u64>().ok()?)

@@ -1,31 +1,31 @@
-//! What an execution takes, and whether that is too much.
+//! The resources of one execution, and their limits.
 
 use crate::ALLOCATOR;
 use lsystem::Progress;
 use lsystem::syntax::Meter;
 use std::time::{Duration, Instant};
 
-/// Bytes that one instance in the page may hold.
+/// The most bytes of one instance in the page.
 const MEMORY: usize = 256 << 20;
 
-/// Watches one execution of a target.
+/// Measures one execution of a target.
 #[derive(Debug)]
 pub struct Gauge {
-    /// Bytes that were held before.
+    /// The bytes in use before the execution.
     before: usize,
-    /// Bytes that may be held at most.
+    /// The most bytes that the execution may use.
     memory: usize,
-    /// The most units of work that a step spent.
+    /// The most units of work in one step.
     work: u64,
     /// The units of work of all steps.
     total: u64,
-    /// The slowest step or call.
+    /// The name and the time of the slowest step or call.
     slowest: (&'static str, Duration),
-    /// How far the execution came, by name.
+    /// The names of the points that the execution reached.
     reached: Vec<&'static str>,
 }
 
-/// Work units of one step, as in the page.
+/// The units of work of one step, as in the page.
 pub(crate) const WORK: usize = 16_384;
 
 impl Gauge {
@@ -35,12 +35,12 @@ impl Gauge {
         Self { before, memory: MEMORY, work: 0, total: 0, slowest: ("", Duration::ZERO), reached: vec![] }
     }
 
-    /// Allows so many bytes more, for pixels.
+    /// Allows more bytes, for pixels.
     pub(crate) fn allow(&mut self, bytes: usize) {
         self.memory += bytes;
     }
 
-    /// A synchronous call.
+    /// Measures a synchronous call.
     pub(crate) fn call<T>(&mut self, name: &'static str, call: impl FnOnce() -> T) -> T {
         let start = Instant::now();
         let value = call();
@@ -51,14 +51,14 @@ impl Gauge {
         value
     }
 
-    /// A step with a share of work: what it spends is at most one piece more.
+    /// Records the work of a step, and checks that the step exceeds its share by at most one [`Meter::PIECE`].
     pub(crate) fn charge(&mut self, name: &'static str, share: u64, spent: u64) {
         self.work = self.work.max(spent);
         self.total += spent;
         assert!(spent <= share.max(1) + Meter::PIECE, "work: a step of {name} with {share} units spent {spent}");
     }
 
-    /// Goes on to the end in steps with this share of work; `step` also says what it has spent.
+    /// Runs all steps with this share of work. `step` also returns the units that it has spent.
     pub(crate) fn steps(&mut self, name: &'static str, share: usize, mut step: impl FnMut() -> (Progress, u64)) {
         loop {
             let (progress, spent) = self.call(name, &mut step);
@@ -69,14 +69,14 @@ impl Gauge {
         }
     }
 
-    /// Notes that an execution came so far.
+    /// Records that the execution reached a point.
     pub(crate) fn reach(&mut self, name: &'static str) {
         if !self.reached.contains(&name) {
             self.reached.push(name);
         }
     }
 
-    /// How far it came.
+    /// The names of the points reached.
     pub(crate) fn reached(&self) -> &[&'static str] {
         &self.reached
     }
@@ -87,7 +87,7 @@ impl Gauge {
         self.slowest
     }
 
-    /// The most units of work that a step spent.
+    /// The most units of work in one step.
     #[must_use]
     pub fn work(&self) -> u64 {
         self.work
@@ -99,15 +99,15 @@ impl Gauge {
         self.total
     }
 
-    /// Bytes held at most, beyond those before.
+    /// The most bytes in use at a time, beyond those before the execution.
     #[must_use]
     pub fn peak(&self) -> usize {
         ALLOCATOR.peak_usage().saturating_sub(self.before)
     }
 
-    /// Looks whether it was too much.
+    /// Checks the memory in use against the limit.
     pub(crate) fn check(&self) -> Result<(), String> {
         let (peak, most) = (self.peak() >> 20, self.memory >> 20);
-        if peak <= most { Ok(()) } else { Err(format!("memory: {peak} MiB were held, {most} may be")) }
+        if peak <= most { Ok(()) } else { Err(format!("memory: {peak} MiB in use, more than {most} MiB")) }
     }
 }

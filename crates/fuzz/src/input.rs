@@ -1,4 +1,4 @@
-//! Random inputs, and where the one at hand is kept in case the program dies of it.
+//! Random inputs, and the file that names the present one in case the program crashes.
 
 use crate::{Source, Target};
 use anyhow::{Context, Result};
@@ -7,7 +7,7 @@ use std::fs::File;
 use std::io::{Seek, Write};
 use std::path::{Path, PathBuf};
 
-/// Steele, Lea and Flood, Fast splittable pseudorandom number generators (2014): SplitMix64.
+/// The generator SplitMix64 (Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014).
 struct Random(u64);
 
 impl Random {
@@ -19,15 +19,17 @@ impl Random {
     }
 }
 
-/// The inputs of a target: the committed ones first, then as many random ones as anybody likes.
+/// The inputs of a target: the committed inputs, then an endless number of random ones.
 pub(crate) struct Inputs {
     target: &'static Target,
     seed: u64,
+    /// The committed systems.
     systems: Vec<Definition>,
+    /// The committed rows of bytes.
     rows: Vec<Vec<u8>>,
 }
 
-/// One of them.
+/// One input: a row of bytes, and a committed system, if any.
 #[derive(Default)]
 pub(crate) struct Input {
     pub(crate) bytes: Vec<u8>,
@@ -35,7 +37,7 @@ pub(crate) struct Input {
 }
 
 impl Input {
-    /// Choices read from it.
+    /// A source that reads the input.
     pub(crate) fn source(&self) -> Source<'_> {
         let mut source = Source::new(&self.bytes);
         source.given.clone_from(&self.system);
@@ -43,7 +45,7 @@ impl Input {
     }
 }
 
-/// Each committed system is tried with this many rows of bytes, the first of them empty.
+/// The number of rows of bytes that are tried with each committed system; the first row is empty.
 const ROWS: usize = 4;
 
 impl Inputs {
@@ -59,7 +61,7 @@ impl Inputs {
             let bytes = || std::fs::read(path).with_context(|| format!("reading {}", path.display()));
             if name.ends_with(".json") {
                 let system = lsystem::read_file(&bytes()?).definition;
-                systems.push(system.with_context(|| format!("{} holds no system", path.display()))?);
+                systems.push(system.with_context(|| format!("{} has no system", path.display()))?);
             } else if name.starts_with(&format!("{}-", target.name)) {
                 rows.push(bytes()?);
             }
@@ -67,12 +69,12 @@ impl Inputs {
         Ok(Self { target, seed, systems, rows })
     }
 
-    /// How many are committed.
+    /// The number of committed inputs.
     pub(crate) fn committed(&self) -> u64 {
         (ROWS * self.systems.len() + self.rows.len()) as u64
     }
 
-    /// Makes `input` the one of this number.
+    /// Replaces `input` by the input `number`.
     pub(crate) fn fill(&self, number: u64, input: &mut Input) {
         input.system = None;
         let index = usize::try_from(number).unwrap_or(usize::MAX);
@@ -95,7 +97,7 @@ impl Inputs {
 fn random(target: &Target, seed: u64, number: u64, bytes: &mut Vec<u8>) {
     let name = target.name.bytes().fold(seed, |hash, byte| hash.wrapping_mul(0x0100_0000_01b3) ^ u64::from(byte));
     let mut random = Random(name ^ number.wrapping_mul(0xd6e8_feb8_6659_fd93));
-    // Short ones are fast, long ones have more in them.
+    // Short inputs are fast; long inputs reach more.
     let length = [64, 256, 512, 1024, 2048, 4096][(random.next() % 6) as usize];
     bytes.clear();
     while bytes.len() < length {
@@ -103,7 +105,7 @@ fn random(target: &Target, seed: u64, number: u64, bytes: &mut Vec<u8>) {
     }
 }
 
-/// The file that holds the input that is tried.
+/// The file with the number of the present input.
 pub(crate) struct Current(File);
 
 impl Current {
@@ -112,18 +114,18 @@ impl Current {
         Ok(Self(File::create(&path).with_context(|| format!("creating {}", path.display()))?))
     }
 
-    /// Where it is.
+    /// The path of the file.
     pub(crate) fn path(folder: &Path, target: &Target) -> PathBuf {
         folder.join(format!("{}.current", target.name))
     }
 
-    /// Notes the input that is tried next. Its bytes follow from the number.
+    /// Writes the number of the next input. The number determines the input.
     pub(crate) fn note(&mut self, number: u64) -> Result<()> {
         self.0.rewind()?;
         Ok(self.0.write_all(&number.to_le_bytes())?)
     }
 
-    /// The number that was noted last.
+    /// The number written last.
     pub(crate) fn read(folder: &Path, target: &Target) -> Option<u64> {
         let bytes = std::fs::read(Self::path(folder, target)).ok()?;
         Some(u64::from_le_bytes(bytes.try_into().ok()?))

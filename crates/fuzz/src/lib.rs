@@ -1,19 +1,19 @@
-//! Fuzzing of the core: inputs that nobody would write, and what must hold for every one of them.
+//! Fuzzing of the core: random inputs, and properties that must hold for all of them.
 //!
 //! A [`Target`] reads one input from a row of bytes ([`Source`]), gives it to a part of the core, and checks
 //!
 //! - that nothing panics, with overflow checks and debug assertions compiled in;
 //! - that the allocator ([`ALLOCATOR`]) never held more than the page's share of memory ([`Gauge`]);
-//! - that no step or synchronous call takes longer than it should;
-//! - that the fast way gives what the naive reference of the core's tests gives, where the system is small; that a picture
-//!   is the same in other steps and pane by pane; that what is printed or written reads back as the same.
+//! - that no step exceeds its share of work, and no step or call is slow;
+//! - that results equal those of the naive reference of the core's tests, for small systems; that a picture does not
+//!   depend on the size of its steps or on panes; that printed and written texts read back as the same.
 //!
-//! The same targets run in two programs. `lsystem-fuzz` feeds them random bytes from a seed, which is fast, needs nothing
-//! but Rust, and repeats: the same seed gives the same inputs. `guided` (feature `guided`) is led by the code that inputs
-//! reach: libFuzzer, by way of the crate `libfuzzer-sys`, with LLVM's coverage counters, which stable Rust has as a code
-//! generation option. The README beside this tells why those, and `cargo xtask fuzz` runs both.
+//! Two programs run the same targets. `lsystem-fuzz` feeds them random bytes from a seed. It is fast, needs only Rust,
+//! and equal seeds give equal inputs. `guided` (feature `guided`) chooses inputs by the code that they reach: by
+//! libFuzzer from the crate `libfuzzer-sys`, with LLVM's coverage counters, which stable Rust offers as code generation
+//! options. The README of this crate gives the reasons for this choice, and `cargo xtask fuzz` runs both.
 //!
-//! Nothing here is shipped, and the core knows nothing of it.
+//! Nothing here is shipped, and the core does not depend on it.
 
 mod clock;
 mod gauge;
@@ -36,10 +36,10 @@ pub use supervisor::supervise;
 pub use target::Target;
 pub use worker::work;
 
-/// The naive reference that the core's tests have.
+/// The naive reference of the core's tests.
 #[path = "../../lsystem/tests/naive/mod.rs"]
 mod naive;
 
-/// Counts what is allocated.
+/// The allocator, which counts the bytes in use.
 #[global_allocator]
 pub static ALLOCATOR: peak_alloc::PeakAlloc = peak_alloc::PeakAlloc;

@@ -24,7 +24,7 @@ fn run() -> Result<()> {
         return work(&options);
     }
     let Some(path) = &options.input else { return supervise(&options) };
-    let target = options.targets.first().context("which target?")?;
+    let target = options.targets.first().context("--input needs a target")?;
     if options.shrink {
         let bytes = shrink(target, &std::fs::read(path).with_context(|| format!("reading {}", path.display()))?);
         std::fs::write(path, bytes).with_context(|| format!("writing {}", path.display()))?;

@@ -1,9 +1,8 @@
-//! What inputs are made of.
-
+//! Random inputs from a row of bytes.
 mod definition;
 mod text;
 mod view;
 
 pub(crate) use definition::{definition, limits, system};
-pub(crate) use text::{expression, overrides, soup};
+pub(crate) use text::{expression, overrides, random_pieces};
 pub(crate) use view::{camera, style, upto, view, viewport};

@@ -8,11 +8,11 @@ use std::path::Path;
 use std::sync::Once;
 
 thread_local! {
-    /// What the last panic said, and where.
+    /// The place and the message of the last panic.
     static PANIC: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// Runs a target with an input. What it took, and what was wrong, if anything was.
+/// Runs a target with an input. Returns the resources used, and the fault, if any.
 pub fn once(target: &Target, source: &mut Source<'_>) -> (Gauge, Result<(), String>) {
     static HOOK: Once = Once::new();
     HOOK.call_once(|| {
@@ -33,10 +33,10 @@ pub fn once(target: &Target, source: &mut Source<'_>) -> (Gauge, Result<(), Stri
     (gauge, outcome)
 }
 
-/// One input for the program that is led by coverage: aborts where something is wrong.
+/// Runs a target with an input for libFuzzer.
 ///
 /// # Panics
-/// Where something is wrong.
+/// If a property does not hold.
 pub fn guided(target: &Target, bytes: &[u8]) {
     let mut gauge = Gauge::new();
     (target.run)(&mut Source::new(bytes), &mut gauge);
@@ -45,21 +45,21 @@ pub fn guided(target: &Target, bytes: &[u8]) {
     }
 }
 
-/// Tries the input in a file: bytes, or, where its name ends in `.json`, a system.
+/// Tries the input in a file: a system if the name ends in `.json`, bytes otherwise.
 ///
 /// # Errors
-/// Where something is wrong.
+/// The fault, or a file that cannot be read.
 pub fn replay(target: &Target, path: &Path) -> Result<()> {
     let bytes = std::fs::read(path).with_context(|| format!("reading {}", path.display()))?;
     let is_system = path.extension().is_some_and(|ending| ending == "json");
-    // The bytes that a system failed with are kept beside it.
+    // The other choices of a failing system are in a file beside it.
     let beside = std::fs::read(path.with_extension("bytes")).unwrap_or_default();
     let mut source = Source::new(if is_system { &beside } else { &bytes });
     source.is_shown = true;
     if is_system {
         source.given = lsystem::read_file(&bytes).definition;
         if source.given.is_none() {
-            bail!("{} holds no system", path.display());
+            bail!("{} has no system", path.display());
         }
     }
     let (gauge, outcome) = once(target, &mut source);

@@ -1,47 +1,46 @@
-//! What the program is asked to do.
-
+//! The options of the program.
 use crate::Target;
 use anyhow::{Context, Result, bail};
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// How to use the program.
+/// The usage text.
 const USAGE: &str = "\
 usage: lsystem-fuzz [TARGET ...] [--seconds S | --executions N] [--seed N] [--findings FOLDER] [--patient] [--short]
        lsystem-fuzz TARGET --input FILE [--shrink]
 
-  --seconds S      for each target, 10 unless given; or
-  --executions N   as many for each target
-  --seed N         the inputs, 1 unless given
-  --findings F     where inputs that fail are kept
-  --patient        no input is taken to hang
-  --short          the committed inputs, and some thousand random ones: always the same
+  --seconds S      the time for each target (default 10); or
+  --executions N   the number of inputs for each target
+  --seed N         the seed of the inputs (default 1)
+  --findings F     the folder for inputs that fail
+  --patient        do not stop inputs that hang
+  --short          the committed inputs and some thousand random ones, always the same
   --input FILE     one input: bytes, or a system as JSON
-  --shrink         finds a smaller input that fails alike
+  --shrink         find a smaller input with the same fault
 ";
 
-/// What the program is asked to do.
+/// The options of the program.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// The targets.
+    /// The targets to run.
     pub targets: Vec<&'static Target>,
-    /// For each target.
+    /// The time for each target.
     pub(crate) time: Option<Duration>,
-    /// For each target, at most.
+    /// The most inputs for each target.
     pub(crate) executions: u64,
     pub(crate) seed: u64,
     /// The number of the first input.
     pub(crate) from: u64,
     pub(crate) findings: PathBuf,
-    /// Whether no input is taken to hang.
+    /// Whether to let inputs that hang continue.
     pub(crate) patient: bool,
-    /// Whether it is the short run of the tests.
+    /// Whether this is the short run of the tests.
     pub(crate) short: bool,
     /// A single input to try.
     pub input: Option<PathBuf>,
-    /// Whether to make it smaller.
+    /// Whether to make the single input smaller.
     pub shrink: bool,
-    /// Whether another process of this program watches over this one.
+    /// Whether this process is a worker of a supervisor.
     pub worker: bool,
 }
 
@@ -49,7 +48,7 @@ impl Options {
     /// Reads the program's arguments.
     ///
     /// # Errors
-    /// Where they have no meaning.
+    /// A message about wrong usage.
     pub fn read(words: impl IntoIterator<Item = String>) -> Result<Self> {
         let mut options = Self {
             targets: vec![],
@@ -80,7 +79,9 @@ impl Options {
                 "--worker" => options.worker = true,
                 name => match Target::named(name) {
                     Some(target) => options.targets.push(target),
-                    None => bail!("there is no target `{name}`; there are {}\n\n{USAGE}", Target::names().join(", ")),
+                    None => {
+                        bail!("there is no target `{name}`; the targets are {}\n\n{USAGE}", Target::names().join(", "))
+                    }
                 },
             }
         }

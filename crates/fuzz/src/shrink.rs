@@ -1,9 +1,8 @@
-//! Smaller inputs that fail alike.
-
+//! The search for smaller inputs with the same fault.
 use crate::{Source, Target, once};
 
-/// Makes an input smaller as long as it fails in the same place: cuts pieces out, and puts zeros in, which are the first of
-/// all choices.
+/// Makes an input smaller while it fails in the same place: removes pieces, or replaces them by zeros. A zero means the
+/// first choice.
 #[must_use]
 pub fn shrink(target: &Target, bytes: &[u8]) -> Vec<u8> {
     let fault = |bytes: &[u8]| once(target, &mut Source::new(bytes)).1.err().map(|message| place(&message).to_owned());
@@ -32,7 +31,7 @@ pub fn shrink(target: &Target, bytes: &[u8]) -> Vec<u8> {
     best
 }
 
-/// Where something went wrong, without the values: what makes two findings the same.
+/// The place of a fault, without values. Two findings with the same place are the same.
 pub(crate) fn place(message: &str) -> &str {
     let line = message.lines().next().unwrap_or_default();
     line.match_indices(": ").next().map_or(line, |(at, _)| &line[..at])

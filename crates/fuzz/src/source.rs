@@ -3,19 +3,19 @@
 use arbitrary::Unstructured;
 use lsystem::Definition;
 
-/// Choices that are read from bytes. Where the bytes end every choice is the first, so that every row of bytes is an input
-/// and short ones are simple.
+/// Choices that are read from bytes. After the end of the bytes, every choice is the first one, so that every row of
+/// bytes is an input and short rows are simple inputs.
 #[derive(Debug)]
 pub struct Source<'a> {
     bytes: Unstructured<'a>,
-    /// A system that targets take in the place of one made of the bytes.
+    /// A system that targets use instead of a random one.
     pub(crate) given: Option<Definition>,
-    /// Whether to tell what is made.
+    /// Whether to print the input.
     pub(crate) is_shown: bool,
 }
 
 impl<'a> Source<'a> {
-    /// Reads from `bytes`.
+    /// A source at the start of `bytes`.
     #[must_use]
     pub fn new(bytes: &'a [u8]) -> Self {
         Self { bytes: Unstructured::new(bytes), given: None, is_shown: false }
@@ -31,17 +31,17 @@ impl<'a> Source<'a> {
         low + self.below(high - low + 1)
     }
 
-    /// True once in `n` times; false where the bytes have ended.
+    /// True once in `n` times; false after the end of the bytes.
     pub(crate) fn once_in(&mut self, n: usize) -> bool {
         self.below(n) == n - 1
     }
 
-    /// One of these.
+    /// One element of `these`.
     pub(crate) fn pick<T: Copy>(&mut self, these: &[T]) -> T {
         these[self.below(these.len())]
     }
 
-    /// One of a text's characters.
+    /// One character of `text`.
     pub(crate) fn pick_char(&mut self, text: &str) -> char {
         let number = self.below(text.chars().count());
         text.chars().nth(number).unwrap_or('F')
@@ -52,12 +52,12 @@ impl<'a> Source<'a> {
         self.bytes.int_in_range(0..=u32::MAX).unwrap_or(0)
     }
 
-    /// Uniform in `0.0..1.0`.
+    /// A uniform number in `0.0..1.0`.
     pub(crate) fn part(&mut self) -> f64 {
         f64::from(self.word()) / (f64::from(u32::MAX) + 1.0)
     }
 
-    /// Any number there is, NaN and infinities as well, mostly one at which something changes.
+    /// Any `f64`, also NaN and infinities; mostly a number at a limit of some range.
     pub(crate) fn number(&mut self) -> f64 {
         match self.below(8) {
             0 => self.pick(&ROUND),
@@ -69,7 +69,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// So many bytes, or as many as are left.
+    /// The next `most` bytes, or fewer at the end.
     pub(crate) fn bytes(&mut self, most: usize) -> &'a [u8] {
         let count = most.min(self.bytes.len());
         self.bytes.bytes(count).unwrap_or_default()

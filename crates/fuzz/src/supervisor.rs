@@ -1,60 +1,61 @@
-//! Runs workers, goes on where one died, and tells what was found.
+//! The supervisor: runs workers, continues after a worker that dies, and prints the findings.
 
 use crate::input::{Current, Input, Inputs};
-use crate::worker::{HUNG, SWOLLEN, keep};
+use crate::worker::{EXIT_HANG, EXIT_MEMORY, keep};
 use crate::{Options, Target};
 use anyhow::{Context, Result, bail};
 use std::collections::BTreeMap;
 use std::process::{Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
-/// Tries every target in processes of their own.
+/// Tries every target in separate processes.
 ///
 /// # Errors
-/// Where something was found, or the program cannot be started.
+/// Findings, or a worker that cannot be started.
 pub fn supervise(options: &Options) -> Result<()> {
     let folder = &options.findings;
     std::fs::create_dir_all(folder).with_context(|| format!("creating {}", folder.display()))?;
     let mut found = 0;
     for target in &options.targets {
-        let outcome = Tally::of(options, target)?;
-        outcome.print(target);
-        found += outcome.findings.values().filter(|message| !is_known(message)).count();
+        let results = Results::of(options, target)?;
+        results.print(target);
+        found += results.findings.values().filter(|message| !is_known(message)).count();
     }
     if found > 0 {
-        bail!("{found} findings; to see one again: `cargo xtask fuzz TARGET --input FILE`");
+        bail!("{found} findings; to repeat one: `cargo xtask fuzz TARGET --input FILE`");
     }
     Ok(())
 }
 
-/// Faults that are not mended yet, by what their message holds, a line each: they are told, but do not fail a run.
+/// Known faults that are not mended yet: one part of a message on each line. They are printed, but do not fail a run.
 const KNOWN: &str = include_str!("../known.txt");
 
-/// Whether a fault is known. What took long may have met a busy machine, and is no fault by itself.
+/// Whether a fault is known. A slow call alone is no fault, because the machine may be busy.
 fn is_known(message: &str) -> bool {
     let mut known = KNOWN.lines().filter(|line| !line.is_empty() && !line.starts_with("# "));
     message.starts_with("slow ") || known.any(|line| message.contains(line))
 }
 
-/// What came of a target.
+/// The results of one target.
 #[derive(Default)]
-struct Tally {
+struct Results {
     executions: u64,
     time: Duration,
-    /// KiB.
+    /// The most memory in use, in KiB.
     peak: u64,
-    /// The most units of work of a step.
+    /// The most units of work in one step.
     work: u64,
+    /// By point: the number of inputs that reached it.
     reached: BTreeMap<String, u64>,
-    /// Milliseconds, and the rest of the line.
+    /// The slowest inputs: milliseconds, and the rest of the worker's line.
     slowest: Vec<(u64, String)>,
-    /// By file: what happened.
+    /// The messages of faults, by file.
     findings: BTreeMap<String, String>,
 }
 
-impl Tally {
+impl Results {
     fn of(options: &Options, target: &'static Target) -> Result<Self> {
-        let mut tally = Self::default();
+        let mut results = Self::default();
         let start = Instant::now();
         let mut from = options.from;
         let most = match options.short {
@@ -68,20 +69,20 @@ impl Tally {
                 break;
             }
             let (status, output) = run(options, target, from, time, left)?;
-            tally.read(&output);
+            results.read(&output);
             if status.success() {
                 break;
             }
             let number = Current::read(&options.findings, target).context("a worker ended before its first input")?;
-            tally.died(options, target, number, status)?;
-            tally.executions += number + 1 - from;
+            results.add_crash(options, target, number, status)?;
+            results.executions += number + 1 - from;
             from = number + 1;
         }
-        tally.time = start.elapsed();
-        Ok(tally)
+        results.time = start.elapsed();
+        Ok(results)
     }
 
-    /// Reads what a worker tells.
+    /// Reads the output of a worker.
     fn read(&mut self, output: &str) {
         for line in output.lines() {
             let words: Vec<&str> = line.splitn(4, ' ').collect();
@@ -102,11 +103,11 @@ impl Tally {
         }
     }
 
-    /// Keeps the input that a worker died of.
-    fn died(&mut self, options: &Options, target: &'static Target, number: u64, status: ExitStatus) -> Result<()> {
+    /// Adds a finding for the input that ended a worker, and writes the input to a file.
+    fn add_crash(&mut self, options: &Options, target: &'static Target, number: u64, status: ExitStatus) -> Result<()> {
         let kind = match status.code() {
-            Some(HUNG) => "hang",
-            Some(SWOLLEN) => "memory beyond all limits",
+            Some(EXIT_HANG) => "hang",
+            Some(EXIT_MEMORY) => "memory beyond all limits",
             _ => "abort",
         };
         let mut input = Input::default();
@@ -137,7 +138,7 @@ impl Tally {
     }
 }
 
-/// Runs a worker from the input `from` on; how it ended and what it told.
+/// Runs a worker from the input `from` on. Returns its exit status and output.
 fn run(
     options: &Options,
     target: &Target,

@@ -1,4 +1,4 @@
-//! The targets: parts of the core, what they are given, and what must hold.
+//! The targets: each tries one part of the core with random inputs and checks its properties.
 
 mod derive;
 mod drawing;
@@ -12,14 +12,14 @@ mod solid;
 
 use crate::{Gauge, Source};
 
-/// A part of the core, and what must hold for it.
+/// A part of the core with its properties.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
-    /// Its name.
+    /// The name on the command line.
     pub name: &'static str,
-    /// Reads an input and tries it; panics where something does not hold.
+    /// Reads an input and tries it. Panics if a property does not hold.
     pub(crate) run: fn(&mut Source<'_>, &mut Gauge),
-    /// Executions in the short run that the tests have.
+    /// The number of random inputs in the short run of the tests.
     pub(crate) short: u64,
 }
 
@@ -47,18 +47,18 @@ const TARGETS: [Target; 16] = [
 ];
 
 impl Target {
-    /// All of them.
+    /// All targets.
     pub fn all() -> impl Iterator<Item = &'static Self> {
         TARGETS.iter()
     }
 
-    /// Their names.
+    /// The names of all targets.
     #[must_use]
     pub fn names() -> Vec<&'static str> {
         Self::all().map(|target| target.name).collect()
     }
 
-    /// The one of that name.
+    /// The target with this name.
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {
         Self::all().find(|target| target.name == name)

@@ -1,4 +1,4 @@
-//! Tries one input after the other, and tells the supervisor what came of it.
+//! The worker: tries one input after the other, and reports to the supervisor.
 
 use crate::clock::processor_time;
 use crate::input::{Current, Input, Inputs};
@@ -10,20 +10,22 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-/// An input that takes longer, in processor time, is taken to hang.
+/// The processor time after which an input counts as hanging.
 const HANG: Duration = Duration::from_secs(10);
-/// A step or call that takes longer is told of.
+/// The processor time after which a step or call is reported as slow.
 const SLOW: Duration = Duration::from_secs(1);
-/// Bytes at which the program ends itself, before the machine runs out of memory.
+/// The bytes at which the program ends itself, before the machine runs out of memory.
 const TOO_MUCH: usize = 3 << 30;
-/// How the program ends when an input hangs, or holds too much.
-pub(crate) const HUNG: i32 = 3;
-pub(crate) const SWOLLEN: i32 = 4;
+/// The exit code after an input hangs.
+pub(crate) const EXIT_HANG: i32 = 3;
+/// The exit code after an input uses too much memory.
+pub(crate) const EXIT_MEMORY: i32 = 4;
 
-/// Tries inputs as long as it may. Lines on standard output tell of findings, and at the end what it took.
+/// Tries inputs until the time or number in the options is reached. Prints findings, and at the end the resources used,
+/// as lines on standard output.
 ///
 /// # Errors
-/// Where files cannot be written.
+/// Files that cannot be read or written.
 pub fn work(options: &Options) -> Result<()> {
     for target in &options.targets {
         Worker::new(options, target).run()?;
@@ -34,13 +36,15 @@ pub fn work(options: &Options) -> Result<()> {
 struct Worker<'a> {
     options: &'a Options,
     target: &'static Target,
-    /// By place of the fault: how short the shortest input is.
+    /// By place of the fault: the length of the shortest input.
     found: BTreeMap<String, usize>,
-    /// The slowest inputs: time, number, and the slowest call of each.
+    /// The slowest inputs: time, number, and slowest call.
     slowest: Vec<(Duration, u64, &'static str)>,
+    /// By point: the number of inputs that reached it.
     reached: BTreeMap<&'static str, u64>,
+    /// The most bytes in use.
     peak: usize,
-    /// The most units of work that a step spent.
+    /// The most units of work in one step.
     work: u64,
 }
 
@@ -73,7 +77,7 @@ impl<'a> Worker<'a> {
                 *self.reached.entry(name).or_default() += 1;
             }
             let (name, slowest) = gauge.slowest();
-            // Of the time that passed the processor was here for a part only.
+            // On a busy machine the processor time is less than the time that passed.
             let used = processor_time().saturating_sub(began);
             let slowest = slowest.min(used);
             self.rank(time, number, name);
@@ -95,7 +99,7 @@ impl<'a> Worker<'a> {
         Ok(())
     }
 
-    /// Keeps the slowest three.
+    /// Adds an input to the slowest three.
     fn rank(&mut self, time: Duration, number: u64, name: &'static str) {
         self.slowest.push((time, number, name));
         self.slowest.sort_by_key(|entry| core::cmp::Reverse(entry.0));
@@ -119,11 +123,11 @@ impl<'a> Worker<'a> {
     }
 }
 
-/// Keeps an input of a fault in a file; where that is.
+/// Writes an input that fails to a file. Returns the file's path.
 pub(crate) fn keep(options: &Options, target: &Target, place: &str, input: &Input) -> Result<PathBuf> {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
     let name: String = place.rsplit("src/").next().unwrap_or(place).chars().map(plain).take(60).collect();
-    // A system that is committed fails with some bytes, which are kept beside it.
+    // The bytes of a committed system's choices go into another file beside it.
     let (ending, bytes) = match &input.system {
         Some(system) => ("json", lsystem::write_json(system).into_bytes()),
         None => ("bin", input.bytes.clone()),
@@ -137,20 +141,20 @@ pub(crate) fn keep(options: &Options, target: &Target, place: &str, input: &Inpu
     Ok(path)
 }
 
-/// When the execution at hand began, in milliseconds of processor time.
+/// The start of the present execution, in milliseconds of processor time.
 static SINCE: AtomicU64 = AtomicU64::new(u64::MAX);
 
-/// Ends the process when an input hangs or holds too much memory. The supervisor knows which it was, and goes on after it.
+/// Ends the process when an input hangs or uses too much memory. The supervisor then continues after that input.
 fn watch() {
     std::thread::spawn(move || {
         loop {
             std::thread::sleep(Duration::from_millis(20));
             let since = Duration::from_millis(SINCE.load(Ordering::Relaxed));
             if processor_time().saturating_sub(since) > HANG {
-                std::process::exit(HUNG);
+                std::process::exit(EXIT_HANG);
             }
             if ALLOCATOR.current_usage() > TOO_MUCH {
-                std::process::exit(SWOLLEN);
+                std::process::exit(EXIT_MEMORY);
             }
         }
     });

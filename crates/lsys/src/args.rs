@@ -7,14 +7,14 @@ use lsystem::files::Format;
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
-/// What to do.
+/// A checked command.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Command {
-    /// Print a text: help, the version or a script of completions.
+    /// Print a text: help, the version or a completion script.
     Print(String),
-    /// Print the string.
+    /// Print the derived string.
     Expand { file: PathBuf, changes: Changes },
-    /// Write or print pictures.
+    /// Write or print pictures and other files.
     Draw { jobs: Vec<Job>, look: Look, changes: Changes },
     /// Print facts.
     Info { files: Vec<PathBuf>, json: bool, changes: Changes },
@@ -25,23 +25,23 @@ pub(crate) enum Command {
 pub(crate) struct Job {
     /// The file to read.
     pub(crate) file: PathBuf,
-    /// Where the result goes.
+    /// The destination.
     pub(crate) target: Target,
 }
 
-/// Where a drawing goes.
+/// The destination and the formats of a drawing.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Target {
-    /// To standard output.
+    /// Standard output, in this format.
     Print(&'static Format),
-    /// To files: the base name without extension, and the formats.
+    /// Files: the base name without extension, and the formats.
     Write(PathBuf, Vec<&'static Format>),
 }
 
 /// Reads a command line, without the program's name.
 ///
 /// # Errors
-/// In words, when it is wrong.
+/// A message about wrong usage.
 pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, String> {
     let mut cli = Cli::command();
     cli.build();
@@ -77,8 +77,8 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
     }
 }
 
-/// The words with the command in front, and whether it was left out: options may stand before it, and `FILE OUT_BASE`
-/// alone means `draw`.
+/// Moves the command to the front: options may stand before it. Without a command, `FILE OUT_BASE` means `draw`.
+/// Returns the words, and whether the command was left out.
 fn command_first(mut words: Vec<OsString>, cli: &clap::Command) -> (Vec<OsString>, bool) {
     let takes_value = |word: &str| {
         let mut options = cli.get_subcommands().flat_map(clap::Command::get_opts);
@@ -108,15 +108,18 @@ fn command_first(mut words: Vec<OsString>, cli: &clap::Command) -> (Vec<OsString
     (words, false)
 }
 
-/// What is to be drawn, where the options go together.
+/// The jobs of `draw`.
+///
+/// # Errors
+/// A message if options or files contradict each other.
 fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: Look, is_short: bool) -> Result<Vec<Job>, String> {
     let Look { format, size, compact } = look;
     let is = |name| format.is_some_and(|format: &Format| format.name == name);
     if size.is_some() && !is("png") {
-        return Err("--size goes with --format png only".to_owned());
+        return Err("--size needs --format png".to_owned());
     }
     if compact && format.is_some() && !is("svg") {
-        return Err("--compact goes with --format svg only".to_owned());
+        return Err("--compact needs --format svg or no --format".to_owned());
     }
     let picture = if compact { "svg-compact" } else { "svg" };
     let names = match format {
@@ -137,13 +140,13 @@ fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: Look, is_short: bool)
     };
     let target = match (base, format) {
         (None, _) if is_short => {
-            return Err(format!("what about {}? Try lsys draw FILE or lsys info FILE", file.display()));
+            return Err(format!("no command for {}: try lsys draw FILE or lsys info FILE", file.display()));
         }
         (Some(base), _) if base.extension().is_some_and(|e| e == "json") => {
-            return Err(format!("OUT_BASE {} looks like a system; use --out-dir for many", base.display()));
+            return Err(format!("OUT_BASE {} looks like a system; use --out-dir for many files", base.display()));
         }
         (Some(base), _) if !names_a_file(&base) => {
-            return Err(format!("OUT_BASE `{}` must end in the name that the files shall have", base.display()));
+            return Err(format!("OUT_BASE `{}` must end in a file name", base.display()));
         }
         (Some(base), _) => Target::Write(base, formats),
         (None, Some(_)) => Target::Print(formats[0]),
@@ -152,14 +155,14 @@ fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: Look, is_short: bool)
     Ok(vec![Job { file, target }])
 }
 
-/// Whether `base` ends in a name, and not in a folder.
+/// Whether `base` ends in a file's name, not in a folder.
 fn names_a_file(base: &Path) -> bool {
-    // `x/` and `x/.` have the file name `x`, but that is not how the text ends.
+    // `x/` and `x/.` have the file name `x`, but do not end in it.
     let ends = |name: &OsStr| base.as_os_str().as_encoded_bytes().ends_with(name.as_encoded_bytes());
     base.file_name().is_some_and(ends)
 }
 
-/// A job for each file, named after it; files of one name are told apart by their folders.
+/// A job for each file, named after the file. Files with the same name get their folder's name in front.
 fn into_folder(files: Vec<PathBuf>, folder: &Path, formats: &[&'static Format]) -> Result<Vec<Job>, String> {
     let stems = files.iter().map(|file| stem(file)).collect::<Result<Vec<_>, _>>()?;
     let mut bases: Vec<PathBuf> = Vec::new();
@@ -183,11 +186,11 @@ fn into_folder(files: Vec<PathBuf>, folder: &Path, formats: &[&'static Format]) 
     Ok(files.into_iter().zip(&bases).map(|(file, base)| Job { file, target: target(base) }).collect())
 }
 
-/// The name of an output for `file`, in the working folder.
+/// The base name of the output for `file`, in the working folder.
 fn stem(file: &Path) -> Result<PathBuf, String> {
-    let name = file.file_name().filter(|name| *name != "-").ok_or("name an OUT_BASE or a --format")?;
+    let name = file.file_name().filter(|name| *name != "-").ok_or("give an OUT_BASE or a --format")?;
     let text = Path::new(name);
-    // Only these are extensions here: the stem of `1.24d` is all of it.
+    // Other endings are part of the name, such as in `1.24d`.
     let known = text.extension().is_some_and(|e| ["json", "svg", "png"].iter().any(|known| e == *known));
     Ok(if known { text.with_extension("") } else { text.to_owned() })
 }
@@ -284,7 +287,7 @@ mod tests {
     #[test]
     fn wrong_usage() {
         check("", &expect!["Derives, draws and inspects L-systems"]);
-        check("a.json", &expect!["error: what about a.json? Try lsys draw FILE or lsys info FILE"]);
+        check("a.json", &expect!["error: no command for a.json: try lsys draw FILE or lsys info FILE"]);
         check(
             "expand",
             &expect![[r#"
@@ -319,8 +322,8 @@ mod tests {
                 error: invalid value 'gif' for '--format <FORMAT>'
                   [possible values: svg, svg-compact, png, json, txt, csv, obj, glb]"#]],
         );
-        check("draw a --size 10x10", &expect!["error: --size goes with --format png only"]);
-        check("draw a --compact --format csv", &expect!["error: --compact goes with --format svg only"]);
+        check("draw a --size 10x10", &expect!["error: --size needs --format png"]);
+        check("draw a --compact --format csv", &expect!["error: --compact needs --format svg or no --format"]);
         check("info a --compact", &expect!["error: unexpected argument '--compact' found"]);
         check(
             "draw a --format png --size 10",
@@ -338,15 +341,15 @@ mod tests {
                 "error: invalid value '4000000000x4000000000' for '--size <WxH>': expected 1 to 32768 pixels each way and 100000000 in all"
             ],
         );
-        check("draw a.json b.json", &expect!["error: OUT_BASE b.json looks like a system; use --out-dir for many"]);
-        check("draw a b c", &expect!["error: draw takes one FILE and one OUT_BASE; use --out-dir for many files"]);
-        check("draw a /", &expect!["error: OUT_BASE `/` must end in the name that the files shall have"]);
         check(
-            "draw a pictures/",
-            &expect!["error: OUT_BASE `pictures/` must end in the name that the files shall have"],
+            "draw a.json b.json",
+            &expect!["error: OUT_BASE b.json looks like a system; use --out-dir for many files"],
         );
-        check("draw a ..", &expect!["error: OUT_BASE `..` must end in the name that the files shall have"]);
-        check("draw -", &expect!["error: name an OUT_BASE or a --format"]);
+        check("draw a b c", &expect!["error: draw takes one FILE and one OUT_BASE; use --out-dir for many files"]);
+        check("draw a /", &expect!["error: OUT_BASE `/` must end in a file name"]);
+        check("draw a pictures/", &expect!["error: OUT_BASE `pictures/` must end in a file name"]);
+        check("draw a ..", &expect!["error: OUT_BASE `..` must end in a file name"]);
+        check("draw -", &expect!["error: give an OUT_BASE or a --format"]);
         check("draw a.json a.json --out-dir d", &expect!["error: a.json and a.json would both be written to d/a"]);
         check("info - -", &expect!["error: standard input (-) can be read only once"]);
         check(

@@ -1,4 +1,4 @@
-//! The command line: its commands, its options and the words that explain them.
+//! The command line: commands, options and help texts.
 
 use crate::memory;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -74,7 +74,7 @@ pub(crate) enum Verb {
     },
 }
 
-/// What the command line changes in a file's system, and in what may be spent on it.
+/// The options that change a file's system or the memory limit.
 #[derive(Args, Clone, Debug, Default, PartialEq)]
 pub(crate) struct Changes {
     /// Derivation steps, 0 to 1000, in place of the file's
@@ -99,7 +99,7 @@ pub(crate) struct Changes {
     pub(crate) memory: Option<u64>,
 }
 
-/// What is made of a drawing.
+/// The options for the output of a drawing.
 #[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Look {
     /// Output format
@@ -113,13 +113,13 @@ pub(crate) struct Look {
     pub(crate) compact: bool,
 }
 
-/// The formats of the table, by name.
+/// A parser for the names of [`FORMATS`].
 fn formats() -> impl TypedValueParser<Value = &'static Format> {
     let values = FORMATS.iter().map(|format| PossibleValue::new(format.name).help(format.help));
     PossibleValuesParser::new(values).try_map(|name| Format::named(&name).ok_or("there is no such format"))
 }
 
-/// Pixels.
+/// The size of a picture, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Size {
     pub(crate) width: u32,

@@ -1,4 +1,4 @@
-//! Many files at once: a worker for each core, and results in the order of the files.
+//! Parallel work on many files: a worker for each core, and results in the order of the files.
 
 use crate::progress::Progress;
 use crate::{Failure, say};
@@ -7,13 +7,13 @@ use std::num::NonZero;
 use std::sync::{Mutex, PoisonError, RwLock, mpsc};
 use std::thread;
 
-/// Where the messages about a file go.
+/// A receiver of messages about a file.
 pub(crate) type Say<'a> = &'a mut dyn FnMut(&str);
 
-/// The limits of one file, which all files share that are worked on at the same time.
+/// The division of the limits among the files that are worked on at the same time.
 pub(crate) struct Room {
     workers: u64,
-    /// Read by work that keeps to its share, written by work that needs all.
+    /// Work within a share holds the read lock; work that needs all limits holds the write lock.
     gate: RwLock<()>,
 }
 
@@ -22,8 +22,8 @@ impl Room {
         Self { workers: workers as u64, gate: RwLock::new(()) }
     }
 
-    /// What `make` returns, called with the number of equal shares of the limits, of which it may take one. Where it
-    /// passes a limit, it is called again, alone, and may take all.
+    /// Calls `make` with the number of equal shares of the limits; `make` may use one share. If `make` exceeds a limit,
+    /// it is called again with 1, while no other work runs. Returns the last result.
     pub(crate) fn make<T>(&self, mut make: impl FnMut(u64) -> Result<T, Failure>) -> Result<T, Failure> {
         if self.workers > 1 {
             let _beside_others = self.gate.read();
@@ -37,9 +37,9 @@ impl Room {
     }
 }
 
-/// Does `work` for all `jobs`, on all cores. Messages and failures are said in the order of the jobs.
+/// Does `work` for all `jobs`, on all cores. Prints messages and failures in the order of the jobs.
 ///
-/// Returns the results of the jobs that succeed, in order, and whether all do.
+/// Returns the results of the successful jobs, in order, and whether all jobs succeeded.
 pub(crate) fn in_order<J: Sync, R: Send>(
     jobs: &[J],
     work: impl Fn(&J, &Room, Say<'_>) -> Result<R, Failure> + Sync,
@@ -64,9 +64,9 @@ fn with_workers<J: Sync, R: Send>(
     let (sender, receiver) = mpsc::channel();
     let worker = |sender: mpsc::Sender<_>| {
         while let Some((at, job)) = next() {
-            let mut said = String::new();
-            let result = work(job, &room, &mut |text| said.push_str(text));
-            if sender.send((at, said, result)).is_err() {
+            let mut messages = String::new();
+            let result = work(job, &room, &mut |text| messages.push_str(text));
+            if sender.send((at, messages, result)).is_err() {
                 break;
             }
         }
@@ -78,23 +78,25 @@ fn with_workers<J: Sync, R: Send>(
         }
         drop(sender);
         let mut progress = Progress::new("files", Some(jobs.len() as u64));
-        let (mut early, mut told) = (BTreeMap::new(), 0);
-        for (at, said, result) in receiver {
-            early.insert(at, (said, result));
-            progress.at((told + early.len()) as u64);
-            while let Some((said, result)) = early.remove(&told) {
-                say(&said);
+        // Results that wait for earlier jobs, and the number of jobs whose messages are printed.
+        let (mut waiting, mut printed) = (BTreeMap::new(), 0);
+        for (at, messages, result) in receiver {
+            waiting.insert(at, (messages, result));
+            progress.at((printed + waiting.len()) as u64);
+            while let Some((messages, result)) = waiting.remove(&printed) {
+                say(&messages);
                 done.add(result)?;
-                told += 1;
+                printed += 1;
             }
         }
         Ok((done.results, done.is_good))
     })
 }
 
-/// What has been done so far.
+/// The results so far.
 struct Done<R> {
     results: Vec<R>,
+    /// Whether no job has failed.
     is_good: bool,
 }
 

@@ -12,31 +12,32 @@ use lsystem::{Mesh, SvgOptions, write_json};
 use std::io::IsTerminal;
 use std::sync::Arc;
 
-/// Does all `jobs`. One that fails is reported, and the others are still done.
+/// Does all `jobs`. A failed job is reported, and the others are still done.
 pub(crate) fn draw(jobs: &[Job], look: Look, changes: &Changes) -> Result<(), Failure> {
-    match cores::in_order(jobs, |job, room, say| one(job, look, changes, room, say))? {
+    match cores::in_order(jobs, |job, room, say| draw_one(job, look, changes, room, say))? {
         (_, true) => Ok(()),
         (_, false) => Err(Failure::Said),
     }
 }
 
-fn one(job: &Job, look: Look, changes: &Changes, room: &Room, say: Say<'_>) -> Result<(), Failure> {
+/// Does one job.
+fn draw_one(job: &Job, look: Look, changes: &Changes, room: &Room, say: Say<'_>) -> Result<(), Failure> {
     let input = input::read(&job.file, changes, say)?;
     match &job.target {
         Target::Print(format) if matches!(format.name, "png" | "glb") && std::io::stdout().is_terminal() => {
-            Err(Failure::Words("a terminal cannot show this: name an OUT_BASE".to_owned()))
+            Err(Failure::Words("a terminal cannot show this format: give an OUT_BASE".to_owned()))
         }
         Target::Print(format) => room.make(|shares| {
-            let bytes = form(&input, format, look, shares, say)?;
+            let bytes = bytes_in(&input, format, look, shares, say)?;
             print(|out| out.write_all(&bytes))
         }),
         Target::Write(base, formats) => {
-            // All files are complete before the first gets its name.
+            // All files are complete before the first one gets its name.
             let mut pending = Vec::new();
             for &format in formats {
                 let path = with_extension(base, format.ending);
                 let file = room.make(|shares| {
-                    let bytes = form(&input, format, look, shares, say)?;
+                    let bytes = bytes_in(&input, format, look, shares, say)?;
                     Pending::write(&path, |out| out.write_all(&bytes))
                         .map_err(|error| Failure::io(path.display(), &error))
                 })?;
@@ -48,17 +49,17 @@ fn one(job: &Job, look: Look, changes: &Changes, room: &Room, say: Say<'_>) -> R
     }
 }
 
-/// Tubes in a mesh at most: some hundred megabytes, and more than most programs open.
+/// The most segments of a mesh: some hundred megabytes, and more than most programs open.
 const MESH_SEGMENTS: u64 = 500_000;
 
-/// The system in a format, as a file's bytes, made within one of so many `shares` of the limits.
-fn form(input: &Input, format: &Format, look: Look, shares: u64, say: Say<'_>) -> Result<Vec<u8>, Failure> {
+/// The bytes of a file of the system, made within one of `shares` equal shares of the limits.
+fn bytes_in(input: &Input, format: &Format, look: Look, shares: u64, say: Say<'_>) -> Result<Vec<u8>, Failure> {
     let system = &input.system;
     let style = &system.style;
     let wrong = |limit| input.limit(&limit);
     let limits = input.limits(shares);
     let solid = || input.draw_solid(shares).map_err(wrong);
-    // What is in space is seen from where the page would look at it first.
+    // The direction of view is the page's first one.
     let paper = || match system.is_solid() {
         true => solid()?.seen_from(&Outlook::default(), limits.segments).map_err(wrong),
         false => input.draw(shares).map_err(wrong),

@@ -1,4 +1,4 @@
-//! `lsys info`: what is known about a system without looking at its picture.
+//! `lsys info`: facts about a system.
 
 use crate::cli::Changes;
 use crate::input::{self, Input};
@@ -12,7 +12,7 @@ use serde::Serialize;
 use std::fmt::{self, Display};
 use std::path::PathBuf;
 
-/// What `lsys info` tells of one file.
+/// The facts about one file.
 #[derive(Serialize)]
 struct Facts {
     file: String,
@@ -22,36 +22,36 @@ struct Facts {
     kind: String,
     iterations: u32,
     seed: u32,
-    /// Exact, as decimal digits; `None` where a limit is passed before they are known.
+    /// The number of symbols, exact, in decimal digits; `None` if a limit is exceeded first.
     symbols: Option<String>,
-    /// As `symbols`.
+    /// The number of segments, as `symbols`.
     segments: Option<String>,
-    /// The least and the greatest coordinates, x, y, and z where the drawing leaves the plane, of all segments' axes, in model units; `None` where nothing is drawn, a limit is
-    /// passed, or a number is beyond the range of `f64`.
+    /// The least coordinates, then the greatest, of all segments' axes and polygons, in model units: x, y, and in space
+    /// z. `None` if nothing is drawn, a limit is exceeded, or a number is beyond the range of `f64`.
     bounds: Option<Vec<f64>>,
     growth: Growth,
     /// Whether equal pieces of the drawing are shared.
     memoised: Option<bool>,
-    /// Pieces of the drawing.
+    /// The number of blocks of the drawing.
     blocks: Option<usize>,
-    /// The limit that leaves some of it unknown.
+    /// The message about the limit that the drawing exceeds.
     limit: Option<String>,
 }
 
-/// By how much the last derivation step multiplied the counts; `None` for the axiom, or where it is unknown.
+/// The factors by which the last derivation step multiplied the counts; `None` for the axiom, or if unknown.
 #[derive(Serialize)]
 struct Growth {
     symbols: Option<f64>,
     segments: Option<f64>,
 }
 
-/// Prints facts about `files`. Files that cannot be read are reported, and the others still told about.
+/// Prints facts about `files`. A file that cannot be read is reported, and the others are still done.
 pub(crate) fn info(files: &[PathBuf], json: bool, changes: &Changes) -> Result<(), Failure> {
     let (all, is_good) = cores::in_order(files, |file, room, say| {
         let input = input::read(file, changes, say)?;
         room.make(|shares| {
             let facts = facts(&input, shares);
-            // What a share of the limits leaves unknown, all of them may tell.
+            // Facts that a share of the limits leaves unknown may be known with all limits.
             let is_known = facts.limit.is_none() && facts.symbols.is_some() && facts.segments.is_some();
             if is_known || shares == 1 { Ok(facts) } else { Err(Failure::Limit(String::new())) }
         })
@@ -67,7 +67,7 @@ pub(crate) fn info(files: &[PathBuf], json: bool, changes: &Changes) -> Result<(
     if is_good { Ok(()) } else { Err(Failure::Said) }
 }
 
-/// What is known within one of so many `shares` of the limits.
+/// The facts that are known within one of `shares` equal shares of the limits.
 fn facts(input: &Input, shares: u64) -> Facts {
     if input.system.is_solid() {
         facts_of(input, shares, &input.draw_solid(shares), |drawing| drawing.bounds().map(|bounds| bounds.concat()))
@@ -76,7 +76,7 @@ fn facts(input: &Input, shares: u64) -> Facts {
     }
 }
 
-/// The facts about a system that has this `drawing`.
+/// The facts about a system with this `drawing`.
 fn facts_of<S: Space>(
     input: &Input,
     shares: u64,
@@ -105,7 +105,7 @@ fn facts_of<S: Space>(
     }
 }
 
-/// Of one generation; `None` where a limit is passed before they are known.
+/// The counts of one generation; `None` if a limit is exceeded first.
 #[derive(Default)]
 struct Counts {
     symbols: Option<Tally>,
@@ -113,7 +113,7 @@ struct Counts {
 }
 
 impl Counts {
-    /// Of generation `n`: added up, or as its drawing knows, or derived.
+    /// The counts of generation `n`: added up by the rules, or else from the drawing, or else by derivation.
     fn new<S: Space>(input: &Input, shares: u64, n: u32, drawing: Option<&Drawing<S>>) -> Self {
         let summed = Self { symbols: count_symbols(&input.system, n), segments: count_segments(&input.system, n) };
         let drawn = || Self {
@@ -123,7 +123,7 @@ impl Counts {
         summed.or(drawn).or(|| Self::derived(input, shares, n))
     }
 
-    /// Of generation `n`, derived.
+    /// The counts of generation `n`, by derivation.
     fn derived(input: &Input, shares: u64, n: u32) -> Self {
         let Some(mut history) = input.system.history(n, &input.limits(shares)) else { return Self::default() };
         while history.step(1 << 20) == Progress::More {}
@@ -132,19 +132,19 @@ impl Counts {
         Self { symbols: symbols.map(Tally::from), segments: segments.map(Tally::from) }
     }
 
-    /// With what is not known from elsewhere.
-    fn or(self, elsewhere: impl FnOnce() -> Self) -> Self {
+    /// Fills unknown counts from `other`.
+    fn or(self, other: impl FnOnce() -> Self) -> Self {
         if self.symbols.is_some() && self.segments.is_some() {
             return self;
         }
-        let other = elsewhere();
+        let other = other();
         Self { symbols: self.symbols.or(other.symbols), segments: self.segments.or(other.segments) }
     }
 }
 
-/// `a / b`, however large they are; `None` for a division by zero.
+/// `a / b` for numbers of any size; `None` for a division by zero.
 fn ratio(a: &Tally, b: &Tally) -> Option<f64> {
-    /// As many as fit a `u128`, and many more than decide an `f64`.
+    /// The leading digits that are divided: they fit a `u128`, and an `f64` needs fewer.
     const DIGITS: usize = 38;
     let [a, b] = [a, b].map(Tally::to_string);
     let dropped = a.len().max(b.len()).saturating_sub(DIGITS);
@@ -154,7 +154,7 @@ fn ratio(a: &Tally, b: &Tally) -> Option<f64> {
     Some(whole as f64 + (a % b) as f64 / b as f64)
 }
 
-/// A number with an exponent where it has more digits than meaning.
+/// A number in decimal digits, with an exponent if it is very small or very large.
 fn readable(number: f64) -> String {
     match number.abs() {
         0.0 | 1e-4..1e15 => number.to_string(),

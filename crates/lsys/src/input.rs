@@ -1,4 +1,4 @@
-//! Reading a file into a system, and saying what is wrong with it.
+//! Reading a file into a system, with messages about its problems.
 
 use crate::cli::Changes;
 use crate::cores::Say;
@@ -13,25 +13,25 @@ use std::path::{Path, PathBuf};
 
 /// A system from a file, with the command line's changes.
 pub(crate) struct Input {
-    /// Where it is from.
+    /// The file's path, or `standard input`.
     pub(crate) file: PathBuf,
-    /// What the file says.
+    /// The definition in the file, with the command line's changes.
     pub(crate) definition: Definition,
-    /// Ready for use.
+    /// The compiled definition.
     pub(crate) system: System,
-    /// Derivation steps.
+    /// The number of derivation steps.
     pub(crate) iterations: u32,
-    /// What may be spent.
+    /// The limits of all work on the file.
     limits: Limits,
 }
 
-/// Symbols between two looks at the memory of a drawing; they take a few megabytes.
+/// The units of work between two checks of a drawing's memory; they add a few megabytes.
 const WORK: u64 = 1 << 16;
 
-/// Reads `file` (`-` for standard input), and says what to warn of.
+/// Reads `file` (`-` for standard input) and prints all errors and warnings.
 ///
 /// # Errors
-/// [`Failure::Said`] where the file makes no system.
+/// [`Failure::Said`] if the file has errors; [`Failure::Words`] if it cannot be read.
 pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<Input, Failure> {
     let name = if file.as_os_str() == "-" { "standard input".into() } else { file.display().to_string() };
     let bytes = bytes_of(file).map_err(|error| Failure::io(&name, &error))?;
@@ -61,21 +61,21 @@ pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<Input
 }
 
 impl Input {
-    /// One of so many equal `shares` of the limits that bound memory.
+    /// The limits, with those that bound memory divided by `shares`.
     pub(crate) fn limits(&self, shares: u64) -> Limits {
         let Limits { symbols, segments, memory, .. } = self.limits;
         Limits { symbols: symbols / shares, segments: segments / shares, memory: memory / shares, ..self.limits }
     }
 
-    /// The drawing in the plane, within its share of memory.
+    /// The drawing in the plane, within one of `shares` equal shares of memory.
     ///
     /// # Errors
-    /// Names the limit that it passes.
+    /// The limit that the drawing exceeds.
     pub(crate) fn draw(&self, shares: u64) -> Result<Drawing, Diagnostic> {
         self.finish(Drawer::new(&self.system, self.iterations, self.drawing_limits()), shares)
     }
 
-    /// The same in space.
+    /// The drawing in space, as [`Input::draw`].
     ///
     /// # Errors
     /// As [`Input::draw`].
@@ -83,12 +83,14 @@ impl Input {
         self.finish(Drawer::solid(&self.system, self.iterations, self.drawing_limits()), shares)
     }
 
-    /// The limits of a drawing. Memory ends a drawing; [`Limits::segments`] of the input is for files of text.
+    /// The limits of a drawing. Only memory limits the segments of a drawing; [`Limits::segments`] of the input is for
+    /// text files.
     fn drawing_limits(&self) -> Limits {
         Limits { segments: u64::from(u32::MAX), work: 1 << 30, ..self.limits }
     }
 
-    /// All steps of a drawing. Its limits are whole however many `shares` there are, because limits decide how it is made.
+    /// Runs all steps of a drawing within its share of memory. The drawer itself has the whole limits, because limits
+    /// decide how a drawing is made and the result must not depend on `shares`.
     fn finish<S: Space>(&self, mut drawer: Drawer<S>, shares: u64) -> Result<Drawing<S>, Diagnostic> {
         let share = self.limits.memory / shares;
         while drawer.step(WORK) == Progress::More {
@@ -99,16 +101,16 @@ impl Input {
         drawer.finish()
     }
 
-    /// The string.
+    /// The derived string.
     ///
     /// # Errors
-    /// [`Failure::Limit`] where it would be too long.
+    /// [`Failure::Limit`] if the string would be too long.
     pub(crate) fn expand(&self, shares: u64) -> Result<String, Failure> {
         let string = lsystem::expand(&self.system, self.iterations, &self.limits(shares));
         string.map_err(|limit| self.limit(&limit))
     }
 
-    /// The failure that passes `limit`.
+    /// The failure for a diagnostic about a limit.
     pub(crate) fn limit(&self, limit: &Diagnostic) -> Failure {
         Failure::Limit(self.message(limit))
     }
@@ -119,16 +121,15 @@ impl Input {
     }
 }
 
-/// As much of a picture as is read, in bytes: all of most pictures, and of a larger one the beginning, where its system
-/// stands.
+/// The most bytes that are read of a picture. A larger picture has its system in the beginning.
 const PICTURE: u64 = 64 << 20;
-/// As much of any other file as is read, in bytes: the longest text, in UTF-16 and with its mark, and one more byte that
-/// tells that a longer one is too long.
+/// The most bytes that are read of any other file: the longest text in UTF-16 with its mark, and one more byte to
+/// detect a longer text.
 const TEXT: u64 = 2 * MAX_TEXT as u64 + 3;
-/// The first bytes of a file, which tell what it is.
+/// The number of first bytes that decide the kind of a file.
 const HEAD: u64 = 1 << 10;
 
-/// The bytes of a file, or the beginning of one that is too large: memory and time are bounded whatever stands in it.
+/// The bytes of a file, or the beginning of a file that is too large, so that memory and time are bounded.
 fn bytes_of(file: &Path) -> io::Result<Vec<u8>> {
     if file.as_os_str() == "-" { beginning(io::stdin().lock()) } else { beginning(File::open(file)?) }
 }
@@ -141,7 +142,7 @@ fn beginning(mut file: impl Read) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Whether a file begins as a PNG or an SVG does, in UTF-8 or UTF-16.
+/// Whether a file begins like a PNG, or like an SVG in UTF-8 or UTF-16.
 fn is_picture(head: &[u8]) -> bool {
     let first = head.iter().position(|byte| !b" \t\r\n\0\xef\xbb\xbf\xff\xfe".contains(byte));
     first.is_some_and(|first| head[first..].starts_with(b"<")) || head.starts_with(b"\x89PNG")
@@ -158,7 +159,7 @@ fn message(diagnostic: &Diagnostic, text: &str, definition: Option<&Definition>,
 mod tests {
     use super::*;
 
-    /// Never ends; counts what is taken from it.
+    /// An endless stream that counts the bytes read from it.
     struct Endless<'a>(&'a [u8], &'a mut u64);
 
     impl Read for Endless<'_> {

@@ -1,5 +1,5 @@
-//! `lsys`: derives, draws and inspects L-systems from JSON files. The work is done by the library `lsystem`; this
-//! program reads arguments and files and writes what it says.
+//! `lsys`: derives, draws and inspects L-systems from JSON files. The library `lsystem` does the work; this program
+//! reads arguments and files and writes results and messages.
 
 mod args;
 mod cli;
@@ -24,15 +24,15 @@ use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
-/// Why a command stops.
+/// The reason why a command stops.
 enum Failure {
-    /// What is wrong has been said already.
+    /// An error whose message is already printed.
     Said,
-    /// Something to say; what it quotes of files may be anything.
+    /// An error with a message, which may quote any characters of a file.
     Words(String),
-    /// A limit is passed; the whole message about it.
+    /// An exceeded limit, with the complete message.
     Limit(String),
-    /// Whoever reads the output has gone; nothing to say, and nothing wrong.
+    /// The reader of the output has closed the pipe. This is no error.
     ReaderGone,
 }
 
@@ -45,7 +45,8 @@ impl Failure {
         }
     }
 
-    /// Says what there is to say, so that other work can go on; not if nobody reads its results any more.
+    /// Prints the message, so that other work can continue. Returns [`Failure::ReaderGone`] as an error, because nobody
+    /// reads further results.
     fn tell(self) -> Result<(), Self> {
         match self {
             Self::Words(words) => {
@@ -72,7 +73,7 @@ fn main() -> ExitCode {
         }
     };
     match run(command).map_err(Failure::tell) {
-        // Whoever reads the results has enough of them: no failure.
+        // The reader has closed the pipe, which is no failure.
         Ok(()) | Err(Err(_)) => ExitCode::SUCCESS,
         Err(Ok(())) => ExitCode::FAILURE,
     }
@@ -87,9 +88,9 @@ fn run(command: Command) -> Result<(), Failure> {
     }
 }
 
-/// Symbols of a string that is derived a piece at a time.
+/// The number of symbols in a piece of a long string.
 const PIECE: usize = 1 << 16;
-/// Strings up to this many symbols are derived whole, which is faster.
+/// The most symbols of a string that is derived as a whole, which is faster.
 const WHOLE: u128 = 1 << 24;
 
 fn expand(file: &Path, changes: &Changes) -> Result<(), Failure> {
@@ -103,9 +104,9 @@ fn expand(file: &Path, changes: &Changes) -> Result<(), Failure> {
     }
 }
 
-/// A string too long for memory, and a newline.
+/// Writes a long string piece by piece, and a newline.
 fn write_pieces(out: &mut dyn Write, word: &Word<'_>) -> io::Result<()> {
-    // A terminal shows the string itself.
+    // On a terminal the string itself shows the progress.
     let mut progress = (!io::stdout().is_terminal()).then(|| Progress::new("symbols", word.symbols().try_into().ok()));
     let mut start = 0_u128;
     loop {
@@ -119,7 +120,7 @@ fn write_pieces(out: &mut dyn Write, word: &Word<'_>) -> io::Result<()> {
     }
 }
 
-/// A derived string, and a newline.
+/// Writes a derived string and a newline.
 fn write_line(out: &mut dyn Write, text: &str) -> io::Result<()> {
     out.write_all(text.as_bytes())?;
     out.write_all(b"\n")
@@ -130,7 +131,7 @@ fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Fai
     output::print(write).map_err(|error| Failure::io("standard output", &error))
 }
 
-/// Writes to standard error; where that fails there is nobody left to tell.
+/// Writes to standard error. A failure to write is ignored, because no other stream is left for messages.
 fn say(text: &str) {
     let _ = progress::beside_bars(|| io::stderr().write_all(text.as_bytes()));
 }

@@ -1,12 +1,12 @@
-//! `--memory`: sizes of memory as people write them.
+//! Parsing of memory sizes for `--memory`.
 
-/// The least memory that can be asked for, in bytes.
+/// The least memory limit, in bytes.
 const LEAST: u64 = 1 << 20;
 
-/// Reads a size such as `512M` or `2G`, in powers of 1,024; the result is in bytes.
+/// Reads a size such as `512M` or `2G`, in powers of 1,024. Returns bytes.
 ///
 /// # Errors
-/// In words, where the text is no such size.
+/// A message if the text is not such a size.
 pub(crate) fn parse(text: &str) -> Result<u64, String> {
     let digits = text.len() - text.trim_start_matches(|ch: char| ch.is_ascii_digit()).len();
     let (number, unit) = text.split_at(digits);
@@ -22,7 +22,7 @@ pub(crate) fn parse(text: &str) -> Result<u64, String> {
         Some(bytes) if bytes >= LEAST => Ok(bytes),
         Some(_) => Err("expected 1M or more".to_owned()),
         None if number.is_empty() => Err("expected a number before the unit, such as 512M".to_owned()),
-        None => Err("more than any machine has".to_owned()),
+        None => Err("the size is too large".to_owned()),
     }
 }
 

@@ -1,17 +1,18 @@
-//! Standard output, and how foreign text is made harmless for a terminal.
+//! Standard output, and the escaping of control characters for a terminal.
 
 use lsystem::syntax::visible;
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Writes to standard output what `write` produces, buffered. A terminal gets it without characters that it would
-/// obey; a file or a pipe gets every byte.
+/// Writes the output of `write` to standard output, buffered. A terminal gets visible symbols instead of control
+/// characters; a file or a pipe gets every byte.
 ///
 /// # Errors
-/// As the writer; [`io::ErrorKind::BrokenPipe`] where the reader has gone, and an error where standard output is closed.
+/// As the writer; [`io::ErrorKind::BrokenPipe`] if the reader has closed the pipe; an error if standard output is
+/// closed.
 pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     if CLOSED.load(Ordering::Relaxed) {
-        return Err(io::Error::other("it is closed"));
+        return Err(io::Error::other("closed"));
     }
     let stdout = io::stdout();
     let looking = stdout.is_terminal();
@@ -25,7 +26,7 @@ pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io:
     out.flush()
 }
 
-/// Passes text on, line by line as [`visible`] shows it. Each call must hold whole characters.
+/// Writes text with control characters replaced by [`visible`], except line ends. Each call must hold whole characters.
 struct Shown<W: Write> {
     out: W,
 }
@@ -41,13 +42,12 @@ impl<W: Write> Write for Shown<W> {
     }
 }
 
-/// Text of several lines without what a terminal would obey.
+/// A text of several lines with control characters replaced by [`visible`].
 pub(crate) fn visible_lines(text: &str) -> String {
     text.split('\n').map(visible).collect::<Vec<_>>().join("\n")
 }
 
-/// JSON with every character escaped that a terminal would obey. It says the same: such characters occur in strings
-/// only.
+/// JSON with every control character escaped. The value stays the same, because such characters occur only in strings.
 pub(crate) fn escape_json(json: &str) -> String {
     let mut out = String::with_capacity(json.len());
     let mut units = [0; 2];
@@ -64,8 +64,8 @@ pub(crate) fn escape_json(json: &str) -> String {
 /// Whether the program was started with standard output closed (`>&-`).
 static CLOSED: AtomicBool = AtomicBool::new(false);
 
-/// Finds out whether standard output is closed. Rust opens `/dev/null` in its place before `main`, and what is written
-/// there would seem to have arrived; so this is asked earlier. It does nothing but two system calls.
+/// Checks whether standard output is closed, by two system calls. The check runs before `main`, because Rust then opens
+/// `/dev/null` in place of a closed stream, and writing would seem to succeed.
 #[cfg(unix)]
 #[ctor::ctor]
 fn look_at_output() {

@@ -1,4 +1,4 @@
-//! Files that are whole or not there, whatever ends the program.
+//! Output files that are either complete or absent, even if a signal ends the program.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
@@ -6,26 +6,25 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::TempPath;
 
-/// The temporary files that there are, so that a signal can remove them. Whoever makes, renames or removes one holds
-/// the lock.
+/// All temporary files, so that a signal can remove them. Making, renaming or removing a temporary file needs the lock.
 static TEMPORARY: Mutex<Vec<TempPath>> = Mutex::new(Vec::new());
 
 fn temporary() -> MutexGuard<'static, Vec<TempPath>> {
     TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A file under a temporary name in the folder of its own. Dropping it removes it; [`Pending::commit`] gives it its
-/// name.
+/// A temporary file in the folder of the final file. [`Pending::commit`] gives the file its final name; dropping
+/// removes the file.
 pub(crate) struct Pending {
     temporary: PathBuf,
     path: PathBuf,
 }
 
 impl Pending {
-    /// Writes what `write` produces to a temporary file.
+    /// Writes the output of `write` to a temporary file.
     ///
     /// # Errors
-    /// As the file system or `write`; nothing is left behind then.
+    /// Errors of the file system and of `write`; the temporary file is then removed.
     pub(crate) fn write(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<Self> {
         let (file, temporary) = create(path.parent().unwrap_or(Path::new("")))?;
         let pending = Self { temporary, path: path.to_owned() };
@@ -35,10 +34,10 @@ impl Pending {
         Ok(pending)
     }
 
-    /// Gives the file its name, in place of what had it before.
+    /// Gives the file its final name and replaces an existing file.
     ///
     /// # Errors
-    /// As the file system.
+    /// Errors of the file system.
     pub(crate) fn commit(self) -> io::Result<()> {
         let mut all = temporary();
         let Some(at) = all.iter().position(|path| **path == *self.temporary) else {
@@ -66,7 +65,7 @@ fn create(folder: &Path) -> io::Result<(File, PathBuf)> {
     }
     let mut builder = tempfile::Builder::new();
     builder.prefix(".lsys.").suffix(".tmp");
-    // Opened here, so that it has the permissions of any other new file, and errors do not name it.
+    // An own `open` gives the file the usual permissions and keeps the temporary name out of error messages.
     let open = |path: &Path| File::options().write(true).create_new(true).open(path);
     let (file, path) = builder.make_in(folder, open)?.into_parts();
     let name = path.to_path_buf();
@@ -74,8 +73,8 @@ fn create(folder: &Path) -> io::Result<(File, PathBuf)> {
     Ok((file, name))
 }
 
-/// Makes signals that end the program remove the temporary files first. What was ignored when the program was started,
-/// as `nohup` does, stays ignored.
+/// Makes signals that end the program remove the temporary files first. Signals that were ignored at the start, as by
+/// `nohup`, stay ignored.
 #[cfg(unix)]
 fn remove_on_signals() -> io::Result<()> {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU};
@@ -88,7 +87,7 @@ fn remove_on_signals() -> io::Result<()> {
         let listen = |mut signals: Signals| {
             std::thread::spawn(move || {
                 if let Some(signal) = signals.forever().next() {
-                    // The lock is kept: from here on no file is made and none gets its name.
+                    // The lock is kept, so that no file is made or renamed from now on.
                     let mut all = temporary();
                     all.clear();
                     let _ = signal_hook::low_level::emulate_default_handler(signal);
@@ -100,11 +99,11 @@ fn remove_on_signals() -> io::Result<()> {
     result
 }
 
-/// Makes a file over the limit of `ulimit -f` an error of its writer, as a full disk is; otherwise the system would end
-/// the program without a word.
+/// Makes a file above the limit of `ulimit -f` a write error, like a full disk. Without this the system would end the
+/// program without a message.
 #[cfg(unix)]
 pub(crate) fn fail_on_large_files() {
-    // Where that is not possible, all stays as it was.
+    // On failure the system's default behaviour stays.
     let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, std::sync::Arc::default());
 }
 
@@ -112,8 +111,8 @@ pub(crate) fn fail_on_large_files() {
 #[cfg(not(unix))]
 pub(crate) fn fail_on_large_files() {}
 
-/// Whether a signal was ignored when the program was started. Where the system does not tell, only the signal of
-/// `nohup` may be.
+/// Whether a signal was ignored when the program was started. Without `/proc`, only the signal of `nohup` counts as
+/// ignored, to be safe.
 #[cfg(unix)]
 fn is_ignored(signal: i32) -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
@@ -145,7 +144,7 @@ fn remove_on_signals() -> io::Result<()> {
     Ok(())
 }
 
-/// `base.extension`, also where `base` has dots: `1.24d` becomes `1.24d.svg`.
+/// `base.extension`, also for a `base` with dots: `1.24d` becomes `1.24d.svg`.
 pub(crate) fn with_extension(base: &Path, extension: &str) -> PathBuf {
     let mut name = base.as_os_str().to_owned();
     name.push(".");

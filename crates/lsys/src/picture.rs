@@ -1,5 +1,4 @@
-//! Pictures as PNG, by the core's renderer: any generation whose drawing memoises, at any size.
-
+//! PNG pictures, painted by the core's renderers.
 use crate::cli::Size;
 use crate::progress::Progress as Bar;
 use lsystem::files::tag_png;
@@ -8,22 +7,22 @@ use lsystem::{Camera, Drawing, Progress, Renderer, Solid, SolidRenderer, Style, 
 use std::io::Write;
 use std::sync::Arc;
 
-/// The longer side where no size is asked for, and the one at which a stroke's least width is in pixels.
+/// The default length of the longer side, in pixels. At this length a stroke's least width is in pixels; larger
+/// pictures scale it.
 const USUAL: u32 = 1024;
-/// The shorter side of a picture of a long thin drawing.
+/// The least default length of the shorter side, in pixels.
 const LEAST: u32 = 128;
-/// The renderer's units of work between two looks at the clock.
+/// The renderer's units of work between two updates of the progress bar.
 const WORK: usize = 1_000_000;
-/// The most pixels that are painted at a time: with their subsamples they take up to 24 bytes each, or 100 MB.
+/// The most pixels of a band. A pixel with subsamples takes up to 24 bytes, so a band takes up to 100 MB.
 const BAND: u32 = 1 << 22;
-/// Pixels along the side of a cell: panes that begin at multiples of it have the same subsamples.
+/// The side of a cell, in pixels. Panes that begin at multiples of this have the same subsamples as the whole picture.
 const CELL: u32 = 16;
 
-/// `drawing`, whole and centred, in a file that carries its `system`. Strokes are as thin, compared with the picture,
-/// as at the usual size.
+/// A PNG of the whole drawing, centred, with its `system` inside.
 ///
 /// # Errors
-/// Those of the encoder, which writes to memory.
+/// Errors of the encoder, which writes to memory.
 pub(crate) fn png(
     drawing: Drawing,
     style: &Style,
@@ -47,21 +46,21 @@ pub(crate) fn png(
     })
 }
 
-/// Whether a picture in the plane would be painted in bands.
+/// Whether a picture in the plane is painted in bands.
 pub(crate) fn is_large(Size { width, height }: Size) -> bool {
     width.saturating_mul(height) > BAND
 }
 
-/// Rows of a picture that are made at a time: all of an ordinary one, and otherwise whole cells of the renderer.
+/// The number of rows of a band: all rows, or for a large picture a multiple of [`CELL`].
 fn band_rows(size: Size) -> u32 {
     let rows = BAND / size.width.max(1) / CELL * CELL;
     if is_large(size) { rows.max(CELL) } else { size.height }
 }
 
-/// As [`png()`], of a drawing in space, seen from where the page looks at it first.
+/// As [`png()`], of a drawing in space, from the page's first camera.
 ///
 /// # Errors
-/// Those of the encoder, which writes to memory.
+/// Errors of the encoder, which writes to memory.
 pub(crate) fn solid_png(
     drawing: Drawing<Solid>,
     style: &Style,
@@ -80,7 +79,7 @@ fn viewport(Size { width, height }: Size) -> Viewport {
     Viewport { width, height, ratio: (f64::from(width.max(height)) / f64::from(USUAL)).max(1.0) }
 }
 
-/// Takes all steps of a picture, and tells of them.
+/// Runs all steps of a picture, with a progress bar.
 fn finish(mut step: impl FnMut() -> Progress) {
     let mut bar = Bar::new("picture", None);
     while step() == Progress::More {
@@ -88,7 +87,8 @@ fn finish(mut step: impl FnMut() -> Progress) {
     }
 }
 
-/// A file that carries its `system`, of opaque RGBA pixels that `paint` writes row by row, any number of rows at a time.
+/// A PNG file with its `system` inside. `paint` writes opaque RGBA pixels from top to bottom, any number of whole rows
+/// at a time.
 fn encode(
     Size { width, height }: Size,
     system: &str,
@@ -103,7 +103,7 @@ fn encode(
     let mut rows = writer.stream_writer()?;
     let mut rgb = Vec::new();
     paint(&mut |pixels| {
-        // The renderer's pixels are opaque.
+        // The pixels are opaque, so the file needs no alpha channel.
         for row in pixels.chunks(4 * width.max(1) as usize) {
             rgb.clear();
             rgb.extend(row.as_chunks::<4>().0.iter().flat_map(|&[r, g, b, _]| [r, g, b]));
@@ -116,13 +116,13 @@ fn encode(
     Ok(tag_png(&bytes, system).unwrap_or(bytes))
 }
 
-/// A size in the proportions of the drawing.
+/// The default size, in the proportions of the drawing.
 fn usual_size(drawing: &Drawing) -> Size {
     let extent = fit(drawing);
     let longer = extent.width.max(extent.height);
     let side = |length: f64| {
         let share = length / longer;
-        // Beyond the range of f64 the proportions are not known.
+        // The proportions are unknown if the extent is beyond the range of `f64`.
         if share.is_finite() { ((share * f64::from(USUAL)).round() as u32).clamp(LEAST, USUAL) } else { USUAL }
     };
     Size { width: side(extent.width), height: side(extent.height) }

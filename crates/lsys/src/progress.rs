@@ -1,4 +1,4 @@
-//! Progress bars on standard error, for work that takes long enough to wonder. Where it is no terminal there are none.
+//! Progress bars on standard error for long work. There are none if standard error is not a terminal.
 
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::sync::LazyLock;
@@ -7,10 +7,10 @@ use std::time::{Duration, Instant};
 /// All bars, one below the other.
 static BARS: LazyLock<MultiProgress> = LazyLock::new(MultiProgress::new);
 
-/// Shorter work needs no bar.
+/// The time after which a bar appears.
 const PATIENCE: Duration = Duration::from_millis(400);
 
-/// Shows how much of some work is done. Dropping it clears the line.
+/// A progress bar. Dropping the bar clears its line.
 pub(crate) struct Progress {
     bar: ProgressBar,
     start: Instant,
@@ -18,14 +18,14 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// For work named `label`, of `total` parts. Where the total is not known, the time is shown.
+    /// A bar for work named `label`, of `total` parts. Without a total, the bar shows the time.
     pub(crate) fn new(label: &'static str, total: Option<u64>) -> Self {
         let bar = ProgressBar::with_draw_target(total, ProgressDrawTarget::hidden());
         let bar = bar.with_message(label).with_style(style(total.is_some()));
         Self { bar, start: Instant::now(), is_shown: false }
     }
 
-    /// `done` of the parts are done.
+    /// Records that `done` parts are done.
     pub(crate) fn at(&mut self, done: u64) {
         if !self.is_shown && self.start.elapsed() >= PATIENCE {
             self.is_shown = true;
@@ -42,7 +42,7 @@ impl Drop for Progress {
     }
 }
 
-/// Calls `write` while no bar is in the way of what it writes to the terminal.
+/// Calls `write` while all bars are hidden.
 pub(crate) fn beside_bars<T>(write: impl FnOnce() -> T) -> T {
     BARS.suspend(write)
 }

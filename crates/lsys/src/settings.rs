@@ -1,21 +1,21 @@
-//! What `--set` changes in a file's system.
+//! The changes of `--set` to a file's system.
 
 use lsystem::Definition;
 use lsystem::syntax::{FIELDS, FieldSpec, Value};
 
-/// The system with these fields, by name, at these values. Names are those of the page (`colourBy`), of files
-/// (`colour_by`) and of links (`colour`), in this order; a value is JSON, or a text where it is none.
+/// The definition with fields set by name. A name is that of the page (`colourBy`), of files (`colour_by`) or of links
+/// (`colour`), in this order. A value is JSON, or else a text.
 ///
 /// # Errors
-/// In words, where there is no such field, or it takes no such value.
+/// A message if there is no such field or the field does not take the value.
 pub(crate) fn apply(definition: &Definition, settings: &[(String, String)]) -> Result<Definition, String> {
     let mut changed = definition.clone();
     for (name, text) in settings {
         let Some(spec) = spec(name) else {
-            return Err(format!("--set: there is no `{name}`; there are {}", known().join(", ")));
+            return Err(format!("--set: there is no field `{name}`; the fields are {}", known().join(", ")));
         };
         let value = match serde_json::from_str(text) {
-            // A number may be a text: a name, for example.
+            // A text field takes a number as a text, for example in a name.
             Ok(value) if spec.expected.takes(&value) || (spec.optional && value == Value::Nothing) => value,
             _ => Value::Text(text.clone()),
         };
@@ -31,12 +31,12 @@ fn spec(name: &str) -> Option<&'static FieldSpec> {
     called(|spec| spec.name).or_else(|| called(key)).or_else(|| called(|spec| spec.link))
 }
 
-/// The key in files.
+/// The field's key in files.
 fn key(spec: &FieldSpec) -> &str {
     spec.file.map_or("", |(_, key)| key)
 }
 
-/// The keys in files, sorted.
+/// The keys of all fields in files, sorted.
 fn known() -> Vec<&'static str> {
     let mut keys: Vec<_> = FIELDS.iter().filter(|spec| spec.is_defined()).map(key).collect();
     keys.sort_unstable();
@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn mistakes_are_told() {
-        assert!(set(&[("colr", "1")]).unwrap_err().contains("no `colr`"));
+        assert!(set(&[("colr", "1")]).unwrap_err().contains("no field `colr`"));
         assert_eq!(
             set(&[("width", "wide")]).unwrap_err(),
             "--set width=wide: Stroke width (steps) must be a number from 0 to 1,000,000,000"

@@ -21,14 +21,14 @@ fn command(arguments: &[impl AsRef<OsStr>]) -> Command {
     command
 }
 
-/// Runs `lsys` with the words of `line`, which must succeed without a word on standard error.
+/// Runs `lsys` with the words of `line`, which must succeed with empty standard error.
 fn good(line: &str) -> String {
     let output = lsys(&line.split(' ').collect::<Vec<_>>());
     assert_eq!((text(&output.stderr), output.status.code()), (String::new(), Some(0)), "{line}");
     text(&output.stdout)
 }
 
-/// Runs `lsys` with the words of `line`, which must fail with `code` and say why.
+/// Runs `lsys` with the words of `line`, which must fail with `code` and this message.
 fn bad(line: &str, code: i32, expected: &Expect) {
     let output = lsys(&line.split(' ').collect::<Vec<_>>());
     expected.assert_eq(&text(&output.stderr));
@@ -39,7 +39,7 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).expect("UTF-8")
 }
 
-/// A folder of its own for a test, removed at the end.
+/// A temporary folder for one test, removed at the end.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -302,7 +302,7 @@ fn facts_are_known_at_any_generation() {
 #[test]
 fn every_file_of_the_gallery_is_drawn() {
     for file in gallery() {
-        // Ink that adds up is for pixels alone, and for generations that no SVG file could hold stroke by stroke.
+        // Additive ink is only for pixels, and its generations have too many strokes for an SVG file.
         if std::fs::read_to_string(root().join(&file)).expect("a text").contains(r#""ink": "density""#) {
             let picture = lsys(&["draw", &file, "--format", "png", "--size", "160x100"]);
             assert!(picture.status.success() && picture.stdout.starts_with(b"\x89PNG"), "{file}");
@@ -554,7 +554,7 @@ fn good_files_are_done_beside_bad_ones() {
 
 #[test]
 fn many_files_give_what_each_gives_alone() {
-    // One passes a limit, one is wrong, one is doubtful, and one draws more than half of the memory.
+    // One file exceeds a limit, one has an error, one has a warning, and one needs more than half of the memory.
     let files = [
         "data_in/curves/koch-snowflake.json",
         "crates/lsys/tests/broken/empty.json",
@@ -616,7 +616,7 @@ fn usage() {
         "draw data_in/abop/1.24a.json --size 10x10",
         2,
         &expect![[r#"
-        error: --size goes with --format png only
+        error: --size needs --format png
 
         Usage: lsys draw [OPTIONS] FILE [OUT_BASE]
                lsys draw [OPTIONS] FILE... --out-dir DIR
@@ -658,7 +658,7 @@ fn pictures_are_files_too() {
     for (options, ending) in [("svg", "svg"), ("svg --compact", "svg"), ("png --size 40x30", "png")] {
         good(&format!("draw {json} {one} -n 3 --format {options}"));
         assert_eq!(good(&format!("expand {one}.{ending}")), expected, "{options}");
-        // The picture of a picture's system is that picture, byte for byte.
+        // The system inside a picture gives the same picture, byte for byte.
         good(&format!("draw {one}.{ending} {two} --format {options}"));
         let [first, second] = [&one, &two].map(|base| std::fs::read(format!("{base}.{ending}")).expect("a picture"));
         assert_eq!(first, second, "{options}");

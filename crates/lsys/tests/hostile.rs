@@ -1,4 +1,4 @@
-//! The program with files that mean harm, and where its output cannot go.
+//! The program with malicious files, and with outputs that cannot be written.
 
 use std::fs::{self, File};
 use std::io::Write;
@@ -10,14 +10,14 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// `lsys` with the words of `line`, in the repository's root.
+/// The command `lsys` with the words of `line`, in the repository's root.
 fn command(line: &str) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
     command.args(line.split(' ')).current_dir(root()).stdin(Stdio::null());
     command
 }
 
-/// A shell that runs `script`, in which `$lsys` is the program.
+/// Runs `script` in a shell; `$lsys` is the program.
 #[cfg(unix)]
 fn shell(script: &str) -> Output {
     let mut command = Command::new("sh");
@@ -38,16 +38,16 @@ fn names(folder: &Path) -> Vec<String> {
     entries.map(|entry| entry.file_name().display().to_string()).collect()
 }
 
-/// Characters that a terminal obeys, and those that change the order of others.
+/// Control characters of terminals, and characters that change the direction of text.
 const ORDERS: &str = "\u{1b}]0;owned\u{7}\u{8}\r\u{7f}\u{9b}31m\u{85}\u{202e}\u{2066}\u{200f}\u{2028}";
 
-/// No character of `text` is one of [`ORDERS`].
+/// Checks that `text` has no character of [`ORDERS`].
 fn assert_harmless(text: &str) {
     let harm = text.chars().find(|&ch| ch != '\n' && (ch.is_control() || ORDERS[ORDERS.len() - 14..].contains(ch)));
     assert_eq!(harm, None, "{text:?}");
 }
 
-/// A file whose every text holds [`ORDERS`].
+/// A file with [`ORDERS`] in every text.
 fn hostile_file(folder: &TempDir) -> String {
     let file = folder.path().join("hostile.json");
     let orders = ORDERS;
@@ -80,7 +80,7 @@ fn escape_sequences_of_a_file_reach_no_terminal() {
     let facts = run(&format!("info {}", good.display()));
     assert!(text(&facts.stdout).starts_with("␛]0;owned␇␈␍␡\u{fffd}31m"), "{}", text(&facts.stdout));
     assert_harmless(&text(&facts.stdout));
-    // As JSON the title is still the same to the last character.
+    // In JSON the title keeps every character.
     let facts = run(&format!("info --json {}", good.display()));
     assert_harmless(&text(&facts.stdout));
     let facts: serde_json::Value = serde_json::from_slice(&facts.stdout).expect("JSON");
@@ -109,7 +109,7 @@ fn settings_that_make_no_sense_are_shown() {
 #[test]
 fn files_of_any_size_are_refused_soon() {
     let folder = tempfile::tempdir().expect("a folder");
-    // Ten gigabytes that take no room on the disk.
+    // A sparse file of ten gigabytes takes no disk space.
     for start in ["", "{\"initial\": \"F\"", "<svg", "\u{89}PNG"] {
         let path = folder.path().join("large");
         let mut file = File::create(&path).expect("a file");
@@ -142,17 +142,17 @@ fn streams_without_end_are_refused_soon() {
 fn closed_output_is_a_failure() {
     for words in ["info data_in/abop/1.24d.json", "expand data_in/abop/1.24d.json -n 1", "--help"] {
         let output = shell(&format!("$lsys {words} >&-"));
-        assert_eq!(text(&output.stderr), "error: standard output: it is closed\n", "{words}");
+        assert_eq!(text(&output.stderr), "error: standard output: closed\n", "{words}");
         assert_eq!(output.status.code(), Some(1), "{words}");
-        // What goes nowhere on purpose is no failure.
+        // Output to `/dev/null` on purpose is no failure.
         for nowhere in [shell(&format!("$lsys {words} > /dev/null")), shell(&format!("$lsys {words} | head -c 1"))] {
             assert_eq!((text(&nowhere.stderr), nowhere.status.code()), (String::new(), Some(0)), "{words}");
         }
-        // As Python and Node.js open it for a program whose output nobody wants.
+        // Python and Node.js open `/dev/null` so for a program whose output is discarded.
         let null = File::options().read(true).write(true).open("/dev/null").expect("a device");
         assert_eq!(command(words).stdout(null).status().expect("lsys starts").code(), Some(0), "{words}");
     }
-    // What prints nothing needs no output.
+    // A command that prints nothing needs no standard output.
     let folder = tempfile::tempdir().expect("a folder");
     let base = folder.path().join("weed").display().to_string();
     assert_eq!(shell(&format!("$lsys draw data_in/abop/1.24a.json {base} >&-")).status.code(), Some(0));
@@ -179,7 +179,7 @@ fn files_over_the_limit_of_the_shell_leave_nothing() {
 #[test]
 fn signals_leave_nothing() {
     use std::os::unix::process::ExitStatusExt;
-    // A signal that these tests were started to ignore, as by `nohup`, is ignored by the program as well.
+    // The program also ignores a signal that this test run was started to ignore, as by `nohup`.
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).map_or("0", str::trim);
     let ignored = u64::from_str_radix(mask, 16).expect("a mask of signals");
@@ -187,7 +187,7 @@ fn signals_leave_nothing() {
     for (name, number) in all.into_iter().filter(|(_, number)| ignored >> (number - 1) & 1 == 0) {
         let folder = tempfile::tempdir().expect("a folder");
         let base = folder.path().join("koch").display().to_string();
-        // The string is written soon, the picture takes long.
+        // The string is written quickly; the picture takes long.
         let line = format!("draw data_in/curves/koch-snowflake.json {base} -n 9");
         let mut child = command(&line).stderr(Stdio::null()).spawn().expect("lsys starts");
         while names(folder.path()).is_empty() {
@@ -195,7 +195,7 @@ fn signals_leave_nothing() {
         }
         let kill = Command::new("kill").args(["-s", name, &child.id().to_string()]).status().expect("kill");
         assert!(kill.success());
-        // The caller learns of the signal, as a shell that stops a loop must.
+        // The exit status names the signal, so that a shell can stop its loop.
         assert_eq!(child.wait().expect("ends").signal(), Some(number), "{name}");
         assert_eq!(names(folder.path()), [""; 0], "{name}");
     }

@@ -1,17 +1,19 @@
-//! A long list in pieces. A full piece never moves, so that growing neither copies the list nor holds it twice.
+//! A long list in pieces. A full piece never moves, so that growth neither copies the list nor holds it twice.
 
 use crate::room::{bytes_for, bytes_of, reserve};
 use core::ops::{Index, Range};
 
-/// Elements of a piece, but for runs that are longer.
+/// The number of elements in a piece; a piece of one longer run has more.
 const PIECE: usize = 1 << SHIFT;
 const SHIFT: usize = 15;
 
-/// Elements in runs, each of which is a slice. Numbers of elements leave out what is unused at the end of a piece.
+/// Elements in runs; each run is a slice. The numbers of elements are not consecutive: each piece starts at a multiple
+/// of 32,768.
 #[derive(Clone, Debug)]
 pub struct Chunks<T> {
     pieces: Vec<Vec<T>>,
-    /// By number divided by the length of a piece: the piece that has the element. A long one has several numbers.
+    /// By an element's number divided by [`PIECE`]: the index of the piece with the element. A longer piece has several
+    /// entries.
     owners: Vec<u32>,
     /// The number of the first element of each piece.
     starts: Vec<u32>,
@@ -24,12 +26,12 @@ impl<T> Chunks<T> {
         Self { pieces: vec![], owners: vec![], starts: vec![], bytes: 0 }
     }
 
-    /// The bytes that it takes.
+    /// The bytes that the list occupies.
     pub(crate) fn bytes(&self) -> u64 {
         self.bytes + bytes_of(&self.pieces) + bytes_of(&self.owners) + bytes_of(&self.starts)
     }
 
-    /// The bytes that are taken when a run of so many is appended; 0 where there is room for it.
+    /// The bytes that appending `run` elements allocates for them; 0 if the last piece has room.
     pub(crate) fn bytes_for(&self, run: usize) -> u64 {
         match self.open(run) {
             Some(piece) => bytes_for(piece, run),
@@ -37,7 +39,7 @@ impl<T> Chunks<T> {
         }
     }
 
-    /// Appends a run; the numbers of its elements.
+    /// Appends a run. Returns the numbers of its elements.
     pub(crate) fn push(&mut self, run: impl ExactSizeIterator<Item = T>) -> Range<u32> {
         let count = run.len();
         if self.open(count).is_none() {
@@ -56,17 +58,17 @@ impl<T> Chunks<T> {
         first..first + count as u32
     }
 
-    /// The last piece, where it has numbers for so many more.
+    /// The last piece, if `run` more elements stay within [`PIECE`].
     fn open(&self, run: usize) -> Option<&Vec<T>> {
         self.pieces.last().filter(|piece| piece.len() + run <= PIECE)
     }
 
-    /// How many elements a new piece has room for: the first grows, so that a short list stays short.
+    /// The capacity of a new piece. The first piece starts small and grows, so that a short list takes little memory.
     fn room(&self, run: usize) -> usize {
         if self.pieces.is_empty() { run } else { run.max(PIECE) }
     }
 
-    /// Gives back what is not needed any more.
+    /// Frees the unused capacity of the last piece.
     pub(crate) fn shrink(&mut self) {
         if let Some(piece) = self.pieces.last_mut() {
             let before = bytes_of(piece);
@@ -75,12 +77,12 @@ impl<T> Chunks<T> {
         }
     }
 
-    /// All elements, in their order.
+    /// All elements in order.
     pub fn iter(&self) -> impl Iterator<Item = &T> {
         self.pieces.iter().flatten()
     }
 
-    /// The element of this number, if there is one.
+    /// The element with this number, if any.
     #[must_use]
     pub fn get(&self, number: usize) -> Option<&T> {
         let owner = *self.owners.get(number >> SHIFT)? as usize;

@@ -1,5 +1,4 @@
-//! Systems and drawings in words: the legend of symbols, why nothing is drawn, a picture's text alternative.
-
+//! Systems and drawings in words: the legend of symbols, the reason for an empty picture, a picture's text alternative.
 use crate::System;
 use crate::drawn::drawn_by_letter;
 use lsystem_derive::{Rewrite, Tally, weigh_until};
@@ -7,19 +6,19 @@ use lsystem_syntax::message::grouped;
 use lsystem_syntax::sorted::set;
 use lsystem_syntax::{Action, Grammar, Heading, MAX_ITERATIONS, Meter, Pattern, Production};
 
-/// What one symbol of a system does, for people.
+/// A symbol of a system and its actions, in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LegendEntry {
-    /// The symbol, with the names of its parameters in parentheses where it has some: `F(l)`.
+    /// The symbol, with the names of its parameters in parentheses, if any: `F(l)`.
     pub module: String,
-    /// What it makes the turtle do, in words.
+    /// The turtle's actions, in words.
     pub actions: String,
-    /// Whether a production replaces it.
+    /// Whether a production replaces the symbol.
     pub rewritten: bool,
 }
 
-/// The symbols that occur in any generation or are drawn in their place, sorted, with what they do. A symbol with
-/// another number of parameters is another one.
+/// The symbols that occur in a generation or in an image, sorted, with their actions. A symbol has one entry for each
+/// number of parameters.
 #[must_use]
 pub fn legend(system: &System) -> Vec<LegendEntry> {
     let rules = &system.rules;
@@ -70,7 +69,7 @@ fn place_of(pattern: &Pattern) -> (char, usize) {
     (pattern.symbol, pattern.parameters.len())
 }
 
-/// What the parameters of a symbol are called: as in the first production for it, or else for what they do.
+/// The names of a symbol's parameters: as in its first production, or else after their use by its first action.
 fn parameters(first: Option<&Pattern>, arity: usize, action: Option<&Action>) -> Vec<String> {
     first.map_or_else(
         || {
@@ -87,7 +86,7 @@ fn parameters(first: Option<&Pattern>, arity: usize, action: Option<&Action>) ->
     )
 }
 
-/// What an action does by the number called `name`.
+/// An action whose number is the parameter `name`, in words.
 fn numbered_words(system: &System, action: Action, name: &str) -> String {
     match action.with(1.0) {
         Action::Draw(_) | Action::DrawUnmarked(_) => format!("draws {name}"),
@@ -104,7 +103,7 @@ fn numbered_words(system: &System, action: Action, name: &str) -> String {
     }
 }
 
-/// What sort of system it is: `deterministic`, or those of `stochastic`, `context-sensitive`, `parametric` that hold,
+/// The kind of a system: `deterministic`, or all that hold of `stochastic`, `context-sensitive` and `parametric`,
 /// separated by commas.
 #[must_use]
 pub fn kind(system: &System) -> String {
@@ -153,17 +152,17 @@ fn action_words(system: &System, action: Action) -> String {
     }
 }
 
-/// Why generation `n` draws nothing, or `None` when it draws something, when that is up to random choices, or when it
-/// takes too long to find out.
+/// The reason why generation `n` draws nothing. `None` if the generation draws something, if random choices decide, or
+/// if the search takes too long.
 #[must_use]
 pub fn why_empty(system: &System, n: u32) -> Option<String> {
-    /// The units of work that are worth an explanation.
+    /// The most units of work for the search.
     const MOST: u64 = 1 << 20;
     if system.rules.is_cutting() {
         return None;
     }
     let drawn = drawn_by_letter(system)?;
-    // A letter that can be reached at all is reached within as many steps as there are letters.
+    // Every reachable letter occurs within as many steps as there are letters.
     let far = (n + 1 + system.rules.letters.len() as u32).min(MAX_ITERATIONS);
     let (mut at_first, mut here, mut later) = (false, None, None);
     let none = drawn.iter().all(|&segments| segments == 0);
@@ -205,7 +204,7 @@ pub fn why_empty(system: &System, n: u32) -> Option<String> {
     )
 }
 
-/// A count for people: whole with separators up to nine digits, then as `1.23 × 10^45`.
+/// A count in words: with separators up to nine digits, then as `1.23 × 10^45` (rounded down).
 #[must_use]
 pub(crate) fn short_count(count: &Tally) -> String {
     let digits = count.to_string();
@@ -215,8 +214,8 @@ pub(crate) fn short_count(count: &Tally) -> String {
     grouped(&digits)
 }
 
-/// A picture's text alternative: how much is drawn, how large it is and of how many shared blocks it is made. `blocks` is
-/// none where the drawing does not memoise; `bounds` as [`Drawing::bounds`](crate::Drawing::bounds).
+/// A picture's text alternative: the number of lines, the proportions and the number of shared blocks. `blocks` is
+/// `None` if the drawing shares no blocks; `bounds` as [`Drawing::bounds`](crate::Drawing::bounds).
 #[must_use]
 pub fn describe(system: &System, n: u32, segments: &Tally, blocks: Option<usize>, bounds: Option<[f64; 4]>) -> String {
     let Some([min_x, min_y, max_x, max_y]) = bounds else {

@@ -1,9 +1,10 @@
 //! A drawing is a small graph of placed blocks, not a long list of segments.
 //!
-//! After n derivation steps a string is exponentially long but made of few distinct pieces: symbol `s` derived for
-//! `d` more steps is always the same piece, a [`Block`]. Blocks hold strokes and placed smaller blocks, in drawing
-//! order: such drawings are [shared](share). Systems whose pieces are not all alike (stochastic or unbalanced
-//! productions) are [unfolded](unfold) into a tree of blocks of the same type, so every reader sees one shape of data.
+//! After n derivation steps a string is exponentially long but consists of few distinct pieces: symbol `s` derived for
+//! `d` more steps always draws the same piece, a [`Block`]. A block holds strokes, polygons and placed smaller blocks,
+//! in drawing order. Such drawings are [shared](share). Systems whose pieces differ (stochastic or unbalanced
+//! productions) are [unfolded](unfold) into a tree of blocks of the same type, so that every reader sees one data
+//! structure.
 
 mod block;
 mod body;
@@ -58,49 +59,49 @@ use std::sync::OnceLock;
 pub struct Drawing<S: Space = Plane> {
     /// Children before parents.
     pub blocks: Vec<Block<S>>,
-    /// The contents of all blocks; each block names its range.
+    /// The contents of all blocks; [`Block::items`] is a range here.
     pub items: Chunks<Item<S>>,
-    /// The corners of all hulls that have some; each block names its range.
+    /// The corners of all hulls in the plane; [`Block::hull`] is a range here. Empty in space.
     pub corners: Vec<S::Point>,
-    /// The vertices of all polygons; each names its range.
+    /// The vertices of all polygons; [`Polygon::range`] is a range here.
     pub vertices: Vec<S::Point>,
-    /// The styles in use; strokes and placements name theirs.
+    /// The styles in use; a [`StyleId`](crate::StyleId) is an index here.
     pub styles: Vec<StyleChange>,
-    /// The whole drawing, or `None` when nothing is drawn. Its frame has the axes of the model: the start heading is
-    /// part of its contents, and a point `p` of it is `start + step * 2^exponent * p` in model units.
+    /// The block of the whole drawing, or `None` if nothing is drawn. The block's frame has the axes of the model: the
+    /// start heading is part of the contents, and a point `p` is `start + step * 2^exponent * p` in model units.
     pub root: Option<BlockId>,
-    /// Where the turtle starts, in model units.
+    /// The turtle's position at the start, in model units.
     pub start: S::Point,
-    /// The step length, in model units; 1 where it is zero, and all lengths and widths that depend on it are then 0.
+    /// The step length, in model units. If the system's step is zero, this is 1, and lengths and widths in steps are 0.
     pub step: f64,
     /// The turtle's stroke width at the start, in multiples of the step length.
     pub width: f64,
-    /// The words of the pieces that it shares.
+    /// The words of the shared pieces.
     pub(crate) pieces: Pieces<S>,
     /// Whether blocks are shared.
     pub memoised: bool,
-    /// By stroke and polygon, in drawing order: where it is along the path, as in [`Tint`](lsystem_syntax::Tint); empty where
-    /// they follow each other on it.
+    /// The place along the path, as in [`Tint`](lsystem_syntax::Tint), of each stroke and polygon, in drawing order.
+    /// Empty if the drawing order is the path's order.
     pub places: Vec<f64>,
-    /// The symbols of its generation, where they were counted.
+    /// The number of symbols of the generation, if counted.
     pub symbols: Option<u64>,
-    /// What pictures in space make of it.
+    /// The size of the scene for pictures in space.
     pub scene: SceneSize,
-    /// The root's extent in its own units, when somebody has asked.
+    /// The root's extent in root units; empty until it is known.
     pub extent: OnceLock<Option<S::Extent>>,
 }
 
 impl Drawing {
-    /// A box around all segments' axes, strokes' widths apart: min x, min y, max x, max y in model units,
-    /// exact to 1e-9 of the extent, unless the drawing shares blocks and very many of them come close to a side: then it may
-    /// be a little larger. `None` when nothing is drawn. What is beyond the range of `f64` is infinite.
+    /// A box around all segments' axes and polygons, without stroke widths: min x, min y, max x, max y in model units.
+    /// The box is exact to 1e-9 of its size, but may be a little larger if very many shared blocks come close to a
+    /// side. `None` if nothing is drawn. Coordinates beyond the range of `f64` are infinite.
     #[must_use]
     pub fn bounds(&self) -> Option<[f64; 4]> {
         let unit = self.unit();
         let [x0, y0, x1, y1] = self.extent()?;
         let model = |x: f64, y: f64| [self.start[0] + unit * x, self.start[1] + unit * y];
         let ([a, b], [c, d]) = (model(x0, y0), model(x1, y1));
-        // A negative step turns the picture round.
+        // A negative step reflects the picture, so that minimum and maximum change places.
         Some([a.min(c), b.min(d), a.max(c), b.max(d)])
     }
 
@@ -116,15 +117,15 @@ impl Drawing {
         &self.corners[block.hull.start as usize..block.hull.end as usize]
     }
 
-    /// The root's extent in its own units: min x, min y, max x, max y.
+    /// The root's extent in root units: min x, min y, max x, max y.
     pub fn extent(&self) -> Option<[f64; 4]> {
         self.surveyed()
     }
 }
 
 impl<S: Space> Drawing<S> {
-    /// The root's extent in its own units, found by whoever asks first where it was not when the drawing was made: after
-    /// a bounded effort.
+    /// The root's extent in root units. If the extent is not known yet, the first call computes it, with bounded
+    /// effort.
     pub fn surveyed(&self) -> Option<S::Extent> {
         *self.extent.get_or_init(|| {
             let mut survey = S::survey(self.root?);
@@ -136,12 +137,12 @@ impl<S: Space> Drawing<S> {
         })
     }
 
+    /// The contents of all blocks.
     pub(crate) fn all(&self) -> Contents<'_, S> {
         Contents { blocks: &self.blocks, items: &self.items, corners: &self.corners, vertices: &self.vertices }
     }
 
-    /// The bytes that the drawing takes; of one in space, with what its
-    /// pictures are made from.
+    /// The bytes that the drawing occupies; in space, with the bytes of its scene.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         bytes_of(&self.blocks)
@@ -154,36 +155,35 @@ impl<S: Space> Drawing<S> {
             + self.scene.bytes(self.memoised)
     }
 
-    /// How many segments there are; `u128::MAX` stands for that many or more.
+    /// The number of segments; saturating.
     #[must_use]
     pub fn segment_count(&self) -> u128 {
         self.root.map_or(0, |root| self.blocks[root.0 as usize].segments)
     }
 
-    /// How many polygons there are; `u128::MAX` stands for that many or more.
+    /// The number of polygons; saturating.
     #[must_use]
     pub fn polygon_count(&self) -> u128 {
         self.root.map_or(0, |root| self.blocks[root.0 as usize].polygons)
     }
 
-    /// The style in which the polygon `number` (0-based, in the order in which they are opened) is filled, from the start of
-    /// the drawing.
+    /// The fill style of polygon `number` (0-based, in the order of opening), relative to the start of the drawing.
     #[must_use]
     pub fn polygon_style(&self, number: u128) -> Option<StyleChange> {
         let (polygon, frame) = self.polygon(number)?;
         Some(frame.style.then(&self.styles[polygon.style.0 as usize]))
     }
 
-    /// Looks whether there are at most so many segments and vertices of polygons.
+    /// Checks that there are at most `most` segments and vertices of polygons.
     ///
     /// # Errors
-    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) otherwise.
+    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if there are more.
     pub fn check_size(&self, most: u64) -> Result<(), Diagnostic> {
         let fits = self.size() <= u128::from(most);
         if fits { Ok(()) } else { Err(Diagnostic::limit(LimitName::Segments, most, None)) }
     }
 
-    /// How many segments and vertices of polygons there are; `u128::MAX` stands for that many or more.
+    /// The number of segments and vertices of polygons; saturating.
     fn size(&self) -> u128 {
         let Some(root) = self.root.filter(|_| self.polygon_count() > 0) else { return self.segment_count() };
         let mut sizes: Vec<u128> = Vec::with_capacity(self.blocks.len());
@@ -198,27 +198,27 @@ impl<S: Space> Drawing<S> {
         sizes[root.0 as usize]
     }
 
-    /// How many blocks the graph has.
+    /// The number of blocks in the graph.
     #[must_use]
     pub fn block_count(&self) -> usize {
         self.blocks.len()
     }
 
-    /// How many symbols its generation has, where they were counted on the way: where the drawing does not memoise, and
-    /// where modules with parameters do.
+    /// The number of symbols of the generation, if counted while drawing: for unfolded drawings, and for shared
+    /// drawings of modules with parameters.
     #[must_use]
     pub fn symbol_count(&self) -> Option<u64> {
         self.symbols
     }
 
-    /// Whether blocks are shared, so that the drawing's size does not depend on its number of segments.
+    /// Whether blocks are shared, so that the drawing's size does not depend on the number of segments.
     #[must_use]
     pub fn is_memoised(&self) -> bool {
         self.memoised
     }
 
-    /// What `symbol`, which a production rewrites, does in `depth` more steps (at least 1), where this drawing
-    /// memoises and contains it.
+    /// The piece that `symbol`, which a production rewrites, draws in `depth` more steps (at least 1). `None` unless
+    /// this drawing shares the pieces of plain letters and contains this one.
     #[must_use]
     pub fn piece(&self, symbol: LetterId, depth: u32) -> Option<&Piece<S>> {
         let Pieces::Letters(levels) = &self.pieces else { return None };
@@ -227,14 +227,13 @@ impl<S: Space> Drawing<S> {
         Some(&level[place].1)
     }
 
-    /// Every segment, in drawing order. A drawing that memoises may have more of them than anybody can wait for.
+    /// Every segment, in drawing order. A shared drawing may have too many segments to read them all.
     #[must_use]
     pub fn segments(&self) -> Segments<'_, S> {
         Segments::new(self)
     }
 
-    /// The segments from the one at `start` (0-based) on. Takes as long as the blocks are nested deep, however many
-    /// segments come before.
+    /// The segments from number `start` (0-based) on. The time depends on the depth of nested blocks, not on `start`.
     #[must_use]
     pub fn segments_from(&self, start: u128) -> Segments<'_, S> {
         let mut segments = Segments::new(self);
@@ -247,12 +246,12 @@ impl<S: Space> Drawing<S> {
         self.contents(&self.blocks[block.0 as usize])
     }
 
-    /// The same of a block at hand.
+    /// The items of a block.
     pub fn contents(&self, block: &Block<S>) -> &[Item<S>] {
         &self.items[block.items.start as usize..block.items.end as usize]
     }
 
-    /// How many polygons an item fills; `u128::MAX` stands for that many or more.
+    /// The number of polygons in an item; saturating.
     pub fn polygons_in(&self, item: &Item<S>) -> u128 {
         match item {
             Item::Stroke(_) => 0,
@@ -261,7 +260,7 @@ impl<S: Space> Drawing<S> {
         }
     }
 
-    /// How many segments an item draws; `u128::MAX` stands for that many or more.
+    /// The number of segments in an item; saturating.
     pub fn segments_in(&self, item: &Item<S>) -> u128 {
         match item {
             Item::Stroke(_) => 1,
@@ -270,13 +269,13 @@ impl<S: Space> Drawing<S> {
         }
     }
 
-    /// How many of `items` come before the one with the segment `number` (0-based, of theirs), and the segment's number
-    /// in that one; all items where they have no such segment. Polygons before it come before.
+    /// The index of the item that contains segment `number` (0-based) of `items`, and the segment's number in that
+    /// item. The index is `items.len()` if the items have fewer segments.
     pub fn before(&self, items: &[Item<S>], number: u128) -> (usize, u128) {
         self.before_by(items, number, Self::segments_in)
     }
 
-    /// The same by another count.
+    /// As [`Drawing::before`], for the things that `count` counts.
     pub fn before_by(&self, items: &[Item<S>], number: u128, count: fn(&Self, &Item<S>) -> u128) -> (usize, u128) {
         let mut left = number;
         let place = items.iter().position(|item| {
@@ -288,7 +287,7 @@ impl<S: Space> Drawing<S> {
         (place.unwrap_or(items.len()), left)
     }
 
-    /// The polygon `number` (0-based, in drawing order), and where it lies in the root block's frame.
+    /// Polygon `number` (0-based, in drawing order), and the frame of its block in the root block's frame.
     pub fn polygon(&self, number: u128) -> Option<(&Polygon, Frame<S>)> {
         let (mut block, mut left) = (self.root?, number);
         let mut frame = Frame::new(1.0, StyleChange::start(self.width));
@@ -312,7 +311,7 @@ impl<S: Space> Drawing<S> {
         &self.vertices[polygon.range()]
     }
 
-    /// Model units for one unit of the root block; the greatest finite number where that is beyond `f64`.
+    /// One unit of the root block in model units, clamped to the range of `f64`.
     pub fn unit(&self) -> f64 {
         let exponent = self.root.map_or(0, |root| self.blocks[root.0 as usize].exponent);
         finite(libm::scalbn(self.step, exponent))
@@ -322,13 +321,13 @@ impl<S: Space> Drawing<S> {
 /// One segment of a drawing, in model units, y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment<S: Space = Plane> {
-    /// Where it starts.
+    /// The first end.
     pub from: S::Point,
-    /// Where it ends.
+    /// The second end.
     pub to: S::Point,
     /// The colour index, not yet wrapped to a palette.
     pub colour: i32,
-    /// The branch level: how many branches are open.
+    /// The branch level: the number of open branches.
     pub level: u32,
     /// The stroke width, in model units.
     pub width: f64,

@@ -1,16 +1,16 @@
-//! How many segments letters draw.
+//! The number of segments that each letter draws.
 
 use crate::System;
 use lsystem_derive::LetterId;
 
-/// By letter: how many segments it draws, 0 for one that never occurs; `None` where one that may occur does not always
-/// draw as many.
+/// By letter: the number of segments that the letter, or its image, draws; 0 for a letter that never occurs. `None` if
+/// the number varies for a letter that may occur.
 pub(crate) fn drawn_by_letter(system: &System) -> Option<Vec<u64>> {
     let drawn = |(id, reached): (usize, &bool)| if *reached { drawn_as(system, id as LetterId) } else { Some(0) };
     system.rules.reachable().iter().enumerate().map(drawn).collect()
 }
 
-/// The segments of what a letter is drawn as; `None` where they are not always as many.
+/// The number of segments that a letter is drawn as; `None` if its images draw different numbers.
 fn drawn_as(system: &System, letter: LetterId) -> Option<u64> {
     let images = &system.rules.images[usize::from(letter)];
     let mut all =
@@ -21,13 +21,13 @@ fn drawn_as(system: &System, letter: LetterId) -> Option<u64> {
     all.all(|other| other == first).then_some(first)
 }
 
-/// The segments that one letter draws by itself.
+/// The number of segments that a letter draws by its own actions, without images.
 fn segments_of(system: &System, symbol: LetterId) -> u64 {
     let actions = &system.turtle.actions[usize::from(symbol)];
     actions.iter().filter(|action| action.draws()).count() as u64
 }
 
-/// By letter: how many segments it draws by itself.
+/// By letter: the number of segments that the letter draws by its own actions, without images.
 pub(crate) fn drawn_alone(system: &System) -> Vec<u64> {
     (0..system.rules.letters.len()).map(|letter| segments_of(system, letter as LetterId)).collect()
 }

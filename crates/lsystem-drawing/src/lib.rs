@@ -1,12 +1,12 @@
 //! L-systems drawn.
 //!
-//! What comes in is a [`Definition`](lsystem_syntax::Definition); what goes out is a [`Drawing`], a small graph of
-//! memoised blocks.
+//! The input is a [`Definition`](lsystem_syntax::Definition). The output is a [`Drawing`], a small graph of shared
+//! blocks.
 //!
-//! The way between: [`System`] understands a definition; its rules derive ([`expand`], [`count_symbols`]); a [`Turtle`]
-//! reads what was derived, in the [`Plane`] or in space ([`Solid`]); a [`Drawer`] remembers what it has drawn.
+//! A [`System`] is a checked and compiled definition. Its rules derive strings ([`expand`], [`count_symbols`]). A
+//! [`Turtle`] reads the symbols, in the [`Plane`] or in space ([`Solid`]). A [`Drawer`] makes the blocks in steps.
 
-// The order of the data.
+// In the order of the data.
 mod chunks;
 mod room;
 

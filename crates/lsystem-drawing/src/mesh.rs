@@ -1,7 +1,7 @@
-//! Drawings as triangles: every stroke a tube, polygons cut up.
+//! Drawings as triangles: strokes become tubes, polygons are triangulated.
 //!
-//! Strokes that follow each other end to end share a ring of corners on the plane that halves the angle between them,
-//! so that a bent path is one closed tube. Where widths differ a tube tapers to the width of the stroke that follows.
+//! Strokes that join end to end share a ring of corners on the plane that halves the angle between them, so that a bent
+//! path is one closed tube. A tube tapers to the width of the next stroke.
 
 use crate::drawing::MarkReader;
 use crate::rotation::{Vector, cross, dot, minus, norm};
@@ -14,35 +14,37 @@ use lsystem_syntax::{Diagnostic, LimitName, Meter, Progress, Style};
 pub struct Mesh {
     /// Corners: x, y, z.
     pub positions: Vec<[f32; 3]>,
-    /// Of each corner: the direction in which the surface faces, of length 1.
+    /// By corner: the outward direction of the surface, of length 1.
     pub normals: Vec<[f32; 3]>,
-    /// Of each corner: red, green and blue in sRGB.
+    /// By corner: red, green and blue in sRGB.
     pub colours: Vec<[u8; 3]>,
-    /// Three corners each, counter-clockwise as seen from outside.
+    /// The indices of three corners each, counter-clockwise as seen from outside.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// The longer side of a picture that a stroke's least width is meant for, in pixels.
+/// The longer side, in pixels, of the picture for which [`Style::min_width`] is taken.
 const PICTURE: f64 = 1024.0;
-/// Strokes that turn by more than a right angle or so do not share a ring: it would be too pointed.
+/// The least cosine of the angle between strokes that share a ring. At sharper angles (above about 96 degrees) the ring
+/// would be too pointed.
 const SHARPEST: f64 = -0.1;
-/// How far the middle of an end stands out, in radii.
+/// The height of a tube's end, in radii.
 const ROUND: f64 = 0.6;
 
 impl Mesh {
-    /// Makes tubes of all strokes, with as many sides as their number allows: eight for some ten thousand, four for
-    /// very many. A stroke is as wide as the style's least width makes it in a picture of 1024 pixels. Strokes without
-    /// length give nothing, and coordinates and widths beyond the range of `f32` are the farthest there.
+    /// Makes a mesh of all strokes and polygons. Tubes have eight sides for up to 20,000 strokes, six for up to
+    /// 100,000, four for more. No stroke is thinner than [`Style::min_width`] in a picture of 1024 pixels. Strokes
+    /// without length are left out. Coordinates and widths are clamped to the range of `f32`.
     ///
     /// # Errors
-    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) where there are more than `most` segments and vertices of polygons.
+    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if the drawing has more than `most` segments and vertices of
+    /// polygons.
     pub fn new(drawing: &Drawing<Solid>, style: &Style, most: u64) -> Result<Self, Diagnostic> {
         let mut maker = MeshMaker::new(drawing, style, most, u64::MAX)?;
         while maker.step(drawing, style, u64::MAX)? == Progress::More {}
         Ok(maker.finish())
     }
 
-    /// The bytes that it takes.
+    /// The bytes that the mesh occupies.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         let corners = size_of::<[f32; 3]>() * (self.positions.capacity() + self.normals.capacity());
@@ -50,7 +52,8 @@ impl Mesh {
         (corners + rest) as u64
     }
 
-    /// Makes room for more corners and triangles. A list grows by an eighth, so that little room is left over.
+    /// Makes room for `more` corners and twice as many triangles. Lists grow by an eighth, so that little memory stays
+    /// unused.
     fn reserve(&mut self, more: usize) {
         fn grow<T>(list: &mut Vec<T>, more: usize) {
             if list.capacity() - list.len() < more {
@@ -64,7 +67,7 @@ impl Mesh {
     }
 }
 
-/// Makes a mesh in steps. It holds no drawing.
+/// Makes a mesh in steps. The maker does not borrow the drawing between steps.
 #[derive(Clone, Debug)]
 pub struct MeshMaker {
     reader: MarkReader<Solid>,
@@ -75,7 +78,7 @@ pub struct MeshMaker {
 }
 
 impl MeshMaker {
-    /// Ready to make a mesh of at most `memory` bytes. While a list grows, its former bytes are there as well.
+    /// Prepares a mesh of at most `memory` bytes. While a list grows, its former bytes count extra.
     ///
     /// # Errors
     /// As [`Mesh::new`].
@@ -98,15 +101,15 @@ impl MeshMaker {
         self.spent
     }
 
-    /// Goes on for about `work` units; the drawing and the style are the same each time.
+    /// Continues for about `work` units. Every call needs the same drawing and style.
     ///
     /// # Errors
-    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) where the mesh would take too many bytes.
+    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if the mesh would take more than `memory` bytes.
     pub fn step(&mut self, drawing: &Drawing<Solid>, style: &Style, work: u64) -> Result<Progress, Diagnostic> {
         let mut meter = Meter::new(work);
         let mut progress = Progress::More;
         while progress == Progress::More && !meter.is_spent() {
-            // Two rings, two ends and a ring between colours; of a polygon both sides.
+            // A stroke has at most three rings and two ends, a polygon two sides.
             let mut corners = 3 * self.tubes.sides as usize + 2;
             let mark = self.reader.next(drawing);
             match &mark {
@@ -137,7 +140,7 @@ impl MeshMaker {
     }
 }
 
-/// How many times more work a tube is than a written line.
+/// The work of a mark in the mesh, in units of [`Mark::work`].
 const MARK_WORK: u64 = 4;
 
 /// Tubes in the making.
@@ -145,27 +148,28 @@ const MARK_WORK: u64 = 4;
 struct Tubes {
     mesh: Mesh,
     sides: u32,
-    /// No tube's radius is less.
+    /// The least radius of a tube.
     least: f64,
     /// The stroke whose far end is still open.
-    last: Option<Open>,
+    last: Option<OpenTube>,
 }
 
 /// A stroke that has its first ring.
 #[derive(Clone, Copy, Debug)]
-struct Open {
+struct OpenTube {
     to: Vector,
-    /// Its direction, and a direction across it from which its corners are counted.
+    /// The stroke's direction.
     along: Vector,
+    /// The direction of a ring's first corner, at right angles to `along`.
     across: Vector,
     radius: f64,
     colour: [u8; 3],
-    /// The first corner of its first ring.
+    /// The index of the first ring's first corner.
     ring: u32,
 }
 
 impl Tubes {
-    /// A polygon, which is seen from both sides.
+    /// Adds the two sides of a polygon.
     fn fill(&mut self, vertices: &[Vector], colour: [u8; 3]) {
         let Triangles { facing: Some(normal), corners: triangles, .. } = triangulate(vertices) else { return };
         for (normal, order) in [(normal, [0, 1, 2]), (normal.map(|c| -c), [0, 2, 1])] {
@@ -176,6 +180,7 @@ impl Tubes {
         }
     }
 
+    /// Adds a stroke.
     fn add(&mut self, segment: &Segment<Solid>, colour: [u8; 3]) {
         let way = minus(segment.to, segment.from);
         let length = norm(way);
@@ -183,9 +188,9 @@ impl Tubes {
             return;
         }
         let along = way.map(|c| c / length);
-        // As coordinates: what is no number in `f32` is the largest there.
+        // Clamped to the range of `f32`, as coordinates are.
         let radius = (0.5 * segment.width).max(self.least).min(f64::from(f32::MAX));
-        let gap = |last: &Open| norm(minus(segment.from, last.to));
+        let gap = |last: &OpenTube| norm(minus(segment.from, last.to));
         let joined = self.last.filter(|last| gap(last) <= 1e-9 * length && dot(last.along, along) > SHARPEST);
         let (across, ring) = match joined {
             Some(last) => self.join(&last, along, radius, colour),
@@ -197,16 +202,16 @@ impl Tubes {
                 (across, ring)
             }
         };
-        self.last = Some(Open { to: segment.to, along, across, radius, colour, ring });
+        self.last = Some(OpenTube { to: segment.to, along, across, radius, colour, ring });
     }
 
-    /// Ends a stroke where the next one goes on along `along`; returns how that one's corners are counted, and its
-    /// first ring.
-    fn join(&mut self, last: &Open, along: Vector, radius: f64, colour: [u8; 3]) -> (Vector, u32) {
+    /// Ends a stroke at the start of the next one, which goes along `along`. Returns the next stroke's `across` and
+    /// `ring`, as in [`OpenTube`].
+    fn join(&mut self, last: &OpenTube, along: Vector, radius: f64, colour: [u8; 3]) -> (Vector, u32) {
         let half = unit([0, 1, 2].map(|i| last.along[i] + along[i]));
         let ring = self.ring(last.to, last.along, last.across, half, radius, last.colour);
         self.wall(last.ring, ring);
-        // The corners lie on the plane across `half`; seen along the next stroke they are a circle again.
+        // The corners lie on the plane across `half`; projected along the next stroke they form a circle again.
         let on_plane = slide(last.across, last.along, half);
         let across = slide(on_plane, along, along);
         let across = unit(across);
@@ -216,7 +221,7 @@ impl Tubes {
         (across, self.ring(last.to, along, across, half, radius, colour))
     }
 
-    /// Closes the tube that is open.
+    /// Ends the open tube, if any.
     fn close(&mut self) {
         if let Some(last) = self.last.take() {
             let ring = self.ring(last.to, last.along, last.across, last.along, last.radius, last.colour);
@@ -225,7 +230,8 @@ impl Tubes {
         }
     }
 
-    /// The corners of a tube along `along` where it meets the plane across `plane`; returns the first of them.
+    /// Adds the corners of a tube along `along` where the tube meets the plane across `plane`. Returns the first
+    /// corner's index.
     fn ring(&mut self, at: Vector, along: Vector, across: Vector, plane: Vector, radius: f64, colour: [u8; 3]) -> u32 {
         let first = self.mesh.positions.len() as u32;
         let third = cross(along, across);
@@ -245,8 +251,8 @@ impl Tubes {
         self.mesh.colours.push(colour);
     }
 
-    /// The rounded end of a tube, which points along `out`; `edge` tells two corners of its ring, the second of which
-    /// may be the one after the last.
+    /// Adds the pointed end of a tube, which points along `out`. `edge` returns two neighbouring corners of its ring by
+    /// the number of the side; an index just after the last corner stands for the first.
     fn end(&mut self, at: Vector, out: Vector, radius: f64, colour: [u8; 3], edge: impl Fn(u32) -> [u32; 2]) {
         let middle = self.mesh.positions.len() as u32;
         self.corner([0, 1, 2].map(|i| at[i] + ROUND * radius * out[i]), out, colour);
@@ -256,7 +262,7 @@ impl Tubes {
         }
     }
 
-    /// The side of a tube between two rings.
+    /// Adds the wall of a tube between two rings.
     fn wall(&mut self, from: u32, to: u32) {
         for side in 0..self.sides {
             let next = (side + 1) % self.sides;
@@ -266,15 +272,15 @@ impl Tubes {
     }
 }
 
-/// A vector moved along `along` until it is on the plane across `plane`.
+/// A vector moved along `along` onto the plane through the origin across `plane`.
 fn slide(vector: Vector, along: Vector, plane: Vector) -> Vector {
     let by = dot(vector, plane) / dot(along, plane);
     [0, 1, 2].map(|i| vector[i] - by * along[i])
 }
 
-/// Some direction across another.
+/// A unit vector at right angles to `along`.
 fn across(along: Vector) -> Vector {
-    // Away from the axis that it is closest to.
+    // The axis at the largest angle to `along` gives the most exact product.
     let least = (0..3).min_by(|&a, &b| along[a].abs().total_cmp(&along[b].abs())).unwrap_or(0);
     let mut axis = [0.0; 3];
     axis[least] = 1.0;
@@ -306,13 +312,13 @@ mod tests {
         Mesh::new(&draw_solid(&system, n, &Limits::default()).unwrap(), &style, 100_000).unwrap()
     }
 
-    /// The volume inside, which is negative where triangles face inwards.
+    /// The volume inside; triangles that face inwards count as negative.
     fn volume(mesh: &Mesh) -> f64 {
         let corner = |index: u32| mesh.positions[index as usize].map(f64::from);
         mesh.triangles.iter().map(|t| dot(corner(t[0]), cross(corner(t[1]), corner(t[2]))) / 6.0).sum()
     }
 
-    /// Every edge has a triangle on each side, places and not corners being compared.
+    /// Checks that every edge has a triangle on each side. Edges are compared by coordinates, not by corner numbers.
     fn check_closed(mesh: &Mesh) {
         let mut edges = BTreeMap::<_, i32>::new();
         let place = |index: u32| mesh.positions[index as usize].map(|c| (f64::from(c) * 1e5).round() as i64);
@@ -345,10 +351,10 @@ mod tests {
         let path = mesh("F+F&F/F-F", "", 60.0, 0);
         check_closed(&path);
         assert_eq!((path.positions.len(), path.triangles.len()), (6 * 8 + 2, (5 * 2 + 2) * 8));
-        // Where the halves of a bend meet, what one side loses the other gains.
+        // At a bend the volume lost on one side equals the volume gained on the other.
         let straight = mesh("FFFFF", "", 0.0, 0);
         assert!((volume(&path) - volume(&straight)).abs() < 1e-6);
-        // Another colour needs a ring of its own, and what turns back is another tube.
+        // A new colour needs a new ring, and a stroke that turns back needs a new tube.
         assert_eq!(mesh("F'F", "", 0.0, 0).positions.len(), 4 * 8 + 2);
         assert_eq!(mesh("F|F", "", 0.0, 0).positions.len(), 2 * 18);
         check_closed(&mesh("F'F+'F^F[&F][/+F]!F", "", 25.7, 0));

@@ -1,4 +1,4 @@
-//! Which symbol opens a polygon.
+//! The search for the symbol that opens a polygon.
 
 use crate::drawing::{BlockId, Item, Pieces, Space, StateWord, StateWords};
 use crate::{Drawing, System};
@@ -6,8 +6,8 @@ use core::ops::Range;
 use lsystem_derive::{LetterId, Word};
 use std::collections::HashSet;
 
-/// The position of the symbol that opens the polygon `number` (0-based, in the order in which they are opened) of
-/// generation `n`, which `drawing` shows; saturating. `None` beyond the last polygon.
+/// The position (0-based, saturating) in generation `n` of the symbol that opens polygon `number` (0-based, in the
+/// order of opening). `drawing` is the drawing of generation `n`. `None` beyond the last polygon.
 #[must_use]
 pub fn symbol_of_polygon<S: Space>(system: &System, n: u32, drawing: &Drawing<S>, number: u128) -> Option<u128> {
     match &drawing.pieces {
@@ -24,9 +24,9 @@ pub fn symbol_of_polygon<S: Space>(system: &System, n: u32, drawing: &Drawing<S>
     }
 }
 
-/// The words that symbols become, derivation step by derivation step.
+/// The successors of symbols.
 trait Words {
-    /// A symbol that is rewritten, and the steps to go.
+    /// A symbol that is rewritten, with the number of derivation steps left.
     type Node: Copy;
 
     /// The word that replaces a symbol.
@@ -35,13 +35,13 @@ trait Words {
 
 /// A symbol of a word.
 struct Member<N> {
-    /// If the symbol is rewritten: its node, and the block of its derivation, if that draws anything.
+    /// If the symbol is rewritten: its node, and the block that its derivation draws, if any.
     inner: Option<(N, Option<BlockId>)>,
     /// The number of symbols in its derivation; saturating.
     symbols: u128,
 }
 
-/// Words of plain letters, which follow from the rules.
+/// The words of plain letters, from the rules.
 struct Letters<'a, S: Space> {
     drawing: &'a Drawing<S>,
     word: Word<'a>,
@@ -65,9 +65,9 @@ impl<S: Space> Words for Letters<'_, S> {
     }
 }
 
-/// Words of modules with parameters, which were kept.
+/// The words of modules with parameters, kept from the making of the drawing.
 impl Words for StateWords {
-    /// Its state, and the depth.
+    /// The module's state, and the number of derivation steps left.
     type Node = (u32, usize);
 
     fn successor(&self, (state, depth): Self::Node) -> Option<Vec<Member<Self::Node>>> {
@@ -91,8 +91,8 @@ impl StateWords {
     }
 }
 
-/// The symbol that opens a polygon, found in the words from the axiom on: every symbol that is rewritten has a block of its
-/// own, and the polygons of those that stay are among the items of the block of their word.
+/// Finds the symbol that opens a polygon, word by word from the axiom on. Every symbol that is rewritten has its own
+/// block; the polygons of the other symbols are items of the block of their word.
 fn opening<S: Space, W: Words>(
     drawing: &Drawing<S>,
     words: &W,
@@ -130,9 +130,10 @@ fn opening<S: Space, W: Words>(
     }
 }
 
-/// The places of the symbols that open polygons of a word by themselves. The block of a long word has blocks of its parts.
+/// Collects the places of a word's own symbols that open polygons. The block of a long word contains blocks of its
+/// parts.
 fn collect<S: Space>(drawing: &Drawing<S>, block: BlockId, inner: &HashSet<BlockId>, own: &mut Vec<u32>) {
-    // A word that draws nothing but what one of its symbols does has that one's block.
+    // If only one symbol of a word draws, the word has that symbol's block.
     if inner.contains(&block) {
         return;
     }

@@ -54,7 +54,7 @@ impl Geometry for Plane {
         (c * factor, s * factor)
     }
 
-    fn lie(&(c, s): &(f64, f64), [x, y]: [f64; 2], [u, v]: [f64; 2]) -> [f64; 2] {
+    fn transform(&(c, s): &(f64, f64), [x, y]: [f64; 2], [u, v]: [f64; 2]) -> [f64; 2] {
         [x + (c * u - s * v), y + (s * u + c * v)]
     }
 
@@ -67,7 +67,7 @@ impl Geometry for Plane {
     }
 }
 
-/// Cosines and sines of the headings met last: a turtle has few, and meets them again at once.
+/// A cache of cosines and sines by heading: a turtle has few headings and repeats them.
 #[derive(Clone, Debug)]
 pub struct Directions {
     slots: Vec<(Heading, f64, f64)>,
@@ -80,10 +80,11 @@ impl Default for Directions {
 }
 
 impl Directions {
-    /// Enough for all multiples of most angles; systems with 3600 of them use few at a time.
+    /// The cache has `2^BITS` places: enough for all multiples of most angles. Systems with 3600 headings use few at a
+    /// time.
     const BITS: u32 = 10;
 
-    /// The same as [`Heading::cos_sin`].
+    /// As [`Heading::cos_sin`].
     pub fn cos_sin(&mut self, heading: Heading) -> (f64, f64) {
         let hash = heading.units().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (64 - Self::BITS);
         let slot = &mut self.slots[hash as usize];

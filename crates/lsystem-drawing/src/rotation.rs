@@ -16,24 +16,24 @@ pub enum Axis {
 /// A vector or a point: x, y, z.
 pub type Vector = [f64; 3];
 
-/// An orientation of the turtle: its heading, left and up as unit vectors at right angles, up being heading x left.
+/// An orientation of the turtle: heading, left and up as unit vectors at right angles, with up = heading x left.
 ///
-/// A matrix, so that quarter turns compose exactly. It is made orthonormal again whenever rounding has bent it, so that
-/// it stays a rotation however many are composed.
+/// A matrix, so that quarter turns compose exactly. [`Rotation::then`] makes the matrix orthonormal again when rounding
+/// has bent it, so that any number of rotations compose to a rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotation {
     /// Heading, left, up.
     columns: [Vector; 3],
 }
 
-/// How far products of unit vectors may be from 1 and 0 by rounding once.
+/// The largest error, after one rounding, of scalar products that should be 1 or 0.
 const ROUNDING: f64 = 1e-15;
 
 impl Rotation {
     /// No rotation: heading along +x, left along +y, up along +z.
     pub const NONE: Self = Self { columns: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] };
 
-    /// By the right-hand rule about one of the turtle's own axes.
+    /// A rotation by the right-hand rule about one of the turtle's own axes.
     #[must_use]
     pub fn about(axis: Axis, by: Heading) -> Self {
         let (c, s) = by.cos_sin();
@@ -52,32 +52,32 @@ impl Rotation {
         self.columns
     }
 
-    /// This rotation, and then `next` about the axes that it leaves.
+    /// This rotation, followed by `next` about the rotated axes.
     #[must_use]
     pub fn then(&self, next: &Self) -> Self {
         Self { columns: next.columns.map(|column| combine(&self.columns, column)) }.straightened()
     }
 
-    /// A vector rotated.
+    /// Rotates a vector.
     #[must_use]
     pub fn apply(&self, vector: [f64; 3]) -> [f64; 3] {
         combine(&self.columns, vector)
     }
 
-    /// A vector rotated back.
+    /// Rotates a vector by the inverse rotation.
     #[must_use]
     pub fn undo(&self, vector: [f64; 3]) -> [f64; 3] {
         self.columns.map(|column| dot(column, vector))
     }
 
-    /// Rolled about the heading until the left is level and the up is not below it, the unit vector `vertical` being
-    /// upwards (ABOP, section 2.1: L = V x H / |V x H|); the same where the heading is vertical.
+    /// The rotation rolled about the heading until left is level and up does not point below it (ABOP, section 2.1:
+    /// L = V x H / |V x H|). `vertical` is a unit vector that points upwards. A vertical heading changes nothing.
     #[must_use]
     pub fn upright(&self, vertical: [f64; 3]) -> Self {
         let [h, ..] = self.columns;
         let left = cross(vertical, h);
         let length = norm(left);
-        // Along the vertical there is no telling which way is level.
+        // If the heading is vertical, every left is level.
         if length < 1e-9 {
             return *self;
         }
@@ -85,7 +85,7 @@ impl Rotation {
         Self { columns: [h, left, cross(h, left)] }.straightened()
     }
 
-    /// Rotated about the axis heading x `towards`, by `elasticity` times the length of that product, in radians.
+    /// The rotation turned about the axis heading x `towards`, by `elasticity` times that product's length, in radians.
     #[must_use]
     pub fn bent(&self, towards: [f64; 3], elasticity: f64) -> Self {
         let torque = cross(self.columns[0], towards);
@@ -104,7 +104,7 @@ impl Rotation {
         Self { columns: self.columns.map(turn) }.straightened()
     }
 
-    /// Made orthonormal where it no longer is.
+    /// The rotation made orthonormal, if its error exceeds [`ROUNDING`].
     fn straightened(self) -> Self {
         let [h, l, _] = self.columns;
         let off = (dot(h, h) - 1.0).abs().max((dot(l, l) - 1.0).abs()).max(dot(h, l).abs());
@@ -122,7 +122,7 @@ impl Rotation {
     }
 }
 
-/// The sum of the columns, each times a coordinate.
+/// The matrix of three columns times a vector.
 #[must_use]
 pub fn combine([a, b, c]: &[Vector; 3], [x, y, z]: Vector) -> Vector {
     [0, 1, 2].map(|i| a[i] * x + b[i] * y + c[i] * z)
@@ -146,7 +146,7 @@ pub fn minus(a: Vector, b: Vector) -> Vector {
     [0, 1, 2].map(|i| a[i] - b[i])
 }
 
-/// The length.
+/// The length of a vector.
 #[must_use]
 pub fn norm(a: Vector) -> f64 {
     dot(a, a).sqrt()
@@ -166,7 +166,7 @@ mod tests {
             }
         }
         assert!(turned.columns().as_flattened().iter().all(|c| [0.0, 1.0].contains(&c.abs())), "{turned:?}");
-        // To the left, down, and rolled so that the left rises.
+        // A turn to the left, a pitch down, and a roll that lifts the left.
         assert_eq!(quarter(Axis::Up).apply([1.0, 0.0, 0.0]), [0.0, 1.0, 0.0]);
         assert_eq!(quarter(Axis::Left).apply([1.0, 0.0, 0.0]), [0.0, 0.0, -1.0]);
         assert_eq!(quarter(Axis::Ahead).apply([0.0, 1.0, 0.0]), [0.0, 0.0, 1.0]);
@@ -192,7 +192,7 @@ mod tests {
         let bent = Rotation::NONE.bent(down, 0.1);
         let [h, ..] = bent.columns();
         assert!((h[1] + libm::sin(0.1)).abs() < 1e-15 && h[2] == 0.0, "{h:?}");
-        // What points there already stays.
+        // A heading along the tropism does not bend.
         let along = Rotation::about(Axis::Up, Heading::from_degrees(-90.0));
         assert_eq!(along.bent(down, 0.1), along);
     }

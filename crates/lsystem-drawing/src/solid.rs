@@ -1,4 +1,4 @@
-//! Space of three dimensions: frames are rotation matrices.
+//! Space of three dimensions: turns are rotation matrices.
 
 use crate::rotation::Axis;
 use crate::rotation::{Rotation, Vector, combine};
@@ -6,7 +6,7 @@ use crate::space::{Geometry, Tropism};
 use lsystem_syntax::Heading;
 
 /// Drawings in space: x to the right, y up, z towards the viewer. A turtle with the usual heading of 90 degrees starts
-/// with its heading up, its left along -x and its own up towards the viewer.
+/// with heading +y, left -x and up +z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Solid;
 
@@ -52,7 +52,7 @@ impl Geometry for Solid {
         axes.map(|axis| axis.map(|c| c * factor))
     }
 
-    fn lie(axes: &[Vector; 3], at: Vector, point: Vector) -> Vector {
+    fn transform(axes: &[Vector; 3], at: Vector, point: Vector) -> Vector {
         let by = combine(axes, point);
         [at[0] + by[0], at[1] + by[1], at[2] + by[2]]
     }

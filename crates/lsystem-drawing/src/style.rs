@@ -1,52 +1,52 @@
-//! What happens to the pen's style, and how such changes compose.
+//! Changes of the pen's style, and how they compose.
 
 use crate::space::finite;
 use std::collections::HashMap;
 
-/// Which of a drawing's style changes.
+/// The index of a style change in [`Drawing::styles`](crate::Drawing::styles).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct StyleId(pub u32);
 
-/// What has happened to the style since a block's entry. Changes compose, which is why styled drawings memoise.
+/// The change of the style since the entry of a block. Changes compose, so that a block can be shared among styles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StyleChange {
-    /// What has happened to the colour index.
+    /// The change of the colour index.
     pub colour: ColourChange,
-    /// What has happened to the width.
+    /// The change of the stroke width.
     pub width: WidthChange,
-    /// How many branches deeper.
+    /// The number of branches opened and not closed.
     pub level: u32,
 }
 
 /// A change of the colour index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ColourChange {
-    /// Becomes this.
+    /// The new index.
     Set(i32),
-    /// Goes up by this.
+    /// The number added to the index.
     Add(i32),
 }
 
 /// A change of the stroke width: `w -> factor * w + offset`, in multiples of the step length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WidthChange {
-    /// What the width is multiplied by.
+    /// The factor of the width.
     pub factor: f64,
-    /// What is added then.
+    /// The number added after the multiplication.
     pub offset: f64,
 }
 
 impl StyleChange {
-    /// Nothing has happened.
+    /// No change.
     pub const NONE: Self = Self { colour: ColourChange::Add(0), width: WidthChange::NONE, level: 0 };
 
-    /// The first palette entry, a width and level 0, whatever was before.
+    /// The style at the start of a drawing: colour index 0, `width`, and level 0 if nothing was before.
     #[must_use]
     pub fn start(width: f64) -> Self {
         Self { colour: ColourChange::Set(0), width: WidthChange { factor: 0.0, offset: width }, level: 0 }
     }
 
-    /// This change, and `next` after it.
+    /// This change, followed by `next`.
     #[must_use]
     pub fn then(&self, next: &Self) -> Self {
         Self {
@@ -58,7 +58,7 @@ impl StyleChange {
 }
 
 impl ColourChange {
-    /// This change, and `next` after it. Indices wrap around at the ends of `i32`.
+    /// This change, followed by `next`. Indices wrap around at the ends of `i32`.
     #[must_use]
     pub fn then(self, next: Self) -> Self {
         match (self, next) {
@@ -68,7 +68,7 @@ impl ColourChange {
         }
     }
 
-    /// The colour index after this change, from `index`.
+    /// The colour index that this change makes from `index`.
     #[must_use]
     pub fn of(self, index: i32) -> i32 {
         match self {
@@ -79,22 +79,22 @@ impl ColourChange {
 }
 
 impl WidthChange {
-    /// The width stays.
+    /// No change.
     pub const NONE: Self = Self { factor: 1.0, offset: 0.0 };
 
-    /// This change, and `next` after it. Stays finite.
+    /// This change, followed by `next`, with finite numbers.
     #[must_use]
     pub fn then(self, next: Self) -> Self {
         Self { factor: finite(next.factor * self.factor), offset: finite(next.factor * self.offset + next.offset) }
     }
 
-    /// The width after this change, from `width`.
+    /// The width that this change makes from `width`.
     #[must_use]
     pub fn of(self, width: f64) -> f64 {
         finite(self.factor * width + self.offset)
     }
 
-    /// A change that makes every width at least as wide as both do.
+    /// A change that makes every width (at least 0) at least as wide as both changes do.
     #[must_use]
     pub fn widest(self, other: Self) -> Self {
         Self { factor: self.factor.max(other.factor), offset: self.offset.max(other.offset) }
@@ -113,12 +113,12 @@ impl From<WidthChange> for StyleChange {
     }
 }
 
-/// The styles of a drawing that is being made, each once.
+/// The distinct styles of a drawing in the making.
 #[derive(Clone, Debug)]
 pub(crate) struct Styles {
     pub list: Vec<StyleChange>,
     ids: HashMap<(ColourChange, u64, u64, u32), StyleId>,
-    /// The styles asked for last, by level and colour: most are asked for again at once.
+    /// A cache of recent styles by level and colour: consecutive strokes mostly have the same style.
     recent: [(StyleChange, Option<StyleId>); 32],
 }
 
@@ -127,13 +127,14 @@ impl Styles {
         Self { list: vec![], ids: HashMap::new(), recent: [(StyleChange::NONE, None); 32] }
     }
 
-    /// The bytes that they take.
+    /// The bytes that the styles occupy.
     pub(crate) fn bytes(&self) -> u64 {
         let each = size_of::<(ColourChange, u64, u64, u32)>() + size_of::<StyleId>() + 1;
         // A hash map leaves an eighth of its places free.
         (self.list.capacity() * size_of::<StyleChange>() + self.ids.capacity() / 7 * 8 * each) as u64
     }
 
+    /// The index of a style, which is added if it is new.
     pub(crate) fn id(&mut self, style: &StyleChange) -> StyleId {
         let place =
             style.level.wrapping_add(style.colour.of(0).cast_unsigned().wrapping_mul(8)) as usize % self.recent.len();

@@ -16,21 +16,21 @@ use std::sync::Arc;
 /// A checked and compiled [`Definition`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct System {
-    /// What its texts say.
+    /// The parsed axiom and productions.
     pub grammar: Grammar,
-    /// The same, ready for derivation.
+    /// The compiled axiom and productions.
     pub rules: Arc<Rules>,
-    /// What its symbols do.
+    /// The actions of the symbols.
     pub turtle: Turtle,
     /// Colours and widths.
     pub style: Style,
-    /// Selects among the outcomes of stochastic productions.
+    /// The seed of all random choices and variations.
     pub seed: u32,
 }
 
 impl System {
-    /// Checks and compiles `definition`, and tells all that is wrong or doubtful in it at once. There is a system
-    /// unless a diagnostic is an error.
+    /// Checks and compiles `definition`. Returns all errors and warnings at once. The system is `None` if a diagnostic
+    /// is an error.
     #[must_use]
     pub fn new(definition: &Definition) -> (Option<Self>, Vec<Diagnostic>) {
         let mut reading = notation::read(&definition.axiom, &definition.rules);
@@ -46,7 +46,7 @@ impl System {
             diagnostics.push(Diagnostic { kind, field: Field::Rules, span: 0..0 });
             return (None, diagnostics);
         }
-        // Each symbol stands once.
+        // `parse_overrides` leaves each symbol at most one override.
         let mut order: Vec<(char, usize)> = overrides.iter().enumerate().map(|(at, o)| (o.symbol, at)).collect();
         sort(&mut order);
         let overrides = order.iter().map(|&(symbol, at)| (symbol, overrides[at].actions.as_slice())).collect();
@@ -56,7 +56,7 @@ impl System {
         let grammar = &reading.grammar;
         let places = reading.productions.iter().chain(&reading.images).map(|places| places.predecessor.clone());
         let apart = grammar.images.iter().any(|image| actions.are_many(image));
-        // What cannot be computed has been noted where it was read.
+        // A failure here already has a diagnostic from `notation::read`.
         let Ok(rules) = Rules::new(grammar, places.collect(), cuts, apart) else { return (None, diagnostics) };
         let rules = Arc::new(rules);
         actions.polygons = rules.letters.iter().any(|&Letter { symbol, .. }| {
@@ -64,7 +64,7 @@ impl System {
             let opens = |symbol: char| actions.of(symbol).contains(&Action::OpenPolygon);
             opens(symbol) || drawn.iter().any(|module| opens(module.symbol))
         });
-        diagnostics.extend(doubts(&reading, &rules, &actions));
+        diagnostics.extend(warnings(&reading, &rules, &actions));
         let angle =
             |own: [Option<f64>; 2]| Heading::from_degrees(own.into_iter().flatten().next().unwrap_or(definition.angle));
         let Definition { right_angle, pitch_down, pitch_up, roll_left, roll_right, .. } = *definition;
@@ -105,45 +105,46 @@ impl System {
         (Some(system), diagnostics)
     }
 
-    /// Whether its drawing leaves the plane: whether a symbol that may occur pitches or rolls, or a tropism pulls out of
-    /// the plane. It is drawn by [`draw_solid`](crate::draw_solid) then; [`draw`](crate::draw) ignores what leads out.
+    /// Whether the drawing leaves the plane: a symbol that may occur pitches or rolls, or the tropism has a z
+    /// component. [`draw_solid`](crate::draw_solid) draws such a system; [`draw`](crate::draw) ignores its rotations
+    /// out of the plane.
     #[must_use]
     pub fn is_solid(&self) -> bool {
-        // What is drawn below `draw:` is in no generation.
+        // Symbols of images (below `draw:`) occur in no generation, so reachability does not find them.
         let reachable = self.rules.reachable().into_iter().map(|reached| reached || !self.rules.is_plain());
         let leads_out = |actions: &[Action]| actions.iter().any(|action| action.is_solid());
         self.turtle.tropism.is_some_and(|tropism| tropism.vector[2] != 0.0)
             || self.turtle.actions.iter().zip(reachable).any(|(actions, reached)| reached && leads_out(actions))
     }
 
-    /// Whether chance plays a part, so that the seed matters.
+    /// Whether the drawing depends on the seed.
     #[must_use]
     pub fn is_stochastic(&self) -> bool {
         self.turtle.angle_variation != 0.0 || self.turtle.length_variation != 0.0 || self.has_choices()
     }
 
-    /// Whether chance plays a part in its derivation.
+    /// Whether the derivation depends on the seed.
     #[must_use]
     pub fn has_choices(&self) -> bool {
-        // What plain letters never become needs no choice.
+        // In plain rules, stochastic productions of unreachable letters do not count.
         if self.rules.is_plain() { !self.rules.is_deterministic() } else { self.rules.is_random() }
     }
 }
 
-/// By symbol, sorted: the first of its images.
+/// The index of the first image of each symbol, sorted by symbol.
 fn first_images(grammar: &Grammar) -> Vec<(char, usize)> {
     let mut images = set(grammar.images.iter().enumerate().map(|(at, image)| (image.predecessor.symbol, at)));
     images.dedup_by_key(|(symbol, _)| *symbol);
     images
 }
 
-/// The first image of a symbol.
+/// The first image of a symbol, from the sorted list of [`first_images`].
 fn image_of<'a>(grammar: &'a Grammar, images: &[(char, usize)], symbol: char) -> Option<&'a Production> {
     let at = images.binary_search_by_key(&symbol, |&(symbol, _)| symbol).ok()?;
     grammar.images.get(images[at].1)
 }
 
-/// How many letters there are: symbols with a number of parameters.
+/// The number of letters; a letter is a symbol with a number of parameters.
 fn letters(grammar: &Grammar) -> usize {
     let productions = || grammar.productions.iter().chain(&grammar.images);
     let made = grammar.axiom.iter().chain(productions().flat_map(|p| &p.successor));
@@ -152,19 +153,20 @@ fn letters(grammar: &Grammar) -> usize {
     set(made.chain(matched)).len()
 }
 
-/// The most actions of a letter that does all that its image does.
+/// The most actions of an image that becomes one letter's actions.
 const MOST_OF_A_LETTER: usize = 1 << 14;
 
-/// What symbols do: an override where there is one, the dialect otherwise.
+/// The actions of symbols, from the overrides and the dialect.
 struct Actions<'a> {
     dialect: Dialect,
-    /// By symbol, sorted.
+    /// Sorted by symbol.
     overrides: Vec<(char, &'a [Action])>,
-    /// Whether there are polygons.
+    /// Whether a symbol opens a polygon.
     polygons: bool,
 }
 
 impl Actions<'_> {
+    /// The actions of a symbol: its override, or else its meaning in the dialect.
     fn of(&self, symbol: char) -> &[Action] {
         self.overridden(symbol).unwrap_or_else(|| self.dialect.actions(symbol))
     }
@@ -174,12 +176,12 @@ impl Actions<'_> {
         Some(self.overrides[place].1)
     }
 
-    /// Whether an image does more than one piece of work may: then it is drawn module by module.
+    /// Whether an image has too many actions for one step of work. Such an image is drawn module by module.
     fn are_many(&self, image: &Production) -> bool {
         image.successor.iter().map(|module| self.of(module.symbol).len()).sum::<usize>() > MOST_OF_A_LETTER
     }
 
-    /// What `symbol` does when it is drawn: all that its image does, unless images are `apart`.
+    /// The actions that draw `symbol`: those of all symbols of its image, unless images are drawn `apart`.
     fn drawn(&self, symbol: char, image: Option<&Production>, apart: bool) -> Vec<Action> {
         match image {
             Some(image) if !apart => image.successor.iter().flat_map(|m| self.marked(m.symbol)).collect(),
@@ -187,8 +189,8 @@ impl Actions<'_> {
         }
     }
 
-    /// What `symbol` does; in this dialect `G` and `g` leave no vertices of polygons, which can be told apart only where
-    /// there are some.
+    /// The actions of `symbol`. In the ABOP dialect `G` and `g` add no vertex to a polygon; this matters only in
+    /// systems with polygons.
     fn marked(&self, symbol: char) -> impl Iterator<Item = Action> {
         let unmarked = self.polygons
             && self.dialect == Dialect::Abop
@@ -198,8 +200,8 @@ impl Actions<'_> {
     }
 }
 
-/// What works but may not be meant.
-fn doubts(reading: &Reading, rules: &Rules, actions: &Actions<'_>) -> Vec<Diagnostic> {
+/// The warnings about a system without errors.
+fn warnings(reading: &Reading, rules: &Rules, actions: &Actions<'_>) -> Vec<Diagnostic> {
     let Reading { grammar, .. } = reading;
     let mut axiom_notes = Notes::new(Field::Axiom);
     let mut notes = Notes::new(Field::Rules);
@@ -215,7 +217,7 @@ fn doubts(reading: &Reading, rules: &Rules, actions: &Actions<'_>) -> Vec<Diagno
     for (production, places) in productions(reading) {
         words.push((&production.successor, &places.successor));
     }
-    // By word, and by place in it.
+    // The number of the word, and the index in it.
     let mut opened: Vec<(usize, usize)> = Vec::new();
     let mut closed: Vec<(usize, usize)> = Vec::new();
     let arrow_is_idle = is_idle('>', reading, actions);
@@ -230,14 +232,14 @@ fn doubts(reading: &Reading, rules: &Rules, actions: &Actions<'_>) -> Vec<Diagno
                     _ => {}
                 }
             }
-            if is_arrow(word, spans, at) && (is_second(word, at) || arrow_is_idle) {
+            if is_arrow(word, spans, at) && (follows_separator(word, at) || arrow_is_idle) {
                 let notes = if number == 0 { &mut axiom_notes } else { &mut notes };
                 notes.add(Kind::ArrowOfSymbols, spans[at].start..spans[at + 1].end);
             }
         }
     }
     let is_open = closed.is_empty();
-    // A branch that one word leaves open another may close.
+    // One word may close a branch that another leaves open, so no single bracket is to blame.
     let lone = match opened.is_empty() {
         true => closed,
         false if is_open => opened,
@@ -247,7 +249,7 @@ fn doubts(reading: &Reading, rules: &Rules, actions: &Actions<'_>) -> Vec<Diagno
     while let Some(&(number, first)) = rest.first() {
         let (word, spans) = words[number];
         let symbol = word[first].symbol;
-        // Those side by side are told of together.
+        // One note covers adjacent unmatched brackets.
         let same = |at: usize| rest.get(at) == Some(&(number, first + at)) && word[first + at].symbol == symbol;
         let mut count = 1;
         while same(count) {
@@ -263,7 +265,7 @@ fn doubts(reading: &Reading, rules: &Rules, actions: &Actions<'_>) -> Vec<Diagno
     all
 }
 
-/// Productions and images, and where they stand.
+/// Productions and images, with their places in the text.
 fn productions(reading: &Reading) -> impl Iterator<Item = (&Production, &Places)> {
     let Reading { grammar, productions, images, .. } = reading;
     grammar.productions.iter().zip(productions).chain(grammar.images.iter().zip(images))
@@ -277,12 +279,12 @@ fn is_arrow(word: &[Module], spans: &[Range<usize>], at: usize) -> bool {
         && spans[at].end == spans[at + 1].start
 }
 
-/// Whether one symbol and what separates productions elsewhere stand before the arrow at `at`.
-fn is_second(word: &[Module], at: usize) -> bool {
+/// Whether `,` or `;` and one symbol stand before the arrow at `at`: other notations separate productions so.
+fn follows_separator(word: &[Module], at: usize) -> bool {
     at >= 2 && matches!(word[at - 2].symbol, ',' | ';')
 }
 
-/// Whether `symbol` means nothing in a word.
+/// Whether `symbol` has no action and no production.
 fn is_idle(symbol: char, reading: &Reading, actions: &Actions<'_>) -> bool {
     actions.of(symbol).is_empty() && !productions(reading).any(|(p, _)| p.predecessor.symbol == symbol)
 }
@@ -293,10 +295,10 @@ fn occurring(rules: &Rules) -> Vec<(char, usize)> {
     set(letters.map(|(letter, _)| (letter.symbol, usize::from(letter.arity))))
 }
 
-/// More letters than this need not be told about one by one.
+/// The most letters that get a note of their own.
 const MOST_TOLD: usize = 100;
 
-/// Notes modules that no production replaces though there are some for their symbol.
+/// Notes modules whose symbol has productions only for another number of parameters.
 fn note_arities(reading: &Reading, axiom_notes: &mut Notes, notes: &mut Notes) {
     let Reading { grammar, axiom, productions, .. } = reading;
     let rules = set(grammar.productions.iter().map(|p| (p.predecessor.symbol, p.predecessor.parameters.len())));
@@ -319,7 +321,7 @@ fn note_arities(reading: &Reading, axiom_notes: &mut Notes, notes: &mut Notes) {
     }
 }
 
-/// Notes productions that never apply because something in their predecessor or contexts is never there.
+/// Notes productions that never apply, because a symbol of their predecessor or contexts never occurs.
 fn note_idle(reading: &Reading, occurring: &[(char, usize)], notes: &mut Notes) {
     let seen = reading.grammar.seen.ready();
     for (production, places) in productions(reading) {

@@ -1,6 +1,6 @@
-//! What the tests of several files share.
+//! Shared by the tests of several files.
 
-/// How many cases a property test tries: 500, or what the environment variable `LSYSTEM_CASES` says.
+/// The number of cases of a property test: the environment variable `LSYSTEM_CASES`, or 500.
 pub(crate) fn cases() -> u32 {
     std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500)
 }

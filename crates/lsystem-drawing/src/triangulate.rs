@@ -2,28 +2,30 @@
 
 use crate::rotation::{Vector, cross, dot, minus, norm};
 
-/// Outlines of more vertices are cut as if they were convex: cutting ears takes the square of their number.
+/// The most vertices of an outline whose ears are cut; the time grows with the square of their number. Longer outlines
+/// are cut as if they were convex.
 const MOST: usize = 1_000;
 
-/// Vertices looked at while the ears of a polygon are cut: enough for most outlines. What is left then is cut as if it were
-/// convex.
-const LOOKS: usize = 1 << 19;
-/// Vertices looked at in a unit of work.
-const LOOKED: usize = 8;
+/// The most vertices tested while the ears of a polygon are cut: enough for most outlines. The rest of the outline is
+/// then cut as if it were convex.
+const MOST_TESTS: usize = 1 << 19;
+/// The vertices tested in a unit of work.
+const TESTS_PER_UNIT: usize = 8;
 
-/// A polygon cut up.
+/// A polygon as triangles.
 #[derive(Clone, Debug, Default)]
 pub struct Triangles {
-    /// The direction in which it faces, seen from where it goes counter-clockwise (Newell's method); `None` where it has
-    /// no area. It has no triangles then.
+    /// The polygon's normal, as [`facing`]; `None`, with no triangles, if the polygon has no area.
     pub facing: Option<Vector>,
-    /// Its vertices, by number; all go the same way round.
+    /// The indices of the triangles' vertices; all triangles have the polygon's orientation.
     pub corners: Vec<[usize; 3]>,
-    /// The units of work that this has taken: at most half of a piece, and some for each vertex.
+    /// The units of work spent: at most half of [`Meter::PIECE`](lsystem_syntax::Meter::PIECE), plus about one for each
+    /// vertex.
     pub work: u64,
 }
 
-/// Cuts up a polygon. Exact for outlines in a plane that do not cross themselves.
+/// Cuts a polygon into triangles. Exact for plane outlines that do not cross themselves and are within the limits
+/// above.
 pub fn triangulate(vertices: &[Vector]) -> Triangles {
     let Some(normal) = facing(vertices) else { return Triangles::default() };
     let turn = |a: usize, b: usize, c: usize| {
@@ -31,32 +33,33 @@ pub fn triangulate(vertices: &[Vector]) -> Triangles {
     };
     let mut left: Vec<usize> = (0..vertices.len()).collect();
     let mut triangles = Vec::with_capacity(vertices.len());
-    let looks = core::cell::Cell::new(0);
-    while left.len() > 3 && vertices.len() <= MOST && looks.get() < LOOKS {
+    let tests = core::cell::Cell::new(0);
+    while left.len() > 3 && vertices.len() <= MOST && tests.get() < MOST_TESTS {
         let count = left.len();
         let corner = |at: usize| [left[(at + count - 1) % count], left[at], left[(at + 1) % count]];
         let is_ear = |&at: &usize| {
             let [a, b, c] = corner(at);
             let inside = |&p: &usize| {
-                looks.set(looks.get() + 1);
+                tests.set(tests.get() + 1);
                 ![a, b, c].contains(&p) && turn(a, b, p) > 0.0 && turn(b, c, p) > 0.0 && turn(c, a, p) > 0.0
             };
             turn(a, b, c) > 0.0 && !left.iter().any(inside)
         };
-        // Where there is no ear the outline crosses itself or is flat there.
+        // An outline without an ear crosses itself or is flat; any corner will do.
         let at = (0..count).find(is_ear).unwrap_or(0);
         triangles.push(corner(at));
         left.remove(at);
     }
     triangles.extend((2..left.len()).map(|at| [left[0], left[at - 1], left[at]]));
-    Triangles { facing: Some(normal), corners: triangles, work: (looks.get() / LOOKED) as u64 }
+    Triangles { facing: Some(normal), corners: triangles, work: (tests.get() / TESTS_PER_UNIT) as u64 }
 }
 
-/// The direction in which a polygon faces, as a unit vector; `None` where it has no area.
+/// The unit normal of a polygon (Newell's method): seen against the normal, the outline goes counter-clockwise. `None`
+/// if the polygon has no area.
 pub fn facing(vertices: &[Vector]) -> Option<Vector> {
     let next = vertices.iter().cycle().skip(1);
     let sum = vertices.iter().zip(next).fold([0.0; 3], |sum, (&a, &b)| {
-        // Counted from the first vertex: far from the origin there is nothing left of the differences.
+        // Relative to the first vertex: far from the origin, rounding would destroy the differences.
         let [a, b] = [a, b].map(|v| minus(v, vertices[0]));
         let product = cross(a, b);
         [0, 1, 2].map(|i| sum[i] + product[i])
@@ -92,7 +95,7 @@ mod tests {
 
     #[test]
     fn a_polygon_takes_less_than_a_piece() {
-        // A star whose ears are found late: each has many others to look at.
+        // In a star, ears are found late, after many tests.
         let comb = |count: usize| -> Vec<Vector> {
             let at = |i: usize| {
                 (i as f64 * core::f64::consts::TAU / count as f64, if i.is_multiple_of(2) { 1.0 } else { 0.2 })
@@ -112,7 +115,7 @@ mod tests {
             .map(|i| f64::from(i) * core::f64::consts::TAU / 1000.0)
             .map(|angle| [libm::cos(angle), libm::sin(angle), 0.0])
             .collect();
-        // Every ear has all vertices that are left to look at.
+        // Every ear is tested against all vertices left.
         assert!(triangulate(&round).work >= 1000 * 999 / 2 / 8 - 1000);
     }
 }

@@ -1,4 +1,4 @@
-//! The turtle: what each letter of a rules does, and from where it starts.
+//! The turtle: the actions of each letter, and the turtle's state at the start.
 
 use crate::Plane;
 use crate::room::reserve;
@@ -8,75 +8,75 @@ use crate::style::{ColourChange, StyleChange, WidthChange};
 use lsystem_derive::{Fate, LetterId, Purpose, Rule, Rules};
 use lsystem_syntax::{Action, Heading};
 
-/// A turtle ready to read a rules's words.
+/// The actions of all letters and the settings of the turtle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turtle {
-    /// By letter ([`LetterId`](lsystem_derive::LetterId)): what it does.
+    /// The actions by letter ([`LetterId`]).
     pub actions: Vec<Vec<Action>>,
-    /// Of a left turn.
+    /// The angle of a left turn, counter-clockwise.
     pub left: Heading,
-    /// Of a right turn, clockwise.
+    /// The angle of a right turn, clockwise.
     pub right: Heading,
-    /// Of pitching down, the heading away from the turtle's up.
+    /// The angle of pitching down: the heading turns away from the turtle's up.
     pub pitch_down: Heading,
-    /// Of pitching up.
+    /// The angle of pitching up.
     pub pitch_up: Heading,
-    /// Of rolling left: by the right-hand rule about the heading, which lifts the turtle's left.
+    /// The angle of rolling left: by the right-hand rule about the heading, which lifts the turtle's left.
     pub roll_left: Heading,
-    /// Of rolling right.
+    /// The angle of rolling right.
     pub roll_right: Heading,
-    /// What bends the turtle's heading after each segment.
+    /// The tropism that bends the heading after each segment.
     pub tropism: Option<Tropism>,
-    /// At the start.
+    /// The heading at the start.
     pub heading: Heading,
-    /// Where it starts, in model units.
+    /// The position at the start, in model units.
     pub start: [f64; 2],
     /// The step length, in model units.
     pub step: f64,
     /// The stroke width at the start, in multiples of the step length.
     pub width: f64,
-    /// What a branch multiplies the stroke width by.
+    /// The factor of the stroke width in a branch.
     pub width_factor: f64,
-    /// What a branch multiplies all lengths by.
+    /// The factor of all lengths in a branch.
     pub length_factor: f64,
-    /// What its colour index follows.
+    /// The rule for the colour index.
     pub colouring: Colouring,
-    /// By how much turns differ from what they should be, at most, as a part of them.
+    /// The largest random deviation of an angle, as a fraction of the angle.
     pub angle_variation: f64,
-    /// By how much lengths differ from what they should be, at most, as a part of them.
+    /// The largest random deviation of a length, as a fraction of the length.
     pub length_variation: f64,
-    /// How far the modules that the last derivation step made have grown, from 0 to 1: turns and lengths are this part of
-    /// what they will be. Where a module's successor holds its own letter, the first of them goes on in its place, fully
-    /// grown; otherwise, if it draws, the first that draws.
+    /// The growth of the modules that the last derivation step made, from 0 to 1: their angles and lengths times this
+    /// factor. One module of a successor continues its predecessor and is fully grown: the first of the predecessor's
+    /// letter, or else, if the predecessor draws, the first that draws.
     pub growth: f64,
 }
 
-/// What the turtle's colour index follows.
+/// The rule for the turtle's colour index.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Colouring {
-    /// The colour symbols.
+    /// The colour symbols set the index.
     #[default]
     Symbols,
-    /// The turns: the index after a turn to the left, and after one to the right.
+    /// Turns set the index: to the first number after a left turn, to the second after a right turn.
     Turns([i32; 2]),
-    /// The derivation steps: the index is the one in which a module was made. A module of its predecessor's letter goes
-    /// on in its place and is as old.
+    /// The index is the derivation step that made the module. A module of its predecessor's letter keeps the
+    /// predecessor's index.
     Generations,
 }
 
 /// An action with every default filled in.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Op<S: Geometry = Plane> {
-    /// Go forward and draw; in units of [`Score::unit`].
+    /// Go forward and draw; the length in units of `2^`[`Score::exponent`] steps.
     Draw(f64),
-    /// Go forward without drawing; in the same units.
+    /// Go forward without drawing; the length in the same units.
     Move(f64),
     Turn(Turning<S>),
     /// Roll until the turtle's left is level.
     Upright,
-    /// Turn as a tropism wants.
+    /// Turn the heading by a tropism.
     Bend(Tropism),
-    Push(Deeper),
+    Push(BranchFactors),
     Pop,
     Style(StyleChange),
     OpenPolygon,
@@ -84,46 +84,47 @@ pub(crate) enum Op<S: Geometry = Plane> {
     ClosePolygon,
 }
 
-/// A rotation about one of the turtle's own axes, also ready for use.
+/// A rotation about one of the turtle's own axes, as an angle and as a turn.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turning<S: Geometry> {
     pub turn: S::Turn,
     about: Axis,
     by: Heading,
-    /// Whether it is against the right-hand rule: half a turn is the same either way, but not a part of it.
+    /// Whether the rotation goes against the right-hand rule. A half turn is the same both ways, but a fraction of a
+    /// half turn is not.
     back: bool,
 }
 
-/// What a branch multiplies widths and lengths by.
+/// The factors of widths and lengths in a branch.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Deeper {
+pub(crate) struct BranchFactors {
     width: f64,
     length: f64,
 }
 
-/// A turtle's actions made ready to run, in units that keep every length at most 1.
+/// A turtle's actions compiled to operations, in units that keep the lengths of its symbols below 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Score<S: Geometry = Plane> {
-    /// By letter; empty for letters that are out of reach.
+    /// By letter; empty for unreachable letters.
     pub ops: Vec<Vec<Op<S>>>,
     /// A length of 1 is `2^exponent` steps.
     pub exponent: i32,
-    /// One step in model units; 1 where the turtle's own step is zero, which the lengths then say.
+    /// One step in model units; 1 if the turtle's own step is zero, and the default length is then 0.
     pub step: f64,
     /// The width at the start, in multiples of `step`.
     pub width: f64,
-    /// How far the youngest modules have grown.
+    /// As [`Turtle::growth`].
     pub growth: f64,
-    /// Of angles and of lengths.
+    /// The largest deviations of angles and of lengths, as fractions.
     variations: [f64; 2],
-    /// Whether the colour index is the generation.
-    pub(crate) dated: bool,
-    /// Of lengths, from branch to branch.
-    pub(crate) shrinking: f64,
+    /// Whether the colour index is the derivation step that made the module.
+    pub(crate) colours_by_generation: bool,
+    /// The factor of lengths in a branch.
+    pub(crate) branch_length_factor: f64,
 }
 
 impl Default for Turtle {
-    /// One that heads up from the origin, with steps of length 1, angles of 0, and no letters.
+    /// A turtle at the origin with heading +y, step length 1, angles of 0 degrees, and no letters.
     fn default() -> Self {
         Self {
             actions: vec![],
@@ -149,12 +150,12 @@ impl Default for Turtle {
 }
 
 impl Turtle {
-    /// How it is turned at the start.
+    /// The orientation at the start.
     pub(crate) fn start_turn<S: Geometry>(&self) -> S::Turn {
         S::turn(Axis::Up, self.heading)
     }
 
-    /// The actions of the `reachable` letters.
+    /// The compiled actions of the `reachable` letters.
     pub(crate) fn score<S: Geometry>(&self, reachable: &[bool]) -> Score<S> {
         let mut ops: Vec<Vec<Op<S>>> = (self.actions.iter().zip(reachable))
             .map(|(actions, &reached)| if reached { self.ops(actions) } else { vec![] })
@@ -171,22 +172,22 @@ impl Turtle {
             width: finite(self.width).max(0.0) * self.steps(),
             growth: finite(self.growth).clamp(0.0, 1.0),
             variations: [self.angle_variation, self.length_variation].map(|part| finite(part).clamp(0.0, 1.0)),
-            dated: self.colouring == Colouring::Generations,
-            shrinking: self.deeper().length,
+            colours_by_generation: self.colouring == Colouring::Generations,
+            branch_length_factor: self.branch_factors().length,
         }
     }
 
-    /// 1 where a step has a length, 0 otherwise.
+    /// The default length in units of [`Turtle::unit`]: 0 if the step is zero or not finite, 1 otherwise.
     fn steps(&self) -> f64 {
         if self.step == 0.0 || !self.step.is_finite() { 0.0 } else { 1.0 }
     }
 
-    /// The step length; 1 where it is zero.
+    /// The step length in model units; 1 if the step is zero or not finite.
     fn unit(&self) -> f64 {
         if self.steps() == 0.0 { 1.0 } else { self.step }
     }
 
-    /// What a letter does, lengths in steps.
+    /// The operations of a letter; lengths in units of [`Turtle::unit`].
     fn ops<S: Geometry>(&self, actions: &[Action]) -> Vec<Op<S>> {
         let mut ops = Vec::with_capacity(actions.len());
         let corners = self.actions.iter().flatten().any(|action| *action == Action::OpenPolygon);
@@ -208,12 +209,12 @@ impl Turtle {
         ops
     }
 
-    fn deeper(&self) -> Deeper {
+    fn branch_factors(&self) -> BranchFactors {
         let [width, length] = [self.width_factor, self.length_factor].map(|factor| finite(factor).max(0.0));
-        Deeper { width, length }
+        BranchFactors { width, length }
     }
 
-    /// An action, lengths in steps.
+    /// The operation of an action; lengths in units of [`Turtle::unit`].
     fn op<S: Geometry>(&self, action: Action) -> Op<S> {
         let turn = |about: Axis, degrees: Option<f64>, own: Heading| {
             Op::Turn(Turning::new(about, degrees.map_or(own, Heading::from_degrees), false))
@@ -236,9 +237,9 @@ impl Turtle {
             Action::RollRight(degrees) => back(Axis::Ahead, degrees, self.roll_right),
             Action::RollUpright => Op::Upright,
             Action::TurnRound => Op::Turn(Turning::new(Axis::Up, Heading::HALF, false)),
-            Action::Push => Op::Push(self.deeper()),
+            Action::Push => Op::Push(self.branch_factors()),
             Action::Pop => Op::Pop,
-            // It acts when the word is derived.
+            // A cut acts during the derivation.
             Action::Cut => Op::Style(StyleChange::NONE),
             Action::SetColour(_) | Action::AddColour(_) if self.colouring != Colouring::Symbols => {
                 Op::Style(StyleChange::NONE)
@@ -256,15 +257,16 @@ impl Turtle {
 }
 
 impl<S: Geometry> Score<S> {
-    /// Whether a letter goes anywhere.
+    /// Whether a letter draws or moves.
     pub(crate) fn goes(&self, letter: LetterId) -> bool {
         self.ops[usize::from(letter)].iter().any(|op| matches!(op, Op::Draw(_) | Op::Move(_)))
     }
 
-    /// What a letter does; with the `number` of a module's first argument in the place of its first action's.
+    /// The operations of a letter. `number`, a module's first argument, replaces the number of the letter's first
+    /// action.
     pub(crate) fn ops_of(&self, turtle: &Turtle, letter: usize, number: Option<f64>) -> impl Iterator<Item = Op<S>> {
         let (ops, first) = (&self.ops[letter], turtle.actions[letter].first());
-        // Beside polygons, a vertex comes before every draw and move.
+        // In systems with polygons, a vertex comes before every draw and move.
         let leaves = matches!(first, Some(Action::Draw(_) | Action::Move(_))) && matches!(ops[..], [Op::Vertex, ..]);
         let numbered = number.zip(first).map(|(number, action)| (usize::from(leaves), action.with(number)));
         ops.iter().enumerate().map(move |(index, &op)| match numbered {
@@ -273,12 +275,13 @@ impl<S: Geometry> Score<S> {
         })
     }
 
-    /// A further action of the turtle that this is the score of; its length may be above 1.
+    /// The operation of an action of `turtle`, from which this score was made; its length may be above 1.
     pub(crate) fn op(&self, turtle: &Turtle, action: Action) -> Op<S> {
         turtle.op(action).scaled(-self.exponent)
     }
 
-    /// What a letter with a number does, by the turtle that this is the score of; lengths may be above 1.
+    /// Replaces `ops` by the operations of `actions`, the first of them with `number`. `turtle` is the one from which
+    /// this score was made. Lengths may be above 1.
     pub(crate) fn numbered(&self, turtle: &Turtle, actions: &[Action], number: f64, ops: &mut Vec<Op<S>>) {
         ops.clear();
         if let [first, rest @ ..] = actions {
@@ -288,26 +291,26 @@ impl<S: Geometry> Score<S> {
         ops.iter_mut().for_each(|op| *op = op.scaled(-self.exponent));
     }
 
-    /// Whether no two modules of a letter are alike.
+    /// Whether angles or lengths vary from module to module.
     pub(crate) fn varies(&self) -> bool {
         self.variations != [0.0; 2]
     }
 
-    /// Whether there are polygons.
+    /// Whether a letter opens a polygon.
     pub(crate) fn fills(&self) -> bool {
         self.ops.iter().flatten().any(|op| matches!(op, Op::OpenPolygon))
     }
 
-    /// Whether it matters which module of its letter one is.
-    pub(crate) fn is_personal(&self) -> bool {
-        self.varies() || self.dated || self.growth < 1.0
+    /// Whether modules of the same letter may do different things: by variation, colour or growth.
+    pub(crate) fn differs_by_module(&self) -> bool {
+        self.varies() || self.colours_by_generation || self.growth < 1.0
     }
 
-    /// What a module does whose letter does `ops`.
+    /// Replaces `own` by the operations of one module. `ops` are the operations of its letter.
     pub(crate) fn own(&self, ops: &[Op<S>], fate: &Fate, seed: u32, own: &mut Vec<Op<S>>) {
         let grown = if fate.grows { self.growth } else { 1.0 };
         let [angles, lengths] = self.variations;
-        // Ways and turns are counted, whatever stands between them.
+        // The slot counts lengths and angles only, so that other operations do not change the random numbers.
         let mut slot = 0;
         let mut varied = |most: f64, purpose: Purpose| {
             slot += 1;
@@ -317,14 +320,14 @@ impl<S: Geometry> Score<S> {
             }
         };
         own.clear();
-        if self.dated {
+        if self.colours_by_generation {
             own.push(Op::Style(ColourChange::Set(fate.since.cast_signed()).into()));
         }
         own.extend(ops.iter().map(|op| match *op {
             Op::Draw(length) => Op::Draw(length * varied(lengths, Purpose::Length)),
             Op::Move(length) => Op::Move(length * varied(lengths, Purpose::Length)),
             Op::Turn(turning) => {
-                // Turning round is meant to lead straight back.
+                // A half turn leads straight back and does not vary.
                 let most = if turning.by == Heading::HALF { 0.0 } else { angles };
                 Op::Turn(turning.part(varied(most, Purpose::Angle)))
             }
@@ -332,7 +335,7 @@ impl<S: Geometry> Score<S> {
         }));
     }
 
-    /// What a letter does that is still growing, in the place of `op`.
+    /// The operation `op` of a module that still grows.
     pub(crate) fn growing(&self, op: Op<S>) -> Op<S> {
         match op {
             Op::Draw(length) => Op::Draw(length * self.growth),
@@ -347,7 +350,7 @@ impl<S: Geometry> Score<S> {
         self.ops[usize::from(letter)].iter().any(|op| matches!(op, Op::Draw(_)))
     }
 
-    /// By letter: whether it, or what is drawn in its place, draws.
+    /// By letter: whether the letter, or one of its images, draws.
     pub(crate) fn shows(&self, rules: &Rules) -> Vec<bool> {
         let shows = |(letter, images): (usize, &Vec<Rule>)| {
             let mut letters = images.iter().flat_map(|image| &image.successor.letters);
@@ -356,15 +359,15 @@ impl<S: Geometry> Score<S> {
         rules.images.iter().enumerate().map(shows).collect()
     }
 
-    /// Of the letters that have replaced `former`, the place of the one that goes on in its place.
-    pub(crate) fn heir(&self, former: LetterId, successor: &[LetterId]) -> Option<usize> {
-        heir(former, successor.iter().copied(), |letter| self.draws(letter))
+    /// The index in `successor` of the letter that continues `former`.
+    pub(crate) fn continuation(&self, former: LetterId, successor: &[LetterId]) -> Option<usize> {
+        continuation(former, successor.iter().copied(), |letter| self.draws(letter))
     }
 }
 
-/// Of the letters that have replaced `former`, the place of the one that goes on in its place: the first of that letter, or
-/// else the first that draws where that one did.
-pub(crate) fn heir(
+/// The index in `successor` of the letter that continues `former`: the first of the same letter, or else, if `former`
+/// draws, the first that draws.
+pub(crate) fn continuation(
     former: LetterId,
     mut successor: impl Iterator<Item = LetterId> + Clone,
     draws: impl Fn(LetterId) -> bool,
@@ -384,7 +387,7 @@ impl<S: Geometry> Turning<S> {
 }
 
 impl<S: Geometry> Op<S> {
-    /// The same with lengths times `2^exponent`.
+    /// The operation with its length times `2^exponent`.
     fn scaled(self, exponent: i32) -> Self {
         match self {
             Self::Draw(length) => Self::Draw(finite(libm::scalbn(length, exponent))),
@@ -394,38 +397,38 @@ impl<S: Geometry> Op<S> {
     }
 }
 
-/// Where the turtle is and how it draws.
+/// The state of the turtle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pen<S: Geometry = Plane> {
     pub at: S::Point,
     pub heading: S::Turn,
     pub style: StyleChange,
-    /// What lengths are multiplied by.
+    /// The factor of lengths in the present branch.
     pub scale: f64,
-    /// Upwards, in the frame that the pen is in.
+    /// The upward direction of the model, in the pen's frame.
     pub vertical: S::Point,
 }
 
-/// What a pen draws upon.
+/// A receiver of segments and polygons.
 pub(crate) trait Paper<S: Geometry> {
-    /// A segment.
+    /// Adds a segment.
     fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange);
-    /// A polygon begins.
+    /// Opens a polygon.
     fn open(&mut self, style: &StyleChange);
-    /// A vertex of the polygon that began last, if one is open.
+    /// Adds a vertex to the innermost open polygon, if any.
     fn vertex(&mut self, at: S::Point);
-    /// The polygon that began last ends, if one is open.
+    /// Closes the innermost open polygon, if any.
     fn close(&mut self);
 }
 
 impl<S: Geometry> Pen<S> {
-    /// At the origin.
+    /// A pen at the origin.
     pub(crate) fn new(heading: S::Turn, style: StyleChange) -> Self {
         Self { at: S::Point::default(), heading, style, scale: 1.0, vertical: S::UPWARDS }
     }
 
-    /// Acts, with `saved` as the stack of open branches and lengths times `scale`, upon `paper`.
-    /// A `Pop` without a branch to return from does nothing.
+    /// Performs operations, with lengths times `scale`, and draws on `paper`. `saved` is the stack of open branches. A
+    /// `Pop` without an open branch does nothing.
     pub(crate) fn act(
         &mut self,
         ops: &[Op<S>],
@@ -445,12 +448,12 @@ impl<S: Geometry> Pen<S> {
                 Op::Turn(by) => self.heading = S::then(self.heading, by.turn),
                 Op::Upright => self.heading = S::upright(self.heading, &self.vertical),
                 Op::Bend(tropism) => self.heading = S::bent(self.heading, &tropism),
-                Op::Push(Deeper { width, length }) => {
+                Op::Push(BranchFactors { width, length }) => {
                     reserve(saved, 1);
                     saved.push(*self);
                     self.style.level = self.style.level.saturating_add(1);
                     self.style.width = self.style.width.then(WidthChange { factor: width, offset: 0.0 });
-                    self.scale = (self.scale * length).min(LARGEST);
+                    self.scale = (self.scale * length).min(LARGEST_SCALE);
                 }
                 Op::Pop => *self = saved.pop().unwrap_or(*self),
                 Op::Style(change) => self.style = self.style.then(&change),
@@ -466,5 +469,5 @@ impl<S: Geometry> Pen<S> {
     }
 }
 
-/// Branches in branches do not make lengths larger than this many times: far beyond any picture.
-pub(crate) const LARGEST: f64 = 1e30;
+/// The largest factor of lengths in nested branches: far beyond any picture.
+pub(crate) const LARGEST_SCALE: f64 = 1e30;

@@ -1,44 +1,44 @@
-//! How the memory of one instance is shared out.
+//! The memory budget of one instance.
 //!
 //! | MiB | for |
 //! |---|---|
-//! | 70 | the drawing that is shown; of one in space, with what its pictures are made from |
-//! | 70 | one at a time: the drawing in the making; a file in the making; what is remembered of a derivation with the counts that a string is read by ([`HISTORY`], 24 and 16); a small picture with its drawing ([`SMALL`]) |
+//! | 70 | the shown drawing; in space, with its scene |
+//! | 70 | one at a time: the drawing in the making; a file in the making; a remembered derivation with the counts for reading a string ([`HISTORY`], 24 and 16); a small picture with its drawing ([`SMALL`]) |
 //! | 16 | counts of any size ([`lsystem::syntax::MAX_COUNTING`]) |
-//! | 84 | pictures, and what the drawing that is shown leaves of its share ([`picture_room`]); what shows only a part of a drawing in space takes of it |
-//! | 16 | texts, compiled systems and what is passed on |
+//! | 84 | pictures, plus the rest of the shown drawing's share ([`picture_room`]); also the second scene of a drawing in space that is shown in part |
+//! | 16 | texts, compiled systems and messages |
 
 use lsystem::{Limits, Viewport};
 
 const MIB: u64 = 1 << 20;
 
-/// What one instance may take.
+/// The most bytes of one instance.
 #[cfg(test)]
 const INSTANCE: u64 = 256 * MIB;
-/// Pictures, while the largest drawing is shown.
+/// The bytes for pictures while the largest drawing is shown.
 const PICTURES: u64 = 84 * MIB;
-/// Texts, compiled systems and what is passed on.
+/// The bytes for texts, compiled systems and messages.
 #[cfg(test)]
 const REST: u64 = 16 * MIB;
-/// Pictures of fewer pixels are painted as they are: what does not depend on pixels is most of what they take.
+/// Smaller pictures, in pixels, are not reduced: most of their memory does not depend on the number of pixels.
 const FEWEST: u32 = 1 << 18;
 
-/// What a page may spend: a string that a browser can still hold, a drawing that fits its share.
+/// The limits of the page: a string that a browser can hold, and a drawing within its share of the memory.
 pub(crate) const LIMITS: Limits =
     Limits { symbols: 64 << 20, modules: 16 << 20, segments: u32::MAX as u64, work: 100_000_000, memory: 70 << 20 };
 
-/// The same for a derivation that is remembered; a string that is read by counts takes 16 megabytes at most.
+/// The limits of a remembered derivation. A string that is read by counts takes at most 16 MiB more.
 pub(crate) const HISTORY: Limits = Limits { memory: 24 * MIB, ..LIMITS };
 
 /// The limits of a small picture's drawing. The rest of its 70 MiB is for pixels and tiles.
 pub(crate) const SMALL: Limits = Limits { memory: 32 * MIB, ..LIMITS };
 
-/// The bytes that pictures of a drawing may take.
+/// The bytes for pictures of a drawing of `drawing` bytes.
 pub(crate) fn picture_room(drawing: u64) -> u64 {
     (PICTURES + LIMITS.memory).saturating_sub(drawing)
 }
 
-/// The picture with as many of its pixels as there is room for: its sides are cut by an eighth until it fits.
+/// The viewport with as many pixels as fit the budget: the sides shrink by an eighth until the picture fits.
 pub(crate) fn affordable(viewport: Viewport, drawing: u64, bytes: impl Fn(Viewport) -> u64) -> Viewport {
     let mut viewport = viewport;
     while bytes(viewport) > picture_room(drawing) && viewport.width.saturating_mul(viewport.height) > FEWEST {
@@ -48,7 +48,7 @@ pub(crate) fn affordable(viewport: Viewport, drawing: u64, bytes: impl Fn(Viewpo
     viewport
 }
 
-/// A quarter of the pixels, for the same picture.
+/// The viewport of the same picture with half the width and height.
 pub(crate) fn halved(Viewport { width, height, ratio }: Viewport) -> Viewport {
     Viewport { width: width.div_ceil(2), height: height.div_ceil(2), ratio: 0.5 * ratio }
 }

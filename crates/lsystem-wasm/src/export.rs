@@ -1,5 +1,4 @@
-//! Files of the system, written in steps and taken away piece by piece, so that none of them stands whole in the memory
-//! of the wasm.
+//! Export files, written in steps. The page takes them piece by piece, so that the wasm never holds a whole file.
 
 use crate::budget::{HISTORY, LIMITS};
 use crate::clock::Clock;
@@ -19,32 +18,34 @@ use std::rc::Rc;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
-/// Segments that are written as text at most: more than any program opens.
+/// The most segments of a text file: more than any program opens.
 const TEXT_SEGMENTS: u64 = 2_000_000;
-/// Segments of a mesh, of a drawing in space on paper and strokes and placed blocks of a compact picture at most: all of
-/// them are in memory at once, with some hundred bytes each.
+/// The most segments of a mesh or of a projected drawing, and the most strokes and placed blocks of a compact picture.
+/// All are in memory at once, with some hundred bytes each.
 const FEW_SEGMENTS: u64 = 200_000;
-/// Bytes of a mesh at most, and of a drawing that is made for one: together as much as a file may take.
+/// The most bytes of a mesh. A mesh and a drawing made for a file share the file's memory.
 const MESH: u64 = 42 << 20;
+/// The limits of a drawing that is made for a file.
 const DRAWING: Limits = Limits { memory: LIMITS.memory - MESH, ..LIMITS };
-/// Symbols of a string that are written at a time.
+/// The number of symbols of a string that are written at a time.
 const SYMBOLS: usize = 1 << 15;
 
 /// A file in the making.
 type File = Box<dyn Writer>;
-/// What follows when the drawing in space is there.
-type Then = Box<dyn FnOnce(Arc<Drawing<Solid>>) -> Result<File, Diagnostic>>;
+/// Begins the file of a drawing in space.
+type BeginFile = Box<dyn FnOnce(Arc<Drawing<Solid>>) -> Result<File, Diagnostic>>;
 
-/// How far a file is.
+/// The stage of a file.
 enum Stage {
-    /// It is of a drawing in space that is being made.
-    Draw(Box<Drawer<Solid>>, Then),
-    Begin(Arc<Drawing<Solid>>, Then),
+    /// Make the drawing in space.
+    Draw(Box<Drawer<Solid>>, BeginFile),
+    /// Begin the file of a drawing in space.
+    Begin(Arc<Drawing<Solid>>, BeginFile),
     Write(File),
     Done,
 }
 
-/// What is said of a file at its end.
+/// The report on a finished file.
 #[derive(Serialize)]
 struct ExportReport {
     complete: bool,
@@ -55,31 +56,33 @@ struct ExportReport {
 #[wasm_bindgen]
 pub struct Export {
     stage: Stage,
-    /// What has been written and not been taken yet.
+    /// The bytes written and not yet taken.
     piece: Vec<u8>,
     complete: bool,
     diagnostics: Vec<Problem>,
     definition: Definition,
     clock: Clock,
-    /// Tells the playground that a file is being made.
+    /// A reference by which the playground knows that a file is in the making.
     _busy: Rc<()>,
 }
 
 #[wasm_bindgen]
 impl Export {
-    /// Works for about `budget` milliseconds; whether nothing is left to do.
+    /// Works for about `budget` milliseconds. Returns whether the file is at its end.
     pub fn step(&mut self, budget: f64) -> bool {
         let end = self.clock.now() + budget;
         loop {
             self.stage = match core::mem::replace(&mut self.stage, Stage::Done) {
-                Stage::Draw(mut drawer, then) => match drawer.step(WORK as u64) {
-                    Progress::More => Stage::Draw(drawer, then),
-                    Progress::Done => self.go_on(drawer.finish(), |drawing, _| Stage::Begin(Arc::new(drawing), then)),
+                Stage::Draw(mut drawer, begin) => match drawer.step(WORK as u64) {
+                    Progress::More => Stage::Draw(drawer, begin),
+                    Progress::Done => {
+                        self.advance(drawer.finish(), |drawing, _| Stage::Begin(Arc::new(drawing), begin))
+                    }
                 },
-                Stage::Begin(drawing, then) => self.go_on(then(drawing), |writer, _| Stage::Write(writer)),
+                Stage::Begin(drawing, begin) => self.advance(begin(drawing), |writer, _| Stage::Write(writer)),
                 Stage::Write(mut writer) => {
                     let written = writer.step(&mut self.piece, WORK as u64);
-                    self.go_on(written, |progress, export| {
+                    self.advance(written, |progress, export| {
                         if progress == Progress::More {
                             return Stage::Write(writer);
                         }
@@ -96,24 +99,24 @@ impl Export {
         }
     }
 
-    /// Takes away what has been written since this was called last.
+    /// Takes the bytes written since the last call.
     pub fn take(&mut self) -> Vec<u8> {
         core::mem::take(&mut self.piece)
     }
 
-    /// What there is to say at the end: `{complete, diagnostics}`. It is not complete where a limit was passed or nothing
+    /// The report at the end: `{complete, diagnostics}`. The file is not complete if a limit was exceeded or nothing
     /// has been drawn.
     ///
     /// # Errors
-    /// Throws only where the result cannot be translated.
+    /// Throws only if the result cannot be translated.
     pub fn report(&mut self) -> Result<JsValue, JsValue> {
         to_js(&ExportReport { complete: self.complete, diagnostics: core::mem::take(&mut self.diagnostics) })
     }
 }
 
 impl Export {
-    /// The next stage, or the end where a limit was passed.
-    fn go_on<T>(&mut self, outcome: Result<T, Diagnostic>, next: impl FnOnce(T, &mut Self) -> Stage) -> Stage {
+    /// The stage `next`, or the end if a limit was exceeded.
+    fn advance<T>(&mut self, outcome: Result<T, Diagnostic>, next: impl FnOnce(T, &mut Self) -> Stage) -> Stage {
         match outcome {
             Ok(value) => next(value, self),
             Err(limit) => {
@@ -132,10 +135,10 @@ impl core::fmt::Debug for Export {
 
 #[wasm_bindgen]
 impl Playground {
-    /// Begins the system as a file, in one of the formats of [`lsystem::files::FORMATS`] but for pixels.
+    /// Begins a file of the system, in one of the formats of [`lsystem::files::FORMATS`] without pixels.
     ///
     /// # Errors
-    /// Throws where there is no such format.
+    /// Throws if there is no such format.
     pub fn export(&mut self, format: &str) -> Result<Export, JsValue> {
         let found = Format::named(format).filter(|format| !matches!(format.content, Content::Pixels));
         let content = found.ok_or_else(|| format!("there is no format `{format}`"))?.content;
@@ -151,36 +154,37 @@ impl Playground {
         };
         let drawing = &self.views.plane.drawing;
         let Some(system) = self.system.as_ref().filter(|system| system.is_solid() || drawing.is_some()) else {
-            // The report says why nothing has been drawn.
+            // The report has the reason why nothing has been drawn.
             export.diagnostics.clone_from(&self.report.diagnostics);
             return Ok(export);
         };
         let flat = drawing.clone().filter(|_| !system.is_solid());
         let (style, name) = (system.style.clone(), self.definition.label().to_owned());
         export.stage = match (content, flat) {
-            (Content::System, _) => Stage::Write(whole(write_json(&self.definition))),
+            (Content::System, _) => Stage::Write(text_file(write_json(&self.definition))),
             (Content::String | Content::Pixels, _) => {
-                let written = string(system.clone(), self.definition.iterations);
-                export.go_on(written, |writer, _| Stage::Write(writer))
+                let written = string_file(system.clone(), self.definition.iterations);
+                export.advance(written, |writer, _| Stage::Write(writer))
             }
             (Content::Segments { plane, .. }, Some(drawing)) => {
-                export.go_on(plane(drawing, TEXT_SEGMENTS), |writer, _| Stage::Write(writer))
+                export.advance(plane(drawing, TEXT_SEGMENTS), |writer, _| Stage::Write(writer))
             }
             (Content::Segments { space, .. }, None) => {
-                self.solid(system, Box::new(move |drawing| space(drawing, TEXT_SEGMENTS)))
+                self.solid_file(system, Box::new(move |drawing| space(drawing, TEXT_SEGMENTS)))
             }
             (Content::Paper(write), Some(drawing)) => {
                 let most = if format == "svg-compact" { FEW_SEGMENTS } else { TEXT_SEGMENTS };
-                export.go_on(write(drawing, style, &self.svg_options(most)), |writer, _| Stage::Write(writer))
+                export.advance(write(drawing, style, &self.svg_options(most)), |writer, _| Stage::Write(writer))
             }
             (Content::Paper(write), None) => {
                 let Camera { azimuth, elevation, .. } = self.views.solid.camera;
                 let (outlook, options) = (Outlook { azimuth, elevation }, self.svg_options(TEXT_SEGMENTS));
                 let write = move |drawing| write(drawing, style.clone(), &options);
-                self.solid(system, Box::new(move |drawing| seen(drawing, outlook, write)))
+                self.solid_file(system, Box::new(move |drawing| projected_file(drawing, outlook, write)))
             }
             (Content::Mesh(write), _) => {
-                self.solid(system, Box::new(move |drawing| mesh(drawing, style, move |mesh| write(mesh, &name))))
+                let begin = move |drawing| mesh_file(drawing, style, move |mesh| write(mesh, &name));
+                self.solid_file(system, Box::new(begin))
             }
         };
         Ok(export)
@@ -188,11 +192,11 @@ impl Playground {
 }
 
 impl Playground {
-    /// A file of the drawing in space, which is made where it is not there.
-    fn solid(&self, system: &System, then: Then) -> Stage {
+    /// A file of the drawing in space; if there is none, it is made first.
+    fn solid_file(&self, system: &System, begin: BeginFile) -> Stage {
         match &self.views.solid.drawing {
-            Some(drawing) if system.is_solid() && self.built() => Stage::Begin(drawing.clone(), then),
-            _ => Stage::Draw(Box::new(Drawer::solid(system, self.definition.iterations, DRAWING)), then),
+            Some(drawing) if system.is_solid() && self.built() => Stage::Begin(drawing.clone(), begin),
+            _ => Stage::Draw(Box::new(Drawer::solid(system, self.definition.iterations, DRAWING)), begin),
         }
     }
 
@@ -203,31 +207,31 @@ impl Playground {
     }
 }
 
-/// A file that a function writes.
-struct Written<F>(F);
+/// A writer from a function.
+struct FunctionWriter<F>(F);
 
-impl<F: FnMut(&mut Vec<u8>) -> Result<Progress, Diagnostic>> Writer for Written<F> {
+impl<F: FnMut(&mut Vec<u8>) -> Result<Progress, Diagnostic>> Writer for FunctionWriter<F> {
     fn step(&mut self, file: &mut Vec<u8>, _: u64) -> Result<Progress, Diagnostic> {
         (self.0)(file)
     }
 }
 
-/// A system as text, which is short: those that can be read have texts of a mebibyte at most.
-fn whole(text: String) -> File {
+/// A short text, written in one step: a system has texts of at most 1 MiB.
+fn text_file(text: String) -> File {
     let mut bytes = text.into_bytes();
-    Box::new(Written(move |file: &mut Vec<u8>| {
+    Box::new(FunctionWriter(move |file: &mut Vec<u8>| {
         file.append(&mut bytes);
         Ok(Progress::Done)
     }))
 }
 
-/// A file for which something is made first, in steps, until that gives the writer.
-struct Made<F> {
+/// A writer that is prepared in steps: `make` returns the writer of the file in the end.
+struct PreparedWriter<F> {
     make: F,
     writer: Option<File>,
 }
 
-impl<F: FnMut() -> Result<Option<File>, Diagnostic>> Writer for Made<F> {
+impl<F: FnMut() -> Result<Option<File>, Diagnostic>> Writer for PreparedWriter<F> {
     fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
         if let Some(writer) = &mut self.writer {
             return writer.step(file, work);
@@ -241,13 +245,13 @@ impl<F: FnMut() -> Result<Option<File>, Diagnostic>> Writer for Made<F> {
     }
 }
 
-/// A drawing in space as it is seen on paper.
-fn seen(
+/// A file of the projection of a drawing in space.
+fn projected_file(
     drawing: Arc<Drawing<Solid>>,
     outlook: Outlook,
     write: impl Fn(Arc<Drawing>) -> Result<File, Diagnostic> + 'static,
 ) -> Result<File, Diagnostic> {
-    // The drawing in space is let go of when it is on paper.
+    // The drawing in space is dropped after the projection, to save memory.
     let mut making = Some((Projection::new(&drawing, &outlook, FEW_SEGMENTS)?, drawing));
     let make = move || {
         if let Some((projection, drawing)) = &mut making
@@ -258,10 +262,11 @@ fn seen(
         }
         Ok(None)
     };
-    Ok(Box::new(Made { make, writer: None }))
+    Ok(Box::new(PreparedWriter { make, writer: None }))
 }
 
-fn mesh(
+/// A file of the mesh of a drawing in space.
+fn mesh_file(
     drawing: Arc<Drawing<Solid>>,
     style: Style,
     write: impl Fn(Mesh) -> File + 'static,
@@ -275,11 +280,11 @@ fn mesh(
         }
         Ok(None)
     };
-    Ok(Box::new(Made { make, writer: None }))
+    Ok(Box::new(PreparedWriter { make, writer: None }))
 }
 
-/// The string of generation `n`, read piece by piece: by counts, or by what is remembered of the derivation.
-fn string(system: System, n: u32) -> Result<File, Diagnostic> {
+/// A file of the string of generation `n`, read piece by piece by counts or from a remembered derivation.
+fn string_file(system: System, n: u32) -> Result<File, Diagnostic> {
     let symbols = |n: u32| system.word(n).map(|word| word.symbols());
     let too_long = |count: u128| count > u128::from(LIMITS.symbols);
     let mut history = None;
@@ -295,7 +300,7 @@ fn string(system: System, n: u32) -> Result<File, Diagnostic> {
         None => history = Some(system.history(n, &HISTORY).ok_or_else(|| limit_of_memory(None))?),
     }
     let mut at = 0;
-    Ok(Box::new(Written(move |file: &mut Vec<u8>| {
+    Ok(Box::new(FunctionWriter(move |file: &mut Vec<u8>| {
         let text = match &mut history {
             None => system.word(n).map(|word| word.slice(at, SYMBOLS)).unwrap_or_default(),
             Some(history) => {

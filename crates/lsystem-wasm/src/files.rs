@@ -1,4 +1,4 @@
-//! Files that are read, and pictures for files.
+//! Reading files, and making pictures for files.
 
 use crate::clock::Clock;
 use crate::playground::Playground;
@@ -13,18 +13,18 @@ use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
 
-/// What a file says.
+/// The contents of a file.
 #[derive(Serialize)]
 struct FileReport {
     definition: Option<Definition>,
     diagnostics: Vec<Problem>,
 }
 
-/// Reads a file's bytes, be it JSON or a PNG or SVG picture that carries its system: `{definition, diagnostics}`, the
-/// definition null where the file cannot be used.
+/// Reads a JSON file, or a PNG or SVG picture that carries its system: `{definition, diagnostics}`. The definition is
+/// null if the file cannot be used.
 ///
 /// # Errors
-/// Throws only where the result cannot be translated.
+/// Throws only if the result cannot be translated.
 #[wasm_bindgen]
 pub fn read_file(bytes: &[u8]) -> Result<JsValue, JsValue> {
     let FileContent { definition, diagnostics, json } = lsystem::read_file(bytes);
@@ -32,10 +32,10 @@ pub fn read_file(bytes: &[u8]) -> Result<JsValue, JsValue> {
     to_js(&FileReport { definition, diagnostics: problems(&diagnostics, &texts, &json) })
 }
 
-/// A PNG file with a definition in it, so that [`read_file`] finds it again; bytes that are no PNG file as they are.
+/// Puts a definition into a PNG file, for [`read_file`]. Returns other bytes unchanged.
 ///
 /// # Errors
-/// Throws where the argument is not a definition at all.
+/// Throws if the argument is not a definition.
 #[wasm_bindgen]
 pub fn tag_png(bytes: Vec<u8>, definition: JsValue) -> Result<Vec<u8>, JsValue> {
     let definition = from_js(definition)?;
@@ -47,7 +47,7 @@ impl Playground {
     /// Starts a picture of the current view on `canvas`, at another size.
     ///
     /// # Errors
-    /// Throws the reason where nothing has been drawn or there is too little memory, or where the canvas has no 2D context.
+    /// Throws the reason if nothing has been drawn, if memory does not suffice, or if the canvas has no 2D context.
     pub fn snapshot(&mut self, canvas: OffscreenCanvas, width: u32, height: u32) -> Result<Picture, JsValue> {
         self.history = None;
         let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
@@ -64,16 +64,17 @@ pub struct Picture {
     snapshot: Box<dyn Snapshot>,
     surface: Surface,
     clock: Clock,
-    /// Tells the playground that a file is being made.
+    /// A reference by which the playground knows that a file is in the making.
     _busy: Rc<()>,
 }
 
 #[wasm_bindgen]
 impl Picture {
-    /// Works for about `budget` milliseconds, and puts what is finished on the canvas; whether all of it is.
+    /// Works for about `budget` milliseconds and puts finished bands on the canvas. Returns whether the picture is
+    /// complete.
     ///
     /// # Errors
-    /// Throws where the canvas refuses the picture.
+    /// Throws if the canvas refuses the picture.
     pub fn step(&mut self, budget: f64) -> Result<bool, JsValue> {
         let end = self.clock.now() + budget;
         loop {

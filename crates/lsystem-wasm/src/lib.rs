@@ -1,10 +1,10 @@
-//! The boundary between the core and JavaScript: it translates and nothing else.
+//! The boundary between the core and JavaScript. This crate only translates.
 //!
 //! Two plain functions, [`expand`](fn@expand) and [`draw`](fn@draw), turn a definition into a string and into typed
 //! arrays. [`Playground`] is the page's handle: it keeps a system between edits, works in steps that end on time,
 //! and paints an `OffscreenCanvas`. A definition is a plain object with the fields of [`lsystem::Definition`] in
-//! camel case; missing ones have their defaults. What is wrong with it comes as structured values ([`Problem`])
-//! with UTF-16 spans, thrown by the plain functions as `{diagnostics: [..]}`.
+//! camel case; missing fields have their defaults. Errors and warnings are structured values ([`Problem`]) with UTF-16
+//! spans. The plain functions throw them as `{diagnostics: [..]}`.
 
 mod budget;
 mod clock;
@@ -35,10 +35,10 @@ use lsystem::Definition;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// A fresh seed.
+/// A random seed.
 ///
 /// # Errors
-/// Throws where the browser has no source of randomness.
+/// Throws if the browser has no source of randomness.
 #[wasm_bindgen]
 pub fn fresh_seed() -> Result<u32, JsValue> {
     getrandom::u32().map_err(|error| JsValue::from_str(&error.to_string()))
@@ -48,7 +48,7 @@ fn from_js(definition: JsValue) -> Result<Definition, JsValue> {
     Ok(serde_wasm_bindgen::from_value(definition)?)
 }
 
-/// Translates to plain objects and arrays, absent values to null.
+/// Translates a value to plain objects and arrays; `None` becomes null.
 fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
     let plain = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&plain).map_err(JsValue::from)

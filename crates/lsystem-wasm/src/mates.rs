@@ -1,5 +1,5 @@
-//! What workers tell each other who make a picture in space together: one shows it and hands out panes, its mates make
-//! them. Numbers travel as arrays, which ports take as they are.
+//! The messages of workers that make a picture in space together. One worker shows the picture and hands out panes; its
+//! helpers, the mates, make panes. Numbers travel as arrays, which message ports copy unchanged.
 
 use crate::playground::Playground;
 use crate::sharing::Sharing;
@@ -9,20 +9,20 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Playground {
-    /// Says how many mates there are, who have the same definition and view when they are handed a pane.
+    /// Sets the number of mates. A mate must have the same definition and view when it is handed a pane.
     #[wasm_bindgen(setter)]
     pub fn set_mates(&mut self, count: u32) {
         self.mates = count;
     }
 
-    /// The number of the round of panes that is being made for the picture; 0 without any.
+    /// The number of the present round of panes; 0 if there is none.
     #[wasm_bindgen(getter)]
     pub fn round(&mut self) -> u32 {
         self.shared().map_or(0, |(sharing, _)| sharing.round)
     }
 
-    /// A pane for a mate, if there are more than `kept` left: `[number, x, y, width, height, budget]`, in pixels; the
-    /// budget is what the picture may show.
+    /// A pane for a mate, if more than `kept` panes are left: `[number, x, y, width, height, budget]`. The place and
+    /// size are in pixels; the budget is for [`Playground::begin_pane`].
     #[wasm_bindgen(js_name = handOut)]
     pub fn hand_out(&mut self, kept: usize) -> Option<Vec<f64>> {
         let (sharing, budget) = self.shared()?;
@@ -31,40 +31,42 @@ impl Playground {
         Some(vec![number as f64, x, y, width, height, f64::from(budget)])
     }
 
-    /// Whether nothing is to be done but to wait: for mates, or with a new drawing for a file.
+    /// Whether there is nothing to do but wait: the picture waits for mates, or a new drawing waits for a file in the
+    /// making.
     #[wasm_bindgen(getter)]
     pub fn waits(&mut self) -> bool {
         !self.built() && self.is_saving() || self.shared().is_some_and(|(sharing, _)| sharing.is_waiting())
     }
 
-    /// A mate has made a pane; what it took is as [`Playground::step_pane`] tells. Whether its pixels are wanted on the
-    /// canvas.
+    /// Records that a mate has made a pane; `work` and `poor` as [`Playground::step_pane`]. Returns whether the canvas
+    /// needs the pane's pixels.
     #[wasm_bindgen(js_name = takeIn)]
     pub fn take_in(&mut self, round: u32, number: usize, work: f64, poor: bool) -> bool {
         self.shared()
             .is_some_and(|(sharing, _)| sharing.round == round && sharing.take_in(number, Spent { work, poor }))
     }
 
-    /// As a mate: begins a pane of the picture that was defined and viewed last.
+    /// On a mate: begins a pane of the picture with the last definition and view.
     #[wasm_bindgen(js_name = beginPane)]
     pub fn begin_pane(&mut self, x: u32, y: u32, width: u32, height: u32, budget: f32) {
         self.pane = Some((Pane { x, y, width, height }, budget));
     }
 
-    /// As a mate: works at the pane for about `budget` milliseconds; when it is there, `[work, poor]`, what it took, and 1
-    /// where something had to go without. Nothing before, and an empty array where it cannot be made.
+    /// On a mate: works on the pane for about `budget` milliseconds. Returns `undefined` until the pane is done, then
+    /// `[work, poor]`: the units of work, and 1 if the pane left out detail. Returns an empty array if the pane cannot
+    /// be made.
     #[wasm_bindgen(js_name = stepPane)]
     pub fn step_pane(&mut self, budget: f64) -> Option<Vec<f64>> {
         let end = self.clock.now() + budget;
         loop {
-            let outcome = self.go_on_with_pane();
+            let outcome = self.continue_pane();
             if outcome.is_some() || self.clock.now() >= end {
                 return outcome;
             }
         }
     }
 
-    /// As a mate: the pixels of the pane, RGBA.
+    /// On a mate: the pixels of the pane, RGBA.
     #[wasm_bindgen(js_name = panePixels)]
     pub fn pane_pixels(&self) -> js_sys::Uint8Array {
         self.views.solid.pane_pixels().into()
@@ -72,7 +74,7 @@ impl Playground {
 }
 
 impl Playground {
-    /// The panes that mates may help with, and the picture's budget, while one is made that is still wanted.
+    /// The panes of the shared picture and the picture's budget; `None` if no up-to-date picture is shared.
     fn shared(&mut self) -> Option<(&mut Sharing, f32)> {
         if self.stale || !self.built() || self.shown != Some(Realm::Space) {
             return None;
@@ -80,8 +82,9 @@ impl Playground {
         self.views.solid.sharing()
     }
 
-    fn go_on_with_pane(&mut self) -> Option<Vec<f64>> {
-        if self.go_on_building() {
+    /// Continues the pane; the result is as [`Playground::step_pane`].
+    fn continue_pane(&mut self) -> Option<Vec<f64>> {
+        if self.continue_drawing() {
             return None;
         }
         let (Some(scene), Some(Realm::Space), false) = (self.scene(), self.shown, self.refused) else {

@@ -1,4 +1,4 @@
-//! How the texts of a definition read, for showing them in colours and for changing their constants.
+//! The classes of a definition's characters, for syntax colours, and its constants, for changing their values.
 
 use crate::{from_js, to_js};
 use lsystem::Definition;
@@ -6,7 +6,7 @@ use lsystem::syntax::{classify, utf16_letters, utf16_span};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// The letter of its class ([`lsystem::syntax::Class`]) for each UTF-16 unit of a text.
+/// The texts as class letters ([`lsystem::syntax::Class`]), one for each UTF-16 unit, and the constants.
 #[derive(Serialize)]
 struct Notation {
     axiom: String,
@@ -15,23 +15,23 @@ struct Notation {
     constants: Vec<Constant>,
 }
 
-/// A named constant and where its value stands in the rules, in UTF-16 units.
+/// A named constant and the place of its value in the rules, in UTF-16 units.
 #[derive(Serialize)]
 struct Constant {
     name: String,
-    /// Null where it is wrong.
+    /// Null if the value is not valid.
     value: Option<f64>,
     start: usize,
     end: usize,
-    /// Whether the value is one number, so that another number may stand in its place.
+    /// Whether the value is one number, so that another number may replace it.
     number: bool,
 }
 
-/// How the texts of a definition read, be they right or wrong: `{axiom, rules, overrides, constants}`. The texts come
-/// as the letters of their classes, one for each UTF-16 unit; a constant is `{name, value, start, end, number}`.
+/// The texts and constants of a definition, valid or not: `{axiom, rules, overrides, constants}`. A text comes as class
+/// letters, one for each UTF-16 unit; a constant is `{name, value, start, end, number}`.
 ///
 /// # Errors
-/// Throws where the argument is not a definition at all.
+/// Throws if the argument is not a definition.
 #[wasm_bindgen]
 pub fn notation(definition: JsValue) -> Result<JsValue, JsValue> {
     let definition = from_js(definition)?;

@@ -6,25 +6,25 @@ use crate::{from_js, to_js};
 use lsystem::{Definition, Diagnostic, System};
 use wasm_bindgen::prelude::*;
 
-/// Segments that [`draw`](fn@draw) gives at most: 16 bytes each, twice over while they are copied out.
+/// The most segments that [`draw`](fn@draw) returns. A segment takes 22 bytes, and twice as many during the copy.
 const ARRAY_SEGMENTS: u64 = 16 << 20;
 
 /// The segments of a drawing, in drawing order.
 #[wasm_bindgen(getter_with_clone)]
 #[derive(Debug)]
 pub struct Segments {
-    /// x0 y0 x1 y1 of each, in model units, y up.
+    /// x0 y0 x1 y1 of each segment, in model units, y up.
     pub segments: js_sys::Float32Array,
-    /// The colour index of each, not yet wrapped to a palette.
+    /// The colour index of each segment, not yet wrapped to a palette.
     pub colours: js_sys::Int32Array,
-    /// The branch level of each.
+    /// The branch level of each segment.
     pub levels: js_sys::Uint16Array,
 }
 
 /// The string of generation `n` of a definition.
 ///
 /// # Errors
-/// Throws `{diagnostics}` where the definition is wrong or the string too long.
+/// Throws `{diagnostics}` if the definition has errors or the string is too long.
 #[wasm_bindgen]
 pub fn expand(definition: JsValue, n: u32) -> Result<String, JsValue> {
     let (definition, system) = compile(definition)?;
@@ -34,7 +34,7 @@ pub fn expand(definition: JsValue, n: u32) -> Result<String, JsValue> {
 /// The segments of generation `n` of a definition.
 ///
 /// # Errors
-/// Throws `{diagnostics}` where the definition is wrong or the drawing too large.
+/// Throws `{diagnostics}` if the definition has errors or the drawing is too large.
 #[wasm_bindgen]
 pub fn draw(definition: JsValue, n: u32) -> Result<Segments, JsValue> {
     let (definition, system) = compile(definition)?;

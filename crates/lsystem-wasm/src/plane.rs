@@ -1,10 +1,10 @@
-//! Drawings in the plane: built in steps, shown on time, coarse first where the fine picture takes longer than a frame.
+//! The viewer of drawings in the plane. A coarse picture comes first if the fine one takes longer than a frame.
 
 use crate::budget::affordable;
 use crate::clock::Clock;
 use crate::report::Report;
 use crate::surface::Surface;
-use crate::viewer::{Drawn, NOTHING, Scene, Snapshot, Viewer, WORK, describe_drawing, go_on};
+use crate::viewer::{Drawn, NOTHING, Scene, Snapshot, Viewer, WORK, describe_drawing, step_drawer};
 use lsystem::Viewport;
 use lsystem::derive::Counter;
 use lsystem::render::{Detail, Pane, Pass, fitted_scale};
@@ -12,18 +12,18 @@ use lsystem::{Diagnostic, Drawer, Drawing, Limits, Progress, Renderer, System};
 use std::sync::Arc;
 use wasm_bindgen::JsValue;
 
-/// Milliseconds that a fine picture may take before a coarse one is shown in its stead.
+/// The milliseconds that a fine picture may take before a coarse one is shown instead.
 const PATIENCE: f64 = 8.0;
 
-/// After a fine picture that took too long so many pictures are begun coarse, before the next is tried at once: what was
-/// slow may have been the moment.
+/// The number of pictures that start coarse after a slow fine picture. Then a fine one is tried again, because the
+/// slowness may have been accidental.
 const SKETCHES: u8 = 4;
 
-/// The most pixels of a picture for a file that are painted at a time: with their subsamples they take up to 24 bytes each,
-/// or 24 MiB.
+/// The most pixels of a band of a picture for a file. A pixel with subsamples takes up to 24 bytes, so a band takes 24
+/// MiB.
 const BAND: u32 = 1 << 20;
 
-/// Pixels along the side of a cell: panes that begin at multiples of it have the same subsamples.
+/// The side of a cell, in pixels. Panes that begin at multiples of this have the same subsamples as the whole picture.
 const CELL: u32 = 16;
 
 /// A drawing in the plane and its picture.
@@ -32,24 +32,24 @@ pub(crate) struct PlaneView {
     /// The drawing that is being built.
     drawer: Option<Box<Drawer>>,
     fine: Renderer,
-    /// Small pictures do with one renderer: the coarse picture always comes first.
+    /// The renderer of coarse pictures. `None` for small pictures, which use `fine` for both and always start coarse.
     coarse: Option<Renderer>,
     scene: Option<Scene>,
     stage: Stage,
     /// Milliseconds spent on the fine picture so far.
     spent: f64,
-    /// How many pictures are to be begun coarse, because a fine one took too long to wait for it.
+    /// The number of pictures that will start coarse, after a slow fine one.
     sketches: u8,
 }
 
-/// How far a picture is.
+/// The stage of a picture.
 #[derive(Clone, Copy, PartialEq)]
 enum Stage {
-    /// The coarse picture is being made, before the fine one is begun or in its midst.
+    /// The coarse picture is in the making. `begun`: the fine picture has already begun.
     Coarse { begun: bool },
-    /// The fine picture is being made; a coarse one is shown already or need not be.
+    /// The fine picture is in the making. `sketched`: the coarse picture is shown.
     Fine { sketched: bool },
-    /// It is shown.
+    /// The fine picture is shown.
     Done,
 }
 
@@ -78,7 +78,7 @@ impl Viewer for PlaneView {
     }
 
     fn build(&mut self) -> Option<Result<(), Diagnostic>> {
-        Some(go_on(&mut self.drawer)?.map(|drawing| {
+        Some(step_drawer(&mut self.drawer)?.map(|drawing| {
             self.stage = Stage::Done;
             self.fine.load(drawing.clone());
             if let Some(coarse) = &mut self.coarse {
@@ -174,8 +174,9 @@ impl Viewer for PlaneView {
 struct PlaneSnapshot {
     renderer: Renderer,
     scene: Scene,
-    /// The bands to come, the next one last.
+    /// The bands left, the next one last.
     parts: Vec<(Pane, Pass)>,
+    /// The present band.
     part: (Pane, Pass),
 }
 
@@ -203,7 +204,7 @@ impl PlaneView {
         Self { fine: Renderer::light(), coarse: None, ..Self::default() }
     }
 
-    /// With as many pixels as there is room for.
+    /// The scene with as many pixels as fit the memory budget.
     fn within_room(&self, scene: Scene) -> Scene {
         let Some(drawing) = &self.drawing else { return scene };
         let most = |viewport| {

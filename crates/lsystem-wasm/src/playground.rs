@@ -2,7 +2,7 @@
 
 use crate::budget::{LIMITS, SMALL};
 use crate::clock::Clock;
-use crate::report::{Report, legend_of, problems, understood};
+use crate::report::{Report, compile, legend_of, problems};
 use crate::surface::Surface;
 use crate::viewer::{Drawn, Realm, Scene, Views, WORK};
 use crate::{from_js, to_js};
@@ -21,40 +21,40 @@ pub struct Playground {
     pub(crate) clock: Clock,
     pub(crate) definition: Definition,
     pub(crate) system: Option<System>,
-    /// Of its derivation, once somebody asks.
+    /// The remembered derivation, after [`Playground::remember`].
     pub(crate) history: Option<lsystem::derive::History>,
     pub(crate) views: Views,
-    /// Of drawings.
+    /// The limits of drawings.
     limits: Limits,
-    /// Where a drawing is being built.
+    /// The space of the drawing that is being built.
     building: Option<Realm>,
-    /// Where what is shown has been drawn.
+    /// The space of the shown drawing.
     pub(crate) shown: Option<Realm>,
     pub(crate) report: Report,
-    /// The symbols and segments of the system, counted when there is nothing else to do where that takes long.
+    /// The counters of symbols and segments. Long counts continue when there is nothing else to do.
     counters: Option<[Counter; 2]>,
-    /// Whether the page has not seen the report yet.
-    news: bool,
+    /// Whether the report has changed since the page got it.
+    is_report_new: bool,
     pub(crate) viewport: Viewport,
     pub(crate) view: View,
-    /// How many segments the picture shows; all of them without it.
+    /// The number of segments shown; `None` for all.
     pub(crate) upto: Option<u128>,
-    /// Whether the viewer has to be told what to show.
+    /// Whether the viewer has not yet begun the present scene.
     pub(crate) stale: bool,
-    /// Whether the newest definition passed a limit, so that an older drawing is shown.
+    /// Whether the newest drawing exceeded a limit, so that an older drawing is shown.
     pub(crate) refused: bool,
-    /// How many others help with pictures in space that take long.
+    /// The number of mates that help with slow pictures in space.
     pub(crate) mates: u32,
-    /// Held by every file in the making as well.
+    /// A reference; every file in the making has another one.
     pub(crate) files: std::rc::Rc<()>,
-    /// As one of those: what to make.
+    /// On a mate: the pane to begin, and its budget.
     pub(crate) pane: Option<(lsystem::render::Pane, f32)>,
 }
 
-/// While a picture is refined newer input is listened for after so many milliseconds.
+/// The most milliseconds of a step while a picture is refined, so that new input is handled soon.
 const REFINING: f64 = 3.0;
 
-/// Work units of a count that are spent before the first report: some milliseconds.
+/// The units of work for each count before the first report: some milliseconds.
 const COUNTING: u64 = 1 << 17;
 
 /// The answer of [`Playground::step`].
@@ -70,28 +70,28 @@ impl Playground {
     /// A playground that paints `canvas`.
     ///
     /// # Errors
-    /// Throws where the canvas has no 2D context.
+    /// Throws if the canvas has no 2D context.
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
         Self::of(canvas, Views::default(), LIMITS)
     }
 
-    /// A playground for small pictures: it takes little memory and counts nothing.
+    /// A playground for small pictures, with little memory and without counts.
     ///
     /// # Errors
-    /// Throws where the canvas has no 2D context.
+    /// Throws if the canvas has no 2D context.
     pub fn small(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
         Self::of(canvas, Views::small(), SMALL)
     }
 
-    /// Takes a new state of the system and says what it means; the drawing follows in [`Playground::step`]. Where
-    /// the definition is wrong the former system stays.
+    /// Sets the definition and returns its [`Report`]; [`Playground::step`] makes the drawing. If the definition has
+    /// errors, the previous system stays.
     ///
     /// # Errors
-    /// Throws where the argument is not a definition at all.
+    /// Throws if the argument is not a definition.
     pub fn define(&mut self, definition: JsValue) -> Result<JsValue, JsValue> {
         let definition = from_js(definition)?;
-        let (system, diagnostics) = understood(&definition);
+        let (system, diagnostics) = compile(&definition);
         let Some(system) = system else {
             return to_js(&Report { diagnostics, ..Report::default() });
         };
@@ -121,12 +121,12 @@ impl Playground {
         } else {
             self.upto = None;
             self.report = known;
-            // Nobody reads the counts of a small picture, and they take memory.
+            // Small pictures show no counts, so counters would waste memory.
             self.counters = (self.limits == LIMITS).then(|| [system.symbols(n), system.segments(n)]);
             self.counters.iter_mut().flatten().for_each(|counter| {
                 counter.step(COUNTING);
             });
-            self.tell_counts();
+            self.report_counts();
             self.start(&system, n);
         }
         self.stale = true;
@@ -136,18 +136,17 @@ impl Playground {
         to_js(&self.report)
     }
 
-    /// Says where to look: the canvas size in device pixels, device pixels per CSS pixel, and the view, relative to
-    /// the fitted one, whose `x` and `y` are sums of two numbers each.
+    /// Sets the view: the canvas size in device pixels, device pixels per CSS pixel, and the view relative to the
+    /// fitted one. The centre is the sum of `x`, `y` and the small corrections `fine_x`, `fine_y`.
     #[expect(clippy::too_many_arguments, reason = "an object would have to be read field by field")]
     pub fn view(&mut self, width: u32, height: u32, ratio: f64, x: f64, y: f64, zoom: f64, fine_x: f64, fine_y: f64) {
         self.view = View { x, y, zoom, fine: [fine_x, fine_y] };
         self.viewport = Viewport { width, height, ratio }.within_limits();
-        // Who asks again waits for a picture again.
+        // Even an equal view gets a new picture.
         self.stale = true;
     }
 
-    /// Shows only the first `upto` segments, the turtle on its way; all of them without a number. A new drawing starts
-    /// with all.
+    /// Shows only the first `upto` segments, or all without a number. A new drawing shows all segments.
     pub fn play(&mut self, upto: Option<u128>) {
         if upto != self.upto {
             self.upto = upto;
@@ -161,11 +160,11 @@ impl Playground {
         self.building.is_none()
     }
 
-    /// Works for about `budget` milliseconds: `{report, drawn: {complete, scale, moving, rough, slow}, idle}`, parts null
-    /// without news.
+    /// Works for about `budget` milliseconds. Returns `{report, drawn: {complete, scale, moving, rough, slow}, idle}`;
+    /// `report` and `drawn` are null if they have not changed.
     ///
     /// # Errors
-    /// Throws where the canvas refuses the picture.
+    /// Throws if the canvas refuses the picture.
     pub fn step(&mut self, budget: f64) -> Result<JsValue, JsValue> {
         let refining = !self.stale && self.shown.is_some_and(|realm| self.views.get(realm).is_refining());
         let end = self.clock.now() + if refining { budget.min(REFINING) } else { budget };
@@ -188,7 +187,7 @@ impl Playground {
                 break;
             }
         }
-        let report = core::mem::take(&mut self.news).then_some(&self.report);
+        let report = core::mem::take(&mut self.is_report_new).then_some(&self.report);
         to_js(&Step { report, drawn, idle: self.is_idle() })
     }
 }
@@ -207,7 +206,7 @@ impl Playground {
             shown: None,
             report: Report::default(),
             counters: None,
-            news: false,
+            is_report_new: false,
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
             view: View::default(),
             upto: None,
@@ -241,27 +240,27 @@ impl Playground {
         self.counters.as_ref().is_some_and(|counters| counters.iter().any(|counter| !counter.is_done()))
     }
 
-    /// Goes on with the first count that is not known yet.
+    /// Continues the first unfinished count.
     fn count(&mut self) {
         let counter = self.counters.iter_mut().flatten().find(|counter| !counter.is_done());
         if counter.is_some_and(|counter| counter.step(WORK as u64) == Progress::Done) {
-            self.tell_counts();
+            self.report_counts();
             self.describe();
-            self.news = true;
+            self.is_report_new = true;
         }
     }
 
-    /// Puts what has been counted into the report.
-    fn tell_counts(&mut self) {
+    /// Copies finished counts into the report.
+    fn report_counts(&mut self) {
         let Some([symbols, segments]) = &self.counters else { return };
-        for (counter, told) in [(symbols, &mut self.report.symbols), (segments, &mut self.report.segments)] {
+        for (counter, reported) in [(symbols, &mut self.report.symbols), (segments, &mut self.report.segments)] {
             if let Some(count) = counter.count() {
-                *told = Some(count.to_string());
+                *reported = Some(count.to_string());
             }
         }
     }
 
-    /// Completes the report with what the drawing that is shown tells.
+    /// Adds the properties of the shown drawing to the report.
     fn describe(&mut self) {
         let (Some(realm), Some(system)) = (self.shown, &self.system) else { return };
         if self.building.is_none() && !self.is_refused() {
@@ -270,38 +269,38 @@ impl Playground {
         }
     }
 
-    /// Whether an older drawing is shown than that of the definition.
+    /// Whether the shown drawing is older than the definition.
     fn is_refused(&self) -> bool {
         self.report.memoised.is_none()
     }
 
-    /// Whether a file is being made. No drawing is in the meantime, nor is a derivation remembered: they share their
-    /// memory.
+    /// Whether a file is in the making. Meanwhile no drawing is built and no derivation is remembered, because they
+    /// share the file's memory.
     pub(crate) fn is_saving(&self) -> bool {
         std::rc::Rc::strong_count(&self.files) > 1
     }
 
-    /// Whether a picture is being made, or has to be.
+    /// Whether a picture is in the making or must be made.
     fn is_painting(&self) -> bool {
         let visible = self.viewport.width > 0 && self.viewport.height > 0;
         let Some(realm) = self.shown.filter(|_| visible) else { return false };
         self.stale || !self.views.get(realm).is_done()
     }
 
-    /// Goes on with the drawing that is being built, if any is.
-    pub(crate) fn go_on_building(&mut self) -> bool {
+    /// Continues the drawing that is being built. Returns false if there is none.
+    pub(crate) fn continue_drawing(&mut self) -> bool {
         self.building.is_some_and(|realm| {
             self.build(realm);
             true
         })
     }
 
-    /// What is shown has to be painted anew.
+    /// Records that the picture must be painted again.
     pub(crate) fn outdate(&mut self) {
         self.stale = true;
     }
 
-    /// Goes on with the drawing that is being built.
+    /// Continues the drawing that is being built.
     fn build(&mut self, realm: Realm) {
         let Some(outcome) = self.views.at(realm).build() else { return };
         self.building = None;
@@ -309,7 +308,7 @@ impl Playground {
             Ok(()) => self.accept(realm),
             Err(limit) => self.refuse(limit),
         }
-        self.news = true;
+        self.is_report_new = true;
         self.stale = true;
     }
 
@@ -332,7 +331,7 @@ impl Playground {
         self.report.diagnostics.extend(problems(&[limit], &self.definition, ""));
     }
 
-    /// Goes on with the picture; what is on the canvas after that, if anything new is.
+    /// Continues the picture. Returns the picture on the canvas if it is new.
     fn paint(&mut self) -> Result<Option<Drawn>, JsValue> {
         let Some(realm) = self.shown else { return Ok(None) };
         if let Some(scene) = self.scene().filter(|_| self.stale) {
@@ -342,7 +341,7 @@ impl Playground {
         self.views.at(realm).paint(&self.clock, &self.surface)
     }
 
-    /// What the picture is to show.
+    /// The settings of the picture.
     pub(crate) fn scene(&self) -> Option<Scene> {
         let style = self.system.as_ref()?.style.clone();
         let mates = if self.refused { 0 } else { self.mates };

@@ -1,4 +1,4 @@
-//! Reading a derivation in place: pages of its strings, where a symbol comes from, what a segment is.
+//! Reading a derivation: pages of its strings, the ancestry of symbols, and segments with their symbols.
 
 use crate::budget::HISTORY;
 use crate::playground::Playground;
@@ -15,11 +15,11 @@ use lsystem::{Drawing, Progress, pick};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// What reads a generation in place.
+/// A source of the symbols of a generation.
 enum Reader<'a> {
-    /// By counts of what letters become.
+    /// Counts of the symbols that letters derive.
     Counted(Word<'a>),
-    /// By what is remembered of its derivation.
+    /// A remembered derivation.
     Remembered(&'a History),
 }
 
@@ -27,19 +27,18 @@ enum Reader<'a> {
 #[derive(Serialize)]
 struct Link {
     generation: u32,
-    /// With its arguments in parentheses, where there are any.
+    /// The symbol, with its arguments in parentheses, if any.
     symbol: String,
     index: String,
     production: Option<usize>,
     position: usize,
 }
 
-/// One segment and the pose that the turtle has at its end.
+/// One segment, with the turtle's heading, level and colour; the fields as in [`Playground::segment`].
 #[derive(Serialize)]
 struct Stroke {
     from: Vec<f64>,
     to: Vec<f64>,
-    /// Both ends where the page finds them at any view.
     #[serde(rename = "fittedFrom")]
     fitted_from: Vec<f64>,
     #[serde(rename = "fittedTo")]
@@ -49,7 +48,7 @@ struct Stroke {
     colour: i32,
 }
 
-/// In degrees in the plane, in space a vector.
+/// A heading: degrees in the plane, a unit vector in space.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Direction {
@@ -57,26 +56,26 @@ enum Direction {
     Vector([f64; 3]),
 }
 
-/// What a symbol has become in a later generation; numbers are decimal strings, ranges half open.
+/// The descendants of a symbol in a later generation, as half-open ranges of decimal strings.
 #[derive(Serialize)]
 struct Part {
     symbols: [String; 2],
     segments: [String; 2],
-    /// The corners of a convex outline of its segments, in the plane; in space the ends of a single one. Empty unless the
-    /// shown generation is meant.
+    /// In the plane the corners of a convex outline of the segments; in space the ends of a single segment. Empty
+    /// unless the later generation is the shown one.
     outline: Vec<Vec<f64>>,
 }
 
 /// One polygon.
 #[derive(Serialize)]
 struct Filled {
-    /// Its vertices where the page finds them at any view.
+    /// The vertices, in the units of `fittedFrom` in [`Playground::segment`].
     outline: Vec<Vec<f64>>,
     level: u32,
     colour: i32,
 }
 
-/// One of the numbers is there.
+/// The mark under the pointer: either `segment` or `polygon` is a number.
 #[derive(Serialize)]
 struct Picked {
     segment: Option<String>,
@@ -84,21 +83,22 @@ struct Picked {
     symbol: Option<String>,
 }
 
-/// A budget for one look at what is under the pointer: some milliseconds at most.
+/// The most blocks visited by one pick: some milliseconds.
 const VISITS: usize = 20_000;
 
-/// Work units for the length of a string: some ten milliseconds at most.
+/// The most units of work to count the symbols of a string: about 10 milliseconds.
 const COUNTING: u64 = 1 << 20;
 
 #[wasm_bindgen]
 impl Playground {
-    /// Forgets what reading needs: it is derived again when somebody asks.
+    /// Drops the remembered derivation. [`Playground::remember`] derives again.
     pub fn forget(&mut self) {
         self.history = None;
     }
 
-    /// Works towards what [`Playground::slice`] and others need to read generation `generation`, for about `budget`
-    /// milliseconds; whether nothing is left to do. What cannot be had after that is too long.
+    /// Derives, for about `budget` milliseconds, the history that [`Playground::slice`] and others need to read
+    /// generation `generation`. Returns whether nothing is left to do. A generation that then still cannot be read is
+    /// too long.
     pub fn remember(&mut self, generation: u32, budget: f64) -> bool {
         let end = self.clock.now() + budget;
         let Some(system) = &self.system else { return true };
@@ -131,8 +131,8 @@ impl Playground {
         self.system.as_ref().is_some_and(|system| !system.rules.is_plain())
     }
 
-    /// How many symbols a generation has, modules with arguments counted as one, as a decimal string; null where that is
-    /// not known.
+    /// The number of symbols of a generation as a decimal string; a module with arguments is one symbol. `undefined` if
+    /// the number is not known.
     #[wasm_bindgen(js_name = stringLength)]
     pub fn string_length(&self, generation: u32) -> Option<String> {
         match self.reader(generation)? {
@@ -143,14 +143,14 @@ impl Playground {
                 }
                 let mut counter = self.system.as_ref()?.symbols(generation);
                 counter.step(COUNTING);
-                // All that can be reached is told where the rest takes too long to count.
+                // If counting takes too long, the number of symbols that can be read stands for the count.
                 Some(counter.count().map_or_else(|| symbols.to_string(), ToString::to_string))
             }
             Reader::Remembered(history) => history.symbols(generation).map(|count| count.to_string()),
         }
     }
 
-    /// The symbols of a generation from position `start` on, at most `length`; null where it cannot be read.
+    /// At most `length` symbols of a generation from position `start` on; `undefined` if the generation cannot be read.
     pub fn slice(&self, generation: u32, start: u128, length: usize) -> Option<String> {
         let reader = self.reader(generation)?;
         let mut text = String::new();
@@ -172,11 +172,11 @@ impl Playground {
         Some(text)
     }
 
-    /// The chain from the axiom to the symbol at `index`: `[{generation, symbol, index, production, position}]`;
-    /// empty where there is no such symbol, or where it cannot be read.
+    /// The chain from the axiom to the symbol at `index`: `[{generation, symbol, index, production, position}]`. Empty
+    /// if there is no such symbol or the generation cannot be read.
     ///
     /// # Errors
-    /// Throws only where the result cannot be translated.
+    /// Throws only if the result cannot be translated.
     pub fn ancestry(&self, generation: u32, index: u128) -> Result<JsValue, JsValue> {
         let chain = match self.reader(generation) {
             None => vec![],
@@ -186,12 +186,12 @@ impl Playground {
         to_js(&chain.into_iter().map(|ancestor| self.link(ancestor)).collect::<Vec<_>>())
     }
 
-    /// What the symbol at `index` of `generation` has become in generation `later`: `{symbols, segments, outline}`;
-    /// null where there is no such symbol, or where it cannot be read. Segments and outline are there where `later`
-    /// is the generation that is drawn.
+    /// The descendants in generation `later` of the symbol at `index` of `generation`: `{symbols, segments, outline}`.
+    /// Null if there is no such symbol or the generation cannot be read. The outline is empty unless `later` is the
+    /// shown generation.
     ///
     /// # Errors
-    /// Throws only where the result cannot be translated.
+    /// Throws only if the result cannot be translated.
     pub fn part(&self, generation: u32, index: u128, later: u32) -> Result<JsValue, JsValue> {
         let part = self.reader(later).and_then(|reader| match reader {
             Reader::Counted(word) => word.part(generation, index),
@@ -203,13 +203,13 @@ impl Playground {
         }))
     }
 
-    /// The segment of that number: `{from, to, fittedFrom, fittedTo, heading, level, colour}`, `from` and `to` in model
-    /// units. In the plane `heading` is in degrees, and `fittedFrom` and `fittedTo` are four numbers: right of and above
-    /// the fitted centre, in fitted extents, and what is below the precision of these. In space `heading` is a vector, and
-    /// they are three, in the directions of the model. Null beyond the last.
+    /// Segment `number` (0-based): `{from, to, fittedFrom, fittedTo, heading, level, colour}`, or null after the last.
+    /// `from` and `to` are in model units; `fittedFrom` and `fittedTo` are relative to the fitted centre, in fitted
+    /// extents. In the plane these two have four numbers (right, up, and a small correction of each), and `heading` is
+    /// in degrees. In space they have three numbers, along the axes of the model, and `heading` is a unit vector.
     ///
     /// # Errors
-    /// Throws only where the result cannot be translated.
+    /// Throws only if the result cannot be translated.
     pub fn segment(&self, number: u128) -> Result<JsValue, JsValue> {
         let Views { plane, solid, .. } = &self.views;
         let in_plane = plane.drawing.as_ref().and_then(|drawing| {
@@ -227,11 +227,11 @@ impl Playground {
         to_js(&in_plane.or_else(in_space))
     }
 
-    /// The polygon of that number: `{outline, level, colour}`, its vertices as the ends in [`Playground::segment`]. Null
-    /// beyond the last.
+    /// Polygon `number` (0-based): `{outline, level, colour}`, or null after the last. The vertices are in the units of
+    /// `fittedFrom` in [`Playground::segment`].
     ///
     /// # Errors
-    /// Throws only where the result cannot be translated.
+    /// Throws only if the result cannot be translated.
     pub fn polygon(&self, number: u128) -> Result<JsValue, JsValue> {
         let Views { plane, solid, .. } = &self.views;
         let in_plane = plane.drawing.as_ref();
@@ -247,12 +247,12 @@ impl Playground {
         }))
     }
 
-    /// What is seen within `tolerance` device pixels of a place on the canvas: `{segment, polygon, symbol}` with the number of
-    /// the segment or of the polygon, the other null, and of the symbol that draws or opens it, as decimal strings; null
-    /// where there is nothing. The symbol is null where the generation cannot be read.
+    /// The mark within `tolerance` device pixels of a place on the canvas: `{segment, polygon, symbol}`, or null if
+    /// there is none. Either `segment` or `polygon` is the mark's number; `symbol` is the position of its symbol, or
+    /// null if the generation cannot be read. Numbers are decimal strings.
     ///
     /// # Errors
-    /// Throws only where the result cannot be translated.
+    /// Throws only if the result cannot be translated.
     pub fn pick(&self, x: f64, y: f64, tolerance: f64) -> Result<JsValue, JsValue> {
         let pointer = Pointer { at: [x, y], tolerance, upto: self.upto, visits: VISITS };
         let views = &self.views;
@@ -271,7 +271,7 @@ impl Playground {
         to_js(&picked)
     }
 
-    /// How many segments the symbols before `index` draw, as a decimal string; null where that is not known.
+    /// The number of segments that the symbols before `index` draw, as a decimal string; `undefined` if not known.
     #[wasm_bindgen(js_name = segmentsBefore)]
     pub fn segments_before(&self, index: u128) -> Option<String> {
         let segments = match self.reader(self.shown_iterations())? {
@@ -281,7 +281,7 @@ impl Playground {
         Some(segments.to_string())
     }
 
-    /// The number of the symbol that draws a segment, as a decimal string; null where that is not known.
+    /// The position of the symbol that draws a segment, as a decimal string; `undefined` if not known.
     #[wasm_bindgen(js_name = symbolOfSegment)]
     pub fn symbol_of_segment(&self, segment: u128) -> Option<String> {
         let symbol = match self.reader(self.shown_iterations())? {
@@ -293,7 +293,7 @@ impl Playground {
 }
 
 impl Playground {
-    /// The number of the symbol that opens a polygon.
+    /// The position of the symbol that opens a polygon.
     fn symbol_of_polygon(&self, number: u128) -> Option<String> {
         let (system, n) = (self.system.as_ref()?, self.shown_iterations());
         let Views { plane, solid, .. } = &self.views;
@@ -309,7 +309,7 @@ impl Playground {
         word.or_else(|| self.history.as_ref().map(Reader::Remembered))
     }
 
-    /// What is around these segments of the drawing.
+    /// The outline of these segments, as [`Part::outline`].
     fn outline(&self, segments: Range<u128>) -> Vec<Vec<f64>> {
         let Views { plane, solid, .. } = &self.views;
         if let Some(drawing) = &plane.drawing {

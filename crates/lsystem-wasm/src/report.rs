@@ -12,66 +12,66 @@ pub struct Problem {
     pub field: &'static str,
     /// `error` or `warning`.
     pub severity: &'static str,
-    /// What is wrong.
+    /// The problem, in a sentence.
     pub message: String,
-    /// What to do about it.
+    /// A possible remedy.
     pub hint: Option<String>,
-    /// Where it starts in the field.
+    /// The start of the place in the field.
     pub start: usize,
-    /// Where it ends.
+    /// The end of the place in the field.
     pub end: usize,
 }
 
-/// What a definition means, or what is wrong with it. Counts are exact decimal strings, null while unknown.
+/// The properties of a definition and its problems. Counts are exact decimal strings, null while unknown.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Report {
-    /// Whether the system can be used.
+    /// Whether the definition has no errors.
     pub ok: bool,
-    /// Everything there is to say about its texts and limits.
+    /// All errors and warnings, also about limits.
     pub diagnostics: Vec<Problem>,
-    /// What sort of system it is, in words.
+    /// As [`lsystem::drawing::kind`].
     pub kind: String,
-    /// Whether chance plays a part.
+    /// Whether the drawing depends on the seed.
     pub stochastic: bool,
     /// Whether the drawing leaves the plane.
     pub solid: bool,
     /// Whether the drawing shares its blocks.
     pub memoised: Option<bool>,
-    /// Symbols of the generation.
+    /// The number of symbols of the generation.
     pub symbols: Option<String>,
-    /// Segments of the drawing.
+    /// The number of segments of the drawing.
     pub segments: Option<String>,
-    /// Blocks of the drawing.
+    /// The number of blocks of the drawing.
     pub blocks: Option<usize>,
-    /// The largest number of iterations within the limits, where one was passed.
+    /// The largest number of iterations within the limits, if the drawing exceeds a limit.
     pub largest: Option<u32>,
     /// The symbols in use.
     pub legend: Vec<Legend>,
-    /// Why nothing draws.
+    /// The reason why nothing is drawn.
     pub empty: Option<String>,
-    /// The picture in words.
+    /// The picture's text alternative.
     pub description: String,
 }
 
-/// A symbol in use and what it does.
+/// A symbol in use and its actions.
 #[derive(Clone, Debug, Serialize)]
 pub struct Legend {
     /// The symbol, with the names of its parameters.
     pub symbol: String,
-    /// What it does, in words.
+    /// The turtle's actions, in words.
     pub actions: String,
-    /// Whether a production replaces it.
+    /// Whether a production replaces the symbol.
     pub rewritten: bool,
 }
 
-/// What a plain function throws.
+/// The value that a plain function throws.
 #[derive(Serialize)]
 pub(crate) struct Failure {
     pub(crate) diagnostics: Vec<Problem>,
 }
 
-/// What `definition` means, and what there is to say about it.
-pub(crate) fn understood(definition: &Definition) -> (Option<System>, Vec<Problem>) {
+/// Compiles `definition`; all problems in words.
+pub(crate) fn compile(definition: &Definition) -> (Option<System>, Vec<Problem>) {
     let (system, diagnostics) = System::new(definition);
     (system, problems(&diagnostics, definition, ""))
 }

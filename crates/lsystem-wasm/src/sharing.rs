@@ -1,4 +1,4 @@
-//! A picture in space that several workers make together: who makes which pane of it, here and at the mates.
+//! The distribution of a picture's panes among this worker and its mates.
 
 use core::sync::atomic::{AtomicU32, Ordering};
 use lsystem::render::{Pane, Spent};
@@ -6,48 +6,49 @@ use lsystem::render::{Pane, Spent};
 /// The number of the newest round of panes.
 static ROUNDS: AtomicU32 = AtomicU32::new(0);
 
-/// When there is nothing else to do, mates are waited for so long without any news, in milliseconds.
+/// The milliseconds to wait for an answer from mates when there is nothing else to do.
 const PATIENCE: f64 = 150.0;
 
-/// Panes that are to be made in one round, each by whoever is free.
+/// The panes of one round. Each is made by this worker or by a mate.
 #[derive(Default)]
 pub(crate) struct Sharing {
-    /// Which round: what is made in another is of no use any more.
+    /// The number of the round. Panes of other rounds are useless.
     pub(crate) round: u32,
     panes: Vec<Pane>,
-    /// By pane: the work that it took the last time.
+    /// By pane: the units of work in the previous round.
     work: Vec<f64>,
-    /// Those that nobody makes yet, the next one last.
+    /// The panes that nobody has begun, the next one last.
     open: Vec<usize>,
-    /// Those that mates make, in the order in which they were handed out.
+    /// The panes in the making, here or at mates, in the order in which they were handed out.
     out: Vec<usize>,
-    /// The one that is made here.
+    /// The pane in the making here.
     own: Option<usize>,
-    /// Since when there is nothing to do but to wait.
+    /// The time, in milliseconds, at which waiting began.
     waiting: Option<f64>,
-    /// Whether mates are not waited for any more.
-    alone: bool,
+    /// Whether mates have taken too long and are no longer waited for.
+    mates_are_late: bool,
     spent: Spent,
 }
 
-/// What is to be done here.
+/// The next action of this worker.
 #[derive(Debug, PartialEq)]
-pub(crate) enum Turn {
+pub(crate) enum NextAction {
     /// Begin this pane.
     Begin(Pane),
-    /// Go on with the one that was begun.
-    GoOn,
+    /// Continue the pane that was begun.
+    Continue,
     /// Wait for mates.
     Wait,
-    /// Nothing: all panes are there.
+    /// Nothing: all panes are complete.
     Done,
 }
 
 impl Sharing {
-    /// Starts a round: what took most the last time is made first, and what is in the middle where nothing is known.
+    /// Starts a round. The panes with the most work in the previous round come first; without a previous round, those
+    /// in the middle of the picture.
     pub(crate) fn start(&mut self, panes: Vec<Pane>) {
         let count = panes.len();
-        // 0, 4, 1, 3, 2 for five.
+        // For five panes: 0, 4, 1, 3, 2.
         let mut open: Vec<usize> = (0..count).map(|at| if at % 2 == 0 { at / 2 } else { count - 1 - at / 2 }).collect();
         let mut work = core::mem::take(&mut self.work);
         if panes != self.panes {
@@ -65,13 +66,13 @@ impl Sharing {
         *self = Self { round, panes, work, open, ..Self::default() };
     }
 
-    /// The same panes once more.
+    /// Starts another round with the same panes.
     pub(crate) fn start_again(&mut self) {
         self.start(self.panes.clone());
     }
 
-    /// The next pane for a mate, if nobody makes it yet. One that is not begun at once is only handed out while there
-    /// are more than `kept`.
+    /// The next pane for a mate, with its number, if more than `kept` panes are open. A pane that a busy mate would
+    /// queue is better kept for the first free worker.
     pub(crate) fn hand_out(&mut self, kept: usize) -> Option<(usize, Pane)> {
         if self.open.len() <= kept {
             return None;
@@ -81,7 +82,7 @@ impl Sharing {
         Some((number, self.panes[number]))
     }
 
-    /// A mate has made a pane. Whether it was wanted.
+    /// Records a finished pane. Returns whether the pane was still in the making.
     pub(crate) fn take_in(&mut self, number: usize, spent: Spent) -> bool {
         let Some(at) = self.out.iter().position(|&out| out == number) else { return false };
         self.out.remove(at);
@@ -94,40 +95,40 @@ impl Sharing {
         true
     }
 
-    /// What to do here, at a time in milliseconds. What mates do not answer is made here as well when they have been
-    /// waited for, what they were handed last first.
-    pub(crate) fn turn(&mut self, now: f64) -> Turn {
+    /// The next action here, at a time in milliseconds. If mates do not answer in time, their panes are made here, the
+    /// last handed out first.
+    pub(crate) fn next_action(&mut self, now: f64) -> NextAction {
         if self.own.is_some() {
-            return Turn::GoOn;
+            return NextAction::Continue;
         }
         let next = self.open.pop();
         if let Some(number) = next {
             self.out.push(number);
         }
-        let Some(&last) = self.out.last() else { return Turn::Done };
+        let Some(&last) = self.out.last() else { return NextAction::Done };
         if next.is_none() {
-            self.alone |= now - *self.waiting.get_or_insert(now) > PATIENCE;
-            if !self.alone {
-                return Turn::Wait;
+            self.mates_are_late |= now - *self.waiting.get_or_insert(now) > PATIENCE;
+            if !self.mates_are_late {
+                return NextAction::Wait;
             }
         }
         self.own = Some(last);
-        Turn::Begin(self.panes[last])
+        NextAction::Begin(self.panes[last])
     }
 
-    /// Whether there is nothing to do but to wait.
+    /// Whether there is nothing to do but wait for mates.
     pub(crate) fn is_waiting(&self) -> bool {
         self.waiting.is_some() && self.own.is_none()
     }
 
-    /// The pane that is made here is there; which one that is.
+    /// Records that the pane in the making here is finished, and returns the pane.
     pub(crate) fn finish(&mut self, spent: Spent) -> Option<Pane> {
         let number = self.own?;
         self.take_in(number, spent);
         Some(self.panes[number])
     }
 
-    /// What all panes have taken that are there.
+    /// The work of all finished panes.
     pub(crate) fn spent(&self) -> Spent {
         self.spent
     }
@@ -146,23 +147,23 @@ mod tests {
         sharing
     }
 
-    fn number(turn: &Turn) -> u32 {
-        match turn {
-            Turn::Begin(pane) => pane.y / 32,
+    fn number(action: &NextAction) -> u32 {
+        match action {
+            NextAction::Begin(pane) => pane.y / 32,
             other => panic!("{other:?}"),
         }
     }
 
-    /// Makes all panes here, with so much work each; in which order.
+    /// Makes all panes here, with this work for each pane. Returns the order.
     fn make(sharing: &mut Sharing, work: [f64; 5]) -> Vec<u32> {
         let mut made = vec![];
-        while let turn @ Turn::Begin(_) = sharing.turn(0.0) {
-            made.push(number(&turn));
-            assert_eq!(sharing.turn(0.0), Turn::GoOn);
-            let spent = Spent { work: work[number(&turn) as usize], poor: made.len() == 3 };
+        while let action @ NextAction::Begin(_) = sharing.next_action(0.0) {
+            made.push(number(&action));
+            assert_eq!(sharing.next_action(0.0), NextAction::Continue);
+            let spent = Spent { work: work[number(&action) as usize], poor: made.len() == 3 };
             sharing.finish(spent);
         }
-        assert_eq!(sharing.turn(0.0), Turn::Done);
+        assert_eq!(sharing.next_action(0.0), NextAction::Done);
         made
     }
 
@@ -181,13 +182,13 @@ mod tests {
     fn mates_make_what_they_are_handed() {
         let mut sharing = sharing();
         let handed: Vec<usize> = core::iter::from_fn(|| Some(sharing.hand_out(2)?.0)).collect();
-        assert_eq!(handed, [2, 3, 1], "some are kept for who is free first");
+        assert_eq!(handed, [2, 3, 1], "two panes are kept");
         let rest: Vec<usize> = core::iter::from_fn(|| Some(sharing.hand_out(0)?.0)).collect();
         for number in handed.into_iter().chain(rest) {
             assert!(sharing.take_in(number, Spent::default()));
             assert!(!sharing.take_in(number, Spent::default()), "twice");
         }
-        assert_eq!(sharing.turn(0.0), Turn::Done);
+        assert_eq!(sharing.next_action(0.0), NextAction::Done);
         assert!(!sharing.take_in(77, Spent::default()));
     }
 
@@ -196,23 +197,23 @@ mod tests {
         let mut sharing = sharing();
         let [lost, slow, late] = [0; 3].map(|_| sharing.hand_out(0).unwrap().0);
         for _ in 0..2 {
-            assert!(matches!(sharing.turn(0.0), Turn::Begin(_)));
+            assert!(matches!(sharing.next_action(0.0), NextAction::Begin(_)));
             sharing.finish(Spent::default());
         }
-        assert_eq!(sharing.turn(10.0), Turn::Wait);
+        assert_eq!(sharing.next_action(10.0), NextAction::Wait);
         assert!(sharing.is_waiting());
         assert!(sharing.take_in(late, Spent::default()));
         assert!(!sharing.is_waiting());
-        assert_eq!(sharing.turn(100.0), Turn::Wait);
-        assert_eq!(sharing.turn(240.0), Turn::Wait, "there were news");
-        assert_eq!(number(&sharing.turn(260.0)) as usize, slow);
+        assert_eq!(sharing.next_action(100.0), NextAction::Wait);
+        assert_eq!(sharing.next_action(240.0), NextAction::Wait, "an answer restarts the waiting time");
+        assert_eq!(number(&sharing.next_action(260.0)) as usize, slow);
         assert!(!sharing.is_waiting());
-        // It answers after all, while the pane is made here.
+        // The slow mate answers while the pane is made here.
         assert!(sharing.take_in(slow, Spent::default()));
-        assert_eq!(number(&sharing.turn(270.0)) as usize, lost, "nobody waits twice");
+        assert_eq!(number(&sharing.next_action(270.0)) as usize, lost, "late mates are not waited for again");
         assert_eq!(sharing.finish(Spent::default()).map(|pane| pane.y as usize / 32), Some(lost));
         assert!(!sharing.take_in(lost, Spent::default()), "too late");
-        assert_eq!(sharing.turn(280.0), Turn::Done);
+        assert_eq!(sharing.next_action(280.0), NextAction::Done);
     }
 
     #[test]
@@ -224,7 +225,7 @@ mod tests {
         assert!(before < other.round && other.round < sharing.round);
         assert_eq!(sharing.open.len(), 5);
         sharing.start(vec![]);
-        assert_eq!(sharing.turn(0.0), Turn::Done);
+        assert_eq!(sharing.next_action(0.0), NextAction::Done);
         assert_eq!(sharing.hand_out(0), None);
     }
 }

@@ -1,38 +1,38 @@
-//! Drawings in space: built in steps, shown coarse at once and finer while nothing changes.
+//! The viewer of drawings in space. A coarse picture comes first, finer ones follow while the scene stays the same.
 
 use crate::budget::{LIMITS, affordable, halved};
 use crate::clock::Clock;
 use crate::playground::Playground;
 use crate::report::Report;
-use crate::sharing::{Sharing, Turn};
+use crate::sharing::{NextAction, Sharing};
 use crate::surface::Surface;
-use crate::viewer::{Drawn, NOTHING, Scene, Snapshot, Viewer, WORK, describe_drawing, go_on};
+use crate::viewer::{Drawn, NOTHING, Scene, Snapshot, Viewer, WORK, describe_drawing, step_drawer};
 use lsystem::derive::Counter;
 use lsystem::render::{Effort, Pane, Quality, Spent, solid_scale};
 use lsystem::{Camera, Diagnostic, Drawer, Drawing, Limits, Progress, Solid, SolidRenderer, System, Viewport};
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
-/// What a picture is to take while things move, in milliseconds.
+/// The wanted time of a moving picture, in milliseconds.
 const TARGET: f64 = 7.5;
-/// One that takes longer than this is finished with less effort.
+/// A moving picture that takes longer than this, in milliseconds, is finished with less effort.
 const HURRY: f64 = 9.0;
-/// With two pictures in a row that take longer than this until they are shown, those that follow have half the pixels
-/// in each direction: then they show more in the time.
+/// After two moving pictures in a row that take longer than this, in milliseconds, with the time to show them, the next
+/// ones have half the width and height. Fewer pixels leave time for more detail.
 const HALVE: f64 = 10.5;
-/// By how many steps they are finer otherwise.
+/// The number of steps by which the quality of such half-size pictures rises.
 const FINER: i32 = 3;
-/// A picture of half the pixels, with all there is to see, that takes no longer than this will come in time whole.
+/// If a half-size picture with all detail takes no longer than this, in milliseconds, the next picture has full size.
 const WHOLE: f64 = 0.25 * TARGET;
-/// Between the first picture and the finest there is one that comes soon.
+/// The quality of the picture between the first and the finest.
 const MIDDLE: Quality = Quality(12);
-/// The first picture of a drawing of which nothing is known.
+/// The quality of the first picture of a drawing whose cost is unknown.
 const UNKNOWN: Quality = Quality(4);
-/// Of a drawing with more than so many times the segments of the former nothing is known.
+/// The cost of a drawing is unknown if it has at least about this many times the segments of the previous one.
 const LIKE: u128 = 8;
-/// A picture that takes longer than so many milliseconds is one that mates would help with.
+/// A picture that takes longer than this, in milliseconds, would profit from mates.
 const SLOW: f64 = 30.0;
-/// Work units between two looks at the clock while things move.
+/// The units of work between two checks of the clock for a moving picture.
 const MOVING_WORK: usize = WORK / 4;
 
 /// A drawing in space and its picture.
@@ -43,22 +43,27 @@ pub(crate) struct SolidView {
     renderer: SolidRenderer,
     pub(crate) camera: Camera,
     scene: Option<Scene>,
-    /// Of the picture that is being made.
+    /// The quality of the picture in the making.
     quality: Quality,
+    /// The size of the picture in the making.
     viewport: Viewport,
-    /// Whether that is one of those that are shown while things move.
+    /// Whether the picture in the making is a moving picture: the first one of a new scene, which must be fast.
     moving: bool,
-    /// Of pictures that come in time while things move.
+    /// The quality at which moving pictures are in time.
     pace: Quality,
-    /// Whether those have half the pixels, and how many before have come late.
+    /// Whether moving pictures have half the width and height.
     half: bool,
-    late: u8,
-    /// What the picture has taken, in milliseconds, and when it is told to hurry.
+    /// The number of moving pictures in a row that were too slow.
+    late_pictures: u8,
+    /// The milliseconds spent on the picture in the making.
     spent: f64,
+    /// The value of `spent` at which the effort is reduced next.
     hurried: f64,
-    /// Whether it is made together with mates, which panes, and how much they may show.
+    /// Whether mates help with the picture in the making.
     shared: bool,
+    /// The panes of the shared picture.
     sharing: Sharing,
+    /// The effort of the shared picture.
     effort: Effort,
     /// Whether the finest picture is shown.
     done: bool,
@@ -77,7 +82,7 @@ impl Default for SolidView {
             moving: false,
             pace: UNKNOWN,
             half: false,
-            late: 0,
+            late_pictures: 0,
             hurried: 0.0,
             spent: 0.0,
             shared: false,
@@ -98,9 +103,9 @@ impl Viewer for SolidView {
     }
 
     fn build(&mut self) -> Option<Result<(), Diagnostic>> {
-        Some(go_on(&mut self.drawer)?.map(|drawing| {
+        Some(step_drawer(&mut self.drawer)?.map(|drawing| {
             self.renderer.load(drawing.clone());
-            // What grows, or has another angle, takes about as long as before.
+            // A drawing that grows or changes an angle takes about as long as the previous one.
             let known = self.drawing.as_ref().map_or(0, |former| former.segment_count());
             if drawing.segment_count() / LIKE > known {
                 self.pace = self.pace.min(UNKNOWN);
@@ -128,7 +133,7 @@ impl Viewer for SolidView {
         self.refine(self.pace);
     }
 
-    /// A finer picture is begun when one is shown.
+    /// After a picture is shown, the next finer one begins.
     fn paint(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
         if self.shared {
             return self.paint_shared(clock, surface);
@@ -197,18 +202,18 @@ impl Viewer for SolidView {
     }
 }
 
-/// The bytes that a picture of the first segments alone takes, beside what all of them take.
+/// The bytes of the second scene, for the first segments alone, if the picture does not show all segments.
 fn part_bytes(drawing: &Drawing<Solid>, scene: &Scene) -> u64 {
     if scene.upto.is_some() { SolidRenderer::scene_bytes(drawing) } else { 0 }
 }
 
-/// A picture for a file, made pane by pane; once more, with a larger budget, where that was too small.
+/// A picture for a file, made pane by pane. If the budget was too small, the panes are made again with a larger one.
 struct SolidSnapshot {
     renderer: SolidRenderer,
     scene: Scene,
     camera: Camera,
     panes: Vec<Pane>,
-    /// The pane that is being made.
+    /// The index of the pane in the making.
     at: usize,
     effort: Effort,
     spent: Spent,
@@ -248,34 +253,35 @@ impl Snapshot for SolidSnapshot {
 }
 
 impl SolidView {
-    /// The panes that mates may help with, if the picture is made together with them, and its budget.
+    /// The panes of the shared picture and its budget; `None` if the picture is not shared.
     pub(crate) fn sharing(&mut self) -> Option<(&mut Sharing, f32)> {
         self.shared.then_some((&mut self.sharing, self.effort.budget()))
     }
 
-    /// Starts a pane of the finest picture for others, with the budget that they tell.
+    /// On a mate: starts a pane of the finest picture, with this budget.
     pub(crate) fn begin_pane(&mut self, scene: Scene, pane: Pane, budget: f32) {
         self.renderer.play(scene.upto);
         let scene = self.within_room(scene);
         self.renderer.begin_pane(&scene.style, scene.viewport, &self.camera, pane, budget);
     }
 
-    /// Goes on with it; what it has taken, when it is there.
+    /// On a mate: continues the pane. Returns the effort spent when the pane is complete.
     pub(crate) fn step_pane(&mut self) -> Option<Spent> {
         (self.renderer.step(WORK) == Progress::Done).then(|| self.renderer.effort_spent())
     }
 
-    /// Its pixels.
+    /// On a mate: the pixels of the pane, RGBA.
     pub(crate) fn pane_pixels(&self) -> &[u8] {
         self.renderer.pixels()
     }
 
-    /// With as many pixels as there is room for.
+    /// The scene with as many pixels as fit the memory budget.
     fn within_room(&self, scene: Scene) -> Scene {
         let drawing = self.drawing.as_ref().map_or(0, |drawing| drawing.bytes() + part_bytes(drawing, &scene));
         Scene { viewport: affordable(scene.viewport, drawing, SolidRenderer::most_bytes), ..scene }
     }
 
+    /// Starts a picture of this quality.
     fn refine(&mut self, quality: Quality) {
         let Some(scene) = &self.scene else { return };
         (self.done, self.shared) = (false, false);
@@ -285,24 +291,24 @@ impl SolidView {
         self.renderer.begin(&scene.style, self.viewport, &self.camera, quality);
     }
 
-    /// Goes on with a picture that is made together with mates.
+    /// Continues a picture that is shared with mates.
     fn paint_shared(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
         let (Some(drawing), Some(scene)) = (&self.drawing, &self.scene) else { return Ok(None) };
         let viewport = self.viewport;
-        match self.sharing.turn(clock.now()) {
-            Turn::Begin(pane) => {
+        match self.sharing.next_action(clock.now()) {
+            NextAction::Begin(pane) => {
                 self.renderer.begin_pane(&scene.style, viewport, &self.camera, pane, self.effort.budget());
             }
-            Turn::GoOn => {
+            NextAction::Continue => {
                 if self.renderer.step(WORK) == Progress::Done
                     && let Some(pane) = self.sharing.finish(self.renderer.effort_spent())
                 {
                     surface.put(self.renderer.pixels(), viewport, pane)?;
                 }
             }
-            Turn::Wait => {}
-            Turn::Done if self.effort.is_too_small(self.sharing.spent()) => self.sharing.start_again(),
-            Turn::Done => {
+            NextAction::Wait => {}
+            NextAction::Done if self.effort.is_too_small(self.sharing.spent()) => self.sharing.start_again(),
+            NextAction::Done => {
                 (self.done, self.shared) = (true, false);
                 let scale = solid_scale(drawing, scene.screen, &self.camera);
                 return Ok(Some(Drawn { complete: true, scale, moving: false, rough: false, slow: true }));
@@ -311,24 +317,26 @@ impl SolidView {
         Ok(None)
     }
 
-    /// Chooses how fine the next picture is while things move, after one that took so many milliseconds to show.
+    /// Chooses the quality and size of the next moving picture, after one that took `shown` milliseconds to put on the
+    /// canvas.
     fn keep_pace(&mut self, shown: f64) {
         let finest = self.pace == Quality::MOVING;
-        self.pace = self.pace.paced(steps(self.spent));
+        self.pace = self.pace.paced(quality_steps(self.spent));
         if self.half {
             self.half = !finest || self.spent > WHOLE;
             return;
         }
-        self.late = if self.spent + shown > HALVE { self.late + 1 } else { 0 };
-        if self.late > 1 {
-            (self.half, self.late) = (true, 0);
+        self.late_pictures = if self.spent + shown > HALVE { self.late_pictures + 1 } else { 0 };
+        if self.late_pictures > 1 {
+            (self.half, self.late_pictures) = (true, 0);
             self.pace = self.pace.paced(FINER);
         }
     }
 }
 
-/// By how many steps the next picture is to be finer than one that took so many milliseconds. Two are twice the effort.
-fn steps(spent: f64) -> i32 {
+/// The number of quality steps from a picture that took `spent` milliseconds to the next one. Two steps double the
+/// effort.
+fn quality_steps(spent: f64) -> i32 {
     let ratio = TARGET / spent.max(0.01);
     match ratio {
         ..0.25 => -4,
@@ -342,8 +350,8 @@ fn steps(spent: f64) -> i32 {
 
 #[wasm_bindgen]
 impl Playground {
-    /// Says from where a drawing in space is looked at: angles in degrees, the target in fitted extents from the fitted
-    /// centre; as [`lsystem::Camera`].
+    /// Sets the camera of drawings in space, as [`lsystem::Camera`]: angles in degrees, the target relative to the
+    /// fitted centre, in fitted extents.
     #[expect(clippy::too_many_arguments, reason = "an object would have to be read field by field")]
     pub fn camera(
         &mut self,

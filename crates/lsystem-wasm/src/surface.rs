@@ -1,4 +1,4 @@
-//! Where pixels meet the browser.
+//! The canvas that shows pixels.
 
 use lsystem::Viewport;
 use lsystem::render::Pane;
@@ -17,15 +17,15 @@ impl Surface {
         Ok(Self { canvas, context: context.dyn_into()? })
     }
 
-    /// Shows a picture of opaque RGBA pixels, and makes the canvas its size.
+    /// Shows a picture of opaque RGBA pixels, and sets the canvas to its size.
     pub(crate) fn show(&self, pixels: &[u8], viewport: Viewport) -> Result<(), JsValue> {
         self.put(pixels, viewport, Pane::whole(viewport))
     }
 
-    /// Shows a pane of a picture, and makes the canvas the picture's size.
+    /// Shows a pane of a picture, and sets the canvas to the picture's size.
     pub(crate) fn put(&self, pixels: &[u8], viewport: Viewport, pane: Pane) -> Result<(), JsValue> {
         let Viewport { width, height, .. } = viewport;
-        // Setting a size clears the canvas even where it is the same.
+        // Setting a size clears the canvas, even an equal size.
         if (self.canvas.width(), self.canvas.height()) != (width, height) {
             self.canvas.set_width(width);
             self.canvas.set_height(height);

@@ -1,4 +1,4 @@
-//! What shows a drawing: there is one viewer for the plane and one for space.
+//! The interface of a drawing's viewer: there is one viewer for the plane and one for space.
 
 use crate::clock::Clock;
 use crate::plane::PlaneView;
@@ -13,100 +13,103 @@ use serde::Serialize;
 use std::sync::Arc;
 use wasm_bindgen::JsValue;
 
-/// Work units between two looks at the clock: well under a millisecond each.
+/// The units of work between two checks of the clock: well under a millisecond.
 pub(crate) const WORK: usize = 16_384;
 
-/// What a picture is to show.
+/// The settings of a picture.
 #[derive(Clone, PartialEq)]
 pub(crate) struct Scene {
     pub(crate) style: Style,
-    /// The picture as it is painted, and as it is shown.
+    /// The size of the painted picture; smaller than `screen` if memory does not suffice.
     pub(crate) viewport: Viewport,
+    /// The size of the canvas on the page.
     pub(crate) screen: Viewport,
-    /// Of a drawing in the plane; one in space is seen from its viewer's camera.
+    /// The view of a drawing in the plane; in space the viewer has a camera.
     pub(crate) view: View,
-    /// How many segments; all of them without it.
+    /// The number of segments shown; `None` for all.
     pub(crate) upto: Option<u128>,
-    /// How many mates may help with it, in space.
+    /// The number of mates that may help with a picture in space.
     pub(crate) mates: u32,
 }
 
-/// What is on the canvas.
+/// The picture on the canvas.
 #[derive(Serialize)]
 pub(crate) struct Drawn {
-    /// Whether nothing finer follows.
+    /// Whether no finer picture follows.
     pub(crate) complete: bool,
     /// Device pixels per fitted extent at zoom 1.
     pub(crate) scale: f64,
-    /// Whether things move, so that the next picture is more likely to be of something else than a finer one.
+    /// Whether the picture is the first one of a new scene in space, made fast because the view is probably moving.
     pub(crate) moving: bool,
-    /// Whether not every line is in its place, for good, because that would take too long.
+    /// Whether the picture is complete but not exact, because an exact one would take too long.
     pub(crate) rough: bool,
-    /// Whether it is in space and took so long that mates would help.
+    /// Whether the picture is in space and took so long that mates would help.
     pub(crate) slow: bool,
 }
 
 /// Builds a drawing and makes its pictures, both in steps.
 pub(crate) trait Viewer {
-    /// Starts building the drawing of a generation; the former one is shown until it is there.
+    /// Starts building the drawing of a generation. The previous drawing stays until the new one is complete.
     fn start(&mut self, system: &System, n: u32, limits: Limits);
 
-    /// Gives up the drawing that is being built.
+    /// Cancels the drawing that is being built.
     fn stop(&mut self);
 
-    /// Goes on building; nothing while there is more to do.
+    /// Continues building. Returns `None` while there is more to do.
     fn build(&mut self) -> Option<Result<(), Diagnostic>>;
 
-    /// Shows nothing any more.
+    /// Drops the shown drawing.
     fn forget(&mut self);
 
-    /// Completes a report with what the drawing tells; its segments are exactly as `counted`, once that is known.
+    /// Adds the properties of the drawing to a report. `counted` counts the segments exactly.
     fn describe(&self, report: &mut Report, system: &System, n: u32, counted: Option<&Counter>);
 
-    /// Starts a picture; one that is under way is given up.
+    /// Starts a picture and cancels the picture in the making.
     fn begin(&mut self, scene: Scene);
 
-    /// Goes on with the picture; what is on the canvas after that, if anything new is.
+    /// Continues the picture. Returns the picture on the canvas if it is new.
     fn paint(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue>;
 
-    /// Whether nothing finer than what is on the canvas follows.
+    /// Whether the finest picture is on the canvas.
     fn is_done(&self) -> bool;
 
-    /// Whether a picture has been shown and a finer one of the same is being made, so that there is no hurry.
+    /// Whether a coarse picture is on the canvas and a finer one is in the making, so that there is no hurry.
     fn is_refining(&self) -> bool {
         false
     }
 
-    /// Starts the whole picture for another canvas, or tells why it cannot be made.
+    /// Starts a picture for another canvas, or returns the reason why it cannot be made.
     fn snapshot(&self, scene: Scene) -> Result<Box<dyn Snapshot>, &'static str>;
 }
 
-/// Why there is no picture.
+/// The reason why a canvas has no picture to save.
 pub(crate) const NOTHING: &str = "nothing has been drawn yet";
 
-/// A picture for a file, made band by band to save memory, and in steps, so that the worker answers the page meanwhile.
-/// The first band is begun already.
+/// A picture for a file. It is made band by band to save memory, and in steps so that the worker can answer the page. A
+/// new snapshot has begun its first band.
 pub(crate) trait Snapshot {
-    /// Begins the next band; false where there is none.
+    /// Begins the next band. Returns false if there is none.
     fn next(&mut self) -> bool;
 
-    /// Goes on with the band.
+    /// Continues the band.
     fn step(&mut self) -> Progress;
 
-    /// The pixels of the band, RGBA, the size of the picture, and where the band is in it; `None` where the band has only
-    /// been looked at.
+    /// The pixels of the band (RGBA), the size of the picture, and the place of the band. `None` if this pass over the
+    /// band only measures.
     fn band(&self) -> Option<(&[u8], Viewport, Pane)>;
 }
 
-/// Goes on with the drawing that is being built; it itself when it is there, or what went wrong.
-pub(crate) fn go_on<S: Space>(drawer: &mut Option<Box<Drawer<S>>>) -> Option<Result<Arc<Drawing<S>>, Diagnostic>> {
+/// Continues the drawing that is being built. Returns the drawing or an error at the end.
+pub(crate) fn step_drawer<S: Space>(
+    drawer: &mut Option<Box<Drawer<S>>>,
+) -> Option<Result<Arc<Drawing<S>>, Diagnostic>> {
     if drawer.as_mut()?.step(WORK as u64) == Progress::More {
         return None;
     }
     Some(drawer.take()?.finish().map(Arc::new))
 }
 
-/// Where a drawing is.
+/// The space of a drawing.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Realm {
     Plane,
@@ -114,13 +117,13 @@ pub(crate) enum Realm {
 }
 
 impl Realm {
-    /// Where a system draws.
+    /// The space in which a system draws.
     pub(crate) fn of(system: &System) -> Self {
         if system.is_solid() { Self::Space } else { Self::Plane }
     }
 }
 
-/// The viewers there are.
+/// The viewers of both spaces.
 #[derive(Default)]
 pub(crate) struct Views {
     pub(crate) plane: PlaneView,
@@ -128,7 +131,7 @@ pub(crate) struct Views {
 }
 
 impl Views {
-    /// For small pictures, within [`SMALL`](crate::budget::SMALL).
+    /// Viewers of small pictures, within [`SMALL`](crate::budget::SMALL).
     pub(crate) fn small() -> Self {
         Self { plane: PlaneView::small(), solid: SolidView::default() }
     }
@@ -148,7 +151,7 @@ impl Views {
     }
 }
 
-/// Completes a report with what a drawing tells; `bounds` are those of its picture.
+/// Adds the properties of a drawing to a report; `bounds` as for [`describe`].
 pub(crate) fn describe_drawing<S: Space>(
     report: &mut Report,
     system: &System,
@@ -157,7 +160,7 @@ pub(crate) fn describe_drawing<S: Space>(
     bounds: Option<[f64; 4]>,
     counted: Option<&Counter>,
 ) {
-    // Where counts depend on chance the drawing is unfolded, and its count is exact.
+    // If the count depends on chance, the drawing is unfolded and has an exact count.
     let exact = || Some(drawing.segment_count()).filter(|&count| count < u128::MAX).map(Tally::from);
     let segments = counted.and_then(Counter::count).cloned().or_else(exact);
     if let Some(symbols) = drawing.symbol_count() {

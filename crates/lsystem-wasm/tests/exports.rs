@@ -35,7 +35,7 @@ fn expands_as_published() {
 fn draws_segments_with_colour_and_level() {
     let drawn = draw(object(r#"{"axiom": "f+[f]-f", "dialect": "lowercase", "angle": 90}"#), 0).unwrap();
     let points: Float32Array = drawn.segments;
-    // Up; then left, in a branch, in red; then, after `-`, up again in green.
+    // One segment up; one to the left in a branch, in red; one up again after `-`, in green.
     let expected = [0.0, 0.0, 0.0, 1.0, 0.0, 1.0, -1.0, 1.0, 0.0, 1.0, 0.0, 2.0];
     assert_eq!(points.to_vec(), expected);
     assert_eq!(drawn.colours.to_vec(), [0, 1, 2]);
@@ -97,7 +97,7 @@ fn course_files_are_read() {
     assert!(get(&read_file(b"{").unwrap(), "definition").is_null());
 }
 
-/// Works until there is nothing more to do; the last report.
+/// Works until the playground is idle. Returns the last report.
 fn settled(playground: &mut Playground) -> JsValue {
     let mut last = JsValue::NULL;
     for _ in 0..2000 {
@@ -110,7 +110,7 @@ fn settled(playground: &mut Playground) -> JsValue {
             return last;
         }
     }
-    panic!("the playground did not come to rest");
+    panic!("the playground is not idle after 2000 steps");
 }
 
 #[wasm_bindgen_test]
@@ -144,7 +144,7 @@ fn a_playground_draws_and_reads_in_place() {
     // The tip of the plant is the highest point of the fitted picture.
     let tip: Array = get(&last, "fittedTo").unchecked_into();
     assert!((tip.get(1).as_f64().unwrap() - 0.5).abs() < 1e-9);
-    // The stem goes up the picture; to its right, below the first leaves, is nothing.
+    // The stem goes up the picture. To its right, below the first leaves, the picture is empty.
     assert!(!playground.pick(32.0, 60.0, 6.0).unwrap().is_null());
     assert!(playground.pick(1.0, 63.0, 2.0).unwrap().is_null());
 
@@ -210,7 +210,7 @@ fn pictures_carry_their_system() {
 fn qr_codes_grow_with_the_text_to_a_limit() {
     let side = |text: &str| qr_code(text).map(|modules| modules.len().isqrt());
     let code = qr_code("https://example.org/#v=1&axiom=F").unwrap();
-    // Version 2 holds it, 25 modules a side; the finder pattern's ring and its gap are where they must be.
+    // Version 2 has room, with 25 modules a side. The first two rows show the finder pattern's ring and its gap.
     assert_eq!(code.len(), 25 * 25);
     assert_eq!(code[..9], [1, 1, 1, 1, 1, 1, 1, 0, code[8]]);
     assert_eq!(code[25..33], [1, 0, 0, 0, 0, 0, 1, 0]);
@@ -220,7 +220,7 @@ fn qr_codes_grow_with_the_text_to_a_limit() {
     assert_eq!(side(&"x".repeat(1_000_000)), None);
 }
 
-/// Two playgrounds with the same state: one shows the picture, the other makes what it is handed.
+/// Two playgrounds with the same state: one shows the picture, the other makes the panes that it is handed.
 #[wasm_bindgen_test]
 fn a_mate_makes_panes_of_the_picture() {
     let tree = r#"{"axiom": "T", "rules": "T -> TF\nF -> F[+F][-FF][<F][>FF][&F]", "dialect": "practical", "angle": 40, "iterations": 8}"#;

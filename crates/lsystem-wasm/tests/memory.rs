@@ -1,4 +1,4 @@
-//! What one instance takes at most, whatever it shows and makes beside: an instance of its own.
+//! The memory limit of one instance, under the largest load. This file runs in an instance of its own.
 #![cfg(target_family = "wasm")]
 
 use js_sys::{JSON, Reflect};
@@ -9,14 +9,14 @@ use web_sys::OffscreenCanvas;
 
 wasm_bindgen_test_configure!(run_in_dedicated_worker);
 
-/// What the page promises.
+/// The most bytes of an instance, as ARCHITECTURE.md states.
 const MOST: usize = 256 << 20;
 
 fn is(value: &JsValue, key: &str) -> bool {
     Reflect::get(value, &key.into()).unwrap().is_truthy()
 }
 
-/// Works until there is nothing more to do.
+/// Works until the playground is idle.
 fn settle(playground: &mut Playground) {
     while !is(&playground.step(50.0).unwrap(), "idle") {}
 }
@@ -27,7 +27,8 @@ fn playground(make: fn(OffscreenCanvas) -> Result<Playground, JsValue>, width: u
     playground
 }
 
-/// Draws the largest of these systems that is not refused, whose axiom has `refused` letters or fewer; how many.
+/// Draws the largest system that is within the limits, with an axiom of at most `refused` letters. Returns the number
+/// of letters.
 fn largest(playground: &mut Playground, turn: char, refused: usize) -> usize {
     for count in (1..=refused).rev() {
         let (axiom, first, second) = ("F".repeat(count), format!("F{turn}F"), format!("F[{turn}F]"));
@@ -51,6 +52,7 @@ fn largest(playground: &mut Playground, turn: char, refused: usize) -> usize {
     0
 }
 
+/// Checks the memory taken so far.
 fn within(what: &str) {
     let bytes = core::arch::wasm32::memory_size(0) << 16;
     wasm_bindgen_test::console_log!("{what}: {} MiB", bytes >> 20);
@@ -58,7 +60,7 @@ fn within(what: &str) {
 }
 
 #[wasm_bindgen_test]
-fn the_largest_drawings_stay_within_what_is_promised() {
+fn the_largest_drawings_stay_within_the_limit() {
     for (turn, refused, place) in [('+', 24, "in the plane"), ('&', 6, "in space")] {
         let mut shown = playground(Playground::new, 1920, 1080);
         let count = largest(&mut shown, turn, refused);

@@ -1,5 +1,5 @@
-//! Equal input gives equal bits natively and in the browser: this file runs on both, and both must give the digests
-//! in `same_bits.txt`. `UPDATE_EXPECT=1 cargo test -p lsystem-wasm --test same_bits` writes them anew.
+//! Equal input gives equal bits natively and in the browser: this file runs on both, and both must give the digests in
+//! `same_bits.txt`. `UPDATE_EXPECT=1 cargo test -p lsystem-wasm --test same_bits` updates the digests.
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -13,13 +13,13 @@ use lsystem::files::SvgForm;
 use lsystem::render::{Detail, Quality};
 use lsystem::syntax::Ink;
 use lsystem::{
-    Camera, Definition, Limits, Mesh, Progress, Renderer, SegmentArrays, SolidRenderer, SvgOptions, System, View,
-    Viewport, draw, draw_solid, expand, read_json, write_csv, write_glb, write_obj, write_svg,
+    Camera, Definition, Limits, Mesh, Progress, Renderer, SegmentArrays, SolidRenderer, Style, SvgOptions, System,
+    View, Viewport, draw, draw_solid, expand, read_json, write_csv, write_glb, write_obj, write_svg,
 };
 use std::fmt::Write as _;
 use std::sync::Arc;
 
-/// Files of the gallery that use every kind of arithmetic there is, with the generation to look at.
+/// Files of the gallery that together use every kind of arithmetic, with the generation to draw.
 const CORPUS: [(&str, &str, u32); 12] = [
     ("abop/1.24b", include_str!("../../../data_in/abop/1.24b.json"), 6),
     ("abop/1.24c", include_str!("../../../data_in/abop/1.24c.json"), 5),
@@ -37,7 +37,7 @@ const CORPUS: [(&str, &str, u32); 12] = [
 
 const EXPECTED: &str = include_str!("same_bits.txt");
 
-/// Files that leave the plane: memoised, level by `$`, with a tropism.
+/// Files that leave the plane: with shared blocks, with `$`, with a tropism.
 const SOLID: [(&str, &str, u32); 6] = [
     ("abop/1.19", include_str!("../../../data_in/abop/1.19.json"), 3),
     ("abop/1.25", include_str!("../../../data_in/abop/1.25.json"), 6),
@@ -53,7 +53,7 @@ const SOLID: [(&str, &str, u32); 6] = [
 
 const EXPECTED_SOLID: &str = include_str!("same_bits_solid.txt");
 
-/// Files in which ink adds up: in one ink, in several, and haze where there is too much to draw.
+/// Files with additive ink: in one colour, in several, and with haze in place of too much detail.
 const DENSITY: [(&str, &str, f64); 4] = [
     ("garden/levy-lace", include_str!("../../../data_in/garden/levy-lace.json"), 1.0),
     ("garden/levy-tapestry", include_str!("../../../data_in/garden/levy-tapestry.json"), 7.3),
@@ -183,7 +183,7 @@ fn compiled(definition: &Definition) -> System {
     System::new(definition).0.unwrap()
 }
 
-/// FNV-1a (Fowler, Noll and Vo): enough to tell any two results apart that were not made to collide.
+/// The hash FNV-1a (Fowler, Noll and Vo): different results collide only by intent.
 struct Digest(u64);
 
 impl Digest {

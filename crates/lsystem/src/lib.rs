@@ -1,18 +1,20 @@
-//! L-systems: grammar, derivation, turtle and drawing. This is the front door: here stands what nearly everybody needs,
-//! and everything in the modules, one for each phase of the way from text to picture.
+//! L-systems: grammar, derivation, turtle and drawing. The most used items are at the top level; each module has all
+//! items of one phase on the way from text to picture.
 //!
-//! A [`Definition`] is a system as a person wrote it, or as [`read_file`] found it; [`System::new`] takes it and tells
-//! what is wrong with it as [`Diagnostic`]s, which [`render_diagnostic`] shows in the text. From a [`System`] one gets
+//! A [`Definition`] is a system as text, typed or read by [`read_file`]. [`System::new`] checks and compiles it; errors
+//! and warnings are [`Diagnostic`]s, which [`render_diagnostic`] shows in the text. A [`System`] has
 //!
-//! - its string: [`expand`], any stretch of one that is too long for that by a [`Word`](derive::Word), and its length, however large,
-//!   by [`count_symbols`];
-//! - its [`Drawing`] in the plane or in [space](Solid): [`draw`] and [`draw_solid`], or in steps a [`Drawer`];
-//! - from a drawing pixels ([`Renderer`], [`SolidRenderer`]), files ([`write_svg`], [`write_csv`], and
-//!   [`write_obj`] and [`write_glb`] of its [`Mesh`]), its segments, and what lies at a point ([`pick`]).
+//! - a string for each generation: [`expand`]; for a string that is too long for memory, a [`Word`](derive::Word) reads
+//!   parts and [`count_symbols`] gives the length;
+//! - a [`Drawing`] in the plane or in [space](Solid): [`draw`] and [`draw_solid`], or a [`Drawer`] in steps.
 //!
-//! A drawing is a graph of shared [`Block`](drawing::Block)s, one for all parts that look the same up to a turn: without chance and
-//! context the hundredth generation is as small as the tenth. Whatever has to be unfolded, or could take too much memory,
-//! ends at one of the [`Limits`] with a diagnostic. The same system and seed give the same bits everywhere.
+//! A drawing has pixels ([`Renderer`], [`SolidRenderer`]), files ([`write_svg`], [`write_csv`],
+//! and [`write_obj`] and [`write_glb`] of its [`Mesh`]), segments, and a mark at each point ([`pick`]).
+//!
+//! A drawing is a graph of shared [`Block`](drawing::Block)s, one for all parts that are equal up to a rotation:
+//! without chance and contexts, the hundredth generation takes about as much memory as the tenth. Other drawings are
+//! unfolded symbol by symbol; a diagnostic names the exceeded limit of [`Limits`]. Equal systems and seeds give equal
+//! bits on all machines.
 //!
 //! ```
 //! use lsystem::{Definition, Limits, Progress, Renderer, Style, SvgOptions, System, View, Viewport};
@@ -34,14 +36,14 @@
 //! assert_eq!(renderer.pixels().len(), 320 * 100 * 4);
 //! ```
 
-// Everything, by phase.
+// All items, by phase.
 pub use lsystem_derive as derive;
 pub use lsystem_drawing as drawing;
 pub use lsystem_files as files;
 pub use lsystem_render as render;
 pub use lsystem_syntax as syntax;
 
-// What nearly everybody needs.
+// The most used items.
 pub use lsystem_drawing::{
     Drawer, Drawing, Mesh, SegmentArrays, Solid, System, count_segments, count_symbols, draw, draw_solid, expand,
 };
@@ -49,7 +51,7 @@ pub use lsystem_files::{SvgOptions, read_file, read_json, write_csv, write_glb, 
 pub use lsystem_render::{Camera, Renderer, SolidRenderer, View, Viewport, fit, pick};
 pub use lsystem_syntax::{Definition, Diagnostic, Dialect, Limits, Progress, Style, render_diagnostic};
 
-/// The README's Rust code is tested with the rest.
+/// Tests the Rust code in the README.
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
 struct Readme;

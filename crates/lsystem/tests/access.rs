@@ -1,4 +1,4 @@
-//! Pages, ancestors and segments of derivations against the plain reading of the definition.
+//! Pages, ancestors and segments of derivations, compared with the naive reference.
 
 mod cases;
 mod naive;
@@ -12,7 +12,7 @@ use naive::Module;
 use naive::systems::{Features, system};
 use proptest::prelude::*;
 
-/// What reads generations in place.
+/// A source of pages of generations.
 trait Reader {
     fn symbols(&self, generation: u32) -> Option<u128>;
     fn modules(&self, generation: u32, start: u128, length: usize) -> Vec<(char, Vec<f64>)>;
@@ -22,7 +22,7 @@ trait Reader {
     fn symbol_of_segment(&self, segment: u128) -> Option<u128>;
 }
 
-/// By the letters' counts, up to a generation.
+/// Reading by counts of letters, up to a generation.
 struct Counted<'a>(&'a System, u32);
 
 impl Counted<'_> {
@@ -55,7 +55,7 @@ impl Reader for Counted<'_> {
     }
 }
 
-/// By what is remembered, up to a generation.
+/// Reading a remembered derivation, up to a generation.
 struct Remembered(History, u32);
 
 impl Reader for Remembered {
@@ -82,7 +82,7 @@ impl Reader for Remembered {
     }
 }
 
-/// The chain from the axiom to a module, by the plain words.
+/// The chain from the axiom to a module, from the words of the naive reference.
 fn ancestry(words: &[Vec<Module>], mut index: usize) -> Vec<Ancestor> {
     let mut chain = vec![];
     for (generation, word) in words.iter().enumerate().rev() {
@@ -109,7 +109,7 @@ fn check(reader: &dyn Reader, words: &[Vec<Module>], drawn: &[usize], place: usi
             continue;
         }
         prop_assert_eq!(reader.ancestry(generation as u32, start as u128), ancestry(&words[..=generation], start));
-        // What comes of it: a run of modules in every later generation.
+        // The descendants are consecutive modules in every later generation.
         let part = reader.part(generation as u32, start as u128).unwrap();
         let mut own = vec![start];
         for later in &words[generation + 1..] {
@@ -169,7 +169,7 @@ proptest! {
     }
 }
 
-/// A word with polygons, which may reach over several productions.
+/// A word with polygons, which may extend over several productions.
 fn leafy(reaching: bool) -> impl Strategy<Value = String> {
     let mut parts = vec![
         "F",
@@ -207,7 +207,7 @@ proptest! {
         let words = words.map(|word| if parametric { word } else { word.replace("P(2)", "B") });
         let [axiom, a, b, f] = words;
         let mut rules = if chance { format!("A -> {a} : 1\nA -> {b} : 2") } else { format!("A -> {a}\nB -> {b}") };
-        // Where `F` stays, modules with parameters share their blocks, too.
+        // If `F` has no production, modules with parameters share blocks, too.
         rules += &if kept { String::new() } else { format!("\nF -> {f}F") };
         if parametric {
             rules += "\nP(x) : x > 0 -> {f+F(x)-F}P(x-1)";
@@ -220,7 +220,7 @@ proptest! {
         let system = system.unwrap_or_else(|| panic!("{definition:?}: {problems:?}"));
         prop_assume!((0..=n).all(|n| naive::modules(&system.grammar, 0, n).is_some_and(|word| word.len() < 900)));
         let expected = naive::solid_polygons(&system, n);
-        // What has no area but by rounding may be a polygon or not.
+        // A polygon whose area is only a rounding error may be missing.
         let reach = expected.iter().flat_map(|p| p.0.iter().flatten()).fold(1.0_f64, |r, c| r.max(c.abs()));
         let steps = |outline: &[[f64; 3]]| {
             outline.windows(2).map(|p| (0..3).map(|i| (p[0][i] - p[1][i]).abs()).fold(0.0, f64::max)).fold(f64::INFINITY, f64::min)
@@ -260,7 +260,7 @@ proptest! {
 
 #[test]
 fn random_arguments_are_those_of_their_step() {
-    // No rule is chosen, so that counts tell where to read.
+    // Without a choice of productions, counts give the place of reading.
     let system = read("A(0)A(1)", "A(x) -> B(x + random(0, 1))A(random(x, 9))\nB(x) -> B(x*2)A(x)");
     for n in 0..7 {
         let word = system.word(n).unwrap();
@@ -271,14 +271,14 @@ fn random_arguments_are_those_of_their_step() {
 
 #[test]
 fn polygons_of_a_generation_without_end() {
-    // Each apex leaves a leaf of moves alone on either side; those that are no polygons count for nothing.
+    // Each apex leaves a leaf of moves on either side. Leaves that are no polygons do not count.
     let system = read("X", "X -> F[+X{.f-f-f.}]{}{f}F[-X]{.+f+f+f.}X\nF -> FF");
     let n = 60;
     let drawing = draw(&system, n, &Limits::default()).unwrap();
     let word = system.word(n).unwrap();
     assert!(drawing.is_memoised());
     let count = drawing.polygon_count();
-    // Beside a stem of more than 2^53 steps a leaf is a point, which counts for nothing either.
+    // Compared with a stem of more than 2^53 steps, a leaf is a point and does not count.
     let all = 3_u128.pow(n) - 1;
     assert!(count < all && count > all - all / 1_000_000, "{count}");
     let mut last = None;
@@ -296,7 +296,7 @@ fn polygons_of_a_generation_without_end() {
 
 #[test]
 fn polygons_of_a_long_word() {
-    // Its block has blocks of its parts.
+    // The block of this long word contains blocks of its parts.
     let axiom = "A[{F+F+F}]F-".repeat(400);
     for rules in ["A -> FA{f-f-f}", "A -> FP(2){f-f-f}\nP(x) : x > 0 -> {.f.-f.-f.}P(x-1)F(x)"] {
         let system = read(&axiom, rules);
@@ -310,7 +310,7 @@ fn polygons_of_a_long_word() {
 
 #[test]
 fn leaves_of_modules_with_parameters_are_shared() {
-    // ABOP, figure 2.6a, with a leaf at every apex's foot.
+    // ABOP, figure 2.6a, with a leaf at the foot of every apex.
     let system = read(
         "A(1)",
         "A(l) -> F(l)[+B(l*0.6){.f(l).+f(l).+f(l).}]A(l*0.9)\nB(l) -> F(l)[-{.f(l).-f(l).-f(l).}][-B(l*0.9)]A(l*0.6)",
@@ -369,7 +369,7 @@ fn signals_are_traced_through_all_generations() {
     for link in &chain {
         assert!(history.part(link.generation, link.index, 30).unwrap().symbols.contains(&5_000));
     }
-    // Generations that would be too long end it; those before can be read.
+    // The derivation ends before a generation that is too long. Earlier generations can be read.
     let limits = Limits { modules: 1_000, ..Limits::default() };
     let mut short = signals.history(30, &limits).unwrap();
     while short.step(100) == Progress::More {}

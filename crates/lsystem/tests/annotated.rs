@@ -1,17 +1,17 @@
-//! Texts with what is said about them, as files that anyone can add to: `tests/data/notation` and
-//! `tests/data/json`.
+//! Texts with their diagnostics, as files to which anyone can add cases: `tests/data/notation` and `tests/data/json`.
 //!
-//! A case starts with `=== ` and a title. Without sections its lines are rules, read beside the axiom `F`. With the
-//! sections `--- axiom`, `--- rules` and `--- overrides` they make a whole system in the dialect `abop`; a section
-//! `--- file` is read as a JSON file. Below a line stand the diagnostics that point at it:
+//! A case starts with `=== ` and a title. Without sections, its lines are rules, read with the axiom `F`. The sections
+//! `--- axiom`, `--- rules` and `--- overrides` form a system in the dialect `abop`; a section `--- file` is a JSON
+//! file. Below a line stand the diagnostics that point at it:
 //!
 //! ```text
 //! F = FF
 //!   ^ error EqualsForArrow: For a production write `F -> FF`.
 //! ```
 //!
-//! carets under the characters, `|` where something is missing, `@` where no place applies; then severity, kind and
-//! hint. `UPDATE_EXPECT=1 cargo test -p lsystem --test annotated` writes them: look at the difference.
+//! Carets mark the characters, `|` a place where text is missing, `@` a diagnostic without a place. Then follow
+//! severity, kind and hint. `UPDATE_EXPECT=1 cargo test -p lsystem --test annotated` updates the files; check the
+//! difference.
 
 use expect_test::expect_file;
 use lsystem::syntax::{Field, Severity, parse};
@@ -51,7 +51,7 @@ fn files() -> Vec<PathBuf> {
     files
 }
 
-/// The case with its diagnostics as they are now, and how many of them are errors.
+/// The case with its present diagnostics, and the number of errors.
 fn annotate(body: &str) -> (String, usize) {
     let mut sections: Vec<(&str, String)> = vec![("", String::new())];
     for line in body.split_inclusive('\n').filter(|line| !is_annotation(line)) {

@@ -1,4 +1,4 @@
-//! Compact SVG pictures: what they show, how large they are, what they cost.
+//! Compact SVG pictures: contents, size and cost.
 
 use lsystem::files::{Svg, SvgForm};
 use lsystem::syntax::{ColourBy, Kind, LimitName, Tint};
@@ -39,7 +39,7 @@ struct Stroke {
     width: f64,
 }
 
-/// Rotation in degrees and translation, y down.
+/// A rotation in degrees and a translation, with y down.
 #[derive(Clone, Copy)]
 struct Transform {
     degrees: f64,
@@ -104,7 +104,7 @@ impl<'a> Reader<'a> {
                 continue;
             }
             assert!(line.starts_with("<path"), "{line}");
-            // Polygons are no strokes.
+            // Polygons have no strokes.
             if attribute(line, "stroke") == Some("none") {
                 continue;
             }
@@ -126,8 +126,8 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     libm::hypot(a[0] - b[0], a[1] - b[1])
 }
 
-/// Checks that the compact strokes cover the segments of the drawing in their order: a stroke may stand for several
-/// that go on straight ahead.
+/// Checks that the compact strokes cover the segments of the drawing in order. A stroke may stand for several segments
+/// on a line.
 fn check_covers(definition: &Definition, size: f64) {
     let drawing = drawing(definition);
     let svg = compact(definition, size);
@@ -161,7 +161,7 @@ fn check_covers(definition: &Definition, size: f64) {
 
 #[test]
 fn the_same_strokes_as_the_drawing() {
-    // So large that no block is under a pixel.
+    // In a picture so large that every block is larger than a pixel.
     for n in 0..=5 {
         let mut definition = plant(n);
         if n == 0 {
@@ -193,7 +193,7 @@ fn the_gallery_is_covered() {
         definition.name = file.display().to_string();
         definition.iterations = definition.iterations.min(5);
         let drawing = drawing(&definition);
-        // Colours along the path share nothing, and such files are flat.
+        // With colours along the path no blocks can be shared, so the file is flat.
         let shares = drawing.is_memoised() && definition.style.colour_by != ColourBy::Path;
         if shares && drawing.bounds().is_some() && drawing.segment_count() < 50_000 {
             check_covers(&definition, 100_000.0);
@@ -210,7 +210,7 @@ fn small_at_any_n() {
         assert!(svg.text.len() < 10_000, "n = {n}: {} bytes", svg.text.len());
         assert!(!svg.text.contains("NaN") && !svg.text.contains("inf"));
     }
-    // A style that changes with every level has as many variants of a block as levels.
+    // With a style that changes with every level, a block has as many variants as levels.
     let mut styled = plant(12);
     styled.rules = "X -> F-[[X]+X]+F['!+FX]-X\nF -> FF".into();
     styled.style.width = 1.0;
@@ -225,7 +225,7 @@ fn copies_are_counted() {
         assert_eq!(svg.instances, Reader::read(&svg.text).uses, "{n}");
         assert_eq!(svg.warning(), None);
     }
-    // Blocks under a pixel bound them.
+    // Blocks smaller than a pixel are not divided, which limits the number of copies.
     let [forty, more] = [40, 400].map(|n| compact(&plant(n), 1024.0));
     assert!(forty.instances.abs_diff(more.instances) <= forty.instances / 100);
     assert!((10_000..100_000).contains(&forty.instances) && forty.warning().is_none());
@@ -265,7 +265,7 @@ fn limits_and_odd_drawings() {
     let over = Kind::Limit { limit: LimitName::Segments, value: 9, largest: None };
     assert_eq!(write_svg(&drawing, &plant(12).style, &options).unwrap_err().kind, over);
 
-    // Nothing, a point, a line of 2^1000 steps, one letter in another a thousand times.
+    // An empty drawing, a point, a line of 2^1000 steps, and a thousand nested letters.
     for (axiom, rules, overrides, n) in [
         ("X", "", "", 3),
         ("F", "", "F: draw 0", 0),

@@ -1,8 +1,8 @@
-//! Which modules a context matches, as files that anyone can add to: `tests/data/context`.
+//! The modules that a context matches, as files to which anyone can add cases: `tests/data/context`.
 //!
-//! A case starts with `=== ` and a title. Then come `ignore:` or `consider:` lines if there are any, what stands before
-//! a production's arrow, and words. Carets on the line below a word mark the modules that match; a word without carets
-//! has none. The core and a plain reading of the definition must both agree with the carets.
+//! A case starts with `=== ` and a title. Then follow `ignore:` or `consider:` lines, if any, the part of a production
+//! before its arrow, and words. Carets below a word mark the modules that match; a word without carets has none. The
+//! core and the naive reference must both agree with the carets.
 
 mod naive;
 
@@ -26,7 +26,7 @@ fn contexts_match_where_the_carets_are() {
     assert!(words >= 60, "{words} words");
 }
 
-/// Checks the words of a case; how many there are.
+/// Checks the words of a case. Returns their number.
 fn check(title: &str, body: &str) -> usize {
     let mut lines = body.lines().filter(|line| !line.is_empty()).peekable();
     let mut rules = String::new();
@@ -34,7 +34,7 @@ fn check(title: &str, body: &str) -> usize {
         rules.push_str(list);
         rules.push('\n');
     }
-    // No other module becomes this one.
+    // Only this production makes the symbol ✓.
     rules.push_str(&format!("{} -> ✓", lines.next().unwrap()));
     let mut words = 0;
     while let Some(word) = lines.next() {
@@ -50,7 +50,7 @@ fn check(title: &str, body: &str) -> usize {
     words
 }
 
-/// Where each module's symbol stands.
+/// The place of each module's symbol in the text.
 fn columns(word: &str) -> Vec<usize> {
     let mut depth = 0;
     let mut columns = Vec::new();
@@ -66,7 +66,7 @@ fn columns(word: &str) -> Vec<usize> {
     columns
 }
 
-/// By module: whether the core finds that the production applies, and whether the plain reading does.
+/// By module: whether the production applies, by the core and by the naive reference.
 fn matches(rules: &str, word: &str) -> (Vec<bool>, Vec<bool>) {
     let (grammar, diagnostics) = parse(word, rules);
     assert!(!diagnostics.iter().any(lsystem::Diagnostic::is_error), "{rules}: {diagnostics:?}");
@@ -75,7 +75,7 @@ fn matches(rules: &str, word: &str) -> (Vec<bool>, Vec<bool>) {
         lsystem::Definition { axiom: word.to_owned(), rules: rules.to_owned(), ..lsystem::Definition::default() };
     let rules = System::new(&definition).0.unwrap().rules;
     let mut rewriter = Rewriter::new(rules, 0, Limits::default()).unwrap();
-    // In small steps, so that their ends fall everywhere.
+    // Small steps, so that steps end at every module.
     while !rewriter.step(1).unwrap() {}
     let symbol = |letter: &u16| rewriter.rules().letters[usize::from(*letter)].symbol;
     (rewriter.word().letters.iter().map(|letter| symbol(letter) == '✓').collect(), plain)

@@ -1,10 +1,10 @@
-//! The course's files as students have them: comments, trailing commas, keys nobody reads, keys that are missing.
+//! Files of the course as students have them: with comments, trailing commas, unknown keys and missing keys.
 
 use expect_test::{Expect, expect};
 use lsystem::{Definition, Dialect, Style, System, read_json, render_diagnostic};
 use std::path::Path;
 
-/// What is read from the file, and what is said about it.
+/// The definition read from a file, and its diagnostics.
 fn check(name: &str, expected: &Expect) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/course").join(name);
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));

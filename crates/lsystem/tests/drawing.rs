@@ -1,4 +1,4 @@
-//! Drawings against the naive reference.
+//! Drawings in the plane, compared with the naive reference.
 
 mod cases;
 mod naive;
@@ -20,7 +20,7 @@ fn modules(text: &str) -> Vec<Module> {
     text.chars().map(Module::from).collect()
 }
 
-/// A system of productions `predecessor -> successor : weight`, weights above 1 standing for none.
+/// A system of productions `predecessor -> successor : weight`. A weight above 1 stands for no weight.
 fn system(axiom: &str, rules: &[(char, &str, f64)], angle: f64) -> System {
     let production = |&(predecessor, successor, weight): &(char, &str, f64)| {
         let production = Production::new(predecessor, modules(successor));
@@ -48,7 +48,7 @@ fn system(axiom: &str, rules: &[(char, &str, f64)], angle: f64) -> System {
     System { grammar, rules, turtle, style: Style::default(), seed: 7 }
 }
 
-/// Without weights.
+/// A system of productions without weights.
 fn plain(axiom: &str, rules: &[(char, &str)], angle: f64) -> System {
     let rules: Vec<_> = rules.iter().map(|&(p, s)| (p, s, f64::INFINITY)).collect();
     system(axiom, &rules, angle)
@@ -62,7 +62,7 @@ fn near(a: [f64; 2], b: [f64; 2], tolerance: f64) -> bool {
     (a[0] - b[0]).abs() <= tolerance && (a[1] - b[1]).abs() <= tolerance
 }
 
-/// The drawing says what the naive turtle says, to 1e-9 of the extent.
+/// Checks that the drawing equals that of the naive turtle, to 1e-9 of the extent.
 fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
     let drawing = draw(system, n, &Limits::default()).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
     let expected = naive::segments(system, n);
@@ -76,7 +76,7 @@ fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
     let bounds = naive::bounds(&expected);
     prop_assert_eq!(drawing.bounds().is_some(), bounds.is_some());
     let Some(bounds) = bounds else { return Ok(drawing) };
-    // Coordinates include the start, which costs its own rounding.
+    // Coordinates include the start, which adds a rounding error.
     let tolerance = 1e-9 * (bounds[2] - bounds[0]).max(bounds[3] - bounds[1]) + 1e-13;
     for (side, expected) in drawing.bounds().unwrap().into_iter().zip(bounds) {
         prop_assert!((side - expected).abs() <= tolerance, "{:?} {:?}", drawing.bounds(), bounds);
@@ -93,7 +93,7 @@ fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
     Ok(drawing)
 }
 
-/// Reading from any place on, and finding what is at a point, agree with reading from the start.
+/// Checks that reading from any segment on, and picking, agree with reading from the start.
 fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseError> {
     for start in [0, 1, segments.len() / 3, segments.len() - 1, segments.len(), segments.len() + 9] {
         let from: Vec<Segment> = drawing.segments_from(start as u128).take(3).collect();
@@ -112,7 +112,7 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
         }
     }
     let shown = fit(drawing);
-    // With a negative step it is negative, too.
+    // With a negative step, width and height are negative.
     let side = if shown.width.abs() > shown.height.abs() { shown.width } else { shown.height };
     if !side.is_normal() {
         return Ok(());
@@ -132,11 +132,12 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
         let outline: Vec<[f64; 2]> =
             fitted_outline(drawing, first as u128..last as u128).into_iter().map(model).collect();
         prop_assert_eq!(outline.is_empty(), ends.is_empty());
-        // Convex, around all ends, and no larger than the box around them, but for hulls of very many corners.
+        // The outline is convex and contains all ends. It is within the box around them, unless its hull has very many
+        // corners.
         for (corner, &from) in outline.iter().enumerate().filter(|_| outline.len() > 2) {
             let to = outline[(corner + 1) % outline.len()];
             let length = distance(from, &Segment { from: to, to, ..segments[0] });
-            // Corners that only rounding tells apart have no side between them.
+            // Corners that differ only by rounding have no side between them.
             if length <= tolerance {
                 continue;
             }
@@ -155,11 +156,11 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
     }
     let viewport = Viewport { width: 1000, height: 800, ratio: 1.0 };
     let fitted = fitted_scale(drawing, viewport);
-    // Beside strokes of a great width all axes may lie within a tiny part of a pixel, where no pointer tells them apart.
+    // With very wide strokes, all axes may lie within a tiny part of a pixel, where a pointer cannot separate them.
     if fitted < 1e-3 {
         return Ok(());
     }
-    // Device pixels in a model unit.
+    // One model unit in device pixels.
     let scale = fitted / extent;
     let number = |pick: Pick| match pick.target {
         Target::Segment(number) => number as usize,
@@ -206,7 +207,7 @@ fn distance(point: [f64; 2], segment: &Segment) -> f64 {
     (away[0] - t.clamp(0.0, 1.0) * along[0]).hypot(away[1] - t.clamp(0.0, 1.0) * along[1])
 }
 
-/// The arrays hold the same, to 1e-6 of the extent; whole or by chunks.
+/// Checks that the arrays, whole and in chunks, have the same segments, to 1e-6 of the extent.
 fn check_arrays(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseError> {
     let mut arrays = SegmentArrays { ends: vec![1.0; 6], colours: vec![2; 9], levels: vec![3] };
     prop_assert!(drawing.write_segments(segments.len() as u64, &mut arrays).is_ok());
@@ -215,7 +216,7 @@ fn check_arrays(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
         [4 * segments.len(), segments.len(), segments.len()]
     );
     let [x0, y0, x1, y1] = drawing.bounds().unwrap();
-    // The start lies off the origin, and single precision feels that.
+    // The start is away from the origin, which costs precision in `f32`.
     let tolerance = 1e-6 * (x1 - x0).max(y1 - y0).max(x0.abs()).max(y1.abs());
     for (index, (ends, segment)) in arrays.ends.chunks(4).zip(segments).enumerate() {
         let [a, b, c, d] = [0, 1, 2, 3].map(|i| f64::from(ends[i]));
@@ -258,14 +259,14 @@ fn known_curves() {
 
 #[test]
 fn pieces_say_how_they_leave_the_turtle() {
-    // Half of a dragon turns by a right angle in every step; X alone draws nothing in one.
+    // Half of a dragon turns by a right angle in every step. X alone draws nothing in one step.
     let system = plain("FX", &DRAGON, 90.0);
     let drawing = drawn(&system, 8);
     let id = |symbol| system.rules.letter(symbol, 0).unwrap();
     let piece = drawing.piece(id('X'), 1).unwrap();
     let block = drawing.piece(id('Y'), 1).unwrap().block;
     assert!(piece.block.is_some() && block.is_some() && piece.block != block);
-    // X+YF+ ends one step to the left, turned round.
+    // X+YF+ ends one step to the left, with the opposite heading.
     assert_eq!(piece.effect.heading, Heading::HALF);
     let [x, y] = piece.effect.at.map(|c| libm::scalbn(c, piece.effect.exponent));
     assert_eq!((x, y), (0.0, 1.0));
@@ -280,7 +281,7 @@ fn large_drawings_stay_exact() {
         ("X", &PLANT[..], 22.5, 8),
         ("FX", &DRAGON[..], 90.0, 18),
         ("F-G-G", &SIERPINSKI[..], 120.0, 11),
-        // Many headings: more than the turned copies that are kept.
+        // More headings than the number of rotated copies in the cache.
         ("A", &[('A', "F[+F'A]+A")][..], 7.3, 14),
     ] {
         check(&plain(axiom, rules, angle), n).unwrap();
@@ -292,7 +293,7 @@ fn any_segment_of_a_drawing_without_end() {
     let drawing = drawn(&plain("F", &KOCH, 90.0), 50);
     let count = drawing.segment_count();
     assert_eq!(count, 5_u128.pow(50));
-    // The curve ends where it would without its bumps, 3^50 steps along the axis it started on.
+    // The curve ends 3^50 steps along its first axis, as it would without its bumps.
     let last: Vec<Segment> = drawing.segments_from(count - 2).collect();
     assert_eq!(last.len(), 2);
     let [x0, y0, x1, y1] = drawing.bounds().unwrap();
@@ -401,7 +402,7 @@ fn a_system_without_a_step_length() {
     check(&system, 4).unwrap();
 }
 
-/// A word balanced in branches.
+/// A word with balanced branches.
 fn balanced() -> impl Strategy<Value = String> {
     let letter = "[FGXYLPMZfg+|!#',;-]{0,4}";
     letter.prop_recursive(3, 12, 3, |inner| {
@@ -417,7 +418,7 @@ fn angle() -> impl Strategy<Value = f64> {
     prop_oneof![Just(90.0), Just(60.0), Just(25.7), Just(0.0), -360.0..360.0]
 }
 
-/// The most iterations that keep the naive way quick.
+/// The most iterations for which the naive reference is fast.
 fn affordable(system: &System, most: u32) -> u32 {
     (0..=most)
         .take_while(|&n| naive::modules(&system.grammar, system.seed, n).is_some_and(|word| word.len() < 3000))
@@ -496,11 +497,11 @@ fn no_step_takes_long() {
         let steps = (0..).take_while(|_| drawer.step(1000) == Progress::More).count();
         (drawer.finish().is_err(), steps)
     };
-    // Beyond a limit all is derived once more, to find the largest n: 127,000 modules twice.
+    // After a limit is exceeded, a second derivation finds the largest n: 127,000 modules twice.
     let limits = Limits { segments: 100_000, modules: 128_000, ..Limits::default() };
     let (failed, beyond) = steps("F < F -> FF", limits);
     assert!(failed && (300..1000).contains(&beyond), "{beyond}");
-    // Productions that do not apply have to be looked at, too.
+    // Testing productions that do not apply is work, too.
     let limits = Limits { work: 10_000_000, ..Limits::default() };
     let (failed, many) = steps(&"FG < F -> FF\n".repeat(1000), limits);
     assert!(failed && many > 200, "{failed} {many}");

@@ -1,4 +1,4 @@
-//! Drawings as files.
+//! Export files of drawings.
 
 use expect_test::{Expect, expect};
 use lsystem::drawing::{Outlook, Projection};
@@ -191,7 +191,7 @@ fn beyond_floating_point() {
     assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
 }
 
-/// The file written in the smallest steps, taken away after each.
+/// The file, written in the smallest steps and taken after each step.
 fn in_steps(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Svg {
     let mut writer = SvgWriter::new(drawing, style, options).unwrap();
     let (mut text, mut progress) = (String::new(), Progress::More);
@@ -237,7 +237,7 @@ fn files_do_not_depend_on_the_size_of_steps() {
     assert!(compact > 20 && solid > 5, "{compact} {solid}");
 }
 
-/// Many symbols are planned more than once, and what is too much is refused before anything is written.
+/// Some symbols are planned more than once, and a picture that is too large is refused before the first byte.
 #[test]
 fn compact_files_do_not_depend_on_the_size_of_steps() {
     let bush = Definition { angle: 25.0, ..definition("F", "F -> FF-[-F+F+F]+[+F-F-F]") };

@@ -1,4 +1,4 @@
-//! Every file of `data_in` is fit for the gallery.
+//! The files of `data_in`: every system is read without warnings, and can be drawn and picked.
 
 use lsystem::render::{
     Pointer, camera_axes, fitted_ends, fitted_polygon, fitted_scale, fitted_solid_ends, pick_solid, solid_scale,
@@ -7,10 +7,10 @@ use lsystem::{Camera, Limits, System, View, Viewport, draw, draw_solid, pick, re
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// Systems that are there for their strings.
+/// Systems without a drawing, for their strings.
 const DRAWS_NOTHING: [&str; 2] = ["LRI (prose rule only)", "README S->SS"];
 
-/// Folder, file name and text of every file.
+/// The folder, the name and the text of every file.
 fn files() -> Vec<(String, String, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data_in");
     let list = |path: &Path| std::fs::read_dir(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
@@ -59,7 +59,7 @@ fn files_survive_being_written() {
     }
 }
 
-/// Whatever the magnification, what is under a pointer is found with as much work as the page allows.
+/// At every magnification, a pick succeeds within the page's budget.
 #[test]
 fn everything_is_picked_within_a_budget() {
     let viewport = Viewport { width: 1280, height: 800, ratio: 1.0 };
@@ -89,7 +89,7 @@ fn everything_is_picked_within_a_budget() {
             for zoom in [1.0, 30.0, 1e3, 1e6, 1e9] {
                 for k in 0..20 {
                     let ends = fitted_ends(&drawing, drawing.segment_count() / 20 * k + k);
-                    // Nobody looks so closely that a segment is as long as a hundred screens.
+                    // Magnifications at which a segment is longer than a hundred screens are useless.
                     let long = |[from, to]: &[[f64; 4]; 2]| {
                         let [x, y] = [0, 1].map(|i| to[i] - from[i] + (to[i + 2] - from[i + 2]));
                         fitted_scale(&drawing, viewport) * zoom * x.abs().max(y.abs()) > 1e5

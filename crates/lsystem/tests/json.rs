@@ -1,4 +1,4 @@
-//! JSON files: what is written reads back as the same, and no text panics.
+//! JSON files: written files read back as the same, and no text causes a panic.
 
 mod cases;
 
@@ -33,7 +33,7 @@ fn style() -> impl Strategy<Value = Style> {
     prop_oneof![2 => Just(Style::course()), 1 => Just(Style::default()), 1 => any_style]
 }
 
-/// Texts that mean something, and texts that do not.
+/// Texts with a meaning in some field, and other texts.
 fn rules() -> impl Strategy<Value = String> {
     prop_oneof!["([FGX] -> [FGX+\\-\\[\\]]{0,6}( : 0\\.[1-9])?\n){0,4}[FX] -> F", "\\PC*", ".*"]
 }

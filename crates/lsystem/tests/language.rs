@@ -1,4 +1,4 @@
-//! Derivation with contexts, parameters and chance against the plain reading of the definition.
+//! Derivation with contexts, parameters and chance, compared with the naive reference.
 
 mod cases;
 mod naive;
@@ -9,7 +9,7 @@ use lsystem::{Limits, System};
 use naive::systems::{Features, system};
 use proptest::prelude::*;
 
-/// The core derives what the plain reading does, generation by generation, until the words get long.
+/// Checks that the core derives the same generations as the naive reference, until the words get long.
 fn check(system: &System, piece: usize) -> Result<(), TestCaseError> {
     let plain = |n: u32| naive::modules(&system.grammar, system.seed, n);
     let mut rewriter = match Rewriter::new(system.rules.clone(), system.seed, Limits::default()) {

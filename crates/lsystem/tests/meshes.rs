@@ -1,4 +1,4 @@
-//! Meshes as files: what the formats say of themselves holds.
+//! Meshes as files: the files keep the rules of their formats.
 
 use lsystem::syntax::{Kind, LimitName};
 use lsystem::{Definition, Limits, Mesh, System, draw_solid, write_glb, write_obj};
@@ -78,7 +78,7 @@ fn obj_has_a_line_for_each_corner_and_triangle() {
         let values: Vec<f64> = line[2..].split(' ').map(|value| value.parse().unwrap()).collect();
         assert!(values.len() == 6 && values[3..].iter().all(|c| (0.0..=1.0).contains(c)), "{line}");
     }
-    // Places are where the strokes are: the trunk starts at the turtle's start.
+    // The mesh lies at the drawing's coordinates: the trunk starts at the turtle's start.
     let first = text.lines().find(|line| line.starts_with("v ")).unwrap();
     let at: Vec<f64> = first[2..].split(' ').take(3).map(|value| value.parse().unwrap()).collect();
     assert!((at[0] - 2.0).abs() < 0.1 && (at[1] + 1.0).abs() < 0.1 && at[2].abs() < 0.1, "{first}");

@@ -1,4 +1,4 @@
-//! The notation: what is printed reads back as the same, and no text panics.
+//! The notation: printed texts read back as the same, and no text causes a panic.
 
 mod cases;
 
@@ -10,7 +10,7 @@ use lsystem::syntax::{
 use lsystem::{Definition, Diagnostic, System};
 use proptest::prelude::*;
 
-/// Letters, everything that the notation gives a meaning, look-alikes, things that cannot be seen, and the rest.
+/// Letters, all characters with a meaning in the notation, look-alikes, invisible characters, and others.
 fn symbol() -> impl Strategy<Value = char> {
     prop_oneof![
         4 => prop::sample::select("FGXab01+-[]".chars().collect::<Vec<_>>()),
@@ -20,14 +20,14 @@ fn symbol() -> impl Strategy<Value = char> {
     ]
 }
 
-/// Names that clash with each other, with constants and with functions now and then.
+/// Names that sometimes clash with each other, with constants and with functions.
 fn name() -> impl Strategy<Value = String> {
     let reserved = |name: &String| !["and", "or", "not"].contains(&name.as_str());
     prop_oneof![4 => "[a-dα_]", 1 => "[a-zA-Zα_][a-z0-9_]{0,4}", 1 => Just("sin".to_owned())]
         .prop_filter("not reserved", reserved)
 }
 
-/// Expressions as the notation gives them: the sign of a number is part of it.
+/// Expressions as the notation reads them: a number includes its sign.
 fn expression(names: Vec<String>) -> impl Strategy<Value = Expr> {
     let leaf = if names.is_empty() {
         number().prop_map(Expr::Number).boxed()
@@ -67,7 +67,7 @@ fn number() -> impl Strategy<Value = f64> {
     prop_oneof![9 => (-100..100).prop_map(f64::from), 1 => any::<f64>().prop_filter("finite", |v| v.is_finite())]
 }
 
-/// A left context, a predecessor and a right context, all with parameters of different names.
+/// A left context, a predecessor and a right context, all with different names of parameters.
 fn head(contexts: bool) -> impl Strategy<Value = (Vec<Pattern>, Pattern, Vec<Pattern>)> {
     let symbols = |most| prop::collection::vec((symbol(), 0_usize..3), 0..most);
     let most = if contexts { 4 } else { 1 };
@@ -82,7 +82,7 @@ fn head(contexts: bool) -> impl Strategy<Value = (Vec<Pattern>, Pattern, Vec<Pat
             let strict = pattern(strict);
             let mut brackets = Vec::new();
             for (at, one) in right.into_iter().filter(|(s, _)| !bracket(*s)).enumerate() {
-                // Bits decide where branches are.
+                // Random bits decide the places of branches.
                 if branches >> at & 1 == 1 {
                     brackets.extend([Pattern::from('['), pattern(one), Pattern::from(']')]);
                 } else {
@@ -134,7 +134,7 @@ fn grammar() -> impl Strategy<Value = Grammar> {
     })
 }
 
-/// Whether a constant part of it has no finite value, or a weight is out of range.
+/// Whether a constant expression of the grammar has no finite value, or a weight is out of range.
 fn is_wrong(diagnostics: &[Diagnostic]) -> bool {
     diagnostics.iter().any(|d| matches!(d.kind, Kind::ArithmeticRange | Kind::WeightRange { .. }))
 }

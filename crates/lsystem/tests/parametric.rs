@@ -1,4 +1,4 @@
-//! Pieces shared among modules with parameters against the plain turtle, and what systems memoise.
+//! Blocks shared among modules with parameters, compared with the naive turtle, and the systems that share blocks.
 
 mod cases;
 mod naive;
@@ -18,8 +18,8 @@ fn drawn(system: &System, n: u32) -> Drawing {
     draw(system, n, &Limits::default()).unwrap()
 }
 
-/// A module of a successor, for a production whose parameters are x and y: letters that draw, turn and grow, so that
-/// arguments are some of `lengths` where lengths are meant, of `numbers` elsewhere.
+/// A module of a successor, for a production with the parameters x and y: letters that draw, turn and grow. Arguments
+/// are taken from `lengths` for lengths, from `numbers` otherwise.
 fn module(lengths: &[&'static str], numbers: &[&'static str]) -> BoxedStrategy<String> {
     let length = || prop::sample::select(lengths.to_vec());
     let number = || prop::sample::select(numbers.to_vec());
@@ -37,14 +37,14 @@ fn module(lengths: &[&'static str], numbers: &[&'static str]) -> BoxedStrategy<S
     .boxed()
 }
 
-/// A word balanced in branches.
+/// A word with balanced branches.
 fn word(module: BoxedStrategy<String>) -> impl Strategy<Value = String> {
     let run = move || prop::collection::vec(module.clone(), 0..3).prop_map(|modules| modules.concat());
     let branch = (run(), run(), run()).prop_map(|(before, inside, after)| format!("{before}[{inside}]{after}"));
     prop_oneof![run(), branch.clone(), (branch, run()).prop_map(|(a, b)| format!("[{a}]{b}"))]
 }
 
-/// Systems whose lengths scale together, and others.
+/// Systems with lengths that scale together, and others.
 fn systems(scaling: bool, conditions: bool) -> impl Strategy<Value = System> {
     let lengths = if scaling {
         vec!["x", "x*r", "x*0.6", "x/3*2", "x - x*0.25", "max(x, x*q)", "-x", "y*x"]
@@ -64,7 +64,7 @@ fn systems(scaling: bool, conditions: bool) -> impl Strategy<Value = System> {
         .prop_map(|(axiom, (a, b, c), images)| system(axiom, &format!("r = 0.75\nq = 0.9\n{a}{b}{c}{images}")))
 }
 
-/// The most iterations, at most `most`, that keep the plain way quick.
+/// The most iterations, up to `most`, for which the naive reference is fast.
 fn affordable(system: &System, most: u32) -> Option<u32> {
     let fits = |n: &u32| {
         let word = naive::modules(&system.grammar, system.seed, *n);
@@ -73,7 +73,7 @@ fn affordable(system: &System, most: u32) -> Option<u32> {
     (0..=most).take_while(fits).last()
 }
 
-/// The drawing says what the plain turtle says, to 1e-9 of its extent.
+/// Checks that the drawing equals that of the naive turtle, to 1e-9 of its extent.
 fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
     let drawing = drawn(system, n);
     let expected = naive::segments(system, n);
@@ -124,14 +124,14 @@ fn a_tree_of_two_ratios_at_once() {
     assert!(drawing.is_memoised());
     assert_eq!(drawing.segment_count(), (1 << 40) - 1);
     assert_eq!(count_segments(&tree, 40).unwrap(), drawing.segment_count().into());
-    // One block for each number of steps, whatever the lengths.
+    // One block for each number of steps, independent of lengths.
     assert_eq!(drawing.block_count(), 40 + 1);
     assert_eq!(drawn(&tree, 1000).block_count(), 1000 + 1);
 }
 
 #[test]
 fn widths_of_another_scale_and_lengths_that_end() {
-    // ABOP, figure 2.6a in the plane: the width says the step, so there are three states a step.
+    // ABOP, figure 2.6a in the plane: the step determines the width, so each step has three states.
     let honda = system(
         "A(1,10)",
         "r1 = 0.9\nr2 = 0.6\nwr = 0.707\n\
@@ -142,7 +142,7 @@ fn widths_of_another_scale_and_lengths_that_end() {
     let drawing = drawn(&honda, 40);
     assert!(drawing.is_memoised() && drawing.block_count() <= 3 * 40, "{} blocks", drawing.block_count());
     assert_eq!(count_symbols(&honda, 40).unwrap(), u128::from(drawing.symbol_count().unwrap()).into());
-    // A condition on a length: equal numbers come together, in whatever order they were multiplied.
+    // With a condition on a length, only equal numbers share a block, here also if multiplied in another order.
     let ending = system("A(1)", "A(l) : l > 0.001 -> F(l)[+(30)A(l*0.7)][-(40)A(l*0.6)]");
     let drawing = drawn(&ending, 40);
     assert!(drawing.is_memoised() && drawing.block_count() < 2_000, "{} blocks", drawing.block_count());
@@ -154,14 +154,14 @@ fn widths_of_another_scale_and_lengths_that_end() {
 
 #[test]
 fn too_many_states_are_drawn_one_by_one() {
-    // No two modules are alike.
+    // All modules are different.
     let apart = system("A(1,1)", "A(x,k) -> F(x)[+(k)A(x*0.9,k*2)][-(k)A(x*0.9,k*2 + 1)]");
     let drawing = drawn(&apart, 17);
     assert!(!drawing.is_memoised());
     assert_eq!(drawing.segment_count(), (1 << 17) - 1);
     let kind = draw(&apart, 40, &Limits::default()).unwrap_err().kind;
     assert!(matches!(kind, Kind::Limit { largest: Some(19..=21), .. }), "{kind:?}");
-    // Where so few steps are possible in no other way, those that memoise count.
+    // If unfolding manages fewer steps, the diagnostic names the largest n of sharing.
     let ending = system("A(1,1)", "A(x,k) -> F(x)[+(k)A(x*0.9,k*2)][-(k)A(x*0.9,k*2 + 1)]F(x)F(x)");
     let limits = Limits { segments: 1000, ..Limits::default() };
     let kind = draw(&ending, 40, &limits).unwrap_err().kind;

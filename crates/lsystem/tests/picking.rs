@@ -1,4 +1,4 @@
-//! What is under a pointer, against all segments and polygons placed one by one.
+//! Picking, compared with the distances of all segments and polygons, one by one.
 
 mod cases;
 
@@ -13,18 +13,19 @@ use proptest::prelude::*;
 
 const VIEWPORT: Viewport = Viewport { width: 400, height: 300, ratio: 1.0 };
 
-/// Something as it is seen.
+/// The place of a mark in the picture.
 struct Seen {
-    /// How far the pointer is from it, in device pixels.
+    /// The distance from the pointer to the mark, in device pixels.
     distance: f64,
-    /// How far behind the target the nearest place of its surface is, in device pixels at the target; in the plane 0.
+    /// The depth of the nearest point of the mark's surface behind the camera's target, in device pixels at the target;
+    /// 0 in the plane.
     depth: f64,
-    /// Of a polygon: how far the pointer is from its sides.
+    /// For a polygon: the distance from the pointer to its sides, in device pixels.
     sides: Option<f64>,
 }
 
 impl Seen {
-    /// Whether the pointer is near enough for it to hide others, `slack` more than needed.
+    /// Whether the pointer hits the mark, so that the mark hides others, with a margin of `slack`.
     fn is_hit(&self, enough: f64, slack: f64) -> bool {
         match self.sides {
             None => self.distance <= enough - slack,
@@ -39,15 +40,16 @@ impl Seen {
     }
 }
 
-/// What a drawing shows, in drawing order, a polygon when it is opened; `None` where nobody can tell how it is seen.
+/// A segment, or a polygon at the place of its opening.
 struct Shown {
     target: Target,
-    /// How many segments come before.
+    /// The number of segments before the mark.
     before: u128,
+    /// The place in the picture; `None` if the mark reaches behind the eye.
     seen: Option<Seen>,
 }
 
-/// The distance from a point to a line between two others, and how far along it the nearest place is.
+/// The distance from a point to a segment, and the nearest point's position along the segment, from 0 to 1.
 fn to_line([x, y]: [f64; 2], [[x0, y0], [x1, y1]]: [[f64; 2]; 2]) -> (f64, f64) {
     let (dx, dy) = (x1 - x0, y1 - y0);
     let along = dx * dx + dy * dy;
@@ -56,7 +58,7 @@ fn to_line([x, y]: [f64; 2], [[x0, y0], [x1, y1]]: [[f64; 2]; 2]) -> (f64, f64) 
     ((dx * dx + dy * dy).sqrt(), part)
 }
 
-/// Whether an outline winds around a point, by the angles at which its corners are seen from there.
+/// Whether an outline winds around a point, by the sum of angles between its corners.
 fn winds(outline: &[[f64; 2]], at: [f64; 2]) -> bool {
     let angle = |p: [f64; 2]| libm::atan2(p[1] - at[1], p[0] - at[0]);
     let turn = |a: f64, b: f64| {
@@ -73,13 +75,13 @@ fn winds(outline: &[[f64; 2]], at: [f64; 2]) -> bool {
     sum.abs() > 1.0
 }
 
-/// Everything drawn, with the widths of strokes in fitted extents.
+/// All marks: target, number of segments before, and stroke width in fitted extents.
 fn marks<S: Space>(drawing: &Drawing<S>, length: &dyn Fn(u128) -> f64) -> Vec<(Target, u128, f64)> {
     let size = |from: &S::Point, to: &S::Point| {
         from.as_ref().iter().zip(to.as_ref()).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
     };
     let longest = (drawing.segments().map(|s| size(&s.from, &s.to)).enumerate()).max_by(|a, b| a.1.total_cmp(&b.1));
-    // Fitted extents in a model unit.
+    // One model unit in fitted extents.
     let unit = longest.map_or(0.0, |(number, model)| length(number as u128) / model);
     let (mut segments, mut polygons) = (0, 0);
     let one = |mark: Mark<S>| match mark {
@@ -95,7 +97,7 @@ fn marks<S: Space>(drawing: &Drawing<S>, length: &dyn Fn(u128) -> f64) -> Vec<(T
     drawing.marks().map(one).collect()
 }
 
-/// Everything that is before the eye.
+/// All marks of a drawing in space, with their places in the picture.
 fn seen_solid(drawing: &Drawing<Solid>, camera: &Camera, at: [f64; 2]) -> Vec<Shown> {
     let [right, up, back] = camera_axes(camera);
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -109,13 +111,13 @@ fn seen_solid(drawing: &Drawing<Solid>, camera: &Camera, at: [f64; 2]) -> Vec<Sh
         let pixels = scale * larger(depth);
         ([200.0 + pixels * dot(right, p), 150.0 - pixels * dot(up, p)], depth)
     };
-    // What is nearer to the eye than a twentieth of its distance is not shown.
+    // Points nearer to the eye than a twentieth of the target's distance are not shown.
     let is_near = |&point: &[f64; 3]| camera.perspective && 1.0 + view(point).1 / 2.0 <= 0.05;
-    // The nearest place of a line: how far it is in the picture, and how far behind the target.
+    // The nearest point of a line: its distance in the picture, and its depth behind the target.
     let nearest = |[from, to]: [[f64; 3]; 2]| {
         let ((a, near), (b, far)) = (view(from), view(to));
         let (_, part) = to_line(at, [a, b]);
-        // Half-way in the picture is nearer than half-way along the segment.
+        // In perspective, the middle in the picture is not the middle of the segment.
         let t = if camera.perspective {
             let (a, b) = (1.0 + near / 2.0, 1.0 + far / 2.0);
             part * a / (part * a + (1.0 - part) * b)
@@ -152,7 +154,7 @@ fn seen_solid(drawing: &Drawing<Solid>, camera: &Camera, at: [f64; 2]) -> Vec<Sh
                     if !winds(&corners, at) {
                         return Seen { distance: sides, depth: scale * beside, sides: Some(sides) };
                     }
-                    // From the eye, or straight on, to the plane of the first corner that is none by rounding.
+                    // Intersect the ray through the pointer with the plane of the corner with the largest normal.
                     let way = |k: usize| minus(outline[(k + 1) % outline.len()], outline[k]);
                     let cross = |a: [f64; 3], b: [f64; 3]| {
                         [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
@@ -174,7 +176,7 @@ fn seen_solid(drawing: &Drawing<Solid>, camera: &Camera, at: [f64; 2]) -> Vec<Sh
     marks(drawing, &length).into_iter().map(one).collect()
 }
 
-/// Everything drawn in the plane.
+/// All marks of a drawing in the plane, with their places in the picture.
 fn seen_flat(drawing: &Drawing, view: View, at: [f64; 2]) -> Vec<Shown> {
     let scale = fitted_scale(drawing, VIEWPORT) * view.zoom;
     let place = |[x, y, fine_x, fine_y]: [f64; 4]| {
@@ -203,7 +205,7 @@ fn seen_flat(drawing: &Drawing, view: View, at: [f64; 2]) -> Vec<Shown> {
     marks(drawing, &length).into_iter().map(one).collect()
 }
 
-/// What was found is what is in front of all, or the nearest where nothing is near enough.
+/// Checks that the pick is in front of all marks that the pointer hits, or the nearest mark if the pointer hits none.
 fn check(all: &[Shown], pointer: &Pointer, found: Option<Pick>) -> Result<(), TestCaseError> {
     let upto = pointer.upto.unwrap_or(u128::MAX);
     let is_there =
@@ -223,7 +225,7 @@ fn check(all: &[Shown], pointer: &Pointer, found: Option<Pick>) -> Result<(), Te
     };
     let at = all.iter().position(|shown| shown.target == found.target).unwrap();
     prop_assert!(is_there(&&all[at]), "{:?}", found);
-    // One that reaches behind the eye is seen in part, and only its own word is there for where.
+    // For a mark that reaches behind the eye, there is no place to compare with.
     let Some(own) = &all[at].seen else { return Ok(()) };
     prop_assert!((own.distance - found.distance).abs() < 1e-6 * (1.0 + own.distance), "{:?} {}", found, own.distance);
     prop_assert!(found.distance < tolerance);
@@ -232,7 +234,7 @@ fn check(all: &[Shown], pointer: &Pointer, found: Option<Pick>) -> Result<(), Te
     if front < f64::INFINITY {
         prop_assert!(own.is_hit(enough, -slack), "{:?} beside {}", found, front);
         prop_assert!(own.depth <= front + enough + slack, "{:?} at {} behind {}", found, own.depth, front);
-        // In the plane all depths are the same, and what is drawn last is in front.
+        // In the plane all depths are 0, and the last mark is in front.
         if own.depth == 0.0 && front == 0.0 {
             let last = hits().map(|(at, _)| at).max().unwrap_or(0);
             prop_assert!(at >= last, "{:?} beneath {:?}", found, all[last].target);
@@ -268,7 +270,7 @@ fn word() -> impl Strategy<Value = String> {
     prop::collection::vec(prop::sample::select(parts), 1..7).prop_map(|parts| parts.concat())
 }
 
-/// A system of an axiom and three successors; where `chance` is, two of them are the first letter's.
+/// A system from an axiom and three successors. With `chance`, two of them replace the first letter.
 fn system([axiom, a, b, f]: [String; 4], chance: bool, width: f64, step: f64) -> System {
     let rules = if chance {
         format!("A -> {a} : 1\nA -> {b} : 2\nF -> {f}F")
@@ -320,7 +322,7 @@ proptest! {
         prop_assume!(lsystem::count_segments(&system, n).is_none_or(|count| count.to_string().len() < 5));
         let drawing = draw_solid(&system, n, &Limits::default()).unwrap();
         let count = drawing.segment_count();
-        // At places of the picture, and upon segments.
+        // Pointers at random places and on segments.
         for (k, (x, y)) in places.into_iter().enumerate() {
             let upto = Some((part * count as f64) as u128).filter(|&upto| upto < count);
             let pointer = Pointer { at: [x, y], tolerance, upto, visits: usize::MAX };
@@ -353,7 +355,7 @@ proptest! {
         (tolerance, part) in (2.0..16.0, 0.0..2.0),
         chance in any::<bool>(),
     ) {
-        // In the plane what leads out of it stays.
+        // In the plane, rotations out of the plane are ignored.
         let words = words.map(|word| word.replace(['&', '^', '\\', '/', '$'], "+"));
         let system = system(words, chance, width, step);
         prop_assume!(lsystem::count_segments(&system, n).is_none_or(|count| count.to_string().len() < 5));
@@ -363,7 +365,7 @@ proptest! {
         let scale = fitted_scale(&drawing, VIEWPORT) * zoom;
         for (k, at) in places.into_iter().enumerate() {
             let upto = Some((part * count as f64) as u128).filter(|&upto| upto < count);
-            // At places of the picture, and within polygons.
+            // Pointers at random places and inside polygons.
             let corners = (polygons > 0).then(|| fitted_polygon(&drawing, polygons * k as u128 / 4));
             let middle = corners.map(|corners| {
                 let [x, y] = [0, 1].map(|i| corners.iter().map(|c| c[i]).sum::<f64>() / corners.len() as f64);
@@ -377,11 +379,11 @@ proptest! {
     }
 }
 
-/// However many segments there are, something is found on every one of them, soon; also where branches do not become
-/// smaller and lie in the same place.
+/// On every segment of a huge drawing a mark is found with little work, also if branches do not become smaller and lie
+/// in the same place.
 #[test]
 fn deep_bushes_are_picked_within_a_budget() {
-    // ABOP, figure 1.25, without its leaves; and a tree of the course.
+    // ABOP, figure 1.25, without leaves; and a tree of the course.
     let bush = "A -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\nL -> ['''^^F]";
     let tree = "A -> AF\nF -> F[+F][-FF][\\F][/FF][&F]";
     for (rules, angle, n) in [(bush, 22.5, 40), (tree, 40.0, 30)] {

@@ -62,7 +62,7 @@ fn figures_1_31_b_to_e_derive() {
     for (successors, n, expected) in sizes {
         let system = hogeweg_hesper(successors);
         assert_eq!(modules(&system, n), expected);
-        // A generation near the end, derived the plain way.
+        // A generation near the end, derived by the naive reference.
         assert_eq!(modules(&system, 18), naive::modules(&system.grammar, 0, 18).unwrap().len());
     }
 }
@@ -72,13 +72,13 @@ fn figure_2_6_has_the_published_sizes() {
     let tree = honda();
     assert_eq!(modules(&tree, 10), 7_162);
     assert_eq!(modules(&tree, 17), 917_498);
-    // Every letter always becomes the same letters, so the count needs no derivation.
+    // Every letter always has the same successor, so the count needs no derivation.
     assert_eq!(count_symbols(&tree, 17).unwrap(), 917_498_u64.into());
     let text = expand(&tree, 1, &Limits::default()).unwrap();
     assert_eq!(text, "!(10)F(1)[&(45)B(0.6,7.069999999999999)]/(137.5)A(0.9,7.069999999999999)");
 }
 
-/// ABOP, section 3.2.3, the shedding of branches: each lives for three steps and leaves a scar.
+/// ABOP, section 3.2.3, the shedding of branches: each branch lives for three steps and leaves a scar.
 #[test]
 fn branches_are_shed() {
     let tree =
@@ -88,7 +88,7 @@ fn branches_are_shed() {
     assert!(at(5).starts_with("F(1)[-U%F(1)F(1)F(1)F(1)B][+U%F(1)F(1)F(1)F(1)B]F(1)[-X(0)F(1)F(1)F(1)B]"));
     assert!(at(6).starts_with("F(1)[-F(0.3)][+F(0.3)]F(1)[-U%F(1)"));
     assert!(at(20).starts_with(&"F(1)[-F(0.3)][+F(0.3)]".repeat(15)));
-    // The counts depend on what is cut.
+    // The counts depend on cuts.
     assert_eq!(count_symbols(&tree, 20), None);
 }
 
@@ -110,7 +110,7 @@ fn single_steps_lead_to_the_same_words() {
     for system in [hogeweg_hesper(["0", "1[+F1F1]", "1", "1", "0", "1F1", "0", "0"]), honda(), shedding] {
         let mut word = expand(&system, 0, &Limits::default()).unwrap();
         for n in 1..8 {
-            // Keys are those of an axiom, so chance may choose otherwise; letters that it does not touch agree.
+            // Modules have the keys of an axiom, so random choices may differ. Letters without choices agree.
             let next = expand_once(&system, &word, n);
             let whole = expand(&system, n, &Limits::default()).unwrap();
             let alike = |text: &str| text.replace('c', "b");
@@ -136,7 +136,7 @@ fn a_text_too_long_says_how_far_it_goes() {
     assert!(expand(&tree, n, &limits).is_ok() && expand(&tree, n + 1, &limits).is_err(), "{n}");
 }
 
-/// A system of `data_in/abop`, and its iterations.
+/// A system of `data_in/abop`, and its number of iterations.
 fn file(name: &str) -> (System, u32) {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../data_in/abop/{name}.json"));
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
@@ -144,7 +144,7 @@ fn file(name: &str) -> (System, u32) {
     (System::new(&definition).0.unwrap(), definition.iterations)
 }
 
-/// ABOP, figures 1.7 and 1.9: so many segments replace one, and islands close.
+/// ABOP, figures 1.7 and 1.9: the number of segments that replace one, and islands that close.
 #[test]
 fn koch_curves_have_the_published_sizes() {
     let sizes = [("1.7a", 4, 18), ("1.9a", 4, 8), ("1.9b", 4, 7), ("1.9c", 4, 7), ("1.9e", 4, 5), ("1.9f", 4, 5)];
@@ -168,7 +168,7 @@ fn koch_curves_have_the_published_sizes() {
     }
 }
 
-/// ABOP, figure 1.30: G is a segment that the signal has reached.
+/// ABOP, figure 1.30: the symbol G is a segment that the signal has reached.
 #[test]
 fn signals_travel_along_the_axis() {
     for (name, reached) in [("1.30a", "G[+G]G[-G]G[+G]G"), ("1.30b", "G[+F]G[-F]G[+F]G")] {

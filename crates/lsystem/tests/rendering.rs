@@ -1,4 +1,4 @@
-//! Diagnostics as printed, and spans in JavaScript's units.
+//! Diagnostics as text, and spans in UTF-16 units.
 
 use expect_test::{Expect, expect};
 use lsystem::syntax::{parse, utf16_span};

@@ -1,4 +1,4 @@
-//! Files that carry a system give it back.
+//! Reading the system out of exported files.
 
 use lsystem::files::{SvgForm, tag_png};
 use lsystem::syntax::{Kind, MAX_TEXT};
@@ -6,10 +6,10 @@ use lsystem::{Definition, Diagnostic, Limits, SvgOptions, System, draw, read_fil
 use proptest::prelude::*;
 use std::path::Path;
 
-/// The smallest PNG file there is: one black pixel.
+/// The smallest PNG file: one black pixel.
 const PIXEL: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x01\0\0\0\x01\x08\0\0\0\0\x3a\x7e\x9b\x55\0\0\0\nIDAT\x78\x9c\x63\x60\0\0\0\x02\0\x01\x48\xaf\xa4\x71\0\0\0\0IEND\xae\x42\x60\x82";
 
-/// In all forms that carry a system.
+/// Checks all file formats that contain a system.
 fn files(definition: &Definition) -> Vec<Vec<u8>> {
     let json = write_json(definition);
     let mut files = vec![tag_png(PIXEL, &json).unwrap()];

@@ -1,5 +1,6 @@
-//! The systems of the course documents and of The Algorithmic Beauty of Plants: their files in `data_in` say what was
-//! published (`data/seed.json` repeats it), give the published counts, and equal the naive reference.
+//! The systems of the course documents and of The Algorithmic Beauty of Plants. Their files in `data_in` equal the
+//! published definitions (repeated in `data/seed.json`), give the published counts, and draw as the naive reference
+//! does.
 
 mod naive;
 
@@ -18,21 +19,21 @@ struct Seed {
     step: Step,
 }
 
-/// A system as its source defines it, and what must come of it after `n` steps.
+/// A system as its source defines it, and the expected results after `n` steps.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Published {
-    /// In `data_in`, without `.json`.
+    /// The path in `data_in`, without `.json`.
     file: String,
     axiom: String,
     rules: Vec<Rule>,
     dialect: String,
-    /// Degrees; of both turns unless `right_angle` is given.
+    /// The angle of both turns in degrees, or of left turns if `right_angle` is given.
     angle: f64,
     right_angle: Option<f64>,
-    /// Down and up.
+    /// The angles of pitching down and up, in degrees.
     pitch: Option<[f64; 2]>,
-    /// Left and right.
+    /// The angles of rolling left and right, in degrees.
     roll: Option<[f64; 2]>,
     heading: f64,
     #[serde(default = "one")]
@@ -44,11 +45,11 @@ struct Published {
     n: u32,
     symbols: Option<u64>,
     segments: Option<u64>,
-    /// Over all seeds, rounded to half a unit of the last digit given.
+    /// The mean over all seeds; its error is half a unit of the last digit.
     mean_segments: Option<f64>,
-    /// Over all seeds.
+    /// The least number over all seeds.
     min_segments: Option<u128>,
-    /// Over all seeds.
+    /// The greatest number over all seeds.
     max_segments: Option<u128>,
     #[allow(dead_code, reason = "for the reader")]
     note: Option<String>,
@@ -91,7 +92,7 @@ fn folder() -> std::path::PathBuf {
 }
 
 impl Published {
-    /// As its source defines it, without the file.
+    /// The definition of the source, without the file.
     fn definition(&self) -> Definition {
         let line = |rule: &Rule| match rule {
             Rule::Always(predecessor, successor) => format!("{predecessor} -> {successor}\n"),
@@ -211,7 +212,7 @@ fn strings_and_segments_equal_the_reference() {
     }
 }
 
-/// Everything equal but coordinates, and those to 1e-9 of the drawing's extent.
+/// Checks that segments are equal; coordinates to 1e-9 of the drawing's extent.
 fn same_segments<S: Space>(fast: &[Segment<S>], slow: &[Segment<S>], what: &str) {
     assert_eq!(fast.len(), slow.len(), "{what}");
     let ends = || slow.iter().flat_map(|segment| [segment.from, segment.to]);
@@ -229,8 +230,8 @@ fn same_segments<S: Space>(fast: &[Segment<S>], slow: &[Segment<S>], what: &str)
     }
 }
 
-/// The sample mean is normally distributed about the true one, to good approximation for a thousand seeds; it strays
-/// further than four standard errors once in 16,000 tries, and the seeds are fixed.
+/// For a thousand seeds, the sample mean is nearly normally distributed about the true mean. It deviates by more than
+/// four standard errors once in 16,000 tries, and the seeds are fixed.
 #[test]
 fn means_over_seeds_are_as_published() {
     const SEEDS: u32 = 1000;

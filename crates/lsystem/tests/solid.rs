@@ -1,4 +1,4 @@
-//! Drawings in space against the naive turtle, and what systems mean there.
+//! Drawings in space, compared with the naive turtle, and the meaning of symbols in space.
 
 mod cases;
 mod naive;
@@ -26,7 +26,7 @@ fn bounds(segments: &[Segment<Solid>], filled: &[[f64; 3]]) -> Option<[[f64; 3];
     }))
 }
 
-/// The drawing says what the naive turtle says, to 1e-9 of the extent.
+/// Checks that the drawing equals that of the naive turtle, to 1e-9 of the extent.
 fn check(system: &System, n: u32) -> Result<Drawing<Solid>, TestCaseError> {
     let drawing = draw_solid(system, n, &Limits::default()).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
     let expected = naive::solid_segments(system, n);
@@ -58,13 +58,13 @@ fn check(system: &System, n: u32) -> Result<Drawing<Solid>, TestCaseError> {
     Ok(drawing)
 }
 
-/// A word of letters that turn every way; `$` among them where it may be.
+/// A word with letters that turn about all axes, and with `$` if `upright`.
 fn word(upright: bool) -> impl Strategy<Value = String> {
     let mut parts = vec![
         "F", "F", "F", "A", "B", "+", "-", "&", "^", "\\", "/", "|", "f", "!", "'", "[&F]", "[/A]", "[^^B]", "[-\\F",
         "]",
     ];
-    // What ends on another branch does not memoise: not too often.
+    // Unbalanced branches prevent sharing, so they are rare; with `$` there are none.
     parts.truncate(if upright { parts.len() } else { parts.len() - 2 });
     if upright {
         parts.push("$");
@@ -138,7 +138,7 @@ proptest! {
         };
         let [a, b, t] = words.map(|word| numbered(&word));
         let rules = format!("A(l) -> F(l){a}\nB(l) -> {b}F(l)\nT(l) -> {t}");
-        // Some of these systems memoise and some do not, by what stands after a turn that is not known.
+        // Some of these systems share blocks. Others have `$` after a turn that is not known, and are unfolded.
         check(&system(&Definition { heading, ..abop("A(1)&B(1)$F", &rules, 25.0) }), 3)?;
     }
 
@@ -165,11 +165,11 @@ fn what_leads_out_of_the_plane_is_solid() {
     for (axiom, expected) in [("F+F", false), ("F&F", true), ("F/F", true), ("$F", true), ("F^", true), ("\\F", true)] {
         assert_eq!(solid(&abop(axiom, "", 10.0)), expected, "{axiom}");
     }
-    // Only what may occur counts.
+    // Only symbols that may occur count.
     assert!(!solid(&abop("F", "A -> &F", 10.0)));
     assert!(solid(&abop("F", "F -> FA\ndraw:\nA -> &F", 10.0)));
     assert!(solid(&abop("F(1)A", "draw:\nA -> &F", 10.0)));
-    // The signs of one dialect are none of another's.
+    // The meaning of symbols depends on the dialect.
     for (dialect, axiom, expected) in [
         (Dialect::EveryLetter, "F&F", false),
         (Dialect::Practical, "F>F", true),
@@ -184,7 +184,7 @@ fn what_leads_out_of_the_plane_is_solid() {
     assert!(solid(&Definition { elasticity: 0.1, tropism: [0.0, 0.0, 1.0], ..abop("F", "", 10.0) }));
 }
 
-/// Where the last segment ends, to nine decimals.
+/// The end of the last segment, to nine decimals.
 fn end(definition: &Definition) -> [f64; 3] {
     let drawing = draw_solid(&system(definition), 0, &Limits::default()).unwrap();
     drawing.segments().last().unwrap().to.map(|c| (c * 1e9).round() / 1e9)
@@ -192,22 +192,22 @@ fn end(definition: &Definition) -> [f64; 3] {
 
 #[test]
 fn a_turtle_that_heads_up_knows_its_left_and_its_back() {
-    // It looks up (+y), its left is -x, and its own up is towards the viewer (+z).
+    // The heading is +y, left is -x, and up is +z (towards the viewer).
     let end = |axiom: &str| end(&abop(axiom, "", 90.0));
     assert_eq!(end("F"), [0.0, 1.0, 0.0]);
     assert_eq!(end("+F"), [-1.0, 0.0, 0.0]);
     assert_eq!(end("-F"), [1.0, 0.0, 0.0]);
     assert_eq!(end("&F"), [0.0, 0.0, -1.0]);
     assert_eq!(end("^F"), [0.0, 0.0, 1.0]);
-    // After a roll to the left its left is where its up was.
+    // After a roll to the left by 90 degrees, left is the former up.
     assert_eq!(end("\\+F"), [0.0, 0.0, 1.0]);
     assert_eq!(end("/+F"), [0.0, 0.0, -1.0]);
     assert_eq!(end("&|F"), [0.0, 0.0, 1.0]);
-    // Level: pitched down it heads away from the viewer, and its left stays at -x.
+    // `$` levels the left: after a pitch down by 90 degrees, left is -x again.
     assert_eq!(end("&(90)/(33)$+F"), [-1.0, 0.0, 0.0]);
 }
 
-/// Six different angles.
+/// A definition with six different angles.
 fn six() -> Definition {
     Definition {
         angle: 11.0,
@@ -220,7 +220,7 @@ fn six() -> Definition {
     }
 }
 
-/// The matrices of the course in Python and of Of Trees and Turtles, as they are written there.
+/// The rotation matrices of the course in Python and of "Of Trees and Turtles", as written there.
 fn matrix(axis: char, degrees: f64) -> [[f64; 3]; 3] {
     let (s, c) = (libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians()));
     match axis {
@@ -234,7 +234,8 @@ fn product(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
 }
 
-/// Goes along `axis` of a frame that each command multiplies on the right.
+/// Draws a word: each command multiplies the frame by a matrix on the right, and each step goes along `axis` of the
+/// frame.
 fn by_matrices(word: &str, start: [[f64; 3]; 3], axis: usize, table: &[(char, char, f64)]) -> Vec<[f64; 3]> {
     let (mut frame, mut at, mut ends) = (start, [0.0; 3], Vec::new());
     for symbol in word.chars() {
@@ -290,7 +291,7 @@ fn memoised_bushes_are_deep_and_cheap() {
 
 #[test]
 fn trees_with_level_branches_are_deep_and_cheap() {
-    // ABOP, figure 2.6: 4,096 apices in step 12, and as they lie to the vertical no more than 24.
+    // ABOP, figure 2.6: step 12 has 4,096 apices, but at most 24 directions of the vertical in their frames.
     for name in ["a", "b", "c", "d"] {
         let file = format!("{}/../../data_in/abop/2.6{name}.json", env!("CARGO_MANIFEST_DIR"));
         let definition = lsystem::read_json(&std::fs::read_to_string(file).unwrap()).0.unwrap();
@@ -392,7 +393,7 @@ fn modules_of_figure_2_6_are_as_counted() {
 
 #[test]
 fn on_paper_what_is_nearer_covers_what_is_farther() {
-    // A cross in the plane of x and y, one arm towards the viewer, and one away.
+    // Three arms from the start: away from the viewer, to the left, and towards the viewer.
     let cross = system(&Definition { step: 2.0, start: [5.0, 1.0], ..abop("'[&F]'[+F]'[^F]", "", 90.0) });
     let drawing = draw_solid(&cross, 0, &Limits::default()).unwrap();
     let from = |azimuth: f64, elevation: f64| {
@@ -402,15 +403,15 @@ fn on_paper_what_is_nearer_covers_what_is_farther() {
         seen.segments().map(|s| (s.colour, round(s.to))).collect::<Vec<_>>()
     };
     assert_eq!(from(0.0, 0.0), [(1, [5.0, 1.0]), (2, [3.0, 1.0]), (3, [5.0, 1.0])]);
-    // From the right, z goes to the left; what went to the left is behind.
+    // From the right, +z points to the left, and the left arm is behind.
     assert_eq!(from(90.0, 0.0), [(2, [0.0, 1.0]), (1, [2.0, 1.0]), (3, [-2.0, 1.0])]);
-    // From straight above, z goes down.
+    // From straight above, +z points down.
     assert_eq!(from(0.0, 90.0), [(1, [5.0, 2.0]), (2, [3.0, 0.0]), (3, [5.0, -2.0])]);
     // From behind.
     assert_eq!(from(180.0, 0.0), [(3, [-5.0, 1.0]), (2, [-3.0, 1.0]), (1, [-5.0, 1.0])]);
     let error = drawing.seen_from(&Outlook::default(), 2).unwrap_err();
     assert!(matches!(error.kind, Kind::Limit { limit: LimitName::Segments, value: 2, .. }));
-    // A negative step turns the drawing round in all three directions.
+    // A negative length reverses a segment.
     let back = system(&Definition { overrides: "F: draw -2".into(), ..abop("'[&F]'[^F]", "", 90.0) });
     let seen =
         draw_solid(&back, 0, &Limits::default()).unwrap().seen_from(&Outlook { azimuth: 0.0, elevation: 0.0 }, 9);
@@ -421,7 +422,7 @@ fn on_paper_what_is_nearer_covers_what_is_farther() {
 fn on_paper_colours_follow_the_path_in_space() {
     let line = system(&abop("F&F&F", "", 90.0));
     let drawing = draw_solid(&line, 0, &Limits::default()).unwrap();
-    // What is drawn first is nearest from one side and farthest from the other.
+    // The first segment is nearest from one side and farthest from the other.
     for (azimuth, places) in [(0.0, [2.5, 1.5, 0.5]), (180.0, [0.5, 1.5, 2.5])] {
         let seen = drawing.seen_from(&Outlook { azimuth, elevation: 0.0 }, 10).unwrap();
         let tints = seen.marks().map(|mark| match mark {

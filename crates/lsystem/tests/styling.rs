@@ -1,4 +1,4 @@
-//! Colours, factors, variation, growth and polygons against the naive reference.
+//! Colours, factors, variation, growth and polygons, compared with the naive reference.
 
 mod cases;
 mod naive;
@@ -22,7 +22,7 @@ fn near<const N: usize>(a: [f64; N], b: [f64; N], tolerance: f64) -> bool {
     a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= tolerance)
 }
 
-/// In both spaces the drawing is what the naive turtle says.
+/// Checks that the drawing equals that of the naive turtle, in both spaces.
 fn check(definition: &Definition, n: u32) -> Result<(), TestCaseError> {
     let system = system(definition);
     let limits = Limits::default();
@@ -43,7 +43,7 @@ fn check(definition: &Definition, n: u32) -> Result<(), TestCaseError> {
     let reach =
         ends.chain(polygons.iter().flat_map(|p| p.0.iter().flatten().copied())).fold(1.0_f64, |r, c| r.max(c.abs()));
     let tolerance = 1e-9 * reach;
-    // What has no area but by rounding may be a polygon or not.
+    // A polygon whose area is only a rounding error may be missing.
     let flat = |outline: &[[f64; 3]]| outline.windows(2).filter(|p| !near(p[0], p[1], tolerance)).count() < 2;
     let polygons: Vec<_> = polygons.iter().filter(|polygon| !flat(&polygon.0)).collect();
     let (mut segments, mut filled) = (0, 0);
@@ -59,7 +59,7 @@ fn check(definition: &Definition, n: u32) -> Result<(), TestCaseError> {
             Mark::Polygon(vertices, tint) => {
                 prop_assert!(filled < polygons.len());
                 let (outline, colour, level, before, _) = polygons[filled];
-                // Ends that meet by rounding only may be one vertex or two.
+                // Ends that differ only by rounding may be one vertex or two.
                 let mut theirs = outline.iter();
                 let mut last = None;
                 for vertex in &vertices {
@@ -128,7 +128,7 @@ fn random() -> impl Strategy<Value = (Definition, u32)> {
         .prop_map(|([axiom, a, b, f], numbers, colour_by, angle, (n, seed, kind))| {
             let rules = match kind {
                 0 => format!("A -> {a} : 1\nA -> {b} : 2\nF -> {f}F"),
-                // What looks around is derived in another way.
+                // Rules with contexts are derived by whole generations.
                 1 => format!("A -> {a}\nF < B -> {b}\nF -> {f}F\nP(x) -> F(x)"),
                 _ => format!("A -> {a}\nB -> {b}\nF -> {f}F"),
             };
@@ -158,7 +158,7 @@ proptest! {
     }
 }
 
-/// A word of modules with a parameter `x`, with branches of its own.
+/// A word of modules with a parameter `x`, with balanced branches.
 fn numbered() -> impl Strategy<Value = String> {
     let parts = vec![
         "F(x)",
@@ -235,7 +235,7 @@ fn what_composes_memoises() {
     {
         assert!(!drawn(&varied, 4).is_memoised());
     }
-    // A polygon that productions fill bit by bit.
+    // A polygon with vertices from several productions.
     assert!(!drawn(&abop("X", "X -> {F[+X]F}\nF -> FF", 20.0), 4).is_memoised());
     assert!(!drawn(&abop("{X}", "X -> fX+", 20.0), 4).is_memoised());
     assert!(drawn(&abop("{f+f+f}X", "X -> F[+X]", 20.0), 4).is_memoised());
@@ -312,7 +312,7 @@ fn palettes_wrap_or_hold() {
 fn hues_turn() {
     let colour = |name: &str| name.parse::<lsystem::syntax::Colour>().unwrap();
     let turned = |hue: f64| Style { palette: vec![colour("red"), colour("white")], hue, ..Style::default() };
-    // The matrix of SVG's hueRotate(120): red keeps its share of luminance.
+    // The matrix of SVG's hueRotate(120): the colour keeps the luminance of red.
     assert_eq!(turned(120.0).entry(0).rgb, [0, 113, 0]);
     assert_eq!([turned(120.0).entry(1), turned(360.0).entry(0)], [colour("white"), colour("red")]);
     assert_eq!(turned(120.0).gradient(0.0), turned(120.0).entry(0));

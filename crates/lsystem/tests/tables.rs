@@ -1,5 +1,5 @@
-//! What the core knows, and the page and the documents show: `www/js/tables.js` and the tables of fields in `README.md`
-//! and `docs/links.md` say the same. `cargo xtask tables` writes them anew.
+//! The tables of the core in other files: `www/js/tables.js`, and the tables of fields in `README.md` and
+//! `docs/links.md`, must equal the core's. `cargo xtask tables` updates them.
 
 use expect_test::expect_file;
 use lsystem::files::FORMATS;
@@ -35,17 +35,17 @@ const FIELD_TYPES: &str = " */
 export const FIELDS = /* @__PURE__ */ Object.freeze({
 ";
 
-/// A string as the page's scripts write it.
+/// A string in JavaScript.
 fn quoted(text: &str) -> String {
     format!("'{}'", text.replace('\\', "\\\\").replace('\'', "\\'"))
 }
 
-/// A list of strings as the page's scripts write it.
+/// A list of strings in JavaScript.
 fn list<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
     format!("[{}]", words.into_iter().map(quoted).collect::<Vec<_>>().join(", "))
 }
 
-/// A value as the page's scripts write it.
+/// A value in JavaScript.
 fn script(value: &Value) -> String {
     match value {
         Value::Nothing => "null".to_owned(),
@@ -56,12 +56,12 @@ fn script(value: &Value) -> String {
     }
 }
 
-/// A field's default; `null` for what is no part of a definition.
+/// The default of a field; `null` for a field that is not part of a definition.
 fn usual(spec: &FieldSpec) -> Value {
     spec.get(&Definition::default()).unwrap_or(Value::Nothing)
 }
 
-/// What a value may be, as members of an object in the page's scripts.
+/// The limits of a value, as members of a JavaScript object.
 fn range(expected: Expected) -> String {
     match expected {
         Expected::Number => "kind: 'number', low: -Infinity, high: Infinity".into(),
@@ -156,7 +156,7 @@ fn tables() -> String {
     script_text
 }
 
-/// A text with what stands between the marks of a table replaced by `rows`.
+/// A text in which `rows` replace the text between the marks of a table.
 fn with_table(text: &str, rows: &str) -> String {
     let (begin, end) = ("<!-- fields: written by `cargo xtask tables` -->\n", "<!-- end of fields -->");
     let (before, rest) = text.split_once(begin).expect("the table begins");
@@ -164,12 +164,12 @@ fn with_table(text: &str, rows: &str) -> String {
     format!("{before}{begin}{rows}{end}{after}")
 }
 
-/// What a field is and may be, in a table of a document.
+/// The meaning and the values of a field, for a table in a document.
 fn meaning(spec: &FieldSpec) -> String {
     format!("{}: {}", spec.help, spec.wanted()).replace('|', "\\|")
 }
 
-/// Code in a table; nothing where there is nothing to show.
+/// Code in a table; empty for an empty text.
 fn code(text: &str) -> String {
     if text.is_empty() { "none".to_owned() } else { format!("`{text}`") }
 }
@@ -189,7 +189,7 @@ fn file_rows() -> String {
     rows
 }
 
-/// A default as links write it.
+/// A default as in links.
 fn linked(value: &Value) -> String {
     match value {
         Value::Nothing => String::new(),
@@ -255,7 +255,7 @@ fn every_field_is_read_and_written() {
     }
 }
 
-/// A value of a field that is not its default.
+/// A value of a field other than its default.
 fn other(spec: &FieldSpec) -> Value {
     match (spec.expected, usual(spec)) {
         (Expected::Word(words), usual) => {

@@ -1,4 +1,4 @@
-//! Drawings and files of unusual systems: what once did not end, or was no picture.
+//! Drawings and files of unusual systems that once took without end or gave wrong pictures.
 
 use lsystem::drawing::{Outlook, expand_symbol};
 use lsystem::files::SvgForm;
@@ -34,7 +34,7 @@ fn crowded_hulls_end() {
     }
 }
 
-/// The same extent, whatever a step may do; and no more than a bounded number of steps.
+/// The extent does not depend on the size of steps, and takes a bounded number of units.
 #[test]
 fn extents_take_a_bounded_effort() {
     let definition = Definition { growth: 0.999_999, angle: -90.0, ..turning(2048, 90.0) };
@@ -82,7 +82,7 @@ fn long_words_are_drawn_in_parts() {
     let plain = Definition { axiom: "AAAA".into(), rules, angle: 0.01, ..Definition::default() };
     let drawing = draw(&system(&plain), 1, &Limits::default()).unwrap();
     assert_eq!(drawing.segment_count(), 96_000);
-    // The same strokes as letter by letter.
+    // The unfolded drawing has the same strokes.
     let apart = Definition { rules: plain.rules.clone() + "\nF -> F : 1\nF -> F : 1", ..plain };
     let expected = draw(&system(&apart), 1, &Limits::default()).unwrap();
     for (a, b) in drawing.segments().zip(expected.segments()) {
@@ -90,7 +90,7 @@ fn long_words_are_drawn_in_parts() {
             assert!((a - b).abs() < 1e-6, "{a} {b}");
         }
     }
-    // Whatever a step may do.
+    // The drawing does not depend on the size of steps.
     let parametric = Definition {
         axiom: "A(1)".into(),
         rules: format!("A(x) -> {}", "F(x)[+A(x/2)]-".repeat(3000)),
@@ -213,7 +213,7 @@ fn long_files_are_refused_by_their_size() {
     let content = read_file(svg.as_bytes());
     assert!(content.json.is_empty());
     assert!(matches!(content.diagnostics[0].kind, Kind::Limit { limit: LimitName::Text, .. }));
-    // Within the size, nesting is bounded.
+    // In files within the size, nesting is limited.
     let (definition, diagnostics) = read_json(&"[".repeat(MAX_TEXT));
     assert!(definition.is_none() && diagnostics.len() == 1);
 }
@@ -273,7 +273,7 @@ fn distances_at_any_magnification_are_numbers() {
     }
 }
 
-/// A picture of strokes as wide as it, or as long; what it took.
+/// Makes a picture. Returns the units of work.
 fn spent_on(ink: Ink, definition: &Definition, [width, height]: [u32; 2], ratio: f64, upto: Option<u128>) -> u64 {
     let drawing = draw(&system(definition), definition.iterations, &Limits::default()).unwrap();
     let mut renderer = Renderer::new();
@@ -331,7 +331,7 @@ fn ink_of_strokes_wider_than_the_picture_is_added_in_time() {
         (turning, [160, 64], 0.5, Some(936_236_962)),
     ] {
         let spent = spent_on(Ink::Density, &definition, size, ratio, upto);
-        // A step of a picture is worth 16 units, and there are some more while ever larger blocks are taken together.
+        // A step takes 16 units. Combining blocks into larger ones takes a few more.
         let steps = 200_000 + 16 * u64::from(size[0] * size[1]);
         assert!(spent < 4 * 16 * steps, "{} {size:?}: {spent}", definition.axiom);
     }
@@ -385,7 +385,7 @@ fn wide_strokes_in_space_cover_the_picture_alone() {
     let camera = Camera { azimuth: 0.0, perspective: false, ..Camera::default() };
     renderer.begin(&definition.style, viewport, &camera, Quality::FINEST);
     while renderer.step(1 << 20) == Progress::More {}
-    // A thousand strokes on so many samples, eight of which are a unit.
+    // A thousand strokes on 100 x 8 x 16 samples; eight samples take a unit.
     assert!(renderer.spent() < 1000 * 100 * 8 * 16 / 8, "{}", renderer.spent());
 }
 
@@ -406,7 +406,7 @@ fn panes_of_wide_strokes_in_space_are_the_picture() {
     renderer.begin(&definition.style, viewport, &camera, Quality::FINEST);
     while renderer.step(1 << 20) == Progress::More {}
     let (whole, spent) = (renderer.pixels().to_vec(), renderer.effort_spent());
-    // More than all its pixels are worth four times over.
+    // More work than four times that of all pixels.
     assert!(spent.work > 4.0 * 2.0 * 1920.0 * 1080.0, "{spent:?}");
     let mut pixels = vec![0; whole.len()];
     let mut effort = Effort::new(Quality::FINEST, viewport);

@@ -1,5 +1,5 @@
-//! `cargo xtask bench`: speed beside other implementations and beside plain copying, the times of pictures, and
-//! how free the page stays, and what opening it costs.
+//! `cargo xtask bench`: speed compared with other implementations and with plain copying, the times of pictures, and
+//! the page's response times and cost of opening.
 
 use crate::workspace::{Workspace, run};
 use crate::{bindgen, build, page, tools};
@@ -8,16 +8,15 @@ use std::ffi::OsStr;
 use std::process::Command;
 
 const PARTS: [&str; 7] = ["native", "web", "pictures", "page", "load", "space", "shares"];
-/// Those that measure the page that was built, and their scripts.
+/// The parts that measure the built page, with their scripts.
 const PAGE: [(&str, &str); 4] =
     [("page", "drags.mjs"), ("load", "load.mjs"), ("space", "space.mjs"), ("shares", "shares.mjs")];
 
-/// Measures natively, in the browser, pictures, the page, what it costs to open it, drawings in space, pictures that
-/// several workers share, or all of it.
+/// Runs the named parts of the measurements, or all of them.
 pub(crate) fn bench<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a str>) -> Result<()> {
     let parts: Vec<_> = words.collect();
     if let Some(word) = parts.iter().find(|word| !PARTS.contains(word)) {
-        bail!("there is no part `{word}` of the measurements; there are {}", PARTS.join(", "));
+        bail!("there is no part `{word}` of the measurements; the parts are {}", PARTS.join(", "));
     }
     let has = |part| parts.is_empty() || parts.contains(&part);
     if has("native") {

@@ -1,11 +1,11 @@
-//! wasm-bindgen's two programs, as the library they are made from: exactly the version that Cargo.lock names, and
-//! nothing to install. That library is not documented upstream, so nothing else in this repository names it.
+//! wasm-bindgen's two programs, called as a library: at exactly the version in Cargo.lock, without installation. The
+//! library is not documented upstream, so only this file uses it.
 
 use anyhow::{Context, Result};
 use std::ffi::OsString;
 use std::path::Path;
 
-/// Writes `name.js` (a classic script), `name_bg.wasm` and `name.d.ts` to `out`.
+/// Writes `NAME.js` (a classic script), `NAME_bg.wasm` and `NAME.d.ts` to `out`.
 pub(crate) fn generate(wasm: &Path, out: &Path, name: &str) -> Result<()> {
     let mut words: Vec<OsString> = vec!["wasm-bindgen".into(), wasm.into(), "--out-dir".into(), out.into()];
     let options = ["--target", "no-modules", "--out-name", name, "--omit-default-module-path"];
@@ -15,7 +15,7 @@ pub(crate) fn generate(wasm: &Path, out: &Path, name: &str) -> Result<()> {
         .with_context(|| format!("generating JavaScript for {}", wasm.display()))
 }
 
-/// Runs a wasm test binary in a headless browser. `words` are those of a command line, the program's name included.
+/// Runs a wasm test binary in a headless browser. `words` is a command line with the program's name.
 pub(crate) fn test_runner(words: impl Iterator<Item = OsString>) -> Result<()> {
     wasm_bindgen_cli::wasm_bindgen_test_runner::run_cli_with_args(words)
 }

@@ -7,13 +7,13 @@ use anyhow::{Context, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The boundary crate's library, and what is generated for it.
+/// The name of the boundary crate's library and of its generated files.
 const NAME: &str = "lsystem_wasm";
 
-/// Classic scripts that pages ask for.
+/// The classic scripts of the pages.
 const SCRIPTS: [&str; 3] = ["js/theme-early.js", "l-system.js", "service-worker.js"];
 
-/// Builds everything and puts it in place of `dist/` at once: whoever reads `dist/` finds the old site or the new one.
+/// Builds the site and replaces `dist/` as a whole, so that readers of `dist/` find either the old site or the new one.
 pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     let new = tempfile::Builder::new().prefix(".dist-").tempdir_in(&workspace.root)?;
     let (www, site) = (workspace.www(), new.path().join("site"));
@@ -29,7 +29,7 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     files::write(&site.join("gallery.json"), gallery.to_string())?;
     let (index, embed) = ("index.html", site.join("embed.html"));
     files::write(&embed, include::include(&files::read_text(&embed)?, index, &files::read_text(&site.join(index))?)?)?;
-    // Each is a single file, with the files that it would fetch.
+    // These pages become single files, with the files that they would fetch inside.
     for (page, file, more) in [(index, "playground.html", Some("gallery.json")), ("embed.html", "embed.html", None)] {
         let carried: Vec<_> = ["worker.js", "lsystem.wasm"].into_iter().chain(more).collect();
         let text = one_file::one_file(&site, page, &carried, &esbuild)?;
@@ -40,7 +40,7 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     replace(&site, &workspace.dist(), &new.path().join("old"))
 }
 
-/// Compiles the boundary crate and generates its JavaScript; returns the folder it is in.
+/// Compiles the boundary crate and generates its JavaScript. Returns the folder with both.
 fn wasm(workspace: &Workspace) -> Result<PathBuf> {
     tools::wasm_target()?;
     let target = tools::WASM_TARGET;
@@ -52,7 +52,7 @@ fn wasm(workspace: &Workspace) -> Result<PathBuf> {
     Ok(out)
 }
 
-/// Copies what is shipped of `www` as it is.
+/// Copies the files of `www` that are shipped unchanged.
 fn page(www: &Path, site: &Path) -> Result<()> {
     for file in files::list(www, is_shipped)? {
         files::write(&site.join(file.strip_prefix(www)?), files::read(&file)?)?;
@@ -60,7 +60,7 @@ fn page(www: &Path, site: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Whether a file or folder of `www` is shipped as it is: pages, icons, the manifest.
+/// Whether a file or folder of `www` is shipped unchanged: pages, icons, the manifest.
 fn is_shipped(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let is_folder = path.extension().is_none();
@@ -71,14 +71,14 @@ fn is_shipped(path: &Path) -> bool {
     }
 }
 
-/// One classic script from the generated JavaScript and ours: module workers and imports fail in sandboxed frames and
-/// from files, one script handed over as text does not.
+/// The worker as one classic script, which works in sandboxed frames and from files. Module workers and imports fail
+/// there.
 fn worker(esbuild: &Esbuild, generated: &Path) -> Result<String> {
     let glue = files::read_text(&generated.join(format!("{NAME}.js")))?;
     Ok(esbuild.minified("glue.js", &glue)? + &esbuild.script("worker/worker.js")?)
 }
 
-/// Puts `new` where `place` is, moving what is there to `old`.
+/// Moves the folder at `place` to `old`, and `new` to `place`.
 fn replace(new: &Path, place: &Path, old: &Path) -> Result<()> {
     if place.exists() {
         fs::rename(place, old).with_context(|| format!("moving {} out of the way", place.display()))?;

@@ -1,4 +1,4 @@
-//! Scripts and styles as they are sent: modules bundled, everything minified, by esbuild.
+//! Bundling and minifying of scripts and styles by esbuild.
 
 use crate::workspace::output;
 use crate::{files, page};
@@ -11,33 +11,33 @@ const TARGET: &str = "--target=es2022";
 
 /// Bundles and minifies the files of a folder.
 pub(crate) trait Bundler {
-    /// A module with everything that it imports.
+    /// A module bundled with its imports.
     fn module(&self, entry: &str) -> Result<String>;
 
-    /// Styles in the order of their files.
+    /// The styles of the files, in order.
     fn styles(&self, names: &[&str]) -> Result<String>;
 }
 
-/// esbuild, as the lock file of `www` names it.
+/// esbuild, at the version in the lock file of `www`.
 pub(crate) struct Esbuild {
     program: PathBuf,
     www: PathBuf,
 }
 
 impl Esbuild {
-    /// Installs it where it is missing.
+    /// Finds esbuild, and installs it if it is missing.
     pub(crate) fn of(www: &Path) -> Result<Self> {
         page::packages(www)?;
         let program = if cfg!(windows) { "esbuild.cmd" } else { "esbuild" };
         Ok(Self { program: www.join("node_modules/.bin").join(program), www: www.to_owned() })
     }
 
-    /// A module with everything that it imports, as a classic script.
+    /// A module bundled with its imports, as a classic script.
     pub(crate) fn script(&self, entry: &str) -> Result<String> {
         self.run(&self.www.join(entry), &["--bundle", "--format=iife"])
     }
 
-    /// A script that is no module, or styles, by the ending of `name`.
+    /// A classic script or styles, minified. The ending of `name` decides the kind.
     pub(crate) fn minified(&self, name: &str, text: &str) -> Result<String> {
         let folder = tempfile::tempdir()?;
         let file = folder.path().join(name);

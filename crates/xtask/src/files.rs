@@ -4,8 +4,8 @@ use anyhow::{Context, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// All files below `root` whose path relative to it `wanted` accepts, sorted; folders are asked for too, and one that
-/// is refused is not entered. A folder that does not exist has no files.
+/// All files below `root` that `wanted` accepts, sorted. `wanted` gets paths relative to `root`, also those of folders;
+/// a refused folder is not entered. A missing folder has no files.
 pub(crate) fn list(root: &Path, wanted: impl Fn(&Path) -> bool) -> Result<Vec<PathBuf>> {
     let mut files = vec![];
     let mut folders = vec![root.to_owned()];
@@ -33,7 +33,7 @@ pub(crate) fn read_text(path: &Path) -> Result<String> {
     fs::read_to_string(path).with_context(|| format!("reading {}", path.display()))
 }
 
-/// Writes a file, making the folders above it.
+/// Writes a file and creates the folders above it.
 pub(crate) fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<()> {
     let write = || {
         path.parent().map_or(Ok(()), fs::create_dir_all)?;

@@ -1,15 +1,15 @@
-//! `cargo xtask fuzz`: inputs that nobody would write.
+//! `cargo xtask fuzz`: random inputs for the core.
 
 use crate::workspace::{Workspace, output, run};
 use anyhow::{Context, Result, bail};
 use std::path::PathBuf;
 use std::process::Command;
 
-/// What is asked for.
+/// The options of the command.
 #[derive(Debug, Default, PartialEq)]
 struct Options<'a> {
     targets: Vec<&'a str>,
-    /// For all targets together.
+    /// The time for all targets together.
     minutes: Option<f64>,
     seed: Option<&'a str>,
     input: Option<&'a str>,
@@ -23,12 +23,12 @@ impl<'a> Options<'a> {
         while let Some(word) = words.next() {
             let mut value = || words.next().with_context(|| format!("`{word}` needs a value"));
             match word {
-                "--minutes" => options.minutes = Some(value()?.parse().context("how many minutes?")?),
+                "--minutes" => options.minutes = Some(value()?.parse().context("`--minutes` needs a number")?),
                 "--seed" => options.seed = Some(value()?),
                 "--input" => options.input = Some(value()?),
                 "--shrink" => options.shrink = true,
                 "--guided" => options.guided = true,
-                word if word.starts_with('-') => bail!("what does `{word}` mean here?"),
+                word if word.starts_with('-') => bail!("unknown option `{word}`"),
                 target => options.targets.push(target),
             }
         }
@@ -36,7 +36,7 @@ impl<'a> Options<'a> {
     }
 }
 
-/// Fuzzes some targets or all, or tries a single input.
+/// Fuzzes the named targets or all, or tries a single input.
 pub(crate) fn fuzz<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a str>) -> Result<()> {
     let mut options = Options::read(words)?;
     let program = build(workspace)?;
@@ -60,35 +60,35 @@ pub(crate) fn fuzz<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a st
     run(&mut command)
 }
 
-/// The short run that is part of the tests: always the same inputs.
+/// The short run of the tests, always with the same inputs.
 pub(crate) fn short(workspace: &Workspace) -> Result<()> {
     let mut command = Command::new(build(workspace)?);
     run(command.args(["--short", "--patient", "--findings"]).arg(workspace.target.join("fuzz/findings")))
 }
 
-/// Builds the program and says where it is.
+/// Builds the program and returns its path.
 fn build(workspace: &Workspace) -> Result<PathBuf> {
     run(&mut workspace.cargo(["build", "--quiet", "--profile=fuzz", "--package=lsystem-fuzz"]))?;
     Ok(workspace.target.join("fuzz/lsystem-fuzz").with_extension(std::env::consts::EXE_EXTENSION))
 }
 
-/// LLVM's counters for every edge and comparison, which libFuzzer reads: stable options of the compiler.
+/// Options of the stable compiler for LLVM's counters of edges and comparisons, which libFuzzer reads.
 const COVERAGE: [&str; 6] = [
     "-Cpasses=sancov-module",
     "-Cllvm-args=-sanitizer-coverage-level=4",
     "-Cllvm-args=-sanitizer-coverage-inline-8bit-counters",
     "-Cllvm-args=-sanitizer-coverage-pc-table",
     "-Cllvm-args=-sanitizer-coverage-trace-compares",
-    // The counters of one module must not be torn apart.
+    // The counters of one module must stay together.
     "-Ccodegen-units=1",
 ];
 
-/// Lets libFuzzer choose the inputs, each target for some seconds. It keeps those that reach something new for the next
-/// time, and writes the one that fails to a file.
+/// Lets libFuzzer choose the inputs, for some seconds per target. libFuzzer keeps inputs that reach new code for the
+/// next run, and writes a failing input to a file.
 fn guided(workspace: &Workspace, targets: &[&str], seconds: f64) -> Result<()> {
     let host = output(Command::new("rustc").args(["--print=host-tuple"]))?;
     let host = host.trim();
-    // With a target named, build scripts are compiled without the counters, which they could not link.
+    // With `--target`, Cargo compiles build scripts without the counters, which they could not link.
     let what = ["build", "--quiet", "--profile=fuzz", "--package=lsystem-fuzz", "--bin=guided", "--features=guided"];
     let folder = workspace.target.join("fuzz/guided");
     run(workspace
@@ -116,7 +116,7 @@ fn guided(workspace: &Workspace, targets: &[&str], seconds: f64) -> Result<()> {
     if failed.is_empty() {
         return Ok(());
     }
-    bail!("failed: {}; to see one again: `cargo xtask fuzz TARGET --input FILE`", failed.join(", "))
+    bail!("failed: {}; to repeat one: `cargo xtask fuzz TARGET --input FILE`", failed.join(", "))
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The gallery: every system of `data_in`, read by the core at build time, so that the page need not read files.
+//! The gallery: every system of `data_in` in one file, read by the core at build time.
 
 use crate::files;
 use anyhow::{Context, Result, bail};
@@ -8,8 +8,8 @@ use lsystem::{Definition, Diagnostic, Limits, System, draw, draw_solid, read_jso
 use serde_json::{Value, json};
 use std::path::Path;
 
-/// An array of `{path, folder, kinds, solid, memoised, blocks, definition}` for the JSON files below `folder`, sorted by path:
-/// what sort of system each is, and how its drawing is made.
+/// An array of `{path, folder, kinds, solid, memoised, blocks, definition}` for the JSON files below `folder`, sorted
+/// by path.
 pub(crate) fn gallery(folder: &Path) -> Result<Value> {
     let files = files::list(folder, |path| path.extension().is_none_or(|ending| ending == "json"))?;
     let entries = files.iter().map(|file| {
@@ -39,17 +39,18 @@ pub(crate) fn gallery(folder: &Path) -> Result<Value> {
     entries.collect()
 }
 
-/// Reads one file; what cannot be drawn has no place in the gallery.
+/// Reads one file. A system with errors fails the build.
 fn read(path: &str, text: &str) -> Result<(Definition, System)> {
     let (definition, diagnostics) = read_json(text);
     refuse(path, &diagnostics, |_| text)?;
-    let definition = definition.with_context(|| format!("{path} holds no system"))?;
+    let definition = definition.with_context(|| format!("{path} has no system"))?;
     let (system, diagnostics) = System::new(&definition);
     refuse(path, &diagnostics, |field| definition.text(field).unwrap_or_default())?;
-    let system = system.with_context(|| format!("{path} holds no system that can be used"))?;
+    let system = system.with_context(|| format!("{path} has no valid system"))?;
     Ok((definition, system))
 }
 
+/// Fails if a diagnostic is an error.
 fn refuse<'a>(path: &str, diagnostics: &[Diagnostic], text: impl Fn(Field) -> &'a str) -> Result<()> {
     let errors: Vec<_> = diagnostics.iter().filter(|diagnostic| diagnostic.is_error()).collect();
     if errors.is_empty() {

@@ -1,8 +1,9 @@
-//! Pages that have elements in common: they stand in one of them.
+//! Elements that two pages have in common: they stand in one page, and the other includes them.
 
 use anyhow::{Context, Result};
 
-/// Puts elements of another page in the place of comments that name them: `<!-- index.html#reader -->`.
+/// Replaces comments such as `<!-- index.html#reader -->` by the named elements of another page. `name` is the other
+/// page's file name, `other` its text.
 pub(crate) fn include(page: &str, name: &str, other: &str) -> Result<String> {
     let mut result = String::new();
     let mut rest = page;
@@ -28,7 +29,7 @@ fn element<'a>(page: &'a str, id: &str) -> Option<&'a str> {
     loop {
         let close = at + text[at..].find(&closing)?;
         let opened = text[at..close].match_indices(&opening);
-        // `<section` is not `<sectionally`.
+        // The name of another tag may begin with this name.
         depth += opened.filter(|(place, _)| text[at + place + opening.len()..].starts_with([' ', '>'])).count();
         depth -= 1;
         at = close + closing.len();

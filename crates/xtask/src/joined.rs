@@ -1,4 +1,4 @@
-//! The served page with its styles in one file and its modules in another: a tenth of the requests of many small ones.
+//! The served page with its styles in one file and its modules in another: a tenth of the requests for separate files.
 
 use crate::esbuild::Bundler;
 use crate::files;
@@ -6,7 +6,7 @@ use crate::one_file::Tag;
 use anyhow::{Context, Result};
 use std::path::Path;
 
-/// Writes `page.js` and `page.css` beside a page in the folder of the site, and makes the page ask for them.
+/// Writes `page.js` and `page.css` into the folder of the site, and makes the page load them.
 pub(crate) fn join(site: &Path, page: &str, bundler: &dyn Bundler) -> Result<()> {
     let file = site.join(page);
     let before = files::read_text(&file)?;

@@ -1,4 +1,4 @@
-//! The developer's one tool: a `match` on one word.
+//! The developer's tool. The first word of the command line is the command.
 
 mod bench;
 mod bindgen;
@@ -34,23 +34,24 @@ usage: cargo xtask COMMAND
   build                  the page, ready to be put on any static host under any path: dist/
   serve [--port N]       build, then serve dist/ on this machine (port 8080 or the next free one)
   test [--thorough] [PART ...]
-                         everything that must hold before a change is merged; PART is any of
-                         lint, native, fuzz, wasm, size, page; --thorough makes the property tests long
-  lint                   formatting, clippy and documentation, warnings being errors
-  tables                 writes www/js/tables.js, what the page knows from the core, anew; a test tells when it must be
+                         all checks before a merge; PART is any of lint, native, fuzz, wasm, size, page;
+                         --thorough makes the property tests long
+  lint                   formatting, clippy and documentation; warnings are errors
+  tables                 update www/js/tables.js from the tables of the core; a test fails when the file is out of date
   fuzz [TARGET ...] [--minutes M] [--seed N] [--guided]
-                         inputs that nobody would write, M minutes (1) for all targets together; --guided lets
-                         libFuzzer choose them by the code they reach (needs a C++ compiler)
+                         try random inputs, M minutes (1) for all targets together; --guided lets libFuzzer choose
+                         inputs by the code that they reach (needs a C++ compiler)
   fuzz TARGET --input FILE [--shrink]
-                         tries one input again; --shrink makes it smaller first
-  bench [PART ...]       speed beside other implementations; PART is any of native, web, pictures,
-                         page (how free it stays), load (what opening it and ten embedded drawings cost),
-                         space (times of pictures in space, moving and at rest),
+                         try one input again; --shrink makes the input smaller first
+  bench [PART ...]       compare speed with other implementations; PART is any of native, web, pictures,
+                         page (how fast the page responds), load (the cost of opening the page and ten embedded
+                         drawings), space (times of pictures in space, moving and at rest),
                          shares (times of pictures that several workers share)
   monkey [--minutes M] [--seed S [--actions N]] [--verbose]
-                         random actions on the page and on embedded drawings for a minute; a seed decides them
-  mutants [--all] [ARGS] whether tests notice changes of the core's code: a fixed sample of mutants, or all of them, or
-                         what ARGS of cargo-mutants choose, such as --shard 3/40 or --file drawing/hull.rs
+                         random actions on the page and on embedded drawings, M minutes (1); equal seeds give equal
+                         actions
+  mutants [--all] [ARGS] check that tests detect changes of the core's code: a fixed sample of mutants, all of them, or
+                         those that ARGS of cargo-mutants choose, such as --shard 3/40 or --file drawing/hull.rs
 
 Needs: Rust by rustup (the wasm target is added when missing), Node.js 20 or newer with npm; for test, bench and monkey
 also Chromium and ChromeDriver (installed when missing where this runs as root on Debian).
@@ -73,7 +74,7 @@ fn main() -> ExitCode {
 }
 
 fn run(program: &OsString, command: &str, rest: Vec<OsString>) -> Result<()> {
-    // Cargo calls this one for every wasm test binary (.cargo/config.toml), in the tested crate's folder.
+    // Cargo runs this command for every wasm test binary (.cargo/config.toml), in the tested crate's folder.
     if command == "wasm-bindgen-test-runner" {
         return bindgen::test_runner([program.clone()].into_iter().chain(rest));
     }
@@ -114,6 +115,7 @@ fn run(program: &OsString, command: &str, rest: Vec<OsString>) -> Result<()> {
     }
 }
 
+/// Fails if there is another word.
 fn no_more<'a>(mut words: impl Iterator<Item = &'a str>) -> Result<()> {
-    words.next().map_or(Ok(()), |word| bail!("what does `{word}` mean here? `cargo xtask help` lists the commands"))
+    words.next().map_or(Ok(()), |word| bail!("unexpected `{word}`; `cargo xtask help` lists the commands"))
 }

@@ -4,7 +4,7 @@ use crate::workspace::Workspace;
 use crate::{build, page};
 use anyhow::{Result, bail};
 
-/// What the script is told: `--seed`, `--minutes`, `--actions`, `--verbose`.
+/// The options of the script: `--seed`, `--minutes`, `--actions`, `--verbose`.
 pub(crate) struct Options(Vec<String>);
 
 impl Options {
@@ -26,19 +26,19 @@ impl Options {
         Ok(Self(options))
     }
 
-    /// A short run, always the same, that is part of the long tests.
+    /// The short run of the thorough tests, always with the same seed.
     pub(crate) fn one_minute() -> Self {
         Self(["--minutes", "1", "--seed", "1"].map(str::to_owned).to_vec())
     }
 }
 
-/// Builds the page and lets the monkey at it.
+/// Builds the page and runs the monkey on it.
 pub(crate) fn monkey(workspace: &Workspace, options: &Options) -> Result<()> {
     build::build(workspace)?;
     run(workspace, options)
 }
 
-/// Lets the monkey at the page that has just been built.
+/// Runs the monkey on the built page.
 pub(crate) fn run(workspace: &Workspace, options: &Options) -> Result<()> {
     page::script(workspace, "test/monkey/monkey.mjs", &options.0)
 }

@@ -1,5 +1,5 @@
-//! `cargo xtask mutants`: whether the tests notice when the core's code is changed. What is changed and which tests run
-//! stands in `.cargo/mutants.toml`.
+//! `cargo xtask mutants`: checks that the tests detect changes of the core's code. `.cargo/mutants.toml` chooses the
+//! changes and the tests.
 
 use crate::files;
 use crate::workspace::{Workspace, output, run};
@@ -9,26 +9,26 @@ use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
 
-/// The release of cargo-mutants whose list of mutants the figures are about.
+/// The version of cargo-mutants. Another version may have other mutants, so results would not be comparable.
 const VERSION: &str = "27.1.0";
-/// One mutant in so many is tried without further words: less than an hour's work.
+/// The default sample, one mutant in 40: less than an hour.
 const SAMPLE: &str = "0/40";
 
-/// Runs cargo-mutants with `words`, and says how many mutants the tests have caught.
+/// Runs cargo-mutants with `words`, and prints the number of mutants that the tests have caught.
 pub(crate) fn mutants<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a str>) -> Result<()> {
     let words = arguments(words);
     let tool = tool(workspace)?;
     let folder = workspace.target.join("mutants");
     let mut command = Command::new(tool);
     command.arg("mutants").args(&words).arg("--output").arg(&folder).current_dir(&workspace.root);
-    // The same cases every time, and few: a change that matters shows in most of them.
+    // Few cases, the same every time: an important change shows in most of them.
     command.env("PROPTEST_RNG_SEED", "1").env("LSYSTEM_CASES", "40");
     if words.iter().any(|word| word == "--list" || word == "--help") {
         return run(&mut command);
     }
     std::fs::create_dir_all(&folder)?;
     let status = command.status().context("starting cargo-mutants")?;
-    // 2: some were missed. 3: some had to be ended.
+    // 2: some mutants were missed. 3: some tests timed out.
     if !matches!(status.code(), Some(0 | 2 | 3)) {
         bail!("cargo-mutants failed ({status}); its log is in {}", folder.display());
     }
@@ -37,7 +37,7 @@ pub(crate) fn mutants<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a
     Ok(())
 }
 
-/// The words for cargo-mutants: the usual sample unless another one, some files or `--all` is asked for.
+/// The words for cargo-mutants: with the default sample, unless the words choose mutants or contain `--all`.
 fn arguments<'a>(words: impl Iterator<Item = &'a str>) -> Vec<String> {
     let mut words: Vec<String> = words.map(str::to_owned).collect();
     let chooses = |word: &String| {
@@ -49,20 +49,20 @@ fn arguments<'a>(words: impl Iterator<Item = &'a str>) -> Vec<String> {
         words.extend(["--shard".to_owned(), SAMPLE.to_owned()]);
     }
     words.retain(|word| word != "--all");
-    // Each shard has mutants of all files, the same every time.
+    // Each shard has the same mutants every time, from all files.
     words.extend(["--sharding=round-robin", "--no-shuffle", "--colors=never"].map(str::to_owned));
-    // A baseline run would test the changed crates alone, and fail: the named tests are in another crate. Timeouts are in
-    // seconds, and end mutants that loop.
+    // A baseline run would test only the changed crates and fail, because the named tests are in another crate.
+    // Timeouts (in seconds) stop mutants that loop.
     words.extend(["--baseline=skip", "--timeout=120", "--build-timeout=900"].map(str::to_owned));
     words
 }
 
-/// The tool at its version: as it is installed, or else installed into Cargo's target folder.
+/// cargo-mutants at [`VERSION`]. If it is missing, it is installed into Cargo's target folder.
 fn tool(workspace: &Workspace) -> Result<OsString> {
     let own = workspace.target.join("tools");
     let local = own.join("bin").join(format!("cargo-mutants{}", std::env::consts::EXE_SUFFIX));
     for program in [local.as_os_str(), "cargo-mutants".as_ref()] {
-        if is_right(program) {
+        if has_version(program) {
             return Ok(program.to_owned());
         }
     }
@@ -74,20 +74,20 @@ fn tool(workspace: &Workspace) -> Result<OsString> {
     Ok(local.into_os_string())
 }
 
-fn is_right(program: impl AsRef<Path>) -> bool {
+fn has_version(program: impl AsRef<Path>) -> bool {
     let version = output(Command::new(program.as_ref().as_os_str()).args(["mutants", "--version"]));
     version.is_ok_and(|version| version.split_whitespace().last() == Some(VERSION))
 }
 
-/// The figure in words.
+/// The result in words.
 fn summary(outcomes: &Value) -> Result<String> {
-    let count = |name: &str| outcomes[name].as_u64().with_context(|| format!("cargo-mutants tells no `{name}`"));
+    let count = |name: &str| outcomes[name].as_u64().with_context(|| format!("cargo-mutants reports no `{name}`"));
     let (caught, timeout, missed) = (count("caught")?, count("timeout")?, count("missed")?);
     let viable = caught + timeout + missed;
     let share = (caught + timeout) as f64 * 100.0 / viable.max(1) as f64;
     Ok(format!(
-        "{viable} mutants that compile: {caught} caught, {timeout} ended after their time, {missed} missed; {share:.1} % \
-         killed ({} did not compile)",
+        "{viable} mutants that compile: {caught} caught, {timeout} timed out, {missed} missed; {share:.1} % killed \
+         ({} did not compile)",
         count("unviable")?
     ))
 }

@@ -1,4 +1,4 @@
-//! The list of files that the page keeps for use without a network, written in front of its service worker.
+//! The list of files that the page keeps for offline use. The list becomes the head of the service worker.
 
 use crate::files;
 use anyhow::{Context, Result};
@@ -8,10 +8,10 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 const WORKER: &str = "service-worker.js";
-/// Of no use without a network, or the same again.
+/// Files that are useless offline or that repeat the others.
 const LEFT_OUT: [&str; 2] = [WORKER, "playground.html"];
 
-/// Completes the service worker in the folder of the site, whose other files are in place.
+/// Completes the service worker in the folder of the site. All other files must be in place.
 pub(crate) fn list_files(site: &Path) -> Result<()> {
     let mut hashes = Map::new();
     for file in files::list(site, |_| true)? {
@@ -20,13 +20,13 @@ pub(crate) fn list_files(site: &Path) -> Result<()> {
             continue;
         }
         let hash = hex(&Sha256::digest(files::read(&file)?));
-        // Some hosts answer only to the folder.
+        // Some hosts serve the first page only at the folder's address.
         hashes.insert(if path == "index.html" { String::new() } else { path }, hash.into());
     }
     let list = Value::Object(hashes).to_string();
     let worker = site.join(WORKER);
     let text = files::read_text(&worker)?;
-    // The worker itself is of the version, too: another one is another version.
+    // A change of the worker itself makes a new version, too.
     let build = &hex(&Sha256::digest(format!("{list}{text}")))[..16];
     files::write(&worker, format!("const BUILD = \"{build}\";\nconst FILES = {list};\n{text}"))
 }

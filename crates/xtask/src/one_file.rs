@@ -1,8 +1,8 @@
-//! Pages that are a single file: they work from a disk, in frames without an origin, and wherever they are put.
+//! Pages as a single file: such a page works from a disk, in frames without an origin, and at any address.
 //!
-//! Styles, scripts and icons go into the page, and so do the files that it would fetch (`www/js/files.js` reads them
-//! there). A policy that names every script and style by its hash forbids the page everything else, above all to ask
-//! for anything.
+//! The file contains styles, scripts, icons and the files that the page would fetch (`www/js/files.js` reads them
+//! there). The page's content security policy allows its own scripts and styles by hash and forbids everything else,
+//! above all requests.
 
 use crate::esbuild::Bundler;
 use crate::files;
@@ -16,7 +16,7 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
 
-/// Makes a single file of a page in the folder of the site; `carried` are the files it would fetch.
+/// Makes a single file of a page in the folder of the site. `carried` are the files that the page would fetch.
 pub(crate) fn one_file(site: &Path, page: &str, carried: &[&str], bundler: &dyn Bundler) -> Result<String> {
     let text = files::read_text(&site.join(page))?;
     Assembly { site, bundler, policy: Policy::default() }
@@ -24,7 +24,7 @@ pub(crate) fn one_file(site: &Path, page: &str, carried: &[&str], bundler: &dyn 
         .with_context(|| format!("making one file of {page}"))
 }
 
-/// What the page may run and show: the hashes of its own scripts and styles.
+/// The hashes of the scripts and styles that the content security policy allows.
 #[derive(Default)]
 struct Policy {
     scripts: Vec<String>,
@@ -51,7 +51,7 @@ struct Assembly<'a> {
     policy: Policy,
 }
 
-/// Stands for the policy until all hashes are known.
+/// A placeholder for the policy until all hashes are known.
 const POLICY: &str = "<meta name=\"policy\">";
 
 impl Assembly<'_> {
@@ -69,7 +69,7 @@ impl Assembly<'_> {
                         &line.replace(name, &format!("data:image/svg+xml;base64,{}", BASE64.encode(self.read(name)?))),
                     );
                 }
-                // What speeds up loading or installs the page has nothing to do here.
+                // Other links preload files or install the page; a single file needs neither.
                 ("link", ..) => {}
                 ("script", _, Some(name)) if tag.attribute("type") == Some("module") => modules.push(name),
                 ("script", _, Some(name)) => {
@@ -81,11 +81,11 @@ impl Assembly<'_> {
                     self.policy.styles.push(hash(&styles));
                     ensure!(
                         !styles.contains("</") && !styles.contains("@import") && !styles.contains("url("),
-                        "a style that is not whole in itself"
+                        "a style refers to another file or ends its element"
                     );
                     write!(page, "<style>{styles}</style>\n{line}\n")?;
                 }
-                // The files and the script come last, so that the page is there before they are read.
+                // The files and the script come last, so that the page is visible before they are read.
                 _ if line == "</body>" => {
                     for name in carried {
                         page.push_str(&self.carry(name)?);
@@ -100,7 +100,7 @@ impl Assembly<'_> {
             }
         }
         let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n", self.policy.write());
-        ensure!(page.contains(POLICY), "the page has no policy of its own");
+        ensure!(page.contains(POLICY), "the page has no content security policy");
         Ok(page.replacen(POLICY, &policy, 1))
     }
 
@@ -108,17 +108,18 @@ impl Assembly<'_> {
         files::read_text(&self.site.join(name))
     }
 
+    /// A script element, whose hash the policy allows.
     fn script(&mut self, kind: &str, text: &str) -> Result<String> {
-        whole(text)?;
+        check_script(text)?;
         self.policy.scripts.push(hash(text));
         Ok(format!("<script{kind}>{text}</script>\n"))
     }
 
-    /// A file inside an element of a type that browsers neither run nor fetch.
+    /// A file as a script element of a type that browsers do not run.
     fn carry(&self, name: &str) -> Result<String> {
         if name.ends_with(".js") {
             let text = self.read(name)?;
-            whole(&text)?;
+            check_script(&text)?;
             return Ok(format!("<script type=\"text/plain\" data-file=\"{name}\">{text}</script>\n"));
         }
         let mut encoder = GzEncoder::new(vec![], Compression::best());
@@ -128,17 +129,17 @@ impl Assembly<'_> {
     }
 }
 
-/// Makes sure that a script's element ends where the script does.
-fn whole(script: &str) -> Result<()> {
+/// Checks that a script does not end its element early.
+fn check_script(script: &str) -> Result<()> {
     let lower = script.to_ascii_lowercase();
     ensure!(
         !["</script", "<script", "<!--"].iter().any(|end| lower.contains(end)),
-        "a script that would end its element"
+        "a script contains text that would end its element"
     );
     Ok(())
 }
 
-/// A line that is one tag, as the heads of our pages are written.
+/// A line that contains one tag, as in the heads of the pages.
 pub(crate) struct Tag<'a>(pub(crate) &'a str);
 
 impl<'a> Tag<'a> {
@@ -157,7 +158,7 @@ impl<'a> Tag<'a> {
 mod tests {
     use super::*;
 
-    /// As they are written.
+    /// A bundler that returns files unchanged.
     struct Plain<'a>(&'a Path);
 
     impl Bundler for Plain<'_> {

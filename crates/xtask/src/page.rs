@@ -1,4 +1,4 @@
-//! The page's checks: types, unit tests in Node.js, end-to-end tests in a real browser.
+//! The page's checks: types, unit tests in Node.js, end-to-end tests in a browser.
 
 use crate::report::Report;
 use crate::workspace::{Workspace, run};
@@ -9,10 +9,10 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
 
-/// Where the end-to-end tests find the page: not at the root, so that every absolute address in it is found out.
+/// The path of the page in the end-to-end tests. Absolute addresses in the page fail, because the path is not the root.
 const MOUNT: &str = "/some/where/";
 
-/// Checks the page that has just been built; `cases` is how many random states its unit tests try, if not as usual.
+/// Checks the built page. `cases` is the number of random states in its unit tests; `None` for the default.
 pub(crate) fn steps(workspace: &Workspace, cases: Option<&str>, report: &mut Report) {
     let www = workspace.www();
     if !report.step("packages for the page's checks", || packages(&www)) {
@@ -24,7 +24,8 @@ pub(crate) fn steps(workspace: &Workspace, cases: Option<&str>, report: &mut Rep
     report.step("end-to-end tests of the page", || end_to_end(workspace, &www));
 }
 
-/// Makes `node_modules` in a folder what the lock file says. A copy of the lock file that was installed tells whether it is.
+/// Installs the packages of a folder's lock file into `node_modules`. A copy of the installed lock file shows whether
+/// this has been done.
 pub(crate) fn packages(folder: &Path) -> Result<()> {
     let lock = files::read(&folder.join("package-lock.json"))?;
     let installed = folder.join("node_modules/.installed-lock.json");
@@ -48,29 +49,29 @@ fn unit(www: &Path, cases: Option<&str>) -> Result<()> {
 
 fn end_to_end(workspace: &Workspace, www: &Path) -> Result<()> {
     let tests = tests(www, |path| !path.starts_with("unit"))?;
-    // Two files at a time: much of a test waits, and more browsers would share the machine's few cores.
+    // Two files at a time: tests spend much time waiting, but more browsers would compete for few cores.
     with_page(workspace, |node| node.args(["--test", "--test-concurrency=2"]).args(tests).current_dir(www))
 }
 
-/// Runs a script that measures the page that has just been built.
+/// Runs a script that measures the built page.
 pub(crate) fn bench(workspace: &Workspace, script: &str) -> Result<()> {
     self::script(workspace, &format!("test/bench/{script}"), &[])
 }
 
-/// Runs a script of `www` with the page that has just been built.
+/// Runs a script of `www` with the built page.
 pub(crate) fn script(workspace: &Workspace, script: &str, words: &[String]) -> Result<()> {
     let www = workspace.www();
     packages(&www)?;
     with_page(workspace, |node| node.arg(script).args(words).current_dir(&www))
 }
 
-/// Runs Node.js as `prepare` says, while the page is served.
+/// Runs Node.js while the page is served. `prepare` completes the command.
 fn with_page(workspace: &Workspace, prepare: impl FnOnce(&mut Command) -> &mut Command) -> Result<()> {
     let browser = tools::browser()?;
     let listener = TcpListener::bind("127.0.0.1:0")?;
     let address = format!("http://{}{MOUNT}", listener.local_addr()?);
     let dist = workspace.dist();
-    // The listener is bound, so nobody has to wait; the thread ends with the process.
+    // The listener is bound, so the tests need not wait. The thread ends with the process.
     thread::spawn(move || server::run(&listener, &dist, MOUNT));
     let temporary = tempfile::tempdir()?;
     run(prepare(&mut Command::new(tools::node()?))
@@ -79,7 +80,8 @@ fn with_page(workspace: &Workspace, prepare: impl FnOnce(&mut Command) -> &mut C
         .env("TMPDIR", temporary.path()))
 }
 
-/// The test files below `test/` that are wanted. That there are none is an error: they would be missed.
+/// The test files below `test/` that `wanted` accepts. Finding none is an error, because a moved folder would go
+/// unnoticed.
 fn tests(www: &Path, wanted: impl Fn(&Path) -> bool) -> Result<Vec<PathBuf>> {
     let folder = www.join("test");
     let mut found = files::list(&folder, |path| path.extension().is_none() || wanted(path))?;

@@ -1,4 +1,4 @@
-//! Steps with names and times, and what came of them.
+//! Steps with names, times and results.
 
 use anyhow::{Error, Result, bail};
 use std::time::{Duration, Instant};
@@ -10,8 +10,8 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// Does a step and says so. A failure is kept for the end, so that one run shows all that is wrong; the answer is
-    /// whether what depends on the step makes sense.
+    /// Runs a step and prints its name and time. A failure is kept for the end, so that one run shows all failures.
+    /// Returns whether the step succeeded.
     pub(crate) fn step(&mut self, name: &str, step: impl FnOnce() -> Result<()>) -> bool {
         println!("\n=== {name}");
         let start = Instant::now();

@@ -1,4 +1,5 @@
-//! A web server for a folder of static files: local, one thread a connection, no caching, and no way out of the folder.
+//! A local web server for a folder of static files: one thread per connection, no caching, no access outside the
+//! folder.
 
 use std::fs;
 use std::io::{self, BufRead, BufReader, Read, Write};
@@ -7,16 +8,16 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Duration;
 
-/// No browser sends longer request lines and headers than this many bytes to a static server.
+/// The most bytes of a request line and headers; browsers send fewer to a static server.
 const LONGEST_REQUEST: u64 = 64 << 10;
-/// How long a connection may stay silent.
+/// The longest silence of a connection.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// Serves the files below `folder` at the addresses below `mount` (which starts and ends with `/`) for ever.
+/// Serves the files below `folder` at the addresses below `mount`, without end. `mount` starts and ends with `/`.
 pub(crate) fn run(listener: &TcpListener, folder: &Path, mount: &str) {
     thread::scope(|scope| {
         for stream in listener.incoming().flatten() {
-            // A browser that goes away in the middle of an answer is no news.
+            // Errors are ignored: browsers often close a connection early.
             scope.spawn(move || answer(&stream, folder, mount).ok());
         }
     });
@@ -57,7 +58,7 @@ fn respond(method: &str, target: &str, folder: &Path, mount: &str) -> (String, V
     };
     if file.is_dir() {
         if !path.ends_with('/') {
-            // Relative addresses in the page count from the folder, so the address has to say that it is one.
+            // The address of a folder must end in `/`, because relative addresses in the page start from there.
             return plain("301 Moved Permanently", &format!("Location: {path}/\r\n"));
         }
         file.push("index.html");
@@ -75,12 +76,12 @@ fn head(status: &str, media_type: &str, length: usize, more: &str) -> String {
     )
 }
 
-/// The file that an address (without its leading slash) names, or `None` when it is no plain path downwards.
+/// The file at an address without its leading slash; `None` unless the address is a plain path inside the folder.
 fn locate(folder: &Path, address: &str) -> Option<PathBuf> {
     let mut path = folder.to_owned();
     for part in address.split('/').filter(|part| !part.is_empty()) {
         let part = decode(part)?;
-        // Hidden files, the folder above, and whatever Windows or a control character could make of a name.
+        // Refuse hidden files, the parent folder, and characters with a special meaning on Windows or in terminals.
         if part.starts_with('.') || part.contains(['/', '\\', ':']) || part.contains(char::is_control) {
             return None;
         }
@@ -89,7 +90,7 @@ fn locate(folder: &Path, address: &str) -> Option<PathBuf> {
     Some(path)
 }
 
-/// Undoes percent encoding; `None` when it is broken or not UTF-8.
+/// Undoes percent encoding; `None` if the encoding is broken or not UTF-8.
 fn decode(text: &str) -> Option<String> {
     let mut bytes = vec![];
     let mut rest = text.bytes();
@@ -169,7 +170,7 @@ mod tests {
         fs::write(folder.path().join("index.html"), "hello")?;
         let listener = TcpListener::bind("127.0.0.1:0")?;
         let address = listener.local_addr()?;
-        // The thread serves until the test process ends, as it would for a person.
+        // The thread serves until the test process ends.
         thread::spawn(move || run(&listener, folder.path(), "/"));
         for _ in 0..3 {
             let mut stream = TcpStream::connect(address)?;

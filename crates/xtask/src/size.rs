@@ -1,4 +1,4 @@
-//! The size of the shipped wasm, and the limit that somebody has agreed to.
+//! The check of the shipped wasm's size against the committed limit.
 
 use crate::files;
 use crate::workspace::Workspace;
@@ -8,14 +8,14 @@ use flate2::write::GzEncoder;
 use std::fmt;
 use std::io::Write;
 
-/// Bytes, as they are and as hosts send them.
+/// The size of a file in bytes, raw and compressed by gzip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Size {
     raw: usize,
     gzip: usize,
 }
 
-/// Compares the wasm in `dist/` with the committed limit and says how they stand.
+/// Compares the wasm in `dist/` with the committed limit and prints both.
 pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     let file = "crates/lsystem-wasm/size-limit.txt";
     let limits = files::read_text(&workspace.root.join(file))?;
@@ -24,7 +24,7 @@ pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     let limit = read(&limits, name).with_context(|| format!("in {file}"))?;
     println!("{name}: {size}; limit {limit}");
     if size.raw > limit.raw || size.gzip > limit.gzip {
-        bail!("{name} has outgrown its limit: make it smaller, or raise the limit in {file} and say why");
+        bail!("{name} is larger than its limit: make it smaller, or raise the limit in {file} and give the reason");
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! `cargo xtask test`: everything that must hold.
+//! `cargo xtask test`: all checks before a merge.
 
 use crate::report::Report;
 use crate::workspace::{Workspace, run};
@@ -6,12 +6,12 @@ use crate::{build, files, fuzz, lint, monkey, page, size, tools};
 use anyhow::{Result, bail};
 use serde_json::Value;
 
-/// The parts of the test, in their order.
+/// The parts of the test, in order.
 const PARTS: [&str; 6] = ["lint", "native", "fuzz", "wasm", "size", "page"];
 
-/// What to test, and how hard.
+/// The parts to run, and whether to run them thoroughly.
 pub(crate) struct Options {
-    /// Whether the property tests try 10,000 fresh random systems rather than always the same 500.
+    /// Whether the property tests try 10,000 new random systems instead of the same 500 every time.
     thorough: bool,
     parts: Vec<&'static str>,
 }
@@ -23,7 +23,7 @@ impl Options {
             match PARTS.iter().find(|part| **part == word) {
                 Some(part) => options.parts.push(part),
                 None if word == "--thorough" => options.thorough = true,
-                None => bail!("there is no part `{word}` of the test; there are {}", PARTS.join(", ")),
+                None => bail!("there is no part `{word}` of the test; the parts are {}", PARTS.join(", ")),
             }
         }
         if options.parts.is_empty() {
@@ -32,7 +32,7 @@ impl Options {
         Ok(options)
     }
 
-    /// How many random cases the property tests try, if not as usual.
+    /// The number of random cases in the property tests; `None` for the default.
     fn cases(&self) -> Option<&'static str> {
         self.thorough.then_some("10000")
     }
@@ -46,18 +46,18 @@ pub(crate) fn test(workspace: &Workspace, options: &Options) -> Result<()> {
     }
     if has("native") {
         report.step("native tests", || {
-            // What is for development has steps of its own.
+            // The crates for development have their own steps.
             let others = ["--exclude=xtask", "--exclude=bench", "--exclude=lsystem-fuzz"];
             let mut test = workspace.cargo(["test", "--no-fail-fast", "--workspace"].into_iter().chain(others));
             match options.cases() {
                 Some(cases) => test.env("LSYSTEM_CASES", cases),
-                // The same random systems every time: a change is judged by what it changes.
+                // The same random systems every time, so that a change is the only difference.
                 None => test.env("PROPTEST_RNG_SEED", "1"),
             };
             run(&mut test)
         });
-        // On its own: together with the others Cargo would choose other features for the libraries below, and compile
-        // all of them a second time.
+        // A separate step: together with the others, Cargo would choose other features for shared libraries and compile
+        // them twice.
         report.step("native tests of xtask", || run(&mut workspace.cargo(["test", "--package=xtask"])));
     }
     if has("fuzz") {
@@ -93,15 +93,15 @@ fn wasm(workspace: &Workspace) -> Result<()> {
     capabilities["goog:chromeOptions"]["binary"] = browser.chromium.to_string_lossy().into();
     let capabilities_file = temporary.path().join("webdriver.json");
     files::write(&capabilities_file, capabilities.to_string())?;
-    // `--tests`: examples in the documentation run natively.
+    // `--tests` leaves out examples in the documentation, which run natively.
     run(workspace
         .cargo(["test", "--no-fail-fast", "--tests", "--package=lsystem-wasm", "--target", tools::WASM_TARGET])
-        // The runner reads a binary with debug information for half a minute.
+        // With debug information, the runner needs half a minute to read a binary.
         .env("CARGO_PROFILE_DEV_DEBUG", "0")
         .env("WASM_BINDGEN_TEST_WEBDRIVER_JSON", capabilities_file)
         .env("CHROMEDRIVER", browser.driver)
         .env("TMPDIR", temporary.path())
-        // The time for all tests of a binary, on a slow machine.
+        // The seconds for all tests of a binary, on a slow machine.
         .env("WASM_BINDGEN_TEST_TIMEOUT", "300"))
 }
 

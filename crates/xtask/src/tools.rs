@@ -1,4 +1,4 @@
-//! The programs that Cargo does not bring: found, installed where that is safe, or named together with how to get them.
+//! Programs that Cargo does not provide: each is found, installed if that is safe, or named with instructions.
 
 use crate::workspace::{output, run};
 use anyhow::{Context, Result, bail};
@@ -32,14 +32,14 @@ pub(crate) fn npm() -> Result<PathBuf> {
 const NO_NODE: &str = "the page is built and checked with Node.js 20 or newer and npm, and they are not on the PATH: \
                        get them from nodejs.org or your system's packages (Debian: apt-get install nodejs npm)";
 
-/// The browser that tests run in, and the program that steers it for the wasm tests.
+/// The browser for tests, and the driver that controls it in the wasm tests.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Browser {
     pub(crate) chromium: PathBuf,
     pub(crate) driver: PathBuf,
 }
 
-/// Finds Chromium and its driver, installing them where this runs as root on Debian.
+/// Finds Chromium and its driver. Installs them if this runs as root on Debian.
 pub(crate) fn browser() -> Result<Browser> {
     let here = Surroundings::here();
     let found = find_browser(&here);
@@ -47,7 +47,7 @@ pub(crate) fn browser() -> Result<Browser> {
         return found;
     }
     let installed = install();
-    // Without the lighter one the tests only take longer.
+    // A failed installation of the headless shell is ignored if there is another Chromium; tests only take longer.
     if found.is_err() {
         installed?;
     }
@@ -65,10 +65,10 @@ fn install() -> Result<()> {
     run(apt().args(["install", "--yes", "--no-install-recommends", SHELL, "chromium-driver"]))
 }
 
-/// Chromium without windows, menus and their scripts: opens a page in half the time, on a third of the processor time.
+/// Chromium without a user interface: it opens a page in half the time, with a third of the processor time.
 const SHELL: &str = "chromium-headless-shell";
 
-/// Finds both programs, or says which is missing and how to get it.
+/// Finds both programs. The error names the missing program and how to get it.
 fn find_browser(here: &Surroundings) -> Result<Browser> {
     let names = [SHELL, "chromium", "chromium-browser", "google-chrome", "chrome"];
     let chromium = here.find(here.chromium.as_deref(), &names);
@@ -86,13 +86,14 @@ fn find_browser(here: &Surroundings) -> Result<Browser> {
     )
 }
 
-/// What the search for programs depends on.
+/// The environment in which programs are searched.
 struct Surroundings {
     path: OsString,
-    /// The variables CHROMIUM and CHROMEDRIVER.
+    /// The variable CHROMIUM.
     chromium: Option<OsString>,
+    /// The variable CHROMEDRIVER.
     driver: Option<OsString>,
-    /// Whether this is Debian, by its release file.
+    /// Whether the system is Debian, by its release file.
     debian: bool,
     root: bool,
 }
@@ -110,7 +111,7 @@ impl Surroundings {
         }
     }
 
-    /// The program that a variable names, or else the first of `names` on the PATH.
+    /// The program named by a variable, or else the first of `names` on the PATH.
     fn find(&self, variable: Option<&OsStr>, names: &[&str]) -> Option<PathBuf> {
         if let Some(file) = variable {
             return Some(PathBuf::from(file)).filter(|file| file.is_file());
@@ -125,8 +126,8 @@ impl Surroundings {
         names.iter().find_map(in_folders)
     }
 
-    /// Installing is nobody's surprise only where the system is Debian and we are its administrator, as in a fresh
-    /// container; what a variable names is somebody's choice, and not ours to replace.
+    /// Whether programs may be installed: only as root on Debian, as in a fresh container, and only if no variable
+    /// names another program.
     fn can_install(&self) -> bool {
         let chosen = self.chromium.is_some() || self.driver.is_some();
         self.debian && self.root && !chosen && self.find(None, &["apt-get"]).is_some()
@@ -142,7 +143,7 @@ mod tests {
     use super::*;
     use tempfile::TempDir;
 
-    /// A PATH of two folders, the second with these programs.
+    /// An environment with a PATH of two folders; the second contains these programs.
     fn with(programs: &[&str]) -> (TempDir, Surroundings) {
         let folder = tempfile::tempdir().unwrap();
         for program in programs {

@@ -1,4 +1,4 @@
-//! Where things are, and how other programs are called.
+//! The repository's folders, and the running of other programs.
 
 use anyhow::{Context, Result, bail};
 use std::ffi::OsStr;
@@ -13,7 +13,7 @@ pub(crate) struct Workspace {
 }
 
 impl Workspace {
-    /// Asks Cargo, which knows all the ways in which a target folder can be configured.
+    /// Finds the folders. Cargo knows the target folder, which can be configured in many ways.
     pub(crate) fn find() -> Result<Self> {
         let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
         let root = root.ancestors().nth(2).context("xtask is not in crates/")?.to_owned();
@@ -32,7 +32,7 @@ impl Workspace {
         self.root.join("dist")
     }
 
-    /// `cargo` with these words, in the root folder.
+    /// The command `cargo` with these words, in the root folder.
     pub(crate) fn cargo<'a>(&self, words: impl IntoIterator<Item = &'a str>) -> Command {
         let mut command = Command::new(cargo_program());
         command.args(words).current_dir(&self.root);
@@ -44,7 +44,7 @@ fn cargo_program() -> std::ffi::OsString {
     std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 
-/// Runs a program to its end; its output goes where ours goes.
+/// Runs a program to its end; it shares standard output and standard error with this one.
 pub(crate) fn run(command: &mut Command) -> Result<()> {
     let status = command.status().with_context(|| format!("starting `{}`", words(command)))?;
     if !status.success() {
@@ -53,7 +53,7 @@ pub(crate) fn run(command: &mut Command) -> Result<()> {
     Ok(())
 }
 
-/// Runs a program to its end and returns what it wrote to standard output.
+/// Runs a program to its end and returns its standard output.
 pub(crate) fn output(command: &mut Command) -> Result<String> {
     let output = command.output().with_context(|| format!("starting `{}`", words(command)))?;
     if !output.status.success() {
@@ -62,7 +62,7 @@ pub(crate) fn output(command: &mut Command) -> Result<String> {
     Ok(String::from_utf8(output.stdout)?)
 }
 
-/// The command as one would type it, but for the program's folder and the quotes.
+/// The command line for messages, without the program's folder and without quotes.
 fn words(command: &Command) -> String {
     let program = PathBuf::from(command.get_program());
     let name = program.file_name().unwrap_or(OsStr::new("?"));

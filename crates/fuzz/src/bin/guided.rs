@@ -1,5 +1,5 @@
-//! Feeds inputs to a target that are led by the code they reach. The environment variable `LSYSTEM_FUZZ` names the target;
-//! the arguments are libFuzzer's.
+//! Fuzzing by libFuzzer, which chooses inputs by the code that they reach. The environment variable `LSYSTEM_FUZZ`
+//! names the target; the arguments are libFuzzer's.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -1,18 +1,18 @@
-//! Systems: anything a definition can hold.
+//! Random systems, with every field of a definition.
 
-use super::text::{Features, overrides, rules, soup, word};
+use super::text::{Features, overrides, random_pieces, rules, word};
 use super::view::style;
 use crate::Source;
 use lsystem::syntax::{ColourBy, Ink};
 use lsystem::{Definition, Dialect, Limits, System};
 
-/// What a page may spend; as in `crates/lsystem-wasm`.
+/// The limits of the page, as in `crates/lsystem-wasm`.
 const PAGE: Limits =
     Limits { symbols: 64 << 20, modules: 16 << 20, segments: u32::MAX as u64, work: 100_000_000, memory: 70 << 20 };
-/// What most executions may spend, so that there are many.
+/// The limits of most executions; small, so that there are many executions.
 const SMALL: Limits = Limits { symbols: 100_000, modules: 20_000, segments: 5_000, work: 200_000, memory: 70 << 20 };
 
-/// Limits: mostly small ones.
+/// Random limits, mostly [`SMALL`].
 pub(crate) fn limits(source: &mut Source<'_>) -> Limits {
     match source.below(100) {
         99 => PAGE,
@@ -22,23 +22,23 @@ pub(crate) fn limits(source: &mut Source<'_>) -> Limits {
     }
 }
 
-/// A definition and its system, where it is one.
+/// A definition and its system; `None` if the definition has errors.
 pub(crate) fn system(source: &mut Source<'_>) -> Option<(Definition, System)> {
     let definition = definition(source);
     let system = System::new(&definition).0?;
     Some((definition, system))
 }
 
-/// A definition; seldom one with errors.
+/// The given definition, or a random one, which seldom has errors.
 pub(crate) fn definition(source: &mut Source<'_>) -> Definition {
-    let definition = source.given.clone().unwrap_or_else(|| made(source));
+    let definition = source.given.clone().unwrap_or_else(|| random_definition(source));
     if source.is_shown {
         println!("{}", lsystem::write_json(&definition));
     }
     definition
 }
 
-fn made(source: &mut Source<'_>) -> Definition {
+fn random_definition(source: &mut Source<'_>) -> Definition {
     let features = Features::make(source);
     let mut definition = Definition {
         axiom: word(source, Features { long: false, ..features }, &[], 1),
@@ -64,15 +64,15 @@ fn made(source: &mut Source<'_>) -> Definition {
         definition.style = style(source);
     }
     for _ in 0..source.pick(&[0, 0, 1, 2, 4]) {
-        twist(source, &mut definition);
+        change_field(source, &mut definition);
     }
     if source.once_in(200) {
-        definition.rules = soup(source);
+        definition.rules = random_pieces(source);
     }
     definition
 }
 
-/// An angle: round, or so near to a round one that a circle does not close.
+/// An angle in degrees: round, or so near to a round one that a circle does not close.
 fn angle(source: &mut Source<'_>) -> f64 {
     match source.below(8) {
         0..5 => source.pick(&[90.0, 60.0, 25.7, 45.0, 22.5, 36.0, 120.0, 180.0, 0.0, 72.0, 30.0]),
@@ -82,13 +82,13 @@ fn angle(source: &mut Source<'_>) -> f64 {
     }
 }
 
-/// A number in a field: of the size that is meant, or of any.
+/// A number for a field: mostly one of `usual`.
 fn near(source: &mut Source<'_>, usual: &[f64]) -> f64 {
     if source.once_in(6) { source.number() } else { source.pick(usual) }
 }
 
 /// Changes one field.
-fn twist(source: &mut Source<'_>, definition: &mut Definition) {
+fn change_field(source: &mut Source<'_>, definition: &mut Definition) {
     const DEGREES: [f64; 6] = [0.0, 90.0, 17.3, -45.0, 180.0, 89.999_999];
     const FACTORS: [f64; 8] = [0.5, 0.9, 0.999_999, 1.0, 1.2, 2.0, 0.01, 1e-3];
     match source.below(19) {
@@ -118,7 +118,7 @@ fn twist(source: &mut Source<'_>, definition: &mut Definition) {
 
 #[cfg(test)]
 mod tests {
-    /// Both crates write the limits down, because the one for the page cannot be compiled here.
+    /// The limits stand in two crates, because the page's crate cannot be compiled here.
     #[test]
     fn the_limits_are_those_of_the_page() {
         let text = |path: &str| {

@@ -1,19 +1,19 @@
-//! Texts in the notation, mostly right, and texts that only look like it.
+//! Random texts in the notation: mostly valid ones, and texts of arbitrary pieces.
 
 use crate::Source;
 use core::fmt::Write;
 
-/// All that a dialect or the notation gives a meaning, and letters.
+/// Letters, and all symbols with a meaning in a dialect or in the notation.
 const SYMBOLS: &str = "FGfgABXYLPQabcxyz+-|[]{}.!#',;%&^\\/$<>v*:=()~@é木🌱01";
-/// Of these, the ones that draw in the plane, of which words mostly are made.
+/// The symbols of most words; they draw in the plane.
 const COMMON: &str = "FFFFABX++--fG";
-/// What fills polygons and leads out of the plane.
+/// Symbols that fill polygons, leave the plane or change the style.
 const SPECIAL: &str = "&^\\/$|!#'{}.%;,f";
-/// What has no place in a text, look-alikes and things that cannot be seen.
+/// Characters that are wrong in a word: operators, look-alikes and invisible characters.
 const STRANGE: &str =
     "`:->=#/*()<ε→.,;{}|\\^&$!'\"% \t\n\r_−–—’“ˆ（）＞⇒\u{feff}\u{200b}\u{a0}\u{2028}\u{0}\u{301}é木🌱";
 
-/// What a system may have beside plain letters.
+/// The features of a system beyond plain letters.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Features {
     pub(super) contexts: bool,
@@ -39,12 +39,12 @@ impl Features {
     }
 }
 
-/// A symbol as it stands in a text.
+/// A symbol in a text, quoted if necessary.
 fn symbol(source: &mut Source<'_>, features: Features) -> String {
     match source.below(12) {
         0..8 => source.pick_char(COMMON).to_string(),
         8 | 9 if features.special => match source.pick_char(SPECIAL) {
-            // Alone they leave a word open, which seldom memoises.
+            // A lone brace leaves a polygon open, and such systems seldom share blocks.
             '{' | '}' if !features.unbalanced => ".".to_owned(),
             special => special.to_string(),
         },
@@ -54,7 +54,7 @@ fn symbol(source: &mut Source<'_>, features: Features) -> String {
     }
 }
 
-/// A character in backquotes where it has another meaning in the notation.
+/// A character, in backquotes if it has another meaning in the notation.
 fn quoted(symbol: char, features: Features) -> String {
     match symbol {
         '[' | ']' | '{' | '}' if !features.unbalanced => "F".to_owned(),
@@ -77,7 +77,7 @@ pub(super) fn word(source: &mut Source<'_>, features: Features, names: &[&str], 
             8 if features.unbalanced => source.pick(&["[", "]", "{", "}", "%"]).to_owned(),
             9 if features.long && depth > 0 => {
                 let times = source.pick(&[2, 3, 5, 10, 30, 100, 300, 1000, 2048, 8192]);
-                // Repeats inside repeats would be texts beyond the limit.
+                // Nested repeats would exceed the limit of texts.
                 let few = Features { long: false, ..features };
                 word(source, few, names, 0).repeat(times)
             }
@@ -145,7 +145,7 @@ pub(crate) fn expression(source: &mut Source<'_>, names: &[&str], depth: u32) ->
     }
 }
 
-/// A predecessor or a part of a context, and the names that it brings.
+/// A predecessor or a part of a context. Adds its parameters to `names`.
 fn pattern(source: &mut Source<'_>, features: Features, names: &mut Vec<&'static str>) -> String {
     const NAMES: [&str; 8] = ["x", "y", "a", "b", "l", "w", "s", "t"];
     let symbol = if source.once_in(6) { symbol(source, features) } else { source.pick_char("FABXPQ").to_string() };
@@ -193,7 +193,7 @@ fn production(source: &mut Source<'_>, features: Features, image: bool) -> Strin
     text
 }
 
-/// Rules, a line each.
+/// Rules, one on each line.
 pub(super) fn rules(source: &mut Source<'_>, features: Features) -> String {
     let mut lines = vec![];
     if features.parameters || source.once_in(10) {
@@ -215,7 +215,7 @@ pub(super) fn rules(source: &mut Source<'_>, features: Features) -> String {
     lines.join("\n")
 }
 
-/// Exceptions from a dialect.
+/// Overrides of a dialect.
 pub(crate) fn overrides(source: &mut Source<'_>) -> String {
     const ACTIONS: [&str; 34] = [
         "draw",
@@ -269,8 +269,8 @@ pub(crate) fn overrides(source: &mut Source<'_>) -> String {
     lines.join("\n")
 }
 
-/// A text of pieces of the notation in any order, and of any characters.
-pub(crate) fn soup(source: &mut Source<'_>) -> String {
+/// A text of pieces of the notation and other characters, in any order.
+pub(crate) fn random_pieces(source: &mut Source<'_>) -> String {
     const PIECES: [&str; 40] = [
         " -> ",
         "->",

@@ -1,5 +1,4 @@
-//! How pictures look, and where they look at.
-
+//! Random styles, picture sizes, views and cameras.
 use crate::Source;
 use lsystem::syntax::{Colour, ColourBy, Ink};
 use lsystem::{Camera, Style, View, Viewport};
@@ -33,7 +32,7 @@ fn colour(source: &mut Source<'_>) -> Colour {
     Colour { rgb: [red, green, blue] }
 }
 
-/// The size of a picture: seldom large, because that takes long.
+/// The size of a picture; seldom large, because large pictures take long.
 pub(crate) fn viewport(source: &mut Source<'_>) -> Viewport {
     let ratio = if source.once_in(10) { source.number() } else { source.pick(&[1.0, 2.0, 0.5, 3.0]) };
     let side = |source: &mut Source<'_>| source.pick(&[64, 100, 1, 2, 3, 17, 33, 160, 255, 320]);
@@ -47,7 +46,7 @@ pub(crate) fn viewport(source: &mut Source<'_>) -> Viewport {
     Viewport { width, height, ratio }
 }
 
-/// Where a picture in the plane looks.
+/// The view of a picture in the plane.
 pub(crate) fn view(source: &mut Source<'_>) -> View {
     if source.once_in(2) {
         return View::default();
@@ -61,14 +60,14 @@ pub(crate) fn view(source: &mut Source<'_>) -> View {
     let zoom = match source.below(10) {
         0 => source.number(),
         1..6 => source.pick(&[1.0, 2.0, 10.0, 0.1, 1.5]),
-        // Up to 1e25.
+        // A magnification up to 1e25.
         _ => libm::pow(10.0, source.part() * 25.0),
     };
     let fine = if source.once_in(3) { [source.number(), source.part() * 1e-17] } else { [0.0; 2] };
     View { x: place(source), y: place(source), zoom, fine }
 }
 
-/// From where a drawing in space is seen.
+/// The camera of a picture in space.
 pub(crate) fn camera(source: &mut Source<'_>) -> Camera {
     if source.once_in(3) {
         return Camera::default();
@@ -91,7 +90,7 @@ fn usual_or_any(source: &mut Source<'_>, usual: &[f64]) -> f64 {
     if source.once_in(10) { source.number() } else { source.pick(usual) }
 }
 
-/// How many segments are shown.
+/// The number of segments shown; `None` for all.
 pub(crate) fn upto(source: &mut Source<'_>) -> Option<u128> {
     match source.below(8) {
         0..5 => None,

@@ -1,4 +1,4 @@
-//! Derivation: strings, counts and reading in place against the naive reference.
+//! Derivation: strings, counts and pages, compared with the naive reference.
 
 use crate::gauge::WORK;
 use crate::make;
@@ -9,12 +9,12 @@ use lsystem::drawing::{describe, expand_once, expand_symbol, kind, legend, why_e
 use lsystem::syntax::print_module;
 use lsystem::{Definition, Dialect, Limits, System, count_segments, count_symbols, expand};
 
-/// Words longer than this are not compared: the naive way is quadratic here and there.
+/// Longer words are not compared, because parts of the naive reference take quadratic time.
 const FEW: usize = 400;
 
-/// Whether the naive reference knows all that a system does: it cuts at `%` alone, and knows symbols that are drawn as
-/// others in one dialect.
-pub(super) fn is_judged(definition: &Definition, system: &System) -> bool {
+/// Whether the naive reference supports all of a system. The reference cuts only at `%`, and knows images of plain
+/// symbols only in the ABOP dialect without overrides.
+pub(super) fn is_supported(definition: &Definition, system: &System) -> bool {
     let Definition { dialect, overrides, .. } = definition;
     let abop = *dialect == Dialect::Abop;
     let images = system.rules.is_plain() && !system.grammar.images.is_empty();
@@ -23,7 +23,7 @@ pub(super) fn is_judged(definition: &Definition, system: &System) -> bool {
         && (!images || abop && overrides.is_empty())
 }
 
-/// The words of the generations up to `n` by the naive reference, as far as they are short and their numbers finite.
+/// The words of the generations up to `n` by the naive reference, until a word is too long or a number is not finite.
 pub(super) fn words(system: &System, n: u32) -> Vec<Vec<Module>> {
     let limits = Limits { symbols: 8 * FEW as u64, modules: FEW as u64, ..Limits::default() };
     let short = |n: u32| expand(system, n, &limits).is_ok_and(|text| text.chars().count() < 8 * FEW);
@@ -52,10 +52,10 @@ pub(super) fn derive(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
     let symbol = source.pick_char("FABX+[é");
     let _ = gauge.call("expand_symbol", || expand_symbol(&system, symbol, 0.5));
-    let line = make::soup(source);
+    let line = make::random_pieces(source);
     let _ = gauge.call("expand_once", || expand_once(&system, &line, n));
     let words = words(&system, n);
-    if !is_judged(&definition, &system) {
+    if !is_supported(&definition, &system) {
         return;
     }
     let Some(word) = words.last().filter(|_| words.len() as u64 == u64::from(n) + 1) else { return };
@@ -85,7 +85,7 @@ fn printed(system: &System, word: &[Module]) -> String {
     text
 }
 
-/// What reads generations in place.
+/// A source of pages of generations: counts, or a remembered derivation.
 enum Reader<'a> {
     Counted(&'a System, u32),
     Remembered(Box<History>, u32),
@@ -156,7 +156,7 @@ pub(super) fn access(source: &mut Source<'_>, gauge: &mut Gauge) {
             readers.push(Reader::Remembered(Box::new(history), n));
         }
     }
-    let words = if is_judged(&definition, &system) { words(&system, n) } else { vec![] };
+    let words = if is_supported(&definition, &system) { words(&system, n) } else { vec![] };
     let is_whole = words.len() as u64 == u64::from(n) + 1;
     let index = [u128::from(source.word() % 500), source.pick(&[0, 1, u128::MAX, 1 << 64, 12_345])];
     for reader in &readers {

@@ -1,6 +1,6 @@
-//! Drawings: made in the page's steps, read in every way, and compared with the naive turtle where they are small.
+//! Drawings: made in the page's steps, read in every way, and small ones compared with the naive turtle.
 
-use super::derive::{is_judged, words};
+use super::derive::{is_supported, words};
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make, naive};
 use lsystem::drawing::{Outlook, Segment, Space, symbol_of_polygon};
@@ -46,7 +46,7 @@ fn build<S: Space>(mut drawer: Drawer<S>, gauge: &mut Gauge) -> Option<Arc<Drawi
     }
 }
 
-/// A system with everything in the plane.
+/// A drawing in the plane.
 pub(super) fn plane(source: &mut Source<'_>, gauge: &mut Gauge) {
     let Some((definition, system)) = make::system(source) else { return };
     let n = definition.iterations;
@@ -77,7 +77,7 @@ pub(super) fn plane(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
 }
 
-/// The same in space.
+/// A drawing in space.
 pub(super) fn space(source: &mut Source<'_>, gauge: &mut Gauge) {
     let Some((definition, system)) = make::system(source) else { return };
     let n = definition.iterations;
@@ -102,7 +102,7 @@ pub(super) fn space(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
 }
 
-/// A number below `count`, or a little beyond it.
+/// A number below `count`, or `count` itself.
 fn place(source: &mut Source<'_>, count: u128) -> u128 {
     match source.below(4) {
         0 => count,
@@ -112,12 +112,12 @@ fn place(source: &mut Source<'_>, count: u128) -> u128 {
     }
 }
 
-/// Reads some segments in two ways.
+/// Reads some segments from different starts.
 fn read<S: Space>(drawing: &Drawing<S>, gauge: &mut Gauge) {
     let count = drawing.segment_count();
     for start in [0, 1, count / 3, count.saturating_sub(1), count] {
         let few = gauge.call("segments_from", || drawing.segments_from(start).take(3).count());
-        // As many as a count can tell, or more.
+        // A saturated count is not exact.
         if count == u128::MAX {
             continue;
         }
@@ -125,7 +125,8 @@ fn read<S: Space>(drawing: &Drawing<S>, gauge: &mut Gauge) {
     }
 }
 
-/// Whether the naive turtle is meant to do the same: numbers of usual sizes, and a short word.
+/// Whether the naive turtle must give the same drawing: the word is short, the numbers have usual sizes, and the naive
+/// reference supports the system.
 fn is_comparable(definition: &Definition, system: &System, n: u32) -> bool {
     let turtle = &system.turtle;
     let usual = |number: f64| number == 0.0 || (1e-6..1e6).contains(&number.abs());
@@ -134,19 +135,18 @@ fn is_comparable(definition: &Definition, system: &System, n: u32) -> bool {
     let more = [definition.length_factor, definition.elasticity, definition.growth];
     let arguments = |word: &Vec<naive::Module>| word.iter().flat_map(|module| &module.arguments).all(|&a| usual(a));
     let words = words(system, n);
-    // Who turns by 180 degrees goes straight back, whatever varies.
+    // A turn by 180 degrees does not vary in the core.
     let turns = [turtle.left, turtle.right, turtle.pitch_down, turtle.pitch_up, turtle.roll_left, turtle.roll_right];
     let varies = turtle.angle_variation != 0.0 && turns.contains(&Heading::HALF);
-    // A letter that is drawn as others is one letter with more to do, where nothing is computed.
+    // In plain rules, an image is one letter with several actions, so its variations have other random numbers.
     let images = system.rules.is_plain() && !system.grammar.images.is_empty();
-    // Who overshoots when bending swings ever wider, from rounding alone.
+    // A strong tropism overshoots and swings ever wider, so that rounding errors grow.
     let swings = turtle.tropism.is_some_and(|tropism| tropism.elasticity.abs() > 1.0);
     let varies = varies || swings || images && (turtle.angle_variation != 0.0 || turtle.length_variation != 0.0);
-    // The naive turtle sums its headings up.
     words.len() as u64 == u64::from(n) + 1
         && words.last().is_some_and(arguments)
         && numbers.into_iter().chain(more).chain(definition.tropism).all(usual)
-        && is_judged(definition, system)
+        && is_supported(definition, system)
         && !varies
         && turtle.actions.iter().flatten().all(|&action| is_usual(action))
         && naive::images(&system.grammar, system.seed, &words[n as usize]).is_some_and(|word| arguments(&word))
@@ -168,7 +168,7 @@ fn is_usual(action: lsystem::syntax::Action) -> bool {
     }
 }
 
-/// The same segments, to 1e-6 of the extent: rounding adds up along hundreds of branches that shrink and grow.
+/// Checks that segments are equal to 1e-6 of the extent: rounding errors add up along hundreds of branches.
 fn compare<S: Space>(drawing: &Drawing<S>, naive: &[Segment<S>]) {
     assert_eq!(drawing.segment_count(), naive.len() as u128, "how many segments there are");
     let ends = naive.iter().flat_map(|segment| [segment.from, segment.to]);

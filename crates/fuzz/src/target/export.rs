@@ -1,4 +1,4 @@
-//! Files that are written: bounded, well formed, with finite numbers, and with the system in them.
+//! Export files: limited in size, well formed, with finite numbers, and with their system.
 
 use super::drawing::{drawn, drawn_in_space};
 use crate::{Gauge, Source, make};
@@ -9,10 +9,10 @@ use lsystem::{
     write_svg,
 };
 
-/// The most segments of a file here.
+/// The most segments of a file in this target.
 const MOST: u64 = 20_000;
 
-/// Every format.
+/// Writes every format.
 pub(super) fn export(source: &mut Source<'_>, gauge: &mut Gauge) {
     let Some((definition, system)) = make::system(source) else { return };
     let (n, limits) = (definition.iterations, make::limits(source));
@@ -40,7 +40,7 @@ pub(super) fn export(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
 }
 
-/// Both forms, with the system in them.
+/// Writes one of the two forms of SVG, with the system inside.
 fn svg(source: &mut Source<'_>, definition: &Definition, drawing: &Drawing, style: &Style, gauge: &mut Gauge) {
     let form = source.pick(&[SvgForm::Flat, SvgForm::Compact]);
     let system = write_json(definition);
@@ -59,7 +59,7 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-/// One line for each segment, each with so many numbers.
+/// Checks that a table has one line for each segment, each with `columns` numbers.
 fn table(text: Result<String, Diagnostic>, segments: u128, columns: usize) {
     let Ok(text) = text else { return };
     assert_eq!(text.lines().count() as u128, segments + 1, "a line for each segment");
@@ -69,7 +69,7 @@ fn table(text: Result<String, Diagnostic>, segments: u128, columns: usize) {
     }
 }
 
-/// Corners that are there, and finite.
+/// Checks that triangles have existing corners, and that numbers are finite.
 fn check(mesh: &Mesh) {
     let corners = mesh.positions.len();
     assert!(mesh.normals.len() == corners && mesh.colours.len() == corners);

@@ -1,6 +1,6 @@
-//! Arithmetic: what modules compute is what the naive reference computes.
+//! Arithmetic: expressions have the values of the naive reference.
 
-use crate::make::{expression, soup};
+use crate::make::{expression, random_pieces};
 use crate::{Gauge, Source, naive};
 use lsystem::derive::Rewriter;
 use lsystem::syntax::{parse, print_axiom, print_rules};
@@ -11,7 +11,7 @@ pub(super) fn expressions(source: &mut Source<'_>, gauge: &mut Gauge) {
     let depth = source.between(0, 5) as u32;
     let (one, other) = (expression(source, &["r"], depth), expression(source, &["x", "y", "r"], depth));
     let condition = if source.once_in(3) { expression(source, &["x", "y"], 3) } else { "1".to_owned() };
-    let other = if source.once_in(20) { soup(source).replace('\n', " ") } else { other };
+    let other = if source.once_in(20) { random_pieces(source).replace('\n', " ") } else { other };
     let axiom = format!("A({one},{})", expression(source, &[], 2));
     let rules = format!("r = {}\nA(x,y) : {condition} -> B(x)A({other},x)", source.pick(&["2", "0.5", "1e300", "-1"]));
     if source.is_shown {

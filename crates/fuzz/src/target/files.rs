@@ -1,6 +1,6 @@
-//! Readers of files: any bytes are read without a panic, and what is written reads back.
+//! Readers of files: any bytes are read without a panic, and written files read back as the same.
 
-use crate::make::{self, soup};
+use crate::make::{self, random_pieces};
 use crate::{Gauge, Source};
 use lsystem::files::tag_png;
 use lsystem::syntax::Field;
@@ -9,7 +9,7 @@ use lsystem::{
     write_svg,
 };
 
-/// JSON that is right, and JSON with something wrong in it.
+/// Valid and damaged JSON.
 pub(super) fn json(source: &mut Source<'_>, gauge: &mut Gauge) {
     let definition = make::definition(source);
     let written = gauge.call("write", || write_json(&definition));
@@ -18,7 +18,7 @@ pub(super) fn json(source: &mut Source<'_>, gauge: &mut Gauge) {
         let (read, diagnostics) = gauge.call("read", || read_json(&written));
         assert!(!diagnostics.iter().any(Diagnostic::is_error), "{written}: {diagnostics:?}");
         let again = read.map(|read| write_json(&read));
-        assert_eq!(again.as_ref(), Some(&written), "what is read is written as it was");
+        assert_eq!(again.as_ref(), Some(&written), "a file that is read and written again stays the same");
     }
     let text = if source.once_in(8) { tokens(source) } else { written };
     let damaged = damaged(source, text.into_bytes());
@@ -74,7 +74,7 @@ fn tokens(source: &mut Source<'_>) -> String {
     text
 }
 
-/// The same with some bytes changed, cut out or put in.
+/// `bytes` with some of them changed, removed or inserted.
 fn damaged(source: &mut Source<'_>, mut bytes: Vec<u8>) -> Vec<u8> {
     for _ in 0..source.between(0, 5) {
         let at = source.below(bytes.len() + 1);
@@ -85,7 +85,7 @@ fn damaged(source: &mut Source<'_>, mut bytes: Vec<u8>) -> Vec<u8> {
                 bytes.drain(at..end);
             }
             2 => {
-                let text = soup(source).into_bytes();
+                let text = random_pieces(source).into_bytes();
                 bytes.splice(at..at, text);
             }
             3 => {
@@ -102,7 +102,7 @@ fn damaged(source: &mut Source<'_>, mut bytes: Vec<u8>) -> Vec<u8> {
     bytes
 }
 
-/// Reads a file; its diagnostics point into the text that it holds.
+/// Reads a file, and checks that its diagnostics point into its text.
 fn read(bytes: &[u8], gauge: &mut Gauge) -> Option<Definition> {
     let content = gauge.call("read_file", || read_file(bytes));
     if content.definition.is_some() {
@@ -120,12 +120,12 @@ fn read(bytes: &[u8], gauge: &mut Gauge) -> Option<Definition> {
     content.definition
 }
 
-/// The smallest PNG file: a pixel.
+/// The smallest PNG file: one pixel.
 const PNG: &[u8] =
     b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x01\0\0\0\x01\x08\x06\0\0\0\x1f\x15\xc4\x89\0\0\0\rIDATx\xdac\xfc\xcf\xc0\
 \xf0\x1f\0\x05\0\x01\xff\x89\x99=\x1d\0\0\0\0IEND\xaeB`\x82";
 
-/// Pictures that carry a system, whole and damaged.
+/// Pictures with a system inside, complete and damaged.
 pub(super) fn pictures(source: &mut Source<'_>, gauge: &mut Gauge) {
     let Some((definition, system)) = make::system(source) else { return };
     let written = write_json(&definition);
@@ -133,8 +133,8 @@ pub(super) fn pictures(source: &mut Source<'_>, gauge: &mut Gauge) {
         let limits = Limits { segments: 200, work: 2_000, modules: 1_000, symbols: 1_000, ..Limits::default() };
         let Ok(drawing) = draw(&system, definition.iterations.min(3), &limits) else { return };
         let options = SvgOptions {
-            title: soup(source),
-            description: soup(source),
+            title: random_pieces(source),
+            description: random_pieces(source),
             system: written.clone(),
             most: 1_000,
             ..SvgOptions::default()
@@ -155,7 +155,7 @@ pub(super) fn pictures(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
 }
 
-/// Any bytes, behind the beginning of some sort of file.
+/// Any bytes after the beginning of some file format.
 pub(super) fn bytes(source: &mut Source<'_>, gauge: &mut Gauge) {
     let head: &[u8] = source.pick(&[
         &b""[..],

@@ -1,6 +1,6 @@
-//! Texts: they are read without a panic, and what is printed reads back as the same.
+//! Texts: any text is read without a panic, and printed texts read back as the same.
 
-use crate::make::{self, soup};
+use crate::make::{self, random_pieces};
 use crate::{Gauge, Source};
 use lsystem::syntax::{
     Field, classify, parse, parse_overrides, print_axiom, print_overrides, print_rules, utf16_letters, utf16_span,
@@ -40,14 +40,14 @@ pub(super) fn notation(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
 }
 
-/// A text with another one in its midst.
+/// A text with another one inserted.
 fn mixed(source: &mut Source<'_>, text: &str) -> String {
     let ends: Vec<usize> = text.char_indices().map(|(at, _)| at).chain([text.len()]).collect();
     let (from, to) = (source.pick(&ends), source.pick(&ends));
-    format!("{}{}{}", &text[..from], soup(source), &text[to.max(from)..])
+    format!("{}{}{}", &text[..from], random_pieces(source), &text[to.max(from)..])
 }
 
-/// Diagnostics point into their texts and have words.
+/// Checks that diagnostics point into their texts and have messages.
 pub(super) fn check(definition: &Definition, diagnostics: &[Diagnostic]) {
     for diagnostic in diagnostics {
         assert!(!diagnostic.message().is_empty());
@@ -62,7 +62,7 @@ pub(super) fn check(definition: &Definition, diagnostics: &[Diagnostic]) {
     }
 }
 
-/// Overrides alone.
+/// Overrides without a system.
 pub(super) fn overrides(source: &mut Source<'_>, gauge: &mut Gauge) {
     let made = make::overrides(source);
     let text = if source.once_in(2) { mixed(source, &made) } else { made };

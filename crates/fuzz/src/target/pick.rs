@@ -1,4 +1,4 @@
-//! What is under a pointer, in the plane and in space.
+//! Picking: the mark under a pointer, in the plane and in space.
 
 use super::drawing::{drawn, drawn_in_space};
 use crate::{Gauge, Source, make};
@@ -37,12 +37,12 @@ fn pointer(source: &mut Source<'_>) -> Pointer {
     };
     let at = [place(source), place(source)];
     let tolerance = if source.once_in(8) { source.number() } else { source.pick(&[8.0, 4.0, 24.0, 0.0]) };
-    // As the page's.
+    // Mostly the page's budget.
     let visits = source.pick(&[20_000, 20_000, 1, 0]);
     Pointer { at, tolerance, upto: make::upto(source), visits }
 }
 
-/// What is found is there.
+/// Checks that a found mark exists.
 fn check(found: Option<Pick>, pointer: &Pointer, segments: u128, polygons: u128, gauge: &mut Gauge) {
     let Some(found) = found else { return };
     gauge.reach("found");

@@ -1,4 +1,4 @@
-//! Pictures in the plane: in other steps and pane by pane they are the same, wherever they look.
+//! Pictures in the plane: at any view they do not depend on the size of steps or on panes.
 
 use super::drawing::drawn;
 use crate::gauge::WORK;
@@ -8,7 +8,7 @@ use lsystem::syntax::Ink;
 use lsystem::{Definition, Dialect, Drawing, Progress, Renderer, Style, System, View, Viewport, fit};
 use std::sync::Arc;
 
-/// What a picture shows.
+/// The settings of a picture.
 struct Scene {
     style: Style,
     viewport: Viewport,
@@ -27,7 +27,7 @@ impl Scene {
         scene
     }
 
-    /// Bytes for all pixels: subsamples, sums of ink and the picture itself.
+    /// The bytes for all pixels: subsamples, sums of ink and the picture itself.
     fn memory(&self) -> usize {
         64 * self.viewport.width as usize * self.viewport.height as usize
     }
@@ -43,8 +43,8 @@ impl Scene {
     }
 }
 
-/// A drawing and how it is to be shown.
-fn made(source: &mut Source<'_>, ink: Ink, gauge: &mut Gauge) -> Option<(Arc<Drawing>, Scene)> {
+/// A random drawing and the settings of its picture.
+fn random_picture(source: &mut Source<'_>, ink: Ink, gauge: &mut Gauge) -> Option<(Arc<Drawing>, Scene)> {
     let (definition, system) = make::system(source)?;
     let limits = make::limits(source);
     let drawing = drawn(&system, definition.iterations, &limits, gauge)?;
@@ -54,13 +54,13 @@ fn made(source: &mut Source<'_>, ink: Ink, gauge: &mut Gauge) -> Option<(Arc<Dra
     Some((drawing, scene))
 }
 
-/// Strokes that cover each other.
+/// Pictures in opaque ink.
 pub(super) fn render(source: &mut Source<'_>, gauge: &mut Gauge) {
-    let Some((drawing, scene)) = made(source, Ink::Solid, gauge) else { return };
-    cover(source, &drawing, &scene, gauge);
+    let Some((drawing, scene)) = random_picture(source, Ink::Solid, gauge) else { return };
+    check_opaque(source, &drawing, &scene, gauge);
 }
 
-/// The same with systems that are known to be good, and views of all sorts.
+/// Pictures of well-known systems in opaque ink, at random views.
 pub(super) fn views(source: &mut Source<'_>, gauge: &mut Gauge) {
     const GOOD: [(&str, &str, f64); 6] = [
         ("F", "F -> F+F--F+F", 60.0),
@@ -89,13 +89,14 @@ pub(super) fn views(source: &mut Source<'_>, gauge: &mut Gauge) {
     scene.style.ink = Ink::Solid;
     gauge.allow(scene.memory());
     let _ = (fit(&drawing), fitted_scale(&drawing, scene.viewport));
-    cover(source, &drawing, &scene, gauge);
+    check_opaque(source, &drawing, &scene, gauge);
 }
 
-/// Beyond this magnification the edge of a stroke is where rounding puts it.
+/// The largest magnification at which rounding does not move the edges of strokes.
 const MOST_EXACT: f64 = 1e12;
 
-fn cover(source: &mut Source<'_>, drawing: &Arc<Drawing>, scene: &Scene, gauge: &mut Gauge) {
+/// Checks that the picture is the same in other steps and in panes.
+fn check_opaque(source: &mut Source<'_>, drawing: &Arc<Drawing>, scene: &Scene, gauge: &mut Gauge) {
     let mut renderer = if source.once_in(6) { Renderer::light() } else { Renderer::new() };
     gauge.call("load", || renderer.load(drawing.clone()));
     if source.once_in(3) {
@@ -121,7 +122,7 @@ fn cover(source: &mut Source<'_>, drawing: &Arc<Drawing>, scene: &Scene, gauge: 
     }
 }
 
-/// Looks whether the picture in panes is the whole.
+/// Checks that the picture in panes equals the whole picture.
 fn panes(source: &mut Source<'_>, drawing: &Arc<Drawing>, scene: &Scene, whole: &[u8], gauge: &mut Gauge) {
     let Scene { style, viewport, view, upto } = scene;
     let size = [source.pick(&[64, 16, 144, 48]), source.pick(&[16, 48, 64])];
@@ -140,13 +141,13 @@ fn panes(source: &mut Source<'_>, drawing: &Arc<Drawing>, scene: &Scene, whole: 
     }
     if !rough {
         gauge.reach("panes");
-        // Where the edge of a stroke meets a subsample, rounding decides.
+        // If the edge of a stroke meets a subsample, rounding decides.
         let most = 1 + whole.len() / 4 / 500;
         assert!(apart <= most, "{apart} of {} pixels differ when made in panes of {size:?}", whole.len() / 4);
     }
 }
 
-/// How many pixels of a pane differ from the whole by more than one subsample shows.
+/// The number of pixels of a pane that differ from the whole picture by more than one subsample.
 pub(super) fn differing(own: &[u8], whole: &[u8], pane: Pane, width: u32) -> usize {
     assert_eq!(own.len(), 4 * (pane.width * pane.height) as usize);
     let mut apart = 0;
@@ -158,9 +159,9 @@ pub(super) fn differing(own: &[u8], whole: &[u8], pane: Pane, width: u32) -> usi
     apart
 }
 
-/// Ink that adds up.
+/// Pictures in additive ink.
 pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
-    let Some((drawing, scene)) = made(source, Ink::Density, gauge) else { return };
+    let Some((drawing, scene)) = random_picture(source, Ink::Density, gauge) else { return };
     let mut renderer = Renderer::new();
     gauge.call("load", || renderer.load(drawing.clone()));
     let detail = if source.once_in(3) { Detail::Coarse } else { Detail::Fine };
@@ -176,7 +177,7 @@ pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
         assert!(other.pixels() == renderer.pixels(), "the picture depends on the size of steps");
     }
     let RenderStats { blocks, strokes, stamps, tiles, outlines, .. } = renderer.stats();
-    // Beyond these it takes larger blocks for dots, the whole sooner than its panes.
+    // With more work than this, larger blocks become dots, in the whole picture sooner than in its panes.
     let is_exact = scene.view.zoom.abs() < MOST_EXACT && tiles + outlines == 0 && blocks + strokes + stamps < 40_000;
     if is_exact && detail == Detail::Fine && source.once_in(2) {
         let Scene { style, viewport, view, upto } = &scene;
@@ -202,7 +203,7 @@ pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
         }
         gauge.reach("panes");
         let whole = renderer.pixels().len() / 4;
-        // A stroke that a pane cuts is made of other points: an eighth of a pixel's ink may go to the next.
+        // A pane samples a cut stroke at other points, so that an eighth of a pixel's ink may go to the next pixel.
         assert!(apart <= 4 + whole / 100, "{apart} of {whole} pixels differ when made in panes of {size:?}");
     }
 }

@@ -1,12 +1,11 @@
-//! Pictures of drawings in space.
-
+//! Pictures in space.
 use super::drawing::drawn_in_space;
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
 use lsystem::render::{Effort, Pane, Quality, Spent, camera_axes, solid_scale};
 use lsystem::{Progress, SolidRenderer, Style};
 
-/// Drawings in space, still, moving and in panes.
+/// Pictures in space: at all qualities, in a hurry, and in panes.
 pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
     let Some((definition, system)) = make::system(source) else { return };
     let limits = make::limits(source);
@@ -56,13 +55,13 @@ pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
         }
         if !effort.is_too_small(spent) {
             gauge.reach("panes");
-            assert!(same, "the picture in panes is another");
+            assert!(same, "the picture in panes differs from the whole");
             return;
         }
     }
 }
 
-/// Whether a pane's pixels are those of the whole.
+/// Whether a pane's pixels equal those of the whole picture.
 fn is_part(own: &[u8], whole: &[u8], pane: Pane, width: u32) -> bool {
     own.chunks_exact((4 * pane.width).max(1) as usize).enumerate().all(|(y, row)| {
         let at = 4 * ((pane.y as usize + y) * width as usize + pane.x as usize);

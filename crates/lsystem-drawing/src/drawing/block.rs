@@ -1,4 +1,4 @@
-//! Blocks, what they hold, and what a drawing needs to know of its space to enclose them.
+//! Blocks, their items, and the interface of a space that encloses them.
 
 use super::scene::SceneSize;
 use crate::Plane;
@@ -9,60 +9,60 @@ use core::fmt::Debug;
 use core::ops::Range;
 use lsystem_syntax::Meter;
 
-/// A space in which drawings are made: what a block draws there is contained in a body of its kind.
+/// A space for drawings. Each space has its own kind of convex body around a block.
 pub trait Space: Geometry {
-    /// A convex body that contains what a block draws, in block units.
+    /// A convex body around a block's segments and polygons, in block units.
     type Hull: Clone + Debug;
     /// The smallest box around a drawing.
     type Extent: Copy + Debug;
-    /// Looks for that box.
+    /// A search for that box.
     type Survey: Clone + Debug;
 
-    /// What contains all `items`, which may place blocks of the ground.
-    fn enclose(ground: Ground<'_, Self>, items: &[Item<Self>]) -> Enclosed<Self>;
+    /// The body around `items`, which may place the blocks of `input`.
+    fn enclose(input: HullInput<'_, Self>, items: &[Item<Self>]) -> Enclosed<Self>;
 
-    /// Counts what a block with these items takes where pictures are made of it, beside the drawing itself.
+    /// Adds to `size` the part of a picture's scene that a block with these items needs.
     fn measure(_size: &mut SceneSize, _items: &[Item<Self>]) {}
 
-    /// What a segment takes there at least, in bytes.
+    /// The least bytes of a segment in a picture's scene.
     fn least_picture() -> u64 {
         0
     }
 
-    /// Ready to look for the extent of a block in its own units.
+    /// A search for the extent of a block in block units.
     fn survey(root: BlockId) -> Self::Survey;
 
-    /// Looks on until the meter is spent; the extent when it is found, after a bounded number of calls. It does not
-    /// depend on how much each of them may do.
+    /// Continues the search until the meter is spent. Returns the extent after a bounded number of calls. The extent
+    /// does not depend on the budgets of the calls.
     fn advance(survey: &mut Self::Survey, contents: Contents<'_, Self>, meter: &mut Meter) -> Option<Self::Extent>;
 }
 
-/// Which of a drawing's blocks.
+/// The index of a block in [`Drawing::blocks`](crate::Drawing::blocks).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct BlockId(pub u32);
 
 /// A piece of a drawing, in its own frame: the turtle enters at the origin heading along +x.
 #[derive(Clone, Debug)]
 pub struct Block<S: Space = Plane> {
-    /// Its contents in drawing order.
+    /// The range of the block's items, in drawing order.
     pub items: Range<u32>,
-    /// One unit of this block's frame is `2^exponent` step lengths, chosen so that its farthest coordinate is at least
-    /// 0.5 and less than 1 away from its origin. Powers of two cost no precision and keep n = 1,000 within range.
+    /// One unit of the block's frame is `2^exponent` step lengths. The exponent makes the farthest coordinate at least
+    /// 0.5 and less than 1. Powers of two cost no precision and keep n = 1,000 within range.
     pub exponent: i32,
-    /// How many segments it draws; `u128::MAX` stands for that many or more.
+    /// The number of segments; saturating.
     pub segments: u128,
-    /// How many polygons it fills; `u128::MAX` stands for that many or more.
+    /// The number of polygons; saturating.
     pub polygons: u128,
-    /// A convex body that contains every segment's axis (strokes' widths apart), in block units.
+    /// A convex body that contains every segment's axis (without stroke widths) and every polygon, in block units.
     pub hull: S::Hull,
-    /// How far the hull may be larger than the smallest one of its sort, in block units: nothing to speak of, unless
-    /// the smallest one is very complicated.
+    /// The most by which the hull exceeds the smallest one of its kind, in block units: nearly 0, unless the smallest
+    /// hull is very complicated.
     pub slack: f64,
-    /// No stroke inside is wider than this change makes the width at entry.
+    /// An upper bound on the width change, from entry, of all strokes inside.
     pub widest: WidthChange,
 }
 
-/// Something a block contains.
+/// A part of a block.
 #[derive(Clone, Copy, Debug)]
 pub enum Item<S: Space = Plane> {
     /// One segment.
@@ -76,30 +76,31 @@ pub enum Item<S: Space = Plane> {
 /// One segment, in block units.
 #[derive(Clone, Copy, Debug)]
 pub struct Stroke<S: Space = Plane> {
-    /// Where it starts.
+    /// The first end.
     pub from: S::Point,
-    /// Where it ends.
+    /// The second end.
     pub to: S::Point,
-    /// The style it is drawn in, relative to the block's entry.
+    /// The style, relative to the block's entry.
     pub style: StyleId,
 }
 
-/// A filled polygon: inside is what its outline winds around a number of times other than zero.
+/// A filled polygon, by the nonzero winding rule. The vertices are in block units; each is joined to the next and the
+/// last to the first.
 #[derive(Clone, Copy, Debug)]
 pub struct Polygon {
-    /// Its first vertex among the drawing's.
+    /// The index of the first vertex in [`Drawing::vertices`](crate::Drawing::vertices).
     pub first: u32,
-    /// How many vertices it has: at least 3, each joined to the next and the last to the first. Block units.
+    /// The number of vertices: at least 3.
     pub count: u32,
-    /// The style it is filled in, relative to the block's entry.
+    /// The fill style, relative to the block's entry.
     pub style: StyleId,
-    /// The place of the symbol that opens it: where blocks are shared in the axiom or the successor that its block comes
-    /// of, otherwise in the whole string; 0-based.
+    /// The place (0-based) of the symbol that opens the polygon: in the whole string, or in a shared drawing in the
+    /// axiom or successor that the block draws.
     pub symbol: u32,
 }
 
 impl Polygon {
-    /// Its vertices among the drawing's.
+    /// The range of the vertices in [`Drawing::vertices`](crate::Drawing::vertices).
     pub fn range(&self) -> Range<usize> {
         self.first as usize..(self.first + self.count) as usize
     }
@@ -108,19 +109,19 @@ impl Polygon {
 /// A block placed in another block's frame: `p -> at + scale * rotate(heading, p)`.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed<S: Space = Plane> {
-    /// Which block.
+    /// The placed block.
     pub block: BlockId,
-    /// The style at its entry, relative to the containing block's entry.
+    /// The style at the placed block's entry, relative to the containing block's entry.
     pub style: StyleId,
-    /// Its origin, in the containing block's units.
+    /// The placed block's origin, in the containing block's units.
     pub at: S::Point,
-    /// How it is turned.
+    /// The placed block's rotation.
     pub heading: S::Turn,
-    /// Containing units for one of its own: length factor times `2^(its exponent - the container's)`.
+    /// One unit of the placed block in units of the container: length factor times `2^(own exponent - container's)`.
     pub scale: f64,
 }
 
-/// What blocks hold, while they are made and when they are.
+/// The lists with the contents of all blocks, of a finished drawing or of one in the making.
 #[derive(Clone, Copy, Debug)]
 pub struct Contents<'a, S: Space> {
     pub blocks: &'a [Block<S>],
@@ -137,30 +138,30 @@ impl<'a, S: Space> Contents<'a, S> {
     }
 }
 
-/// What bodies around blocks are made from, and where their corners go.
+/// The input for the body around a new block, and the list that receives its corners.
 #[derive(Debug)]
-pub struct Ground<'a, S: Space> {
+pub struct HullInput<'a, S: Space> {
     /// The blocks made so far, with their items and the vertices of all polygons.
     pub blocks: &'a [Block<S>],
     pub items: &'a Chunks<Item<S>>,
     pub vertices: &'a [S::Point],
-    /// The corners of bodies that have some.
+    /// The corners of all hulls in the plane.
     pub corners: &'a mut Vec<S::Point>,
-    /// Directions met before.
+    /// The cache of axes.
     pub directions: &'a mut S::Directions,
-    /// Where points are collected.
+    /// A reusable buffer for points.
     pub points: &'a mut Vec<S::Point>,
 }
 
-/// What contains some items.
+/// The body around some items.
 #[derive(Clone, Debug)]
 pub struct Enclosed<S: Space> {
-    /// In units that are `2^shift` times those of the items, so that the farthest coordinate is within 1.
+    /// The body, in units of `2^shift` item units, so that the farthest coordinate is below 1.
     pub hull: S::Hull,
-    /// As in [`Block::slack`].
+    /// As [`Block::slack`], in the same units.
     pub slack: f64,
-    /// The exponent that is added to the items'.
+    /// The exponent from item units to the body's units.
     pub shift: i32,
-    /// The units of work that finding it has taken.
+    /// The units of work spent.
     pub work: u64,
 }

@@ -1,11 +1,11 @@
-//! Boxes and balls around what blocks draw in space.
+//! Boxes and balls around blocks in space.
 //!
-//! A body is made tight by looking into the blocks that it contains, best first, until it is as exact as wanted; so
-//! slack does not add up from block to block, as it would where bodies were made from bodies alone.
+//! A body made only from the bodies of inner blocks would be loose, and the slack would add up from block to block. A
+//! best-first search through the inner blocks makes the body tight to a tolerance.
 
-use super::girth::{self, Girth, Outwards};
+use super::girth::{self, Girth, OutwardCoordinate};
 use crate::Solid;
-use crate::drawing::block::{Block, BlockId, Contents, Enclosed, Ground, Item, Placed, Space};
+use crate::drawing::block::{Block, BlockId, Contents, Enclosed, HullInput, Item, Placed, Space};
 use crate::drawing::scene::SceneSize;
 use crate::rotation::{Vector, dot, norm};
 use crate::space::unit_of;
@@ -13,15 +13,15 @@ use core::cmp::Ordering;
 use lsystem_syntax::Meter;
 use std::collections::BinaryHeap;
 
-/// A box along the axes of a block's frame, and a ball about the box's centre. What the block draws lies in both
-/// (rounding may leave an end out by 1e-11); the ball says more where blocks turn, the box where they are long.
+/// A box along the axes of a block's frame, and a ball about the box's centre. Each contains all that the block draws,
+/// up to a rounding error of 1e-11. The ball is tighter for rotated blocks, the box for long ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
     /// The least coordinates.
     pub low: [f64; 3],
     /// The greatest coordinates.
     pub high: [f64; 3],
-    /// Of the ball.
+    /// The radius of the ball.
     pub radius: f64,
 }
 
@@ -30,8 +30,8 @@ impl Space for Solid {
     type Extent = Extent;
     type Survey = Survey;
 
-    fn enclose(ground: Ground<'_, Self>, items: &[Item<Self>]) -> Enclosed<Self> {
-        let Ground { blocks, items: made, corners, vertices, .. } = ground;
+    fn enclose(input: HullInput<'_, Self>, items: &[Item<Self>]) -> Enclosed<Self> {
+        let HullInput { blocks, items: made, corners, vertices, .. } = input;
         Body::enclose(Contents { blocks, items: made, corners, vertices }, items)
     }
 
@@ -40,7 +40,7 @@ impl Space for Solid {
         for item in items {
             match item {
                 Item::Stroke(_) => lines += 1,
-                // Or less: a polygon of so many vertices has two triangles fewer.
+                // A polygon has two triangles fewer than vertices.
                 Item::Polygon(polygon) => lines += (polygon.count as usize).saturating_sub(2),
                 Item::Block(_) => links += 1,
             }
@@ -61,13 +61,13 @@ impl Space for Solid {
     }
 }
 
-/// How exact a block's body is, compared with its size, where that takes few steps.
+/// The wanted error of a body, relative to its size. A search that reaches its limits is less exact.
 const TOLERANCE: f64 = 0.01;
-/// A block smaller than this beside the one that holds it is a point.
+/// A block with a scale below this counts as a point.
 const SPECK: f64 = 1e-30;
-/// Blocks looked into at most for one side of a box or for a ball.
+/// The most blocks opened by a search for one side of a box or for a ball.
 const EFFORT: usize = 48;
-/// Units of work spent at most on looking into them.
+/// The most units of work of such a search.
 const WORK: u64 = 1 << 13;
 
 impl Body {
@@ -83,7 +83,7 @@ impl Body {
         [0, 1, 2].map(|i| 0.5 * (self.high[i] - self.low[i]))
     }
 
-    /// What contains `items`, in their units, and how far it may be too large.
+    /// The body around `items`.
     pub(crate) fn enclose(contents: Contents<'_, Solid>, items: &[Item<Solid>]) -> Enclosed<Solid> {
         let vertices = contents.vertices;
         let mut work = 0;
@@ -102,17 +102,18 @@ impl Body {
             }
         }
         let mut slack = 0.0_f64;
-        // Where there are no blocks, that was the box.
+        // Without blocks, the box is complete.
         if items.iter().any(|item| matches!(item, Item::Block(_))) {
-            let probe = Away { from: [0.0; 3], scale: 1.0 };
-            let (size, _) = Hunt::new((contents, items), probe, f64::INFINITY, (0, 0)).finish(contents, &mut work);
+            let quantity = DistanceFrom { from: [0.0; 3], scale: 1.0 };
+            let (size, _) =
+                MaximumSearch::new((contents, items), quantity, f64::INFINITY, (0, 0)).finish(contents, &mut work);
             for i in 0..3 {
                 for (side, sign) in [(&mut low[i], -1.0), (&mut high[i], 1.0)] {
                     let mut direction = [0.0; 3];
                     direction[i] = sign;
-                    let probe = Along { base: 0.0, direction, scale: 1.0 };
-                    let hunt = Hunt::new((contents, items), probe, TOLERANCE * size, (EFFORT, WORK));
-                    let (most, gap) = hunt.finish(contents, &mut work);
+                    let quantity = CoordinateAlong { base: 0.0, direction, scale: 1.0 };
+                    let search = MaximumSearch::new((contents, items), quantity, TOLERANCE * size, (EFFORT, WORK));
+                    let (most, gap) = search.finish(contents, &mut work);
                     *side = sign * most;
                     slack = slack.max(gap);
                 }
@@ -120,10 +121,10 @@ impl Body {
         }
         let reach = low.iter().chain(&high).fold(0.0_f64, |reach, c| reach.max(c.abs()));
         let centre = [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]));
-        let probe = Away { from: centre, scale: 1.0 };
-        let hunt = Hunt::new((contents, items), probe, TOLERANCE * reach, (EFFORT, WORK));
-        let (radius, gap) = hunt.finish(contents, &mut work);
-        // The ball need not be larger than the box.
+        let quantity = DistanceFrom { from: centre, scale: 1.0 };
+        let search = MaximumSearch::new((contents, items), quantity, TOLERANCE * reach, (EFFORT, WORK));
+        let (radius, gap) = search.finish(contents, &mut work);
+        // The ball around the box is large enough.
         let radius = radius.min(norm(Self { low, high, radius }.half()));
         let shift = unit_of(reach);
         let unit = libm::scalbn(1.0, -shift);
@@ -132,7 +133,7 @@ impl Body {
     }
 }
 
-/// What is known of a whole drawing, in units of the root block.
+/// The box and the girth of a whole drawing, in units of the root block.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent {
     /// The least and the greatest coordinates.
@@ -140,16 +141,18 @@ pub struct Extent {
     pub girth: Option<Girth>,
 }
 
-/// A search for the smallest box around what a block draws, as exactly as some effort can tell, and for its girth.
+/// A search, with bounded effort, for the smallest box around a drawing and for its girth.
 #[derive(Clone, Debug)]
 pub struct Survey {
     root: BlockId,
     /// The sides found so far: the least coordinates, then the greatest.
     sides: Vec<f64>,
-    side: Option<Hunt<Along>>,
-    /// As in [`girth`](super::girth).
+    /// The search for the next side.
+    side: Option<MaximumSearch<CoordinateAlong>>,
+    /// The distances found so far, for [`girth::girth`].
     reach: Vec<f64>,
-    ring: Option<Hunt<Outwards>>,
+    /// The search for the next distance.
+    ring: Option<MaximumSearch<OutwardCoordinate>>,
 }
 
 impl Survey {
@@ -157,27 +160,33 @@ impl Survey {
         Self { root, sides: vec![], side: None, reach: vec![], ring: None }
     }
 
-    /// Looks on until the meter is spent; the extent when all is known.
+    /// Continues until the meter is spent. Returns the extent at the end.
     pub fn step(&mut self, contents: Contents<'_, Solid>, meter: &mut Meter) -> Option<Extent> {
         const EXACT: f64 = 1e-11;
         const PATIENCE: (usize, u64) = (3_000, 1 << 18);
         let items = contents.items_of(self.root);
         while self.sides.len() < 6 {
             let (i, sign) = (self.sides.len() % 3, if self.sides.len() < 3 { -1.0 } else { 1.0 });
-            let hunt = self.side.get_or_insert_with(|| {
+            let search = self.side.get_or_insert_with(|| {
                 let mut direction = [0.0; 3];
                 direction[i] = sign;
-                Hunt::new((contents, items), Along { base: 0.0, direction, scale: 1.0 }, EXACT, PATIENCE)
+                MaximumSearch::new(
+                    (contents, items),
+                    CoordinateAlong { base: 0.0, direction, scale: 1.0 },
+                    EXACT,
+                    PATIENCE,
+                )
             });
-            let (most, _) = hunt.step(contents, meter)?;
+            let (most, _) = search.step(contents, meter)?;
             self.sides.push(sign * most);
             self.side = None;
         }
         let from = contents.blocks[self.root.0 as usize].hull.centre();
-        while let Some(probe) = Outwards::new(from, self.reach.len()) {
+        while let Some(quantity) = OutwardCoordinate::new(from, self.reach.len()) {
             let effort = (girth::EFFORT, 1 << 18);
-            let hunt = self.ring.get_or_insert_with(|| Hunt::new((contents, items), probe, girth::EXACT, effort));
-            let (most, _) = hunt.step(contents, meter)?;
+            let search =
+                self.ring.get_or_insert_with(|| MaximumSearch::new((contents, items), quantity, girth::EXACT, effort));
+            let (most, _) = search.step(contents, meter)?;
             self.reach.push(most);
             self.ring = None;
         }
@@ -186,27 +195,27 @@ impl Survey {
     }
 }
 
-/// A quantity that points have, and what is known of it where only a body is known.
-pub(super) trait Probe: Copy {
-    /// Of a point.
+/// A quantity of points, with bounds on its maximum over the contents of a body.
+pub(super) trait Quantity: Copy {
+    /// The quantity at a point.
     fn of(&self, point: Vector) -> f64;
-    /// At most, of the contents of a body.
+    /// An upper bound on the maximum over a body's contents.
     fn most(&self, body: &Body) -> f64;
-    /// That some of the contents of a body have at least, if none of its sides is farther than `slack` from them.
+    /// A lower bound on the maximum over a body's contents, if every side of the box is within `slack` of the contents.
     fn least(&self, body: &Body, slack: f64) -> f64;
-    /// The same quantity for points of a block's frame.
+    /// The quantity for points in the frame of a placed block.
     fn within(&self, placed: &Placed<Solid>) -> Self;
 }
 
-/// How far a point lies in a direction.
+/// The coordinate of a point in a direction.
 #[derive(Clone, Copy, Debug)]
-struct Along {
+struct CoordinateAlong {
     base: f64,
     direction: Vector,
     scale: f64,
 }
 
-impl Probe for Along {
+impl Quantity for CoordinateAlong {
     fn of(&self, point: Vector) -> f64 {
         self.base + self.scale * dot(self.direction, point)
     }
@@ -218,7 +227,7 @@ impl Probe for Along {
     }
 
     fn least(&self, body: &Body, slack: f64) -> f64 {
-        // Each side of the box is touched somewhere; it may be at the worst of its corners.
+        // The contents touch each side of the box, at worst at the corner with the least value.
         let half = body.half();
         let parts = [0, 1, 2].map(|i| self.direction[i].abs() * half[i]);
         let across: f64 = parts.iter().sum();
@@ -235,14 +244,14 @@ impl Probe for Along {
     }
 }
 
-/// How far a point is from another.
+/// The distance of a point from `from`.
 #[derive(Clone, Copy, Debug)]
-struct Away {
+struct DistanceFrom {
     from: Vector,
     scale: f64,
 }
 
-impl Probe for Away {
+impl Quantity for DistanceFrom {
     fn of(&self, point: Vector) -> f64 {
         self.scale * norm([0, 1, 2].map(|i| point[i] - self.from[i]))
     }
@@ -263,61 +272,61 @@ impl Probe for Away {
     }
 }
 
-/// A block that may have the most; the one that may have more comes first.
+/// A block that may contain the maximum, ordered by its upper bound.
 #[derive(Clone, Debug)]
-struct Open<P> {
+struct OpenBlock<P> {
     most: f64,
     block: BlockId,
-    probe: P,
+    quantity: P,
 }
 
-impl<P> Ord for Open<P> {
+impl<P> Ord for OpenBlock<P> {
     fn cmp(&self, other: &Self) -> Ordering {
         self.most.total_cmp(&other.most)
     }
 }
 
-impl<P> PartialOrd for Open<P> {
+impl<P> PartialOrd for OpenBlock<P> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl<P> PartialEq for Open<P> {
+impl<P> PartialEq for OpenBlock<P> {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other) == Ordering::Equal
     }
 }
 
-impl<P> Eq for Open<P> {}
+impl<P> Eq for OpenBlock<P> {}
 
-/// A search for the most that some items have of a quantity.
+/// A search for the maximum of a quantity over some items.
 #[derive(Clone, Debug)]
-pub(super) struct Hunt<P> {
-    open: BinaryHeap<Open<P>>,
-    /// That some have at least.
+pub(super) struct MaximumSearch<P> {
+    open: BinaryHeap<OpenBlock<P>>,
+    /// A lower bound on the maximum.
     least: f64,
     tolerance: f64,
-    /// Blocks to look into, and units of work to spend on them, at most.
+    /// The blocks that may still be opened, and the units of work that may still be spent.
     effort: (usize, u64),
-    /// Units of work that are not yet told.
+    /// Units of work not yet charged to a meter.
     work: u64,
 }
 
-impl<P: Probe> Hunt<P> {
+impl<P: Quantity> MaximumSearch<P> {
     pub(super) fn new(
         (contents, items): (Contents<'_, Solid>, &[Item<Solid>]),
-        probe: P,
+        quantity: P,
         tolerance: f64,
         effort: (usize, u64),
     ) -> Self {
-        let mut hunt = Self { open: BinaryHeap::new(), least: f64::NEG_INFINITY, tolerance, effort, work: 0 };
-        hunt.look(contents, items, probe);
-        hunt
+        let mut search = Self { open: BinaryHeap::new(), least: f64::NEG_INFINITY, tolerance, effort, work: 0 };
+        search.look(contents, items, quantity);
+        search
     }
 
-    /// Looks on until the meter is spent. In the end: the most, and how much less it may be: at most the tolerance, unless
-    /// the effort is too little to tell.
+    /// Continues until the meter is spent. Returns at the end an upper bound on the maximum, and the bound's largest
+    /// error: at most the tolerance, unless the effort is used up.
     fn step(&mut self, contents: Contents<'_, Solid>, meter: &mut Meter) -> Option<(f64, f64)> {
         loop {
             meter.charge(core::mem::take(&mut self.work));
@@ -329,13 +338,13 @@ impl<P: Probe> Hunt<P> {
             if meter.is_spent() {
                 return None;
             }
-            let Open { block, probe, .. } = self.open.pop()?;
-            self.look(contents, contents.items_of(block), probe);
+            let OpenBlock { block, quantity, .. } = self.open.pop()?;
+            self.look(contents, contents.items_of(block), quantity);
             self.effort = (self.effort.0 - 1, self.effort.1.saturating_sub(self.work));
         }
     }
 
-    /// The same to the end; adds the units of work.
+    /// Runs [`MaximumSearch::step`] to the end and adds the units of work to `work`.
     fn finish(mut self, contents: Contents<'_, Solid>, work: &mut u64) -> (f64, f64) {
         let mut meter = Meter::new(u64::MAX);
         let found = self.step(contents, &mut meter).unwrap_or((f64::INFINITY, f64::INFINITY));
@@ -343,27 +352,28 @@ impl<P: Probe> Hunt<P> {
         found
     }
 
-    fn look(&mut self, contents: Contents<'_, Solid>, items: &[Item<Solid>], probe: P) {
+    /// Raises the lower bound by `items`, and opens the blocks among them that may exceed it.
+    fn look(&mut self, contents: Contents<'_, Solid>, items: &[Item<Solid>], quantity: P) {
         let Self { open, least, work, .. } = self;
-        // Ends of strokes take little.
+        // A stroke takes an eighth of a unit.
         *work += 4 + items.len() as u64 / 8;
         for item in items {
             match item {
-                Item::Stroke(stroke) => *least = least.max(probe.of(stroke.from)).max(probe.of(stroke.to)),
+                Item::Stroke(stroke) => *least = least.max(quantity.of(stroke.from)).max(quantity.of(stroke.to)),
                 Item::Polygon(polygon) => {
-                    let all = contents.vertices[polygon.range()].iter().map(|&vertex| probe.of(vertex));
+                    let all = contents.vertices[polygon.range()].iter().map(|&vertex| quantity.of(vertex));
                     *work += u64::from(polygon.count) / 16;
                     *least = all.fold(*least, f64::max);
                 }
-                Item::Block(placed) if placed.scale < SPECK => *least = least.max(probe.of(placed.at)),
+                Item::Block(placed) if placed.scale < SPECK => *least = least.max(quantity.of(placed.at)),
                 Item::Block(placed) => {
                     let Block { hull, slack, .. } = &contents.blocks[placed.block.0 as usize];
                     *work += 1;
-                    let probe = probe.within(placed);
-                    *least = least.max(probe.least(hull, *slack));
-                    let most = probe.most(hull);
+                    let quantity = quantity.within(placed);
+                    *least = least.max(quantity.least(hull, *slack));
+                    let most = quantity.most(hull);
                     if most > *least {
-                        open.push(Open { most, block: placed.block, probe });
+                        open.push(OpenBlock { most, block: placed.block, quantity });
                     }
                 }
             }
@@ -378,7 +388,7 @@ mod tests {
     use crate::{StyleChange, System, draw_solid};
     use lsystem_syntax::{Definition, Limits};
 
-    /// Every block's body contains all that the block draws, and fits it as exactly as it says.
+    /// Checks that every block's body contains all that the block draws, and exceeds it by at most the block's slack.
     fn check(rules: &str, angle: f64, n: u32, loose: f64) {
         let definition = Definition { axiom: "A".into(), rules: rules.into(), angle, ..Definition::default() };
         let drawing = draw_solid(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap();
@@ -409,9 +419,9 @@ mod tests {
     fn bodies_contain_and_fit() {
         check("A -> [&F!A]/////'[&F!A]///////'[&F!A]\nF -> S/////F\nS -> F", 22.5, 9, 0.03);
         check("A -> F[&A][/+A]^F\\A\nF -> FF", 25.7, 8, 0.03);
-        // A long chain of blocks, each nearly as large as the one that holds it.
+        // A long chain of blocks, each nearly as large as its container.
         check("A -> F&/A", 137.5, 300, 0.6);
-        // Made stroke by stroke.
+        // An unfolded drawing, because of `$`.
         check("A -> F[&A][/+A]^F\\$A\nF -> FF", 25.7, 8, 0.01);
     }
 }

@@ -1,8 +1,7 @@
-//! Blocks in the making: every block gets its exponent, hull, count and widest stroke here.
-
+//! The making of blocks: exponent, hull, counts and widest stroke.
 use crate::Plane;
 use crate::chunks::Chunks;
-use crate::drawing::block::{Block, BlockId, Contents, Enclosed, Ground, Item, Placed, Space, Stroke};
+use crate::drawing::block::{Block, BlockId, Contents, Enclosed, HullInput, Item, Placed, Space, Stroke};
 use crate::drawing::scene::SceneSize;
 use crate::room::{bytes_for, bytes_of, reserve};
 use crate::space::times;
@@ -14,19 +13,19 @@ pub(crate) struct Builder<S: Space = Plane> {
     pub blocks: Vec<Block<S>>,
     pub items: Chunks<Item<S>>,
     pub corners: Vec<S::Point>,
-    /// Of polygons; each polygon has its own.
+    /// The vertices of polygons; polygons share none.
     pub vertices: Vec<S::Point>,
     pub(crate) styles: Styles,
     pub directions: S::Directions,
-    /// Where a hull's points are collected.
+    /// A reusable buffer for a hull's points.
     pub points: Vec<S::Point>,
-    /// What pictures in space make of the blocks.
+    /// The size of the scene for pictures in space.
     pub scene: SceneSize,
-    /// Units of work since [`Builder::take_work`] was called.
+    /// Units of work since the last call of [`Builder::take_work`].
     work: u64,
-    /// The bytes that all of this may take.
+    /// The most bytes that the builder may occupy.
     memory: u64,
-    /// Whether a block was left out because there was no memory for it.
+    /// Whether a block was left out for lack of memory.
     pub is_full: bool,
 }
 
@@ -35,7 +34,7 @@ impl<S: Space> Builder<S> {
         Self::within(u64::MAX)
     }
 
-    /// A builder that takes at most so many bytes.
+    /// A builder that occupies at most `memory` bytes.
     pub(crate) fn within(memory: u64) -> Self {
         Self {
             scene: SceneSize::default(),
@@ -56,12 +55,12 @@ impl<S: Space> Builder<S> {
         Contents { blocks: &self.blocks, items: &self.items, corners: &self.corners, vertices: &self.vertices }
     }
 
-    /// The units of work since this was called last.
+    /// The units of work since the last call.
     pub(crate) fn take_work(&mut self) -> u64 {
         core::mem::take(&mut self.work)
     }
 
-    /// The bytes that it takes.
+    /// The bytes that the builder occupies.
     pub(crate) fn bytes(&self) -> u64 {
         bytes_of(&self.blocks)
             + self.items.bytes()
@@ -71,7 +70,7 @@ impl<S: Space> Builder<S> {
             + self.styles.bytes()
     }
 
-    /// Gives back what no list needs any more.
+    /// Frees the unused capacity of the lists.
     pub(crate) fn shrink(&mut self) {
         self.blocks.shrink_to_fit();
         self.items.shrink();
@@ -79,7 +78,8 @@ impl<S: Space> Builder<S> {
         self.vertices.shrink_to_fit();
     }
 
-    /// Makes room for a block with so many items, where there is memory for it. While a list grows it is there twice.
+    /// Makes room for a block with this many items. Returns false, and the builder is full, if memory does not suffice.
+    /// While a list grows, the old and the new list count.
     fn has_room(&mut self, items: usize) -> bool {
         let more = bytes_for(&self.blocks, 1) + self.items.bytes_for(items) + bytes_for(&self.corners, 64);
         self.is_full |= more > 0 && self.bytes() + more > self.memory;
@@ -90,9 +90,8 @@ impl<S: Space> Builder<S> {
         !self.is_full
     }
 
-    /// Makes a block of `items`, whose coordinates are in units of `2^exponent` steps; `None` without items.
-    /// A block that would hold nothing but another one as it is, is that other one. `None`, too, where there is no memory
-    /// for it; the builder is then full.
+    /// Makes a block of `items`, whose coordinates are in units of `2^exponent` steps. If the only item is an unchanged
+    /// block, returns that block. `None` without items, or if memory does not suffice; the builder is then full.
     pub(crate) fn block(&mut self, items: &[Item<S>], exponent: i32) -> Option<BlockId> {
         match *items {
             [] => return None,
@@ -120,8 +119,8 @@ impl<S: Space> Builder<S> {
             }
         }
         let Self { blocks, items: made, vertices, corners, directions, points, .. } = self;
-        let ground = Ground { blocks, items: made, vertices, corners, directions, points };
-        let Enclosed { hull, slack, shift, work } = S::enclose(ground, items);
+        let input = HullInput { blocks, items: made, vertices, corners, directions, points };
+        let Enclosed { hull, slack, shift, work } = S::enclose(input, items);
         self.work += work + 2 * (1 + items.len() as u64);
         let unit = libm::scalbn(1.0, -shift);
         let numbers = self.items.push(items.iter().map(|item| item.scaled(unit)));
@@ -143,13 +142,14 @@ impl<S: Space> Builder<S> {
         Some(BlockId(self.blocks.len() as u32 - 1))
     }
 
+    /// The width change of a style.
     fn width(&self, style: StyleId) -> WidthChange {
         self.styles.list[style.0 as usize].width
     }
 }
 
 impl<S: Space> Placed<S> {
-    /// Whether it is placed where the containing block, in units of `2^exponent` steps, begins, with nothing changed.
+    /// Whether the block is placed unchanged at the origin of a container in units of `2^exponent` steps.
     fn is_plain(&self, builder: &Builder<S>, exponent: i32) -> bool {
         let same = libm::scalbn(1.0, builder.blocks[self.block.0 as usize].exponent.saturating_sub(exponent));
         let style = &builder.styles.list[self.style.0 as usize];
@@ -158,13 +158,13 @@ impl<S: Space> Placed<S> {
 }
 
 impl<S: Space> Item<S> {
-    /// The same with coordinates times `unit`.
+    /// The item with coordinates times `unit`.
     fn scaled(&self, unit: f64) -> Self {
         match *self {
             Self::Stroke(stroke) => {
                 Self::Stroke(Stroke { from: times(stroke.from, unit), to: times(stroke.to, unit), ..stroke })
             }
-            // Its vertices are elsewhere.
+            // [`Builder::block`] scales the vertices.
             Self::Polygon(polygon) => Self::Polygon(polygon),
             Self::Block(placed) => {
                 Self::Block(Placed { at: times(placed.at, unit), scale: placed.scale * unit, ..placed })

@@ -1,5 +1,4 @@
-//! Segments by the million: small blocks are written out once and copied ever after, turned and moved.
-
+//! Fast reading of millions of segments: each small block is written out once, then copied, rotated and moved.
 use super::Drawing;
 use super::segments::{Frame, Strokes};
 use crate::drawing::block::{BlockId, Item};
@@ -7,13 +6,13 @@ use crate::plane::Directions;
 use crate::style::{ColourChange, StyleChange};
 use lsystem_syntax::{Diagnostic, Heading, LimitName};
 
-/// Blocks of up to this many segments are copied whole: enough to make a copy's preparation cheap, few enough to
-/// keep its source in the processor's nearest cache.
+/// The most segments of a block that is copied as a whole: enough to make the preparation of a copy cheap, few enough
+/// to keep the copy's source in the processor's L1 cache.
 const COPIED: u128 = 2048;
-/// Segments handed to a visitor at a time: its buffers stay in the second-nearest cache.
+/// The most segments handed to a visitor at a time: the buffers stay in the L2 cache.
 const CHUNK: usize = 8192;
 
-/// Segments as arrays of plain numbers, in drawing order. A value that is used again is not allocated again.
+/// Segments as arrays of plain numbers, in drawing order. A reused value keeps its memory.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SegmentArrays {
     /// From x, from y, to x, to y of each segment, in model units.
@@ -26,7 +25,7 @@ pub struct SegmentArrays {
 
 /// Consecutive segments; the fields as in [`SegmentArrays`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(missing_docs, reason = "said of the arrays")]
+#[allow(missing_docs, reason = "documented at SegmentArrays")]
 pub struct SegmentChunk<'a> {
     pub ends: &'a [f32],
     pub colours: &'a [i32],
@@ -40,6 +39,7 @@ impl SegmentArrays {
         self.levels.resize(segments, 0);
     }
 
+    /// The slices for `len` segments from number `first` on.
     fn room(&mut self, first: usize, len: usize) -> Room<'_> {
         Room {
             ends: &mut self.ends[4 * first..4 * (first + len)],
@@ -48,17 +48,18 @@ impl SegmentArrays {
         }
     }
 
+    /// The first `len` segments.
     fn first(&self, len: usize) -> SegmentChunk<'_> {
         SegmentChunk { ends: &self.ends[..4 * len], colours: &self.colours[..len], levels: &self.levels[..len] }
     }
 }
 
 impl Drawing {
-    /// Writes all segments to `arrays`, in place of what they held. Coordinates are within 1e-6 of the extent, as long
-    /// as the start is not far away compared to it.
+    /// Replaces `arrays` by all segments. Coordinates are exact to 1e-6 of the drawing's size, unless the start is far
+    /// from the origin compared with that size.
     ///
     /// # Errors
-    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) where there are more than `most` segments; `arrays` is then empty.
+    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if there are more than `most` segments; `arrays` is then empty.
     pub fn write_segments(&self, most: u64, arrays: &mut SegmentArrays) -> Result<(), Diagnostic> {
         let count = usize::try_from(self.segment_count()).ok().filter(|&count| count as u64 <= most);
         arrays.resize(count.unwrap_or(0));
@@ -73,8 +74,8 @@ impl Drawing {
         Ok(())
     }
 
-    /// Hands all segments to `visit` in drawing order, some thousand at a time. They lie in the same small memory each
-    /// time, which is faster than to write all of them anywhere. Precision as in [`Drawing::write_segments`].
+    /// Hands all segments to `visit` in drawing order, up to 8,192 at a time. Every call reuses one small buffer, which
+    /// is faster than writing all segments to memory. Precision as in [`Drawing::write_segments`].
     pub fn for_each_chunk(&self, mut visit: impl FnMut(SegmentChunk<'_>)) {
         let mut chunk = SegmentArrays::default();
         chunk.resize(CHUNK);
@@ -93,52 +94,56 @@ impl Drawing {
     }
 }
 
-/// Where the next few segments go.
+/// The slices that receive the next segments.
 struct Room<'a> {
     ends: &'a mut [f32],
     colours: &'a mut [i32],
     levels: &'a mut [u16],
 }
 
-/// Makes room for so many segments, and has it filled.
+/// Makes room for a number of segments, then calls the function that writes them.
 type Sink<'s> = &'s mut dyn FnMut(usize, &mut dyn FnMut(Room<'_>));
 
-/// A block written out in its own frame.
-struct Copy {
+/// The segments of a block in its own frame.
+struct BlockCopy {
     ends: Vec<f32>,
     colours: Colours,
     levels: Levels,
 }
 
+/// The colour changes of a copy's segments.
 enum Colours {
     Same(ColourChange),
-    /// Of each segment: what is kept of the colour at entry (all bits or none), and what is added.
+    /// By segment: a mask for the colour at entry (all bits or none), and the number added.
     Each(Vec<i32>, Vec<i32>),
 }
 
+/// The branch levels of a copy's segments, relative to the entry.
 enum Levels {
     Same(u32),
     Each(Vec<u16>),
 }
 
+/// Writes the segments of a drawing.
 struct Emitter<'a> {
     drawing: &'a Drawing,
     directions: Directions,
-    /// By block: its copy, and the scale that it was made for.
-    copies: Vec<Option<(f64, Copy)>>,
-    /// Copies' ends turned already, by a hash of block and heading. The first that comes to a place stays there:
-    /// where there are more headings than places, most are turned while they are written.
-    turned: Vec<Option<Turned>>,
+    /// By block: the copy, and the scale of its coordinates.
+    copies: Vec<Option<(f64, BlockCopy)>>,
+    /// Rotated copies, by a hash of block and heading. The first copy in a place stays. If there are more headings than
+    /// places, most copies are rotated while they are written.
+    turned: Vec<Option<TurnedCopy>>,
 }
 
-struct Turned {
+/// The ends of a block copy, rotated by a heading.
+struct TurnedCopy {
     block: BlockId,
     heading: Heading,
     scale: f64,
     ends: Vec<f32>,
 }
 
-/// Turned copies held: more would not stay in the processor's caches.
+/// There are `2^TURNED` places for rotated copies: more would not stay in the processor's caches.
 const TURNED: u32 = 7;
 
 impl<'a> Emitter<'a> {
@@ -167,7 +172,7 @@ impl<'a> Emitter<'a> {
                     match item {
                         Item::Stroke(stroke) => {
                             let style = frame.style.then(&drawing.styles[stroke.style.0 as usize]);
-                            let ends = ends(frame.lie(stroke.from), frame.lie(stroke.to));
+                            let ends = ends(frame.transform(stroke.from), frame.transform(stroke.to));
                             sink(1, &mut |room| {
                                 room.ends.copy_from_slice(&ends);
                                 room.colours[0] = style.colour.of(0);
@@ -189,7 +194,7 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Whether a copy of the block pays: small, and likely to come again.
+    /// Whether a copy of the block pays off: the block is small and probably placed more than once.
     fn is_copied(&self, block: BlockId) -> bool {
         self.drawing.memoised && self.drawing.blocks[block.0 as usize].segments <= COPIED
     }
@@ -197,7 +202,7 @@ impl<'a> Emitter<'a> {
     fn copy(&mut self, block: BlockId, frame: &Frame, sink: Sink<'_>) {
         let slot = &mut self.copies[block.0 as usize];
         if slot.as_ref().is_none_or(|(scale, _)| *scale != frame.scale) {
-            *slot = Some((frame.scale, Copy::new(self.drawing, block, frame.scale)));
+            *slot = Some((frame.scale, BlockCopy::new(self.drawing, block, frame.scale)));
         }
         let Some((_, copy)) = slot else { return };
         let (c, s) = self.directions.cos_sin(frame.heading);
@@ -207,7 +212,7 @@ impl<'a> Emitter<'a> {
         let turned = self.turned[(hash >> (64 - TURNED)) as usize].get_or_insert_with(|| {
             let mut ends = vec![0.0; copy.ends.len()];
             place(&copy.ends, turn, [0.0; 2], &mut ends);
-            Turned { block, heading: frame.heading, scale: frame.scale, ends }
+            TurnedCopy { block, heading: frame.heading, scale: frame.scale, ends }
         });
         let fits = turned.block == block && turned.heading == frame.heading && turned.scale == frame.scale;
         sink(copy.ends.len() / 4, &mut |room| {
@@ -221,7 +226,7 @@ impl<'a> Emitter<'a> {
     }
 }
 
-impl Copy {
+impl BlockCopy {
     fn new(drawing: &Drawing, block: BlockId, scale: f64) -> Self {
         let mut strokes = Strokes::new(drawing);
         strokes.enter(block, &Frame::new(scale, StyleChange::NONE));
@@ -249,7 +254,7 @@ impl Copy {
         Self { ends: all_ends, colours, levels }
     }
 
-    /// Writes colours and levels for an entry in `style`.
+    /// Writes colours and levels for a block that is entered in `style`.
     fn write_styles(&self, style: &StyleChange, colours: &mut [i32], levels: &mut [u16]) {
         let colour = style.colour.of(0);
         match &self.colours {
@@ -272,7 +277,7 @@ impl Copy {
     }
 }
 
-/// Moves segments. Lanes of equal work, so that the compiler makes vectors of them.
+/// Moves segments. Lanes with equal work let the compiler emit vector instructions.
 fn shift(ends: &[f32], [x, y]: [f32; 2], out: &mut [f32]) {
     let at = [x, y, x, y, x, y, x, y];
     let ((pairs, odd), (out_pairs, out_odd)) = (ends.as_chunks::<8>(), out.as_chunks_mut::<8>());
@@ -286,7 +291,7 @@ fn shift(ends: &[f32], [x, y]: [f32; 2], out: &mut [f32]) {
     }
 }
 
-/// Turns and moves segments.
+/// Rotates and moves segments.
 fn place(ends: &[f32], (c, s): (f32, f32), [x, y]: [f32; 2], out: &mut [f32]) {
     for (out, p) in out.as_chunks_mut::<2>().0.iter_mut().zip(ends.as_chunks::<2>().0) {
         *out = [p[0] * c - p[1] * s + x, p[0] * s + p[1] * c + y];

@@ -1,4 +1,4 @@
-//! Drawing in resumable steps: shared where pieces are alike, unfolded otherwise.
+//! Drawing in resumable steps: with shared blocks if possible, unfolded otherwise.
 
 use super::Drawing;
 use super::block::{BlockId, Space};
@@ -14,23 +14,23 @@ use std::sync::OnceLock;
 /// Draws generation `n`.
 ///
 /// # Errors
-/// [`Kind::Limit`](lsystem_syntax::Kind::Limit): [`Limits::segments`], [`Limits::work`] or [`Limits::modules`] would be passed, or
-/// `n` is above [`MAX_ITERATIONS`]. [`Kind::NotFinite`](lsystem_syntax::Kind::NotFinite): a production computes no finite number.
+/// [`Kind::Limit`](lsystem_syntax::Kind::Limit): the drawing would exceed [`Limits::segments`], [`Limits::work`],
+/// [`Limits::modules`] or [`Limits::memory`], or `n` is above [`MAX_ITERATIONS`].
+/// [`Kind::NotFinite`](lsystem_syntax::Kind::NotFinite): a production computes a number that is not finite.
 pub fn draw(system: &System, n: u32, limits: &Limits) -> Result<Drawing, Diagnostic> {
     Drawer::new(system, n, *limits).finish()
 }
 
-/// A drawing in the making. It keeps what it needs of its system, so it can wait for its next step as long as
-/// anybody likes; one that is superseded is simply dropped.
+/// A drawing in the making. The drawer borrows nothing, so it can rest between steps. Drop it to cancel the drawing.
 #[derive(Clone, Debug)]
 pub struct Drawer<S: Space = Plane> {
     task: Task<S>,
     shares: bool,
     builder: Builder<S>,
-    /// The symbols of the generation, where it has been gone through.
+    /// The number of symbols of the generation, if counted.
     symbols: Option<u64>,
     state: State<S>,
-    /// The units of work of all steps.
+    /// The units of work of all steps so far.
     spent: u64,
 }
 
@@ -38,7 +38,7 @@ pub struct Drawer<S: Space = Plane> {
 enum State<S: Space> {
     Share(Share<S>),
     Unfold(Unfold<S>),
-    /// Finding the extent of what is made.
+    /// The search for the extent of the finished blocks.
     Survey {
         survey: Box<S::Survey>,
         root: BlockId,
@@ -64,7 +64,7 @@ impl<S: Space> Drawer<S> {
     /// Prepares to draw generation `n`.
     pub(super) fn within(system: &System, n: u32, limits: Limits) -> Self {
         let (rules, turtle, seed) = (system.rules.clone(), system.turtle.clone(), system.seed);
-        // What is drawn below `draw:` is in no generation.
+        // Symbols of images (below `draw:`) occur in no generation, so reachability does not find them.
         let reachable = if rules.is_plain() { rules.reachable() } else { vec![true; turtle.actions.len()] };
         let score = turtle.score(&reachable);
         let task = Task { rules, turtle, score, seed, n, limits };
@@ -79,9 +79,8 @@ impl<S: Space> Drawer<S> {
         Self { task, shares, builder: Builder::within(limits.memory), symbols: None, state, spent: 0 }
     }
 
-    /// Works on, for about `work` letters (some hundred thousand take a few milliseconds), and says whether there is
-    /// more to do.
-    // Twice in the wasm, once in `draw` and once by itself, it would be a tenth of what the page loads.
+    /// Continues for about `work` units (100,000 take a few milliseconds). Returns whether there is more to do.
+    // Inlined into `draw` as well, the code would be twice in the wasm: a tenth of what the page loads.
     #[inline(never)]
     pub fn step(&mut self, work: u64) -> Progress {
         let mut meter = Meter::new(work);
@@ -112,8 +111,8 @@ impl<S: Space> Drawer<S> {
         self.spent
     }
 
-    /// The bytes that the drawing in the making takes, as [`Limits::memory`] counts them: in space, with what its pictures
-    /// will be made from.
+    /// The bytes that the drawing in the making occupies, as [`Limits::memory`] counts them: in space, with the scene
+    /// for its pictures.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         let state = match &self.state {
@@ -125,7 +124,7 @@ impl<S: Space> Drawer<S> {
         self.builder.bytes() + self.builder.scene.bytes(self.shares) + state
     }
 
-    /// Does all that is left, and returns the drawing.
+    /// Runs all steps left and returns the drawing.
     ///
     /// # Errors
     /// As [`draw`].
@@ -156,8 +155,8 @@ impl<S: Space> Drawer<S> {
         })
     }
 
-    /// Works on in the present state, or goes over to the next.
-    // Once is enough in the wasm.
+    /// Continues in the present state, or changes to the next.
+    // Inlined, the code would be twice in the wasm.
     #[inline(never)]
     fn advance(&mut self, meter: &mut Meter) {
         let Self { task, shares, builder, symbols, state, .. } = self;
@@ -179,7 +178,7 @@ impl<S: Space> Drawer<S> {
                 *symbols = made.symbols;
                 *state = complete(made);
             }
-            Outcome::Apart(largest) => {
+            Outcome::NotShareable(largest) => {
                 *shares = false;
                 *state = Unfold::new(task, largest).map_or_else(State::Failed, State::Unfold);
             }
@@ -188,7 +187,7 @@ impl<S: Space> Drawer<S> {
     }
 }
 
-/// What comes when all blocks are made.
+/// The state after all blocks are made.
 fn complete<S: Space>(Made { root, pieces, .. }: Made<S>) -> State<S> {
     match root {
         None => State::Done { root, pieces, extent: None },

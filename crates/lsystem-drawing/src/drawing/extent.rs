@@ -1,8 +1,8 @@
-//! How far a drawing reaches, more exactly than hulls of few corners tell.
+//! The extent of a drawing in the plane, more exact than its hulls, whose corners are limited in number.
 
 use super::hull::hull;
 use crate::Plane;
-use crate::drawing::block::{BlockId, Contents, Enclosed, Ground, Item, Placed, Space};
+use crate::drawing::block::{BlockId, Contents, Enclosed, HullInput, Item, Placed, Space};
 use crate::plane::Directions;
 use crate::space::{Geometry, times, unit_of};
 use core::ops::Range;
@@ -11,21 +11,21 @@ use lsystem_syntax::{Heading, Meter};
 use std::collections::HashMap;
 
 impl Space for Plane {
-    /// Corners of a convex polygon, counter-clockwise; one or two where all is on a point or a line. Rounding may leave
-    /// the end of a segment's axis out by 1e-11.
+    /// The corners of a convex polygon, counter-clockwise, as a range of [`Drawing::corners`](crate::Drawing::corners);
+    /// one corner for a point, two for a line. Rounding may leave the end of a segment's axis out by 1e-11.
     type Hull = Range<u32>;
     /// Min x, min y, max x, max y.
     type Extent = [f64; 4];
     type Survey = Survey;
 
-    fn enclose(ground: Ground<'_, Self>, items: &[Item]) -> Enclosed<Self> {
-        let Ground { blocks, corners, vertices, directions, points, .. } = ground;
+    fn enclose(input: HullInput<'_, Self>, items: &[Item]) -> Enclosed<Self> {
+        let HullInput { blocks, corners, vertices, directions, points, .. } = input;
         points.clear();
         let (mut slack, mut work, mut boxed) = (0.0_f64, 0, 0.0_f64);
         for item in items {
             match item {
                 Item::Stroke(stroke) => {
-                    // Most strokes begin where the one before ended.
+                    // Most strokes begin at the end of the previous one.
                     if points.last() != Some(&stroke.from) {
                         points.push(stroke.from);
                     }
@@ -42,7 +42,7 @@ impl Space for Plane {
                     let block = &blocks[placed.block.0 as usize];
                     let axes = Self::scaled(directions.cos_sin(placed.heading), placed.scale);
                     let corners = &corners[block.hull.start as usize..block.hull.end as usize];
-                    points.extend(corners.iter().map(|&corner| Self::lie(&axes, placed.at, corner)));
+                    points.extend(corners.iter().map(|&corner| Self::transform(&axes, placed.at, corner)));
                     slack = slack.max(placed.scale * block.slack);
                 }
             }
@@ -52,7 +52,7 @@ impl Space for Plane {
         let unit = libm::scalbn(1.0, -shift);
         points.iter_mut().for_each(|point| *point = times(*point, unit));
         let (outside, hulled) = hull(points);
-        // Nothing in a box is farther from its sides than the longer one is long.
+        // The contents touch all sides of the box, so the box exceeds them by at most its longer side.
         let slack = slack.max(boxed) * unit + outside;
         let first = corners.len() as u32;
         corners.extend(&*points);
@@ -68,7 +68,7 @@ impl Space for Plane {
     }
 }
 
-/// Polygons of more vertices than this count for their boxes, where hulls are made: their own hulls would take too long.
+/// For a polygon of more vertices than this, a hull includes the polygon's box: its own hull would take too long.
 const LONG: u32 = 1 << 14;
 
 /// The least and the greatest coordinates.
@@ -78,13 +78,13 @@ fn around(points: &[[f64; 2]]) -> [[f64; 2]; 2] {
     })
 }
 
-/// How exact the answer is, in units of the root block, where that takes no more than the effort below.
+/// The error of the extent, in units of the root block, if the search stays within the limits below.
 const TOLERANCE: f64 = 1e-11;
-/// Blocks looked into, and units of work spent on that, before the hulls' answer is good enough; they never say too
-/// little.
+/// The most blocks opened by the search. After that hulls give the reach, which may be too large but never too small.
 const BLOCKS: u32 = 50_000;
+/// The most units of work for opening blocks.
 const EFFORT: u64 = 1 << 22;
-/// The directions in which a box is measured, in degrees.
+/// The directions in which the extent is measured, in degrees.
 const SIDES: [f64; 4] = [180.0, 270.0, 0.0, 90.0];
 
 /// A search for the extent of a block in its own units: min x, min y, max x, max y.
@@ -92,34 +92,37 @@ const SIDES: [f64; 4] = [180.0, 270.0, 0.0, 90.0];
 pub struct Survey {
     root: BlockId,
     directions: Directions,
-    /// By block and direction: how far it reaches, and how exactly that is known.
+    /// By block and direction: the reach, and its largest error.
     known: HashMap<(BlockId, Heading), (f64, f64)>,
+    /// The blocks that may still be opened.
     blocks: u32,
+    /// The units of work that may still be spent.
     effort: u64,
-    /// The blocks that are looked into, the root first.
-    open: Vec<Look>,
-    /// How far the root reaches, by direction in the order of [`SIDES`].
+    /// The open blocks, the root first.
+    open: Vec<OpenBlock>,
+    /// The reach of the root, by direction in the order of [`SIDES`].
     found: Vec<f64>,
 }
 
-/// A block that is looked into.
+/// An open block, whose contents are searched for the reach in a direction.
 #[derive(Clone, Debug)]
-struct Look {
+struct OpenBlock {
     block: BlockId,
     direction: Heading,
     tolerance: f64,
-    /// How far it reaches at least.
+    /// The largest reach found so far.
     best: f64,
-    /// The placed blocks that may reach farther: how far at most, and their origins; the farthest first.
+    /// The placed blocks that may reach farther, the farthest first: the largest possible reach, the reach of the
+    /// origin, and the block.
     inner: Vec<(f64, f64, Placed)>,
-    /// The one to look into next.
+    /// The index of the next block in `inner`.
     next: usize,
 }
 
-/// A number that falls as `value` grows, in the order of [`f64::total_cmp`].
+/// An integer that decreases as `value` increases, in the order of [`f64::total_cmp`].
 pub(super) fn falling(value: f64) -> i64 {
     let bits = value.to_bits().cast_signed();
-    // Negative values are in the opposite order of their bits.
+    // The bits of negative values decrease as the values increase.
     if bits < 0 { bits ^ i64::MIN } else { !bits }
 }
 
@@ -136,7 +139,7 @@ impl Survey {
         }
     }
 
-    /// Looks on until the meter is spent; the extent when all sides are known.
+    /// Continues until the meter is spent. Returns the extent when all sides are known.
     pub fn step(&mut self, contents: Contents<'_, Plane>, meter: &mut Meter) -> Option<[f64; 4]> {
         while let Some(&side) = SIDES.get(self.found.len()) {
             if meter.is_spent() {
@@ -147,7 +150,7 @@ impl Survey {
                 if let Some(reach) = self.reach(contents, (self.root, direction, TOLERANCE), meter) {
                     self.found.push(reach);
                 }
-            } else if let Some(reach) = self.look(contents, meter) {
+            } else if let Some(reach) = self.search_open_block(contents, meter) {
                 self.found.push(reach);
             }
         }
@@ -155,24 +158,24 @@ impl Survey {
         Some([-x0, -y0, x1, y1])
     }
 
-    /// Goes on with the block that was opened last; how far the root reaches, when that is known.
-    fn look(&mut self, contents: Contents<'_, Plane>, meter: &mut Meter) -> Option<f64> {
+    /// Searches the block that was opened last. Returns the reach of the root when it is known.
+    fn search_open_block(&mut self, contents: Contents<'_, Plane>, meter: &mut Meter) -> Option<f64> {
         meter.charge(1);
-        let look = self.open.last_mut()?;
-        let farthest = look.inner.get(look.next).filter(|(most, ..)| *most > look.best);
+        let open = self.open.last_mut()?;
+        let farthest = open.inner.get(open.next).filter(|(most, ..)| *most > open.best);
         if let Some(&(_, at, placed)) = farthest {
-            look.next += 1;
-            // Zero where a block is too small to see.
-            let finer = if placed.scale > 0.0 { look.tolerance / placed.scale } else { f64::INFINITY };
-            let direction = look.direction - placed.heading;
+            open.next += 1;
+            // The scale is zero for a block that is too small for `f64`.
+            let finer = if placed.scale > 0.0 { open.tolerance / placed.scale } else { f64::INFINITY };
+            let direction = open.direction - placed.heading;
             let level = self.open.len() - 1;
-            // Where it is not known yet it is open now, and tells when it is.
+            // An unknown reach opens the inner block, which later raises `best` of this one.
             if let Some(reach) = self.reach(contents, (placed.block, direction, finer), meter) {
                 self.open[level].best = self.open[level].best.max(at + placed.scale * reach);
             }
             return None;
         }
-        let Look { block, direction, tolerance, best, .. } = self.open.pop()?;
+        let OpenBlock { block, direction, tolerance, best, .. } = self.open.pop()?;
         self.known.insert((block, direction), (best, tolerance));
         let Some(outer) = self.open.last_mut() else { return Some(best) };
         if let Some((_, at, placed)) = outer.inner.get(outer.next - 1) {
@@ -181,7 +184,8 @@ impl Survey {
         None
     }
 
-    /// How far a block reaches in a direction, at most `tolerance` too far; where that is not known, the block is opened.
+    /// The reach of a block in a direction, at most `tolerance` too large. If the reach is not known, opens the block
+    /// and returns `None`. Beyond the limits of effort, the error may exceed `tolerance`.
     fn reach(
         &mut self,
         contents: Contents<'_, Plane>,
@@ -198,22 +202,22 @@ impl Survey {
         if self.blocks == 0 || self.effort == 0 {
             return Some(self.reach_of_hull(contents, block, direction));
         }
-        let look = self.enter(contents, (block, direction, tolerance), meter);
-        self.open.push(look);
+        let open = self.enter(contents, (block, direction, tolerance), meter);
+        self.open.push(open);
         None
     }
 
-    /// What a block holds, looked at from a direction.
+    /// Opens a block for the search in a direction.
     fn enter(
         &mut self,
         contents: Contents<'_, Plane>,
         (block, direction, tolerance): (BlockId, Heading, f64),
         meter: &mut Meter,
-    ) -> Look {
+    ) -> OpenBlock {
         let (c, s) = self.directions.cos_sin(direction);
         let along = |[x, y]: [f64; 2]| c * x + s * y;
         let (mut best, mut work) = (f64::NEG_INFINITY, 8);
-        // What may reach farthest is looked into first; most of the rest then need not be.
+        // The block with the largest possible reach comes first, so that most other blocks can be skipped.
         let mut inner = Vec::new();
         for item in contents.items_of(block) {
             match item {
@@ -240,9 +244,10 @@ impl Survey {
         self.blocks -= 1;
         self.effort = self.effort.saturating_sub(work);
         meter.charge(work);
-        Look { block, direction, tolerance, best, inner, next: 0 }
+        OpenBlock { block, direction, tolerance, best, inner, next: 0 }
     }
 
+    /// The reach of a block's hull in a direction.
     fn reach_of_hull(&mut self, contents: Contents<'_, Plane>, block: BlockId, direction: Heading) -> f64 {
         let (c, s) = self.directions.cos_sin(direction);
         let hull = &contents.blocks[block.0 as usize].hull;

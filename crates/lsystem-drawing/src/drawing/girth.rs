@@ -1,25 +1,26 @@
-//! How far a drawing in space reaches from its upright axis, at every height: what it needs of a picture, however it is
-//! turned about that axis.
+//! The girth of a drawing in space: its reach from an upright axis at every height, so that a picture has room for the
+//! drawing at every rotation about that axis.
 
-use super::body::{Body, Probe};
+use super::body::{Body, Quantity};
 use crate::Solid;
 use crate::drawing::block::Placed;
 use crate::rotation::{Vector, dot, norm};
 
-/// Directions in which a drawing is measured, from straight down to straight up.
+/// The number of directions in which a drawing is measured, from straight down to straight up.
 const DIRECTIONS: usize = 9;
-/// Blocks looked into at most for one of them, and how exact it is then, in units of the root block.
+/// The most blocks opened for one direction.
 pub(super) const EFFORT: usize = 400;
+/// The wanted error of a reach, in units of the root block.
 pub(super) const EXACT: f64 = 1e-3;
 
-/// Points, as distances from the axis and heights above the middle, whose rings about the axis hold a whole drawing in
-/// their convex hull. In units of the root block.
+/// Points as distances from the axis and heights above the centre, in units of the root block. The circles of these
+/// points about the axis contain the whole drawing in their convex hull.
 pub(crate) type Girth = [[f64; 2]; DIRECTIONS - 1];
 
-/// The girth of a drawing that reaches this far in each of the directions of [`Outwards::new`].
+/// The girth of a drawing with this reach in the directions of [`OutwardCoordinate::new`].
 pub(super) fn girth(reach: &[f64]) -> Option<Girth> {
     let reach: [f64; DIRECTIONS] = reach.try_into().ok()?;
-    // Where the bounds in two directions next to each other meet.
+    // A point is the meeting point of the bounds in two neighbouring directions.
     Some(core::array::from_fn(|number| {
         let ([a, b], [c, d]) = (steep(number), steep(number + 1));
         let [first, second] = [reach[number], reach[number + 1]];
@@ -28,30 +29,31 @@ pub(super) fn girth(reach: &[f64]) -> Option<Girth> {
     }))
 }
 
-/// A direction by its number: of the way from the axis, and along it.
+/// The direction `number` as a unit vector: away from the axis, and along it.
 fn steep(number: usize) -> [f64; 2] {
     let angle = (number as f64 / (DIRECTIONS - 1) as f64 - 0.5) * core::f64::consts::PI;
     [libm::cos(angle).max(0.0), libm::sin(angle)]
 }
 
-/// How far a point lies in a direction that leads away from an axis and along it.
+/// The coordinate of a point in a direction away from an axis and along it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Outwards {
+pub(super) struct OutwardCoordinate {
     from: Vector,
     up: Vector,
-    /// Of the way from the axis, and along it: a unit vector.
+    /// The direction as a unit vector: away from the axis, and along it.
     by: [f64; 2],
     scale: f64,
 }
 
-impl Outwards {
-    /// In the direction with this number, about the upright axis through `from`; `None` where there is none.
+impl OutwardCoordinate {
+    /// The quantity for direction `number` (0-based) about the upright axis through `from`; `None` after the last
+    /// direction.
     pub(super) fn new(from: Vector, number: usize) -> Option<Self> {
         (number < DIRECTIONS).then(|| Self { from, up: [0.0, 1.0, 0.0], by: steep(number), scale: 1.0 })
     }
 }
 
-impl Probe for Outwards {
+impl Quantity for OutwardCoordinate {
     fn of(&self, point: Vector) -> f64 {
         let way = [0, 1, 2].map(|i| point[i] - self.from[i]);
         let height = dot(way, self.up);

@@ -1,31 +1,31 @@
-//! Convex hulls that may only grow.
+//! Convex hulls in the plane. Simplification moves edges only outwards, so that a hull contains all its points.
 //!
-//! Coordinates are of the order of 1 (block units), so tolerances are absolute.
+//! Coordinates are in block units, of the order of 1, so tolerances are absolute.
 
 use lsystem_syntax::Heading;
 
-/// Corners are snapped to multiples of this before the hull is taken: which way three points turn is then exact, and
-/// points that should coincide or lie on a line cannot confuse it.
+/// Points are snapped to multiples of this before the hull is taken. The orientation of three points is then exact, and
+/// rounding cannot separate points that coincide or lie on a line.
 const GRID: f64 = 1.0 / (1_u64 << 48) as f64;
-/// How far pruning may move a hull of few corners outwards at a time.
+/// The most by which one pass of pruning moves the edges of a hull with at most [`MOST`] corners outwards.
 const TOLERANCE: f64 = 1e-13;
-/// More corners than this are pruned with a growing tolerance.
+/// The most corners of a hull. More corners are pruned with a growing tolerance.
 const MOST: usize = 64;
-/// With more corners than this the tolerance grows faster, so that few passes see all of them.
+/// With more corners than this the tolerance grows faster, so that few passes handle all of them.
 const MANY: usize = 4096;
 
 type Point = [f64; 2];
 type Cell = [i64; 2];
 
-/// Replaces `points`, with coordinates from -1 to 1, by the corners of their convex hull, counter-clockwise. One or
-/// two corners remain of points that coincide or lie on a line. The hull may be smaller than the truth by half a
-/// `GRID`; returns how far it may be larger, and the units of work that this has taken.
+/// Replaces `points`, with coordinates from -1 to 1, by the corners of their convex hull, counter-clockwise. One corner
+/// remains of points that coincide, two of points on a line. The hull may be smaller than the exact one by half of
+/// 2^-48. Returns the most by which the hull may be larger, and the units of work spent.
 pub fn hull(points: &mut Vec<Point>) -> (f64, u64) {
     let all = points.len() as u64;
     if points.len() > 48 {
         drop_inner(points);
     }
-    // Sorting is the most of it.
+    // Sorting takes most of the time.
     let sorted = 2 * points.len() as u64;
     snap(points);
     let (slack, pruned) = prune(points);
@@ -78,7 +78,7 @@ fn drop_inner(points: &mut Vec<Point>) {
             }
         }
     }
-    // An edge between equal extremes has no inside; it must not let a point pass nor hold one back.
+    // An edge between equal extremes has no inside and decides nothing.
     let edges: Vec<(Point, Point)> =
         (0..8).map(|i| (extremes[i], extremes[(i + 1) % 8])).filter(|(a, b)| a != b).collect();
     if edges.len() > 2 {
@@ -86,8 +86,9 @@ fn drop_inner(points: &mut Vec<Point>) {
     }
 }
 
-/// Replaces edges by the meeting point of their neighbours' lines where that moves the hull outwards by next to
-/// nothing, and by more where there are too many corners. Returns by how much at most, and the units of work.
+/// Replaces an edge by the meeting point of its neighbours' lines if that moves the hull outwards by at most the
+/// tolerance. The tolerance grows until at most [`MOST`] corners remain. Returns the largest movement and the units of
+/// work.
 fn prune(corners: &mut Vec<Point>) -> (f64, u64) {
     let (mut tolerance, mut moved, mut work) = (TOLERANCE, 0.0, 0);
     let exact = if corners.len() > MOST { corners.clone() } else { vec![] };
@@ -96,11 +97,11 @@ fn prune(corners: &mut Vec<Point>) -> (f64, u64) {
         work += before as u64 / 2;
         prune_once(corners, tolerance);
         if corners.len() < before {
-            // New corners of one pass lie next to edges that were there before it.
+            // Within one pass, an edge is moved at most once.
             moved += tolerance;
         }
         if corners.len() > MOST {
-            // No edge is worth keeping at this tolerance: rounding has bent the outline, and more passes change nothing.
+            // Every edge is within this tolerance, so rounding has bent the outline and more passes change nothing.
             if tolerance > 1.0 {
                 work += (exact.len() * MOST) as u64 / 4;
                 *corners = exact;
@@ -113,7 +114,8 @@ fn prune(corners: &mut Vec<Point>) -> (f64, u64) {
     }
 }
 
-/// One pass over all edges, in linear time: `done` corners are written, those from `next` on are still to come.
+/// One pass over all edges, in linear time. The corners before `done` are written; the corners from `next` on are
+/// unread.
 fn prune_once(corners: &mut Vec<Point>, tolerance: f64) {
     let len = corners.len();
     let (mut done, mut next, mut is_first_gone) = (0, 0, false);
@@ -127,7 +129,7 @@ fn prune_once(corners: &mut Vec<Point>, tolerance: f64) {
         match meeting(a, b, c, d, tolerance) {
             Some(p) => {
                 corners[done] = p;
-                // The new corner's edges are new as well; they get their turn in the next pass.
+                // The new corner's edges are new; the next pass handles them.
                 is_first_gone = next + 1 == len;
                 next += 2;
             }
@@ -148,14 +150,14 @@ fn prune_once(corners: &mut Vec<Point>, tolerance: f64) {
     }
 }
 
-/// Replaces corners by those of the polygon whose [`MOST`] sides touch them in directions that are equally far apart.
-/// Returns by how much that moves the hull outwards at most.
+/// Replaces the hull by the polygon of [`MOST`] sides with equally spaced directions that touch the hull. Returns the
+/// most by which that moves the hull outwards.
 fn cap(corners: &mut Vec<Point>) -> f64 {
     let sides: Vec<(Point, f64)> = (0..MOST)
         .map(|side| {
             let (c, s) = Heading::from_degrees(360.0 * side as f64 / MOST as f64).cos_sin();
             let reach = corners.iter().map(|[x, y]| c * x + s * y).fold(f64::NEG_INFINITY, f64::max);
-            // Rounding must not leave out a corner.
+            // The margin keeps all corners inside in spite of rounding.
             ([c, s], reach + 4.0 * GRID)
         })
         .collect();
@@ -167,14 +169,14 @@ fn cap(corners: &mut Vec<Point>) -> f64 {
     let mut capped: Vec<Point> = sides.iter().zip(next).map(meet).collect();
     snap(&mut capped);
     let edges = || corners.iter().zip(corners.iter().cycle().skip(1));
-    let distance = |p: &Point| edges().map(|(&a, &b)| apart(*p, a, b)).fold(f64::INFINITY, f64::min);
+    let distance = |p: &Point| edges().map(|(&a, &b)| distance_to_edge(*p, a, b)).fold(f64::INFINITY, f64::min);
     let moved = capped.iter().map(distance).fold(0.0, f64::max);
     *corners = capped;
     moved
 }
 
-/// The distance of a point from a line's part between `a` and `b`.
-fn apart(p: Point, a: Point, b: Point) -> f64 {
+/// The distance of a point from the edge between `a` and `b`.
+fn distance_to_edge(p: Point, a: Point, b: Point) -> f64 {
     let ([u, v], [x, y]) = (minus(b, a), minus(p, a));
     let length = u * u + v * v;
     let along = if length > 0.0 { ((u * x + v * y) / length).clamp(0.0, 1.0) } else { 0.0 };
@@ -182,11 +184,11 @@ fn apart(p: Point, a: Point, b: Point) -> f64 {
     (x * x + y * y).sqrt()
 }
 
-/// Where the lines a-b and d-c meet beyond the edge b-c, if that is at most `tolerance` outside.
+/// The meeting point of the lines a-b and d-c beyond the edge b-c, if it is at most `tolerance` outside the edge.
 fn meeting(a: Point, b: Point, c: Point, d: Point, tolerance: f64) -> Option<Point> {
     let (u, v, edge) = (minus(b, a), minus(d, c), minus(c, b));
     let turn = u[0] * v[1] - u[1] * v[0];
-    // Only where the three edges bend by less than a right angle does the meeting point lie above the edge.
+    // The meeting point lies above the edge only if the outer edges differ by less than a right angle.
     if u[0] * v[0] + u[1] * v[1] <= 0.0 || turn <= 0.0 {
         return None;
     }
@@ -254,7 +256,7 @@ mod tests {
         assert!(corners.iter().all(|[x, y]| (x * x + y * y).sqrt() < 0.905));
     }
 
-    /// Turns that are nearly a quarter: the corners crowd in four places, where rounding bends the outline.
+    /// With turns of nearly 90, 30 or 60 degrees, corners crowd in a few places, where rounding bends the outline.
     #[test]
     fn crowded_corners_end() {
         for (degrees, count) in [(89.999_999, 8192), (30.000_000_246, 8192), (60.000_000_083, 12_000)] {
@@ -301,7 +303,7 @@ mod tests {
         #[test]
         fn hulls_contain_and_fit(points in prop::collection::vec((-0.9..0.9, -0.9..0.9), 1..200),
                                  flat in prop_oneof![Just(1.0), Just(0.0), Just(1e-15), Just(1e-9)], turn in 0.0..360.0) {
-            // Flattened and turned, so that all is near a line in any direction.
+            // Flattened and rotated: the points are near a line in any direction.
             let (c, s) = Heading::from_degrees(turn).cos_sin();
             let points: Vec<Point> = points.iter().map(|&(x, y)| [c * x - s * y * flat, s * x + c * y * flat])
                 .map(|p| p.map(|c| c * 0.7)).collect();
@@ -309,7 +311,7 @@ mod tests {
             let (slack, _) = hull(&mut corners);
             prop_assert!(slack < 1e-11 && corners.len() <= MOST);
             contains(&corners, &points, 1e-14)?;
-            // In every direction it reaches no farther than the points do.
+            // In every direction the hull and the points have the same reach.
             for direction in 0..36 {
                 let (c, s) = Heading::from_degrees(f64::from(direction) * 10.0 + turn).cos_sin();
                 let reach = |points: &[Point]| points.iter().map(|p| c * p[0] + s * p[1]).fold(f64::MIN, f64::max);

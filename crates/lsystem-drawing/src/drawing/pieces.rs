@@ -1,4 +1,4 @@
-//! The words of shared pieces, kept to find which symbol drew a segment or opened a polygon.
+//! The words of shared pieces, kept to find the symbol that drew a segment or opened a polygon.
 
 use super::block::{BlockId, Space};
 use super::piece::Level;
@@ -8,16 +8,16 @@ use core::ops::Range;
 /// The words of shared pieces.
 #[derive(Clone, Debug)]
 pub(crate) enum Pieces<S: Space> {
-    /// Nothing is shared, or modules with parameters draw no polygons.
+    /// No words: nothing is shared, or modules with parameters draw no polygons.
     None,
-    /// Of plain letters, by depth from 1.
+    /// The pieces of plain letters, by depth from 1.
     Letters(Vec<Level<S>>),
-    /// Of modules with parameters that draw polygons.
+    /// The words of modules with parameters that draw polygons.
     States(StateWords),
 }
 
 impl<S: Space> Pieces<S> {
-    /// The bytes that they take.
+    /// The bytes that the words occupy.
     pub(super) fn bytes(&self) -> u64 {
         match self {
             Self::None => 0,
@@ -27,30 +27,30 @@ impl<S: Space> Pieces<S> {
     }
 }
 
-/// The words that modules with parameters become, as far as they tell which symbol draws what.
+/// The successors of modules with parameters.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct StateWords {
-    /// The modules of all words: the state of one that is rewritten, among those of the depth below.
+    /// The modules of all words. For a module that is rewritten: the index of its state at the depth below.
     pub modules: Vec<Option<u32>>,
-    /// The axiom's modules.
+    /// The axiom's range in `modules`.
     pub axiom: Range<u32>,
-    /// The states by depth from 1.
+    /// The words of all states, by depth from 1.
     pub levels: Vec<Vec<StateWord>>,
 }
 
-/// What a module becomes.
+/// The successor of a state.
 #[derive(Clone, Debug)]
 pub(crate) struct StateWord {
-    /// The modules that replace it.
+    /// The successor's range in [`StateWords::modules`].
     pub modules: Range<u32>,
-    /// The block that it draws, if any.
+    /// The block that the state draws, if any.
     pub block: Option<BlockId>,
-    /// The number of symbols in its derivation.
+    /// The number of symbols in the state's derivation.
     pub symbols: u128,
 }
 
 impl StateWords {
-    /// The bytes that they take.
+    /// The bytes that the words occupy.
     pub(super) fn bytes(&self) -> u64 {
         bytes_of(&self.modules) + self.levels.iter().map(bytes_of).sum::<u64>()
     }

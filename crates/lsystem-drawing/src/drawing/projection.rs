@@ -1,10 +1,10 @@
-//! Drawings in space as drawings in the plane, for everything that is made for paper.
+//! Parallel projection of drawings in space to drawings in the plane, for the export formats of the plane.
 
 use super::Drawing;
 use super::builder::Builder;
 use super::extent::{Survey, falling};
 use super::pieces::Pieces;
-use super::segments::{Frame, Part, Standing};
+use super::segments::{Cursor, Frame, Part};
 use super::tree::Tree;
 use crate::Solid;
 use crate::drawing::block::{BlockId, Space};
@@ -18,12 +18,12 @@ use lsystem_syntax::{Diagnostic, Meter, Progress};
 use std::collections::BinaryHeap;
 use std::sync::OnceLock;
 
-/// From where a drawing in space is seen on paper. Lines that are parallel stay so, and +y is up.
+/// The direction of a parallel projection, with +y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outlook {
-    /// Around the vertical, in degrees: 0 looks from +z, 90 from +x.
+    /// The viewer's angle around the vertical, in degrees: 0 looks from +z, 90 from +x.
     pub azimuth: f64,
-    /// How far from above, in degrees: 0 looks level, 90 straight down.
+    /// The viewer's angle above the horizon, in degrees: 0 looks level, 90 straight down.
     pub elevation: f64,
 }
 
@@ -35,7 +35,7 @@ impl Default for Outlook {
 }
 
 impl Outlook {
-    /// To the right and upwards on the paper, and towards who looks at it: unit vectors of the model.
+    /// The directions to the right and up in the picture, and towards the viewer: unit vectors of the model.
     #[must_use]
     pub fn axes(&self) -> [[f64; 3]; 3] {
         let cos_sin = |degrees: f64| lsystem_syntax::Heading::from_degrees(degrees).cos_sin();
@@ -45,11 +45,11 @@ impl Outlook {
 }
 
 impl Drawing<Solid> {
-    /// The drawing as it is seen: every segment and polygon where it lies on the paper, those whose middles are
-    /// farther away before those that are nearer, so that these cover them. Depths apart, coordinates are exact to 1e-9 of the extent.
+    /// The projected drawing: every segment and polygon, the farthest first, so that near ones cover far ones. The
+    /// depth is that of the middle. Coordinates are exact to 1e-9 of the drawing's size.
     ///
     /// # Errors
-    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) where there are more than `most` segments and vertices of polygons.
+    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if there are more than `most` segments and vertices of polygons.
     pub fn seen_from(&self, outlook: &Outlook, most: u64) -> Result<Drawing, Diagnostic> {
         let mut projection = Projection::new(self, outlook, most)?;
         while projection.step(self, u64::MAX) == Progress::More {}
@@ -57,64 +57,67 @@ impl Drawing<Solid> {
     }
 }
 
-/// The same in steps. It holds no drawing.
+/// As [`Drawing::seen_from`], in steps. A projection does not borrow the drawing between steps.
 #[derive(Clone, Debug)]
 pub struct Projection {
-    /// To the right, upwards and towards who looks.
+    /// As [`Outlook::axes`].
     axes: [[f64; 3]; 3],
-    standing: Standing<Solid>,
-    /// How many segments have been read.
+    cursor: Cursor<Solid>,
+    /// The number of segments read so far.
     segments: f64,
-    /// What has been read, in the order of the drawing, and its ends and vertices.
-    seen: Vec<Seen>,
+    /// The marks read so far, in drawing order.
+    seen: Vec<ProjectedMark>,
+    /// The ends and vertices of these marks.
     points: Vec<[f64; 2]>,
-    /// The numbers of what has been read and not been drawn yet, the farthest first.
+    /// The depths and numbers of the marks not yet drawn, the farthest first.
     order: BinaryHeap<(i64, Reverse<u32>)>,
     builder: Builder<Plane>,
     tree: Tree<Plane>,
-    /// Of what has been drawn.
+    /// The places of the marks drawn so far, as [`Drawing::places`].
     places: Vec<f64>,
     stage: Stage,
     spent: u64,
 }
 
-/// A segment or a polygon on the paper.
+/// A segment or a polygon in the picture.
 #[derive(Clone, Debug)]
-struct Seen {
+struct ProjectedMark {
     points: Range<u32>,
     filled: bool,
     style: StyleChange,
-    /// Along the path.
+    /// As in [`Drawing::places`].
     place: f64,
 }
 
-/// How far a projection is.
+/// The stage of a projection.
 #[derive(Clone, Debug)]
 enum Stage {
+    /// Read the marks.
     Read,
+    /// Draw the marks, the farthest first.
     Draw,
-    /// Making the last blocks.
+    /// Make the last blocks.
     Close,
     Survey(BlockId, Box<Survey>),
     Done(Option<(BlockId, [f64; 4])>),
 }
 
 impl Projection {
-    /// Ready to project a drawing.
+    /// Prepares the projection of a drawing.
     ///
     /// # Errors
     /// As [`Drawing::seen_from`].
     pub fn new(drawing: &Drawing<Solid>, outlook: &Outlook, most: u64) -> Result<Self, Diagnostic> {
         drawing.check_size(most)?;
-        let mut standing = Standing::new();
+        let mut cursor = Cursor::new();
         if let Some(root) = drawing.root {
-            standing.enter(drawing, root, &Frame::new(1.0, StyleChange::start(drawing.width)));
+            cursor.enter(drawing, root, &Frame::new(1.0, StyleChange::start(drawing.width)));
         }
-        // Coordinates in space are within 1, those on paper within √3 then.
+        // Coordinates in space are within 1, so those in the picture are within √3.
         let exponent = drawing.root.map_or(0, |root| drawing.blocks[root.0 as usize].exponent);
         Ok(Self {
             axes: outlook.axes(),
-            standing,
+            cursor,
             segments: 0.0,
             seen: vec![],
             points: vec![],
@@ -133,7 +136,7 @@ impl Projection {
         self.spent
     }
 
-    /// Goes on for about `work` units; the drawing is the same each time.
+    /// Continues for about `work` units. Every call needs the same drawing.
     pub fn step(&mut self, drawing: &Drawing<Solid>, work: u64) -> Progress {
         let mut meter = Meter::new(work);
         while !meter.is_spent() && !matches!(self.stage, Stage::Done(_)) {
@@ -145,7 +148,7 @@ impl Projection {
         if matches!(self.stage, Stage::Done(_)) { Progress::Done } else { Progress::More }
     }
 
-    /// Works on in the present stage; returns the next one when this one is over.
+    /// Continues in the present stage. Returns the next stage when this one is over.
     fn advance(&mut self, drawing: &Drawing<Solid>, meter: &mut Meter) -> Option<Stage> {
         match &mut self.stage {
             Stage::Read => (!self.read(drawing, meter)).then_some(Stage::Draw),
@@ -166,9 +169,9 @@ impl Projection {
         }
     }
 
-    /// Reads the next segment or polygon; whether there was one.
+    /// Reads the next segment or polygon. Returns false if there is none.
     fn read(&mut self, drawing: &Drawing<Solid>, meter: &mut Meter) -> bool {
-        let Some((part, frame)) = self.standing.next_part(drawing) else { return false };
+        let Some((part, frame)) = self.cursor.next_part(drawing) else { return false };
         let (points, filled, id) = match part {
             Part::Stroke(stroke) => (&[stroke.from, stroke.to][..], false, stroke.style),
             Part::Polygon(polygon) => (drawing.vertices_of(polygon), true, polygon.style),
@@ -177,33 +180,33 @@ impl Projection {
         let [right, up, back] = self.axes;
         let first = self.points.len() as u32;
         let depths = points.iter().map(|&point| {
-            let point = frame.lie(point);
+            let point = frame.transform(point);
             self.points.push([dot(right, point), dot(up, point)]);
             dot(back, point)
         });
         let depth = depths.sum::<f64>() / points.len() as f64;
-        // A negative step turns the picture round.
+        // A negative step reflects the drawing, so that near becomes far.
         let sign = if drawing.step < 0.0 { -1.0 } else { 1.0 };
         self.order.push((falling(sign * depth), Reverse(self.seen.len() as u32)));
         let style = frame.style.then(&drawing.styles[id.0 as usize]);
         let all = drawing.segment_count() as f64;
         let place = if all > 0.0 { (self.segments + 0.5) / all } else { 0.0 };
         self.segments += if filled { 0.0 } else { 1.0 };
-        self.seen.push(Seen { points: first..self.points.len() as u32, filled, style, place });
+        self.seen.push(ProjectedMark { points: first..self.points.len() as u32, filled, style, place });
         true
     }
 
-    /// Draws the farthest that is left; whether there was something.
+    /// Draws the farthest mark left. Returns false if there is none.
     fn draw(&mut self, meter: &mut Meter) -> bool {
         let Some((_, Reverse(number))) = self.order.pop() else { return false };
-        let Seen { points, filled, style, place } = &self.seen[number as usize];
+        let ProjectedMark { points, filled, style, place } = &self.seen[number as usize];
         let points = &self.points[points.start as usize..points.end as usize];
-        self.tree.draw(&mut self.builder, 0, |desk, _| match points {
-            [from, to] if !filled => desk.stroke(*from, *to, style),
+        self.tree.draw(&mut self.builder, 0, |paper, _| match points {
+            [from, to] if !filled => paper.stroke(*from, *to, style),
             points => {
-                desk.open(style);
-                points.iter().for_each(|&point| desk.vertex(point));
-                desk.close();
+                paper.open(style);
+                points.iter().for_each(|&point| paper.vertex(point));
+                paper.close();
             }
         });
         self.places.push(*place);
@@ -211,7 +214,7 @@ impl Projection {
         true
     }
 
-    /// The drawing on paper, when all steps are done.
+    /// The projected drawing, when all steps are done.
     #[must_use]
     pub fn finish(self, drawing: &Drawing<Solid>) -> Drawing {
         let Self { axes: [right, up, _], builder, places, stage, .. } = self;

@@ -10,14 +10,15 @@ use lsystem_syntax::Heading;
 #[derive(Clone, Debug)]
 pub struct Segments<'a, S: Space = Plane> {
     strokes: Strokes<'a, S>,
-    /// The number of segments still to come, saturating.
+    /// The number of segments left; saturating.
     left: u128,
+    /// As [`Drawing::unit`].
     unit: f64,
 }
 
 impl Segments<'_> {
-    /// The direction of the next segment, in degrees counter-clockwise from +x, in `0.0..360.0`. It is known in the
-    /// frame of its block, where even a segment that is nothing beside the whole drawing has a length.
+    /// The direction of the next segment, in degrees counter-clockwise from +x, in `0.0..360.0`. The direction is
+    /// computed in the frame of the block: in the root's frame, rounding may reduce a short segment to a point.
     pub(super) fn heading(&self) -> Option<f64> {
         let (stroke, frame) = self.strokes.clone().next_placed()?;
         let (x, y) = (stroke.to[0] - stroke.from[0], stroke.to[1] - stroke.from[1]);
@@ -35,7 +36,7 @@ impl<'a, S: Space> Segments<'a, S> {
         Self { strokes, left: drawing.segment_count(), unit: drawing.unit() }
     }
 
-    /// Passes over the next `count` segments, blocks that hold none other being passed over whole.
+    /// Skips the next `count` segments, and whole blocks where possible.
     pub(super) fn pass(&mut self, count: u128) {
         self.strokes.pass(count);
         self.left = self.left.saturating_sub(count);
@@ -58,7 +59,7 @@ impl<S: Space> Iterator for Segments<'_, S> {
 }
 
 impl<S: Space> Drawing<S> {
-    /// A segment between two points of the root block, one unit of which is `unit`.
+    /// A segment between two points of the root block; `unit` as [`Drawing::unit`].
     pub(super) fn segment(&self, [from, to]: [S::Point; 2], style: &StyleChange, unit: f64) -> Segment<S> {
         Segment {
             from: self.model(from, unit),
@@ -69,44 +70,44 @@ impl<S: Space> Drawing<S> {
         }
     }
 
-    /// Where a point of the root block lies.
+    /// A point of the root block in model units; `unit` as [`Drawing::unit`].
     pub(super) fn model(&self, mut point: S::Point, unit: f64) -> S::Point {
         point.as_mut().iter_mut().zip(self.start.as_ref()).for_each(|(c, start)| *c = start + unit * *c);
         point
     }
 }
 
-/// Where a block lies in the frame that is being read, and in what style it is entered.
+/// The frame of a block in an outer frame, and the style at the block's entry.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<S: Space = Plane> {
-    /// The place of its origin.
+    /// The origin.
     pub at: S::Point,
-    /// Its heading.
+    /// The rotation.
     pub heading: S::Turn,
-    /// The length of one of its units.
+    /// The length of one unit.
     pub scale: f64,
-    /// The style at its entry.
+    /// The style at entry.
     pub style: StyleChange,
-    /// Of the heading, times the scale.
+    /// The axes of `heading`, times `scale`.
     axes: S::Axes,
 }
 
 impl<S: Space> Frame<S> {
-    /// Unturned at the origin.
+    /// A frame at the origin without rotation.
     pub fn new(scale: f64, style: StyleChange) -> Self {
         Self { at: S::Point::default(), heading: S::AHEAD, scale, style, axes: S::scaled(S::AXES, scale) }
     }
 
-    /// Where a point of the block lies.
-    pub fn lie(&self, point: S::Point) -> S::Point {
-        S::lie(&self.axes, self.at, point)
+    /// A point of the block in the outer frame.
+    pub fn transform(&self, point: S::Point) -> S::Point {
+        S::transform(&self.axes, self.at, point)
     }
 
     /// The frame of a block inside this one.
     pub fn place(&self, placed: &Placed<S>, drawing: &Drawing<S>, directions: &mut S::Directions) -> Self {
         let (heading, scale) = (S::then(self.heading, placed.heading), self.scale * placed.scale);
         Self {
-            at: self.lie(placed.at),
+            at: self.transform(placed.at),
             heading,
             scale,
             style: self.style.then(&drawing.styles[placed.style.0 as usize]),
@@ -115,33 +116,33 @@ impl<S: Space> Frame<S> {
     }
 }
 
-/// What is drawn itself.
+/// An item that is not a block.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Part<'a, S: Space> {
     Stroke(&'a Stroke<S>),
     Polygon(&'a Polygon),
 }
 
-/// Where a reader of strokes stands. It holds no drawing, so it can rest between two calls.
+/// A position in a drawing, for reading its strokes and polygons. A cursor does not borrow the drawing between calls.
 #[derive(Clone, Debug)]
-pub(super) struct Standing<S: Space> {
-    /// The blocks that are being read, outermost first: the items still to be read, and where.
+pub(super) struct Cursor<S: Space> {
+    /// The open blocks, outermost first: the first unread item, the end of the items, and the block's frame.
     open: Vec<(u32, u32, Frame<S>)>,
     directions: S::Directions,
 }
 
-impl<S: Space> Standing<S> {
+impl<S: Space> Cursor<S> {
     pub(super) fn new() -> Self {
         Self { open: vec![], directions: S::directions() }
     }
 
-    /// Reads `block` before anything else.
+    /// Opens `block`, whose items come next.
     pub(super) fn enter(&mut self, drawing: &Drawing<S>, block: BlockId, frame: &Frame<S>) {
         let items = &drawing.blocks[block.0 as usize].items;
         self.open.push((items.start, items.end, *frame));
     }
 
-    /// The next stroke or polygon and the frame it lies in.
+    /// The next stroke or polygon, and the frame of its block.
     pub(super) fn next_part<'a>(&mut self, drawing: &'a Drawing<S>) -> Option<(Part<'a, S>, Frame<S>)> {
         loop {
             let (next, end, frame) = self.open.last_mut()?;
@@ -163,24 +164,24 @@ impl<S: Space> Standing<S> {
     }
 }
 
-/// The strokes of a block in some frame, in drawing order: from, to, style.
+/// The strokes of a block in drawing order: the ends in the frame of entry, and the style.
 #[derive(Clone, Debug)]
 pub(super) struct Strokes<'a, S: Space = Plane> {
     drawing: &'a Drawing<S>,
-    standing: Standing<S>,
+    cursor: Cursor<S>,
 }
 
 impl<'a, S: Space> Strokes<'a, S> {
     pub(super) fn new(drawing: &'a Drawing<S>) -> Self {
-        Self { drawing, standing: Standing::new() }
+        Self { drawing, cursor: Cursor::new() }
     }
 
-    /// Reads `block` before anything else.
+    /// Opens `block`, whose items come next.
     pub(super) fn enter(&mut self, block: BlockId, frame: &Frame<S>) {
-        self.standing.enter(self.drawing, block, frame);
+        self.cursor.enter(self.drawing, block, frame);
     }
 
-    /// The next stroke and the frame it lies in.
+    /// The next stroke, and the frame of its block.
     fn next_placed(&mut self) -> Option<(&'a Stroke<S>, Frame<S>)> {
         loop {
             if let (Part::Stroke(stroke), frame) = self.next_part()? {
@@ -189,15 +190,15 @@ impl<'a, S: Space> Strokes<'a, S> {
         }
     }
 
-    /// The next stroke or polygon and the frame it lies in.
+    /// The next stroke or polygon, and the frame of its block.
     pub(super) fn next_part(&mut self) -> Option<(Part<'a, S>, Frame<S>)> {
-        self.standing.next_part(self.drawing)
+        self.cursor.next_part(self.drawing)
     }
 
-    /// Passes over the next `count` strokes.
+    /// Skips the next `count` strokes.
     fn pass(&mut self, mut count: u128) {
         while count > 0 {
-            let Some((next, end, frame)) = self.standing.open.last_mut() else { return };
+            let Some((next, end, frame)) = self.cursor.open.last_mut() else { return };
             let items = &self.drawing.items[*next as usize..*end as usize];
             let (passed, left) = self.drawing.before(items, count);
             *next += passed as u32;
@@ -205,12 +206,12 @@ impl<'a, S: Space> Strokes<'a, S> {
             match items.get(passed) {
                 Some(Item::Block(placed)) => {
                     *next += 1;
-                    let inner = frame.place(placed, self.drawing, &mut self.standing.directions);
+                    let inner = frame.place(placed, self.drawing, &mut self.cursor.directions);
                     self.enter(placed.block, &inner);
                 }
                 Some(_) => return,
                 None => {
-                    self.standing.open.pop();
+                    self.cursor.open.pop();
                 }
             }
         }
@@ -223,6 +224,6 @@ impl<S: Space> Iterator for Strokes<'_, S> {
     fn next(&mut self) -> Option<Self::Item> {
         let (stroke, frame) = self.next_placed()?;
         let style = frame.style.then(&self.drawing.styles[stroke.style.0 as usize]);
-        Some((frame.lie(stroke.from), frame.lie(stroke.to), style))
+        Some((frame.transform(stroke.from), frame.transform(stroke.to), style))
     }
 }

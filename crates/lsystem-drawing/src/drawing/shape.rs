@@ -1,38 +1,37 @@
-//! What blocks look like from so far away that only their main features show.
+//! The main features of blocks, for pictures in which a block is only a few pixels large.
 
 use super::{Drawing, Frame};
 use crate::drawing::block::{Block, Item, Stroke};
 use crate::plane::Directions;
 use crate::style::StyleChange;
 
-/// How far rounding may move the ends of strokes that meet, in block units, and bend strokes on a line, in radians.
+/// The largest rounding error of ends that meet, in block units, and of directions on a line, in radians.
 const EXACT: f64 = 1e-9;
 
-/// One stroke in the place of a block, in block units.
+/// One stroke that stands for a block, in block units.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
-    /// Its first end.
+    /// The first end.
     pub from: [f64; 2],
-    /// Its other end.
+    /// The second end.
     pub to: [f64; 2],
-    /// Since the block's entry.
+    /// The style, relative to the block's entry.
     pub style: StyleChange,
 }
 
 /// A block's main features.
 #[derive(Clone, Debug)]
 pub struct Shape {
-    /// The one stroke that covers what all its strokes do, where they are in one style and follow each other straight
-    /// ahead.
+    /// The stroke equal to all strokes of the block, if these have one style and follow each other straight ahead.
     pub straight: Option<Line>,
-    /// Whether there are polygons in it.
+    /// Whether the block contains polygons.
     pub filled: bool,
-    /// From end to end where it is longest, in the style of its last stroke, which covers the others.
+    /// The longest diagonal of the hull, in the style of the last stroke or polygon, which covers the others.
     pub longest: Line,
 }
 
 impl Shape {
-    /// The shape of a block; `inner` are those of all blocks before it, in their order.
+    /// The shape of a block. `inner` are the shapes of all earlier blocks, in order.
     #[must_use]
     pub fn new(block: &Block, inner: &[Self], drawing: &Drawing, directions: &mut Directions) -> Self {
         let home = Frame::new(1.0, StyleChange::NONE);
@@ -61,7 +60,7 @@ impl Shape {
             };
             straight = match (straight, line) {
                 (None, line) => line,
-                (Some(before), Some(line)) => before.and(&line),
+                (Some(before), Some(line)) => before.join(&line),
                 (Some(_), None) => None,
             };
             bent |= straight.is_none();
@@ -71,8 +70,7 @@ impl Shape {
         Self { straight, filled, longest: Line { style: last, ..longest(corners) } }
     }
 
-    /// The units of work that finding it takes: blocks have some hundred items at most, and few corners, all pairs of
-    /// which are looked at.
+    /// The units of work for the shape. All pairs of corners are compared, but a hull has few corners.
     #[must_use]
     pub fn work(block: &Block, drawing: &Drawing) -> u64 {
         let corners = drawing.corners_of(block).len() as u64;
@@ -81,13 +79,13 @@ impl Shape {
 }
 
 impl Line {
-    /// A stroke of a drawing.
+    /// The line of a stroke.
     #[must_use]
     pub fn new(stroke: &Stroke, drawing: &Drawing) -> Self {
         Self { from: stroke.from, to: stroke.to, style: drawing.styles[stroke.style.0 as usize] }
     }
 
-    /// In block units.
+    /// The length, in block units.
     #[must_use]
     pub fn length(&self) -> f64 {
         let [x, y] = self.way();
@@ -98,13 +96,13 @@ impl Line {
         [self.to[0] - self.from[0], self.to[1] - self.from[1]]
     }
 
-    /// Seen from the block that holds this one's block.
+    /// The line in the outer frame of `frame`.
     fn within(&self, frame: &Frame) -> Self {
-        Self { from: frame.lie(self.from), to: frame.lie(self.to), style: frame.style.then(&self.style) }
+        Self { from: frame.transform(self.from), to: frame.transform(self.to), style: frame.style.then(&self.style) }
     }
 
-    /// Both as one line, where `next` goes on straight ahead in the same style.
-    fn and(&self, next: &Self) -> Option<Self> {
+    /// Both as one line, if `next` continues straight ahead in the same style.
+    fn join(&self, next: &Self) -> Option<Self> {
         let gap = Self { from: self.to, to: next.from, ..*self }.length();
         let ([a, b], [c, d]) = (self.way(), next.way());
         let exact = EXACT * self.length() * next.length();
@@ -113,7 +111,7 @@ impl Line {
     }
 }
 
-/// Between the corners that are farthest apart.
+/// The line between the two corners that are farthest apart.
 fn longest(corners: &[[f64; 2]]) -> Line {
     let first = corners.first().copied().unwrap_or_default();
     let mut best = Line { from: first, to: first, style: StyleChange::NONE };

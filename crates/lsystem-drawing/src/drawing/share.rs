@@ -1,7 +1,7 @@
 //! Drawing with shared pieces: each piece is made once and placed wherever it recurs.
 //!
-//! A module draws the same piece in the same number of steps, as long as nothing but the module decides. Plain letters
-//! have one piece for each number of steps, found by its index; modules with parameters have one piece for each state.
+//! A module draws the same piece in the same number of steps, unless chance or neighbours decide. A plain letter has
+//! one piece for each number of steps; a module with parameters has one piece for each state.
 
 mod letters;
 mod plan;
@@ -25,13 +25,13 @@ pub(crate) enum Share<S: Space> {
 }
 
 impl<S: Space> Share<S> {
-    /// Whether pieces depend on so little that they come again.
+    /// Whether pieces recur: whether they depend only on letter, parameters, steps and vertical.
     pub(super) fn is_possible(task: &Task<S>) -> bool {
         let memoises = if task.rules.is_plain() { letters::memoises } else { states::memoises };
         memoises(&task.rules, &task.score)
     }
 
-    /// Ready to draw from the axiom on.
+    /// Prepares to draw from the axiom on.
     pub(super) fn new(task: &Task<S>) -> Result<Self, Diagnostic> {
         if task.rules.is_plain() {
             return Ok(Self::Letters(Letters::new(&task.rules)));
@@ -39,7 +39,7 @@ impl<S: Space> Share<S> {
         Ok(Self::States(Box::new(States::new(task)?)))
     }
 
-    /// The bytes that it takes.
+    /// The bytes that the work occupies, without the builder.
     pub(super) fn bytes(&self) -> u64 {
         match self {
             Self::Letters(letters) => letters.bytes(),
@@ -47,7 +47,7 @@ impl<S: Space> Share<S> {
         }
     }
 
-    /// Works on until the meter is spent, or a stage is over.
+    /// Continues until the meter is spent or a stage is over.
     pub(super) fn step(&mut self, task: &Task<S>, builder: &mut Builder<S>, meter: &mut Meter) -> Outcome<Made<S>> {
         match self {
             Self::Letters(letters) => letters.step(task, builder, meter),

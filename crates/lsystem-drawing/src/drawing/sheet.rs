@@ -1,4 +1,4 @@
-//! Strokes and polygons on their way into a block.
+//! The items of a block in the making.
 
 use super::builder::Builder;
 use crate::drawing::block::{Item, Polygon, Space, Stroke};
@@ -7,13 +7,13 @@ use crate::space::minus;
 use crate::style::{StyleChange, Styles};
 use crate::turtle::Paper;
 
-/// What will be the items of one block.
+/// The items that will form blocks, and the polygons that are still open.
 #[derive(Clone, Debug)]
 pub(super) struct Sheet<S: Space> {
     pub items: Vec<Item<S>>,
-    /// Polygons that are not closed, innermost last: the places of their items, and their vertices so far.
+    /// The open polygons, innermost last: the indices of their items, and their vertices so far.
     open: Vec<(usize, Vec<S::Point>)>,
-    /// How many vertices they have.
+    /// The number of vertices of all open polygons.
     held: usize,
     /// The place of the symbol that is being drawn, as in [`Polygon::symbol`].
     pub symbol: u32,
@@ -29,24 +29,24 @@ impl<S: Space> Sheet<S> {
         self.open.is_empty()
     }
 
-    /// Leaves out polygons that were never closed, or have no inside.
+    /// Removes polygons that were never closed or have fewer than three vertices.
     pub(super) fn finish(&mut self) {
         self.open.clear();
         self.items.retain(|item| !is_hollow(item));
     }
 
-    /// The bytes that it takes. A list of vertices may have room for as many again.
+    /// The bytes that the sheet occupies. A list of vertices may have twice the capacity that it uses.
     pub(super) fn bytes(&self) -> u64 {
         bytes_of(&self.items) + bytes_of(&self.open) + (2 * self.held * size_of::<S::Point>()) as u64
     }
 }
 
-/// Whether an item is a polygon that is not closed, or has no inside.
+/// Whether an item is a polygon that is not closed, or has fewer than three vertices.
 pub(super) fn is_hollow<S: Space>(item: &Item<S>) -> bool {
     matches!(item, Item::Polygon(Polygon { count: 0, .. }))
 }
 
-/// The place where an item begins.
+/// The point at which an item begins.
 pub(super) fn origin<S: Space>(builder: &Builder<S>, item: &Item<S>) -> S::Point {
     match item {
         Item::Stroke(stroke) => stroke.from,
@@ -55,7 +55,7 @@ pub(super) fn origin<S: Space>(builder: &Builder<S>, item: &Item<S>) -> S::Point
     }
 }
 
-/// Counts all coordinates from `origin`.
+/// Makes all coordinates relative to `origin`.
 pub(super) fn shift<S: Space>(builder: &mut Builder<S>, items: &mut [Item<S>], origin: &S::Point) {
     for item in items {
         match item {
@@ -72,21 +72,21 @@ pub(super) fn shift<S: Space>(builder: &mut Builder<S>, items: &mut [Item<S>], o
     }
 }
 
-/// A sheet, and where styles and vertices are kept.
-pub(crate) struct Desk<'a, S: Space> {
+/// Adds strokes and polygons to a sheet, and their styles and vertices to the builder's lists.
+pub(crate) struct SheetWriter<'a, S: Space> {
     pub sheet: &'a mut Sheet<S>,
     pub styles: &'a mut Styles,
     pub vertices: &'a mut Vec<S::Point>,
 }
 
-impl<S: Space> Paper<S> for Desk<'_, S> {
+impl<S: Space> Paper<S> for SheetWriter<'_, S> {
     fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange) {
         reserve(&mut self.sheet.items, 1);
         self.sheet.items.push(Item::Stroke(Stroke { from, to, style: self.styles.id(style) }));
     }
 
     fn open(&mut self, style: &StyleChange) {
-        // It lies beneath what is drawn inside, and so comes before that.
+        // A polygon lies beneath the strokes that are drawn while it is open, so its item comes first.
         self.sheet.open.push((self.sheet.items.len(), vec![]));
         let Sheet { items, symbol, .. } = self.sheet;
         items.push(Item::Polygon(Polygon { first: 0, count: 0, style: self.styles.id(style), symbol: *symbol }));

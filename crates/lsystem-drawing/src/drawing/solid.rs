@@ -4,7 +4,7 @@ use super::{Drawer, Drawing, body};
 use crate::{Solid, System};
 use lsystem_syntax::{Diagnostic, Limits};
 
-/// Draws generation `n` in space. A system that does not [leave the plane](System::is_solid) is drawn there too.
+/// Draws generation `n` in space, also of a system that does not [leave the plane](System::is_solid).
 ///
 /// # Errors
 /// As [`draw`](crate::draw).
@@ -21,20 +21,19 @@ impl Drawer<Solid> {
 }
 
 impl Drawing<Solid> {
-    /// A box around all segments' axes, strokes' widths apart: its least and its greatest coordinates, in model units;
-    /// `None` when nothing is drawn. It is the smallest one to 1e-9 of its size, unless the drawing shares blocks and
-    /// very many of them come close to a side: then it may be a little larger. What is beyond the range of `f64` is
-    /// infinite.
+    /// A box around all segments' axes and polygons, without stroke widths: the least and the greatest coordinates, in
+    /// model units. The box is exact to 1e-9 of its size, but may be a little larger if very many shared blocks come
+    /// close to a side. `None` if nothing is drawn. Coordinates beyond the range of `f64` are infinite.
     #[must_use]
     pub fn bounds(&self) -> Option<[[f64; 3]; 2]> {
         let unit = self.unit();
         let model = |point: [f64; 3]| [0, 1, 2].map(|i| self.start[i] + unit * point[i]);
         let [a, b] = self.extent()?.sides.map(model);
-        // A negative step turns the picture round.
+        // A negative step reflects the picture, so that minimum and maximum change places.
         Some([[0, 1, 2].map(|i| a[i].min(b[i])), [0, 1, 2].map(|i| a[i].max(b[i]))])
     }
 
-    /// The root's extent in its own units.
+    /// The root's extent in root units.
     pub fn extent(&self) -> Option<body::Extent> {
         self.surveyed()
     }

@@ -1,4 +1,4 @@
-//! What is to be drawn, and what came of it.
+//! The input and the outcome of drawing.
 
 use super::block::{BlockId, Item, Space};
 use super::pieces::Pieces;
@@ -8,7 +8,7 @@ use lsystem_derive::Rules;
 use lsystem_syntax::{Diagnostic, LimitName, Limits};
 use std::sync::Arc;
 
-/// What is to be drawn.
+/// A system, a generation and limits to draw within.
 #[derive(Clone, Debug)]
 pub(crate) struct Task<S: Space> {
     pub rules: Arc<Rules>,
@@ -20,8 +20,8 @@ pub(crate) struct Task<S: Space> {
 }
 
 impl<S: Space> Task<S> {
-    /// The most letters that pieces may be made of, and the limit that says so. At least one letter of two makes an item,
-    /// by assumption: more letters would need more memory than there is.
+    /// The most letters in the words of all pieces, and the limit that sets it. The memory limit assumes, as a guess,
+    /// that every second letter makes an item.
     pub(super) fn most_letters(&self) -> (u64, LimitName) {
         let Limits { segments, memory, .. } = self.limits;
         let letters = memory / (size_of::<Item<S>>() as u64 / 2);
@@ -29,22 +29,22 @@ impl<S: Space> Task<S> {
     }
 }
 
-/// What came of working on.
+/// The outcome of a step.
 pub(super) enum Outcome<T> {
-    /// The work allowed is done, or a stage; there is more.
+    /// The budget is spent or a stage is over; there is more to do.
     Paused,
     Ended(T),
-    /// The pieces are too different to be shared. The largest n for which sharing works.
-    Apart(Option<u32>),
+    /// The pieces are too different to be shared. The largest n for which sharing works, if any.
+    NotShareable(Option<u32>),
     Failed(Diagnostic),
 }
 
-/// A drawing whose blocks are all there.
+/// The result after all blocks are made.
 #[derive(Clone, Debug)]
 pub(crate) struct Made<S: Space> {
     pub root: Option<BlockId>,
-    /// The words of the pieces that it shares.
+    /// The words of the shared pieces.
     pub pieces: Pieces<S>,
-    /// The symbols of the generation, where it has been gone through.
+    /// The number of symbols of the generation, if counted.
     pub symbols: Option<u64>,
 }

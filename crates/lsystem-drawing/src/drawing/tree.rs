@@ -1,34 +1,35 @@
-//! A drawing whose pieces are all different: a tree of blocks of consecutive strokes.
+//! A tree of blocks of consecutive strokes: for drawings without shared pieces, and for the word of one piece.
 
 use super::builder::Builder;
-use super::sheet::{Desk, Sheet, is_hollow, origin, shift};
+use super::sheet::{Sheet, SheetWriter, is_hollow, origin, shift};
 use crate::drawing::block::{BlockId, Item, Placed, Space};
 use crate::room::bytes_of;
 use crate::space::minus;
 use crate::style::StyleChange;
 
-/// Strokes and polygons of a block at the bottom: enough to make work by block cheap, few enough to stay in the nearest cache.
+/// The strokes and polygons of a bottom block: enough to make work per block cheap, few enough for the L1 cache.
 const STROKES: usize = 1024;
-/// Strokes and blocks of a block at the bottom of a long word: hulls of blocks have many corners.
+/// The items of a bottom block in a long word; fewer than [`STROKES`], because the hulls of placed blocks have many
+/// corners.
 pub(crate) const WORD: usize = 512;
-/// Blocks of a block above.
+/// The inner blocks of a block above the bottom.
 const BLOCKS: usize = 16;
 
-/// Grows the tree from its strokes in drawing order.
+/// A tree that grows from its items in drawing order.
 #[derive(Clone, Debug)]
 pub(crate) struct Tree<S: Space> {
-    /// Of the unit of all coordinates that are not yet in a block.
+    /// The exponent of the unit of all coordinates that are not yet in a block.
     exponent: i32,
-    /// How many items make a block at the bottom.
+    /// The number of items of a bottom block.
     bottom: usize,
-    /// Whether all lies in one block as it is where there are no more items than that.
+    /// Whether the tree is the word of a piece. A word that fits into one bottom block becomes one block as it is.
     is_word: bool,
     pub sheet: Sheet<S>,
-    /// Items of the sheet that are in blocks already.
+    /// The number of the sheet's items that are in blocks already.
     done: usize,
     /// The items of the block that is made next.
     run: Vec<Item<S>>,
-    /// By height: blocks that have no parent yet, and their origins.
+    /// By height: the blocks without a parent, and their origins.
     rows: Vec<Vec<(BlockId, S::Point)>>,
 }
 
@@ -37,27 +38,27 @@ impl<S: Space> Tree<S> {
         Self { exponent, bottom: STROKES, is_word: false, sheet: Sheet::new(), done: 0, run: vec![], rows: vec![] }
     }
 
-    /// A tree of the strokes and blocks of a word. All of them are one block, unless the word is `long`.
+    /// A tree of the items of a word. The items form one block, unless the word is `long`.
     pub(crate) fn of_word(exponent: i32, long: bool) -> Self {
         Self { bottom: if long { WORD } else { usize::MAX }, is_word: true, ..Self::new(exponent) }
     }
 
-    /// The bytes that it takes.
+    /// The bytes that the tree occupies, without its blocks.
     pub(super) fn bytes(&self) -> u64 {
         bytes_of(&self.run) + self.sheet.bytes()
     }
 
-    /// Has `act` draw what the symbol at `place` of the string does, and makes blocks of what has become enough for one.
+    /// Draws the symbol at `place` of the string by `act`, and makes a block if there are enough items.
     pub(super) fn draw(
         &mut self,
         builder: &mut Builder<S>,
         place: u64,
-        act: impl FnOnce(&mut Desk<'_, S>, &mut S::Directions),
+        act: impl FnOnce(&mut SheetWriter<'_, S>, &mut S::Directions),
     ) {
-        // No string that is drawn whole has more symbols.
+        // A string that is drawn symbol by symbol has fewer than 2^32 symbols.
         self.sheet.symbol = place as u32;
         let Builder { styles, vertices, directions, .. } = builder;
-        act(&mut Desk { sheet: &mut self.sheet, styles, vertices }, directions);
+        act(&mut SheetWriter { sheet: &mut self.sheet, styles, vertices }, directions);
         self.settle(builder);
     }
 
@@ -67,14 +68,15 @@ impl<S: Space> Tree<S> {
         self.settle(builder);
     }
 
+    /// Makes a bottom block if there are enough items and no polygon is open.
     fn settle(&mut self, builder: &mut Builder<S>) {
         if self.sheet.items.len() - self.done >= self.bottom && self.sheet.is_closed() {
             self.close_run(builder);
         }
     }
 
-    /// Makes one more block at the bottom, or where none is left to make the root, in a frame with the axes and the origin of
-    /// the coordinates.
+    /// Makes one more bottom block and returns `None`. After the last one, makes the rest of the tree and returns the
+    /// root, if any. The root's frame has the axes and the origin of the coordinates.
     pub(crate) fn finish_one(&mut self, builder: &mut Builder<S>) -> Option<Option<BlockId>> {
         if self.is_word && self.rows.is_empty() && self.done == 0 {
             self.sheet.finish();
@@ -96,8 +98,8 @@ impl<S: Space> Tree<S> {
         }))
     }
 
-    /// Makes a block of the next items: of as many as make one, and of those that follow if they are too few for
-    /// another.
+    /// Makes a block of the next items. Outside of words, the last block also takes a rest that is too small for a
+    /// block.
     fn close_run(&mut self, builder: &mut Builder<S>) {
         let left = self.sheet.items.len() - self.done;
         let count = if left < 2 * self.bottom && !self.is_word { left } else { left.min(self.bottom) };
@@ -116,6 +118,7 @@ impl<S: Space> Tree<S> {
         }
     }
 
+    /// Adds a block at a height, and gives a full row a parent.
     fn push_block(&mut self, builder: &mut Builder<S>, height: usize, block: BlockId, origin: S::Point) {
         if self.rows.len() == height {
             self.rows.push(vec![]);
@@ -126,7 +129,7 @@ impl<S: Space> Tree<S> {
         }
     }
 
-    /// Gives the blocks of a row a parent, but for the last where there are too many for one.
+    /// Makes a parent for the first blocks of a row, at most [`BLOCKS`].
     fn close_row(&mut self, builder: &mut Builder<S>, height: usize) {
         let mut row = core::mem::take(&mut self.rows[height]);
         let rest = row.split_off(row.len().min(BLOCKS));
@@ -138,6 +141,7 @@ impl<S: Space> Tree<S> {
         }
     }
 
+    /// Items that place the blocks of a row relative to `origin`.
     fn items(&self, builder: &mut Builder<S>, row: &[(BlockId, S::Point)], origin: S::Point) -> Vec<Item<S>> {
         let style = builder.styles.id(&StyleChange::NONE);
         let place = |&(block, at): &(BlockId, S::Point)| {

@@ -1,5 +1,5 @@
-//! Drawing module by module, where no two pieces need be alike: by letter, each going its own way down to the last
-//! generation, or by whole generations where productions look around themselves or compute.
+//! Drawing module by module, without shared pieces. Plain letters are derived depth-first, one at a time. Rules with
+//! contexts or parameters are derived by whole generations.
 
 mod generations;
 mod letters;
@@ -7,7 +7,7 @@ mod limits;
 mod tally;
 
 use self::generations::Generations;
-use self::letters::{Gone, Letters};
+use self::letters::{Letters, WalkOutcome};
 use self::limits::{Exceeded, Forecast, Search};
 use super::block::Space;
 use super::builder::Builder;
@@ -19,24 +19,24 @@ use lsystem_syntax::{Diagnostic, Kind, LimitName, Meter};
 #[derive(Clone, Debug)]
 pub(crate) struct Unfold<S: Space> {
     stage: Stage<S>,
-    /// The largest n that could be shared within the limits, where that was tried.
+    /// The largest n that sharing could draw within the limits, if sharing was tried.
     shared: Option<u32>,
 }
 
 #[derive(Clone, Debug)]
 enum Stage<S: Space> {
-    /// Counting whether it will fit.
+    /// Check the limits by counting.
     Forecast(Forecast),
-    /// Deriving and drawing letter by letter.
+    /// Derive and draw letter by letter.
     Letters(Box<Letters<S>>),
-    /// A limit was passed: finding the largest n that is within.
+    /// After a limit was exceeded: find the largest n within the limits.
     Search(Search),
-    /// Deriving whole generations, and drawing the last.
+    /// Derive whole generations, and draw the last.
     Generations(Box<Generations<S>>),
 }
 
 impl<S: Space> Unfold<S> {
-    /// Ready to draw from the axiom on, where up to `shared` generations could be shared.
+    /// Prepares to draw from the axiom on. `shared` is the largest n that sharing could draw, if sharing was tried.
     pub(super) fn new(task: &Task<S>, shared: Option<u32>) -> Result<Self, Diagnostic> {
         let stage = if !task.rules.is_plain() {
             Stage::Generations(Box::new(Generations::new(task)?))
@@ -48,7 +48,7 @@ impl<S: Space> Unfold<S> {
         Ok(Self { stage, shared })
     }
 
-    /// The bytes that it takes.
+    /// The bytes that the work occupies, without the builder.
     pub(super) fn bytes(&self) -> u64 {
         match &self.stage {
             Stage::Letters(letters) => letters.bytes(),
@@ -57,7 +57,7 @@ impl<S: Space> Unfold<S> {
         }
     }
 
-    /// Memory has run out: begins to search for the largest n that fits, where this stage can. Whether it does.
+    /// After memory ran out: begins the search for the largest n that fits. Returns false if this stage has no search.
     pub(super) fn begin_search(&mut self, task: &Task<S>) -> bool {
         let draws = matches!(self.stage, Stage::Letters(_));
         if draws {
@@ -66,7 +66,7 @@ impl<S: Space> Unfold<S> {
         draws
     }
 
-    /// Works on until the meter is spent, or a stage is over.
+    /// Continues until the meter is spent or a stage is over.
     pub(super) fn step(&mut self, task: &Task<S>, builder: &mut Builder<S>, meter: &mut Meter) -> Outcome<Made<S>> {
         let made = |root, symbols| Outcome::Ended(Made { root, pieces: Pieces::None, symbols: Some(symbols) });
         let failed =
@@ -78,9 +78,9 @@ impl<S: Space> Unfold<S> {
                 Some(Ok(())) => self.stage = Stage::Letters(Box::new(Letters::new(task))),
             },
             Stage::Letters(letters) => match letters.step(task, builder, meter) {
-                Gone::Paused => {}
-                Gone::Ended(root) => return made(root, letters.symbols()),
-                Gone::Passed(limit) => {
+                WalkOutcome::Paused => {}
+                WalkOutcome::Ended(root) => return made(root, letters.symbols()),
+                WalkOutcome::Passed(limit) => {
                     *builder = Builder::within(task.limits.memory);
                     self.stage = Stage::Search(Search::new(limit, task.n, task.seed));
                 }
@@ -98,7 +98,7 @@ impl<S: Space> Unfold<S> {
                     }
                     return Outcome::Failed(diagnostic);
                 }
-                Outcome::Paused | Outcome::Apart(_) => {}
+                Outcome::Paused | Outcome::NotShareable(_) => {}
             },
         }
         Outcome::Paused

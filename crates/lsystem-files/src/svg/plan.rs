@@ -125,7 +125,11 @@ impl Plan {
     fn read(&mut self, scene: &Scene<'_>, item: &Item, frame: &Frame, meter: &mut Meter) -> Option<()> {
         let drawing = scene.drawing;
         let stroke = |line: &Line, frame: &Frame| {
-            Part::Stroke(frame.lie(line.from), frame.lie(line.to), scene.ink(&frame.style.then(&line.style)))
+            Part::Stroke(
+                frame.transform(line.from),
+                frame.transform(line.to),
+                scene.ink(&frame.style.then(&line.style)),
+            )
         };
         let part = match item {
             Item::Stroke(own) => stroke(&Line::new(own, drawing), frame),
@@ -133,7 +137,7 @@ impl Plan {
                 self.left = self.left.checked_sub(u64::from(polygon.count) - 1)?;
                 meter.charge(u64::from(polygon.count) / 8);
                 let first = self.vertices.len();
-                self.vertices.extend(drawing.vertices_of(polygon).iter().map(|&vertex| frame.lie(vertex)));
+                self.vertices.extend(drawing.vertices_of(polygon).iter().map(|&vertex| frame.transform(vertex)));
                 let style = frame.style.then(&drawing.styles[polygon.style.0 as usize]);
                 Part::Polygon(first..self.vertices.len(), scene.ink(&style).rgb)
             }

@@ -67,7 +67,7 @@ pub fn fitted_solid_polygon(drawing: &Drawing<Solid>, number: u128) -> Vec<[f64;
     let Some((polygon, frame)) = drawing.polygon(number) else { return vec![] };
     let (centre, radius) = ball(drawing);
     let sign = drawing.unit().signum();
-    let fitted = |vertex: Vector| [0, 1, 2].map(|i| sign * (frame.lie(vertex)[i] - centre[i]) / (2.0 * radius));
+    let fitted = |vertex: Vector| [0, 1, 2].map(|i| sign * (frame.transform(vertex)[i] - centre[i]) / (2.0 * radius));
     drawing.vertices_of(polygon).iter().map(|&vertex| fitted(vertex)).collect()
 }
 

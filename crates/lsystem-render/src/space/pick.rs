@@ -50,7 +50,7 @@ impl Sight<Solid> for Sky<'_> {
         let widest = block.widest.of(frame.style.width.of(0.0)).max(0.0) * lens.step / 2.0;
         // Rounding may leave an end out.
         let radius = (block.hull.radius + 1e-9) * frame.scale * self.unit + widest;
-        let centre = self.place(frame.lie(block.hull.centre()));
+        let centre = self.place(frame.transform(block.hull.centre()));
         let [near, far] = [centre[2] - radius, centre[2] + radius];
         if 1.0 + far * lens.nearness <= NEAR {
             return None;
@@ -62,7 +62,7 @@ impl Sight<Solid> for Sky<'_> {
 
     fn stroke(&self, frame: &Frame<Solid>, stroke: &Stroke<Solid>) -> Option<Aim> {
         let lens = &self.lens;
-        let ends = lens.before_eye([stroke.from, stroke.to].map(|end| self.place(frame.lie(end))))?;
+        let ends = lens.before_eye([stroke.from, stroke.to].map(|end| self.place(frame.transform(end))))?;
         let (axis, depth) = self.beside(ends);
         let style = frame.style.then(&self.drawing.styles[stroke.style.0 as usize]);
         let radius = (style.width.of(0.0) * lens.step / 2.0).max(0.0);
@@ -76,7 +76,7 @@ impl Sight<Solid> for Sky<'_> {
     fn polygon(&self, frame: &Frame<Solid>, polygon: &Polygon) -> Option<Aim> {
         let lens = &self.lens;
         let vertices = self.drawing.vertices_of(polygon).iter();
-        let vertices: Vec<Vector> = vertices.map(|&vertex| self.place(frame.lie(vertex))).collect();
+        let vertices: Vec<Vector> = vertices.map(|&vertex| self.place(frame.transform(vertex))).collect();
         // What reaches behind the eye is not painted.
         if vertices.iter().any(|vertex| 1.0 + vertex[2] * lens.nearness <= NEAR) {
             return None;

@@ -7,11 +7,11 @@ use lsystem::drawing::why_empty;
 use lsystem::syntax::{LimitName, Meter};
 use lsystem::{Definition, Limits, Progress, System};
 
-/// Small limits, so that they are passed soon.
+/// Small limits, so that derivations exceed them soon.
 const LIMITS: Limits =
     Limits { symbols: 4 << 20, modules: 1 << 20, segments: u32::MAX as u64, work: 100_000, memory: 24 << 20 };
 
-/// The units that a call may take that is not resumable.
+/// The most units of a call that is not resumable.
 const MOST_OF_A_CALL: u64 = 1 << 24;
 
 fn rewriter(system: &System, limits: Limits) -> Option<Rewriter> {
@@ -34,7 +34,7 @@ fn a_step_of_a_derivation_is_bounded() {
     let all = LENGTHS.into_iter().flat_map(|length| cases(length).into_iter().map(move |case| (case, length)));
     for (Case { name, definition }, length) in all {
         let Some(system) = System::new(&definition).0 else { panic!("{name}") };
-        // With the longest texts the last comes by the others.
+        // For the longest texts, only the last number of steps is tested: its derivation includes the others.
         let passed = if length < 20_000 || is_thorough() { 0 } else { generations(length).len() - 1 };
         for &n in &generations(length)[passed..] {
             let mut record = Record::new("derivation", &name, n);
@@ -63,7 +63,7 @@ fn counts(name: &str, system: &System, n: u32) {
     for mut counter in [system.symbols(n), system.segments(n)] {
         let mut record = Record::new("counts", name, n);
         let mut steps = 0;
-        // Of those that take long the first steps are like the others.
+        // In long counts, the first steps are like the others.
         while steps < 50 && {
             let before = counter.spent();
             let progress = counter.step(SHARE);
@@ -94,7 +94,7 @@ fn whole_strings(name: &str, system: &System, n: u32) {
     let _ = why_empty(system, n);
 }
 
-/// Where a derivation ends, how many modules its last whole generation has, and why it ends.
+/// The last complete generation of a derivation, the number of its modules, and the reason of the end.
 fn outcome(system: &System, n: u32, share: u64, limits: Limits) -> (u32, usize, Result<(), Fault>) {
     let mut rewriter = rewriter(system, limits).expect("an axiom of finite numbers");
     let ended = derive(&mut rewriter, n, share, &mut Record::new("derivation", "", n));

@@ -1,19 +1,19 @@
-//! Drawing: what steps and synchronous calls cost.
+//! The cost of drawing, in steps and synchronous calls.
 
 use super::systems::{LENGTHS, cases, generations};
 use lsystem::drawing::Space;
 use lsystem::syntax::{Kind, LimitName, Meter};
 use lsystem::{Definition, Dialect, Drawer, Drawing, Limits, Progress, System, draw, draw_solid};
 
-/// What a page may spend.
+/// The limits of the page, except for memory, which is larger here.
 pub(crate) const LIMITS: Limits =
     Limits { symbols: 64 << 20, modules: 16 << 20, segments: u32::MAX as u64, work: 100_000_000, memory: 112 << 20 };
-/// Units that a step may do.
+/// The units of work of a step.
 const SHARE: u64 = 1 << 16;
-/// Steps looked at of each drawing.
+/// The most steps tested of each drawing.
 const STEPS: usize = 48;
 
-/// The largest of some numbers, and what it is of.
+/// The largest of some numbers, with its name.
 #[derive(Default)]
 pub(crate) struct Largest {
     pub(crate) most: u64,
@@ -28,7 +28,7 @@ impl Largest {
     }
 }
 
-/// Steps until the end or until enough steps have been seen; the drawing, if it came to that.
+/// Runs steps until the end or the limit of steps. Returns the drawing if it is complete.
 fn step<S: Space>(
     mut drawer: Drawer<S>,
     name: &str,
@@ -87,7 +87,7 @@ fn no_step_of_a_drawing_of_long_texts_takes_more_than_its_share_and_a_piece() {
     check(&LENGTHS[3..]);
 }
 
-/// Steps of these drawings once took more than they may.
+/// Steps of these drawings once exceeded their share.
 #[test]
 fn no_step_of_a_drawing_of_many_symbols_with_numbers_or_branches_is_too_large() {
     let twice = format!("r = 0.75\nA -> {}\nF(x) -> F", "FF".repeat(8193));
@@ -108,7 +108,7 @@ fn no_step_of_a_drawing_of_many_symbols_with_numbers_or_branches_is_too_large() 
     }
 }
 
-/// Drawings that once held several times their limit before they were refused.
+/// Drawings that once used several times their memory limit before they were refused.
 #[test]
 fn refused_drawings_stay_within_their_memory() {
     let polygons = format!("F -> {{B{}}}XBF-FXBF-FXBF-F\nB -> FG\nA -> +%X-", "FAFF".repeat(1000));
@@ -133,7 +133,7 @@ fn refused_drawings_stay_within_their_memory() {
     }
 }
 
-/// A generation that is drawn stands in memory beside its drawing.
+/// During drawing, the derived generation is in memory beside the drawing.
 #[test]
 fn what_a_drawing_is_derived_from_counts() {
     let rules = "F < F -> FF\nF > F -> FF";
@@ -142,11 +142,11 @@ fn what_a_drawing_is_derived_from_counts() {
     let system = System::new(&definition).0.unwrap();
     let n = 16;
     let whole = draw(&system, n, &LIMITS).unwrap();
-    // A letter, and where it stands in the derivation.
+    // The bytes of a letter and its place in the derivation.
     let word = 10 * (2 << n);
     let mut drawer = Drawer::new(&system, n, LIMITS);
     let mut largest = 0;
-    // In steps so small that one ends when all is there but the last blocks.
+    // Small steps, so that one ends when only the last blocks are missing.
     while drawer.step(100) == Progress::More {
         largest = largest.max(drawer.bytes());
     }
@@ -159,12 +159,12 @@ fn what_a_drawing_is_derived_from_counts() {
     }
 }
 
-/// The drawing, where some steps are enough for it.
+/// The drawing, if some steps complete it.
 pub(crate) fn finished<S: Space>(drawer: Drawer<S>) -> Option<Drawing<S>> {
     step(drawer, "", (&mut Largest::default(), &mut Largest::default()))
 }
 
-/// Bytes of a segment where nothing is shared, in the plane and in space.
+/// The bytes of a segment in an unfolded drawing, in the plane and in space.
 #[test]
 fn segments_take_few_bytes() {
     let rules = "F -> F[+F]F[-F]F : 0.33\nF -> F[+F]F : 0.33\nF -> F[&F]F : 0.34";

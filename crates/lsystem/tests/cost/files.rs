@@ -1,4 +1,4 @@
-//! Files: what steps of writers cost, in work and in bytes.
+//! The cost of writing files: the work and the bytes of steps.
 
 use super::drawing::{LIMITS, Largest, finished};
 use super::systems::cases;
@@ -7,15 +7,15 @@ use lsystem::files::{CsvWriter, GlbWriter, ObjWriter, SvgForm, SvgWriter};
 use lsystem::syntax::Meter;
 use lsystem::{Definition, Drawer, Drawing, Progress, Solid, SvgOptions, System, draw, draw_solid};
 
-/// Units that a step may do.
+/// The units of work of a step.
 const SHARE: u64 = 1 << 14;
-/// Bytes that a unit of work may write: a number has at most 25, and a mark of 8 units at most eight of them and some
-/// words of XML.
+/// The most bytes of a unit of work: a number has at most 25 bytes, and a mark of 8 units has at most eight numbers and
+/// some words of XML.
 const BYTES: u64 = 32;
-/// Segments that are written in these tests.
+/// The most segments of a file in these tests.
 const MOST: u64 = 100_000;
 
-/// Takes steps until the end; what they write must be in keeping with their work.
+/// Runs all steps, and checks the bytes of each step against its work.
 fn see(largest: &mut Largest, name: &str, mut step: impl FnMut(&mut String) -> (Progress, u64)) {
     let (mut before, mut progress) = (0, Progress::More);
     while progress == Progress::More {
@@ -37,7 +37,7 @@ fn see_svg(largest: &mut Largest, name: &str, drawing: &Drawing, definition: &De
     });
 }
 
-/// The drawing on paper, unless it is too large.
+/// The projected drawing; `None` if it is too large.
 fn see_projection(largest: &mut Largest, name: &str, drawing: &Drawing<Solid>) -> Option<Drawing> {
     let mut projection = Projection::new(drawing, &Outlook::default(), MOST).ok()?;
     see(largest, name, |_| (projection.step(drawing, SHARE), projection.spent()));

@@ -1,4 +1,4 @@
-//! What every entry point may cost, in counted work, over unusual systems of all kinds and lengths.
+//! The cost of every entry point, in counted work, for unusual systems of all kinds and lengths.
 //!
 //! `cargo test -p lsystem --test cost -- --nocapture` prints the largest step of each entry point.
 

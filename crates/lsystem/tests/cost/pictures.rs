@@ -1,4 +1,4 @@
-//! What the steps of pictures may cost.
+//! The cost of the steps of pictures.
 
 use crate::systems::{Case, LENGTHS, LONGEST, cases, generations, is_thorough};
 use lsystem::render::{Detail, Pointer, Quality, pick_solid};
@@ -9,15 +9,15 @@ use lsystem::{
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// The share of a step, as in the page.
+/// The units of work of a step, as in the page.
 const SHARE: u64 = 16_384;
-/// Steps of a picture that are looked at: pictures of a million segments take longer than a test may.
+/// The most steps tested of a picture, because pictures of a million segments take too long for a test.
 const STEPS: usize = 60;
-/// As in the page, but for the work that it takes to find that a drawing is too large.
+/// The limits of the page, but with more memory, and with less work to find that a drawing is too large.
 const LIMITS: Limits =
     Limits { symbols: 64 << 20, modules: 16 << 20, segments: u32::MAX as u64, work: 2_000_000, memory: 112 << 20 };
 
-/// The largest step of each entry point, and what it was at.
+/// The largest step of each entry point, with the picture's name.
 #[derive(Default)]
 struct Most {
     steps: BTreeMap<&'static str, (u64, String)>,
@@ -25,7 +25,7 @@ struct Most {
 }
 
 impl Most {
-    /// Notes a step, which may exceed its share by one piece.
+    /// Adds a step, which may exceed its share by one piece.
     fn note(&mut self, entry: &'static str, name: &str, units: u64) {
         assert!(units <= SHARE + Meter::PIECE, "{entry}, {name}: {units} units in one step");
         let most = self.steps.entry(entry).or_default();
@@ -146,7 +146,7 @@ fn no_step_of_an_odd_view_does() {
     let all = sizes.iter().flat_map(|&(width, height)| [1.0, 1e25, f64::NAN].map(|zoom| (width, height, zoom)));
     let views: Vec<_> = all.map(|(width, height, zoom)| (Viewport { width, height, ratio: 1.0 }, zoom)).collect();
     for (at, case) in cases(100).iter().enumerate() {
-        // Each has some of the views; neighbours have different ones.
+        // Each system gets some of the views; neighbouring systems get different ones.
         let step = if is_thorough() { 1 } else { 5 };
         let some: Vec<_> = views.iter().copied().skip(at % step).step_by(step).collect();
         check(case, 12, &some, &mut most);

@@ -1,4 +1,4 @@
-//! The largest steps, checked and printed.
+//! The check and the record of the largest steps.
 
 #![allow(dead_code, reason = "a phase may need only some of this")]
 
@@ -6,13 +6,13 @@ use lsystem::syntax::Meter;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
-/// The units that a step is allowed, as in the page.
+/// The units of work of a step, as in the page.
 pub(crate) const SHARE: u64 = 16_384;
 
-/// By entry point: the largest step, the largest total, and of what they are.
+/// By entry point: the largest step and the largest total, with the names of their systems.
 static LARGEST: Mutex<BTreeMap<&'static str, [(u64, String); 2]>> = Mutex::new(BTreeMap::new());
 
-/// What one run of an entry point costs.
+/// The cost of one run of an entry point.
 pub(crate) struct Record {
     entry: &'static str,
     what: String,
@@ -25,10 +25,10 @@ impl Record {
         Self { entry, what: format!("{what}, n = {n}"), largest: 0, total: 0 }
     }
 
-    /// Counts a step.
+    /// Adds a step.
     ///
     /// # Panics
-    /// Where it is larger than its share and a piece.
+    /// If the step exceeds its share by more than a piece.
     pub(crate) fn step(&mut self, share: u64, spent: u64) {
         let most = share.saturating_add(Meter::PIECE);
         assert!(spent <= most, "{} of {}: a step of {spent} units, at most {most}", self.entry, self.what);
@@ -37,7 +37,7 @@ impl Record {
         self.total += spent;
     }
 
-    /// Notes a call that is not resumable.
+    /// Adds a call that is not resumable.
     pub(crate) fn call(&mut self, spent: u64) {
         self.largest = self.largest.max(spent);
         self.total += spent;
@@ -46,7 +46,7 @@ impl Record {
     /// Ends the run.
     ///
     /// # Panics
-    /// Where it has cost more than `most` units.
+    /// If the run has taken more than `most` units.
     pub(crate) fn finish(self, most: u64) {
         let Self { entry, what, largest, total } = self;
         assert!(total <= most, "{entry} of {what}: {total} units, at most {most}");

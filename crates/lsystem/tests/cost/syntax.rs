@@ -1,4 +1,4 @@
-//! The cost of reading texts. Where reading took the square of a text's length, the longest of these would never end.
+//! The cost of reading texts. If reading took quadratic time, the longest of these texts would take without end.
 
 use crate::systems::texts;
 use lsystem::System;
@@ -6,7 +6,7 @@ use lsystem::drawing::{kind, legend};
 use lsystem::syntax::{MAX_ACTIONS, MAX_TEXT, classify, parse_overrides};
 use std::time::{Duration, Instant};
 
-/// Diagnostics of one text at most, and one that tells how many more there are.
+/// The most diagnostics of one text, with one for the number of others.
 const MOST: usize = 101;
 
 #[test]
@@ -16,7 +16,7 @@ fn the_longest_texts_are_read_and_told_about_in_few_words() {
         for (name, definition) in texts(length) {
             let began = Instant::now();
             let (system, diagnostics) = System::new(&definition);
-            // Printed only: how long reading takes depends on the machine.
+            // The time is only printed, because it depends on the machine.
             slowest = slowest.max((began.elapsed(), name));
             assert!(diagnostics.len() <= 4 * MOST, "{name}: {} diagnostics", diagnostics.len());
             let text = diagnostics.iter().map(|d| d.message().len()).max().unwrap_or(0);

@@ -1,21 +1,21 @@
-//! Systems of every kind, with texts of any length.
+//! Systems of every kind, with texts of different lengths.
 
-// Each phase uses what it needs.
+// Each test file uses a part of these.
 #![allow(dead_code, reason = "a phase may need only some of the generators")]
 
 use lsystem::{Definition, Dialect, System};
 
-/// Lengths of successors and axioms, in symbols; the last is about the longest that a text can hold.
+/// Lengths of successors and axioms, in symbols; the last is nearly the limit of a text.
 pub(crate) const LENGTHS: [usize; 4] = [1, 100, 10_000, LONGEST];
 
-/// Symbols of the longest rules: the rest of the text is for what else a system needs.
+/// The symbols of the longest rules. The rest of the text is for other parts of a system.
 pub(crate) const LONGEST: usize = 50_000 - 1_000;
 
-/// Symbols of the longest axiom.
+/// The symbols of the longest axiom.
 const LONGEST_AXIOM: usize = 20_000;
 
-/// Numbers of derivation steps of systems whose texts are so long: fewer where texts are longer, unless `LSYSTEM_CASES`
-/// asks for thoroughness.
+/// The numbers of derivation steps for systems with texts of this length: fewer for longer texts, unless
+/// `LSYSTEM_CASES` asks for a thorough test.
 pub(crate) fn generations(length: usize) -> &'static [u32] {
     match length {
         _ if is_thorough() => &[0, 1, 12, 40, 1000],
@@ -25,12 +25,12 @@ pub(crate) fn generations(length: usize) -> &'static [u32] {
     }
 }
 
-/// Whether there is time for all combinations.
+/// Whether to test all combinations.
 pub(crate) fn is_thorough() -> bool {
     std::env::var_os("LSYSTEM_CASES").is_some()
 }
 
-/// A definition and what it is called in a table.
+/// A definition with a name.
 #[derive(Clone, Debug)]
 pub(crate) struct Case {
     /// The kind of system, then the length of its text.
@@ -43,14 +43,14 @@ impl Case {
     /// The compiled system.
     ///
     /// # Panics
-    /// Where the definition is wrong.
+    /// If the definition has errors.
     pub(crate) fn system(&self) -> System {
         let (system, diagnostics) = System::new(&self.definition);
         system.unwrap_or_else(|| panic!("{}: {diagnostics:?}", self.name))
     }
 }
 
-/// Every kind of system, its longest text `length` symbols long.
+/// Every kind of system, with a longest text of `length` symbols.
 pub(crate) fn cases(length: usize) -> Vec<Case> {
     let mut cases = Vec::new();
     let mut add = |name: &str, axiom: String, rules: String| {
@@ -92,22 +92,22 @@ pub(crate) fn cases(length: usize) -> Vec<Case> {
     cases
 }
 
-/// `piece` again and again, at most `length` symbols (at least one piece).
+/// `piece` repeated up to `length` symbols (at least once).
 pub(crate) fn word(piece: &str, length: usize) -> String {
     piece.repeat((length / piece.len()).max(1))
 }
 
-/// Lines of a text of `length` symbols (at least one line).
+/// `line` repeated up to `length` symbols (at least once).
 pub(crate) fn lines(length: usize, line: &str) -> String {
     line.repeat((length / line.len()).max(1))
 }
 
-/// A letter of its own for each number; white space, marks and digits are left out.
+/// A different letter for each number, without white space, marks and digits.
 pub(crate) fn symbol(number: usize) -> char {
     char::from_u32(0x4e00 + number as u32).unwrap_or('F')
 }
 
-/// Letters each of which makes two of the next; at most 20,000 of them, and at least one.
+/// Productions in which each letter makes two of the next letter: from 1 to 20,000 letters.
 pub(crate) fn chain(letters: usize) -> String {
     let letters = letters.clamp(1, 20_000);
     let lines = (0..letters).map(|at| {
@@ -118,12 +118,13 @@ pub(crate) fn chain(letters: usize) -> String {
     lines.collect()
 }
 
-/// A word that grows by neighbours alone: it once passed its limits by gigabytes before they were looked at.
+/// Rules with contexts whose words grow fast. They once exceeded their limits by gigabytes before the limits were
+/// checked.
 pub(crate) fn shrinking(length: usize) -> String {
     format!("B < A > B -> F\nB < A -> F\nA > B -> F\nA -> A{} : 1\nA -> AA : 1", word("A", length))
 }
 
-/// Texts that are wrong, or read with many warnings, each about `length` bytes long: axiom, rules and overrides.
+/// Texts with errors or many warnings, each about `length` bytes long: axiom, rules and overrides.
 pub(crate) fn texts(length: usize) -> Vec<(&'static str, Definition)> {
     let rules = |rules: String| Definition { axiom: "F".into(), rules, ..Definition::default() };
     let axiom = |axiom: String| Definition { axiom, ..Definition::default() };
@@ -177,13 +178,13 @@ pub(crate) fn texts(length: usize) -> Vec<(&'static str, Definition)> {
     ]
 }
 
-/// Contexts that skip many symbols, which occur.
+/// Contexts that skip many symbols in the word.
 fn ignored(length: usize) -> String {
     let symbols: String = (0..(length / 6).clamp(1, 20_000)).map(symbol).collect();
     format!("ignore: {symbols}\nA < B -> {symbols}\nB < A -> A")
 }
 
-/// Each letter is drawn as another.
+/// Images that draw each letter as another.
 fn images(length: usize) -> String {
     let letters = (length / 48).clamp(1, 20_000);
     let rules: String = (0..letters).map(|at| format!("{0} -> {0}{0}\n", symbol(at))).collect();
@@ -191,7 +192,7 @@ fn images(length: usize) -> String {
     format!("{rules}draw:\n{drawn}")
 }
 
-/// Many letters, each with an action of its own.
+/// Many letters, each with its own action.
 fn actions_of_letters(length: usize) -> Definition {
     let letters = (length / 16).clamp(1, 20_000);
     Definition {

@@ -1,4 +1,4 @@
-//! Derivation as the book defines it: the word as a tree of branches, expressions evaluated as they are written.
+//! Derivation as ABOP defines it: a word is a tree of branches, and expressions are evaluated from their syntax trees.
 
 use lsystem::derive::Key;
 use lsystem::syntax::{Expr, Function, Grammar, Heading, Operator, Pattern, Production};
@@ -9,33 +9,34 @@ pub struct Module {
     pub symbol: char,
     pub arguments: Vec<f64>,
     pub key: Key,
-    /// The step that made it, or the first of its letter in its place.
+    /// The step that made the module, or the oldest ancestor in an unbroken line of the same letter.
     pub since: u32,
-    /// The step that made it, unless it goes on in the place of another.
+    /// The step that made the module, or the oldest ancestor that it continues.
     pub made: u32,
-    /// Its place in the word, and that of the module of the former word that it comes of.
+    /// The index in the word.
     pub index: usize,
+    /// The index of the parent in the word of the previous generation.
     pub parent: usize,
-    /// The production that made it, and its place in the successor; a module that stays has none, one of the axiom its
-    /// place there.
+    /// The production that made the module; `None` for a module that stays or is in the axiom.
     pub production: Option<usize>,
+    /// The index in the successor or in the axiom; 0 for a module that stays.
     pub position: usize,
 }
 
 impl Module {
-    /// Of the axiom, or made by a production; its place is that of its parent, the production and its place there.
+    /// A module of the axiom or of a successor. `place` is its parent, production and position.
     fn new(symbol: char, arguments: Vec<f64>, key: Key, place: (usize, Option<usize>, usize)) -> Self {
         let (parent, production, position) = place;
         Self { symbol, arguments, key, since: 0, made: 0, index: position, parent, production, position }
     }
 }
 
-/// The modules of generation `n`; `None` where a number is not finite. Takes time and memory as the word grows.
+/// The modules of generation `n`; `None` if a number is not finite. Time and memory grow with the length of the word.
 pub fn modules(grammar: &Grammar, seed: u32, n: u32) -> Option<Vec<Module>> {
     aged_modules(grammar, seed, n, &|_| false)
 }
 
-/// The same with their ages; `draws` says what draws.
+/// As [`modules`], with [`Module::made`]; `draws` says whether a module draws.
 pub fn aged_modules(grammar: &Grammar, seed: u32, n: u32, draws: &dyn Fn(&Module) -> bool) -> Option<Vec<Module>> {
     let axiom = grammar.axiom.iter().enumerate();
     let mut drawn = 0;
@@ -61,11 +62,12 @@ pub fn aged_modules(grammar: &Grammar, seed: u32, n: u32, draws: &dyn Fn(&Module
                 None => next.push(Module { parent: module.index, production: None, position: 0, ..module.clone() }),
                 Some(mut successor) => {
                     let like = |m: &Module| m.symbol == module.symbol && m.arguments.len() == module.arguments.len();
-                    let heir = successor.iter().position(like);
-                    let heir = heir.or_else(|| successor.iter().position(draws).filter(|_| draws(module)));
+                    let continuation = successor.iter().position(like);
+                    let continuation =
+                        continuation.or_else(|| successor.iter().position(draws).filter(|_| draws(module)));
                     for (index, child) in successor.iter_mut().enumerate() {
                         child.since = if like(child) { module.since } else { step };
-                        child.made = if heir == Some(index) { module.made } else { step };
+                        child.made = if continuation == Some(index) { module.made } else { step };
                     }
                     next.extend(successor);
                 }
@@ -77,12 +79,12 @@ pub fn aged_modules(grammar: &Grammar, seed: u32, n: u32, draws: &dyn Fn(&Module
     is_finite(&word).then_some(word)
 }
 
-/// The modules that a word is drawn as; `None` where a number is not finite.
+/// The modules that draw a word: images replace their modules. `None` if a number is not finite.
 pub fn images(grammar: &Grammar, seed: u32, word: &[Module]) -> Option<Vec<Module>> {
     Some(image_of_each(grammar, seed, word).concat()).filter(|word| is_finite(word))
 }
 
-/// The modules that each module of a word is drawn as; their places are its own.
+/// By module of a word: the modules that draw it, with the index of that module.
 pub fn image_of_each(grammar: &Grammar, seed: u32, word: &[Module]) -> Vec<Vec<Module>> {
     let tree = Tree::new(grammar, word);
     let image = |place: usize| {
@@ -93,7 +95,7 @@ pub fn image_of_each(grammar: &Grammar, seed: u32, word: &[Module]) -> Vec<Vec<M
     (0..word.len()).map(|place| image(place).unwrap_or_else(|| vec![word[place].clone()])).collect()
 }
 
-/// The word without each `%` and what follows it up to the end of its branch.
+/// The word without each `%` and the rest of the branch after it.
 fn uncut(word: &[Module]) -> Vec<Module> {
     let mut kept = Vec::new();
     let mut rest = word;
@@ -125,17 +127,18 @@ fn is_finite(word: &[Module]) -> bool {
 struct Tree<'a> {
     grammar: &'a Grammar,
     word: &'a [Module],
-    /// The contents of every branch, and of the word itself; a `]` too many starts another root.
+    /// The word itself and all branches. An unmatched `]` starts another root.
     axes: Vec<Axis>,
-    /// By module: an axis, and the place there where what comes before it ends and what follows begins.
+    /// By module: the axis before the module, and the number of parts there.
     before: Vec<(usize, usize)>,
+    /// By module: the axis after the module, and the index of the next part.
     after: Vec<(usize, usize)>,
 }
 
 #[derive(Default)]
 struct Axis {
     parts: Vec<Part>,
-    /// The axis that it branches off from, and its place there.
+    /// The axis from which this one branches off, and its index there.
     parent: Option<(usize, usize)>,
 }
 
@@ -183,7 +186,7 @@ impl<'a> Tree<'a> {
         self.grammar.seen.contains(self.word[module].symbol)
     }
 
-    /// The modules on the way to the root, nearest first.
+    /// The modules on the path to the root that contexts see, nearest first.
     fn ancestors(&self, place: usize) -> Vec<usize> {
         let mut found = Vec::new();
         let mut here = Some(self.before[place]);
@@ -205,7 +208,7 @@ impl<'a> Tree<'a> {
         module.symbol == pattern.symbol && module.arguments.len() == pattern.parameters.len()
     }
 
-    /// The modules that `wanted` matches from a part of an axis on.
+    /// The modules that match `wanted` from part `from` of an axis on.
     fn follow(&self, axis: usize, from: usize, wanted: &[Wanted]) -> Option<Vec<usize>> {
         let Some((first, rest)) = wanted.split_first() else { return Some(vec![]) };
         let parts = self.axes[axis].parts.get(from..).unwrap_or_default();
@@ -228,7 +231,7 @@ impl<'a> Tree<'a> {
         }
     }
 
-    /// The modules that left context, predecessor and right context match.
+    /// The modules that match left context, predecessor and right context.
     fn surroundings(&self, production: &Production, place: usize) -> Option<Vec<usize>> {
         if !self.fits(place, &production.predecessor) {
             return None;
@@ -264,12 +267,12 @@ impl<'a> Tree<'a> {
         holds.then_some(scope)
     }
 
-    /// What replaces a module, or `None` where no production does.
+    /// The successor of a module; `None` if no production applies.
     fn successor(&self, productions: &[Production], seed: u32, step: u32, place: usize) -> Option<Vec<Module>> {
         let key = self.word[place].key;
         let mut applying: Vec<(&Production, Scope<'_>)> =
             productions.iter().filter_map(|p| Some((p, self.scope(p, place, seed, step)?))).collect();
-        // Context-sensitive ones first, in text order otherwise.
+        // Context-sensitive productions come first, then text order.
         applying.sort_by_key(|(production, _)| !production.is_context_sensitive());
         let (first, _) = applying.first()?;
         let (weighted, sensitive) = (first.weight.is_some(), first.is_context_sensitive());
@@ -318,14 +321,14 @@ fn wanted<'p>(patterns: &mut core::slice::Iter<'p, Pattern>) -> Vec<Wanted<'p>> 
     all
 }
 
-/// What names stand for in a production.
+/// The values of names in a production, and its random numbers.
 struct Scope<'a> {
     grammar: &'a Grammar,
     names: Vec<(String, f64)>,
     key: Key,
     seed: u32,
     step: u32,
-    /// Random numbers of the production so far, in the order they are written.
+    /// The number of random numbers used so far, in text order.
     drawn: u16,
 }
 
@@ -379,7 +382,7 @@ impl Scope<'_> {
                     (Function::Acos, [a]) => degrees(libm::acos(*a)),
                     (Function::Atan, [a]) => degrees(libm::atan(*a)),
                     (Function::Atan2, [a, b]) => degrees(libm::atan2(*a, *b)),
-                    // Exact for round angles, which no plain way is; nothing of what is not finite.
+                    // The core's function, because it is exact for round angles. Other arguments give NaN.
                     (Function::Sin, [a]) if a.is_finite() => Heading::from_degrees(*a).cos_sin().1 + 0.0 * a,
                     (Function::Cos, [a]) if a.is_finite() => Heading::from_degrees(*a).cos_sin().0 + 0.0 * a,
                     (Function::Tan, [a]) if a.is_finite() => {

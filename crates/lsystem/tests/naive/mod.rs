@@ -1,7 +1,7 @@
-//! The plain way, to compare with: every generation as a list of letters, the turtle over the last one.
+//! The naive reference: every generation is a list of modules, and the turtle reads the last one.
 //!
-//! Independent of the core's shortcuts on purpose: productions are read from the grammar, not from the compiled
-//! program, and headings are floating-point degrees that are summed up.
+//! The reference uses none of the core's shortcuts: productions come from the grammar, not from the compiled rules, and
+//! headings are sums of floating-point degrees.
 #![allow(dead_code, unreachable_pub, unused_imports, reason = "each test binary uses its own part")]
 
 use lsystem::derive::Purpose;
@@ -22,7 +22,7 @@ pub fn expand(grammar: &Grammar, seed: u32, n: u32) -> String {
     modules(grammar, seed, n).expect("finite numbers").iter().map(|module| module.symbol).collect()
 }
 
-/// A turtle's state; all of it is saved by a branch.
+/// The state of the turtle, which a branch saves.
 #[derive(Clone, Copy)]
 struct State {
     at: [f64; 2],
@@ -30,13 +30,13 @@ struct State {
     pen: Pen,
 }
 
-/// What a turtle draws with, in the plane and in space.
+/// The state of the turtle's pen, in the plane and in space.
 #[derive(Clone, Copy)]
 struct Pen {
     colour: i32,
     width: f64,
     level: u32,
-    /// What lengths are multiplied by.
+    /// The factor of lengths.
     scale: f64,
 }
 
@@ -56,7 +56,7 @@ impl Pen {
         Segment { from, to, colour, level, width: width * turtle.step.abs() }
     }
 
-    /// What an action does to the pen, after it has done its part to the turtle.
+    /// Applies an action to the pen, after the turtle.
     fn act(&mut self, turtle: &Turtle, action: Action) {
         match (action, turtle.colouring) {
             (Action::Push, _) => {
@@ -75,14 +75,14 @@ impl Pen {
     }
 }
 
-/// How many segments each module of a word draws.
+/// By module of a word: the number of segments that it draws.
 pub fn segments_of_each(system: &System, word: &[Module]) -> Vec<usize> {
     let draws = |module: &Module| actions(system, module.symbol).iter().filter(|action| action.draws()).count();
     let images = image_of_each(&system.grammar, system.seed, word);
     images.iter().map(|modules| modules.iter().map(draws).sum()).collect()
 }
 
-/// The modules of generation `n` as they are drawn.
+/// The modules that draw generation `n`.
 fn drawn(system: &System, n: u32) -> Vec<Module> {
     let aged = aged_modules(&system.grammar, system.seed, n, &|module| {
         let image = system.grammar.images.iter().filter(|image| image.predecessor.symbol == module.symbol);
@@ -95,16 +95,15 @@ fn drawn(system: &System, n: u32) -> Vec<Module> {
     images(&system.grammar, system.seed, &aged.expect("finite numbers")).expect("finite numbers")
 }
 
-/// How much longer a module's way is, and how much farther it turns, than its letter says, by the place of the action
-/// among those of the letter.
-fn whims(system: &System, n: u32, module: &Module, slot: usize) -> [f64; 2] {
+/// The factors of a module's length and angle, by variation and growth. `slot` is as in [`slot`].
+fn variations(system: &System, n: u32, module: &Module, slot: usize) -> [f64; 2] {
     let turtle = &system.turtle;
     let grown = if module.made == n && n > 0 { turtle.growth } else { 1.0 };
     let of = |purpose, most: f64| grown * (1.0 + most * module.key.variation(system.seed, purpose, slot as u32));
     [of(Purpose::Length, turtle.length_variation), of(Purpose::Angle, turtle.angle_variation)]
 }
 
-/// The shorter way round.
+/// The angle from -180 (exclusive) to 180 degrees.
 fn shorter(degrees: f64) -> f64 {
     let within = degrees.rem_euclid(360.0);
     if within > 180.0 { within - 360.0 } else { within }
@@ -120,7 +119,7 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
         state.pen.begin(turtle, &module);
         for (index, action) in actions(system, module.symbol).iter().enumerate() {
             let number = module.arguments.first().filter(|_| index == 0);
-            let [longer, farther] = whims(system, n, &module, slot(actions(system, module.symbol), index));
+            let [longer, farther] = variations(system, n, &module, slot(actions(system, module.symbol), index));
             let longer = longer * state.pen.scale;
             let turned = |degrees: f64| if farther == 1.0 { degrees } else { shorter(degrees) * farther };
             let action = number.map_or(*action, |number| replaced(*action, *number));
@@ -145,7 +144,7 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
                 }
                 Action::Push => saved.push(state),
                 Action::Pop => state = saved.pop().unwrap_or(state),
-                // Polygons have no strokes; the rest leads out of the plane, or is for the pen alone.
+                // Polygons have no strokes. Other actions leave the plane or change only the pen.
                 _ => {}
             }
             state.pen.act(turtle, action);
@@ -154,7 +153,7 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
     segments
 }
 
-/// How many ways and turns come before the action at `index`.
+/// The number of lengths and turns before the action at `index`.
 fn slot(actions: &[Action], index: usize) -> usize {
     use Action::{PitchDown, PitchUp, RollLeft, RollRight, TurnLeft, TurnRight, TurnRound};
     let goes = |action: &Action| {
@@ -169,17 +168,18 @@ fn slot(actions: &[Action], index: usize) -> usize {
     actions[..index].iter().filter(|action| goes(action) || turns(action)).count()
 }
 
-/// What a symbol does by itself.
+/// The actions of a symbol itself, not of its image.
 fn actions(system: &System, symbol: char) -> &[Action] {
     match system.rules.letters.binary_search_by_key(&symbol, |letter| letter.symbol) {
-        // Where images are symbols alone, the turtle's actions are those of the images; such systems are of this dialect.
+        // In plain systems the turtle has the images' actions. The tests use images of plain symbols only in this
+        // dialect.
         _ if system.rules.is_plain() && !system.grammar.images.is_empty() => Dialect::Abop.actions(symbol),
         Ok(id) => &system.turtle.actions[id],
         Err(_) => &[],
     }
 }
 
-/// An action with an argument in the place of its number.
+/// An action whose number is replaced by an argument.
 fn replaced(action: Action, number: f64) -> Action {
     match action {
         Action::Draw(_) => Action::Draw(Some(number)),

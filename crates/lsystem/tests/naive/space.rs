@@ -1,13 +1,13 @@
-//! The turtle in space, the plain way: three vectors that are rotated by Rodrigues' formula.
+//! The naive turtle in space: three vectors, rotated by Rodrigues' formula.
 
-use super::{Pen, actions, drawn, replaced, shorter, slot, whims};
+use super::{Pen, actions, drawn, replaced, shorter, slot, variations};
 use lsystem::drawing::Segment;
 use lsystem::syntax::Action;
 use lsystem::{Solid, System};
 
 type Vector = [f64; 3];
 
-/// A turtle's state; all of it is saved by a branch.
+/// The state of the turtle, which a branch saves.
 #[derive(Clone, Copy)]
 struct State {
     at: Vector,
@@ -17,18 +17,17 @@ struct State {
     pen: Pen,
 }
 
-/// A polygon's vertices, its colour index and its level, before how many segments it is drawn, and the place of the module
-/// that opens it.
+/// A polygon: vertices, colour index, level, number of segments before it, and index of the module that opens it.
 pub type Filled = (Vec<Vector>, i32, u32, usize, usize);
 
 impl State {
-    /// By the right-hand rule.
+    /// Rotates by the right-hand rule.
     fn rotate(&mut self, axis: Vector, radians: f64) {
         let (c, s) = (libm::cos(radians), libm::sin(radians));
         for v in [&mut self.heading, &mut self.left, &mut self.up] {
             let (across, along) = (cross(axis, *v), dot(axis, *v) * (1.0 - c));
             *v = [0, 1, 2].map(|i| v[i] * c + across[i] * s + axis[i] * along);
-            // Axes that are not quite unit vectors any more would make it worse each time.
+            // An axis of another length than 1 would increase the error with every rotation.
             let length = dot(*v, *v).sqrt();
             *v = v.map(|c| c / length);
         }
@@ -75,7 +74,7 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
         up: [0.0, 0.0, 1.0],
         pen: Pen::new(turtle),
     };
-    // Of all polygons; the places of those that are open, and of those that are closed.
+    // All polygons, the indices of the open ones, and the indices of the closed ones.
     let (mut polygons, mut open, mut closed): (Vec<Filled>, Vec<usize>, Vec<usize>) = Default::default();
     state.rotate([0.0, 0.0, 1.0], turtle.heading.degrees().to_radians());
     let (mut saved, mut segments) = (Vec::new(), Vec::new());
@@ -84,7 +83,7 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
         let grown = if module.made == n && n > 0 { turtle.growth } else { 1.0 };
         for (index, action) in actions(system, module.symbol).iter().enumerate() {
             let number = module.arguments.first().filter(|_| index == 0);
-            let [longer, farther] = whims(system, n, &module, slot(actions(system, module.symbol), index));
+            let [longer, farther] = variations(system, n, &module, slot(actions(system, module.symbol), index));
             let longer = longer * state.pen.scale;
             let by = |degrees: Option<f64>, own: lsystem::syntax::Heading| {
                 (shorter(degrees.unwrap_or(own.degrees())) * farther).to_radians()
@@ -124,7 +123,7 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
                 Action::RollUpright => state.upright(),
                 Action::Push => saved.push(state),
                 Action::Pop => state = saved.pop().unwrap_or(state),
-                // For the pen alone.
+                // Other actions change only the pen.
                 _ => {}
             }
             state.pen.act(turtle, action);

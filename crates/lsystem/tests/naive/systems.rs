@@ -3,7 +3,7 @@
 use lsystem::{Definition, System};
 use proptest::prelude::*;
 
-/// What a random system may have.
+/// The features of a random system.
 #[derive(Clone, Copy, Default)]
 pub struct Features {
     pub contexts: bool,
@@ -13,8 +13,8 @@ pub struct Features {
     pub cuts: bool,
 }
 
-/// Systems with these features. Letters without parameters are A, B, F, + and -, those with parameters P(_), F(_),
-/// +(_) and Q(_, _).
+/// Systems with these features. Letters without parameters are A, B, F, + and -; letters with parameters are P(_),
+/// F(_), +(_) and Q(_, _).
 pub fn system(features: Features) -> impl Strategy<Value = System> {
     let rules = prop::collection::vec(rule(features), 1..6);
     let images = prop::collection::vec(image(features), if features.images { 1..3 } else { 0..1 });
@@ -30,7 +30,7 @@ pub fn system(features: Features) -> impl Strategy<Value = System> {
     )
 }
 
-/// A word whose arguments are some of `expressions`.
+/// A word with arguments from `expressions`.
 fn word(features: Features, expressions: &[&'static str]) -> impl Strategy<Value = String> + use<> {
     let value = prop::sample::select(expressions.to_vec());
     let mut plain = vec!["A", "B", "F", "+", "-", "AB", "[A]", "[+B]", "[", "]"];
@@ -71,7 +71,7 @@ fn rule(features: Features) -> impl Strategy<Value = String> {
     ];
     (left, pattern(features, ["x", "y"]), right).prop_flat_map(move |(left, strict, right)| {
         let names = ["a", "b", "c", "d", "x", "y"];
-        // The names are used nowhere else.
+        // No other expression uses these names.
         let known = names.into_iter().filter(|name| [&left, &strict, &right].into_iter().any(|p| p.contains(name)));
         let known: Vec<&str> = known.collect();
         let mut values = vec!["1", "r"];
@@ -97,7 +97,7 @@ fn rule(features: Features) -> impl Strategy<Value = String> {
     })
 }
 
-/// A text with this probability, nothing otherwise.
+/// A text with this probability, or an empty text.
 fn sometimes(probability: f64, text: impl Strategy<Value = String>) -> impl Strategy<Value = String> {
     (0.0..1.0, text).prop_map(move |(roll, text)| if roll < probability { text } else { String::new() })
 }
@@ -118,7 +118,7 @@ fn image(features: Features) -> impl Strategy<Value = String> {
     prop::sample::select(all).prop_map(str::to_owned)
 }
 
-/// Expressions by the parameter that they need.
+/// Expressions, by the parameters that they need.
 const VALUES: [(&str, &str); 14] = [
     ("x", "x"),
     ("x", "x + 1"),

@@ -1,4 +1,4 @@
-//! Letters that derive by themselves: what each draws in each number of steps, made once, from the last step back.
+//! Sharing the pieces of plain letters: one for each letter and number of steps, made from the last step back.
 
 use super::plan::Plan;
 use super::word::{Origin, Word, Writing};
@@ -12,16 +12,18 @@ use crate::turtle::{Op, Score};
 use lsystem_derive::{LetterId, Rewrite, Rules};
 use lsystem_syntax::{Diagnostic, Meter};
 
-/// Whether every reachable letter always draws the same: no choices, no variation, nothing that looks to the directions
-/// of the model, no rewritten letter or successor that ends on another branch than it began on or returns from branches
-/// it did not open, and no polygon that is made by more than one production.
+/// Whether every reachable letter always draws the same piece. The system must have:
+/// - no random choice and no variation;
+/// - no operation that depends on directions of the model;
+/// - balanced branches in every rewritten letter and every successor;
+/// - every polygon within one successor.
 pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
-    let looks_out = |op: &Op<S>| matches!(op, Op::Bend(_)) || matches!(op, Op::Upright) && !S::LEVEL;
+    let uses_model = |op: &Op<S>| matches!(op, Op::Bend(_)) || matches!(op, Op::Upright) && !S::LEVEL;
     let is_kept = |s: LetterId| matches!(rules.rewrites[usize::from(s)], Rewrite::Keep);
     let ops = |s: LetterId| score.ops[usize::from(s)].as_slice();
     let filled = |word: &[LetterId]| is_filled_at_once(word.iter().map(|&s| is_kept(s).then(|| ops(s))));
     !score.varies()
-        && !score.ops.iter().flatten().any(looks_out)
+        && !score.ops.iter().flatten().any(uses_model)
         && filled(&rules.axiom.letters)
         && (rules.rewrites.iter().zip(rules.reachable()).enumerate()).all(|(symbol, (rewrite, reached))| {
             let balanced = |word: &[LetterId]| {
@@ -40,6 +42,7 @@ pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
         })
 }
 
+/// Whether operations close exactly the branches that they open.
 pub(super) fn is_balanced<'a, S: Space>(ops: impl IntoIterator<Item = &'a Op<S>>) -> bool {
     let mut level = 0_i64;
     let never_below = ops.into_iter().all(|op| {
@@ -53,8 +56,8 @@ pub(super) fn is_balanced<'a, S: Space>(ops: impl IntoIterator<Item = &'a Op<S>>
     never_below && level == 0
 }
 
-/// Whether every polygon that is opened or closed by the letters of a word that stay is opened and closed by them, and
-/// only they stand inside. Each letter is given by its operations, or by `None` if it is rewritten.
+/// Whether every polygon of a word is complete within the word, with no rewritten letter inside. Each letter is given
+/// by its operations, or by `None` if it is rewritten.
 pub(super) fn is_filled_at_once<'a, S: Space>(word: impl IntoIterator<Item = Option<&'a [Op<S>]>>) -> bool {
     let mut open = 0_i64;
     let fits = word.into_iter().all(|ops| {
@@ -73,18 +76,20 @@ pub(super) fn is_filled_at_once<'a, S: Space>(word: impl IntoIterator<Item = Opt
 /// A drawing in the making.
 #[derive(Clone, Debug)]
 pub(crate) enum Letters<S: Space> {
-    /// Finding which letters are needed at which depth.
+    /// Find the letters that each depth needs.
     Plan(Plan),
-    /// Making the pieces of one depth after the other.
+    /// Make the pieces of one depth after the other.
     Build(Build<S>),
 }
 
-/// Pieces in the making; those of the last level may not all be there.
+/// Pieces in the making.
 #[derive(Clone, Debug)]
 pub(crate) struct Build<S: Space> {
+    /// By depth from 1: the letters that need pieces.
     needed: Vec<Vec<LetterId>>,
+    /// The pieces made so far, by depth; the last level may be incomplete.
     pieces: Vec<Level<S>>,
-    /// The next piece.
+    /// The next piece, in the making.
     writing: Option<Box<Writing<S>>>,
     /// The bytes of complete levels.
     held: u64,
@@ -95,7 +100,7 @@ impl<S: Space> Letters<S> {
         Self::Plan(Plan::new(rules))
     }
 
-    /// The bytes that it takes.
+    /// The bytes that the pieces occupy.
     pub(super) fn bytes(&self) -> u64 {
         match self {
             Self::Plan(_) => 0,
@@ -103,7 +108,7 @@ impl<S: Space> Letters<S> {
         }
     }
 
-    /// Works on until the meter is spent, or a stage is over.
+    /// Continues until the meter is spent or a stage is over.
     pub(super) fn step(&mut self, task: &Task<S>, builder: &mut Builder<S>, meter: &mut Meter) -> Outcome<Made<S>> {
         match self {
             Self::Plan(plan) => {

@@ -1,24 +1,23 @@
-//! Which letters are needed at which depth.
-
+//! The plan of a shared drawing: the letters that each depth needs.
 use lsystem_derive::{LetterId, Rewrite, Rules};
 use lsystem_syntax::Meter;
 
-/// Which letters are needed at which depth.
+/// The letters that each depth needs.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
     /// By depth from `n` down to 1: the rewritten letters, sorted.
     levels: Vec<Vec<LetterId>>,
-    /// The letters that the next level needs; `None` while the axiom is read.
+    /// The letters of the next level; `None` while the axiom is read.
     next: Option<Vec<LetterId>>,
-    /// Which of them is read, and how many letters of its successor have been.
+    /// The position of reading: an index in `next`, and an index in that letter's successor.
     at: (usize, usize),
-    /// By letter: whether one that has been read makes it.
+    /// By letter: whether the letter is rewritten and occurs in a successor read for this level.
     made: Vec<bool>,
-    /// The letters of the axiom and of the successors in all levels.
+    /// The number of letters in the axiom and in the successors of all levels.
     pub cost: u64,
 }
 
-/// Letters read between two looks at the meter.
+/// The number of letters read between two checks of the meter.
 const READ: usize = 256;
 
 impl Plan {
@@ -27,12 +26,12 @@ impl Plan {
         Self { levels: vec![], next: None, at: (0, 0), made, cost }
     }
 
-    /// The depths planned; `None` while the axiom is read.
+    /// The number of depths planned; `None` while the axiom is read.
     pub(super) fn depths(&self) -> Option<u32> {
         self.next.is_some().then_some(self.levels.len() as u32)
     }
 
-    /// Plans one depth more, or goes on with that until the meter is spent.
+    /// Continues with the next depth until the depth is planned or the meter is spent.
     pub(super) fn step(&mut self, rules: &Rules, meter: &mut Meter) {
         loop {
             let word = match &self.next {
@@ -54,7 +53,7 @@ impl Plan {
             if self.at.1 == word.len() {
                 self.at = (self.at.0 + 1, 0);
             }
-            // Reading takes a quarter of what handling a symbol does.
+            // Reading a letter takes a quarter of a unit.
             meter.charge(1 + run.len() as u64 / 4);
             if meter.is_spent() {
                 return;
@@ -68,7 +67,7 @@ impl Plan {
         self.at = (0, 0);
     }
 
-    /// By depth from 1: the letters to make the pieces of.
+    /// Takes the letters that need pieces, by depth from 1.
     pub(super) fn levels(&mut self) -> Vec<Vec<LetterId>> {
         let mut levels = core::mem::take(&mut self.levels);
         levels.reverse();
@@ -80,7 +79,7 @@ fn is_rewritten(rules: &Rules, symbol: LetterId) -> bool {
     !matches!(rules.rewrites[usize::from(symbol)], Rewrite::Keep)
 }
 
-/// What always replaces a letter.
+/// The deterministic successor of a letter; empty if there is none.
 fn successor(rules: &Rules, symbol: LetterId) -> &[LetterId] {
     rules.rewrites[usize::from(symbol)].always().unwrap_or_default()
 }

@@ -1,8 +1,8 @@
-//! Which parameters are lengths that only ever scale together, and when parameters count as equal.
+//! Parameters that are lengths and scale together, and the equality of parameters.
 //!
-//! A figure whose lengths are all twice as long is the same figure twice as large. So where every length that is drawn
-//! is a parameter, every such parameter is computed from others homogeneously in the first degree, and nothing else
-//! depends on them, modules that differ by a common factor of these parameters need not be told apart.
+//! A figure with all lengths doubled is the same figure, twice as large. Modules that differ only by a common factor of
+//! their lengths can therefore share a block, under three conditions: every drawn length is a parameter, such a
+//! parameter is computed from others homogeneously in the first degree, and nothing else depends on these parameters.
 
 use crate::Turtle;
 use lsystem_derive::{LetterId, Rule, Rules, Template};
@@ -10,7 +10,7 @@ use lsystem_syntax::{Action, MAX_PARAMETERS};
 use lsystem_syntax::{Code, Op};
 use lsystem_syntax::{Function, Operator};
 
-/// The first of a letter's productions that applies to a module with these arguments, without contexts or chance.
+/// The first of `rules` whose condition holds for these arguments; contexts and chance are ignored.
 pub(crate) fn applying<'a>(rules: &'a [Rule], arguments: &[f64]) -> Option<&'a Rule> {
     rules.iter().find(|rule| {
         let value = rule.condition.as_ref().map_or(1.0, |condition| condition.value(arguments, &|_| 0.0));
@@ -18,9 +18,10 @@ pub(crate) fn applying<'a>(rules: &'a [Rule], arguments: &[f64]) -> Option<&'a R
     })
 }
 
-/// By letter and parameter: whether it is a length that scales with all others; none is where they do not.
+/// The parameters that are lengths and scale together.
 #[derive(Clone, Debug)]
 pub(crate) struct Scales {
+    /// By letter and parameter: whether the parameter is such a length. All false if the lengths do not scale together.
     lengths: Vec<[bool; MAX_PARAMETERS]>,
 }
 
@@ -39,7 +40,8 @@ impl Scales {
         self.lengths[usize::from(letter)].get(parameter).is_some_and(|length| *length)
     }
 
-    /// Divides a module's lengths by their scale, which is the size of the first that is not zero; 1 where it has none.
+    /// Divides a module's lengths by their scale and returns the scale: the absolute value of the first length that is
+    /// normal, or 1 if there is none or if the quotients would not be finite.
     pub(crate) fn take(&self, letter: LetterId, arguments: &mut [f64]) -> f64 {
         let lengths = || (0..arguments.len()).filter(|&at| self.is_length(letter, at));
         let scale = lengths().map(|at| arguments[at].abs()).find(|size| size.is_normal()).unwrap_or(1.0);
@@ -55,7 +57,7 @@ impl Scales {
         scale
     }
 
-    /// Everything that a length is computed from is a length.
+    /// Marks the lengths that are drawn, and all parameters from which lengths are computed.
     fn grow(&mut self, drawn: &Drawn<'_>) {
         for (letter, lengths) in self.lengths.iter_mut().enumerate() {
             lengths[0] = drawn.length(letter);
@@ -76,7 +78,7 @@ impl Scales {
         }
     }
 
-    /// Whether the lengths do scale together, and nothing else depends on them.
+    /// Whether the lengths scale together and nothing else depends on them.
     fn hold(&self, drawn: &Drawn<'_>) -> bool {
         let Drawn { rules, .. } = drawn;
         let degree = |maker: LetterId, code: &Code| degree(code, &|slot| self.is_length(maker, usize::from(slot)));
@@ -95,26 +97,26 @@ impl Scales {
     }
 }
 
-/// Rules together with what is drawn.
+/// Rules with the turtle that draws their letters.
 struct Drawn<'a> {
     rules: &'a Rules,
     turtle: &'a Turtle,
 }
 
 impl<'a> Drawn<'a> {
-    /// What a letter does by itself; nothing where it is always drawn as something else.
+    /// A letter's own actions; none if the letter is always drawn as an image.
     fn actions(&self, letter: usize) -> &'a [Action] {
         let replaced = self.rules.images[letter].iter().any(|image| image.condition.is_none());
         if replaced { &[] } else { &self.turtle.actions[letter] }
     }
 
-    /// Whether a letter's first argument is how far the turtle goes.
+    /// Whether a letter's first argument is the length of a draw or move.
     fn length(&self, letter: usize) -> bool {
         let goes = matches!(self.actions(letter).first(), Some(Action::Draw(_) | Action::Move(_)));
         goes && self.rules.letters[letter].arity > 0
     }
 
-    /// Whether what a letter does by itself scales; `length` says whether its first argument is a length.
+    /// Whether a letter's own actions scale with the lengths. `length` says whether the first argument is a length.
     fn scales(&self, letter: usize, length: bool) -> bool {
         let (first, rest) = match self.actions(letter) {
             [first, rest @ ..] if self.rules.letters[letter].arity > 0 => (Some(first), rest),
@@ -132,7 +134,8 @@ impl<'a> Drawn<'a> {
         !(rest.iter().any(fixed) || length && first.is_some_and(counts))
     }
 
-    /// Every argument that a production or an image computes: for the maker, in what it makes at which parameter, how.
+    /// Every argument that a production or an image computes: the predecessor, the letter in the successor, the
+    /// parameter's index, and the expression.
     fn codes(&self) -> impl Iterator<Item = (LetterId, LetterId, usize, &'a Code)> {
         let rules = self.rules;
         (0..rules.letters.len()).flat_map(move |letter| {
@@ -143,7 +146,7 @@ impl<'a> Drawn<'a> {
     }
 }
 
-/// The arguments of what is made, with their letters and places.
+/// The arguments of a successor: letter, parameter's index, and expression.
 fn arguments<'a>(rules: &'a Rules, made: &'a Template) -> impl Iterator<Item = (LetterId, usize, &'a Code)> {
     let places = made.letters.iter().flat_map(|&letter| {
         (0..usize::from(rules.letters[usize::from(letter)].arity)).map(move |parameter| (letter, parameter))
@@ -151,7 +154,7 @@ fn arguments<'a>(rules: &'a Rules, made: &'a Template) -> impl Iterator<Item = (
     places.zip(&made.arguments).map(|((letter, parameter), code)| (letter, parameter, code))
 }
 
-/// The parameters that an expression is computed from.
+/// The parameters that an expression reads.
 fn slots(code: &Code) -> Vec<u16> {
     match code {
         Code::Constant(_) => vec![],
@@ -162,18 +165,18 @@ fn slots(code: &Code) -> Vec<u16> {
     }
 }
 
-/// How an expression scales with the lengths.
+/// The degree of homogeneity of an expression in the lengths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Degree {
-    /// Zero, which is of any degree.
+    /// The number 0, which has every degree.
     Any,
-    /// It does not depend on them.
+    /// Independent of the lengths.
     Zero,
-    /// It is as many times as long as they are.
+    /// Proportional to the lengths.
     First,
 }
 
-/// How an expression scales; `None` where it depends on lengths in any other way.
+/// The degree of an expression; `None` if the expression depends on lengths in another way.
 fn degree(code: &Code, length: &impl Fn(u16) -> bool) -> Option<Degree> {
     let of = |slot: u16| if length(slot) { Degree::First } else { Degree::Zero };
     let number = |value: f64| if value == 0.0 { Degree::Any } else { Degree::Zero };
@@ -218,24 +221,25 @@ fn degree(code: &Code, length: &impl Fn(u16) -> bool) -> Option<Degree> {
     stack.pop()
 }
 
-/// What must not depend on lengths.
+/// Degree zero for an operand that must not depend on lengths; `None` if it does.
 fn unscaled(degree: Degree) -> Option<Degree> {
     (degree != Degree::First).then_some(Degree::Zero)
 }
 
-/// When parameters count as equal.
+/// The rule by which parameters count as equal.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Keys {
-    /// Only to the last bit: something is decided by them, or small differences may become large.
+    /// Whether parameters other than lengths must be equal to the last bit: because conditions test parameters, or
+    /// because small differences may become large.
     exact: bool,
 }
 
-/// Low bits that rounding leaves out of a number: what is left tells numbers apart by 2^-40 of their size, far more
-/// than factors multiplied in another order differ by.
+/// The number of low bits that rounding drops from a number. The rest distinguishes numbers to 2^-40 of their size: far
+/// more than the error of factors multiplied in another order.
 const ROUNDED: u32 = 12;
 
 impl Keys {
-    /// Those of a system.
+    /// The rule for a system.
     pub(crate) fn new(rules: &Rules) -> Self {
         let all = || rules.by_letter.iter().chain(&rules.images).flatten();
         let products = |rule: &Rule| rule.condition.is_none() && rule.successor.arguments.iter().all(is_product);
@@ -254,7 +258,7 @@ impl Keys {
     }
 }
 
-/// Whether an expression only multiplies, so that its relative error is that of its factors.
+/// Whether an expression only multiplies and divides, so that relative errors stay small.
 fn is_product(code: &Code) -> bool {
     let multiplies = |op: &Op| {
         matches!(op, Op::Number(_) | Op::Slot(_) | Op::Negative | Op::Call1(Function::Abs | Function::Sqrt))

@@ -1,16 +1,16 @@
 //! Sharing blocks among modules with parameters.
 //!
-//! A module with the same parameters draws the same piece in the same number of steps, so pieces are made once for each
-//! state: letter, parameters, steps. Where lengths only ever scale together, states are equal up to the scale, and a
-//! figure has a few of them for each step; otherwise equal numbers are what brings states together. Where a piece looks to
-//! the vertical (`$`), that is part of its state as the turtle has it (ABOP figure 2.6 has 4,096 apices in step 12, and few
-//! ways in which the vertical lies).
+//! A module with the same parameters draws the same piece in the same number of steps, so each state (letter,
+//! parameters, steps) has one piece. If lengths scale together, states are equal up to a scale, and a figure has a few
+//! states for each step. Otherwise only equal numbers make equal states. If a piece uses the vertical (`$`), the
+//! direction of the vertical in the turtle's frame is part of the state: ABOP figure 2.6 has 4,096 apices in step 12,
+//! but few such directions.
 
 mod write;
 
 use super::letters::{is_balanced, is_filled_at_once};
 use super::scales::{Keys, Scales, applying};
-use super::vertical::{self, Course, Tilt, vertical_of};
+use super::vertical::{self, Orientation, Tilt, vertical_of};
 use super::word::Origin;
 use crate::Turtle;
 use crate::drawing::block::Space;
@@ -20,7 +20,7 @@ use crate::drawing::pieces::{Pieces, StateWord, StateWords};
 use crate::drawing::task::{Made, Outcome, Task};
 use crate::room::{bytes_of, reserve};
 use crate::style::ColourChange;
-use crate::turtle::{Op, Score, heir};
+use crate::turtle::{Op, Score, continuation};
 use core::ops::Range;
 use lsystem_derive::{Fault, LetterId, Rules, Template, fault};
 use lsystem_syntax::{Diagnostic, Limits, Meter};
@@ -28,16 +28,17 @@ use std::collections::HashMap;
 use std::sync::Arc;
 use write::Writing;
 
-/// The most states: some hundred bytes each. More of them than this hardly ever come together.
+/// The most states; each takes about 100 bytes. Systems with more states hardly ever repeat them.
 const STATES: usize = 1 << 16;
 
-/// Whether pieces depend on nothing but letters, parameters, the vertical and steps: no contexts, no chance, no cutting,
-/// nothing that bends towards directions of the model, no rewritten module or image that ends on another branch than it
-/// began on, and no polygon that is made by more than one production.
+/// Whether pieces depend only on letters, parameters, the vertical and steps. The system must have:
+/// - no contexts, no chance, no cutting and no tropism;
+/// - balanced branches in every rewritten module, successor and image;
+/// - every polygon within one successor or image.
 pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     let bends = |op: &Op<S>| matches!(op, Op::Bend(_));
     let (letters, ops) = (rules.by_letter.len(), |letter: usize| score.ops[letter].as_slice());
-    // Images stand for themselves, and rewritten modules for what they become.
+    // Rewritten modules and modules with images do not act in a word; their pieces and images are checked separately.
     let is_rewritten = |letter: usize| !rules.by_letter[letter].is_empty();
     let apart = |letter: usize| is_rewritten(letter) || !rules.images[letter].is_empty();
     let own = |letter: usize| if apart(letter) { &[] } else { ops(letter) };
@@ -51,13 +52,14 @@ pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     let shown = |word: &Template| {
         alone(&word.letters.iter().flat_map(|&letter| ops(usize::from(letter))).copied().collect::<Vec<_>>())
     };
-    let deeds = |word: &Template| word.letters.iter().map(|&letter| 1 + ops(usize::from(letter)).len()).sum::<usize>();
+    let commands =
+        |word: &Template| word.letters.iter().map(|&letter| 1 + ops(usize::from(letter)).len()).sum::<usize>();
     let special = score.varies() || score.ops.iter().flatten().any(bends);
     let decided_elsewhere = special || rules.is_random() || rules.is_cutting();
     !decided_elsewhere
         && filled(&rules.axiom)
         && rules.by_letter.iter().flatten().all(|rule| !rule.is_context_sensitive() && inside(&rule.successor))
-        && rules.images.iter().flatten().all(|image| deeds(&image.successor) <= IMAGE && shown(&image.successor))
+        && rules.images.iter().flatten().all(|image| commands(&image.successor) <= IMAGE && shown(&image.successor))
         && (0..letters).all(|letter| !apart(letter) || alone(ops(letter)))
         && vertical::is_known(rules, score)
 }
@@ -68,35 +70,41 @@ pub(crate) struct States<S: Space> {
     rules: Arc<Rules>,
     keys: Keys,
     scales: Scales,
-    /// By letter, whether its pieces look to the vertical; none where nothing does.
-    lookers: Vec<bool>,
+    /// By letter: whether its pieces use the vertical. Empty if no piece does.
+    uses_vertical: Vec<bool>,
     n: u32,
-    /// How many parts there may be.
+    /// The most parts.
     most: u64,
-    /// The axiom.
+    /// The axiom's range in `parts`.
     top: Range<u32>,
-    /// By derivation step: the states that are rewritten in it.
+    /// By derivation step: the states that the step rewrites.
     levels: Vec<Vec<State>>,
+    /// The modules of the axiom and of all successors.
     parts: Vec<Part>,
+    /// The arguments of all modules.
     arguments: Vec<f64>,
+    /// The number of states in all levels.
     states: usize,
-    /// Of the level in the making: the states of the next, and where those with some keys are.
+    /// The states of the next level.
     next: Vec<State>,
-    met: HashMap<Keyed, u32>,
-    /// Whether there are too many states; no more of them are kept then.
-    is_crowded: bool,
-    /// What is done of the level in the making.
+    /// The indices in `next`, by key.
+    state_indices: HashMap<StateKey, u32>,
+    /// Whether there are more than [`STATES`] states. Further states are not kept.
+    has_too_many_states: bool,
+    /// The number of states done in the present level.
     done: usize,
     /// The word whose parts are being found.
     planning: Option<Planning<S>>,
-    /// While pieces are made: those of the level below, and of this one.
-    pieces: Option<[Vec<Counted<S>>; 2]>,
-    /// The piece that is being made.
+    /// The pieces of the level below and of the present level; `None` during planning.
+    pieces: Option<[Vec<CountedPiece<S>>; 2]>,
+    /// The next piece, in the making.
     writing: Option<Box<Writing<S>>>,
-    deeds: Vec<Deed<S>>,
-    /// By letter, whether it shows anything, where that tells what goes on in another's place and does not grow.
+    /// A reusable buffer.
+    commands: Vec<Command<S>>,
+    /// By letter: whether it or an image draws, to find the module that continues another under growth. Empty without
+    /// growth.
     shows: Vec<bool>,
-    /// The words of the states; only where there are polygons, to find the symbol that opens one.
+    /// The words of the states, to find the symbol that opens a polygon; only in systems with polygons.
     words: Option<StateWords>,
 }
 
@@ -104,20 +112,20 @@ pub(crate) struct States<S: Space> {
 #[derive(Clone, Debug)]
 struct State {
     letter: LetterId,
-    /// The vertical in its frame, where it looks to that.
+    /// The vertical in the module's frame; 0 if its piece does not use the vertical.
     tilt: Tilt,
-    /// Where its arguments start.
+    /// The index of the first argument.
     argument: u32,
-    /// What it becomes.
+    /// The successor's range in [`States::parts`].
     parts: Range<u32>,
 }
 
 /// A module of a successor or of the axiom.
 #[derive(Clone, Copy, Debug)]
 enum Part {
-    /// It acts as it is; where its arguments start.
+    /// A module that is not rewritten: letter, and index of the first argument.
     Module(LetterId, u32),
-    /// It is rewritten, and this state of the next step, so many times as long.
+    /// A module that is rewritten: letter, index of the state in the next level, and scale of its lengths.
     State(LetterId, u32, f64),
 }
 
@@ -137,54 +145,56 @@ impl Part {
     }
 }
 
-/// What tells states apart: letter, the keys of the arguments, the vertical.
-type Keyed = (LetterId, [u64; lsystem_syntax::MAX_PARAMETERS], Tilt);
+/// The identity of a state in a level: letter, keys of the arguments, vertical.
+type StateKey = (LetterId, [u64; lsystem_syntax::MAX_PARAMETERS], Tilt);
 
 /// A word whose parts are being found.
 #[derive(Clone, Debug)]
 struct Planning<S: Space> {
     letters: Vec<LetterId>,
-    /// The letters done.
+    /// The number of letters done.
     done: usize,
-    /// Where the arguments of the next letter start.
+    /// The index of the next letter's first argument.
     argument: usize,
-    /// Where they must be computed yet: the letter that is rewritten and which of its rules does that, where the
-    /// arguments of that letter are, and which of the successor's comes next.
+    /// If the arguments are still to be computed: the predecessor, the index of its production, the range of its
+    /// arguments, and the index of the successor's next argument.
     made: Option<(LetterId, usize, Range<usize>, usize)>,
-    /// The first of the parts.
+    /// The index of the word's first part.
     first: u32,
-    /// The steps to go.
+    /// The number of derivation steps left.
     depth: u32,
-    course: Course<S>,
+    /// The turtle's orientation after the letters done.
+    orientation: Orientation<S>,
 }
 
-/// Images of more letters and deeds are not shared: there are more than can be held.
+/// The most letters and operations of an image in a shared drawing: one buffer holds all commands of an image.
 const IMAGE: usize = 2 * 4096;
 
-/// A state's piece, and how many symbols it is made of.
-type Counted<S> = (Piece<S>, u128);
+/// A state's piece, and the number of symbols in its derivation.
+type CountedPiece<S> = (Piece<S>, u128);
 
-/// What the turtle does one after the other.
+/// A command to the turtle.
 #[derive(Clone, Copy, Debug)]
-enum Deed<S: Space> {
+enum Command<S: Space> {
     Op(Op<S>),
-    /// The index in the word of the module that the next deeds belong to; only where there are polygons.
+    /// The index in the word of the module of the next commands; only in systems with polygons.
     Place(u32),
-    /// The colour that tells when what follows was made.
-    Date(ColourChange),
+    /// The colour of the next commands, by generation.
+    Colour(ColourChange),
+    /// Place a piece, times a scale.
     Piece(Piece<S>, f64),
 }
 
 impl<S: Space> States<S> {
-    /// Ready to draw generation `n` from the axiom on.
+    /// Prepares to draw from the axiom on.
     pub(super) fn new(task: &Task<S>) -> Result<Self, Diagnostic> {
         let Task { rules, turtle, score, seed, n, limits } = task;
         let n = *n;
-        let lookers = vertical::lookers(rules, score);
+        let uses_vertical = vertical::uses_vertical(rules, score);
         let mut new = Self {
             keys: Keys::new(rules),
             scales: Scales::new(rules, turtle),
-            lookers: if lookers.contains(&true) { lookers } else { vec![] },
+            uses_vertical: if uses_vertical.contains(&true) { uses_vertical } else { vec![] },
             rules: rules.clone(),
             n,
             most: task.most_letters().0,
@@ -194,46 +204,46 @@ impl<S: Space> States<S> {
             arguments: vec![],
             states: 0,
             next: vec![],
-            met: HashMap::new(),
-            is_crowded: false,
+            state_indices: HashMap::new(),
+            has_too_many_states: false,
             done: 0,
             planning: None,
             pieces: None,
             writing: None,
-            deeds: vec![],
+            commands: vec![],
             shows: if score.growth < 1.0 { score.shows(rules) } else { vec![] },
             words: score.fills().then(StateWords::default),
         };
-        // The axiom's arguments are computed as everywhere.
+        // A rewriter computes the axiom's arguments.
         let started = lsystem_derive::Rewriter::new(rules.clone(), *seed, *limits);
         let started = started.map_err(|error| fault(rules, error, 0, limits, None))?;
         let word = started.word();
         new.arguments.extend_from_slice(&word.arguments);
-        let (letters, course) = (word.letters.clone(), Course::new(turtle.start_turn::<S>(), S::UPWARDS));
-        let planning = Planning { letters, done: 0, argument: 0, made: None, first: 0, depth: n, course };
+        let (letters, orientation) = (word.letters.clone(), Orientation::new(turtle.start_turn::<S>(), S::UPWARDS));
+        let planning = Planning { letters, done: 0, argument: 0, made: None, first: 0, depth: n, orientation };
         new.planning = Some(planning);
         Ok(new)
     }
 
-    /// The bytes that it takes.
+    /// The bytes that the work occupies, without the builder.
     pub(super) fn bytes(&self) -> u64 {
         let planning = self.planning.as_ref().map_or(0, |planning| bytes_of(&planning.letters));
         let writing = self.writing.as_ref().map_or(0, |writing| writing.bytes());
         // A hash map leaves an eighth of its places free.
-        let met = self.met.capacity() / 7 * 8 * size_of::<(Keyed, u32)>();
+        let state_indices = self.state_indices.capacity() / 7 * 8 * size_of::<(StateKey, u32)>();
         let states = self.states * size_of::<State>();
         let pieces = self.pieces.iter().flatten().map(bytes_of).sum::<u64>();
         planning
             + writing
             + pieces
-            + (met + states) as u64
+            + (state_indices + states) as u64
             + bytes_of(&self.parts)
             + bytes_of(&self.arguments)
-            + bytes_of(&self.deeds)
+            + bytes_of(&self.commands)
             + self.words.as_ref().map_or(0, StateWords::bytes)
     }
 
-    /// Works on until the meter is spent.
+    /// Continues until the meter is spent.
     pub(super) fn step(&mut self, task: &Task<S>, builder: &mut Builder<S>, meter: &mut Meter) -> Outcome<Made<S>> {
         let Task { turtle, score, limits, .. } = task;
         if self.pieces.is_none() {
@@ -257,14 +267,14 @@ impl<S: Space> States<S> {
         };
         let mut writing = self.writing.take().unwrap_or_else(|| {
             let (parts, origin, way) = begun;
-            Box::new(Writing::new(parts.clone(), origin, self.young(parts, &origin, meter), way))
+            Box::new(Writing::new(parts.clone(), origin, self.fully_grown(parts, &origin, meter), way))
         });
         match self.write(&mut writing, (turtle, score), builder, meter) {
             Err(diagnostic) => return Outcome::Failed(diagnostic),
             Ok(None) => self.writing = Some(writing),
             Ok(Some((piece, symbols))) if is_top => {
                 let symbols = u64::try_from(symbols).ok();
-                return Outcome::Ended(Made { root: piece.block, pieces: self.made_of(), symbols });
+                return Outcome::Ended(Made { root: piece.block, pieces: self.take_words(), symbols });
             }
             Ok(Some(made)) => {
                 if let Some([_, here]) = &mut self.pieces {
@@ -276,13 +286,13 @@ impl<S: Space> States<S> {
         Outcome::Paused
     }
 
-    /// Goes on to the level above.
+    /// Completes a level of pieces and continues with the level above.
     fn close_pieces(&mut self, meter: &mut Meter) {
         self.done = 0;
         let (Some(level), Some([below, here])) = (self.levels.pop(), &mut self.pieces) else { return };
         meter.charge(1 + level.len() as u64 / 4);
         if let Some(words) = &mut self.words {
-            let word = |(state, made): (&State, &Counted<S>)| StateWord {
+            let word = |(state, made): (&State, &CountedPiece<S>)| StateWord {
                 modules: state.parts.clone(),
                 block: made.0.block,
                 symbols: made.1,
@@ -292,29 +302,29 @@ impl<S: Space> States<S> {
         *below = core::mem::take(here);
     }
 
-    /// The words of all states, when all pieces are made.
-    fn made_of(&mut self) -> Pieces<S> {
+    /// Takes the words of all states, after all pieces are made.
+    fn take_words(&mut self) -> Pieces<S> {
         let axiom = self.top.clone();
         self.words.take().map_or(Pieces::None, |words| Pieces::States(StateWords { axiom, ..words }))
     }
 
-    /// For a piece of the last step, under growth: its one part that is not new, if any; all others are still growing. `None`
-    /// for every other piece.
-    fn young(&self, parts: Range<u32>, origin: &Origin, meter: &mut Meter) -> Option<Option<u32>> {
+    /// For a piece of the last step, under growth: the one part that is fully grown, if any; all other parts still
+    /// grow. `None` for every other piece.
+    fn fully_grown(&self, parts: Range<u32>, origin: &Origin, meter: &mut Meter) -> Option<Option<u32>> {
         let former = origin.former.filter(|_| !self.shows.is_empty() && origin.step == self.n)?;
         meter.charge(parts.len() as u64 / 4);
         let first = parts.start;
         let letters = self.parts[parts.start as usize..parts.end as usize].iter().map(Part::letter);
-        Some(heir(former, letters, |letter| self.shows[usize::from(letter)]).map(|at| first + at as u32))
+        Some(continuation(former, letters, |letter| self.shows[usize::from(letter)]).map(|at| first + at as u32))
     }
 
-    /// Goes on with the plan.
+    /// Continues with the plan.
     fn plan(&mut self, with: (&Turtle, &Score<S>), limits: &Limits, meter: &mut Meter) -> Outcome<Made<S>> {
         let steps = self.levels.len() as u32;
         if self.planning.is_none() {
             meter.charge(1);
             let Some(state) = self.levels.last().and_then(|level| level.get(self.done)) else {
-                // All states of the axiom are in the first level.
+                // The present level is complete.
                 if steps >= self.n || self.next.is_empty() {
                     self.done = 0;
                     self.pieces = Some([vec![], vec![]]);
@@ -323,15 +333,15 @@ impl<S: Space> States<S> {
                 }
                 return Outcome::Paused;
             };
-            if self.is_crowded {
-                return Outcome::Apart(steps.checked_sub(1));
+            if self.has_too_many_states {
+                return Outcome::NotShareable(steps.checked_sub(1));
             }
             let (letter, from) = (state.letter, state.argument as usize);
-            let course = Course::new(S::AHEAD, vertical_of(&state.tilt));
-            self.planning = Some(self.planned(letter, from, self.n - steps, course));
+            let orientation = Orientation::new(S::AHEAD, vertical_of(&state.tilt));
+            self.planning = Some(self.planned(letter, from, self.n - steps, orientation));
         }
         match self.find((with, limits), meter) {
-            Err(()) => return Outcome::Apart(steps.checked_sub(1)),
+            Err(()) => return Outcome::NotShareable(steps.checked_sub(1)),
             Ok(Some(diagnostic)) => return Outcome::Failed(diagnostic),
             Ok(None) => {}
         }
@@ -354,8 +364,8 @@ impl<S: Space> States<S> {
         Outcome::Paused
     }
 
-    /// What becomes of a letter whose arguments start at `from`, with `depth` steps to go.
-    fn planned(&self, letter: LetterId, from: usize, depth: u32, course: Course<S>) -> Planning<S> {
+    /// The successor of a letter, ready for planning. The letter's arguments start at `from`; `depth` steps are left.
+    fn planned(&self, letter: LetterId, from: usize, depth: u32, orientation: Orientation<S>) -> Planning<S> {
         let Self { rules, arguments, parts, .. } = self;
         let own = from..from + usize::from(rules.letters[usize::from(letter)].arity);
         let first = parts.len() as u32;
@@ -366,18 +376,18 @@ impl<S: Space> States<S> {
             (Some(rule), Some(at)) => (rule.successor.letters.clone(), arguments.len(), Some((letter, at, own, 0))),
             _ => (vec![letter], from, None),
         };
-        Planning { letters, done: 0, argument, made, first, depth, course }
+        Planning { letters, done: 0, argument, made, first, depth, orientation }
     }
 
-    /// Appends parts of the word that is being planned, until the meter is spent; an error where there are too many. Where
-    /// a number cannot be computed, what there is to say.
+    /// Appends parts of the word that is being planned, until the meter is spent. An error means too many parts. A
+    /// diagnostic means that a number is not finite.
     fn find(
         &mut self,
         (with, limits): ((&Turtle, &Score<S>), &Limits),
         meter: &mut Meter,
     ) -> Result<Option<Diagnostic>, ()> {
         let Some(mut planning) = self.planning.take() else { return Ok(None) };
-        let mut deeds = core::mem::take(&mut self.deeds);
+        let mut commands = core::mem::take(&mut self.commands);
         while let Some(&letter) = planning.letters.get(planning.done) {
             if meter.is_spent() {
                 break;
@@ -402,7 +412,7 @@ impl<S: Space> States<S> {
                 *code += arity;
             }
             reserve(&mut self.parts, 1);
-            let part = self.part(with, letter, &mut planning, &mut deeds);
+            let part = self.part(with, letter, &mut planning, &mut commands);
             if let Some(words) = &mut self.words {
                 reserve(&mut words.modules, 1);
                 words.modules.push(part.state());
@@ -411,7 +421,7 @@ impl<S: Space> States<S> {
             planning.argument += arity;
             planning.done += 1;
         }
-        self.deeds = deeds;
+        self.commands = commands;
         self.planning = Some(planning);
         Ok(None)
     }
@@ -421,39 +431,50 @@ impl<S: Space> States<S> {
         &mut self,
         with: (&Turtle, &Score<S>),
         letter: LetterId,
-        Planning { argument, depth, course, .. }: &mut Planning<S>,
-        deeds: &mut Vec<Deed<S>>,
+        Planning { argument, depth, orientation, .. }: &mut Planning<S>,
+        commands: &mut Vec<Command<S>>,
     ) -> Part {
         if *depth == 0 || self.rules.by_letter[usize::from(letter)].is_empty() {
-            if !self.lookers.is_empty() {
-                deeds.clear();
-                // What cannot be computed is told of when pieces are made.
-                let _ = self.act(with, letter, *argument, deeds);
-                for deed in deeds {
-                    if let Deed::Op(op) = deed {
-                        course.follow(op);
+            if !self.uses_vertical.is_empty() {
+                commands.clear();
+                // A number that is not finite is reported when the piece is made.
+                let _ = self.act(with, letter, *argument, commands);
+                for command in commands {
+                    if let Command::Op(op) = command {
+                        orientation.follow(op);
                     }
                 }
             }
             return Part::Module(letter, *argument as u32);
         }
-        let Self { rules, keys, scales, lookers, arguments, next, met, states, is_crowded, .. } = self;
+        let Self {
+            rules,
+            keys,
+            scales,
+            uses_vertical,
+            arguments,
+            next,
+            state_indices,
+            states,
+            has_too_many_states,
+            ..
+        } = self;
         let arity = usize::from(rules.letters[usize::from(letter)].arity);
         let own = &mut arguments[*argument..*argument + arity];
         let scale = scales.take(letter, own);
-        let looks = lookers.get(usize::from(letter)).is_some_and(|&looks| looks);
-        let tilt = if looks { course.tilt() } else { Tilt::default() };
+        let uses = uses_vertical.get(usize::from(letter)).is_some_and(|&uses| uses);
+        let tilt = if uses { orientation.tilt() } else { Tilt::default() };
         let key = (letter, keys.of(letter, own, scales), tilt);
-        // Of those with equal keys the first in the order of the word stands for all.
-        let state = match met.get(&key) {
+        // The first module with a key stands for all with the same key.
+        let state = match state_indices.get(&key) {
             Some(&state) => state,
             None if *states >= STATES => {
-                *is_crowded = true;
+                *has_too_many_states = true;
                 0
             }
             None => {
                 let state = next.len() as u32;
-                met.insert(key, state);
+                state_indices.insert(key, state);
                 next.push(State { letter, tilt, argument: *argument as u32, parts: 0..0 });
                 *states += 1;
                 state
@@ -462,25 +483,25 @@ impl<S: Space> States<S> {
         Part::State(letter, state, scale)
     }
 
-    /// Begins a level with the states that were found.
+    /// Completes a level of the plan: the states found become the next level.
     fn close(&mut self) {
-        self.met.clear();
+        self.state_indices.clear();
         self.levels.push(core::mem::take(&mut self.next));
         self.done = 0;
     }
 
-    /// Appends what a module, or its image, does.
+    /// Appends the operations of a module or its image.
     fn act(
         &self,
         (turtle, score): (&Turtle, &Score<S>),
         letter: LetterId,
         argument: usize,
-        deeds: &mut Vec<Deed<S>>,
+        commands: &mut Vec<Command<S>>,
     ) -> Result<(), Fault> {
         let arity = |letter: LetterId| usize::from(self.rules.letters[usize::from(letter)].arity);
         let own = argument..argument + arity(letter);
         let mut one = |letter: LetterId, arguments: &[f64]| {
-            deeds.extend(score.ops_of(turtle, usize::from(letter), arguments.first().copied()).map(Deed::Op));
+            commands.extend(score.ops_of(turtle, usize::from(letter), arguments.first().copied()).map(Command::Op));
         };
         match applying(&self.rules.images[usize::from(letter)], &self.arguments[own.clone()]) {
             None => one(letter, &self.arguments[own]),

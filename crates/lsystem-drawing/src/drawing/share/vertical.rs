@@ -1,16 +1,18 @@
-//! What `$` has to do with sharing: a piece with it depends on where the vertical is in its frame, and on nothing else
-//! of how it stands in the model.
+//! Sharing of pieces with `$`: such a piece depends on the direction of the vertical in its frame, but on nothing else
+//! of its orientation in the model.
 
 use crate::drawing::block::Space;
 use crate::turtle::{Op, Score};
 use lsystem_derive::{LetterId, Rules, Template};
 
-/// A vertical rounded, so that frames that came by different ways to the same tilt have equal ones.
+/// A rounded vertical, so that frames with the same vertical by different rotations have equal tilts.
 pub(super) type Tilt = [i64; 3];
 
-/// Steps of a [`Tilt`] in 1: coarser than what composing rotations rounds, finer than what shows.
+/// A [`Tilt`] counts in units of `1 / STEPS`: coarser than the rounding errors of rotations, finer than a visible
+/// difference.
 const STEPS: f64 = (1_u64 << 44) as f64;
 
+/// The tilt of a vertical.
 pub(super) fn tilt_of<P: AsRef<[f64]>>(vertical: &P) -> Tilt {
     let mut tilt = [0; 3];
     for (steps, c) in tilt.iter_mut().zip(vertical.as_ref()) {
@@ -28,14 +30,14 @@ pub(super) fn vertical_of<P: Default + AsMut<[f64]>>(tilt: &Tilt) -> P {
     vertical
 }
 
-/// Whether wherever something looks to the vertical it is known: nothing that does follows, on the same branch, a module
-/// that turns the heading by what will have become of it.
+/// Whether the vertical is known at every letter that uses it: on the same branch, no such letter follows a rewritten
+/// letter that turns the heading. The turn of a rewritten letter is not known during planning.
 pub(super) fn is_known<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     if S::LEVEL {
         return true;
     }
-    let looks = lookers(rules, score);
-    if !looks.contains(&true) {
+    let uses = uses_vertical(rules, score);
+    if !uses.contains(&true) {
         return true;
     }
     let turns = spread(rules, score, &|op| matches!(op, Op::Turn(_) | Op::Upright), true);
@@ -43,10 +45,10 @@ pub(super) fn is_known<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
         let (mut lost, mut saved) = (false, vec![]);
         word.letters.iter().all(|&letter| {
             let letter = usize::from(letter);
-            let fine = !(lost && looks[letter]);
+            let is_fine = !(lost && uses[letter]);
             if !rules.by_letter[letter].is_empty() {
                 lost |= turns[letter];
-                return fine;
+                return is_fine;
             }
             for op in &score.ops[letter] {
                 match op {
@@ -55,20 +57,19 @@ pub(super) fn is_known<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
                     _ => {}
                 }
             }
-            fine
+            is_fine
         })
     };
     known(&rules.axiom) && rules.by_letter.iter().flatten().all(|rule| known(&rule.successor))
 }
 
-/// By letter: whether it, or anything that it may become, looks to the vertical. Where the left is always level nothing
-/// does, and there is nothing here.
-pub(super) fn lookers<S: Space>(rules: &Rules, score: &Score<S>) -> Vec<bool> {
+/// By letter: whether the letter, or any letter derived from it, uses the vertical. Empty if the left is always level.
+pub(super) fn uses_vertical<S: Space>(rules: &Rules, score: &Score<S>) -> Vec<bool> {
     if S::LEVEL { vec![] } else { spread(rules, score, &|op| matches!(op, Op::Upright), false) }
 }
 
-/// By letter: whether `is` holds of what it does, or of what anything does that it may become; of what stands in
-/// branches only unless `outside`.
+/// By letter: whether `is` holds for an operation of the letter or of any letter derived from it. If `outside`, letters
+/// inside the branches of a successor do not count.
 fn spread<S: Space>(rules: &Rules, score: &Score<S>, is: &dyn Fn(&Op<S>) -> bool, outside: bool) -> Vec<bool> {
     let acts = |letter: LetterId| score.ops[usize::from(letter)].iter().any(is);
     let mut holds: Vec<bool> = (rules.images.iter().enumerate())
@@ -76,7 +77,7 @@ fn spread<S: Space>(rules: &Rules, score: &Score<S>, is: &dyn Fn(&Op<S>) -> bool
             acts(letter as LetterId) || images.iter().flat_map(|image| &image.successor.letters).any(|&made| acts(made))
         })
         .collect();
-    // By letter that is made: the letters that make it, each list after the one before.
+    // Pairs of a letter in a successor and its predecessor, later grouped by the first.
     let mut makers = vec![];
     for (letter, productions) in rules.by_letter.iter().enumerate() {
         for rule in productions {
@@ -110,19 +111,20 @@ fn spread<S: Space>(rules: &Rules, score: &Score<S>, is: &dyn Fn(&Op<S>) -> bool
     holds
 }
 
-/// How the turtle is turned on its way, against the frame in which the vertical is this one.
+/// The turtle's orientation along a word, with the vertical in the frame of the word.
 #[derive(Clone, Debug)]
-pub(super) struct Course<S: Space> {
+pub(super) struct Orientation<S: Space> {
     heading: S::Turn,
     vertical: S::Point,
     saved: Vec<S::Turn>,
 }
 
-impl<S: Space> Course<S> {
+impl<S: Space> Orientation<S> {
     pub(super) fn new(heading: S::Turn, vertical: S::Point) -> Self {
         Self { heading, vertical, saved: vec![] }
     }
 
+    /// Applies an operation.
     pub(super) fn follow(&mut self, op: &Op<S>) {
         match op {
             Op::Turn(by) => self.heading = S::then(self.heading, by.turn),
@@ -133,7 +135,7 @@ impl<S: Space> Course<S> {
         }
     }
 
-    /// The vertical as the turtle has it now.
+    /// The vertical in the turtle's present frame.
     pub(super) fn tilt(&self) -> Tilt {
         tilt_of(&S::seen(self.heading, self.vertical))
     }

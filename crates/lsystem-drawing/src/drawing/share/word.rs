@@ -1,8 +1,8 @@
-//! What a letter draws in some steps: its successor, of whose letters each draws something in one step less.
+//! The making of a plain letter's piece: its successor's letters draw their pieces for one step less.
 
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
-use crate::drawing::piece::{Level, Piece, effect, exponent, follow, place, smaller};
+use crate::drawing::piece::{Level, Piece, branch_exponent, effect, exponent, follow, place};
 use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;
 use crate::style::{ColourChange, StyleChange};
@@ -10,36 +10,37 @@ use crate::turtle::{Op, Pen, Score};
 use lsystem_derive::LetterId;
 use lsystem_syntax::Meter;
 
-/// Where a word comes from.
+/// The production that makes a word.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Origin {
-    /// The letter that it replaces; `None` for the axiom.
+    /// The predecessor; `None` for the axiom.
     pub former: Option<LetterId>,
-    /// The derivation step that makes it.
+    /// The derivation step that makes the word; 0 for the axiom.
     pub step: u32,
 }
 
 impl Origin {
-    /// The colour of a letter of the word, where that tells when it was made: what goes on keeps it.
-    pub(super) fn date_of(&self, letter: LetterId) -> ColourChange {
-        let goes_on = self.former == Some(letter);
-        if goes_on { ColourChange::Add(0) } else { ColourChange::Set(self.step.cast_signed()) }
+    /// The colour by generation of a letter of the word: a letter equal to its predecessor keeps the colour at entry.
+    pub(super) fn colour_of(&self, letter: LetterId) -> ColourChange {
+        let continues = self.former == Some(letter);
+        if continues { ColourChange::Add(0) } else { ColourChange::Set(self.step.cast_signed()) }
     }
 }
 
-/// What a piece is made of.
+/// A word, and the pieces of its letters.
 #[derive(Clone, Copy)]
 pub(super) struct Word<'a, S: Space> {
     pub score: &'a Score<S>,
-    /// The pieces of its rewritten letters; at depth 0, where there are none, every letter acts by itself.
+    /// The pieces of the rewritten letters; `None` at depth 0, where every letter acts by itself.
     pub below: Option<&'a Level<S>>,
     pub letters: &'a [LetterId],
     pub origin: Origin,
-    /// With which the turtle enters.
+    /// The turtle's heading at entry.
     pub heading: S::Turn,
 }
 
 impl<'a, S: Space> Word<'a, S> {
+    /// The piece of a rewritten letter.
     fn lower(&self, symbol: LetterId) -> Option<&'a Piece<S>> {
         let below = self.below?;
         below.binary_search_by_key(&symbol, |(s, _)| *s).ok().map(|place| &below[place].1)
@@ -53,15 +54,17 @@ impl<'a, S: Space> Word<'a, S> {
 /// A piece in the making, letter by letter.
 #[derive(Clone, Debug)]
 pub(super) struct Writing<S: Space> {
-    /// The letters done: measured while there is no tree, then drawn.
+    /// The number of letters done: letters are measured while `tree` is `None`, then drawn.
     done: usize,
-    /// How many branches are open there.
+    /// The number of open branches after the letters measured.
     level: i32,
+    /// The exponent of the piece's longest length so far.
     exponent: Option<i32>,
-    /// What the letters do at most, in items.
+    /// An upper bound on the number of items.
     weight: usize,
-    /// In the last step all but one of the letters that replace another are new: whether that is so, and which is not.
-    young: Option<Option<usize>>,
+    /// In the last step, under growth: the index of the one letter that is fully grown, if any; all other letters still
+    /// grow. `None` if no letter grows.
+    fully_grown: Option<Option<usize>>,
     pen: Pen<S>,
     saved: Vec<Pen<S>>,
     tree: Option<Tree<S>>,
@@ -70,25 +73,25 @@ pub(super) struct Writing<S: Space> {
 impl<S: Space> Writing<S> {
     pub(super) fn new(word: &Word<'_, S>) -> Self {
         let Word { score, below, letters, origin, heading } = *word;
-        let youngest = origin.former.filter(|_| below.is_none() && score.growth < 1.0);
+        let growing = origin.former.filter(|_| below.is_none() && score.growth < 1.0);
         Self {
             done: 0,
             level: 0,
             exponent: None,
             weight: 0,
-            young: youngest.map(|former| score.heir(former, letters)),
+            fully_grown: growing.map(|former| score.continuation(former, letters)),
             pen: Pen::new(heading, StyleChange::NONE),
             saved: vec![],
             tree: None,
         }
     }
 
-    /// The bytes that it takes.
+    /// The bytes that the piece in the making occupies.
     pub(super) fn bytes(&self) -> u64 {
         bytes_of(&self.saved) + self.tree.as_ref().map_or(0, Tree::bytes)
     }
 
-    /// Goes on until the meter is spent; the piece when it is made.
+    /// Continues until the meter is spent. Returns the finished piece.
     pub(super) fn step(&mut self, builder: &mut Builder<S>, word: &Word<'_, S>, meter: &mut Meter) -> Option<Piece<S>> {
         if self.tree.is_none() {
             while let Some(&symbol) = word.letters.get(self.done) {
@@ -113,7 +116,7 @@ impl<S: Space> Writing<S> {
             self.done += 1;
         }
         while !meter.is_spent() && !builder.is_full {
-            // What is left open returns where it began only in the axiom, where nothing follows.
+            // Only the axiom may leave branches open, and no word follows the axiom.
             let finished = tree.finish_one(builder);
             meter.charge(1 + builder.take_work());
             if let Some(block) = finished {
@@ -124,7 +127,7 @@ impl<S: Space> Writing<S> {
         None
     }
 
-    /// Looks how far a letter goes.
+    /// Measures the length and the number of items of a letter.
     fn measure(&mut self, builder: &Builder<S>, word: &Word<'_, S>, symbol: LetterId) {
         let score = word.score;
         let below = word.lower(symbol);
@@ -132,7 +135,7 @@ impl<S: Space> Writing<S> {
             None => score.goes(symbol).then_some(score.exponent),
             Some(piece) => exponent(builder, piece),
         };
-        self.exponent = self.exponent.max(own.map(|own| own.saturating_add(smaller(score, self.level))));
+        self.exponent = self.exponent.max(own.map(|own| own.saturating_add(branch_exponent(score, self.level))));
         self.weight += 1;
         if below.is_none() {
             self.weight += word.ops(symbol).len();
@@ -152,23 +155,23 @@ impl<S: Space> Writing<S> {
         symbol: LetterId,
         (tree, exponent): (&mut Tree<S>, i32),
     ) {
-        let Self { done, young, pen, saved, .. } = self;
+        let Self { done, fully_grown, pen, saved, .. } = self;
         let score = word.score;
-        if score.dated {
-            pen.style.colour = word.origin.date_of(symbol);
+        if score.colours_by_generation {
+            pen.style.colour = word.origin.colour_of(symbol);
         }
         match word.lower(symbol) {
             None => {
                 let scale = libm::scalbn(1.0, score.exponent - exponent);
                 let grown;
-                let ops = match young {
-                    Some(heir) if *heir != Some(*done) => {
+                let ops = match fully_grown {
+                    Some(continuation) if *continuation != Some(*done) => {
                         grown = word.ops(symbol).iter().map(|&op| score.growing(op)).collect::<Vec<_>>();
                         grown.as_slice()
                     }
                     _ => word.ops(symbol),
                 };
-                tree.draw(builder, *done as u64, |desk, directions| pen.act(ops, saved, scale, directions, desk));
+                tree.draw(builder, *done as u64, |paper, directions| pen.act(ops, saved, scale, directions, paper));
             }
             Some(piece) => {
                 if let Some(block) = piece.block {

@@ -1,4 +1,4 @@
-//! Drawing a whole generation, for productions that look around themselves or compute.
+//! Drawing by whole generations, for rules with contexts or parameters.
 
 use super::tally::Tally;
 use crate::Turtle;
@@ -13,7 +13,7 @@ use crate::turtle::{Op, Pen, Score};
 use lsystem_derive::{Age, Fate, Fault, Image, Rewriter, fault};
 use lsystem_syntax::{Diagnostic, LimitName, Limits, Meter};
 
-/// Modules read between two looks at the caller's budget.
+/// The most modules read between two checks of the meter.
 const PIECE: usize = 1 << 12;
 
 /// A drawing in the making: derives generation after generation, measures the last, and draws it.
@@ -33,39 +33,40 @@ enum Stage<S: Space> {
         pen: Pen<S>,
         saved: Vec<Pen<S>>,
         tree: Tree<S>,
-        /// Of lengths, to the unit of the tree.
+        /// The factor from the score's lengths to units of the tree.
         scale: f64,
     },
-    /// A limit was passed: finding the last generation before this one that is within all.
+    /// After a limit was exceeded: find the last generation before `before` that is within all limits.
     Recount {
         passed: LimitName,
         before: u32,
-        /// The generation that comes next.
+        /// The generation of the present trial.
         next: u32,
+        /// The last generation known to fit.
         fits: Option<u32>,
         measure: Measure,
     },
 }
 
 impl<S: Space> Generations<S> {
-    /// Ready to draw from the axiom on.
+    /// Prepares to draw from the axiom on.
     pub(super) fn new(Task { rules, score, seed, limits, .. }: &Task<S>) -> Result<Self, Diagnostic> {
         let seed = *seed;
         let mut rewriter =
             Rewriter::new(rules.clone(), seed, *limits).map_err(|fault_| fault(rules, fault_, 0, limits, None))?;
-        if score.is_personal() {
-            let aged = score.dated || score.growth < 1.0;
+        if score.differs_by_module() {
+            let aged = score.colours_by_generation || score.growth < 1.0;
             rewriter.remember(aged.then(|| score.shows(rules)));
         }
         Ok(Self { rewriter, seed, reader: Reader::default(), stage: Stage::Derive })
     }
 
-    /// The symbols of the last whole generation.
+    /// The number of symbols of the last complete generation.
     pub(super) fn symbols(&self) -> u64 {
         self.rewriter.word().letters.len() as u64
     }
 
-    /// The bytes that the drawing in the making takes.
+    /// The bytes that the work occupies, without the builder.
     pub(super) fn bytes(&self) -> u64 {
         let drawn = match &self.stage {
             Stage::Draw { saved, tree, .. } => bytes_of(saved) + tree.bytes(),
@@ -74,7 +75,7 @@ impl<S: Space> Generations<S> {
         self.rewriter.bytes() + drawn
     }
 
-    /// Works on for as many modules as the meter allows.
+    /// Continues until the meter is spent or a stage is over.
     pub(super) fn step(
         &mut self,
         task: &Task<S>,
@@ -107,7 +108,7 @@ impl<S: Space> Generations<S> {
         }
     }
 
-    /// Looks whether the last generation stays within the limits, and how long its longest stroke is.
+    /// Measures the last generation: compares it with the limits and finds the longest length.
     fn measure(
         &mut self,
         (turtle, score): (&Turtle, &Score<S>),
@@ -153,7 +154,7 @@ impl<S: Space> Generations<S> {
         let Stage::Draw { pen, saved, tree, scale } = stage else { return Outcome::Paused };
         let derived = rewriter.bytes();
         let mut act = |place: usize, ops: &[Op<S>]| {
-            tree.draw(builder, place as u64, |desk, directions| pen.act(ops, saved, *scale, directions, desk));
+            tree.draw(builder, place as u64, |paper, directions| pen.act(ops, saved, *scale, directions, paper));
             let bytes = builder.bytes() + derived + bytes_of(saved) + tree.bytes();
             let is_full = builder.is_full || bytes > limits.memory;
             (!is_full).then(|| builder.take_work())
@@ -169,7 +170,7 @@ impl<S: Space> Generations<S> {
         }
     }
 
-    /// Looks whether a smaller n is within the limits.
+    /// Continues the search for a smaller n within the limits.
     fn try_less(
         &mut self,
         (turtle, score): (&Turtle, &Score<S>),
@@ -204,7 +205,7 @@ impl<S: Space> Generations<S> {
         Outcome::Paused
     }
 
-    /// Starts again, to find the last generation before `before` that is within all limits.
+    /// Starts again from the axiom, to find the last generation before `before` that is within all limits.
     fn recount(&mut self, passed: LimitName, before: u32, limits: &Limits) -> Outcome<Option<BlockId>> {
         let failed = || Outcome::Failed(Diagnostic::limit(passed, limits.value(passed), None));
         let Ok(rewriter) = Rewriter::new(self.rewriter.rules().clone(), self.seed, *limits) else { return failed() };
@@ -215,11 +216,11 @@ impl<S: Space> Generations<S> {
     }
 }
 
-/// What a generation will cost to draw.
+/// The size of a generation's drawing.
 #[derive(Clone, Debug, Default)]
 struct Measure {
     tally: Tally,
-    /// The longest way forward, in units of the score.
+    /// The longest draw or move, in units of the score.
     longest: f64,
 }
 
@@ -233,6 +234,7 @@ impl Measure {
         }
     }
 
+    /// The limit that the drawing exceeds, if any.
     fn passed(&self, limits: &Limits) -> Option<LimitName> {
         if self.tally.segments > limits.segments {
             Some(LimitName::Segments)
@@ -244,21 +246,22 @@ impl Measure {
     }
 }
 
-/// Is handed what a module does, with its place; says how much work that was.
+/// Receives the place and the operations of a module. Returns the units of work, or `None` to pause.
 type Act<'a, S> = &'a mut dyn FnMut(usize, &[Op<S>]) -> Option<u64>;
 
-/// Goes through the modules of a generation as the turtle reads them.
+/// Reads the operations of a generation's modules, in order.
 #[derive(Clone, Debug)]
 struct Reader<S: Space> {
+    /// The index of the next module.
     at: usize,
-    /// Where its arguments start.
+    /// The index of its first argument.
     argument: usize,
     image: Image,
-    /// While an image is read: its modules and arguments read so far.
+    /// While an image is read: the number of its modules and of its arguments read so far.
     inside: Option<(usize, usize)>,
-    /// What a letter does with its number.
+    /// A reusable buffer for the operations of a letter with an argument.
     ops: Vec<Op<S>>,
-    /// What a module does that is not like the others of its letter.
+    /// A reusable buffer for the operations of one module.
     own: Vec<Op<S>>,
 }
 
@@ -269,8 +272,8 @@ impl<S: Space> Default for Reader<S> {
 }
 
 impl<S: Space> Reader<S> {
-    /// Hands over what some thousand modules do, with their places, or fewer where they do much; `act` says how much
-    /// work that is, and nothing where it cannot go on. Says whether the generation is at its end.
+    /// Hands the places and operations of up to [`PIECE`] modules to `act`. Stops earlier if the work exceeds 4 units
+    /// per module, or if `act` returns `None`. Returns whether the generation is at its end.
     fn read(
         &mut self,
         rewriter: &Rewriter,
@@ -297,14 +300,14 @@ impl<S: Space> Reader<S> {
                 }
             }
         };
-        // Where modules do much, fewer of them are enough.
+        // If modules take much work, fewer of them are read.
         let until = meter.spent() + 4 * PIECE as u64;
         while *at < end && meter.spent() < until {
             meter.charge(2);
             let letter = word.letters[*at];
             let arity = |letter: u16| usize::from(rules.letters[usize::from(letter)].arity);
             let after = *argument + arity(letter);
-            let mut fate = score.is_personal().then(|| {
+            let mut fate = score.differs_by_module().then(|| {
                 let age = word.age_of(*at).unwrap_or(Age { since: 0, made: 0 });
                 let grows = age.made > 0 && u32::from(age.made) == rewriter.generation();
                 Fate { key: word.key_of(*at), since: u32::from(age.since), grows }

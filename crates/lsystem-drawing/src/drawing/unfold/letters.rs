@@ -1,4 +1,4 @@
-//! Drawing letter by letter, where no two pieces need be alike.
+//! Drawing letter by letter, without shared pieces.
 
 use super::tally::Tally;
 use crate::drawing::block::{BlockId, Item, Space};
@@ -11,7 +11,7 @@ use crate::turtle::{Op, Pen, Score};
 use lsystem_derive::{LetterId, Next, Rules, Walk};
 use lsystem_syntax::{LimitName, Limits, Meter};
 
-/// What a derivation has cost so far.
+/// A walk through the last generation that counts symbols and segments.
 #[derive(Clone, Debug)]
 pub(crate) struct Census {
     walk: Walk,
@@ -19,13 +19,13 @@ pub(crate) struct Census {
     tally: Tally,
 }
 
-/// How far a derivation has been gone through.
-pub(super) enum Gone<T> {
-    /// The work allowed is done; there is more.
+/// The outcome of a step of a walk.
+pub(super) enum WalkOutcome<T> {
+    /// The budget is spent; there is more to do.
     Paused,
-    /// The whole derivation has been gone through.
+    /// The walk is at the end.
     Ended(T),
-    /// One segment or letter more would pass a limit.
+    /// The walk has exceeded a limit.
     Passed(LimitName),
 }
 
@@ -34,9 +34,8 @@ impl Census {
         Self { walk: Walk::new(n, seed), symbols: 0, tally: Tally::default() }
     }
 
-    /// Goes on until the meter is spent, handing the actions of each letter of the last generation to `act`, with its place
-    /// there; `act` says how much work that has been, and nothing where it
-    /// cannot go on.
+    /// Continues until the meter is spent. Hands the place and the operations of each letter of the last generation to
+    /// `act`. `act` returns the units of work, or `None` to pause.
     pub(super) fn step<S: Space>(
         &mut self,
         rules: &Rules,
@@ -44,7 +43,7 @@ impl Census {
         limits: &Limits,
         meter: &mut Meter,
         mut act: impl FnMut(&Walk, (u64, LetterId), &[Op<S>]) -> Option<u64>,
-    ) -> Gone<()> {
+    ) -> WalkOutcome<()> {
         let began = self.walk.work;
         let mut acted = 0_u64;
         let outcome = loop {
@@ -58,19 +57,19 @@ impl Census {
                     ops.iter().for_each(|op| self.tally.add(op));
                     self.walk.work += self.tally.work() - before;
                     if self.tally.segments > limits.segments {
-                        break Gone::Passed(LimitName::Segments);
+                        break WalkOutcome::Passed(LimitName::Segments);
                     }
                     if self.tally.segments.saturating_mul(size_of::<Item<S>>() as u64) > limits.memory {
-                        break Gone::Passed(LimitName::Memory);
+                        break WalkOutcome::Passed(LimitName::Memory);
                     }
                     match act(&self.walk, (place, symbol), ops) {
                         Some(work) => acted += work,
-                        None => break Gone::Paused,
+                        None => break WalkOutcome::Paused,
                     }
                 }
-                Next::End => break Gone::Ended(()),
-                Next::Pause if self.walk.work >= limits.work => break Gone::Passed(LimitName::Work),
-                Next::Pause => break Gone::Paused,
+                Next::End => break WalkOutcome::Ended(()),
+                Next::Pause if self.walk.work >= limits.work => break WalkOutcome::Passed(LimitName::Work),
+                Next::Pause => break WalkOutcome::Paused,
             }
         };
         meter.charge((self.walk.work - began).max(1) + acted);
@@ -86,10 +85,10 @@ pub(crate) struct Letters<S: Space> {
     saved: Vec<Pen<S>>,
     tree: Tree<S>,
     seed: u32,
-    /// The word that was asked about last (what it replaces, its address and length), and which of its letters goes on in
-    /// the place of what it replaces.
-    heir: Option<((LetterId, usize, usize), Option<usize>)>,
-    /// What a module does that is not like the others of its letter.
+    /// A cache for the last successor (predecessor, address, length): the index of the letter that continues the
+    /// predecessor.
+    continuation: Option<((LetterId, usize, usize), Option<usize>)>,
+    /// A reusable buffer for the operations of one module.
     own: Vec<Op<S>>,
 }
 
@@ -101,52 +100,52 @@ impl<S: Space> Letters<S> {
             saved: vec![],
             tree: Tree::new(score.exponent),
             seed: *seed,
-            heir: None,
+            continuation: None,
             own: vec![],
         }
     }
 
-    /// The symbols met so far.
+    /// The number of symbols read so far.
     pub(super) fn symbols(&self) -> u64 {
         self.census.symbols
     }
 
-    /// The bytes that it takes.
+    /// The bytes that the work occupies, without the builder.
     pub(super) fn bytes(&self) -> u64 {
         bytes_of(&self.saved) + self.tree.bytes()
     }
 
-    /// Goes on until the meter is spent.
+    /// Continues until the meter is spent.
     pub(super) fn step(
         &mut self,
         Task { rules, score, limits, .. }: &Task<S>,
         builder: &mut Builder<S>,
         meter: &mut Meter,
-    ) -> Gone<Option<BlockId>> {
-        let Self { census, pen, saved, tree, seed, heir, own } = self;
+    ) -> WalkOutcome<Option<BlockId>> {
+        let Self { census, pen, saved, tree, seed, continuation, own } = self;
         let outcome = census.step(rules, score, limits, meter, |walk, (place, symbol), ops| {
             let mut ops = ops;
-            if score.is_personal() {
+            if score.differs_by_module() {
                 let fate = walk.fate(rules, symbol, |former, successor| {
                     let word = (former, successor.as_ptr().addr(), successor.len());
-                    match heir {
+                    match continuation {
                         Some((of, at)) if *of == word => *at,
-                        _ => heir.insert((word, score.heir(former, successor))).1,
+                        _ => continuation.insert((word, score.continuation(former, successor))).1,
                     }
                 });
                 score.own(ops, &fate, *seed, own);
                 ops = own;
             }
-            tree.draw(builder, place, |desk, directions| pen.act(ops, saved, 1.0, directions, desk));
+            tree.draw(builder, place, |paper, directions| pen.act(ops, saved, 1.0, directions, paper));
             let is_full = builder.is_full || builder.bytes() + bytes_of(saved) + tree.bytes() > limits.memory;
             (!is_full).then(|| ops.len() as u64 + builder.take_work())
         });
         let outcome = match outcome {
-            Gone::Paused => Gone::Paused,
-            Gone::Passed(limit) => Gone::Passed(limit),
-            Gone::Ended(()) => match tree.finish_one(builder) {
-                Some(root) => Gone::Ended(root),
-                None => Gone::Paused,
+            WalkOutcome::Paused => WalkOutcome::Paused,
+            WalkOutcome::Passed(limit) => WalkOutcome::Passed(limit),
+            WalkOutcome::Ended(()) => match tree.finish_one(builder) {
+                Some(root) => WalkOutcome::Ended(root),
+                None => WalkOutcome::Paused,
             },
         };
         meter.charge(builder.take_work());

@@ -1,34 +1,35 @@
-//! Whether a drawing stays within its limits, and up to which n it would.
+//! The check of a drawing's limits, and the search for the largest n within them.
 
-use super::letters::{Census, Gone};
+use super::letters::{Census, WalkOutcome};
 use crate::drawing::block::{Item, Space};
 use crate::turtle::{Op, Score};
 use lsystem_derive::{LetterId, Rewrite, Rules};
 use lsystem_syntax::{LimitName, Limits, Meter};
 
-/// Letters added up between two looks at the meter.
+/// The number of letters added up between two checks of the meter.
 const READ: usize = 256;
 
-/// What a limit was passed by, and the largest n within.
+/// The limit that a drawing exceeds, and the largest n within all limits, if any.
 pub(crate) struct Exceeded {
     pub limit: LimitName,
     pub largest: Option<u32>,
 }
 
-/// Segments and letters of one generation after the other, known without deriving them where nothing is random.
+/// The numbers of segments and derived letters by generation, counted without derivation. Only for deterministic rules.
 #[derive(Clone, Debug)]
 pub(crate) struct Forecast {
-    /// By letter: segments of what it derives, and letters derived on the way.
+    /// By letter, after `generation` steps: the number of segments, and the number of letters derived on the way.
     sums: Vec<(u128, u128)>,
-    /// The same one generation later, as far as it is known.
+    /// The sums after one more step, for the first letters.
     next: Vec<(u128, u128)>,
-    /// Of the axiom, and whether that has been looked at.
+    /// The sums of the axiom; `None` until they are known.
     axiom: Option<(u128, u128)>,
-    is_looked_at: bool,
-    /// The letters of a word that are added up, and their sums.
+    /// Whether the axiom's sums have been compared with the limits.
+    is_checked: bool,
+    /// The position in the word that is being added up, and the sums so far.
     part: (usize, (u128, u128)),
     generation: u32,
-    /// Of a segment in memory.
+    /// The bytes of a segment.
     bytes: u128,
     /// The last generation within the limits.
     largest: Option<u32>,
@@ -42,7 +43,7 @@ impl Forecast {
             sums,
             next: vec![],
             axiom: None,
-            is_looked_at: false,
+            is_checked: false,
             part: (0, (0, 0)),
             generation: 0,
             bytes: size_of::<Item<S>>() as u128 + u128::from(S::least_picture()),
@@ -50,7 +51,8 @@ impl Forecast {
         }
     }
 
-    /// Looks at generations until the meter is spent; `Some` when it is known whether generation `n` fits.
+    /// Continues for one generation, or until the meter is spent. Returns `Some` when it is known whether generation
+    /// `n` fits.
     pub(super) fn step(
         &mut self,
         rules: &Rules,
@@ -59,30 +61,30 @@ impl Forecast {
         meter: &mut Meter,
     ) -> Option<Result<(), Exceeded>> {
         let Some(axiom) = self.axiom else {
-            self.axiom = self.of(&rules.axiom.letters, meter);
+            self.axiom = self.sum_of(&rules.axiom.letters, meter);
             return None;
         };
-        if self.next.is_empty() && !self.is_looked_at {
-            if let Some(known) = self.look(axiom, limits, n) {
+        if self.next.is_empty() && !self.is_checked {
+            if let Some(known) = self.check(axiom, limits, n) {
                 return Some(known);
             }
-            self.is_looked_at = true;
+            self.is_checked = true;
         }
         while let Some(rewrite) = rules.rewrites.get(self.next.len()) {
             let sum = match rewrite {
-                Rewrite::Always(word) => self.of(word, meter)?,
+                Rewrite::Always(word) => self.sum_of(word, meter)?,
                 Rewrite::Keep | Rewrite::Choose(_) => self.sums[self.next.len()],
             };
             self.next.push(sum);
         }
         self.sums = core::mem::take(&mut self.next);
-        (self.axiom, self.is_looked_at) = (None, false);
+        (self.axiom, self.is_checked) = (None, false);
         self.generation += 1;
         None
     }
 
-    /// Looks at a generation that has so many segments after so much work.
-    fn look(&mut self, (segments, work): (u128, u128), limits: &Limits, n: u32) -> Option<Result<(), Exceeded>> {
+    /// Compares a generation's segments and work with the limits.
+    fn check(&mut self, (segments, work): (u128, u128), limits: &Limits, n: u32) -> Option<Result<(), Exceeded>> {
         let over = [
             (segments, limits.segments, LimitName::Segments),
             (work, limits.work, LimitName::Work),
@@ -92,7 +94,7 @@ impl Forecast {
         match passed {
             None if self.generation == n => return Some(Ok(())),
             None => self.largest = Some(self.generation),
-            // Work never shrinks; segments may.
+            // Work never decreases from one generation to the next; the number of segments may.
             Some(limit) if self.generation == n || work > u128::from(limits.work) => {
                 return Some(Err(Exceeded { limit, largest: self.largest }));
             }
@@ -101,8 +103,8 @@ impl Forecast {
         None
     }
 
-    /// Of what a word derives; `None` where the meter is spent before its end, which is where this goes on.
-    fn of(&mut self, word: &[LetterId], meter: &mut Meter) -> Option<(u128, u128)> {
+    /// The sums of a word's letters; `None` if the meter is spent before the end. The next call then continues.
+    fn sum_of(&mut self, word: &[LetterId], meter: &mut Meter) -> Option<(u128, u128)> {
         loop {
             let (done, mut sum) = self.part;
             let run = &word[done..word.len().min(done + READ)];
@@ -111,7 +113,7 @@ impl Forecast {
                 sum = (sum.0.saturating_add(segments), sum.1.saturating_add(work).saturating_add(1));
             }
             self.part = (done + run.len(), sum);
-            // Adding takes a quarter of what handling a symbol does.
+            // Adding a letter takes a quarter of a unit.
             meter.charge(1 + run.len() as u64 / 4);
             if self.part.0 == word.len() {
                 self.part = (0, (0, 0));
@@ -124,23 +126,27 @@ impl Forecast {
     }
 }
 
-/// Tries smaller n, each within the limits, until one fits and the next does not.
+/// A search for the largest n within the limits, by trials.
 #[derive(Clone, Debug)]
 pub(super) struct Search {
+    /// The limit that generation `exceeds` exceeds.
     limit: LimitName,
+    /// The largest n known to fit.
     fits: Option<u32>,
+    /// The smallest n known to exceed a limit.
     exceeds: u32,
+    /// The n of the present trial.
     trial: u32,
     census: Census,
 }
 
 impl Search {
-    /// Generation `n` passed `limit`.
+    /// A search after generation `n` exceeded `limit`.
     pub(super) fn new(limit: LimitName, n: u32, seed: u32) -> Self {
         Self { limit, fits: None, exceeds: n, trial: 0, census: Census::new(0, seed) }
     }
 
-    /// Works on for as many letters as the meter allows; `Some` at the end.
+    /// Continues until the meter is spent or a trial is over. Returns `Some` at the end of the search.
     pub(super) fn step<S: Space>(
         &mut self,
         rules: &Rules,
@@ -153,19 +159,18 @@ impl Search {
         if first >= self.exceeds {
             return Some(Exceeded { limit: self.limit, largest: self.fits });
         }
-        // Blocks and their hulls take little beside their strokes.
+        // Blocks and hulls add about an eighth to the bytes of the strokes.
         let bytes = (size_of::<Item<S>>() as u64 + S::least_picture()) * 9 / 8;
         let sure = Limits { segments: limits.segments.min(limits.memory / bytes), ..*limits };
         match self.census.step(rules, score, &sure, meter, |_, _, _| Some(0)) {
-            Gone::Paused => return None,
-            Gone::Ended(()) => self.fits = Some(self.trial),
-            Gone::Passed(limit) => {
+            WalkOutcome::Paused => return None,
+            WalkOutcome::Ended(()) => self.fits = Some(self.trial),
+            WalkOutcome::Passed(limit) => {
                 let is_memory = limit == LimitName::Segments && sure.segments < limits.segments;
                 (self.exceeds, self.limit) = (self.trial, if is_memory { LimitName::Memory } else { limit });
             }
         }
-        // Twice as far while nothing stops it, then halfway: few trials pass a limit, and those that do cost no
-        // more than the limit.
+        // The trial doubles, then bisects. Few trials exceed a limit, and such a trial costs no more than the limit.
         let first = self.fits.map_or(0, |fits| fits + 1);
         self.trial = (first + first.min(self.exceeds.saturating_sub(first) / 2)).max(first);
         self.census = Census::new(self.trial, seed);

@@ -1,20 +1,21 @@
-//! What a drawing made letter by letter will take: segments, and branches open at the same time.
+//! The count of segments and open branches, for the limits of unfolded drawings.
 
 use crate::drawing::block::Space;
 use crate::turtle::Op;
 
-/// What an open branch costs in units of work: its turtle's state takes the memory of as many letters.
+/// The units of work of an open branch: the saved turtle state takes the memory of this many letters.
 const BRANCH: u64 = 32;
 
 /// The counts so far.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
-    /// Of a polygon's vertices, too: they take as much memory.
+    /// The number of segments, polygons and vertices of polygons; each counts the same towards the memory limit.
     pub segments: u64,
-    /// Branches open now, and at most so far.
+    /// The number of open branches.
     open: u64,
+    /// The largest number of open branches so far.
     deepest: u64,
-    /// Polygons open now.
+    /// The number of open polygons.
     outlines: u64,
 }
 
@@ -37,7 +38,7 @@ impl Tally {
         }
     }
 
-    /// The work that remembering the open branches takes.
+    /// The units of work for saving the open branches.
     pub(super) fn work(&self) -> u64 {
         self.deepest.saturating_mul(BRANCH)
     }

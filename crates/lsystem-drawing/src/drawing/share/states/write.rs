@@ -1,10 +1,10 @@
-//! Pieces of modules with parameters: what the turtle does one after the other, drawn into a block.
+//! The making of a piece of modules with parameters: the turtle's commands become a block.
 
-use super::{Counted, Deed, Part, States};
+use super::{Command, CountedPiece, Part, States};
 use crate::Turtle;
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
-use crate::drawing::piece::{Piece, effect, exponent, follow, place, smaller};
+use crate::drawing::piece::{Piece, branch_exponent, effect, exponent, follow, place};
 use crate::drawing::share::word::Origin;
 use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;
@@ -20,50 +20,53 @@ use lsystem_syntax::{Diagnostic, Limits, Meter};
 pub(super) struct Writing<S: Space> {
     parts: Range<u32>,
     origin: Origin,
-    /// As [`States::young`].
-    young: Option<Option<u32>>,
-    /// How many branches are open behind what is measured.
+    /// As [`States::fully_grown`].
+    fully_grown: Option<Option<u32>>,
+    /// The number of open branches after the parts measured.
     level: i32,
-    /// The parts done: measured while there is no tree, then drawn.
+    /// The first part not yet done: parts are measured while `tree` is `None`, then drawn.
     done: u32,
+    /// The exponent of the piece's longest length so far.
     unit: Option<i32>,
+    /// The number of symbols in the parts measured.
     symbols: u128,
-    /// The part after those whose deeds are held; none where no deeds are.
+    /// The end of the parts whose commands are in the buffer; `None` if the buffer is not valid.
     held: Option<u32>,
-    /// How many of those deeds are drawn.
+    /// The number of these commands that are drawn.
     drawn: usize,
-    /// What the parts do at most, in items.
+    /// An upper bound on the number of items.
     weight: usize,
-    /// The index in the word of the module that is drawn; only where there are polygons.
+    /// The index in the word of the module that is drawn; only in systems with polygons.
     place: u32,
     pen: Pen<S>,
     saved: Vec<Pen<S>>,
     tree: Option<Tree<S>>,
 }
 
-/// Deeds of a piece that are held at a time, about.
+/// The number of commands after which the buffer takes no more parts.
 const HELD: usize = 4096;
+
 impl<S: Space> States<S> {
-    /// Goes on with a piece until the meter is spent; the piece when it is made.
+    /// Continues with a piece until the meter is spent. Returns the finished piece.
     pub(super) fn write(
         &mut self,
         writing: &mut Writing<S>,
         (turtle, score): (&Turtle, &Score<S>),
         builder: &mut Builder<S>,
         meter: &mut Meter,
-    ) -> Result<Option<Counted<S>>, Diagnostic> {
+    ) -> Result<Option<CountedPiece<S>>, Diagnostic> {
         let end = writing.parts.end;
-        let mut deeds = core::mem::take(&mut self.deeds);
+        let mut commands = core::mem::take(&mut self.commands);
         while writing.tree.is_none() && (writing.done < end || writing.weight == 0) {
-            let next = self.collect((turtle, score), writing, &mut deeds)?;
-            writing.measure(builder, score, &deeds);
+            let next = self.collect((turtle, score), writing, &mut commands)?;
+            writing.measure(builder, score, &commands);
             let symbols = (writing.done..next).map(|part| self.symbols_of(part)).fold(0, u128::saturating_add);
             writing.symbols = writing.symbols.saturating_add(symbols);
             writing.held = (writing.done == writing.parts.start && next == end).then_some(end);
-            meter.charge(4 + 2 * u64::from(next - writing.done) + deeds.len() as u64);
+            meter.charge(4 + 2 * u64::from(next - writing.done) + commands.len() as u64);
             writing.done = next;
             if meter.is_spent() && writing.held.is_none() {
-                self.deeds = deeds;
+                self.commands = commands;
                 return Ok(None);
             }
         }
@@ -76,21 +79,21 @@ impl<S: Space> States<S> {
         while writing.done < end {
             let next = match writing.held {
                 Some(next) => next,
-                None => self.collect((turtle, score), writing, &mut deeds)?,
+                None => self.collect((turtle, score), writing, &mut commands)?,
             };
             writing.held = Some(next);
-            while let Some(deed) = deeds.get(writing.drawn).filter(|_| !meter.is_spent() && !builder.is_full) {
-                writing.draw(builder, deed, (&mut tree, unit, scale));
+            while let Some(command) = commands.get(writing.drawn).filter(|_| !meter.is_spent() && !builder.is_full) {
+                writing.draw(builder, command, (&mut tree, unit, scale));
                 writing.drawn += 1;
-                // Hulls of the blocks that it completes are most of it.
+                // Most of the work is for hulls of blocks that the command completes.
                 meter.charge(2 + builder.take_work());
             }
-            if writing.drawn < deeds.len() {
+            if writing.drawn < commands.len() {
                 break;
             }
             (writing.done, writing.held, writing.drawn) = (next, None, 0);
         }
-        self.deeds = deeds;
+        self.commands = commands;
         while writing.done == end && !meter.is_spent() && !builder.is_full {
             let finished = tree.finish_one(builder);
             meter.charge(1 + builder.take_work());
@@ -103,49 +106,50 @@ impl<S: Space> States<S> {
         Ok(None)
     }
 
-    /// Puts what the first of some parts do in the place of `deeds`: of as many as there is room for. Returns the part that
-    /// comes next.
+    /// Replaces `commands` by the commands of the next parts, as many as there is room for. Returns the part after them.
     fn collect(
         &self,
         with: (&Turtle, &Score<S>),
         writing: &Writing<S>,
-        deeds: &mut Vec<Deed<S>>,
+        commands: &mut Vec<Command<S>>,
     ) -> Result<u32, Diagnostic> {
-        deeds.clear();
+        commands.clear();
         for number in writing.done..writing.parts.end {
-            if deeds.len() >= HELD {
+            if commands.len() >= HELD {
                 return Ok(number);
             }
             let part = self.parts[number as usize];
-            deeds.extend(self.words.is_some().then(|| Deed::Place(number - writing.parts.start)));
-            deeds.extend(with.1.dated.then(|| Deed::Date(writing.origin.date_of(part.letter()))));
+            commands.extend(self.words.is_some().then(|| Command::Place(number - writing.parts.start)));
+            commands
+                .extend(with.1.colours_by_generation.then(|| Command::Colour(writing.origin.colour_of(part.letter()))));
             match part {
                 Part::Module(letter, argument) => {
-                    let before = deeds.len();
-                    let acted = self.act(with, letter, argument as usize, deeds);
-                    // Images count as a step of their own.
+                    let before = commands.len();
+                    let acted = self.act(with, letter, argument as usize, commands);
+                    // An image counts as a step after generation `n`.
                     acted.map_err(|error| fault(&self.rules, error, self.n, &Limits::default(), None))?;
-                    if writing.young.is_some_and(|heir| heir != Some(number)) {
-                        deeds[before..].iter_mut().for_each(|deed| {
-                            if let Deed::Op(op) = deed {
+                    if writing.fully_grown.is_some_and(|continuation| continuation != Some(number)) {
+                        commands[before..].iter_mut().for_each(|command| {
+                            if let Command::Op(op) = command {
                                 *op = with.1.growing(*op);
                             }
                         });
                     }
                 }
                 Part::State(_, state, scale) => {
-                    deeds.extend(self.below(state).map(|(piece, _)| Deed::Piece(*piece, scale)));
+                    commands.extend(self.below(state).map(|(piece, _)| Command::Piece(*piece, scale)));
                 }
             }
         }
         Ok(writing.parts.end)
     }
 
-    fn below(&self, state: u32) -> Option<&Counted<S>> {
+    /// The piece of a state of the level below.
+    fn below(&self, state: u32) -> Option<&CountedPiece<S>> {
         self.pieces.as_ref().and_then(|[below, _]| below.get(state as usize))
     }
 
-    /// How many symbols a part is made of.
+    /// The number of symbols in a part's derivation.
     fn symbols_of(&self, part: u32) -> u128 {
         match self.parts[part as usize] {
             Part::Module(..) => 1,
@@ -155,18 +159,18 @@ impl<S: Space> States<S> {
 }
 
 impl<S: Space> Writing<S> {
-    /// Of these parts; the turtle enters with this heading, in a frame with that vertical.
+    /// A piece of these parts. The turtle enters with `heading`, in a frame with `vertical`.
     pub(super) fn new(
         parts: Range<u32>,
         origin: Origin,
-        young: Option<Option<u32>>,
+        fully_grown: Option<Option<u32>>,
         (heading, vertical): (S::Turn, S::Point),
     ) -> Self {
         Self {
             done: parts.start,
             parts,
             origin,
-            young,
+            fully_grown,
             level: 0,
             unit: None,
             symbols: 0,
@@ -180,43 +184,45 @@ impl<S: Space> Writing<S> {
         }
     }
 
-    /// The bytes that it takes.
+    /// The bytes that the piece in the making occupies.
     pub(super) fn bytes(&self) -> u64 {
         bytes_of(&self.saved) + self.tree.as_ref().map_or(0, Tree::bytes)
     }
 
-    /// Looks how far some deeds go.
-    fn measure(&mut self, builder: &Builder<S>, score: &Score<S>, deeds: &[Deed<S>]) {
-        for deed in deeds {
-            let unit = match deed {
-                Deed::Op(Op::Draw(length) | Op::Move(length)) if *length != 0.0 => {
+    /// Measures the lengths and the number of some commands.
+    fn measure(&mut self, builder: &Builder<S>, score: &Score<S>, commands: &[Command<S>]) {
+        for command in commands {
+            let unit = match command {
+                Command::Op(Op::Draw(length) | Op::Move(length)) if *length != 0.0 => {
                     Some(score.exponent.saturating_add(unit_of(*length)))
                 }
-                Deed::Op(Op::Push(_)) => {
+                Command::Op(Op::Push(_)) => {
                     self.level = self.level.saturating_add(1);
                     None
                 }
-                Deed::Op(Op::Pop) => {
+                Command::Op(Op::Pop) => {
                     self.level = self.level.saturating_sub(1).max(0);
                     None
                 }
-                Deed::Op(_) | Deed::Date(_) | Deed::Place(_) => None,
-                Deed::Piece(piece, scale) => exponent(builder, piece).map(|own| own.saturating_add(unit_of(*scale))),
+                Command::Op(_) | Command::Colour(_) | Command::Place(_) => None,
+                Command::Piece(piece, scale) => exponent(builder, piece).map(|own| own.saturating_add(unit_of(*scale))),
             };
-            self.unit = self.unit.max(unit.map(|unit| unit.saturating_add(smaller(score, self.level))));
+            self.unit = self.unit.max(unit.map(|unit| unit.saturating_add(branch_exponent(score, self.level))));
         }
-        self.weight += 1 + deeds.len();
+        self.weight += 1 + commands.len();
     }
 
-    fn draw(&mut self, builder: &mut Builder<S>, deed: &Deed<S>, (tree, unit, scale): (&mut Tree<S>, i32, f64)) {
+    fn draw(&mut self, builder: &mut Builder<S>, command: &Command<S>, (tree, unit, scale): (&mut Tree<S>, i32, f64)) {
         let Self { pen, saved, place: at, .. } = self;
-        match deed {
-            Deed::Op(op) => {
-                tree.draw(builder, u64::from(*at), |desk, directions| pen.act(&[*op], saved, scale, directions, desk));
+        match command {
+            Command::Op(op) => {
+                tree.draw(builder, u64::from(*at), |paper, directions| {
+                    pen.act(&[*op], saved, scale, directions, paper);
+                });
             }
-            Deed::Place(place) => *at = *place,
-            Deed::Date(colour) => pen.style.colour = *colour,
-            Deed::Piece(piece, scale) => {
+            Command::Place(place) => *at = *place,
+            Command::Colour(colour) => pen.style.colour = *colour,
+            Command::Piece(piece, scale) => {
                 if let Some(block) = piece.block {
                     let placed = place(builder, block, pen, unit, *scale);
                     tree.place(builder, placed);
