@@ -2,10 +2,10 @@
 
 use super::camera::{Lens, NEAR};
 use super::light::DIRECTIONS;
-use super::look::Look;
 use super::path::Stretch;
 use super::place::Place;
 use super::scene::{Node, Scene, WIDTH};
+use super::setup::Setup;
 use super::shares::{MOST, shares, weight};
 use crate::plane::Shade;
 use lsystem_drawing::rotation::dot;
@@ -49,17 +49,17 @@ impl Frame {
     #[inline]
     pub(super) fn new(
         scene: &Scene,
-        look: &Look,
+        setup: &Setup,
         (corner, size): ([f64; 2], [usize; 2]),
         id: u32,
         inside: Inside,
     ) -> Self {
         let Inside { place, shade, path, width, share } = inside;
         let node = &scene.nodes[id as usize];
-        let lens = &look.lens;
+        let lens = &setup.lens;
         let seen = balls_seen(node, &place, lens, corner);
         let nearest = (1.0 / NEAR).min(1.0 / (1.0 + (place.origin[2] - 2.0 * place.scale) * lens.nearness).max(NEAR));
-        let widest = ((node.own.widest.of(width) * lens.step * nearest / 2.0).max(look.hairline)) as f32;
+        let widest = ((node.own.widest.of(width) * lens.step * nearest / 2.0).max(setup.hairline)) as f32;
         let mut frame = Self {
             node: id,
             left: 0,
@@ -90,7 +90,7 @@ impl Frame {
             }
             // Outside of the picture; what is outside of this tile has its share, so that tiles agree.
             if scarce && lane < usize::from(node.links) {
-                let seen = within(corner.map(|c| -c), [0, 1].map(|i| look.size[i] - corner[i]));
+                let seen = within(corner.map(|c| -c), [0, 1].map(|i| setup.size[i] - corner[i]));
                 *weighs = if seen { weight(r) } else { 0.0 };
             }
         }

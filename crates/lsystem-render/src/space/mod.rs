@@ -18,20 +18,20 @@ mod face;
 mod frame;
 mod lanes;
 mod light;
-mod look;
 mod painter;
 mod path;
 mod pick;
 mod picture;
+mod pixels;
 mod place;
 mod scene;
+mod setup;
 mod shares;
 mod size;
 mod stand_in;
 mod stroke;
 mod surface;
 mod tile;
-mod walk;
 
 #[cfg(test)]
 mod tests;
@@ -43,9 +43,9 @@ pub use pick::pick_solid;
 use crate::{Pane, RenderStats, Viewport};
 use lsystem_drawing::{Drawing, Solid};
 use lsystem_syntax::{Meter, Progress, Style};
+use picture::Picture;
 use scene::Scene;
 use std::sync::Arc;
-use walk::Walk;
 
 /// How much a picture may show for its time: 0 is the coarsest, for large drawings on the move, and
 /// [`Quality::FINEST`] the picture as it is meant for the screen.
@@ -138,7 +138,7 @@ pub struct SolidRenderer {
     /// How many segments are shown; all of them without it.
     upto: Option<u128>,
     /// Pictures of two sizes in turn, as while things move and at rest, keep the memory of both; the last is for panes.
-    walks: [Walk; 3],
+    pictures: [Picture; 3],
     /// Which of them makes the picture.
     at: usize,
     /// A picture that has been asked for, until the scene is ready for it.
@@ -182,14 +182,14 @@ impl SolidRenderer {
 
     fn stop(&mut self) {
         self.plan = None;
-        self.walks.iter_mut().for_each(Walk::stop);
+        self.pictures.iter_mut().for_each(Picture::stop);
     }
 
     /// Starts a picture of the loaded drawing; a picture that was being made is given up.
     pub fn begin(&mut self, style: &Style, viewport: Viewport, camera: &Camera, quality: Quality) {
-        if !self.walks[self.at].fits(viewport) {
+        if !self.pictures[self.at].fits(viewport) {
             let other = usize::from(self.at == 0);
-            self.at = (0..2).find(|&at| self.walks[at].fits(viewport)).unwrap_or(other);
+            self.at = (0..2).find(|&at| self.pictures[at].fits(viewport)).unwrap_or(other);
         }
         self.plan = Some(Plan { style: style.clone(), viewport, camera: *camera, quality, pane: None });
     }
@@ -212,7 +212,7 @@ impl SolidRenderer {
     /// What the picture, or the pane, has taken with its budget so far.
     #[must_use]
     pub fn effort_spent(&self) -> Spent {
-        self.walks[self.at].spent()
+        self.pictures[self.at].spent()
     }
 
     /// The units of work of all steps so far.
@@ -237,28 +237,28 @@ impl SolidRenderer {
                 return Progress::More;
             }
             let Plan { style, viewport, camera, quality, pane } = plan;
-            meter.charge(self.walks[self.at].begin(drawing, style, *viewport, camera, *quality, *pane));
+            meter.charge(self.pictures[self.at].begin(drawing, style, *viewport, camera, *quality, *pane));
             self.plan = None;
         }
-        self.walks[self.at].step(&self.scene, meter)
+        self.pictures[self.at].step(&self.scene, meter)
     }
 
     /// What is left of the picture is made with only `part` of the effort that was meant for it.
     pub fn hurry(&mut self, part: f32) {
         if self.plan.is_none() {
-            self.walks[self.at].hurry(&self.scene, part);
+            self.pictures[self.at].hurry(&self.scene, part);
         }
     }
 
     /// The picture so far, once it has been begun in a step: RGBA, 8 bits each, opaque, from the upper left corner row by row.
     #[must_use]
     pub fn pixels(&self) -> &[u8] {
-        self.walks[self.at].pixels()
+        self.pictures[self.at].pixels()
     }
 
     /// What the picture took so far.
     #[must_use]
     pub fn stats(&self) -> RenderStats {
-        self.walks[self.at].stats()
+        self.pictures[self.at].stats()
     }
 }

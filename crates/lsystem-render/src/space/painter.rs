@@ -3,7 +3,7 @@
 use super::camera::NEAR;
 use super::face::Face;
 use super::light::LIGHT;
-use super::look::Look;
+use super::setup::Setup;
 use super::stroke::{Dot, Painted, Stick};
 use super::tile::Tile;
 use crate::RenderStats;
@@ -41,11 +41,11 @@ pub(super) struct TilePainter {
 
 impl TilePainter {
     /// Starts a tile of this `size`, in samples.
-    pub(super) fn begin(&mut self, look: &Look, corner: [f64; 2], size: [usize; 2]) {
+    pub(super) fn begin(&mut self, setup: &Setup, corner: [f64; 2], size: [usize; 2]) {
         self.corner = corner;
         (self.coats, self.coat) = (0.0, 0.0);
-        self.tile.leans = look.samples == 4;
-        self.tile.reset(size, look.side, look.background);
+        self.tile.leans = setup.samples == 4;
+        self.tile.reset(size, setup.side, setup.background);
     }
 
     /// Gives up what is still to be painted.
@@ -54,8 +54,8 @@ impl TilePainter {
     }
 
     /// Paints a triangle, which is seen from both sides; one that reaches behind the eye is left out.
-    pub(super) fn face(&mut self, look: &Look, corners: [Vector; 3], ink: [f32; 3]) -> i64 {
-        let lens = &look.lens;
+    pub(super) fn face(&mut self, setup: &Setup, corners: [Vector; 3], ink: [f32; 3]) -> i64 {
+        let lens = &setup.lens;
         if corners.iter().any(|corner| 1.0 + corner[2] * lens.nearness <= NEAR) {
             return 1;
         }
@@ -69,51 +69,51 @@ impl TilePainter {
         // Towards the viewer.
         let sign = if normal[2] > 0.0 { -1.0 } else { 1.0 };
         let normal = normal.map(|n| sign * n / size);
-        let spot = look.light.spot([0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0));
-        let colour = look.light.surface(ink, &spot, dot(normal, LIGHT) as f32, -normal[2] as f32);
+        let spot = setup.light.spot([0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0));
+        let colour = setup.light.surface(ink, &spot, dot(normal, LIGHT) as f32, -normal[2] as f32);
         let face = Face { corners: corners.map(|corner| lens.project(corner)), colour };
-        self.shape(look, Shape::Face(face))
+        self.shape(setup, Shape::Face(face))
     }
 
     /// Paints a stroke, `thicker` by a factor where it stands for others.
-    pub(super) fn stick(&mut self, look: &Look, ends: [Vector; 2], width: f64, thicker: f32, ink: [f32; 3]) -> i64 {
+    pub(super) fn stick(&mut self, setup: &Setup, ends: [Vector; 2], width: f64, thicker: f32, ink: [f32; 3]) -> i64 {
         self.stats.strokes += 1;
-        let Some(ends) = look.lens.before_eye(ends) else { return 1 };
+        let Some(ends) = setup.lens.before_eye(ends) else { return 1 };
         let radius = |end: Vector| {
-            let own = (width * look.lens.step * look.lens.factor(end[2]) / 2.0).max(look.hairline);
-            (own * f64::from(thicker)).min(THICKER * look.samples as f64).max(own)
+            let own = (width * setup.lens.step * setup.lens.factor(end[2]) / 2.0).max(setup.hairline);
+            (own * f64::from(thicker)).min(THICKER * setup.samples as f64).max(own)
         };
         let stick = Stick {
-            ends: ends.map(|end| look.lens.project(end)),
+            ends: ends.map(|end| setup.lens.project(end)),
             radii: ends.map(radius),
             ink,
-            spots: ends.map(|end| look.light.spot(end)),
+            spots: ends.map(|end| setup.light.spot(end)),
         };
-        self.shape(look, Shape::Stick(stick))
+        self.shape(setup, Shape::Stick(stick))
     }
 
     /// Paints a dot.
-    pub(super) fn dot(&mut self, look: &Look, dot: Dot) -> i64 {
-        self.shape(look, Shape::Dot(dot))
+    pub(super) fn dot(&mut self, setup: &Setup, dot: Dot) -> i64 {
+        self.shape(setup, Shape::Dot(dot))
     }
 
     /// Paints the first band of something, unless something else is to be painted before; the rest follows.
     #[inline]
-    fn shape(&mut self, look: &Look, shape: Shape) -> i64 {
+    fn shape(&mut self, setup: &Setup, shape: Shape) -> i64 {
         if !self.shapes.is_empty() {
             self.shapes.push_back((shape, 0));
             return LINE_WORK;
         }
-        let Painted { looked, rest } = self.band(look, &shape, 0);
+        let Painted { looked, rest } = self.band(setup, &shape, 0);
         self.shapes.extend(rest.map(|from| (shape, from)));
         LINE_WORK + looked as i64 / SAMPLES_WORK
     }
 
     /// Paints the next band of what is still to be painted; `None` where nothing is.
     #[inline]
-    pub(super) fn go_on(&mut self, look: &Look) -> Option<i64> {
+    pub(super) fn go_on(&mut self, setup: &Setup) -> Option<i64> {
         let (shape, from) = self.shapes.pop_front()?;
-        let Painted { looked, rest } = self.band(look, &shape, from);
+        let Painted { looked, rest } = self.band(setup, &shape, from);
         if let Some(from) = rest {
             self.shapes.push_front((shape, from));
         }
@@ -121,9 +121,9 @@ impl TilePainter {
     }
 
     /// Paints a band of something, from a row on.
-    fn band(&mut self, look: &Look, shape: &Shape, from: usize) -> Painted {
+    fn band(&mut self, setup: &Setup, shape: &Shape, from: usize) -> Painted {
         let painted = match shape {
-            Shape::Stick(stick) => stick.paint(&mut self.tile, self.corner, &look.light, from),
+            Shape::Stick(stick) => stick.paint(&mut self.tile, self.corner, &setup.light, from),
             Shape::Face(face) => face.paint(&mut self.tile, self.corner, from),
             Shape::Dot(dot) => dot.paint(&mut self.tile, self.corner, from),
         };

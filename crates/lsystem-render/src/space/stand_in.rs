@@ -1,10 +1,10 @@
 //! What stands for a node that is not looked into: a dot, or some of its strokes.
 
 use super::frame::{Frame, Inside};
-use super::look::Look;
 use super::painter::TilePainter;
 use super::path::Stretch;
 use super::scene::{Node, Scene};
+use super::setup::Setup;
 use super::stroke::{Dot, span};
 use super::tile::Tile;
 use crate::plane::Shade;
@@ -43,7 +43,7 @@ impl Disc {
 #[inline]
 pub(super) fn dot(
     scene: &Scene,
-    look: &Look,
+    setup: &Setup,
     corner: [f64; 2],
     (frame, node, lane): (&Frame, &Node, usize),
     disc: Disc,
@@ -52,10 +52,10 @@ pub(super) fn dot(
     let Disc { at: [px, py], radius: ball, near, stroke: radius, factor } = disc;
     let link = &scene.links[node.first_link as usize + lane];
     let [bx, by, bz] = [0, 1, 2].map(|i| f64::from(node.balls[i][lane]));
-    let spot = look.light.spot(frame.place.lie([bx, by, bz]));
+    let spot = setup.light.spot(frame.place.lie([bx, by, bz]));
     let ink = scene.mean(link.node, shade, path);
     let [light, view] = frame.towards;
-    let colour = look.light.bundle(ink, &spot, &link.bundle, view, light);
+    let colour = setup.light.bundle(ink, &spot, &link.bundle, view, light);
     // As large as all strokes side by side, but not larger than they reach.
     let length = link.length * (frame.place.scale * factor) as f32;
     let full = 0.8 * ball + radius;
@@ -71,15 +71,15 @@ pub(super) fn dot(
 
 /// Paints the limb of a node, in the colour that the node has on the whole.
 #[inline(always)]
-pub(super) fn limb(painter: &mut TilePainter, scene: &Scene, look: &Look, id: u32, inside: Inside) -> i64 {
+pub(super) fn limb(painter: &mut TilePainter, scene: &Scene, setup: &Setup, id: u32, inside: Inside) -> i64 {
     let Inside { place, shade, path, width, .. } = inside;
     let limb = &scene.nodes[id as usize].own.limb;
     let ends = [limb.from, limb.to].map(|end| place.lie(end));
-    painter.stick(look, ends, limb.style.width.of(width), 1.0, scene.mean(id, shade, path))
+    painter.stick(setup, ends, limb.style.width.of(width), 1.0, scene.mean(id, shade, path))
 }
 
 /// Paints as many strokes of a node as its share allows: its limb if that stands out, and samples that face the viewer.
-pub(super) fn samples(painter: &mut TilePainter, scene: &Scene, look: &Look, id: u32, inside: &Inside) -> i64 {
+pub(super) fn samples(painter: &mut TilePainter, scene: &Scene, setup: &Setup, id: u32, inside: &Inside) -> i64 {
     let Inside { place, shade, path, width, share } = *inside;
     let own = &scene.nodes[id as usize].own;
     let limb = &own.limb;
@@ -95,13 +95,13 @@ pub(super) fn samples(painter: &mut TilePainter, scene: &Scene, look: &Look, id:
     if outstanding {
         let ends = [limb.from, limb.to].map(|end| place.lie(end));
         let ink = scene.ink(scene.choice.then(shade, scene.choice.shade(&limb.style)), path, limb.before);
-        cost += painter.stick(look, ends, limb.style.width.of(width), 1.0, ink);
+        cost += painter.stick(setup, ends, limb.style.width.of(width), 1.0, ink);
     }
     for sample in samples {
         let ends = [sample.from, sample.to].map(|end| place.lie(end.map(f64::from)));
         let shade = scene.choice.then(shade, scene.choice.shade(&sample.style));
         let ink = scene.ink(shade, path, f64::from(sample.before));
-        cost += painter.stick(look, ends, sample.style.width.of(width), thicker, ink);
+        cost += painter.stick(setup, ends, sample.style.width.of(width), thicker, ink);
     }
     cost
 }

@@ -10,7 +10,7 @@ use lsystem_syntax::Style;
 
 /// What does not change while a picture is made.
 #[derive(Clone, Copy)]
-pub(super) struct Look {
+pub(super) struct Setup {
     pub lens: Lens,
     pub light: Light,
     pub background: [u8; 3],
@@ -35,7 +35,7 @@ pub(super) struct Look {
     pub width: f64,
 }
 
-impl Look {
+impl Setup {
     /// Of a pane; with a budget if it is a part of a picture that several workers make.
     pub(super) fn new(
         drawing: &Drawing<Solid>,

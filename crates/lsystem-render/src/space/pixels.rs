@@ -1,0 +1,87 @@
+//! The pixels of a picture in space, which finished tiles are copied into.
+
+use super::tile::Tile;
+use crate::{Pane, Viewport};
+use lsystem_syntax::{Meter, Progress};
+
+/// The pixels of a picture, or of a pane of one.
+#[derive(Default)]
+pub(super) struct Pixels {
+    pub width: usize,
+    pub height: usize,
+    /// RGBA, row by row.
+    pub bytes: Vec<u8>,
+    /// The colour of pixels that nothing is painted on.
+    paper: [u8; 4],
+    /// By row of pixels: from where to where something may have been painted.
+    painted: Vec<[usize; 2]>,
+    /// The rows before this one hold nothing of the picture before.
+    wiped: usize,
+}
+
+impl Pixels {
+    /// Whether the picture has this size.
+    pub(super) fn fits(&self, viewport: Viewport) -> bool {
+        (self.width, self.height) == (viewport.width as usize, viewport.height as usize)
+    }
+
+    /// Starts a picture of a pane; its size in bytes.
+    pub(super) fn begin(&mut self, pane: Pane, [r, g, b]: [u8; 3]) -> usize {
+        (self.width, self.height) = (pane.width as usize, pane.height as usize);
+        let size = self.width * self.height * 4;
+        let paper = [r, g, b, u8::MAX];
+        if self.bytes.len() != size || self.paper != paper || self.painted.len() != self.height {
+            self.paper = paper;
+            self.bytes.clear();
+            self.bytes.reserve_exact(size);
+            self.bytes.extend(paper.iter().cycle().take(size));
+            self.painted.clear();
+            self.painted.resize(self.height, [0, 0]);
+            self.wiped = self.height;
+        } else {
+            self.wiped = 0;
+        }
+        size
+    }
+
+    /// Starts the same picture again.
+    pub(super) fn begin_again(&mut self) {
+        self.wiped = 0;
+    }
+
+    /// Goes on removing the picture before.
+    pub(super) fn wipe(&mut self, meter: &mut Meter) -> Progress {
+        while self.wiped < self.height {
+            if meter.is_spent() {
+                return Progress::More;
+            }
+            let [from, to] = core::mem::take(&mut self.painted[self.wiped]);
+            let row = self.wiped * self.width;
+            let (pixels, _) = self.bytes[(row + from) * 4..(row + to) * 4].as_chunks_mut::<4>();
+            pixels.fill(self.paper);
+            self.wiped += 1;
+            meter.charge(1 + (to - from) as u64 / 64);
+        }
+        Progress::Done
+    }
+
+    /// Copies a finished tile into the picture: the tile `at` this column and row of tiles, which have so many pixels along
+    /// their sides.
+    pub(super) fn put(&mut self, tile: &Tile, at: [usize; 2], side: [usize; 2], samples: usize) {
+        let [x, y] = [0, 1].map(|i| at[i] * side[i]);
+        let right = (x + side[0]).min(self.width);
+        for row in y..(y + side[1]).min(self.height) {
+            let [from, to] = tile.painted(row - y, samples);
+            let to = to.min(right - x);
+            if from < to {
+                let first = row * self.width + x;
+                tile.pixels(row - y, from, samples, &mut self.bytes[(first + from) * 4..(first + to) * 4]);
+                let painted = &mut self.painted[row];
+                *painted = match *painted {
+                    [a, b] if a == b => [x + from, x + to],
+                    [a, b] => [a.min(x + from), b.max(x + to)],
+                };
+            }
+        }
+    }
+}
