@@ -42,7 +42,7 @@
 //! A step visits one item: a block, a stroke or a tile. A top-down picture takes at most 1,000,000 steps in full detail.
 //! Then it is made bottom-up, unless the drawing has more than 20,000 parts or 200,000 items in them, or the pictures of
 //! its parts take more than 400 Mi words. What cannot be made bottom-up either is painted as outlines of ever larger
-//! blocks: their extent doubles every 100,000 steps, so that every picture ends. Tiles take at most 23 MiB, the parts of a
+//! blocks: their extent doubles every 100,000 steps, so that every picture ends. Tiles take at most 21 MiB, the parts of a
 //! bottom-up picture 24 MiB.
 //!
 //! # Exactness

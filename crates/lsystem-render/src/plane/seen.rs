@@ -5,8 +5,8 @@ use core::hash::Hasher;
 
 /// How many things are remembered at first: half a mebibyte.
 const FIRST: usize = 1 << 16;
-/// And at most: 8 MiB. On a lattice far more blocks coincide than a small memory knows of.
-const MOST: usize = 1 << 20;
+/// And at most: 2 MiB. On a lattice far more blocks coincide than a small memory knows of.
+const MOST: usize = 1 << 18;
 /// The bytes of the memory, at most.
 pub(super) const SEEN: u64 = (MOST * size_of::<u64>()) as u64;
 /// Places less than this part of a subsample apart count as the same: exact repeats differ by rounding alone.

@@ -31,7 +31,7 @@ pub(in crate::plane) const SIMPLE_STROKES: u64 = 4_000;
 /// Words in a chunk of memory; no tile needs more.
 const CHUNK: usize = 1 << 17;
 /// Chunks kept; when more are needed, all tiles are dropped and made again as needed.
-const CHUNKS: usize = 23;
+const CHUNKS: usize = 21;
 /// The bytes of all of them.
 pub(in crate::plane) const TILES: u64 = (CHUNKS * CHUNK * size_of::<u64>()) as u64;
 /// Of these, dyed copies of tiles are made as long as no more are in use.
