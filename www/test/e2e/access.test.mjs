@@ -91,8 +91,11 @@ async function leave(page) {
     if (await page.isVisible('dialog[open]')) await page.keyboard.press('Escape');
     for (const close of ['#close-reader', '#close-playback']) if (await page.isVisible(close)) await page.click(close);
     if (await page.inputValue('#rules') === RULES && await page.inputValue('#axiom') === 'A(1)') return;
-    await page.evaluate((hash) => (location.hash = hash), TREE);
-    await until(async () => (await page.inputValue('#rules')) === RULES && page.isVisible('#stage.inked'), 'the tree is shown again');
+    await until(async () => {
+        // The address of an edit may still be that of the tree, and is set a moment later.
+        await page.evaluate((hash) => (location.hash = hash), TREE);
+        return (await page.inputValue('#rules')) === RULES && page.isVisible('#stage.inked');
+    }, 'the tree is shown again');
 }
 
 /** The states that are checked in other sizes and colours. */
