@@ -66,7 +66,7 @@ pub struct Legend {
 
 /// The value that a plain function throws.
 #[derive(Serialize)]
-pub(crate) struct Failure {
+pub(crate) struct ThrownProblems {
     pub(crate) diagnostics: Vec<Problem>,
 }
 
