@@ -128,7 +128,7 @@ impl<'de> Visitor<'de> for DefinitionVisitor {
                 continue;
             };
             if !spec.set(&mut definition, &map.next_value()?) {
-                return Err(de::Error::custom(format!("`{name}` must be {}", spec.wanted())));
+                return Err(de::Error::custom(format!("`{name}` must be {}", spec.expected_words())));
             }
         }
         Ok(definition)

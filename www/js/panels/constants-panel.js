@@ -75,7 +75,7 @@ export function constantsPanel(store, rules) {
         const showField = numberField(field, {
             low: -Number.MAX_VALUE,
             high: Number.MAX_VALUE,
-            wanted: 'a number',
+            expected: 'a number',
             step: () => /** @type {number} */ (stops[1]) - /** @type {number} */ (stops[0]),
             change: (next) => set(name, next, `constant ${name}`),
             settle,

@@ -18,7 +18,7 @@ export function growthPanel(store, source) {
     const iterations = dial(store, 'iterations', 'iterations');
     const angle = dial(store, 'angle', 'angle');
     const right = dial(store, 'rightAngle', 'right');
-    const showSeed = numberField(input('seed'), { ...rangeOf('seed'), wanted: FIELDS.seed.wanted, step: 1, change: (seed) => store.change({ seed }, 'seed'), settle: () => store.settle() });
+    const showSeed = numberField(input('seed'), { ...rangeOf('seed'), expected: FIELDS.seed.expected, step: 1, change: (seed) => store.change({ seed }, 'seed'), settle: () => store.settle() });
 
     const twoAngles = input('two-angles');
     twoAngles.addEventListener('change', () => {

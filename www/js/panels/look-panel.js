@@ -3,7 +3,7 @@
 import { button, byId, html, input, make, setChoice, setText } from '../dom.js';
 import { numberField } from '../controls/number-field.js';
 import { SCHEMES, hasScheme, schemePatch } from '../colour-schemes.js';
-import { mostOf, rangeOf } from '../state.js';
+import { maxLengthOf, rangeOf } from '../state.js';
 
 /** @type {Record<import('../state.js').ColourBy, string>} */
 const NOTES = {
@@ -60,7 +60,7 @@ export function lookPanel(store) {
         numberField(input(id), {
             low: 1,
             high: rangeOf('turnColours').high + 1,
-            wanted: 'a whole number above 0',
+            expected: 'a whole number above 0',
             step: 1,
             whole: true,
             settle,
@@ -108,7 +108,7 @@ export function lookPanel(store) {
                 if (well instanceof HTMLInputElement && well.value !== colour) well.value = colour;
             });
             button('remove-colour').disabled = state.palette.length === 1;
-            button('add-colour').disabled = state.palette.length >= mostOf('palette');
+            button('add-colour').disabled = state.palette.length >= maxLengthOf('palette');
             for (const { scheme, chip } of schemes) chip.setAttribute('aria-pressed', String(hasScheme(state, scheme)));
             setChoice(colourBy, state.colourBy);
             holds.checked = state.paletteHolds;

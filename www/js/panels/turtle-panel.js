@@ -35,18 +35,18 @@ export function turtlePanel(store) {
 
     /** A field for a number. @param {FieldName} field @param {string} id @param {number} step */
     function plainField(field, id, step) {
-        return numberField(input(id), { ...rangeOf(field), wanted: FIELDS[field].wanted, step, settle, change: (value) => store.change({ [field]: value }, field) });
+        return numberField(input(id), { ...rangeOf(field), expected: FIELDS[field].expected, step, settle, change: (value) => store.change({ [field]: value }, field) });
     }
 
     /** A field for an optional angle. @param {FieldName} field @param {string} id */
     function optionalAngle(field, id) {
-        return optionalField(input(id), { ...rangeOf(field), wanted: FIELDS[field].wanted, step: 1, settle, change: (value) => store.change({ [field]: value }, field) });
+        return optionalField(input(id), { ...rangeOf(field), expected: FIELDS[field].expected, step: 1, settle, change: (value) => store.change({ [field]: value }, field) });
     }
 
     /** Fields for the numbers of a list. @param {'start' | 'tropism'} field @param {string[]} ids @param {number} step */
     function listFields(field, ids, step) {
-        const { wanted = '', ...range } = rangeOf(field);
-        const show = ids.map((id, at) => numberField(input(id), { ...range, wanted, step, settle, change: (value) => store.change({ [field]: store.state[field].with(at, value) }, field) }));
+        const { expected = '', ...range } = rangeOf(field);
+        const show = ids.map((id, at) => numberField(input(id), { ...range, expected, step, settle, change: (value) => store.change({ [field]: store.state[field].with(at, value) }, field) }));
         return (/** @type {readonly number[]} */ values) => values.forEach((value, at) => show[at]?.(value));
     }
 
