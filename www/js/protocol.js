@@ -34,7 +34,7 @@ export {};
  * @property {Diagnostic[]} diagnostics
  * @property {string} kind `deterministic`, or a comma-separated list of `stochastic`, `context-sensitive` and `parametric`
  * @property {boolean} stochastic
- * @property {boolean} solid whether the drawing leaves the plane
+ * @property {boolean} space whether the drawing leaves the plane
  * @property {boolean | null} memoised whether the drawing shares its blocks; null while unknown
  * @property {string | null} symbols exact decimal digits; null while unknown
  * @property {string | null} segments exact decimal digits; null while unknown

@@ -105,7 +105,7 @@ impl Playground {
             diagnostics,
             kind: kind(&system),
             stochastic: system.is_stochastic(),
-            solid: system.is_solid(),
+            space: system.is_solid(),
             legend: legend_of(&system),
             empty: why_empty(&system, n),
             ..Report::default()

@@ -39,14 +39,14 @@ export function lookPanel(store) {
     inkKind.addEventListener('change', () => {
         store.change({ ink: /** @type {import('../state.js').Ink} */ (inkKind.value) }, '');
     });
-    let solid = false;
+    let space = false;
     /** @param {import('../state.js').State} state */
     const showInk = (state) => {
-        const adds = state.ink === 'density' && !solid;
-        setChoice(inkKind, solid ? 'solid' : state.ink);
-        inkKind.disabled = solid;
+        const adds = state.ink === 'density' && !space;
+        setChoice(inkKind, space ? 'solid' : state.ink);
+        inkKind.disabled = space;
         html('exposure-row').hidden = !adds;
-        setText(html('ink-note'), solid ? 'Drawings in space are opaque.' : adds ? 'Overlapping strokes add up. PNG pictures keep this; SVG files are opaque.' : '');
+        setText(html('ink-note'), space ? 'Drawings in space are opaque.' : adds ? 'Overlapping strokes add up. PNG pictures keep this; SVG files are opaque.' : '');
         for (const option of colourBy.options) if (option.value === 'density') option.disabled = !adds && state.colourBy !== 'density';
     };
 
@@ -95,7 +95,7 @@ export function lookPanel(store) {
     return {
         /** @param {import('../engine.js').Report} report @param {import('../state.js').State} state */
         report(report, state) {
-            solid = report.solid;
+            space = report.space;
             showInk(state);
         },
         /** @param {import('../state.js').State} state */

@@ -30,7 +30,7 @@ export function turtlePanel(store) {
     const showElasticity = plainField('elasticity', 'elasticity', 0.01);
     const showPull = listFields('tropism', ['tropism-x', 'tropism-y', 'tropism-z'], 0.1);
     /** Whether the drawing is in space, and whether tropism bends it. */
-    let solid = false;
+    let space = false;
     let bent = false;
 
     /** A field for a number. @param {FieldName} field @param {string} id @param {number} step */
@@ -52,7 +52,7 @@ export function turtlePanel(store) {
 
     /** Shows the angles in space if the drawing is in space or an angle is set. @param {import('../state.js').State} state */
     function showSpace({ angle, pitchDown, pitchUp, rollLeft, rollRight }) {
-        html('space').hidden = !solid && [pitchDown, pitchUp, rollLeft, rollRight].every((value) => value === null);
+        html('space').hidden = !space && [pitchDown, pitchUp, rollLeft, rollRight].every((value) => value === null);
         showDown(pitchDown, angle);
         showUp(pitchUp, pitchDown ?? angle);
         showLeft(rollLeft, angle);
@@ -100,7 +100,7 @@ export function turtlePanel(store) {
             const { ok, legend, diagnostics } = report;
             overrides.mark(diagnostics.filter(({ field }) => field === 'overrides'));
             if (!ok) return;
-            solid = report.solid;
+            space = report.space;
             showSpace(store.state);
             showLegend(legend);
         },
