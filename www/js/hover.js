@@ -16,7 +16,7 @@ const REST_MS = 200;
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{ratio: () => number, mark: (points: number[][]) => void, light: (chain: import('./protocol.js').Link[]) => void, choose: (chain: import('./protocol.js').Link[]) => void, reading: () => boolean, upto: () => bigint | null, offered?: () => boolean}} page
+ * @param {{ratio: () => number, mark: (points: number[][]) => void, light: (chain: import('./protocol.js').AncestryLink[]) => void, choose: (chain: import('./protocol.js').AncestryLink[]) => void, reading: () => boolean, upto: () => bigint | null, offered?: () => boolean}} page
  */
 export function createHover(engine, { ratio, mark, light, choose, reading, upto, offered = () => true }) {
     const canvas = html('drawing');

@@ -39,7 +39,7 @@ export function rulesPanel(store) {
         },
         /**
          * Replaces the value of a constant; caret and selection stay.
-         * @param {import('../protocol.js').Constant} constant
+         * @param {import('../protocol.js').ConstantSpan} constant
          * @param {string} value
          * @param {string} label of the change
          */
