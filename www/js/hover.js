@@ -12,7 +12,7 @@ const TAP_MS = 500;
 /** The pause after the last turn of a drawing in space, in milliseconds. */
 const REST_MS = 200;
 /** @typedef {import('./protocol.js').Picked} Picked */
-/** @typedef {import('./hover-card.js').Place} Place */
+/** @typedef {import('./hover-card.js').StagePoint} Place */
 
 /**
  * @param {import('./engine.js').Engine} engine

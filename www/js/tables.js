@@ -63,12 +63,12 @@ export const DIALECTS = /* @__PURE__ */ Object.freeze({
 /**
  * A field of the state: its key in links, its default, what it must be in words, what the page calls it, the values
  * under its slider (up to which value they are how far apart) and what an arrow key adds, and what has to be made anew where it changes.
- * @typedef {Range & {link: string, optional?: boolean, default: unknown, label: string, expected: string, unit?: string, slider?: {from: number, parts: readonly (readonly number[])[], arrow: number}, affects: string}} Field
+ * @typedef {Range & {link: string, optional?: boolean, default: unknown, label: string, expected: string, unit?: string, slider?: {from: number, parts: readonly (readonly number[])[], arrow: number}, affects: string}} FieldSpec
  */
 
 /** @typedef {keyof Definition | 'view' | 'camera'} FieldName */
 
-/** The fields of the state by name, in the order in which links write them. @type {Readonly<Record<FieldName, Field>>} */
+/** The fields of the state by name, in the order in which links write them. @type {Readonly<Record<FieldName, FieldSpec>>} */
 export const FIELDS = /* @__PURE__ */ Object.freeze({
     title: { link: 'title', kind: 'text', maxLength: 200, default: '', label: 'Title', expected: 'a text of at most 200 characters', affects: 'caption' },
     axiom: { link: 'axiom', kind: 'text', maxLength: 20000, default: '', label: 'Axiom', expected: 'a text of at most 20,000 characters', affects: 'drawing' },

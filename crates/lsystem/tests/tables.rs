@@ -26,12 +26,12 @@ const FIELD_TYPES: &str = " */
 /**
  * A field of the state: its key in links, its default, what it must be in words, what the page calls it, the values
  * under its slider (up to which value they are how far apart) and what an arrow key adds, and what has to be made anew where it changes.
- * @typedef {Range & {link: string, optional?: boolean, default: unknown, label: string, expected: string, unit?: string, slider?: {from: number, parts: readonly (readonly number[])[], arrow: number}, affects: string}} Field
+ * @typedef {Range & {link: string, optional?: boolean, default: unknown, label: string, expected: string, unit?: string, slider?: {from: number, parts: readonly (readonly number[])[], arrow: number}, affects: string}} FieldSpec
  */
 
 /** @typedef {keyof Definition | 'view' | 'camera'} FieldName */
 
-/** The fields of the state by name, in the order in which links write them. @type {Readonly<Record<FieldName, Field>>} */
+/** The fields of the state by name, in the order in which links write them. @type {Readonly<Record<FieldName, FieldSpec>>} */
 export const FIELDS = /* @__PURE__ */ Object.freeze({
 ";
 

@@ -6,12 +6,12 @@ import { rangeNote } from './range-note.js';
 
 /**
  * `expected` is the range in words; `step` is the change of an arrow key.
- * @typedef {{low: number, high: number, expected: string, step: number | (() => number), whole?: boolean, change: (value: number) => void, settle: () => void}} Range
+ * @typedef {{low: number, high: number, expected: string, step: number | (() => number), whole?: boolean, change: (value: number) => void, settle: () => void}} NumberOptions
  */
 
 /**
  * @param {HTMLInputElement} field
- * @param {Range} range
+ * @param {NumberOptions} range
  * @returns {(value: number) => void} shows a value
  */
 export function numberField(field, { low, high, expected, step, whole = false, change, settle }) {
