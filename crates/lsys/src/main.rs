@@ -45,8 +45,8 @@ impl CommandFailure {
         }
     }
 
-    /// Prints the message, so that other work can continue. Returns [`Self::ReaderGone`] as an error, because nobody reads
-    /// further results.
+    /// Prints the message, so that other work can continue. Returns [`Self::ReaderGone`] as an error, because nobody
+    /// reads further results.
     fn tell(self) -> Result<(), Self> {
         match self {
             Self::Words(words) => {
