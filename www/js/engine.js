@@ -25,7 +25,7 @@ import { Stopped, asking, createQuestions, isReading } from './engine/questions.
 /** @typedef {ReturnType<typeof createEngine>} Engine */
 
 /**
- * @typedef {object} Events
+ * @typedef {object} EngineEvents
  * @property {(report: Report, past: boolean) => void} report `past`: the report is about the last good state, because the newest was given up
  * @property {(drawn: Drawn) => void} drawn
  * @property {(busy: boolean) => void} busy whether a newer state than the shown one is being drawn
@@ -35,7 +35,7 @@ import { Stopped, asking, createQuestions, isReading } from './engine/questions.
  *   has no `look`, the definition may
  */
 
-/** @param {Events} events */
+/** @param {EngineEvents} events */
 export function createEngine(events) {
     let lastId = 0;
     const nextId = () => ++lastId;
@@ -147,7 +147,7 @@ export function createEngine(events) {
 /**
  * Handles the worker's messages.
  * @param {object} engine
- * @param {Events} engine.events
+ * @param {EngineEvents} engine.events
  * @param {ReturnType<typeof createTroubles>} engine.troubles
  * @param {ReturnType<typeof createConnection>} engine.connection
  * @param {ReturnType<typeof createQuestions>} engine.questions
@@ -211,7 +211,7 @@ function createReceiver({ events, troubles, connection, questions, newest, outbo
     };
 }
 
-/** Reports troubles, and once the end of the last one. @param {Pick<Events, 'troubled' | 'recovered'>} events */
+/** Reports troubles, and once the end of the last one. @param {Pick<EngineEvents, 'troubled' | 'recovered'>} events */
 function createTroubles({ troubled, recovered }) {
     /** The reported trouble that is not over yet. @type {Trouble['how'] | null} */
     let reportedTrouble = null;

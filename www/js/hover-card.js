@@ -14,7 +14,7 @@ const APART = { mouse: 18, touch: 34 };
 const EDGE = 8;
 
 /** @typedef {import('./protocol.js').Picked} Picked */
-/** @typedef {{x: number, y: number, touch: boolean}} Place CSS pixels from the stage's upper left corner */
+/** @typedef {{x: number, y: number, touch: boolean}} StagePoint CSS pixels from the stage's upper left corner */
 
 /** @param {HTMLElement} stage */
 export function createHoverCard(stage) {
@@ -33,7 +33,7 @@ export function createHoverCard(stage) {
         );
     }
 
-    /** Moves the card to a place with room for it. @param {Place} place */
+    /** Moves the card to a place with room for it. @param {StagePoint} place */
     function position({ x, y, touch }) {
         const { width, height } = card.getBoundingClientRect();
         const apart = touch ? APART.touch : APART.mouse;
@@ -44,7 +44,7 @@ export function createHoverCard(stage) {
     }
 
     return {
-        /** @param {Picked} picked with a segment or a polygon @param {Place} place */
+        /** @param {Picked} picked with a segment or a polygon @param {StagePoint} place */
         show(picked, place) {
             const facts = factsOf(picked);
             if (shownFacts !== facts || card.hidden) fill(facts, picked, place.touch ? MAX_ANCESTORS.touch : MAX_ANCESTORS.mouse);

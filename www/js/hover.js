@@ -12,11 +12,11 @@ const TAP_MS = 500;
 /** The pause after the last turn of a drawing in space, in milliseconds. */
 const REST_MS = 200;
 /** @typedef {import('./protocol.js').Picked} Picked */
-/** @typedef {import('./hover-card.js').Place} Place */
+/** @typedef {import('./hover-card.js').StagePoint} Place */
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{ratio: () => number, mark: (points: number[][]) => void, light: (chain: import('./protocol.js').Link[]) => void, choose: (chain: import('./protocol.js').Link[]) => void, reading: () => boolean, upto: () => bigint | null, offered?: () => boolean}} page
+ * @param {{ratio: () => number, mark: (points: number[][]) => void, light: (chain: import('./protocol.js').AncestryLink[]) => void, choose: (chain: import('./protocol.js').AncestryLink[]) => void, reading: () => boolean, upto: () => bigint | null, offered?: () => boolean}} page
  */
 export function createHover(engine, { ratio, mark, light, choose, reading, upto, offered = () => true }) {
     const canvas = html('drawing');

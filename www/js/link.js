@@ -7,7 +7,7 @@
  * characters than necessary.
  */
 
-import { DEFAULTS, clean, mostOf, problemOf, same } from './state.js';
+import { DEFAULTS, clean, maxLengthOf, problemOf, same } from './state.js';
 import { FIELDS } from './tables.js';
 
 /** @typedef {import('./state.js').State} State */
@@ -36,7 +36,7 @@ const list = (count) => ({ write: (value) => value.join(), read: (value) => valu
 /** @type {Form} */
 const colour = { write: (value) => value.slice(1), read: (value) => `#${value.toLowerCase()}` };
 /** @type {Form} */
-const colours = { write: (value) => value.map(colour.write).join(), read: (value) => value.split(',', mostOf('palette') + 1).map(colour.read) };
+const colours = { write: (value) => value.map(colour.write).join(), read: (value) => value.split(',', maxLengthOf('palette') + 1).map(colour.read) };
 /** @type {Form} */
 const flag = { write: (value) => (value ? '1' : '0'), read: (value) => ({ 0: false, 1: true })[value] };
 /** @type {Form} */

@@ -15,7 +15,7 @@ import { byId } from './dom.js';
  * @typedef {{view: View, camera: Camera | null, scale: number, size: {width: number, height: number}}} Viewpoint
  */
 
-/** `heading` in degrees counter-clockwise from the right, in space a vector. @typedef {{at: Point, heading: number | number[]}} Pose */
+/** `heading` in degrees counter-clockwise from the right, in space a vector. @typedef {{at: Point, heading: number | number[]}} FittedPose */
 
 /** Marks are clipped at this distance from the frame, in CSS pixels. */
 const FAR = 1e5;
@@ -55,7 +55,7 @@ export function createMarks() {
     let points = [];
     /** @type {Point[]} */
     let outline = [];
-    /** @type {Pose | null} */
+    /** @type {FittedPose | null} */
     let pose = null;
 
     /** @param {Point} point @returns {[number, number]} CSS pixels from the stage's upper left corner */
@@ -74,7 +74,7 @@ export function createMarks() {
     /** @param {Point} point */
     const seen = (point) => place(point).map((value) => Math.min(FAR, Math.max(-FAR, value)));
 
-    /** The turtle's direction in the picture, in degrees clockwise from the right. @param {Pose} pose */
+    /** The turtle's direction in the picture, in degrees clockwise from the right. @param {FittedPose} pose */
     function towards({ at, heading }) {
         if (typeof heading === 'number') return -heading;
         const ahead = at.map((value, axis) => value + STEP * (heading[axis] ?? 0));
@@ -150,7 +150,7 @@ export function createMarks() {
             outline = next;
             draw();
         },
-        /** @param {Pose | null} next */
+        /** @param {FittedPose | null} next */
         turtle(next) {
             if (pose === null && next === null) return;
             pose = next;

@@ -4,12 +4,12 @@ import { latest } from './latest.js';
 
 /** @typedef {import('./protocol.js').Notation} Notation */
 /** @typedef {import('./protocol.js').Texts} Texts */
-/** @typedef {{read: (notation: Notation, texts: Texts) => void}} Listener `texts` may be older than the texts on the page */
+/** @typedef {{read: (notation: Notation, texts: Texts) => void}} NotationListener `texts` may be older than the texts on the page */
 
 /**
  * @param {import('./store.js').Store} store
  * @param {import('./engine.js').Engine} engine
- * @param {Listener[]} listeners
+ * @param {NotationListener[]} listeners
  */
 export function followNotation(store, engine, listeners) {
     const ask = latest(engine.notation, (notation, texts) => {

@@ -81,10 +81,10 @@ export function createOrbit(store, stage) {
 
     return {
         /** @param {import('./protocol.js').Report} report */
-        report({ ok, solid }) {
+        report({ ok, space }) {
             if (!ok) return;
-            tools.hidden = !solid;
-            if (!solid) stop();
+            tools.hidden = !space;
+            if (!space) stop();
             else draw();
         },
         /** @param {Readonly<State>} state @param {Readonly<State> | null} before */

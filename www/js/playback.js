@@ -13,7 +13,7 @@ const SLIDER_POSITIONS = 10_000;
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{turtle: (pose: import('./marks.js').Pose | null) => void, offered?: () => boolean}} page
+ * @param {{turtle: (pose: import('./marks.js').FittedPose | null) => void, offered?: () => boolean}} page
  */
 export function createPlayback(engine, { turtle, offered = () => true }) {
     /** The number of segments that can be played, null while unknown, and the exact number of segments. @type {bigint | null} */

@@ -34,7 +34,7 @@ export {};
  * @property {Diagnostic[]} diagnostics
  * @property {string} kind `deterministic`, or a comma-separated list of `stochastic`, `context-sensitive` and `parametric`
  * @property {boolean} stochastic
- * @property {boolean} solid whether the drawing leaves the plane
+ * @property {boolean} space whether the drawing leaves the plane
  * @property {boolean | null} memoised whether the drawing shares its blocks; null while unknown
  * @property {string | null} symbols exact decimal digits; null while unknown
  * @property {string | null} segments exact decimal digits; null while unknown
@@ -53,24 +53,24 @@ export {};
 /** In the plane: degrees counter-clockwise from the right. In space: a vector. @typedef {number | number[]} Heading */
 
 /** The turtle's pose after the shown segments; `at` in model units. @typedef {{at: number[], fitted: Place, heading: Heading, level: number}} Pose */
-/** A segment; `from` and `to` in model units. @typedef {{from: number[], to: number[], fittedFrom: Place, fittedTo: Place, heading: Heading, level: number, colour: number}} Stroke */
-/** A polygon. @typedef {{outline: Place[], level: number, colour: number}} Filled */
+/** A segment; `from` and `to` in model units. @typedef {{from: number[], to: number[], fittedFrom: Place, fittedTo: Place, heading: Heading, level: number, colour: number}} SegmentFacts */
+/** A polygon. @typedef {{outline: Place[], level: number, colour: number}} PolygonFacts */
 /**
  * One link of the chain from the axiom to a symbol. `symbol` includes its arguments in parentheses; `index` is in
  * decimal digits; `position` is the place in the successor (or in the axiom); `production` is the number of a
  * production, or null if the symbol was copied or stands in the axiom. All numbers count from 0.
- * @typedef {{generation: number, symbol: string, index: string, production: number | null, position: number}} Link
+ * @typedef {{generation: number, symbol: string, index: string, production: number | null, position: number}} AncestryLink
  */
-/** The symbols and segments derived from a symbol, as half-open ranges. `outline` surrounds a polygon, a single segment, or in the plane all of them. @typedef {{symbols: [string, string], segments: [string, string], outline: Place[]}} Part */
+/** The symbols and segments derived from a symbol, as half-open ranges. `outline` surrounds a polygon, a single segment, or in the plane all of them. @typedef {{symbols: [string, string], segments: [string, string], outline: Place[]}} Descendants */
 /** A page of a generation's string, and the length of the generation; both null if the generation is too long to derive. `apart`: each symbol ends with a line end, because symbols may have arguments. @typedef {{length: string | null, text: string | null, apart: boolean}} StringPage */
-/** `ancestry` is empty and `part` is null if the derivation is too long to be remembered; `stroke` is the first segment of the part. @typedef {{ancestry: Link[], part: Part | null, stroke: Stroke | null}} SymbolFacts */
-/** The number of the nearest segment or polygon, its geometry (`stroke` or `filled`), and the number of the symbol that draws or opens it; all null if nothing is near. @typedef {{segment: string | null, polygon: string | null, symbol: string | null, ancestry: Link[], stroke: Stroke | null, filled: Filled | null}} Picked */
+/** `ancestry` is empty and `part` is null if the derivation is too long to be remembered; `stroke` is the first segment of the part. @typedef {{ancestry: AncestryLink[], part: Descendants | null, stroke: SegmentFacts | null}} SymbolFacts */
+/** The number of the nearest segment or polygon, its geometry (`stroke` or `filled`), and the number of the symbol that draws or opens it; all null if nothing is near. @typedef {{segment: string | null, polygon: string | null, symbol: string | null, ancestry: AncestryLink[], stroke: SegmentFacts | null, filled: PolygonFacts | null}} Picked */
 /** @typedef {{axiom: string, rules: string, overrides: string}} Texts */
-/** `value` is null if invalid. The value's text stands from `start` to `end` in the rules; `number`: the text is a plain number, which another number may replace. @typedef {{name: string, value: number | null, start: number, end: number, number: boolean}} Constant */
+/** `value` is null if invalid. The value's text stands from `start` to `end` in the rules; `number`: the text is a plain number, which another number may replace. @typedef {{name: string, value: number | null, start: number, end: number, number: boolean}} ConstantSpan */
 /**
  * How the syntax of texts is highlighted, valid or not: one class letter (crates/lsystem-wasm/src/notation.rs) for each
  * UTF-16 unit, and the named constants of the rules.
- * @typedef {Texts & {constants: Constant[]}} Notation
+ * @typedef {Texts & {constants: ConstantSpan[]}} Notation
  */
 /** `text` is the content of a readable text file that has problems. @typedef {{definition: Definition | null, diagnostics: Diagnostic[], text: string | null}} FileRead */
 /** A format of exported files. @typedef {keyof typeof import('./tables.js').FORMATS} Format */

@@ -26,16 +26,16 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
     const frame = html('stage');
     const canvas = byId('drawing', HTMLCanvasElement);
     /** Whether the drawing is in space. */
-    let solid = false;
+    let space = false;
     let slow = 0;
 
     const picture = createPicture(canvas, marks.look);
-    const moves = createMoves(store, picture, () => solid);
+    const moves = createMoves(store, picture, () => space);
     const { size, measure } = watchSize(frame, look);
 
     /** @returns {import('./protocol.js').Canvas} */
     const resolution = () => ({ width: Math.max(1, Math.round(size.width * size.ratio)), height: Math.max(1, Math.round(size.height * size.ratio)), ratio: size.ratio });
-    const place = () => picture.place(moves.view(), solid ? moves.camera() : null, size);
+    const place = () => picture.place(moves.view(), space ? moves.camera() : null, size);
 
     function look() {
         place();
@@ -45,7 +45,7 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
     button('fit').addEventListener('click', moves.fit);
     button('zoom-in').addEventListener('click', () => moves.zoom(ZOOM_STEP));
     button('zoom-out').addEventListener('click', () => moves.zoom(1 / ZOOM_STEP));
-    listenToKeys(canvas, store, moves, { solid: () => solid, side: () => Math.min(size.width, size.height), changes: keys });
+    listenToKeys(canvas, store, moves, { space: () => space, side: () => Math.min(size.width, size.height), changes: keys });
     listenToGestures(canvas, {
         takes,
         drag: moves.drag,
@@ -66,7 +66,7 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
 
     /** @param {import('./state.js').State} state @param {import('./state.js').State | null} before */
     function show(state, before) {
-        setText(html('zoom'), zoomText((solid ? moves.camera() : moves.view()).zoom));
+        setText(html('zoom'), zoomText((space ? moves.camera() : moves.view()).zoom));
         button('fit').setAttribute('aria-pressed', String(moves.isFitted()));
         if (!before || before.view !== state.view || before.camera !== state.camera) look();
     }
@@ -81,15 +81,15 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
 
         /** Notes whether the drawing is in space. @param {import('./protocol.js').Report} report */
         report(report) {
-            if (!report.ok || solid === report.solid) return;
-            solid = report.solid;
-            frame.classList.toggle('solid', solid);
+            if (!report.ok || space === report.space) return;
+            space = report.space;
+            frame.classList.toggle('space', space);
             show(store.state, null);
         },
 
         /** @param {import('./engine.js').Drawn} drawn */
         drawn(drawn) {
-            picture.paint(drawn, solid);
+            picture.paint(drawn, space);
             frame.classList.add('inked');
             setBusy(!drawn.complete);
             place();

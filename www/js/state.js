@@ -32,7 +32,7 @@ import { FIELDS as TABLE } from './tables.js';
 export const FIELDS = /** @type {FieldName[]} */ (Object.keys(TABLE));
 
 /** @type {Readonly<State>} */
-export const DEFAULTS = Object.freeze(/** @type {any} */ (Object.fromEntries(FIELDS.map((field) => [field, TABLE[field].usual]))));
+export const DEFAULTS = Object.freeze(/** @type {any} */ (Object.fromEntries(FIELDS.map((field) => [field, TABLE[field].default]))));
 
 /**
  * The range of a number field, or of a number in a record or list field.
@@ -48,9 +48,9 @@ export function rangeOf(field, member = '') {
 }
 
 /** The maximum number of characters or colours in a field. @param {FieldName} field */
-export function mostOf(field) {
+export function maxLengthOf(field) {
     const { [field]: found } = TABLE;
-    return 'most' in found ? found.most : Infinity;
+    return 'maxLength' in found ? found.maxLength : Infinity;
 }
 
 /**
@@ -75,9 +75,9 @@ export function cleanField(field, value) {
  */
 export function problemOf(field, value) {
     const taken = cleanField(field, value);
-    const { wanted } = TABLE[field];
-    if (taken === undefined) return `must be ${wanted}; it was left out`;
-    return isAsGiven(value, taken) ? null : `must be ${wanted}; the nearest value was taken`;
+    const { expected } = TABLE[field];
+    if (taken === undefined) return `must be ${expected}; it was left out`;
+    return isAsGiven(value, taken) ? null : `must be ${expected}; the nearest value was taken`;
 }
 
 /**
@@ -145,7 +145,7 @@ function nearest(range, value) {
     switch (range.kind) {
         case 'text':
             // Half a surrogate pair cannot be written into a link or a file.
-            return typeof value === 'string' ? value.slice(0, range.most).replace(/\r\n?/g, '\n').replace(/\p{Surrogate}/gu, '\ufffd') : undefined;
+            return typeof value === 'string' ? value.slice(0, range.maxLength).replace(/\r\n?/g, '\n').replace(/\p{Surrogate}/gu, '\ufffd') : undefined;
         case 'number':
             if (typeof value !== 'number' || !Number.isFinite(value)) return undefined;
             // Adding 0 turns -0 into 0, which links and files cannot tell apart.
@@ -157,7 +157,7 @@ function nearest(range, value) {
         case 'colour':
             return typeof value === 'string' && /^#[0-9a-f]{6}$/i.test(value) ? value.toLowerCase() : undefined;
         case 'colours':
-            return Array.isArray(value) && value.length > 0 ? all(value.slice(0, range.most).map((one) => nearest({ kind: 'colour' }, one))) : undefined;
+            return Array.isArray(value) && value.length > 0 ? all(value.slice(0, range.maxLength).map((one) => nearest({ kind: 'colour' }, one))) : undefined;
         case 'list':
             return Array.isArray(value) && value.length === range.count ? all(value.map((one) => nearest(range.each, one))) : undefined;
         case 'record': {

@@ -5,7 +5,7 @@ import { FIELDS, clean, same, sameSystem } from './state.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {ReturnType<typeof createStore>} Store */
-/** @typedef {(state: Readonly<State>, before: Readonly<State>) => void} Listener */
+/** @typedef {(state: Readonly<State>, before: Readonly<State>) => void} StateListener */
 
 /** @param {State} initial @param {State} [from] what Reset returns to, if not the initial state */
 export function createStore(initial, from = initial) {
@@ -14,7 +14,7 @@ export function createStore(initial, from = initial) {
     /** What Reset returns to: the system as picked or opened. @type {Readonly<State>} */
     let origin = clean(from);
     let history = EMPTY;
-    /** @type {Listener[]} */
+    /** @type {StateListener[]} */
     const listeners = [];
 
     /** @param {Readonly<State>} next */
@@ -55,7 +55,7 @@ export function createStore(initial, from = initial) {
             return !sameSystem(state, origin) || state.view !== origin.view || state.camera !== origin.camera;
         },
 
-        /** @param {Listener} listener called after every change */
+        /** @param {StateListener} listener called after every change */
         subscribe(listener) {
             listeners.push(listener);
         },

@@ -52,62 +52,62 @@ export const DIALECTS = /* @__PURE__ */ Object.freeze({
 
 /**
  * What a number may be, and in words; `whole` where it has no fraction.
- * @typedef {{kind: 'number', low: number, high: number, whole?: boolean, wanted?: string}} NumberRange
+ * @typedef {{kind: 'number', low: number, high: number, whole?: boolean, expected?: string}} NumberRange
  */
 
 /**
  * What a value may be.
- * @typedef {NumberRange | {kind: 'flag' | 'colour'} | {kind: 'text' | 'colours', most: number} | {kind: 'word', words: readonly string[]} | {kind: 'list', count: number, each: NumberRange} | {kind: 'record', members: Readonly<Record<string, NumberRange | {kind: 'flag'}>>}} Range
+ * @typedef {NumberRange | {kind: 'flag' | 'colour'} | {kind: 'text' | 'colours', maxLength: number} | {kind: 'word', words: readonly string[]} | {kind: 'list', count: number, each: NumberRange} | {kind: 'record', members: Readonly<Record<string, NumberRange | {kind: 'flag'}>>}} Range
  */
 
 /**
  * A field of the state: its key in links, its default, what it must be in words, what the page calls it, the values
  * under its slider (up to which value they are how far apart) and what an arrow key adds, and what has to be made anew where it changes.
- * @typedef {Range & {link: string, optional?: boolean, usual: unknown, label: string, wanted: string, unit?: string, slider?: {from: number, parts: readonly (readonly number[])[], arrow: number}, affects: string}} Field
+ * @typedef {Range & {link: string, optional?: boolean, default: unknown, label: string, expected: string, unit?: string, slider?: {from: number, parts: readonly (readonly number[])[], arrow: number}, affects: string}} FieldSpec
  */
 
 /** @typedef {keyof Definition | 'view' | 'camera'} FieldName */
 
-/** The fields of the state by name, in the order in which links write them. @type {Readonly<Record<FieldName, Field>>} */
+/** The fields of the state by name, in the order in which links write them. @type {Readonly<Record<FieldName, FieldSpec>>} */
 export const FIELDS = /* @__PURE__ */ Object.freeze({
-    title: { link: 'title', kind: 'text', most: 200, usual: '', label: 'Title', wanted: 'a text of at most 200 characters', affects: 'caption' },
-    axiom: { link: 'axiom', kind: 'text', most: 20000, usual: '', label: 'Axiom', wanted: 'a text of at most 20,000 characters', affects: 'drawing' },
-    rules: { link: 'rules', kind: 'text', most: 50000, usual: '', label: 'Productions', wanted: 'a text of at most 50,000 characters', affects: 'drawing' },
-    iterations: { link: 'n', kind: 'number', low: 0, high: 1000, whole: true, usual: 1, label: 'Iterations', wanted: 'a whole number from 0 to 1,000', unit: 'iterations', slider: { from: 0, parts: [[24, 1], [40, 2], [100, 5], [120, 20], [150, 30], [200, 50], [300, 100], [700, 200], [1000, 300]], arrow: 1 }, affects: 'drawing' },
-    angle: { link: 'angle', kind: 'number', low: -Infinity, high: Infinity, usual: 0, label: 'Angle', wanted: 'a number', unit: 'degrees', slider: { from: 0, parts: [[180, 0.5]], arrow: 1 }, affects: 'drawing' },
-    rightAngle: { link: 'right', kind: 'number', low: -Infinity, high: Infinity, optional: true, usual: null, label: 'Right turns', wanted: 'a number or nothing', unit: 'degrees', slider: { from: 0, parts: [[180, 0.5]], arrow: 1 }, affects: 'drawing' },
-    seed: { link: 'seed', kind: 'number', low: 0, high: 4294967295, whole: true, usual: 0, label: 'Seed', wanted: 'a whole number from 0 to 4,294,967,295', affects: 'drawing' },
-    dialect: { link: 'turtle', kind: 'word', words: ['abop', 'every-letter', 'practical', 'lowercase', 'axes'], usual: 'abop', label: 'Dialect', wanted: 'one of `abop`, `every-letter`, `practical`, `lowercase`, `axes`', affects: 'drawing' },
-    pitchDown: { link: 'down', kind: 'number', low: -Infinity, high: Infinity, optional: true, usual: null, label: 'Pitch down', wanted: 'a number or nothing', unit: 'degrees', affects: 'drawing' },
-    pitchUp: { link: 'up', kind: 'number', low: -Infinity, high: Infinity, optional: true, usual: null, label: 'Pitch up', wanted: 'a number or nothing', unit: 'degrees', affects: 'drawing' },
-    rollLeft: { link: 'roll', kind: 'number', low: -Infinity, high: Infinity, optional: true, usual: null, label: 'Roll left', wanted: 'a number or nothing', unit: 'degrees', affects: 'drawing' },
-    rollRight: { link: 'rollright', kind: 'number', low: -Infinity, high: Infinity, optional: true, usual: null, label: 'Roll right', wanted: 'a number or nothing', unit: 'degrees', affects: 'drawing' },
-    heading: { link: 'heading', kind: 'number', low: -Infinity, high: Infinity, usual: 90, label: 'Heading', wanted: 'a number', unit: 'degrees', affects: 'drawing' },
-    step: { link: 'step', kind: 'number', low: 1e-9, high: 1000000000, usual: 1, label: 'Step', wanted: 'a number from 1e-9 to 1,000,000,000', affects: 'drawing' },
-    start: { link: 'start', kind: 'list', count: 2, each: { kind: 'number', low: -1000000000, high: 1000000000, wanted: 'a number from -1,000,000,000 to 1,000,000,000' }, usual: [0, 0], label: 'Start of the turtle', wanted: 'a list of 2 values, each a number from -1,000,000,000 to 1,000,000,000', affects: 'drawing' },
-    tropism: { link: 'tropism', kind: 'list', count: 3, each: { kind: 'number', low: -1000, high: 1000, wanted: 'a number from -1,000 to 1,000' }, usual: [0, -1, 0], label: 'Tropism', wanted: 'a list of 3 values, each a number from -1,000 to 1,000', affects: 'drawing' },
-    elasticity: { link: 'elasticity', kind: 'number', low: -1000, high: 1000, usual: 0, label: 'Elasticity', wanted: 'a number from -1,000 to 1,000', affects: 'drawing' },
-    lengthFactor: { link: 'shorter', kind: 'number', low: 0, high: 10, usual: 1, label: 'Branch length ×', wanted: 'a number from 0 to 10', unit: 'times', slider: { from: 0, parts: [[2, 0.05]], arrow: 0.05 }, affects: 'drawing' },
-    angleVariation: { link: 'vary', kind: 'number', low: 0, high: 100, usual: 0, label: 'Angle variation', wanted: 'a number from 0 to 100', unit: 'percent', slider: { from: 0, parts: [[30, 1], [100, 5]], arrow: 1 }, affects: 'drawing' },
-    lengthVariation: { link: 'varylength', kind: 'number', low: 0, high: 100, usual: 0, label: 'Length variation', wanted: 'a number from 0 to 100', unit: 'percent', slider: { from: 0, parts: [[30, 1], [100, 5]], arrow: 1 }, affects: 'drawing' },
-    growth: { link: 'growth', kind: 'number', low: 0, high: 1, usual: 1, label: 'Growth', wanted: 'a number from 0 to 1', affects: 'drawing' },
-    overrides: { link: 'do', kind: 'text', most: 20000, usual: '', label: 'Custom symbols', wanted: 'a text of at most 20,000 characters', affects: 'drawing' },
-    palette: { link: 'palette', kind: 'colours', most: 256, usual: ['#1f5c3a', '#5f8f2f', '#b58b1e', '#b4532a', '#8c2f4b'], label: 'Colours', wanted: 'a list of 1 to 256 colours such as "#1f5c3a"', affects: 'look' },
-    colourBy: { link: 'colour', kind: 'word', words: ['symbol', 'single', 'level', 'turn', 'generation', 'path', 'density'], usual: 'symbol', label: 'Colour by', wanted: 'one of `symbol`, `single`, `level`, `turn`, `generation`, `path`, `density`', affects: 'look' },
-    paletteHolds: { link: 'hold', kind: 'flag', usual: false, label: 'Stay at the last colour', wanted: 'true or false', affects: 'look' },
-    turnColours: { link: 'turns', kind: 'list', count: 2, each: { kind: 'number', low: -2147483648, high: 2147483647, whole: true, wanted: 'a whole number from -2,147,483,648 to 2,147,483,647' }, usual: [1, 2], label: 'Colour number after a turn', wanted: 'a list of 2 values, each a whole number from -2,147,483,648 to 2,147,483,647', affects: 'look' },
-    background: { link: 'bg', kind: 'colour', usual: '#fbfaf5', label: 'Background', wanted: 'a colour such as "#1f5c3a"', affects: 'look' },
-    width: { link: 'width', kind: 'number', low: 0, high: 1000000000, usual: 0, label: 'Stroke width (steps)', wanted: 'a number from 0 to 1,000,000,000', unit: 'steps', slider: { from: 0, parts: [[1, 0.05], [3, 0.1], [10, 0.25], [20, 0.5]], arrow: 0.1 }, affects: 'look' },
-    widthFactor: { link: 'thinner', kind: 'number', low: 0, high: 10, usual: 1, label: 'Width per branch level ×', wanted: 'a number from 0 to 10', unit: 'times', slider: { from: 0, parts: [[2, 0.05]], arrow: 0.05 }, affects: 'look' },
-    minWidth: { link: 'thin', kind: 'number', low: 0, high: 10000, usual: 1, label: 'Thinnest line', wanted: 'a number from 0 to 10,000', unit: 'pixels', slider: { from: 0, parts: [[8, 0.25]], arrow: 0.5 }, affects: 'look' },
-    ink: { link: 'ink', kind: 'word', words: ['solid', 'density'], usual: 'solid', label: 'Blending', wanted: 'one of `solid`, `density`', affects: 'look' },
-    hue: { link: 'hue', kind: 'number', low: -360, high: 360, usual: 0, label: 'Hue', wanted: 'a number from -360 to 360', unit: 'degrees', slider: { from: 0, parts: [[360, 5]], arrow: 5 }, affects: 'look' },
-    exposure: { link: 'exposure', kind: 'number', low: -10, high: 10, usual: 0, label: 'Exposure (stops)', wanted: 'a number from -10 to 10', unit: 'stops', slider: { from: -4, parts: [[4, 0.25]], arrow: 0.25 }, affects: 'look' },
-    name: { link: 'name', kind: 'text', most: 200, usual: '', label: 'Name', wanted: 'a text of at most 200 characters', affects: 'caption' },
-    source: { link: 'source', kind: 'text', most: 1000, usual: '', label: 'Source', wanted: 'a text of at most 1,000 characters', affects: 'caption' },
-    notes: { link: 'notes', kind: 'text', most: 10000, usual: '', label: 'Notes', wanted: 'a text of at most 10,000 characters', affects: 'caption' },
-    view: { link: 'view', kind: 'record', members: { x: { kind: 'number', low: -1000000, high: 1000000 }, y: { kind: 'number', low: -1000000, high: 1000000 }, zoom: { kind: 'number', low: 0.01, high: 1e25 }, fx: { kind: 'number', low: -1, high: 1 }, fy: { kind: 'number', low: -1, high: 1 } }, optional: true, usual: null, label: 'View', wanted: 'an object of x, y, zoom, fx, fy or nothing', affects: 'look' },
-    camera: { link: 'camera', kind: 'record', members: { azimuth: { kind: 'number', low: -360, high: 360 }, elevation: { kind: 'number', low: -90, high: 90 }, zoom: { kind: 'number', low: 0.01, high: 10000 }, x: { kind: 'number', low: -100, high: 100 }, y: { kind: 'number', low: -100, high: 100 }, z: { kind: 'number', low: -100, high: 100 }, perspective: { kind: 'flag' }, fade: { kind: 'number', low: 0, high: 1 } }, optional: true, usual: null, label: 'Camera', wanted: 'an object of azimuth, elevation, zoom, x, y, z, perspective, fade or nothing', affects: 'look' },
+    title: { link: 'title', kind: 'text', maxLength: 200, default: '', label: 'Title', expected: 'a text of at most 200 characters', affects: 'caption' },
+    axiom: { link: 'axiom', kind: 'text', maxLength: 20000, default: '', label: 'Axiom', expected: 'a text of at most 20,000 characters', affects: 'drawing' },
+    rules: { link: 'rules', kind: 'text', maxLength: 50000, default: '', label: 'Productions', expected: 'a text of at most 50,000 characters', affects: 'drawing' },
+    iterations: { link: 'n', kind: 'number', low: 0, high: 1000, whole: true, default: 1, label: 'Iterations', expected: 'a whole number from 0 to 1,000', unit: 'iterations', slider: { from: 0, parts: [[24, 1], [40, 2], [100, 5], [120, 20], [150, 30], [200, 50], [300, 100], [700, 200], [1000, 300]], arrow: 1 }, affects: 'drawing' },
+    angle: { link: 'angle', kind: 'number', low: -Infinity, high: Infinity, default: 0, label: 'Angle', expected: 'a number', unit: 'degrees', slider: { from: 0, parts: [[180, 0.5]], arrow: 1 }, affects: 'drawing' },
+    rightAngle: { link: 'right', kind: 'number', low: -Infinity, high: Infinity, optional: true, default: null, label: 'Right turns', expected: 'a number or nothing', unit: 'degrees', slider: { from: 0, parts: [[180, 0.5]], arrow: 1 }, affects: 'drawing' },
+    seed: { link: 'seed', kind: 'number', low: 0, high: 4294967295, whole: true, default: 0, label: 'Seed', expected: 'a whole number from 0 to 4,294,967,295', affects: 'drawing' },
+    dialect: { link: 'turtle', kind: 'word', words: ['abop', 'every-letter', 'practical', 'lowercase', 'axes'], default: 'abop', label: 'Dialect', expected: 'one of `abop`, `every-letter`, `practical`, `lowercase`, `axes`', affects: 'drawing' },
+    pitchDown: { link: 'down', kind: 'number', low: -Infinity, high: Infinity, optional: true, default: null, label: 'Pitch down', expected: 'a number or nothing', unit: 'degrees', affects: 'drawing' },
+    pitchUp: { link: 'up', kind: 'number', low: -Infinity, high: Infinity, optional: true, default: null, label: 'Pitch up', expected: 'a number or nothing', unit: 'degrees', affects: 'drawing' },
+    rollLeft: { link: 'roll', kind: 'number', low: -Infinity, high: Infinity, optional: true, default: null, label: 'Roll left', expected: 'a number or nothing', unit: 'degrees', affects: 'drawing' },
+    rollRight: { link: 'rollright', kind: 'number', low: -Infinity, high: Infinity, optional: true, default: null, label: 'Roll right', expected: 'a number or nothing', unit: 'degrees', affects: 'drawing' },
+    heading: { link: 'heading', kind: 'number', low: -Infinity, high: Infinity, default: 90, label: 'Heading', expected: 'a number', unit: 'degrees', affects: 'drawing' },
+    step: { link: 'step', kind: 'number', low: 1e-9, high: 1000000000, default: 1, label: 'Step', expected: 'a number from 1e-9 to 1,000,000,000', affects: 'drawing' },
+    start: { link: 'start', kind: 'list', count: 2, each: { kind: 'number', low: -1000000000, high: 1000000000, expected: 'a number from -1,000,000,000 to 1,000,000,000' }, default: [0, 0], label: 'Start of the turtle', expected: 'a list of 2 values, each a number from -1,000,000,000 to 1,000,000,000', affects: 'drawing' },
+    tropism: { link: 'tropism', kind: 'list', count: 3, each: { kind: 'number', low: -1000, high: 1000, expected: 'a number from -1,000 to 1,000' }, default: [0, -1, 0], label: 'Tropism', expected: 'a list of 3 values, each a number from -1,000 to 1,000', affects: 'drawing' },
+    elasticity: { link: 'elasticity', kind: 'number', low: -1000, high: 1000, default: 0, label: 'Elasticity', expected: 'a number from -1,000 to 1,000', affects: 'drawing' },
+    lengthFactor: { link: 'shorter', kind: 'number', low: 0, high: 10, default: 1, label: 'Branch length ×', expected: 'a number from 0 to 10', unit: 'times', slider: { from: 0, parts: [[2, 0.05]], arrow: 0.05 }, affects: 'drawing' },
+    angleVariation: { link: 'vary', kind: 'number', low: 0, high: 100, default: 0, label: 'Angle variation', expected: 'a number from 0 to 100', unit: 'percent', slider: { from: 0, parts: [[30, 1], [100, 5]], arrow: 1 }, affects: 'drawing' },
+    lengthVariation: { link: 'varylength', kind: 'number', low: 0, high: 100, default: 0, label: 'Length variation', expected: 'a number from 0 to 100', unit: 'percent', slider: { from: 0, parts: [[30, 1], [100, 5]], arrow: 1 }, affects: 'drawing' },
+    growth: { link: 'growth', kind: 'number', low: 0, high: 1, default: 1, label: 'Growth', expected: 'a number from 0 to 1', affects: 'drawing' },
+    overrides: { link: 'do', kind: 'text', maxLength: 20000, default: '', label: 'Custom symbols', expected: 'a text of at most 20,000 characters', affects: 'drawing' },
+    palette: { link: 'palette', kind: 'colours', maxLength: 256, default: ['#1f5c3a', '#5f8f2f', '#b58b1e', '#b4532a', '#8c2f4b'], label: 'Colours', expected: 'a list of 1 to 256 colours such as "#1f5c3a"', affects: 'look' },
+    colourBy: { link: 'colour', kind: 'word', words: ['symbol', 'single', 'level', 'turn', 'generation', 'path', 'density'], default: 'symbol', label: 'Colour by', expected: 'one of `symbol`, `single`, `level`, `turn`, `generation`, `path`, `density`', affects: 'look' },
+    paletteHolds: { link: 'hold', kind: 'flag', default: false, label: 'Stay at the last colour', expected: 'true or false', affects: 'look' },
+    turnColours: { link: 'turns', kind: 'list', count: 2, each: { kind: 'number', low: -2147483648, high: 2147483647, whole: true, expected: 'a whole number from -2,147,483,648 to 2,147,483,647' }, default: [1, 2], label: 'Colour number after a turn', expected: 'a list of 2 values, each a whole number from -2,147,483,648 to 2,147,483,647', affects: 'look' },
+    background: { link: 'bg', kind: 'colour', default: '#fbfaf5', label: 'Background', expected: 'a colour such as "#1f5c3a"', affects: 'look' },
+    width: { link: 'width', kind: 'number', low: 0, high: 1000000000, default: 0, label: 'Stroke width (steps)', expected: 'a number from 0 to 1,000,000,000', unit: 'steps', slider: { from: 0, parts: [[1, 0.05], [3, 0.1], [10, 0.25], [20, 0.5]], arrow: 0.1 }, affects: 'look' },
+    widthFactor: { link: 'thinner', kind: 'number', low: 0, high: 10, default: 1, label: 'Width per branch level ×', expected: 'a number from 0 to 10', unit: 'times', slider: { from: 0, parts: [[2, 0.05]], arrow: 0.05 }, affects: 'look' },
+    minWidth: { link: 'thin', kind: 'number', low: 0, high: 10000, default: 1, label: 'Thinnest line', expected: 'a number from 0 to 10,000', unit: 'pixels', slider: { from: 0, parts: [[8, 0.25]], arrow: 0.5 }, affects: 'look' },
+    ink: { link: 'ink', kind: 'word', words: ['solid', 'density'], default: 'solid', label: 'Blending', expected: 'one of `solid`, `density`', affects: 'look' },
+    hue: { link: 'hue', kind: 'number', low: -360, high: 360, default: 0, label: 'Hue', expected: 'a number from -360 to 360', unit: 'degrees', slider: { from: 0, parts: [[360, 5]], arrow: 5 }, affects: 'look' },
+    exposure: { link: 'exposure', kind: 'number', low: -10, high: 10, default: 0, label: 'Exposure (stops)', expected: 'a number from -10 to 10', unit: 'stops', slider: { from: -4, parts: [[4, 0.25]], arrow: 0.25 }, affects: 'look' },
+    name: { link: 'name', kind: 'text', maxLength: 200, default: '', label: 'Name', expected: 'a text of at most 200 characters', affects: 'caption' },
+    source: { link: 'source', kind: 'text', maxLength: 1000, default: '', label: 'Source', expected: 'a text of at most 1,000 characters', affects: 'caption' },
+    notes: { link: 'notes', kind: 'text', maxLength: 10000, default: '', label: 'Notes', expected: 'a text of at most 10,000 characters', affects: 'caption' },
+    view: { link: 'view', kind: 'record', members: { x: { kind: 'number', low: -1000000, high: 1000000 }, y: { kind: 'number', low: -1000000, high: 1000000 }, zoom: { kind: 'number', low: 0.01, high: 1e25 }, fx: { kind: 'number', low: -1, high: 1 }, fy: { kind: 'number', low: -1, high: 1 } }, optional: true, default: null, label: 'View', expected: 'an object of x, y, zoom, fx, fy or nothing', affects: 'look' },
+    camera: { link: 'camera', kind: 'record', members: { azimuth: { kind: 'number', low: -360, high: 360 }, elevation: { kind: 'number', low: -90, high: 90 }, zoom: { kind: 'number', low: 0.01, high: 10000 }, x: { kind: 'number', low: -100, high: 100 }, y: { kind: 'number', low: -100, high: 100 }, z: { kind: 'number', low: -100, high: 100 }, perspective: { kind: 'flag' }, fade: { kind: 'number', low: 0, high: 1 } }, optional: true, default: null, label: 'Camera', expected: 'an object of azimuth, elevation, zoom, x, y, z, perspective, fade or nothing', affects: 'look' },
 });
 
 /** Attributes of the element and the keys in links that they stand for. */

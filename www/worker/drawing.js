@@ -119,7 +119,7 @@ export function createDrawing({ playground, canvas, inbox }) {
 function poseAt(playground, upto) {
     if (upto === null) return null;
     const began = upto > 0n;
-    /** @type {import('../js/protocol.js').Stroke | null} */
+    /** @type {import('../js/protocol.js').SegmentFacts | null} */
     const stroke = playground.segment(began ? upto - 1n : 0n);
     if (!stroke) return null;
     const { from, to, fittedFrom, fittedTo, heading, level } = stroke;

@@ -20,7 +20,7 @@ export function createReading(playground, iterations) {
             return { text, length: (text !== null && playground.stringLength(generation)) || null, apart: playground.apart };
         },
         symbol: ({ generation, index }) => {
-            /** @type {import('../js/protocol.js').Part | null} */
+            /** @type {import('../js/protocol.js').Descendants | null} */
             const part = playground.part(generation, index, iterations());
             const stroke = part && playground.segment(BigInt(part.segments[0]));
             return { ancestry: playground.ancestry(generation, index), part, stroke };

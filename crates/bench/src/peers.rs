@@ -37,20 +37,21 @@ pub(crate) fn dcc_lines(work: &Work, system: &dcc_lsystem::LSystem) -> u64 {
     dcc(work).1.render(system, &DataRendererOptions::default()).len() as u64
 }
 
-type Made = PSym<char, NumExpr<f64>>;
-type Grown = PSym<char, f64>;
+type MadeSymbol = PSym<char, NumExpr<f64>>;
+type GrownSymbol = PSym<char, f64>;
 /// A system of `lindenmayer-system`.
-pub(crate) type Tree = PSystem<PRule<char, Made, Grown, Cond<NumExpr<f64>>>>;
+pub(crate) type ParametricTree = PSystem<PRule<char, MadeSymbol, GrownSymbol, Cond<NumExpr<f64>>>>;
 
 /// `lindenmayer-system`: ABOP, figure 2.6a.
-pub(crate) fn tree() -> Tree {
-    let made = |symbol: char, arguments: Vec<NumExpr<f64>>| Made::new_from_vec(symbol, arguments).expect("a symbol");
+pub(crate) fn tree() -> ParametricTree {
+    let made =
+        |symbol: char, arguments: Vec<NumExpr<f64>>| MadeSymbol::new_from_vec(symbol, arguments).expect("a symbol");
     let number = |value: f64| vec![NumExpr::Const(value)];
     let times = |slot: usize, by: f64| NumExpr::Mul(Box::new(NumExpr::Var(slot)), Box::new(NumExpr::Const(by)));
     let apex = |symbol: char, factor: f64| made(symbol, vec![times(0, factor), times(1, 0.707)]);
     let start = || vec![made('!', vec![NumExpr::Var(1)]), made('F', vec![NumExpr::Var(0)]), made('[', vec![])];
-    let mut system = Tree::new();
-    let mut add = |symbol: char, branch: Vec<Made>, rest: Vec<Made>| {
+    let mut system = ParametricTree::new();
+    let mut add = |symbol: char, branch: Vec<MadeSymbol>, rest: Vec<MadeSymbol>| {
         let successor = start().into_iter().chain(branch).chain([made(']', vec![])]).chain(rest);
         system.add_rule(PRule::new(symbol, Cond::True, successor.collect(), 2));
     };
@@ -61,8 +62,8 @@ pub(crate) fn tree() -> Tree {
 }
 
 /// Derives `n` generations. Returns the number of modules read.
-pub(crate) fn derive_tree(tree: &Tree, n: u32, modules: u64) -> u64 {
-    let mut word = vec![Grown::new_from_vec('A', vec![1.0, 10.0]).expect("a symbol")];
+pub(crate) fn derive_tree(tree: &ParametricTree, n: u32, modules: u64) -> u64 {
+    let mut word = vec![GrownSymbol::new_from_vec('A', vec![1.0, 10.0]).expect("a symbol")];
     let mut read = 0;
     for _ in 0..n {
         read += word.len() as u64;

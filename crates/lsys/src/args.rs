@@ -26,12 +26,12 @@ pub(crate) struct Job {
     /// The file to read.
     pub(crate) file: PathBuf,
     /// The destination.
-    pub(crate) target: Target,
+    pub(crate) target: Destination,
 }
 
 /// The destination and the formats of a drawing.
 #[derive(Debug, PartialEq)]
-pub(crate) enum Target {
+pub(crate) enum Destination {
     /// Standard output, in this format.
     Print(&'static Format),
     /// Files: the base name without extension, and the formats.
@@ -148,9 +148,9 @@ fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: Look, is_short: bool)
         (Some(base), _) if !names_a_file(&base) => {
             return Err(format!("OUT_BASE `{}` must end in a file name", base.display()));
         }
-        (Some(base), _) => Target::Write(base, formats),
-        (None, Some(_)) => Target::Print(formats[0]),
-        (None, None) => Target::Write(stem(&file)?, formats),
+        (Some(base), _) => Destination::Write(base, formats),
+        (None, Some(_)) => Destination::Print(formats[0]),
+        (None, None) => Destination::Write(stem(&file)?, formats),
     };
     Ok(vec![Job { file, target }])
 }
@@ -182,7 +182,7 @@ fn into_folder(files: Vec<PathBuf>, folder: &Path, formats: &[&'static Format]) 
         }
         bases.push(base);
     }
-    let target = |base: &PathBuf| Target::Write(folder.join(base), formats.to_vec());
+    let target = |base: &PathBuf| Destination::Write(folder.join(base), formats.to_vec());
     Ok(files.into_iter().zip(&bases).map(|(file, base)| Job { file, target: target(base) }).collect())
 }
 

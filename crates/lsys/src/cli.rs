@@ -107,7 +107,7 @@ pub(crate) struct Look {
     pub(crate) format: Option<&'static Format>,
     /// Size of a PNG in pixels, such as 4000x3000 [default: 1024 along the longer side]
     #[arg(long, value_name = "WxH")]
-    pub(crate) size: Option<Size>,
+    pub(crate) size: Option<PictureSize>,
     /// Write a small SVG that defines each block once and places copies
     #[arg(long)]
     pub(crate) compact: bool,
@@ -121,12 +121,12 @@ fn formats() -> impl TypedValueParser<Value = &'static Format> {
 
 /// The size of a picture, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Size {
+pub(crate) struct PictureSize {
     pub(crate) width: u32,
     pub(crate) height: u32,
 }
 
-impl FromStr for Size {
+impl FromStr for PictureSize {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {

@@ -1,7 +1,7 @@
 //! Parallel work on many files: a worker for each core, and results in the order of the files.
 
-use crate::progress::Progress;
-use crate::{Failure, say};
+use crate::progress::DelayedBar;
+use crate::{CommandFailure, say};
 use std::collections::BTreeMap;
 use std::num::NonZero;
 use std::sync::{Mutex, PoisonError, RwLock, mpsc};
@@ -11,24 +11,24 @@ use std::thread;
 pub(crate) type Say<'a> = &'a mut dyn FnMut(&str);
 
 /// The division of the limits among the files that are worked on at the same time.
-pub(crate) struct Room {
+pub(crate) struct SharedLimits {
     workers: u64,
     /// Work within a share holds the read lock; work that needs all limits holds the write lock.
     gate: RwLock<()>,
 }
 
-impl Room {
+impl SharedLimits {
     fn new(workers: usize) -> Self {
         Self { workers: workers as u64, gate: RwLock::new(()) }
     }
 
     /// Calls `make` with the number of equal shares of the limits; `make` may use one share. If `make` exceeds a limit,
     /// it is called again with 1, while no other work runs. Returns the last result.
-    pub(crate) fn make<T>(&self, mut make: impl FnMut(u64) -> Result<T, Failure>) -> Result<T, Failure> {
+    pub(crate) fn make<T>(&self, mut make: impl FnMut(u64) -> Result<T, CommandFailure>) -> Result<T, CommandFailure> {
         if self.workers > 1 {
             let _beside_others = self.gate.read();
             let made = make(self.workers);
-            if !matches!(made, Err(Failure::Limit(_))) {
+            if !matches!(made, Err(CommandFailure::Limit(_))) {
                 return made;
             }
         }
@@ -42,8 +42,8 @@ impl Room {
 /// Returns the results of the successful jobs, in order, and whether all jobs succeeded.
 pub(crate) fn in_order<J: Sync, R: Send>(
     jobs: &[J],
-    work: impl Fn(&J, &Room, Say<'_>) -> Result<R, Failure> + Sync,
-) -> Result<(Vec<R>, bool), Failure> {
+    work: impl Fn(&J, &SharedLimits, Say<'_>) -> Result<R, CommandFailure> + Sync,
+) -> Result<(Vec<R>, bool), CommandFailure> {
     let cores = thread::available_parallelism().map_or(1, NonZero::get);
     with_workers(cores.min(jobs.len()), jobs, work)
 }
@@ -51,12 +51,12 @@ pub(crate) fn in_order<J: Sync, R: Send>(
 fn with_workers<J: Sync, R: Send>(
     workers: usize,
     jobs: &[J],
-    work: impl Fn(&J, &Room, Say<'_>) -> Result<R, Failure> + Sync,
-) -> Result<(Vec<R>, bool), Failure> {
-    let room = Room::new(workers);
+    work: impl Fn(&J, &SharedLimits, Say<'_>) -> Result<R, CommandFailure> + Sync,
+) -> Result<(Vec<R>, bool), CommandFailure> {
+    let limits = SharedLimits::new(workers);
     let mut done = Done { results: vec![], is_good: true };
     if let [job] = jobs {
-        done.add(work(job, &room, &mut say))?;
+        done.add(work(job, &limits, &mut say))?;
         return Ok((done.results, done.is_good));
     }
     let queue = Mutex::new(jobs.iter().enumerate());
@@ -65,7 +65,7 @@ fn with_workers<J: Sync, R: Send>(
     let worker = |sender: mpsc::Sender<_>| {
         while let Some((at, job)) = next() {
             let mut messages = String::new();
-            let result = work(job, &room, &mut |text| messages.push_str(text));
+            let result = work(job, &limits, &mut |text| messages.push_str(text));
             if sender.send((at, messages, result)).is_err() {
                 break;
             }
@@ -77,7 +77,7 @@ fn with_workers<J: Sync, R: Send>(
             scope.spawn(move || worker(sender));
         }
         drop(sender);
-        let mut progress = Progress::new("files", Some(jobs.len() as u64));
+        let mut progress = DelayedBar::new("files", Some(jobs.len() as u64));
         // Results that wait for earlier jobs, and the number of jobs whose messages are printed.
         let (mut waiting, mut printed) = (BTreeMap::new(), 0);
         for (at, messages, result) in receiver {
@@ -101,7 +101,7 @@ struct Done<R> {
 }
 
 impl<R> Done<R> {
-    fn add(&mut self, result: Result<R, Failure>) -> Result<(), Failure> {
+    fn add(&mut self, result: Result<R, CommandFailure>) -> Result<(), CommandFailure> {
         match result {
             Ok(result) => self.results.push(result),
             Err(failure) => {
@@ -122,9 +122,9 @@ mod tests {
     #[test]
     fn results_keep_the_order_of_the_jobs() {
         let jobs: Vec<u64> = (0..50).collect();
-        let work = |&job: &u64, _: &Room, _: Say<'_>| {
+        let work = |&job: &u64, _: &SharedLimits, _: Say<'_>| {
             thread::sleep(Duration::from_micros(job * 7 % 13 * 100));
-            if job == 20 { Err(Failure::Said) } else { Ok(job) }
+            if job == 20 { Err(CommandFailure::Said) } else { Ok(job) }
         };
         for workers in [1, 4] {
             let Ok((results, is_good)) = with_workers(workers, &jobs, work) else { panic!("no reader is gone") };
@@ -136,14 +136,14 @@ mod tests {
     fn work_that_needs_all_is_alone() {
         let jobs: Vec<u64> = (0..40).collect();
         let at_work = AtomicUsize::new(0);
-        let work = |&job: &u64, room: &Room, _: Say<'_>| {
-            room.make(|shares| {
+        let work = |&job: &u64, limits: &SharedLimits, _: Say<'_>| {
+            limits.make(|shares| {
                 let others = at_work.fetch_add(1, Ordering::SeqCst);
                 thread::sleep(Duration::from_micros(200));
                 at_work.fetch_sub(1, Ordering::SeqCst);
                 match shares {
                     1 => Ok(others == 0),
-                    _ if job % 5 == 0 => Err(Failure::Limit(String::new())),
+                    _ if job % 5 == 0 => Err(CommandFailure::Limit(String::new())),
                     _ => Ok(true),
                 }
             })

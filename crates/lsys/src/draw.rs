@@ -1,11 +1,11 @@
 //! `lsys draw`: pictures, tables of segments and strings, to files or to standard output.
 
-use crate::args::{Job, Target};
+use crate::args::{Destination, Job};
 use crate::cli::{Changes, Look};
-use crate::cores::{Room, Say};
-use crate::input::{self, Input};
+use crate::cores::{Say, SharedLimits};
+use crate::input::{self, InputSystem};
 use crate::pending::{Pending, with_extension};
-use crate::{Failure, cores, picture, print};
+use crate::{CommandFailure, cores, picture, print};
 use lsystem::drawing::Outlook;
 use lsystem::files::{Content, Format, write_all};
 use lsystem::{Mesh, SvgOptions, write_json};
@@ -13,38 +13,44 @@ use std::io::IsTerminal;
 use std::sync::Arc;
 
 /// Does all `jobs`. A failed job is reported, and the others are still done.
-pub(crate) fn draw(jobs: &[Job], look: Look, changes: &Changes) -> Result<(), Failure> {
-    match cores::in_order(jobs, |job, room, say| draw_one(job, look, changes, room, say))? {
+pub(crate) fn draw(jobs: &[Job], look: Look, changes: &Changes) -> Result<(), CommandFailure> {
+    match cores::in_order(jobs, |job, limits, say| draw_one(job, look, changes, limits, say))? {
         (_, true) => Ok(()),
-        (_, false) => Err(Failure::Said),
+        (_, false) => Err(CommandFailure::Said),
     }
 }
 
 /// Does one job.
-fn draw_one(job: &Job, look: Look, changes: &Changes, room: &Room, say: Say<'_>) -> Result<(), Failure> {
+fn draw_one(
+    job: &Job,
+    look: Look,
+    changes: &Changes,
+    limits: &SharedLimits,
+    say: Say<'_>,
+) -> Result<(), CommandFailure> {
     let input = input::read(&job.file, changes, say)?;
     match &job.target {
-        Target::Print(format) if matches!(format.name, "png" | "glb") && std::io::stdout().is_terminal() => {
-            Err(Failure::Words("a terminal cannot show this format: give an OUT_BASE".to_owned()))
+        Destination::Print(format) if matches!(format.name, "png" | "glb") && std::io::stdout().is_terminal() => {
+            Err(CommandFailure::Words("a terminal cannot show this format: give an OUT_BASE".to_owned()))
         }
-        Target::Print(format) => room.make(|shares| {
+        Destination::Print(format) => limits.make(|shares| {
             let bytes = bytes_in(&input, format, look, shares, say)?;
             print(|out| out.write_all(&bytes))
         }),
-        Target::Write(base, formats) => {
+        Destination::Write(base, formats) => {
             // All files are complete before the first one gets its name.
             let mut pending = Vec::new();
             for &format in formats {
                 let path = with_extension(base, format.ending);
-                let file = room.make(|shares| {
+                let file = limits.make(|shares| {
                     let bytes = bytes_in(&input, format, look, shares, say)?;
                     Pending::write(&path, |out| out.write_all(&bytes))
-                        .map_err(|error| Failure::io(path.display(), &error))
+                        .map_err(|error| CommandFailure::io(path.display(), &error))
                 })?;
                 pending.push(file);
             }
             (pending.into_iter())
-                .try_for_each(|file| file.commit().map_err(|error| Failure::io(base.display(), &error)))
+                .try_for_each(|file| file.commit().map_err(|error| CommandFailure::io(base.display(), &error)))
         }
     }
 }
@@ -53,7 +59,13 @@ fn draw_one(job: &Job, look: Look, changes: &Changes, room: &Room, say: Say<'_>)
 const MESH_SEGMENTS: u64 = 500_000;
 
 /// The bytes of a file of the system, made within one of `shares` equal shares of the limits.
-fn bytes_in(input: &Input, format: &Format, look: Look, shares: u64, say: Say<'_>) -> Result<Vec<u8>, Failure> {
+fn bytes_in(
+    input: &InputSystem,
+    format: &Format,
+    look: Look,
+    shares: u64,
+    say: Say<'_>,
+) -> Result<Vec<u8>, CommandFailure> {
     let system = &input.system;
     let style = &system.style;
     let wrong = |limit| input.limit(&limit);
@@ -70,7 +82,7 @@ fn bytes_in(input: &Input, format: &Format, look: Look, shares: u64, say: Say<'_
         Content::String => return Ok((input.expand(shares)? + "\n").into_bytes()),
         // All pixels of a picture in space are in memory at once.
         Content::Pixels if shares > 1 && system.is_solid() && look.size.is_some_and(picture::is_large) => {
-            return Err(Failure::Limit(String::new()));
+            return Err(CommandFailure::Limit(String::new()));
         }
         Content::Pixels => {
             let definition = write_json(&input.definition);
@@ -78,7 +90,7 @@ fn bytes_in(input: &Input, format: &Format, look: Look, shares: u64, say: Say<'_
                 true => picture::solid_png(solid()?, style, look.size, &definition),
                 false => picture::png(paper()?, style, look.size, &definition),
             };
-            return picture.map_err(|error| Failure::Words(format!("PNG: {error}")));
+            return picture.map_err(|error| CommandFailure::Words(format!("PNG: {error}")));
         }
         Content::Mesh(write) => write(Mesh::new(&solid()?, style, MESH_SEGMENTS / shares).map_err(wrong)?, name),
         Content::Segments { plane, space } => match system.is_solid() {

@@ -1,9 +1,9 @@
 //! `lsys info`: facts about a system.
 
 use crate::cli::Changes;
-use crate::input::{self, Input};
+use crate::input::{self, InputSystem};
 use crate::output::escape_json;
-use crate::{Failure, cores, print};
+use crate::{CommandFailure, cores, print};
 use lsystem::derive::Tally;
 use lsystem::drawing::Space;
 use lsystem::syntax::visible;
@@ -14,7 +14,7 @@ use std::path::PathBuf;
 
 /// The facts about one file.
 #[derive(Serialize)]
-struct Facts {
+struct FileFacts {
     file: String,
     name: String,
     title: String,
@@ -29,7 +29,7 @@ struct Facts {
     /// The least coordinates, then the greatest, of all segments' axes and polygons, in model units: x, y, and in space
     /// z. `None` if nothing is drawn, a limit is exceeded, or a number is beyond the range of `f64`.
     bounds: Option<Vec<f64>>,
-    growth: Growth,
+    growth: GrowthFactors,
     /// Whether equal pieces of the drawing are shared.
     memoised: Option<bool>,
     /// The number of blocks of the drawing.
@@ -40,20 +40,20 @@ struct Facts {
 
 /// The factors by which the last derivation step multiplied the counts; `None` for the axiom, or if unknown.
 #[derive(Serialize)]
-struct Growth {
+struct GrowthFactors {
     symbols: Option<f64>,
     segments: Option<f64>,
 }
 
 /// Prints facts about `files`. A file that cannot be read is reported, and the others are still done.
-pub(crate) fn info(files: &[PathBuf], json: bool, changes: &Changes) -> Result<(), Failure> {
-    let (all, is_good) = cores::in_order(files, |file, room, say| {
+pub(crate) fn info(files: &[PathBuf], json: bool, changes: &Changes) -> Result<(), CommandFailure> {
+    let (all, is_good) = cores::in_order(files, |file, limits, say| {
         let input = input::read(file, changes, say)?;
-        room.make(|shares| {
+        limits.make(|shares| {
             let facts = facts(&input, shares);
             // Facts that a share of the limits leaves unknown may be known with all limits.
             let is_known = facts.limit.is_none() && facts.symbols.is_some() && facts.segments.is_some();
-            if is_known || shares == 1 { Ok(facts) } else { Err(Failure::Limit(String::new())) }
+            if is_known || shares == 1 { Ok(facts) } else { Err(CommandFailure::Limit(String::new())) }
         })
     })?;
     print(|out| match (json, all.as_slice(), files.len()) {
@@ -64,11 +64,11 @@ pub(crate) fn info(files: &[PathBuf], json: bool, changes: &Changes) -> Result<(
         (true, [only], 1) => writeln!(out, "{}", escape_json(&serde_json::to_string_pretty(only)?)),
         (true, ..) => writeln!(out, "{}", escape_json(&serde_json::to_string_pretty(&all)?)),
     })?;
-    if is_good { Ok(()) } else { Err(Failure::Said) }
+    if is_good { Ok(()) } else { Err(CommandFailure::Said) }
 }
 
 /// The facts that are known within one of `shares` equal shares of the limits.
-fn facts(input: &Input, shares: u64) -> Facts {
+fn facts(input: &InputSystem, shares: u64) -> FileFacts {
     if input.system.is_solid() {
         facts_of(input, shares, &input.draw_solid(shares), |drawing| drawing.bounds().map(|bounds| bounds.concat()))
     } else {
@@ -78,24 +78,24 @@ fn facts(input: &Input, shares: u64) -> Facts {
 
 /// The facts about a system with this `drawing`.
 fn facts_of<S: Space>(
-    input: &Input,
+    input: &InputSystem,
     shares: u64,
     drawing: &Result<Drawing<S>, Diagnostic>,
     bounds: fn(&Drawing<S>) -> Option<Vec<f64>>,
-) -> Facts {
+) -> FileFacts {
     let (system, n) = (&input.system, input.iterations);
     let (drawn, limit) = (drawing.as_ref().ok(), drawing.as_ref().err());
-    let now = Counts::new(input, shares, n, drawn);
-    let before = n.checked_sub(1).map(|n| Counts::new(input, shares, n, None::<&Drawing<S>>));
-    let ratio = |of: fn(&Counts) -> &Option<Tally>| ratio(of(&now).as_ref()?, of(before.as_ref()?).as_ref()?);
-    Facts {
+    let now = GenerationCounts::new(input, shares, n, drawn);
+    let before = n.checked_sub(1).map(|n| GenerationCounts::new(input, shares, n, None::<&Drawing<S>>));
+    let ratio = |of: fn(&GenerationCounts) -> &Option<Tally>| ratio(of(&now).as_ref()?, of(before.as_ref()?).as_ref()?);
+    FileFacts {
         file: input.file.display().to_string(),
         name: input.definition.name.clone(),
         title: input.definition.title.clone(),
         kind: lsystem::drawing::kind(system),
         iterations: n,
         seed: system.seed,
-        growth: Growth { symbols: ratio(|c| &c.symbols), segments: ratio(|c| &c.segments) },
+        growth: GrowthFactors { symbols: ratio(|c| &c.symbols), segments: ratio(|c| &c.segments) },
         symbols: now.symbols.map(|count| count.to_string()),
         segments: now.segments.map(|count| count.to_string()),
         bounds: drawn.and_then(bounds).filter(|b| b.iter().all(|x| x.is_finite())),
@@ -107,14 +107,14 @@ fn facts_of<S: Space>(
 
 /// The counts of one generation; `None` if a limit is exceeded first.
 #[derive(Default)]
-struct Counts {
+struct GenerationCounts {
     symbols: Option<Tally>,
     segments: Option<Tally>,
 }
 
-impl Counts {
+impl GenerationCounts {
     /// The counts of generation `n`: added up by the rules, or else from the drawing, or else by derivation.
-    fn new<S: Space>(input: &Input, shares: u64, n: u32, drawing: Option<&Drawing<S>>) -> Self {
+    fn new<S: Space>(input: &InputSystem, shares: u64, n: u32, drawing: Option<&Drawing<S>>) -> Self {
         let summed = Self { symbols: count_symbols(&input.system, n), segments: count_segments(&input.system, n) };
         let drawn = || Self {
             symbols: drawing.and_then(|drawing| Some(drawing.symbol_count()?.into())),
@@ -124,7 +124,7 @@ impl Counts {
     }
 
     /// The counts of generation `n`, by derivation.
-    fn derived(input: &Input, shares: u64, n: u32) -> Self {
+    fn derived(input: &InputSystem, shares: u64, n: u32) -> Self {
         let Some(mut history) = input.system.history(n, &input.limits(shares)) else { return Self::default() };
         while history.step(1 << 20) == Progress::More {}
         let symbols = history.symbols(n);
@@ -162,7 +162,7 @@ fn readable(number: f64) -> String {
     }
 }
 
-impl Display for Facts {
+impl Display for FileFacts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let title = [&self.title, &self.name, &self.file].into_iter().find(|text| !text.is_empty());
         writeln!(f, "{}", visible(title.map_or("", String::as_str)))?;
@@ -184,7 +184,7 @@ impl Display for Facts {
             let sides = sides.map(|(axis, (&from, &to))| format!("{axis} {} to {}", readable(from), readable(to)));
             writeln!(f, "  bounds      {}", sides.collect::<Vec<_>>().join(", "))?;
         }
-        if let Growth { symbols: Some(symbols), segments } = self.growth {
+        if let GrowthFactors { symbols: Some(symbols), segments } = self.growth {
             let segments = segments.map_or_else(unknown, |growth| format!("x {growth:.6}"));
             writeln!(f, "  growth      symbols x {symbols:.6}, segments {segments} in the last step")?;
         }

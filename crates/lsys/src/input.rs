@@ -2,7 +2,7 @@
 
 use crate::cli::Changes;
 use crate::cores::Say;
-use crate::{Failure, settings};
+use crate::{CommandFailure, settings};
 use lsystem::drawing::Space;
 use lsystem::files::FileContent;
 use lsystem::syntax::{LimitName, MAX_TEXT, visible};
@@ -12,7 +12,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 /// A system from a file, with the command line's changes.
-pub(crate) struct Input {
+pub(crate) struct InputSystem {
     /// The file's path, or `standard input`.
     pub(crate) file: PathBuf,
     /// The definition in the file, with the command line's changes.
@@ -31,10 +31,10 @@ const WORK: u64 = 1 << 16;
 /// Reads `file` (`-` for standard input) and prints all errors and warnings.
 ///
 /// # Errors
-/// [`Failure::Said`] if the file has errors; [`Failure::Words`] if it cannot be read.
-pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<Input, Failure> {
+/// [`CommandFailure::Said`] if the file has errors; [`CommandFailure::Words`] if it cannot be read.
+pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<InputSystem, CommandFailure> {
     let name = if file.as_os_str() == "-" { "standard input".into() } else { file.display().to_string() };
-    let bytes = bytes_of(file).map_err(|error| Failure::io(&name, &error))?;
+    let bytes = bytes_of(file).map_err(|error| CommandFailure::io(&name, &error))?;
     let FileContent { mut definition, mut diagnostics, json } = read_file(&bytes);
     let mut system = None;
     if let Some(definition) = &mut definition {
@@ -43,7 +43,7 @@ pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<Input
         if !changes.settings.is_empty() {
             *definition = settings::apply(definition, &changes.settings).map_err(|error| {
                 say(&format!("{}\n", visible(&error)));
-                Failure::Said
+                CommandFailure::Said
             })?;
         }
         let (made, more) = System::new(definition);
@@ -53,14 +53,14 @@ pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<Input
     for diagnostic in &diagnostics {
         say(&message(diagnostic, &json, definition.as_ref(), &name));
     }
-    let (Some(definition), Some(system)) = (definition, system) else { return Err(Failure::Said) };
+    let (Some(definition), Some(system)) = (definition, system) else { return Err(CommandFailure::Said) };
     let iterations = definition.iterations;
     let usual = Limits::default();
     let limits = Limits { memory: changes.memory.unwrap_or(usual.memory), ..usual };
-    Ok(Input { file: name.into(), definition, system, iterations, limits })
+    Ok(InputSystem { file: name.into(), definition, system, iterations, limits })
 }
 
-impl Input {
+impl InputSystem {
     /// The limits, with those that bound memory divided by `shares`.
     pub(crate) fn limits(&self, shares: u64) -> Limits {
         let Limits { symbols, segments, memory, .. } = self.limits;
@@ -75,10 +75,10 @@ impl Input {
         self.finish(Drawer::new(&self.system, self.iterations, self.drawing_limits()), shares)
     }
 
-    /// The drawing in space, as [`Input::draw`].
+    /// The drawing in space, as [`InputSystem::draw`].
     ///
     /// # Errors
-    /// As [`Input::draw`].
+    /// As [`InputSystem::draw`].
     pub(crate) fn draw_solid(&self, shares: u64) -> Result<Drawing<Solid>, Diagnostic> {
         self.finish(Drawer::solid(&self.system, self.iterations, self.drawing_limits()), shares)
     }
@@ -104,15 +104,15 @@ impl Input {
     /// The derived string.
     ///
     /// # Errors
-    /// [`Failure::Limit`] if the string would be too long.
-    pub(crate) fn expand(&self, shares: u64) -> Result<String, Failure> {
+    /// [`CommandFailure::Limit`] if the string would be too long.
+    pub(crate) fn expand(&self, shares: u64) -> Result<String, CommandFailure> {
         let string = lsystem::expand(&self.system, self.iterations, &self.limits(shares));
         string.map_err(|limit| self.limit(&limit))
     }
 
     /// The failure for a diagnostic about a limit.
-    pub(crate) fn limit(&self, limit: &Diagnostic) -> Failure {
-        Failure::Limit(self.message(limit))
+    pub(crate) fn limit(&self, limit: &Diagnostic) -> CommandFailure {
+        CommandFailure::Limit(self.message(limit))
     }
 
     /// A message about the system as a whole.

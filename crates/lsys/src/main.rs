@@ -19,13 +19,13 @@ use cli::Changes;
 use lsystem::derive::Word;
 use lsystem::syntax::visible;
 use output::visible_lines;
-use progress::Progress;
+use progress::DelayedBar;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
 /// The reason why a command stops.
-enum Failure {
+enum CommandFailure {
     /// An error whose message is already printed.
     Said,
     /// An error with a message, which may quote any characters of a file.
@@ -36,7 +36,7 @@ enum Failure {
     ReaderGone,
 }
 
-impl Failure {
+impl CommandFailure {
     /// An error of the file system or a stream, about `what`.
     fn io(what: impl std::fmt::Display, error: &io::Error) -> Self {
         match error.kind() {
@@ -45,7 +45,7 @@ impl Failure {
         }
     }
 
-    /// Prints the message, so that other work can continue. Returns [`Failure::ReaderGone`] as an error, because nobody
+    /// Prints the message, so that other work can continue. Returns [`Self::ReaderGone`] as an error, because nobody
     /// reads further results.
     fn tell(self) -> Result<(), Self> {
         match self {
@@ -72,14 +72,14 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    match run(command).map_err(Failure::tell) {
+    match run(command).map_err(CommandFailure::tell) {
         // The reader has closed the pipe, which is no failure.
         Ok(()) | Err(Err(_)) => ExitCode::SUCCESS,
         Err(Ok(())) => ExitCode::FAILURE,
     }
 }
 
-fn run(command: Command) -> Result<(), Failure> {
+fn run(command: Command) -> Result<(), CommandFailure> {
     match command {
         Command::Print(text) => print(|out| out.write_all(text.as_bytes())),
         Command::Expand { file, changes } => expand(&file, &changes),
@@ -93,7 +93,7 @@ const PIECE: usize = 1 << 16;
 /// The most symbols of a string that is derived as a whole, which is faster.
 const WHOLE: u128 = 1 << 24;
 
-fn expand(file: &Path, changes: &Changes) -> Result<(), Failure> {
+fn expand(file: &Path, changes: &Changes) -> Result<(), CommandFailure> {
     let input = input::read(file, changes, &mut say)?;
     match input.system.word(input.iterations).filter(|word| word.symbols() > WHOLE) {
         Some(word) => print(|out| write_pieces(out, &word)),
@@ -107,7 +107,8 @@ fn expand(file: &Path, changes: &Changes) -> Result<(), Failure> {
 /// Writes a long string piece by piece, and a newline.
 fn write_pieces(out: &mut dyn Write, word: &Word<'_>) -> io::Result<()> {
     // On a terminal the string itself shows the progress.
-    let mut progress = (!io::stdout().is_terminal()).then(|| Progress::new("symbols", word.symbols().try_into().ok()));
+    let mut progress =
+        (!io::stdout().is_terminal()).then(|| DelayedBar::new("symbols", word.symbols().try_into().ok()));
     let mut start = 0_u128;
     loop {
         let piece = word.slice(start, PIECE);
@@ -127,8 +128,8 @@ fn write_line(out: &mut dyn Write, text: &str) -> io::Result<()> {
 }
 
 /// Writes to standard output.
-fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
-    output::print(write).map_err(|error| Failure::io("standard output", &error))
+fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CommandFailure> {
+    output::print(write).map_err(|error| CommandFailure::io("standard output", &error))
 }
 
 /// Writes to standard error. A failure to write is ignored, because no other stream is left for messages.

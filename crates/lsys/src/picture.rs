@@ -1,6 +1,6 @@
 //! PNG pictures, painted by the core's renderers.
-use crate::cli::Size;
-use crate::progress::Progress as Bar;
+use crate::cli::PictureSize;
+use crate::progress::DelayedBar;
 use lsystem::files::tag_png;
 use lsystem::render::{Pass, Quality};
 use lsystem::{Camera, Drawing, Progress, Renderer, Solid, SolidRenderer, Style, View, Viewport, fit};
@@ -26,7 +26,7 @@ const CELL: u32 = 16;
 pub(crate) fn png(
     drawing: Drawing,
     style: &Style,
-    size: Option<Size>,
+    size: Option<PictureSize>,
     system: &str,
 ) -> Result<Vec<u8>, png::EncodingError> {
     let size = size.unwrap_or_else(|| usual_size(&drawing));
@@ -47,12 +47,12 @@ pub(crate) fn png(
 }
 
 /// Whether a picture in the plane is painted in bands.
-pub(crate) fn is_large(Size { width, height }: Size) -> bool {
+pub(crate) fn is_large(PictureSize { width, height }: PictureSize) -> bool {
     width.saturating_mul(height) > BAND
 }
 
 /// The number of rows of a band: all rows, or for a large picture a multiple of [`CELL`].
-fn band_rows(size: Size) -> u32 {
+fn band_rows(size: PictureSize) -> u32 {
     let rows = BAND / size.width.max(1) / CELL * CELL;
     if is_large(size) { rows.max(CELL) } else { size.height }
 }
@@ -64,10 +64,10 @@ fn band_rows(size: Size) -> u32 {
 pub(crate) fn solid_png(
     drawing: Drawing<Solid>,
     style: &Style,
-    size: Option<Size>,
+    size: Option<PictureSize>,
     system: &str,
 ) -> Result<Vec<u8>, png::EncodingError> {
-    let size = size.unwrap_or(Size { width: USUAL, height: USUAL });
+    let size = size.unwrap_or(PictureSize { width: USUAL, height: USUAL });
     let mut renderer = SolidRenderer::new();
     renderer.load(Arc::new(drawing));
     renderer.begin(style, viewport(size), &Camera::default(), Quality::BEST);
@@ -75,13 +75,13 @@ pub(crate) fn solid_png(
     encode(size, system, |write| write(renderer.pixels()))
 }
 
-fn viewport(Size { width, height }: Size) -> Viewport {
+fn viewport(PictureSize { width, height }: PictureSize) -> Viewport {
     Viewport { width, height, ratio: (f64::from(width.max(height)) / f64::from(USUAL)).max(1.0) }
 }
 
 /// Runs all steps of a picture, with a progress bar.
 fn finish(mut step: impl FnMut() -> Progress) {
-    let mut bar = Bar::new("picture", None);
+    let mut bar = DelayedBar::new("picture", None);
     while step() == Progress::More {
         bar.at(0);
     }
@@ -90,7 +90,7 @@ fn finish(mut step: impl FnMut() -> Progress) {
 /// A PNG file with its `system` inside. `paint` writes opaque RGBA pixels from top to bottom, any number of whole rows
 /// at a time.
 fn encode(
-    Size { width, height }: Size,
+    PictureSize { width, height }: PictureSize,
     system: &str,
     paint: impl FnOnce(&mut dyn FnMut(&[u8]) -> Result<(), png::EncodingError>) -> Result<(), png::EncodingError>,
 ) -> Result<Vec<u8>, png::EncodingError> {
@@ -117,7 +117,7 @@ fn encode(
 }
 
 /// The default size, in the proportions of the drawing.
-fn usual_size(drawing: &Drawing) -> Size {
+fn usual_size(drawing: &Drawing) -> PictureSize {
     let extent = fit(drawing);
     let longer = extent.width.max(extent.height);
     let side = |length: f64| {
@@ -125,7 +125,7 @@ fn usual_size(drawing: &Drawing) -> Size {
         // The proportions are unknown if the extent is beyond the range of `f64`.
         if share.is_finite() { ((share * f64::from(USUAL)).round() as u32).clamp(LEAST, USUAL) } else { USUAL }
     };
-    Size { width: side(extent.width), height: side(extent.height) }
+    PictureSize { width: side(extent.width), height: side(extent.height) }
 }
 
 #[cfg(test)]
@@ -142,7 +142,7 @@ mod tests {
             ..Definition::default()
         };
         let drawing = Arc::new(draw(&System::new(&definition).0.unwrap(), 5, &Limits::default()).unwrap());
-        let viewport = viewport(Size { width: 300, height: 200 });
+        let viewport = viewport(PictureSize { width: 300, height: 200 });
         let mut renderer = Renderer::new();
         renderer.load(drawing);
         renderer.begin(&definition.style, viewport, View::default());
@@ -162,9 +162,9 @@ mod tests {
 
     #[test]
     fn bands_are_small_and_whole_cells_high() {
-        assert_eq!(band_rows(Size { width: 2048, height: 2048 }), 2048);
+        assert_eq!(band_rows(PictureSize { width: 2048, height: 2048 }), 2048);
         for (width, height) in [(4096, 4096), (10_000, 10_000), (32_768, 3_000), (300, 32_768)] {
-            let rows = band_rows(Size { width, height });
+            let rows = band_rows(PictureSize { width, height });
             assert!(rows.is_multiple_of(CELL) && rows > 0 && rows * width <= BAND, "{width} {height} {rows}");
         }
     }

@@ -11,13 +11,13 @@ static BARS: LazyLock<MultiProgress> = LazyLock::new(MultiProgress::new);
 const PATIENCE: Duration = Duration::from_millis(400);
 
 /// A progress bar. Dropping the bar clears its line.
-pub(crate) struct Progress {
+pub(crate) struct DelayedBar {
     bar: ProgressBar,
     start: Instant,
     is_shown: bool,
 }
 
-impl Progress {
+impl DelayedBar {
     /// A bar for work named `label`, of `total` parts. Without a total, the bar shows the time.
     pub(crate) fn new(label: &'static str, total: Option<u64>) -> Self {
         let bar = ProgressBar::with_draw_target(total, ProgressDrawTarget::hidden());
@@ -35,7 +35,7 @@ impl Progress {
     }
 }
 
-impl Drop for Progress {
+impl Drop for DelayedBar {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
         BARS.remove(&self.bar);
@@ -67,7 +67,7 @@ mod tests {
 
     #[test]
     fn bars_end_with_their_work() {
-        let mut progress = Progress::new("work", Some(2));
+        let mut progress = DelayedBar::new("work", Some(2));
         progress.at(1);
         assert!(!progress.is_shown);
         progress.start -= PATIENCE;

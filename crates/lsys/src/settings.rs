@@ -20,7 +20,7 @@ pub(crate) fn apply(definition: &Definition, settings: &[(String, String)]) -> R
             _ => Value::Text(text.clone()),
         };
         if !spec.admits(&value) || !spec.set(&mut changed, &value) {
-            return Err(format!("--set {name}={text}: {} must be {}", spec.label, spec.wanted()));
+            return Err(format!("--set {name}={text}: {} must be {}", spec.label, spec.expected_words()));
         }
     }
     Ok(changed)

@@ -55,7 +55,7 @@ pub struct Part {
 
 /// A module on the path from the axiom.
 #[derive(Clone, Debug)]
-struct Node {
+struct PathModule {
     symbol: LetterId,
     arguments: Vec<f64>,
     /// The random key; unused if no argument is random.
@@ -63,21 +63,21 @@ struct Node {
 }
 
 /// The modules of the axiom or of a successor, made on demand: most modules of a long word are skipped.
-struct Nodes<'a> {
+struct ModuleReader<'a> {
     rules: &'a Rules,
     seed: u32,
     letters: &'a [LetterId],
     /// The compiled arguments of the modules that follow.
     codes: &'a [Code],
     /// The predecessor; `None` for the axiom.
-    parent: Option<Node>,
+    parent: Option<PathModule>,
     /// The derivation step that makes these modules, 0 for the axiom.
     step: u32,
     /// The number of modules returned or skipped.
     passed: usize,
 }
 
-impl<'a> Nodes<'a> {
+impl<'a> ModuleReader<'a> {
     /// The letter of the next module.
     fn symbol(&self) -> Option<LetterId> {
         self.letters.get(self.passed).copied()
@@ -93,10 +93,10 @@ impl<'a> Nodes<'a> {
     }
 }
 
-impl Iterator for Nodes<'_> {
-    type Item = Node;
+impl Iterator for ModuleReader<'_> {
+    type Item = PathModule;
 
-    fn next(&mut self) -> Option<Node> {
+    fn next(&mut self) -> Option<PathModule> {
         let symbol = self.symbol()?;
         let (place, step, seed) = (self.passed as u64, self.step, self.seed);
         let key = self.parent.as_ref().map_or_else(|| Key::root(place), |parent| parent.key.child(step, place));
@@ -104,7 +104,7 @@ impl Iterator for Nodes<'_> {
         let random = |place| maker.number(seed, step, place);
         let codes = self.skip_module();
         let slots = self.parent.as_ref().map_or(&[][..], |parent| &parent.arguments);
-        Some(Node { symbol, arguments: codes.iter().map(|code| code.value(slots, &random)).collect(), key })
+        Some(PathModule { symbol, arguments: codes.iter().map(|code| code.value(slots, &random)).collect(), key })
     }
 }
 
@@ -171,23 +171,23 @@ impl<'a> Word<'a> {
         let mut open = vec![(self.axiom(), self.n)];
         let mut skip = start;
         while left > 0 {
-            let Some((nodes, depth)) = open.last_mut() else { break };
+            let Some((modules, depth)) = open.last_mut() else { break };
             let depth = *depth;
-            let Some(symbol) = nodes.symbol() else {
+            let Some(symbol) = modules.symbol() else {
                 open.pop();
                 continue;
             };
             let count = self.symbols.get(depth as usize, symbol);
             if skip >= count {
                 skip -= count;
-                nodes.skip_module();
+                modules.skip_module();
                 continue;
             }
-            let Some(node) = nodes.next() else { break };
+            let Some(module) = modules.next() else { break };
             match self.successor(symbol, depth) {
-                Some(word) => open.push((self.children(node, word, self.n - depth + 1), depth - 1)),
+                Some(word) => open.push((self.children(module, word, self.n - depth + 1), depth - 1)),
                 None => {
-                    visit(self.letter(symbol), &node.arguments);
+                    visit(self.letter(symbol), &module.arguments);
                     left -= 1;
                 }
             }
@@ -267,22 +267,22 @@ impl<'a> Word<'a> {
         let mut before = vec![0_u128; self.n as usize + 1];
         // By letter: the number of times it was skipped in the current word.
         let mut passed = vec![0_u32; self.rules.letters.len()];
-        let (mut nodes, mut made_by) = (self.axiom(), None);
+        let (mut modules, mut made_by) = (self.axiom(), None);
         let mut skip = place;
         for generation in 0..=self.n {
             let depth = self.n - generation;
             loop {
-                let Some(symbol) = nodes.symbol() else { return Vec::new() };
+                let Some(symbol) = modules.symbol() else { return Vec::new() };
                 let count = counts.get(depth as usize, symbol);
                 if skip < count {
                     break;
                 }
                 skip -= count;
                 passed[usize::from(symbol)] += 1;
-                nodes.skip_module();
+                modules.skip_module();
             }
-            let position = nodes.passed;
-            for &symbol in &nodes.letters[..position] {
+            let position = modules.passed;
+            for &symbol in &modules.letters[..position] {
                 let times = core::mem::take(&mut passed[usize::from(symbol)]);
                 for later in (generation..=self.n).filter(|_| times > 0) {
                     let derived = self.symbols.get((later - generation) as usize, symbol);
@@ -290,23 +290,23 @@ impl<'a> Word<'a> {
                     *slot = slot.saturating_add(derived.saturating_mul(times.into()));
                 }
             }
-            let Some(node) = nodes.next() else { return Vec::new() };
-            let successor = self.successor(node.symbol, depth);
+            let Some(module) = modules.next() else { return Vec::new() };
+            let successor = self.successor(module.symbol, depth);
             // A letter without a successor stays to the end.
             let last = if successor.is_some() { generation } else { self.n };
             for at in generation..=last {
                 chain.push(Ancestor {
                     generation: at,
-                    symbol: self.letter(node.symbol),
-                    arguments: node.arguments.clone(),
+                    symbol: self.letter(module.symbol),
+                    arguments: module.arguments.clone(),
                     index: before[at as usize],
                     production: made_by.filter(|_| at == generation),
                     position: if at == generation { position } else { 0 },
                 });
             }
             let Some(successor) = successor else { break };
-            made_by = self.production(node.symbol);
-            nodes = self.children(node, successor, generation + 1);
+            made_by = self.production(module.symbol);
+            modules = self.children(module, successor, generation + 1);
         }
         chain
     }
@@ -324,15 +324,15 @@ impl<'a> Word<'a> {
         self.rules.by_letter[usize::from(symbol)].first()
     }
 
-    fn axiom(&self) -> Nodes<'a> {
+    fn axiom(&self) -> ModuleReader<'a> {
         let Template { letters, arguments } = &self.rules.axiom;
-        Nodes { rules: self.rules, seed: self.seed, letters, codes: arguments, parent: None, step: 0, passed: 0 }
+        ModuleReader { rules: self.rules, seed: self.seed, letters, codes: arguments, parent: None, step: 0, passed: 0 }
     }
 
     /// The modules that derivation step `step` makes of `parent`, whose letters are `letters`.
-    fn children(&self, parent: Node, letters: &'a [LetterId], step: u32) -> Nodes<'a> {
+    fn children(&self, parent: PathModule, letters: &'a [LetterId], step: u32) -> ModuleReader<'a> {
         let codes = self.rule(parent.symbol).map_or(&[][..], |rule| &rule.successor.arguments);
-        Nodes { rules: self.rules, seed: self.seed, letters, codes, parent: Some(parent), step, passed: 0 }
+        ModuleReader { rules: self.rules, seed: self.seed, letters, codes, parent: Some(parent), step, passed: 0 }
     }
 
     /// The successor of a letter with `depth` steps remaining; `None` if the letter stays to the end.
@@ -345,12 +345,12 @@ impl<'a> Word<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::{System, cases, expand, system};
+    use crate::testing::{TestSystem, cases, expand, system};
     use lsystem_syntax::Limits;
     use proptest::prelude::*;
 
     /// A word whose letters draw nothing.
-    fn word(system: &System, n: u32) -> Word<'_> {
+    fn word(system: &TestSystem, n: u32) -> Word<'_> {
         Word::new(&system.rules, 0, n, Some(&vec![0; system.rules.letters.len()])).0.unwrap()
     }
 

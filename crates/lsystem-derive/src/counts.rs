@@ -10,14 +10,14 @@ use lsystem_syntax::{MAX_COUNTING, Meter, Progress};
 /// steps.
 #[derive(Clone, Debug)]
 pub struct Counter {
-    sums: Sums,
+    sums: SuccessorCounts,
     /// By letter: its sum after `steps` derivation steps; `None` if unknown.
     totals: Vec<Option<Tally>>,
     /// By letter: its sum after one more step, as far as computed.
     next: Vec<Option<Tally>>,
     steps: u32,
     n: u32,
-    at: Place,
+    at: CounterPlace,
     /// The bytes of the numbers in `next`.
     bytes: usize,
     /// `None` while counting.
@@ -27,7 +27,7 @@ pub struct Counter {
 
 /// The place of the next addition: the index of the rewritten letter, of its alternative, and of the entry in it.
 #[derive(Clone, Debug, Default)]
-struct Place {
+struct CounterPlace {
     letter: usize,
     alternative: usize,
     entry: usize,
@@ -50,9 +50,9 @@ impl Counter {
         let known = weights.is_some() && !rules.is_cutting();
         let weight = |letter: usize| weights.map_or(0, |weights| weights[letter]);
         let totals: Vec<_> = (0..rules.letters.len()).map(|letter| Some(Tally::from(weight(letter)))).collect();
-        let (next, at) = (vec![None; totals.len()], Place::default());
+        let (next, at) = (vec![None; totals.len()], CounterPlace::default());
         let count = if known { None } else { Some(None) };
-        Self { sums: Sums::new(rules), totals, next, steps: 0, n, at, bytes: 0, count, spent: 0 }
+        Self { sums: SuccessorCounts::new(rules), totals, next, steps: 0, n, at, bytes: 0, count, spent: 0 }
     }
 
     /// The count. `None` while counting, if the count depends on random choices, contexts, conditions or cut branches,
@@ -107,7 +107,7 @@ impl Counter {
                 }
                 meter.charge(sums.rewritten.len() as u64 / 4);
                 self.steps += 1;
-                (self.bytes, *at) = (0, Place::default());
+                (self.bytes, *at) = (0, CounterPlace::default());
                 return;
             }
         };
@@ -144,7 +144,7 @@ impl Counter {
         if let Some(letter) = letter {
             next[letter] = sum;
         }
-        *at = Place { letter: at.letter + 1, ..Place::default() };
+        *at = CounterPlace { letter: at.letter + 1, ..CounterPlace::default() };
         if 2 * self.bytes as u64 > MAX_COUNTING {
             self.count = Some(None);
         }
@@ -160,7 +160,7 @@ pub(crate) fn counts_until(
     weight: impl Fn(LetterId) -> u64,
     meter: &mut Meter,
 ) -> Result<Vec<u128>, Unknown> {
-    let sums = Sums::new(rules);
+    let sums = SuccessorCounts::new(rules);
     let mut totals: Vec<Option<Saturating>> = sums.start(&weight);
     let mut generations = Vec::new();
     for generation in 0..=n {
@@ -190,7 +190,7 @@ pub fn weigh_until(
     meter: &mut Meter,
     mut nonzero: impl FnMut(u32, Option<bool>) -> bool,
 ) -> bool {
-    let sums = Sums::new(rules);
+    let sums = SuccessorCounts::new(rules);
     let mut totals: Vec<Option<Saturating>> = sums.start(&weight);
     for generation in 0..=last {
         if generation > 0 {
@@ -233,7 +233,7 @@ impl Depths {
     /// `None` if there are more than [`MAX_CELLS`] sums, or if the meter is spent.
     pub(crate) fn new(rules: &Rules, n: u32, weight: impl Fn(LetterId) -> u64, meter: &mut Meter) -> Option<Self> {
         let own: Vec<u64> = (0..rules.letters.len()).map(|symbol| weight(symbol as LetterId)).collect();
-        let sums = Sums::new(rules);
+        let sums = SuccessorCounts::new(rules);
         let changing = |letter: LetterId| matches!(rules.rewrites[usize::from(letter)], Rewrite::Always(_));
         let rewritten: Vec<LetterId> = sums.rewritten.iter().copied().filter(|&letter| changing(letter)).collect();
         let width = rewritten.len();
@@ -308,7 +308,7 @@ impl Total for Saturating {
 
 /// By letter: the letters of each possible successor with their numbers of occurrences.
 #[derive(Clone, Debug)]
-struct Sums {
+struct SuccessorCounts {
     alternatives: Vec<Vec<Multiset>>,
     /// The letters that have alternatives.
     rewritten: Vec<LetterId>,
@@ -317,7 +317,7 @@ struct Sums {
 
 type Multiset = Vec<(LetterId, u32)>;
 
-impl Sums {
+impl SuccessorCounts {
     fn new(rules: &Rules) -> Self {
         let reachable = rules.reachable();
         let mut times = vec![0; rules.letters.len()];
@@ -327,8 +327,9 @@ impl Sums {
                 _ if !reached => vec![],
                 Rewrite::Keep => vec![],
                 Rewrite::Always(successor) => vec![multiset(successor, &mut times)],
-                Rewrite::Choose(choices) => {
-                    let mut all: Vec<Multiset> = choices.iter().map(|c| multiset(&c.successor, &mut times)).collect();
+                Rewrite::Choose(alternatives) => {
+                    let mut all: Vec<Multiset> =
+                        alternatives.iter().map(|c| multiset(&c.successor, &mut times)).collect();
                     all.dedup();
                     all
                 }

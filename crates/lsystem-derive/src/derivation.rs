@@ -139,11 +139,11 @@ pub fn expand(
     }
     let bytes = |symbol: LetterId| rules.symbol(symbol).len_utf8() as u64;
     let lengths = Depths::new(rules, n, bytes, &mut Meter::new(limits.work));
-    let mut writer = Writer::new(rules, lengths, text);
+    let mut writer = TextWriter::new(rules, lengths, text);
     if known.is_ok() && !writer.reserve(n, &rules.axiom.letters) {
         return Err(too_long(None));
     }
-    let mut derivation = Derivation::new(rules, seed);
+    let mut derivation = DepthFirst::new(rules, seed);
     let outcome = derivation.run(n, limits, limits.work, |symbol, depth| writer.write(symbol, depth));
     meter.charge(derivation.spent + writer.text.len() as u64 / 64);
     outcome.map_err(|stopped| {
@@ -184,7 +184,7 @@ fn write_modules(
 
 /// Appends modules with their arguments in parentheses. Returns false if the text becomes longer than `most` bytes.
 fn write_word(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: u64, text: &mut String) -> bool {
-    let mut modules = Modules { letters, arguments };
+    let mut modules = ModuleIter { letters, arguments };
     while let Some((symbol, own)) = modules.next(rules) {
         // Grows by a quarter, because doubling may take too much memory.
         if text.capacity() - text.len() < PRINTED {
@@ -200,7 +200,7 @@ fn write_word(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: u64,
 
 /// The length of modules as text, in bytes; `None` if more than `most`.
 fn written_length(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: u64) -> Option<u64> {
-    let (mut modules, mut text, mut length) = (Modules { letters, arguments }, String::new(), 0);
+    let (mut modules, mut text, mut length) = (ModuleIter { letters, arguments }, String::new(), 0);
     while let Some((symbol, own)) = modules.next(rules) {
         text.clear();
         lsystem_syntax::print_module(symbol, own, &mut text);
@@ -216,12 +216,12 @@ fn written_length(rules: &Rules, letters: &[LetterId], arguments: &[f64], most: 
 const PRINTED: usize = 4_096;
 
 /// An iterator over modules with their arguments.
-struct Modules<'a> {
+struct ModuleIter<'a> {
     letters: &'a [LetterId],
     arguments: &'a [f64],
 }
 
-impl<'a> Modules<'a> {
+impl<'a> ModuleIter<'a> {
     /// The next module's symbol and arguments.
     fn next(&mut self, rules: &Rules) -> Option<(char, &'a [f64])> {
         let (&letter, letters) = self.letters.split_first()?;
@@ -266,7 +266,7 @@ pub fn fault(rules: &Rules, fault: Fault, reached: u32, limits: &Limits, largest
 }
 
 /// Derives generations depth first.
-struct Derivation<'a> {
+struct DepthFirst<'a> {
     rules: &'a Rules,
     seed: u32,
     /// By letter: whether its derivation has no random choice.
@@ -275,7 +275,7 @@ struct Derivation<'a> {
     spent: u64,
 }
 
-impl<'a> Derivation<'a> {
+impl<'a> DepthFirst<'a> {
     fn new(rules: &'a Rules, seed: u32) -> Self {
         Self { rules, seed, fixed: fixed(rules), spent: 0 }
     }
@@ -336,7 +336,7 @@ impl<'a> Derivation<'a> {
 }
 
 /// Writes the texts of letters without random choices. Each text is written once and then copied.
-struct Writer<'a> {
+struct TextWriter<'a> {
     rules: &'a Rules,
     text: &'a mut String,
     /// The lengths of texts in bytes; `None` if there are too many letters and depths.
@@ -345,7 +345,7 @@ struct Writer<'a> {
     written: Vec<Option<usize>>,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> TextWriter<'a> {
     fn new(rules: &'a Rules, lengths: Option<Depths>, text: &'a mut String) -> Self {
         let written = vec![None; lengths.as_ref().map_or(0, Depths::cells)];
         Self { rules, text, lengths, written }
@@ -423,15 +423,15 @@ fn fixed(rules: &Rules) -> Vec<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::{Rule, System, cases, count_symbols, expand, system};
+    use crate::testing::{TestRule, TestSystem, cases, count_symbols, expand, system};
     use proptest::prelude::*;
 
-    fn rules<'a>(text: &[(char, &'a str)]) -> Vec<Rule<'a>> {
+    fn rules<'a>(text: &[(char, &'a str)]) -> Vec<TestRule<'a>> {
         text.iter().map(|&(p, s)| (p, s, None)).collect()
     }
 
     /// The definition, literally: one generation after another, every letter with its key.
-    fn naive(system: &System, n: u32) -> String {
+    fn naive(system: &TestSystem, n: u32) -> String {
         let rules = &system.rules;
         let mut word: Vec<(LetterId, Key)> =
             rules.axiom.letters.iter().enumerate().map(|(i, &s)| (s, Key::root(i as u64))).collect();
@@ -498,7 +498,7 @@ mod tests {
         let letters: Vec<char> = ('A'..='Z').chain('a'..='z').collect();
         let repeated: Vec<[String; 2]> =
             letters.iter().map(|c| [2, 3].map(|times| c.to_string().repeat(times))).collect();
-        let mut text: Vec<Rule> = vec![('z', "", None)];
+        let mut text: Vec<TestRule> = vec![('z', "", None)];
         for (letter, next) in letters.iter().zip(&repeated[1..]) {
             text.extend(next.iter().map(|successor| (*letter, successor.as_str(), Some(1.0))));
         }
@@ -516,7 +516,7 @@ mod tests {
             n in 0_u32..7,
             seed: u32,
         ) {
-            let rules: Vec<Rule> =
+            let rules: Vec<TestRule> =
                 successors.iter().map(|(p, s, w)| (p.chars().next().unwrap(), s.as_str(), *w)).collect();
             let system = system(&axiom, &rules, seed);
             let expected = naive(&system, n);

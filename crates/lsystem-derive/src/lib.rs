@@ -36,4 +36,4 @@ pub use rules::{Letter, LetterId, Rule, Rules, Template};
 pub use tally::Tally;
 pub use walk::{Fate, Next, Walk};
 
-pub(crate) use rewrite::Choice;
+pub(crate) use rewrite::Alternative;

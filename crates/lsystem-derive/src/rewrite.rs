@@ -11,23 +11,23 @@ pub enum Rewrite {
     /// Always the same successor.
     Always(Vec<LetterId>),
     /// One of several successors, by weight.
-    Choose(Vec<Choice>),
+    Choose(Vec<Alternative>),
 }
 
 /// One possible successor of a letter.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Choice {
-    /// The cumulative normalised weight, including this choice; 1.0 for the last.
+pub struct Alternative {
+    /// The cumulative normalised weight, including this alternative; 1.0 for the last.
     pub until: f64,
     /// The successor.
     pub successor: Vec<LetterId>,
 }
 
-impl Choice {
-    /// The index of the choice that `roll` (uniform in `0.0..1.0`) selects, by binary search.
+impl Alternative {
+    /// The index of the alternative that `roll` (uniform in `0.0..1.0`) selects, by binary search.
     #[must_use]
-    pub fn of(choices: &[Self], roll: f64) -> usize {
-        choices.partition_point(|choice| choice.until <= roll).min(choices.len().saturating_sub(1))
+    pub fn of(alternatives: &[Self], roll: f64) -> usize {
+        alternatives.partition_point(|alternative| alternative.until <= roll).min(alternatives.len().saturating_sub(1))
     }
 }
 
@@ -38,7 +38,9 @@ impl Rewrite {
         match self {
             Self::Keep => None,
             Self::Always(successor) => Some(successor),
-            Self::Choose(choices) => choices.get(Choice::of(choices, roll())).map(|choice| choice.successor.as_slice()),
+            Self::Choose(alternatives) => alternatives
+                .get(Alternative::of(alternatives, roll()))
+                .map(|alternative| alternative.successor.as_slice()),
         }
     }
 
@@ -56,15 +58,15 @@ impl Rewrite {
         let mut until = 0.0;
         let weighted = rules.iter().filter_map(|rule| {
             until += weight(rule)?;
-            Some(Choice { until, successor: rule.successor.letters.clone() })
+            Some(Alternative { until, successor: rule.successor.letters.clone() })
         });
-        let mut choices: Vec<Choice> = if first.weight.is_some() { weighted.collect() } else { vec![] };
-        if choices.len() < 2 {
+        let mut alternatives: Vec<Alternative> = if first.weight.is_some() { weighted.collect() } else { vec![] };
+        if alternatives.len() < 2 {
             return Self::Always(first.successor.letters.clone());
         }
-        let total = choices.last().map_or(1.0, |choice| choice.until);
-        choices.iter_mut().for_each(|choice| choice.until /= total);
-        Self::Choose(choices)
+        let total = alternatives.last().map_or(1.0, |alternative| alternative.until);
+        alternatives.iter_mut().for_each(|alternative| alternative.until /= total);
+        Self::Choose(alternatives)
     }
 
     /// The possible rewritings of a letter with these productions, without regard to contexts and conditions.
@@ -83,8 +85,8 @@ impl Rewrite {
             words.push(vec![letter]);
         }
         let parts = words.len() as f64;
-        let choice = |(at, successor)| Choice { until: (at + 1) as f64 / parts, successor };
-        Self::Choose(words.into_iter().enumerate().map(choice).collect())
+        let alternative = |(at, successor)| Alternative { until: (at + 1) as f64 / parts, successor };
+        Self::Choose(words.into_iter().enumerate().map(alternative).collect())
     }
 }
 
@@ -108,7 +110,7 @@ impl Rules {
             match &self.rewrites[usize::from(letter)] {
                 Rewrite::Keep => {}
                 Rewrite::Always(successor) => open.extend(successor),
-                Rewrite::Choose(choices) => choices.iter().for_each(|c| open.extend(&c.successor)),
+                Rewrite::Choose(alternatives) => alternatives.iter().for_each(|c| open.extend(&c.successor)),
             }
         }
         seen
@@ -121,8 +123,8 @@ mod tests {
 
     #[test]
     fn the_roll_chooses_by_weight() {
-        let choices = [0.25, 0.25, 0.75, 1.0].map(|until| Choice { until, successor: vec![] });
-        let chosen = [0.0, 0.2, 0.25, 0.7, 0.75, 0.99, 1.0].map(|roll| Choice::of(&choices, roll));
+        let alternatives = [0.25, 0.25, 0.75, 1.0].map(|until| Alternative { until, successor: vec![] });
+        let chosen = [0.0, 0.2, 0.25, 0.7, 0.75, 0.99, 1.0].map(|roll| Alternative::of(&alternatives, roll));
         assert_eq!(chosen, [0, 0, 2, 2, 3, 3, 3]);
     }
 }

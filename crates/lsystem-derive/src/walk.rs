@@ -1,7 +1,7 @@
 //! Depth-first derivation. The letters of the last generation come in order, and no earlier generation is held in
 //! memory. A caller that knows the derivation of a letter takes the letter as soon as it occurs.
 
-use crate::{Choice, Key, LetterId, Rewrite, Rules};
+use crate::{Alternative, Key, LetterId, Rewrite, Rules};
 
 /// The state of a depth-first derivation. It holds no references, so that callers may store it between two calls.
 #[derive(Clone, Debug)]
@@ -9,14 +9,14 @@ pub struct Walk {
     n: u32,
     seed: u32,
     /// The words on the path from the axiom to the present letter, outermost first.
-    open: Vec<Word>,
+    open: Vec<OpenWord>,
     /// The number of letters visited so far, in all generations.
     pub work: u64,
 }
 
 #[derive(Clone, Debug)]
-struct Word {
-    source: Source,
+struct OpenWord {
+    source: WordSource,
     /// The index of the next letter.
     next: usize,
     /// The key of the letter that this word replaced.
@@ -26,9 +26,9 @@ struct Word {
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Source {
+enum WordSource {
     Axiom,
-    /// The successor of a letter, by its index among the choices.
+    /// The successor of a letter, by its index among the alternatives.
     Successor(LetterId, usize),
 }
 
@@ -59,7 +59,12 @@ impl Walk {
     /// A walk at the start of generation `n`.
     #[must_use]
     pub fn new(n: u32, seed: u32) -> Self {
-        Self { n, seed, open: vec![Word { source: Source::Axiom, next: 0, key: Key::root(0), since: 0 }], work: 0 }
+        Self {
+            n,
+            seed,
+            open: vec![OpenWord { source: WordSource::Axiom, next: 0, key: Key::root(0), since: 0 }],
+            work: 0,
+        }
     }
 
     /// Continues to the next letter that is `known` or of the last generation, or pauses once `self.work` is `until`.
@@ -90,9 +95,9 @@ impl Walk {
             let choice = match &rules.rewrites[usize::from(symbol)] {
                 Rewrite::Keep => return Next::Letter(symbol, 0),
                 Rewrite::Always(_) => 0,
-                Rewrite::Choose(choices) => Choice::of(choices, key.choice(self.seed, step)),
+                Rewrite::Choose(alternatives) => Alternative::of(alternatives, key.choice(self.seed, step)),
             };
-            self.open.push(Word { source: Source::Successor(symbol, choice), next: 0, key, since });
+            self.open.push(OpenWord { source: WordSource::Successor(symbol, choice), next: 0, key, since });
         }
     }
 
@@ -108,7 +113,7 @@ impl Walk {
         let Some(word) = self.open.last() else { return Fate { key: Key::root(0), since: 0, grows: false } };
         let index = word.next.saturating_sub(1);
         let grows = match word.source {
-            Source::Successor(former, _) if generation == self.n => {
+            WordSource::Successor(former, _) if generation == self.n => {
                 continues(former, letters(rules, word.source)) != Some(index)
             }
             _ => false,
@@ -117,31 +122,31 @@ impl Walk {
     }
 }
 
-impl Word {
+impl OpenWord {
     /// The key of the word's letter at `index`; `generation` is the generation of the word.
     fn key(&self, generation: u32, index: u64) -> Key {
         match self.source {
-            Source::Axiom => Key::root(index),
-            Source::Successor(..) => self.key.child(generation, index),
+            WordSource::Axiom => Key::root(index),
+            WordSource::Successor(..) => self.key.child(generation, index),
         }
     }
 
     /// As [`Fate::since`], for a letter `symbol` of this word; `generation` is the generation of the word.
     fn since(&self, generation: u32, symbol: LetterId) -> u32 {
         match self.source {
-            Source::Successor(former, _) if former == symbol => self.since,
+            WordSource::Successor(former, _) if former == symbol => self.since,
             _ => generation,
         }
     }
 }
 
-fn letters(rules: &Rules, source: Source) -> &[LetterId] {
+fn letters(rules: &Rules, source: WordSource) -> &[LetterId] {
     match source {
-        Source::Axiom => &rules.axiom.letters,
-        Source::Successor(symbol, choice) => match &rules.rewrites[usize::from(symbol)] {
+        WordSource::Axiom => &rules.axiom.letters,
+        WordSource::Successor(symbol, choice) => match &rules.rewrites[usize::from(symbol)] {
             Rewrite::Keep => &[],
             Rewrite::Always(word) => word,
-            Rewrite::Choose(choices) => choices.get(choice).map_or(&[], |c| &c.successor),
+            Rewrite::Choose(alternatives) => alternatives.get(choice).map_or(&[], |c| &c.successor),
         },
     }
 }

@@ -14,6 +14,7 @@ mod drawer;
 mod extent;
 mod girth;
 mod hull;
+mod item_buffer;
 mod marks;
 mod piece;
 mod pieces;
@@ -22,7 +23,6 @@ mod scene;
 mod segments;
 mod shape;
 mod share;
-mod sheet;
 mod solid;
 mod task;
 mod tree;
@@ -39,7 +39,7 @@ pub(crate) use pieces::{Pieces, StateWord, StateWords};
 pub use projection::{Outlook, Projection};
 pub use scene::SceneSize;
 pub use segments::Frame;
-pub(crate) use segments::Segments;
+pub(crate) use segments::SegmentIter;
 pub use shape::{Line, Shape};
 pub use solid::draw_solid;
 
@@ -229,14 +229,14 @@ impl<S: Space> Drawing<S> {
 
     /// Every segment, in drawing order. A shared drawing may have too many segments to read them all.
     #[must_use]
-    pub fn segments(&self) -> Segments<'_, S> {
-        Segments::new(self)
+    pub fn segments(&self) -> SegmentIter<'_, S> {
+        SegmentIter::new(self)
     }
 
     /// The segments from number `start` (0-based) on. The time depends on the depth of nested blocks, not on `start`.
     #[must_use]
-    pub fn segments_from(&self, start: u128) -> Segments<'_, S> {
-        let mut segments = Segments::new(self);
+    pub fn segments_from(&self, start: u128) -> SegmentIter<'_, S> {
+        let mut segments = SegmentIter::new(self);
         segments.pass(start);
         segments
     }

@@ -17,7 +17,7 @@ pub fn symbol_of_polygon<S: Space>(system: &System, n: u32, drawing: &Drawing<S>
             opening(drawing, words, words.members(words.axiom.clone(), depth), number)
         }
         Pieces::Letters(_) => {
-            let letters = Letters { drawing, word: system.word(n)? };
+            let letters = LetterSuccessors { drawing, word: system.word(n)? };
             opening(drawing, &letters, letters.letters(&system.rules.axiom.letters, n), number)
         }
         Pieces::None => None,
@@ -25,7 +25,7 @@ pub fn symbol_of_polygon<S: Space>(system: &System, n: u32, drawing: &Drawing<S>
 }
 
 /// The successors of symbols.
-trait Words {
+trait Successors {
     /// A symbol that is rewritten, with the number of derivation steps left.
     type Node: Copy;
 
@@ -42,12 +42,12 @@ struct Member<N> {
 }
 
 /// The words of plain letters, from the rules.
-struct Letters<'a, S: Space> {
+struct LetterSuccessors<'a, S: Space> {
     drawing: &'a Drawing<S>,
     word: Word<'a>,
 }
 
-impl<S: Space> Letters<'_, S> {
+impl<S: Space> LetterSuccessors<'_, S> {
     fn letters(&self, letters: &[LetterId], depth: u32) -> Vec<Member<(LetterId, u32)>> {
         let member = |&letter: &LetterId| Member {
             inner: self.drawing.piece(letter, depth).map(|piece| ((letter, depth), piece.block)),
@@ -57,7 +57,7 @@ impl<S: Space> Letters<'_, S> {
     }
 }
 
-impl<S: Space> Words for Letters<'_, S> {
+impl<S: Space> Successors for LetterSuccessors<'_, S> {
     type Node = (LetterId, u32);
 
     fn successor(&self, (letter, depth): Self::Node) -> Option<Vec<Member<Self::Node>>> {
@@ -66,7 +66,7 @@ impl<S: Space> Words for Letters<'_, S> {
 }
 
 /// The words of modules with parameters, kept from the making of the drawing.
-impl Words for StateWords {
+impl Successors for StateWords {
     /// The module's state, and the number of derivation steps left.
     type Node = (u32, usize);
 
@@ -93,7 +93,7 @@ impl StateWords {
 
 /// Finds the symbol that opens a polygon, word by word from the axiom on. Every symbol that is rewritten has its own
 /// block; the polygons of the other symbols are items of the block of their word.
-fn opening<S: Space, W: Words>(
+fn opening<S: Space, W: Successors>(
     drawing: &Drawing<S>,
     words: &W,
     axiom: Vec<Member<W::Node>>,

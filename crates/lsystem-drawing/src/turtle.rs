@@ -66,7 +66,7 @@ pub enum Colouring {
 
 /// An action with every default filled in.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Op<S: Geometry = Plane> {
+pub(crate) enum TurtleOp<S: Geometry = Plane> {
     /// Go forward and draw; the length in units of `2^`[`Score::exponent`] steps.
     Draw(f64),
     /// Go forward without drawing; the length in the same units.
@@ -106,7 +106,7 @@ pub(crate) struct BranchFactors {
 #[derive(Clone, Debug)]
 pub(crate) struct Score<S: Geometry = Plane> {
     /// By letter; empty for unreachable letters.
-    pub ops: Vec<Vec<Op<S>>>,
+    pub ops: Vec<Vec<TurtleOp<S>>>,
     /// A length of 1 is `2^exponent` steps.
     pub exponent: i32,
     /// One step in model units; 1 if the turtle's own step is zero, and the default length is then 0.
@@ -157,10 +157,10 @@ impl Turtle {
 
     /// The compiled actions of the `reachable` letters.
     pub(crate) fn score<S: Geometry>(&self, reachable: &[bool]) -> Score<S> {
-        let mut ops: Vec<Vec<Op<S>>> = (self.actions.iter().zip(reachable))
+        let mut ops: Vec<Vec<TurtleOp<S>>> = (self.actions.iter().zip(reachable))
             .map(|(actions, &reached)| if reached { self.ops(actions) } else { vec![] })
             .collect();
-        let length = |op: &Op<S>| if let Op::Draw(l) | Op::Move(l) = op { l.abs() } else { 0.0 };
+        let length = |op: &TurtleOp<S>| if let TurtleOp::Draw(l) | TurtleOp::Move(l) = op { l.abs() } else { 0.0 };
         let exponent = exponent_of(ops.iter().flatten().map(length).fold(0.0, f64::max));
         for op in ops.iter_mut().flatten() {
             *op = op.scaled(-exponent);
@@ -188,23 +188,23 @@ impl Turtle {
     }
 
     /// The operations of a letter; lengths in units of [`Turtle::unit`].
-    fn ops<S: Geometry>(&self, actions: &[Action]) -> Vec<Op<S>> {
+    fn ops<S: Geometry>(&self, actions: &[Action]) -> Vec<TurtleOp<S>> {
         let mut ops = Vec::with_capacity(actions.len());
         let corners = self.actions.iter().flatten().any(|action| *action == Action::OpenPolygon);
         for &action in actions {
             let marks = corners && matches!(action, Action::Draw(_) | Action::Move(_));
-            ops.extend(marks.then_some(Op::Vertex));
+            ops.extend(marks.then_some(TurtleOp::Vertex));
             ops.push(self.op(action));
-            ops.extend(marks.then_some(Op::Vertex));
+            ops.extend(marks.then_some(TurtleOp::Vertex));
             if let Some(tropism) = self.tropism.filter(|_| action.draws()) {
-                ops.push(Op::Bend(tropism));
+                ops.push(TurtleOp::Bend(tropism));
             }
             let side = match (self.colouring, action) {
                 (Colouring::Turns([left, _]), Action::TurnLeft(_)) => Some(left),
                 (Colouring::Turns([_, right]), Action::TurnRight(_)) => Some(right),
                 _ => None,
             };
-            ops.extend(side.map(|index| Op::Style(ColourChange::Set(index).into())));
+            ops.extend(side.map(|index| TurtleOp::Style(ColourChange::Set(index).into())));
         }
         ops
     }
@@ -215,42 +215,42 @@ impl Turtle {
     }
 
     /// The operation of an action; lengths in units of [`Turtle::unit`].
-    fn op<S: Geometry>(&self, action: Action) -> Op<S> {
+    fn op<S: Geometry>(&self, action: Action) -> TurtleOp<S> {
         let turn = |about: Axis, degrees: Option<f64>, own: Heading| {
-            Op::Turn(Turning::new(about, degrees.map_or(own, Heading::from_degrees), false))
+            TurtleOp::Turn(Turning::new(about, degrees.map_or(own, Heading::from_degrees), false))
         };
         let back = |about: Axis, degrees: Option<f64>, own: Heading| {
-            Op::Turn(Turning::new(about, degrees.map_or(own, Heading::from_degrees), true))
+            TurtleOp::Turn(Turning::new(about, degrees.map_or(own, Heading::from_degrees), true))
         };
         let in_steps = |length: Option<f64>| length.map_or(self.steps(), |l| finite(l / self.unit()));
         match action {
-            Action::Draw(length) | Action::DrawUnmarked(length) => Op::Draw(in_steps(length)),
-            Action::Move(length) | Action::MoveUnmarked(length) => Op::Move(in_steps(length)),
-            Action::OpenPolygon => Op::OpenPolygon,
-            Action::Vertex => Op::Vertex,
-            Action::ClosePolygon => Op::ClosePolygon,
+            Action::Draw(length) | Action::DrawUnmarked(length) => TurtleOp::Draw(in_steps(length)),
+            Action::Move(length) | Action::MoveUnmarked(length) => TurtleOp::Move(in_steps(length)),
+            Action::OpenPolygon => TurtleOp::OpenPolygon,
+            Action::Vertex => TurtleOp::Vertex,
+            Action::ClosePolygon => TurtleOp::ClosePolygon,
             Action::TurnLeft(degrees) => turn(Axis::Up, degrees, self.left),
             Action::TurnRight(degrees) => back(Axis::Up, degrees, self.right),
             Action::PitchDown(degrees) => turn(Axis::Left, degrees, self.pitch_down),
             Action::PitchUp(degrees) => back(Axis::Left, degrees, self.pitch_up),
             Action::RollLeft(degrees) => turn(Axis::Ahead, degrees, self.roll_left),
             Action::RollRight(degrees) => back(Axis::Ahead, degrees, self.roll_right),
-            Action::RollUpright => Op::Upright,
-            Action::TurnRound => Op::Turn(Turning::new(Axis::Up, Heading::HALF, false)),
-            Action::Push => Op::Push(self.branch_factors()),
-            Action::Pop => Op::Pop,
+            Action::RollUpright => TurtleOp::Upright,
+            Action::TurnRound => TurtleOp::Turn(Turning::new(Axis::Up, Heading::HALF, false)),
+            Action::Push => TurtleOp::Push(self.branch_factors()),
+            Action::Pop => TurtleOp::Pop,
             // A cut acts during the derivation.
-            Action::Cut => Op::Style(StyleChange::NONE),
+            Action::Cut => TurtleOp::Style(StyleChange::NONE),
             Action::SetColour(_) | Action::AddColour(_) if self.colouring != Colouring::Symbols => {
-                Op::Style(StyleChange::NONE)
+                TurtleOp::Style(StyleChange::NONE)
             }
-            Action::SetColour(index) => Op::Style(ColourChange::Set(index).into()),
-            Action::AddColour(by) => Op::Style(ColourChange::Add(by).into()),
+            Action::SetColour(index) => TurtleOp::Style(ColourChange::Set(index).into()),
+            Action::AddColour(by) => TurtleOp::Style(ColourChange::Add(by).into()),
             Action::SetWidth(width) => {
-                Op::Style(WidthChange { factor: 0.0, offset: finite(width).max(0.0) * self.steps() }.into())
+                TurtleOp::Style(WidthChange { factor: 0.0, offset: finite(width).max(0.0) * self.steps() }.into())
             }
             Action::ScaleWidth(factor) => {
-                Op::Style(WidthChange { factor: finite(factor).max(0.0), offset: 0.0 }.into())
+                TurtleOp::Style(WidthChange { factor: finite(factor).max(0.0), offset: 0.0 }.into())
             }
         }
     }
@@ -259,15 +259,21 @@ impl Turtle {
 impl<S: Geometry> Score<S> {
     /// Whether a letter draws or moves.
     pub(crate) fn goes(&self, letter: LetterId) -> bool {
-        self.ops[usize::from(letter)].iter().any(|op| matches!(op, Op::Draw(_) | Op::Move(_)))
+        self.ops[usize::from(letter)].iter().any(|op| matches!(op, TurtleOp::Draw(_) | TurtleOp::Move(_)))
     }
 
     /// The operations of a letter. `number`, a module's first argument, replaces the number of the letter's first
     /// action.
-    pub(crate) fn ops_of(&self, turtle: &Turtle, letter: usize, number: Option<f64>) -> impl Iterator<Item = Op<S>> {
+    pub(crate) fn ops_of(
+        &self,
+        turtle: &Turtle,
+        letter: usize,
+        number: Option<f64>,
+    ) -> impl Iterator<Item = TurtleOp<S>> {
         let (ops, first) = (&self.ops[letter], turtle.actions[letter].first());
         // In systems with polygons, a vertex comes before every draw and move.
-        let leaves = matches!(first, Some(Action::Draw(_) | Action::Move(_))) && matches!(ops[..], [Op::Vertex, ..]);
+        let leaves =
+            matches!(first, Some(Action::Draw(_) | Action::Move(_))) && matches!(ops[..], [TurtleOp::Vertex, ..]);
         let numbered = number.zip(first).map(|(number, action)| (usize::from(leaves), action.with(number)));
         ops.iter().enumerate().map(move |(index, &op)| match numbered {
             Some((place, action)) if place == index => self.op(turtle, action),
@@ -276,13 +282,13 @@ impl<S: Geometry> Score<S> {
     }
 
     /// The operation of an action of `turtle`, from which this score was made; its length may be above 1.
-    pub(crate) fn op(&self, turtle: &Turtle, action: Action) -> Op<S> {
+    pub(crate) fn op(&self, turtle: &Turtle, action: Action) -> TurtleOp<S> {
         turtle.op(action).scaled(-self.exponent)
     }
 
     /// Replaces `ops` by the operations of `actions`, the first of them with `number`. `turtle` is the one from which
     /// this score was made. Lengths may be above 1.
-    pub(crate) fn numbered(&self, turtle: &Turtle, actions: &[Action], number: f64, ops: &mut Vec<Op<S>>) {
+    pub(crate) fn numbered(&self, turtle: &Turtle, actions: &[Action], number: f64, ops: &mut Vec<TurtleOp<S>>) {
         ops.clear();
         if let [first, rest @ ..] = actions {
             ops.extend(turtle.ops(&[first.with(number)]));
@@ -298,7 +304,7 @@ impl<S: Geometry> Score<S> {
 
     /// Whether a letter opens a polygon.
     pub(crate) fn fills(&self) -> bool {
-        self.ops.iter().flatten().any(|op| matches!(op, Op::OpenPolygon))
+        self.ops.iter().flatten().any(|op| matches!(op, TurtleOp::OpenPolygon))
     }
 
     /// Whether modules of the same letter may do different things: by variation, colour or growth.
@@ -307,7 +313,7 @@ impl<S: Geometry> Score<S> {
     }
 
     /// Replaces `own` by the operations of one module. `ops` are the operations of its letter.
-    pub(crate) fn own(&self, ops: &[Op<S>], fate: &Fate, seed: u32, own: &mut Vec<Op<S>>) {
+    pub(crate) fn own(&self, ops: &[TurtleOp<S>], fate: &Fate, seed: u32, own: &mut Vec<TurtleOp<S>>) {
         let grown = if fate.grows { self.growth } else { 1.0 };
         let [angles, lengths] = self.variations;
         // The slot counts lengths and angles only, so that other operations do not change the random numbers.
@@ -321,33 +327,33 @@ impl<S: Geometry> Score<S> {
         };
         own.clear();
         if self.colours_by_generation {
-            own.push(Op::Style(ColourChange::Set(fate.since.cast_signed()).into()));
+            own.push(TurtleOp::Style(ColourChange::Set(fate.since.cast_signed()).into()));
         }
         own.extend(ops.iter().map(|op| match *op {
-            Op::Draw(length) => Op::Draw(length * varied(lengths, Purpose::Length)),
-            Op::Move(length) => Op::Move(length * varied(lengths, Purpose::Length)),
-            Op::Turn(turning) => {
+            TurtleOp::Draw(length) => TurtleOp::Draw(length * varied(lengths, Purpose::Length)),
+            TurtleOp::Move(length) => TurtleOp::Move(length * varied(lengths, Purpose::Length)),
+            TurtleOp::Turn(turning) => {
                 // A half turn leads straight back and does not vary.
                 let most = if turning.by == Heading::HALF { 0.0 } else { angles };
-                Op::Turn(turning.part(varied(most, Purpose::Angle)))
+                TurtleOp::Turn(turning.part(varied(most, Purpose::Angle)))
             }
             other => other,
         }));
     }
 
     /// The operation `op` of a module that still grows.
-    pub(crate) fn growing(&self, op: Op<S>) -> Op<S> {
+    pub(crate) fn growing(&self, op: TurtleOp<S>) -> TurtleOp<S> {
         match op {
-            Op::Draw(length) => Op::Draw(length * self.growth),
-            Op::Move(length) => Op::Move(length * self.growth),
-            Op::Turn(turning) => Op::Turn(turning.part(self.growth)),
+            TurtleOp::Draw(length) => TurtleOp::Draw(length * self.growth),
+            TurtleOp::Move(length) => TurtleOp::Move(length * self.growth),
+            TurtleOp::Turn(turning) => TurtleOp::Turn(turning.part(self.growth)),
             other => other,
         }
     }
 
     /// Whether a letter draws.
     pub(crate) fn draws(&self, letter: LetterId) -> bool {
-        self.ops[usize::from(letter)].iter().any(|op| matches!(op, Op::Draw(_)))
+        self.ops[usize::from(letter)].iter().any(|op| matches!(op, TurtleOp::Draw(_)))
     }
 
     /// By letter: whether the letter, or one of its images, draws.
@@ -386,7 +392,7 @@ impl<S: Geometry> Turning<S> {
     }
 }
 
-impl<S: Geometry> Op<S> {
+impl<S: Geometry> TurtleOp<S> {
     /// The operation with its length times `2^exponent`.
     fn scaled(self, exponent: i32) -> Self {
         match self {
@@ -431,7 +437,7 @@ impl<S: Geometry> Pen<S> {
     /// `Pop` without an open branch does nothing.
     pub(crate) fn act(
         &mut self,
-        ops: &[Op<S>],
+        ops: &[TurtleOp<S>],
         saved: &mut Vec<Self>,
         scale: f64,
         directions: &mut S::Directions,
@@ -439,27 +445,27 @@ impl<S: Geometry> Pen<S> {
     ) {
         for &op in ops {
             match op {
-                Op::Draw(length) => {
+                TurtleOp::Draw(length) => {
                     let from = self.at;
                     self.forward(length * scale, directions);
                     paper.stroke(from, self.at, &self.style);
                 }
-                Op::Move(length) => self.forward(length * scale, directions),
-                Op::Turn(by) => self.heading = S::then(self.heading, by.turn),
-                Op::Upright => self.heading = S::upright(self.heading, &self.vertical),
-                Op::Bend(tropism) => self.heading = S::bent(self.heading, &tropism),
-                Op::Push(BranchFactors { width, length }) => {
+                TurtleOp::Move(length) => self.forward(length * scale, directions),
+                TurtleOp::Turn(by) => self.heading = S::then(self.heading, by.turn),
+                TurtleOp::Upright => self.heading = S::upright(self.heading, &self.vertical),
+                TurtleOp::Bend(tropism) => self.heading = S::bent(self.heading, &tropism),
+                TurtleOp::Push(BranchFactors { width, length }) => {
                     reserve(saved, 1);
                     saved.push(*self);
                     self.style.level = self.style.level.saturating_add(1);
                     self.style.width = self.style.width.then(WidthChange { factor: width, offset: 0.0 });
                     self.scale = (self.scale * length).min(LARGEST_SCALE);
                 }
-                Op::Pop => *self = saved.pop().unwrap_or(*self),
-                Op::Style(change) => self.style = self.style.then(&change),
-                Op::OpenPolygon => paper.open(&self.style),
-                Op::Vertex => paper.vertex(self.at),
-                Op::ClosePolygon => paper.close(),
+                TurtleOp::Pop => *self = saved.pop().unwrap_or(*self),
+                TurtleOp::Style(change) => self.style = self.style.then(&change),
+                TurtleOp::OpenPolygon => paper.open(&self.style),
+                TurtleOp::Vertex => paper.vertex(self.at),
+                TurtleOp::ClosePolygon => paper.close(),
             }
         }
     }

@@ -24,7 +24,7 @@ pub struct Format {
 }
 
 /// The writer of a file, or the diagnostic for an exceeded limit.
-type Outcome = Result<Box<dyn Writer>, Diagnostic>;
+type WriterResult = Result<Box<dyn Writer>, Diagnostic>;
 
 /// The input of a file, with the function that makes its writer.
 #[derive(Clone, Copy, Debug)]
@@ -36,13 +36,13 @@ pub enum Content {
     /// Pixels, made by a renderer.
     Pixels,
     /// Strokes in the plane. A drawing in space is projected first.
-    Paper(fn(Arc<Drawing>, Style, &SvgOptions) -> Outcome),
+    Paper(fn(Arc<Drawing>, Style, &SvgOptions) -> WriterResult),
     /// Segments in the plane or in space. The number is the most segments and vertices of polygons.
     Segments {
         /// The writer for a drawing in the plane.
-        plane: fn(Arc<Drawing>, u64) -> Outcome,
+        plane: fn(Arc<Drawing>, u64) -> WriterResult,
         /// The writer for a drawing in space.
-        space: fn(Arc<Drawing<Solid>>, u64) -> Outcome,
+        space: fn(Arc<Drawing<Solid>>, u64) -> WriterResult,
     },
     /// A mesh of coloured tubes, with its name.
     Mesh(fn(Mesh, &str) -> Box<dyn Writer>),
@@ -182,18 +182,18 @@ fn append(
     Ok(progress)
 }
 
-struct Svg {
+struct SvgFile {
     writer: SvgWriter,
     drawing: Arc<Drawing>,
     style: Style,
 }
 
-fn svg(drawing: Arc<Drawing>, style: Style, options: &SvgOptions, form: SvgForm) -> Outcome {
+fn svg(drawing: Arc<Drawing>, style: Style, options: &SvgOptions, form: SvgForm) -> WriterResult {
     let options = SvgOptions { form, ..options.clone() };
-    Ok(Box::new(Svg { writer: SvgWriter::new(&drawing, &style, &options)?, drawing, style }))
+    Ok(Box::new(SvgFile { writer: SvgWriter::new(&drawing, &style, &options)?, drawing, style }))
 }
 
-impl Writer for Svg {
+impl Writer for SvgFile {
     fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
         append(file, |text| self.writer.step(&self.drawing, &self.style, text, work))
     }
@@ -208,7 +208,7 @@ struct Csv<S: Space> {
     drawing: Arc<Drawing<S>>,
 }
 
-fn csv<S: Space + 'static>(drawing: Arc<Drawing<S>>, most: u64) -> Outcome {
+fn csv<S: Space + 'static>(drawing: Arc<Drawing<S>>, most: u64) -> WriterResult {
     Ok(Box::new(Csv { writer: CsvWriter::new(&drawing, most)?, drawing }))
 }
 

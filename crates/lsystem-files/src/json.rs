@@ -54,20 +54,20 @@ const WEIGHT: Expected = Expected::Between(0.0, 1e100);
 /// errors in its texts, which [`System::new`](lsystem_drawing::System::new) reports.
 #[must_use]
 pub fn read_json(text: &str) -> (Option<Definition>, Vec<Diagnostic>) {
-    let mut file = File { notes: Notes::new(Field::File), base: 0 };
+    let mut file = JsonFile { notes: Notes::new(Field::File), base: 0 };
     let definition = file.read(text);
     let diagnostics = file.notes.finish();
     let definition = definition.filter(|_| !diagnostics.iter().any(Diagnostic::is_error));
     (definition, diagnostics)
 }
 
-struct File {
+struct JsonFile {
     notes: Notes,
     /// The bytes of the byte order mark, which the parser does not see.
     base: usize,
 }
 
-impl File {
+impl JsonFile {
     fn read(&mut self, text: &str) -> Option<Definition> {
         if !lsystem_syntax::notation::is_short_enough(text, &mut self.notes) {
             return None;

@@ -14,7 +14,7 @@ pub(super) fn is_png(bytes: &[u8]) -> bool {
 /// system already in the file is replaced. `None` if `png` is not a PNG file.
 #[must_use]
 pub fn tag_png(png: &[u8], system: &str) -> Option<Vec<u8>> {
-    let mut chunks = Chunks::new(png)?;
+    let mut chunks = PngChunks::new(png)?;
     let header = chunks.next().filter(|chunk| chunk.kind == *b"IHDR")?;
     // No compression, no language, no translated keyword.
     let data = [KEYWORD.as_bytes(), &[0; 5], system.as_bytes()].concat();
@@ -39,7 +39,7 @@ pub fn tag_png(png: &[u8], system: &str) -> Option<Vec<u8>> {
 
 /// The system in a PNG file.
 pub(super) fn system_in(png: &[u8]) -> Option<Cow<'_, str>> {
-    Chunks::new(png)?.find_map(|chunk| chunk.system())
+    PngChunks::new(png)?.find_map(|chunk| chunk.system())
 }
 
 struct Chunk<'a> {
@@ -67,17 +67,17 @@ impl<'a> Chunk<'a> {
 }
 
 /// The chunks of a file, up to the first incomplete chunk.
-struct Chunks<'a> {
+struct PngChunks<'a> {
     rest: &'a [u8],
 }
 
-impl<'a> Chunks<'a> {
+impl<'a> PngChunks<'a> {
     fn new(png: &'a [u8]) -> Option<Self> {
         png.strip_prefix(&SIGNATURE).map(|rest| Self { rest })
     }
 }
 
-impl<'a> Iterator for Chunks<'a> {
+impl<'a> Iterator for PngChunks<'a> {
     type Item = Chunk<'a>;
 
     fn next(&mut self) -> Option<Chunk<'a>> {

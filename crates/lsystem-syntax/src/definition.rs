@@ -106,14 +106,14 @@ impl Serialize for Definition {
 
 impl<'de> Deserialize<'de> for Definition {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_map(Reader)
+        deserializer.deserialize_map(DefinitionVisitor)
     }
 }
 
 /// Reads an object of fields. Missing fields keep their defaults, unknown fields are skipped.
-struct Reader;
+struct DefinitionVisitor;
 
-impl<'de> Visitor<'de> for Reader {
+impl<'de> Visitor<'de> for DefinitionVisitor {
     type Value = Definition;
 
     fn expecting(&self, out: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
@@ -128,7 +128,7 @@ impl<'de> Visitor<'de> for Reader {
                 continue;
             };
             if !spec.set(&mut definition, &map.next_value()?) {
-                return Err(de::Error::custom(format!("`{name}` must be {}", spec.wanted())));
+                return Err(de::Error::custom(format!("`{name}` must be {}", spec.expected_words())));
             }
         }
         Ok(definition)

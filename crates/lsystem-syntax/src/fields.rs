@@ -127,7 +127,7 @@ impl FieldSpec {
 
     /// The field's type and range in words.
     #[must_use]
-    pub fn wanted(&self) -> String {
+    pub fn expected_words(&self) -> String {
         let words = crate::message::expected_words(self.expected);
         if self.optional { words + " or nothing" } else { words }
     }

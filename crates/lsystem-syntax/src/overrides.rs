@@ -235,7 +235,7 @@ fn phrase(tokens: &[Token]) -> String {
 
 /// The number after the words of an action.
 #[derive(Clone, Copy)]
-enum Form {
+enum NumberForm {
     /// No number.
     Plain(Action),
     /// An optional number between -[`MOST`] and [`MOST`].
@@ -252,41 +252,41 @@ enum Form {
 const MOST: f64 = 1e9;
 
 /// The words of all actions except `nothing`.
-const FORMS: [(&str, Form); 31] = [
-    ("draw", Form::Optional(Action::Draw)),
-    ("move", Form::Optional(Action::Move)),
-    ("draw unmarked", Form::Optional(Action::DrawUnmarked)),
-    ("move unmarked", Form::Optional(Action::MoveUnmarked)),
-    ("open polygon", Form::Plain(Action::OpenPolygon)),
-    ("vertex", Form::Plain(Action::Vertex)),
-    ("close polygon", Form::Plain(Action::ClosePolygon)),
-    ("turn left", Form::Optional(Action::TurnLeft)),
-    ("turn right", Form::Optional(Action::TurnRight)),
-    ("turn round", Form::Plain(Action::TurnRound)),
-    ("turn around", Form::Plain(Action::TurnRound)),
-    ("cut branch", Form::Plain(Action::Cut)),
-    ("pitch down", Form::Optional(Action::PitchDown)),
-    ("pitch up", Form::Optional(Action::PitchUp)),
-    ("roll left", Form::Optional(Action::RollLeft)),
-    ("roll right", Form::Optional(Action::RollRight)),
-    ("roll upright", Form::Plain(Action::RollUpright)),
-    ("open branch", Form::Plain(Action::Push)),
-    ("push", Form::Plain(Action::Push)),
-    ("close branch", Form::Plain(Action::Pop)),
-    ("pop", Form::Plain(Action::Pop)),
-    ("colour", Form::Index),
-    ("color", Form::Index),
-    ("next colour", Form::Along(1)),
-    ("next color", Form::Along(1)),
-    ("previous colour", Form::Along(-1)),
-    ("previous color", Form::Along(-1)),
-    ("width", Form::Number(Action::SetWidth, Expected::Between(0.0, MOST))),
-    ("width times", Form::Number(Action::ScaleWidth, Expected::PositiveUpTo(MOST))),
-    ("thicker", Form::Plain(Action::ScaleWidth(SQRT_2))),
-    ("thinner", Form::Plain(Action::ScaleWidth(FRAC_1_SQRT_2))),
+const FORMS: [(&str, NumberForm); 31] = [
+    ("draw", NumberForm::Optional(Action::Draw)),
+    ("move", NumberForm::Optional(Action::Move)),
+    ("draw unmarked", NumberForm::Optional(Action::DrawUnmarked)),
+    ("move unmarked", NumberForm::Optional(Action::MoveUnmarked)),
+    ("open polygon", NumberForm::Plain(Action::OpenPolygon)),
+    ("vertex", NumberForm::Plain(Action::Vertex)),
+    ("close polygon", NumberForm::Plain(Action::ClosePolygon)),
+    ("turn left", NumberForm::Optional(Action::TurnLeft)),
+    ("turn right", NumberForm::Optional(Action::TurnRight)),
+    ("turn round", NumberForm::Plain(Action::TurnRound)),
+    ("turn around", NumberForm::Plain(Action::TurnRound)),
+    ("cut branch", NumberForm::Plain(Action::Cut)),
+    ("pitch down", NumberForm::Optional(Action::PitchDown)),
+    ("pitch up", NumberForm::Optional(Action::PitchUp)),
+    ("roll left", NumberForm::Optional(Action::RollLeft)),
+    ("roll right", NumberForm::Optional(Action::RollRight)),
+    ("roll upright", NumberForm::Plain(Action::RollUpright)),
+    ("open branch", NumberForm::Plain(Action::Push)),
+    ("push", NumberForm::Plain(Action::Push)),
+    ("close branch", NumberForm::Plain(Action::Pop)),
+    ("pop", NumberForm::Plain(Action::Pop)),
+    ("colour", NumberForm::Index),
+    ("color", NumberForm::Index),
+    ("next colour", NumberForm::Along(1)),
+    ("next color", NumberForm::Along(1)),
+    ("previous colour", NumberForm::Along(-1)),
+    ("previous color", NumberForm::Along(-1)),
+    ("width", NumberForm::Number(Action::SetWidth, Expected::Between(0.0, MOST))),
+    ("width times", NumberForm::Number(Action::ScaleWidth, Expected::PositiveUpTo(MOST))),
+    ("thicker", NumberForm::Plain(Action::ScaleWidth(SQRT_2))),
+    ("thinner", NumberForm::Plain(Action::ScaleWidth(FRAC_1_SQRT_2))),
 ];
 
-fn form(words: &str) -> Option<Form> {
+fn form(words: &str) -> Option<NumberForm> {
     FORMS.iter().find(|(name, _)| name.eq_ignore_ascii_case(words)).map(|&(_, form)| form)
 }
 
@@ -306,22 +306,22 @@ fn action(phrase: &str, hint: bool) -> Result<Action, Kind> {
     let whole = digits.parse::<i64>().ok();
     const WHOLE: Expected = Expected::Whole(i32::MIN as i64, i32::MAX as i64);
     match form {
-        Form::Plain(action) if digits.is_empty() => Ok(action),
-        Form::Plain(_) => wrong(Expected::Nothing),
-        Form::Optional(make) if digits.is_empty() => Ok(make(None)),
-        Form::Optional(make) => match value {
+        NumberForm::Plain(action) if digits.is_empty() => Ok(action),
+        NumberForm::Plain(_) => wrong(Expected::Nothing),
+        NumberForm::Optional(make) if digits.is_empty() => Ok(make(None)),
+        NumberForm::Optional(make) => match value {
             Some(v) if v.abs() <= MOST => Ok(make(Some(v))),
             _ => wrong(Expected::Between(-MOST, MOST)),
         },
-        Form::Number(make, expected) => match value {
+        NumberForm::Number(make, expected) => match value {
             Some(v) if expected.admits(v) => Ok(make(v)),
             _ => wrong(expected),
         },
-        Form::Index => match whole.and_then(|v| i32::try_from(v).ok()) {
+        NumberForm::Index => match whole.and_then(|v| i32::try_from(v).ok()) {
             Some(index) => Ok(Action::SetColour(index)),
             None => wrong(WHOLE),
         },
-        Form::Along(direction) => {
+        NumberForm::Along(direction) => {
             let by = if digits.is_empty() { Some(1) } else { whole };
             match by.and_then(|by| by.checked_mul(direction)).and_then(|by| i32::try_from(by).ok()) {
                 Some(by) => Ok(Action::AddColour(by)),

@@ -50,7 +50,7 @@ pub fn render_diagnostic(diagnostic: &Diagnostic, source: &str, text: &str) -> S
     if diagnostic.span == (0..0) {
         out.push_str(&format!(" --> {}\n", visible(source)));
     } else {
-        let place = Place::new(text, diagnostic.span.clone());
+        let place = TextPlace::new(text, diagnostic.span.clone());
         let number = place.number.to_string();
         margin = number.len();
         let blank = " ".repeat(margin);
@@ -65,7 +65,7 @@ pub fn render_diagnostic(diagnostic: &Diagnostic, source: &str, text: &str) -> S
 }
 
 /// A place in a text, ready to be printed.
-struct Place {
+struct TextPlace {
     /// The line's number, 1-based.
     number: usize,
     /// The column in characters, 1-based.
@@ -82,7 +82,7 @@ struct Place {
 const BEFORE: usize = 40;
 const AFTER: usize = 80;
 
-impl Place {
+impl TextPlace {
     fn new(text: &str, span: Range<usize>) -> Self {
         let start = floor(text, span.start);
         let end = floor(text, span.end).max(start);

@@ -31,9 +31,9 @@ const DRAWING: Limits = Limits { memory: LIMITS.memory - MESH, ..LIMITS };
 const SYMBOLS: usize = 1 << 15;
 
 /// A file in the making.
-type File = Box<dyn Writer>;
+type FileWriter = Box<dyn Writer>;
 /// Begins the file of a drawing in space.
-type BeginFile = Box<dyn FnOnce(Arc<Drawing<Solid>>) -> Result<File, Diagnostic>>;
+type BeginFile = Box<dyn FnOnce(Arc<Drawing<Solid>>) -> Result<FileWriter, Diagnostic>>;
 
 /// The stage of a file.
 enum Stage {
@@ -41,7 +41,7 @@ enum Stage {
     Draw(Box<Drawer<Solid>>, BeginFile),
     /// Begin the file of a drawing in space.
     Begin(Arc<Drawing<Solid>>, BeginFile),
-    Write(File),
+    Write(FileWriter),
     Done,
 }
 
@@ -217,7 +217,7 @@ impl<F: FnMut(&mut Vec<u8>) -> Result<Progress, Diagnostic>> Writer for Function
 }
 
 /// A short text, written in one step: a system has texts of at most 1 MiB.
-fn text_file(text: String) -> File {
+fn text_file(text: String) -> FileWriter {
     let mut bytes = text.into_bytes();
     Box::new(FunctionWriter(move |file: &mut Vec<u8>| {
         file.append(&mut bytes);
@@ -228,10 +228,10 @@ fn text_file(text: String) -> File {
 /// A writer that is prepared in steps: `make` returns the writer of the file in the end.
 struct PreparedWriter<F> {
     make: F,
-    writer: Option<File>,
+    writer: Option<FileWriter>,
 }
 
-impl<F: FnMut() -> Result<Option<File>, Diagnostic>> Writer for PreparedWriter<F> {
+impl<F: FnMut() -> Result<Option<FileWriter>, Diagnostic>> Writer for PreparedWriter<F> {
     fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
         if let Some(writer) = &mut self.writer {
             return writer.step(file, work);
@@ -249,8 +249,8 @@ impl<F: FnMut() -> Result<Option<File>, Diagnostic>> Writer for PreparedWriter<F
 fn projected_file(
     drawing: Arc<Drawing<Solid>>,
     outlook: Outlook,
-    write: impl Fn(Arc<Drawing>) -> Result<File, Diagnostic> + 'static,
-) -> Result<File, Diagnostic> {
+    write: impl Fn(Arc<Drawing>) -> Result<FileWriter, Diagnostic> + 'static,
+) -> Result<FileWriter, Diagnostic> {
     // The drawing in space is dropped after the projection, to save memory.
     let mut making = Some((Projection::new(&drawing, &outlook, FEW_SEGMENTS)?, drawing));
     let make = move || {
@@ -269,8 +269,8 @@ fn projected_file(
 fn mesh_file(
     drawing: Arc<Drawing<Solid>>,
     style: Style,
-    write: impl Fn(Mesh) -> File + 'static,
-) -> Result<File, Diagnostic> {
+    write: impl Fn(Mesh) -> FileWriter + 'static,
+) -> Result<FileWriter, Diagnostic> {
     let mut maker = Some(MeshMaker::new(&drawing, &style, FEW_SEGMENTS, MESH)?);
     let make = move || {
         if let Some(making) = &mut maker
@@ -284,7 +284,7 @@ fn mesh_file(
 }
 
 /// A file of the string of generation `n`, read piece by piece by counts or from a remembered derivation.
-fn string_file(system: System, n: u32) -> Result<File, Diagnostic> {
+fn string_file(system: System, n: u32) -> Result<FileWriter, Diagnostic> {
     let symbols = |n: u32| system.word(n).map(|word| word.symbols());
     let too_long = |count: u128| count > u128::from(LIMITS.symbols);
     let mut history = None;

@@ -3,8 +3,8 @@
 use crate::clock::Clock;
 use crate::playground::Playground;
 use crate::report::{Problem, problems};
-use crate::surface::Surface;
-use crate::viewer::{NOTHING, Scene, Snapshot};
+use crate::surface::CanvasSurface;
+use crate::viewer::{NOTHING, PictureSettings, Snapshot};
 use crate::{from_js, to_js};
 use lsystem::files::FileContent;
 use lsystem::{Definition, Progress, Viewport, write_json};
@@ -52,9 +52,14 @@ impl Playground {
         self.history = None;
         let ratio = self.viewport.ratio * f64::from(width) / f64::from(self.viewport.width.max(1));
         let viewport = Viewport { width, height, ratio };
-        let (realm, scene) = self.shown.zip(self.scene()).ok_or(NOTHING)?;
-        let snapshot = self.views.get(realm).snapshot(Scene { viewport, screen: viewport, ..scene })?;
-        Ok(Picture { snapshot, surface: Surface::new(canvas)?, clock: Clock::new(), _busy: Rc::clone(&self.files) })
+        let (realm, settings) = self.shown.zip(self.settings()).ok_or(NOTHING)?;
+        let snapshot = self.views.get(realm).snapshot(PictureSettings { viewport, screen: viewport, ..settings })?;
+        Ok(Picture {
+            snapshot,
+            surface: CanvasSurface::new(canvas)?,
+            clock: Clock::new(),
+            _busy: Rc::clone(&self.files),
+        })
     }
 }
 
@@ -62,7 +67,7 @@ impl Playground {
 #[wasm_bindgen]
 pub struct Picture {
     snapshot: Box<dyn Snapshot>,
-    surface: Surface,
+    surface: CanvasSurface,
     clock: Clock,
     /// A reference by which the playground knows that a file is in the making.
     _busy: Rc<()>,

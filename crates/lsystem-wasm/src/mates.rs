@@ -87,12 +87,12 @@ impl Playground {
         if self.continue_drawing() {
             return None;
         }
-        let (Some(scene), Some(Realm::Space), false) = (self.scene(), self.shown, self.refused) else {
+        let (Some(settings), Some(Realm::Space), false) = (self.settings(), self.shown, self.refused) else {
             return Some(vec![]);
         };
         let view = &mut self.views.solid;
         if let Some((pane, budget)) = self.pane.take() {
-            view.begin_pane(scene, pane, budget);
+            view.begin_pane(settings, pane, budget);
             return None;
         }
         let Spent { work, poor } = view.step_pane()?;

@@ -12,12 +12,12 @@ struct Notation {
     axiom: String,
     rules: String,
     overrides: String,
-    constants: Vec<Constant>,
+    constants: Vec<ConstantSpan>,
 }
 
 /// A named constant and the place of its value in the rules, in UTF-16 units.
 #[derive(Serialize)]
-struct Constant {
+struct ConstantSpan {
     name: String,
     /// Null if the value is not valid.
     value: Option<f64>,
@@ -39,7 +39,7 @@ pub fn notation(definition: JsValue) -> Result<JsValue, JsValue> {
     let Definition { axiom, rules, overrides, .. } = &definition;
     let constant = |place: lsystem::syntax::ConstantPlace| {
         let span = utf16_span(rules, place.span);
-        Constant { name: place.name, value: place.value, start: span.start, end: span.end, number: place.is_number }
+        ConstantSpan { name: place.name, value: place.value, start: span.start, end: span.end, number: place.is_number }
     };
     to_js(&Notation {
         axiom: utf16_letters(axiom, &classes.axiom),

@@ -1,7 +1,7 @@
 //! The two plain functions: a definition in, a string or typed arrays out.
 
 use crate::budget::LIMITS;
-use crate::report::{Failure, problems};
+use crate::report::{ThrownProblems, problems};
 use crate::{from_js, to_js};
 use lsystem::{Definition, Diagnostic, System};
 use wasm_bindgen::prelude::*;
@@ -59,5 +59,5 @@ fn compile(definition: JsValue) -> Result<(Definition, System), JsValue> {
 }
 
 fn failure(definition: &Definition, diagnostics: &[Diagnostic]) -> JsValue {
-    to_js(&Failure { diagnostics: problems(diagnostics, definition, "") }).unwrap_or_else(|error| error)
+    to_js(&ThrownProblems { diagnostics: problems(diagnostics, definition, "") }).unwrap_or_else(|error| error)
 }

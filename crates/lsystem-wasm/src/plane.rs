@@ -3,8 +3,8 @@
 use crate::budget::affordable;
 use crate::clock::Clock;
 use crate::report::Report;
-use crate::surface::Surface;
-use crate::viewer::{Drawn, NOTHING, Scene, Snapshot, Viewer, WORK, describe_drawing, step_drawer};
+use crate::surface::CanvasSurface;
+use crate::viewer::{Drawn, NOTHING, PictureSettings, Snapshot, Viewer, WORK, describe_drawing, step_drawer};
 use lsystem::Viewport;
 use lsystem::derive::Counter;
 use lsystem::render::{Detail, Pane, Pass, fitted_scale};
@@ -34,7 +34,7 @@ pub(crate) struct PlaneView {
     fine: Renderer,
     /// The renderer of coarse pictures. `None` for small pictures, which use `fine` for both and always start coarse.
     coarse: Option<Renderer>,
-    scene: Option<Scene>,
+    settings: Option<PictureSettings>,
     stage: Stage,
     /// Milliseconds spent on the fine picture so far.
     spent: f64,
@@ -60,7 +60,7 @@ impl Default for PlaneView {
             drawer: None,
             fine: Renderer::new(),
             coarse: Some(Renderer::new()),
-            scene: None,
+            settings: None,
             stage: Stage::Done,
             spent: 0.0,
             sketches: 0,
@@ -98,8 +98,8 @@ impl Viewer for PlaneView {
         }
     }
 
-    fn begin(&mut self, scene: Scene) {
-        self.scene = Some(self.within_room(scene));
+    fn begin(&mut self, settings: PictureSettings) {
+        self.settings = Some(self.within_room(settings));
         if self.sketches > 0 || self.coarse.is_none() {
             self.sketches = self.sketches.saturating_sub(1);
             self.begin_coarse(false);
@@ -108,9 +108,9 @@ impl Viewer for PlaneView {
         }
     }
 
-    fn paint(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
-        let (Some(drawing), Some(scene)) = (&self.drawing, &self.scene) else { return Ok(None) };
-        let (viewport, scale) = (scene.viewport, fitted_scale(drawing, scene.screen));
+    fn paint(&mut self, clock: &Clock, surface: &CanvasSurface) -> Result<Option<Drawn>, JsValue> {
+        let (Some(drawing), Some(settings)) = (&self.drawing, &self.settings) else { return Ok(None) };
+        let (viewport, scale) = (settings.viewport, fitted_scale(drawing, settings.screen));
         match self.stage {
             Stage::Done => Ok(None),
             Stage::Coarse { begun } => {
@@ -155,16 +155,16 @@ impl Viewer for PlaneView {
         self.stage == Stage::Fine { sketched: true }
     }
 
-    fn snapshot(&self, scene: Scene) -> Result<Box<dyn Snapshot>, &'static str> {
-        let viewport = scene.viewport.within_limits();
-        let scene = Scene { viewport, ..scene };
+    fn snapshot(&self, settings: PictureSettings) -> Result<Box<dyn Snapshot>, &'static str> {
+        let viewport = settings.viewport.within_limits();
+        let settings = PictureSettings { viewport, ..settings };
         let mut renderer = Renderer::new();
         renderer.load(self.drawing.clone().ok_or(NOTHING)?);
         let rows = (BAND / viewport.width.max(1) / CELL).max(1) * CELL;
         let bands = [viewport.width, rows];
-        let mut parts = Pass::all(scene.style.ink, viewport, bands);
+        let mut parts = Pass::all(settings.style.ink, viewport, bands);
         parts.reverse();
-        let mut snapshot = PlaneSnapshot { renderer, scene, parts, part: (Pane::whole(viewport), Pass::Only) };
+        let mut snapshot = PlaneSnapshot { renderer, settings, parts, part: (Pane::whole(viewport), Pass::Only) };
         snapshot.next();
         Ok(Box::new(snapshot))
     }
@@ -173,7 +173,7 @@ impl Viewer for PlaneView {
 /// A picture for a file, made band by band.
 struct PlaneSnapshot {
     renderer: Renderer,
-    scene: Scene,
+    settings: PictureSettings,
     /// The bands left, the next one last.
     parts: Vec<(Pane, Pass)>,
     /// The present band.
@@ -184,7 +184,7 @@ impl Snapshot for PlaneSnapshot {
     fn next(&mut self) -> bool {
         let Some(part) = self.parts.pop() else { return false };
         self.part = part;
-        let Scene { style, viewport, view, upto, .. } = &self.scene;
+        let PictureSettings { style, viewport, view, upto, .. } = &self.settings;
         self.renderer.begin_pane(style, *viewport, *view, *upto, part);
         true
     }
@@ -195,7 +195,7 @@ impl Snapshot for PlaneSnapshot {
 
     fn band(&self) -> Option<(&[u8], Viewport, Pane)> {
         let (band, pass) = self.part;
-        pass.shows().then(|| (self.renderer.pixels(), self.scene.viewport, band))
+        pass.shows().then(|| (self.renderer.pixels(), self.settings.viewport, band))
     }
 }
 
@@ -204,34 +204,34 @@ impl PlaneView {
         Self { fine: Renderer::light(), coarse: None, ..Self::default() }
     }
 
-    /// The scene with as many pixels as fit the memory budget.
-    fn within_room(&self, scene: Scene) -> Scene {
-        let Some(drawing) = &self.drawing else { return scene };
+    /// The settings with as many pixels as fit the memory budget.
+    fn within_room(&self, settings: PictureSettings) -> PictureSettings {
+        let Some(drawing) = &self.drawing else { return settings };
         let most = |viewport| {
-            let most = |detail| Renderer::most_bytes(drawing, &scene.style, viewport, detail);
+            let most = |detail| Renderer::most_bytes(drawing, &settings.style, viewport, detail);
             most(Detail::Fine) + most(Detail::Coarse)
         };
-        Scene { viewport: affordable(scene.viewport, drawing.bytes(), most), ..scene }
+        PictureSettings { viewport: affordable(settings.viewport, drawing.bytes(), most), ..settings }
     }
 
     fn begin_fine(&mut self) {
-        if let Some(scene) = &self.scene {
-            begin(&mut self.fine, scene, Detail::Fine);
+        if let Some(settings) = &self.settings {
+            begin(&mut self.fine, settings, Detail::Fine);
         }
         self.spent = 0.0;
         self.stage = Stage::Fine { sketched: false };
     }
 
     fn begin_coarse(&mut self, begun: bool) {
-        if let Some(scene) = &self.scene {
-            begin(self.coarse.as_mut().unwrap_or(&mut self.fine), scene, Detail::Coarse);
+        if let Some(settings) = &self.settings {
+            begin(self.coarse.as_mut().unwrap_or(&mut self.fine), settings, Detail::Coarse);
         }
         self.stage = Stage::Coarse { begun };
     }
 }
 
 /// Starts a picture.
-fn begin(renderer: &mut Renderer, scene: &Scene, detail: Detail) {
-    let Scene { style, viewport, view, upto, .. } = scene;
+fn begin(renderer: &mut Renderer, settings: &PictureSettings, detail: Detail) {
+    let PictureSettings { style, viewport, view, upto, .. } = settings;
     renderer.begin_with(style, *viewport, *view, detail, *upto);
 }

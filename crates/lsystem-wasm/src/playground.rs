@@ -3,8 +3,8 @@
 use crate::budget::{LIMITS, SMALL};
 use crate::clock::Clock;
 use crate::report::{Report, compile, legend_of, problems};
-use crate::surface::Surface;
-use crate::viewer::{Drawn, Realm, Scene, Views, WORK};
+use crate::surface::CanvasSurface;
+use crate::viewer::{Drawn, PictureSettings, Realm, Views, WORK};
 use crate::{from_js, to_js};
 use lsystem::derive::Counter;
 use lsystem::drawing::{kind, why_empty};
@@ -17,7 +17,7 @@ use web_sys::OffscreenCanvas;
 /// An L-system between edits: its drawing, and the picture on the canvas.
 #[wasm_bindgen]
 pub struct Playground {
-    surface: Surface,
+    surface: CanvasSurface,
     pub(crate) clock: Clock,
     pub(crate) definition: Definition,
     pub(crate) system: Option<System>,
@@ -39,7 +39,7 @@ pub struct Playground {
     pub(crate) view: View,
     /// The number of segments shown; `None` for all.
     pub(crate) upto: Option<u128>,
-    /// Whether the viewer has not yet begun the present scene.
+    /// Whether the viewer has not yet begun with the present settings.
     pub(crate) stale: bool,
     /// Whether the newest drawing exceeded a limit, so that an older drawing is shown.
     pub(crate) refused: bool,
@@ -59,7 +59,7 @@ const COUNTING: u64 = 1 << 17;
 
 /// The answer of [`Playground::step`].
 #[derive(Serialize)]
-struct Step<'a> {
+struct StepAnswer<'a> {
     report: Option<&'a Report>,
     drawn: Option<Drawn>,
     idle: bool,
@@ -105,7 +105,7 @@ impl Playground {
             diagnostics,
             kind: kind(&system),
             stochastic: system.is_stochastic(),
-            solid: system.is_solid(),
+            space: system.is_solid(),
             legend: legend_of(&system),
             empty: why_empty(&system, n),
             ..Report::default()
@@ -188,14 +188,14 @@ impl Playground {
             }
         }
         let report = core::mem::take(&mut self.is_report_new).then_some(&self.report);
-        to_js(&Step { report, drawn, idle: self.is_idle() })
+        to_js(&StepAnswer { report, drawn, idle: self.is_idle() })
     }
 }
 
 impl Playground {
     fn of(canvas: OffscreenCanvas, views: Views, limits: Limits) -> Result<Self, JsValue> {
         Ok(Self {
-            surface: Surface::new(canvas)?,
+            surface: CanvasSurface::new(canvas)?,
             clock: Clock::new(),
             definition: Definition::default(),
             system: None,
@@ -334,18 +334,25 @@ impl Playground {
     /// Continues the picture. Returns the picture on the canvas if it is new.
     fn paint(&mut self) -> Result<Option<Drawn>, JsValue> {
         let Some(realm) = self.shown else { return Ok(None) };
-        if let Some(scene) = self.scene().filter(|_| self.stale) {
-            self.views.at(realm).begin(scene);
+        if let Some(settings) = self.settings().filter(|_| self.stale) {
+            self.views.at(realm).begin(settings);
             self.stale = false;
         }
         self.views.at(realm).paint(&self.clock, &self.surface)
     }
 
     /// The settings of the picture.
-    pub(crate) fn scene(&self) -> Option<Scene> {
+    pub(crate) fn settings(&self) -> Option<PictureSettings> {
         let style = self.system.as_ref()?.style.clone();
         let mates = if self.refused { 0 } else { self.mates };
-        Some(Scene { style, viewport: self.viewport, screen: self.viewport, view: self.view, upto: self.upto, mates })
+        Some(PictureSettings {
+            style,
+            viewport: self.viewport,
+            screen: self.viewport,
+            view: self.view,
+            upto: self.upto,
+            mates,
+        })
     }
 }
 

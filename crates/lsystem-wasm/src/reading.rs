@@ -16,7 +16,7 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 /// A source of the symbols of a generation.
-enum Reader<'a> {
+enum GenerationReader<'a> {
     /// Counts of the symbols that letters derive.
     Counted(Word<'a>),
     /// A remembered derivation.
@@ -25,7 +25,7 @@ enum Reader<'a> {
 
 /// One link of the chain from the axiom to a symbol; numbers that may be large are decimal strings.
 #[derive(Serialize)]
-struct Link {
+struct AncestryLink {
     generation: u32,
     /// The symbol, with its arguments in parentheses, if any.
     symbol: String,
@@ -36,7 +36,7 @@ struct Link {
 
 /// One segment, with the turtle's heading, level and colour; the fields as in [`Playground::segment`].
 #[derive(Serialize)]
-struct Stroke {
+struct SegmentFacts {
     from: Vec<f64>,
     to: Vec<f64>,
     #[serde(rename = "fittedFrom")]
@@ -58,7 +58,7 @@ enum Direction {
 
 /// The descendants of a symbol in a later generation, as half-open ranges of decimal strings.
 #[derive(Serialize)]
-struct Part {
+struct Descendants {
     symbols: [String; 2],
     segments: [String; 2],
     /// In the plane the corners of a convex outline of the segments; in space the ends of a single segment. Empty
@@ -68,7 +68,7 @@ struct Part {
 
 /// One polygon.
 #[derive(Serialize)]
-struct Filled {
+struct PolygonFacts {
     /// The vertices, in the units of `fittedFrom` in [`Playground::segment`].
     outline: Vec<Vec<f64>>,
     level: u32,
@@ -136,7 +136,7 @@ impl Playground {
     #[wasm_bindgen(js_name = stringLength)]
     pub fn string_length(&self, generation: u32) -> Option<String> {
         match self.reader(generation)? {
-            Reader::Counted(word) => {
+            GenerationReader::Counted(word) => {
                 let symbols = word.symbols();
                 if symbols < u128::MAX {
                     return Some(symbols.to_string());
@@ -146,7 +146,7 @@ impl Playground {
                 // If counting takes too long, the number of symbols that can be read stands for the count.
                 Some(counter.count().map_or_else(|| symbols.to_string(), ToString::to_string))
             }
-            Reader::Remembered(history) => history.symbols(generation).map(|count| count.to_string()),
+            GenerationReader::Remembered(history) => history.symbols(generation).map(|count| count.to_string()),
         }
     }
 
@@ -163,8 +163,8 @@ impl Playground {
             text.push('\n');
         };
         match reader {
-            Reader::Counted(word) => word.modules(start, length, &mut visit),
-            Reader::Remembered(history) => {
+            GenerationReader::Counted(word) => word.modules(start, length, &mut visit),
+            GenerationReader::Remembered(history) => {
                 history.symbols(generation)?;
                 history.modules(generation, start, length, &mut visit);
             }
@@ -180,8 +180,8 @@ impl Playground {
     pub fn ancestry(&self, generation: u32, index: u128) -> Result<JsValue, JsValue> {
         let chain = match self.reader(generation) {
             None => vec![],
-            Some(Reader::Counted(word)) => word.ancestry(index),
-            Some(Reader::Remembered(history)) => history.ancestry(generation, index),
+            Some(GenerationReader::Counted(word)) => word.ancestry(index),
+            Some(GenerationReader::Remembered(history)) => history.ancestry(generation, index),
         };
         to_js(&chain.into_iter().map(|ancestor| self.link(ancestor)).collect::<Vec<_>>())
     }
@@ -194,12 +194,12 @@ impl Playground {
     /// Throws only if the result cannot be translated.
     pub fn part(&self, generation: u32, index: u128, later: u32) -> Result<JsValue, JsValue> {
         let part = self.reader(later).and_then(|reader| match reader {
-            Reader::Counted(word) => word.part(generation, index),
-            Reader::Remembered(history) => history.part(generation, index, later),
+            GenerationReader::Counted(word) => word.part(generation, index),
+            GenerationReader::Remembered(history) => history.part(generation, index, later),
         });
         to_js(&part.map(|lsystem::derive::Part { symbols, segments }| {
             let outline = if later == self.shown_iterations() { self.outline(segments.clone()) } else { vec![] };
-            Part { symbols: ends(symbols), segments: ends(segments), outline }
+            Descendants { symbols: ends(symbols), segments: ends(segments), outline }
         }))
     }
 
@@ -243,7 +243,7 @@ impl Playground {
         });
         to_js(&found.and_then(|(style, outline)| {
             let StyleChange { level, colour, .. } = style?;
-            Some(Filled { outline, level, colour: colour.of(0) })
+            Some(PolygonFacts { outline, level, colour: colour.of(0) })
         }))
     }
 
@@ -275,8 +275,8 @@ impl Playground {
     #[wasm_bindgen(js_name = segmentsBefore)]
     pub fn segments_before(&self, index: u128) -> Option<String> {
         let segments = match self.reader(self.shown_iterations())? {
-            Reader::Counted(word) => word.segments_before(index),
-            Reader::Remembered(history) => history.segments_before(index)?,
+            GenerationReader::Counted(word) => word.segments_before(index),
+            GenerationReader::Remembered(history) => history.segments_before(index)?,
         };
         Some(segments.to_string())
     }
@@ -285,8 +285,8 @@ impl Playground {
     #[wasm_bindgen(js_name = symbolOfSegment)]
     pub fn symbol_of_segment(&self, segment: u128) -> Option<String> {
         let symbol = match self.reader(self.shown_iterations())? {
-            Reader::Counted(word) => word.symbol_of_segment(segment),
-            Reader::Remembered(history) => history.symbol_of_segment(segment),
+            GenerationReader::Counted(word) => word.symbol_of_segment(segment),
+            GenerationReader::Remembered(history) => history.symbol_of_segment(segment),
         };
         Some(symbol?.to_string())
     }
@@ -304,12 +304,12 @@ impl Playground {
         Some(symbol?.to_string())
     }
 
-    fn reader(&self, generation: u32) -> Option<Reader<'_>> {
-        let word = self.system.as_ref()?.word(generation).map(Reader::Counted);
-        word.or_else(|| self.history.as_ref().map(Reader::Remembered))
+    fn reader(&self, generation: u32) -> Option<GenerationReader<'_>> {
+        let word = self.system.as_ref()?.word(generation).map(GenerationReader::Counted);
+        word.or_else(|| self.history.as_ref().map(GenerationReader::Remembered))
     }
 
-    /// The outline of these segments, as [`Part::outline`].
+    /// The outline of these segments, as [`Descendants::outline`].
     fn outline(&self, segments: Range<u128>) -> Vec<Vec<f64>> {
         let Views { plane, solid, .. } = &self.views;
         if let Some(drawing) = &plane.drawing {
@@ -321,7 +321,7 @@ impl Playground {
         ends.into_iter().flatten().map(Vec::from).collect()
     }
 
-    fn link(&self, ancestor: Ancestor) -> Link {
+    fn link(&self, ancestor: Ancestor) -> AncestryLink {
         let Ancestor { generation, symbol, arguments, index, production, position } = ancestor;
         let mut module = String::new();
         if self.apart() {
@@ -329,7 +329,7 @@ impl Playground {
         } else {
             module.push(symbol);
         }
-        Link { generation, symbol: module, index: index.to_string(), production, position }
+        AncestryLink { generation, symbol: module, index: index.to_string(), production, position }
     }
 }
 
@@ -338,12 +338,20 @@ fn stroke<S: Space, const N: usize>(
     number: u128,
     fitted: [[f64; N]; 2],
     heading: impl FnOnce(&Segment<S>) -> Option<Direction>,
-) -> Option<Stroke> {
+) -> Option<SegmentFacts> {
     let segment = drawing.segments_from(number).next()?;
     let heading = heading(&segment)?;
     let Segment { from, to, level, colour, .. } = segment;
     let [fitted_from, fitted_to] = fitted.map(Vec::from);
-    Some(Stroke { from: from.as_ref().into(), to: to.as_ref().into(), fitted_from, fitted_to, heading, level, colour })
+    Some(SegmentFacts {
+        from: from.as_ref().into(),
+        to: to.as_ref().into(),
+        fitted_from,
+        fitted_to,
+        heading,
+        level,
+        colour,
+    })
 }
 
 fn corners<const N: usize>(outline: Vec<[f64; N]>) -> Vec<Vec<f64>> {

@@ -34,7 +34,7 @@ pub struct Report {
     /// Whether the drawing depends on the seed.
     pub stochastic: bool,
     /// Whether the drawing leaves the plane.
-    pub solid: bool,
+    pub space: bool,
     /// Whether the drawing shares its blocks.
     pub memoised: Option<bool>,
     /// The number of symbols of the generation.
@@ -66,7 +66,7 @@ pub struct Legend {
 
 /// The value that a plain function throws.
 #[derive(Serialize)]
-pub(crate) struct Failure {
+pub(crate) struct ThrownProblems {
     pub(crate) diagnostics: Vec<Problem>,
 }
 

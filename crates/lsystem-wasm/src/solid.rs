@@ -1,12 +1,12 @@
-//! The viewer of drawings in space. A coarse picture comes first, finer ones follow while the scene stays the same.
+//! The viewer of drawings in space. A coarse picture comes first, finer ones follow while the settings stay the same.
 
 use crate::budget::{LIMITS, affordable, halved};
 use crate::clock::Clock;
 use crate::playground::Playground;
 use crate::report::Report;
 use crate::sharing::{NextAction, Sharing};
-use crate::surface::Surface;
-use crate::viewer::{Drawn, NOTHING, Scene, Snapshot, Viewer, WORK, describe_drawing, step_drawer};
+use crate::surface::CanvasSurface;
+use crate::viewer::{Drawn, NOTHING, PictureSettings, Snapshot, Viewer, WORK, describe_drawing, step_drawer};
 use lsystem::derive::Counter;
 use lsystem::render::{Effort, Pane, Quality, Spent, solid_scale};
 use lsystem::{Camera, Diagnostic, Drawer, Drawing, Limits, Progress, Solid, SolidRenderer, System, Viewport};
@@ -42,12 +42,12 @@ pub(crate) struct SolidView {
     drawer: Option<Box<Drawer<Solid>>>,
     renderer: SolidRenderer,
     pub(crate) camera: Camera,
-    scene: Option<Scene>,
+    settings: Option<PictureSettings>,
     /// The quality of the picture in the making.
     quality: Quality,
     /// The size of the picture in the making.
     viewport: Viewport,
-    /// Whether the picture in the making is a moving picture: the first one of a new scene, which must be fast.
+    /// Whether the picture in the making is a moving picture: the first one of a new view, which must be fast.
     moving: bool,
     /// The quality at which moving pictures are in time.
     pace: Quality,
@@ -76,7 +76,7 @@ impl Default for SolidView {
             drawer: None,
             renderer: SolidRenderer::new(),
             camera: Camera::default(),
-            scene: None,
+            settings: None,
             quality: MIDDLE,
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
             moving: false,
@@ -126,19 +126,21 @@ impl Viewer for SolidView {
         }
     }
 
-    fn begin(&mut self, scene: Scene) {
-        self.renderer.play(scene.upto);
-        self.scene = Some(self.within_room(scene));
+    fn begin(&mut self, settings: PictureSettings) {
+        self.renderer.play(settings.upto);
+        self.settings = Some(self.within_room(settings));
         self.moving = true;
         self.refine(self.pace);
     }
 
     /// After a picture is shown, the next finer one begins.
-    fn paint(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
+    fn paint(&mut self, clock: &Clock, surface: &CanvasSurface) -> Result<Option<Drawn>, JsValue> {
         if self.shared {
             return self.paint_shared(clock, surface);
         }
-        let (Some(drawing), Some(scene), false) = (&self.drawing, &self.scene, self.done) else { return Ok(None) };
+        let (Some(drawing), Some(settings), false) = (&self.drawing, &self.settings, self.done) else {
+            return Ok(None);
+        };
         let began = clock.now();
         let progress = self.renderer.step(if self.moving { MOVING_WORK } else { WORK });
         self.spent += clock.now() - began;
@@ -147,7 +149,7 @@ impl Viewer for SolidView {
                 self.renderer.hurry(0.3);
                 self.hurried += 0.5 * HURRY;
             }
-            if self.quality == Quality::FINEST && self.spent > HURRY && scene.mates > 0 && drawing.is_memoised() {
+            if self.quality == Quality::FINEST && self.spent > HURRY && settings.mates > 0 && drawing.is_memoised() {
                 self.shared = true;
                 self.effort = Effort::new(self.quality, self.viewport);
                 self.sharing.start(SolidRenderer::panes(self.viewport));
@@ -156,11 +158,11 @@ impl Viewer for SolidView {
         }
         let finished = clock.now();
         surface.show(self.renderer.pixels(), self.viewport)?;
-        let scale = solid_scale(drawing, scene.screen, &self.camera);
+        let scale = solid_scale(drawing, settings.screen, &self.camera);
         let complete = self.quality == Quality::FINEST;
         let slow = complete && self.spent > SLOW && drawing.is_memoised();
         let moving = core::mem::take(&mut self.moving);
-        let sharp = self.viewport == scene.viewport;
+        let sharp = self.viewport == settings.viewport;
         if moving {
             self.keep_pace(clock.now() - finished);
         }
@@ -179,38 +181,38 @@ impl Viewer for SolidView {
         !self.done && !self.moving
     }
 
-    fn snapshot(&self, scene: Scene) -> Result<Box<dyn Snapshot>, &'static str> {
+    fn snapshot(&self, settings: PictureSettings) -> Result<Box<dyn Snapshot>, &'static str> {
         let drawing = self.drawing.clone().ok_or(NOTHING)?;
-        let scene = Scene { viewport: scene.viewport.within_limits(), ..scene };
-        let panes = SolidRenderer::panes(scene.viewport);
+        let settings = PictureSettings { viewport: settings.viewport.within_limits(), ..settings };
+        let panes = SolidRenderer::panes(settings.viewport);
         let pane = panes.first().map_or(0, |pane| {
-            SolidRenderer::most_bytes(Viewport { width: pane.width, height: pane.height, ..scene.viewport })
+            SolidRenderer::most_bytes(Viewport { width: pane.width, height: pane.height, ..settings.viewport })
         });
-        if SolidRenderer::scene_bytes(&drawing) + part_bytes(&drawing, &scene) + pane > LIMITS.memory {
+        if SolidRenderer::scene_bytes(&drawing) + part_bytes(&drawing, &settings) + pane > LIMITS.memory {
             return Err(
                 "so large a drawing in space leaves too little memory for a picture beside the one that is shown",
             );
         }
         let mut renderer = SolidRenderer::new();
         renderer.load(drawing);
-        renderer.play(scene.upto);
-        let effort = Effort::new(Quality::BEST, scene.viewport);
+        renderer.play(settings.upto);
+        let effort = Effort::new(Quality::BEST, settings.viewport);
         let spent = Spent::default();
-        let mut snapshot = SolidSnapshot { renderer, scene, camera: self.camera, panes, at: 0, effort, spent };
+        let mut snapshot = SolidSnapshot { renderer, settings, camera: self.camera, panes, at: 0, effort, spent };
         snapshot.begin();
         Ok(Box::new(snapshot))
     }
 }
 
 /// The bytes of the second scene, for the first segments alone, if the picture does not show all segments.
-fn part_bytes(drawing: &Drawing<Solid>, scene: &Scene) -> u64 {
-    if scene.upto.is_some() { SolidRenderer::scene_bytes(drawing) } else { 0 }
+fn part_bytes(drawing: &Drawing<Solid>, settings: &PictureSettings) -> u64 {
+    if settings.upto.is_some() { SolidRenderer::scene_bytes(drawing) } else { 0 }
 }
 
 /// A picture for a file, made pane by pane. If the budget was too small, the panes are made again with a larger one.
 struct SolidSnapshot {
     renderer: SolidRenderer,
-    scene: Scene,
+    settings: PictureSettings,
     camera: Camera,
     panes: Vec<Pane>,
     /// The index of the pane in the making.
@@ -222,7 +224,7 @@ struct SolidSnapshot {
 impl SolidSnapshot {
     fn begin(&mut self) {
         if let Some(pane) = self.panes.get(self.at) {
-            let Scene { style, viewport, .. } = &self.scene;
+            let PictureSettings { style, viewport, .. } = &self.settings;
             self.renderer.begin_pane(style, *viewport, &self.camera, *pane, self.effort.budget());
         }
     }
@@ -248,7 +250,7 @@ impl Snapshot for SolidSnapshot {
     }
 
     fn band(&self) -> Option<(&[u8], Viewport, Pane)> {
-        Some((self.renderer.pixels(), self.scene.viewport, *self.panes.get(self.at)?))
+        Some((self.renderer.pixels(), self.settings.viewport, *self.panes.get(self.at)?))
     }
 }
 
@@ -259,10 +261,10 @@ impl SolidView {
     }
 
     /// On a mate: starts a pane of the finest picture, with this budget.
-    pub(crate) fn begin_pane(&mut self, scene: Scene, pane: Pane, budget: f32) {
-        self.renderer.play(scene.upto);
-        let scene = self.within_room(scene);
-        self.renderer.begin_pane(&scene.style, scene.viewport, &self.camera, pane, budget);
+    pub(crate) fn begin_pane(&mut self, settings: PictureSettings, pane: Pane, budget: f32) {
+        self.renderer.play(settings.upto);
+        let settings = self.within_room(settings);
+        self.renderer.begin_pane(&settings.style, settings.viewport, &self.camera, pane, budget);
     }
 
     /// On a mate: continues the pane. Returns the effort spent when the pane is complete.
@@ -275,29 +277,29 @@ impl SolidView {
         self.renderer.pixels()
     }
 
-    /// The scene with as many pixels as fit the memory budget.
-    fn within_room(&self, scene: Scene) -> Scene {
-        let drawing = self.drawing.as_ref().map_or(0, |drawing| drawing.bytes() + part_bytes(drawing, &scene));
-        Scene { viewport: affordable(scene.viewport, drawing, SolidRenderer::most_bytes), ..scene }
+    /// The settings with as many pixels as fit the memory budget.
+    fn within_room(&self, settings: PictureSettings) -> PictureSettings {
+        let drawing = self.drawing.as_ref().map_or(0, |drawing| drawing.bytes() + part_bytes(drawing, &settings));
+        PictureSettings { viewport: affordable(settings.viewport, drawing, SolidRenderer::most_bytes), ..settings }
     }
 
     /// Starts a picture of this quality.
     fn refine(&mut self, quality: Quality) {
-        let Some(scene) = &self.scene else { return };
+        let Some(settings) = &self.settings else { return };
         (self.done, self.shared) = (false, false);
         self.quality = quality;
-        self.viewport = if self.moving && self.half { halved(scene.viewport) } else { scene.viewport };
+        self.viewport = if self.moving && self.half { halved(settings.viewport) } else { settings.viewport };
         (self.spent, self.hurried) = (0.0, HURRY);
-        self.renderer.begin(&scene.style, self.viewport, &self.camera, quality);
+        self.renderer.begin(&settings.style, self.viewport, &self.camera, quality);
     }
 
     /// Continues a picture that is shared with mates.
-    fn paint_shared(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue> {
-        let (Some(drawing), Some(scene)) = (&self.drawing, &self.scene) else { return Ok(None) };
+    fn paint_shared(&mut self, clock: &Clock, surface: &CanvasSurface) -> Result<Option<Drawn>, JsValue> {
+        let (Some(drawing), Some(settings)) = (&self.drawing, &self.settings) else { return Ok(None) };
         let viewport = self.viewport;
         match self.sharing.next_action(clock.now()) {
             NextAction::Begin(pane) => {
-                self.renderer.begin_pane(&scene.style, viewport, &self.camera, pane, self.effort.budget());
+                self.renderer.begin_pane(&settings.style, viewport, &self.camera, pane, self.effort.budget());
             }
             NextAction::Continue => {
                 if self.renderer.step(WORK) == Progress::Done
@@ -310,7 +312,7 @@ impl SolidView {
             NextAction::Done if self.effort.is_too_small(self.sharing.spent()) => self.sharing.start_again(),
             NextAction::Done => {
                 (self.done, self.shared) = (true, false);
-                let scale = solid_scale(drawing, scene.screen, &self.camera);
+                let scale = solid_scale(drawing, settings.screen, &self.camera);
                 return Ok(Some(Drawn { complete: true, scale, moving: false, rough: false, slow: true }));
             }
         }

@@ -6,12 +6,12 @@ use wasm_bindgen::{Clamped, JsCast, JsValue};
 use web_sys::{ImageData, OffscreenCanvas, OffscreenCanvasRenderingContext2d};
 
 /// A canvas and its 2D context.
-pub(crate) struct Surface {
+pub(crate) struct CanvasSurface {
     canvas: OffscreenCanvas,
     context: OffscreenCanvasRenderingContext2d,
 }
 
-impl Surface {
+impl CanvasSurface {
     pub(crate) fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
         let context = canvas.get_context("2d")?.ok_or("this canvas has no 2D context")?;
         Ok(Self { canvas, context: context.dyn_into()? })

@@ -4,7 +4,7 @@ use crate::clock::Clock;
 use crate::plane::PlaneView;
 use crate::report::Report;
 use crate::solid::SolidView;
-use crate::surface::Surface;
+use crate::surface::CanvasSurface;
 use lsystem::derive::{Counter, Tally};
 use lsystem::drawing::{Space, describe};
 use lsystem::render::Pane;
@@ -18,7 +18,7 @@ pub(crate) const WORK: usize = 16_384;
 
 /// The settings of a picture.
 #[derive(Clone, PartialEq)]
-pub(crate) struct Scene {
+pub(crate) struct PictureSettings {
     pub(crate) style: Style,
     /// The size of the painted picture; smaller than `screen` if memory does not suffice.
     pub(crate) viewport: Viewport,
@@ -39,7 +39,7 @@ pub(crate) struct Drawn {
     pub(crate) complete: bool,
     /// Device pixels per fitted extent at zoom 1.
     pub(crate) scale: f64,
-    /// Whether the picture is the first one of a new scene in space, made fast because the view is probably moving.
+    /// Whether the picture is the first one of a new view in space, made fast because the view is probably moving.
     pub(crate) moving: bool,
     /// Whether the picture is complete but not exact, because an exact one would take too long.
     pub(crate) rough: bool,
@@ -65,10 +65,10 @@ pub(crate) trait Viewer {
     fn describe(&self, report: &mut Report, system: &System, n: u32, counted: Option<&Counter>);
 
     /// Starts a picture and cancels the picture in the making.
-    fn begin(&mut self, scene: Scene);
+    fn begin(&mut self, settings: PictureSettings);
 
     /// Continues the picture. Returns the picture on the canvas if it is new.
-    fn paint(&mut self, clock: &Clock, surface: &Surface) -> Result<Option<Drawn>, JsValue>;
+    fn paint(&mut self, clock: &Clock, surface: &CanvasSurface) -> Result<Option<Drawn>, JsValue>;
 
     /// Whether the finest picture is on the canvas.
     fn is_done(&self) -> bool;
@@ -79,7 +79,7 @@ pub(crate) trait Viewer {
     }
 
     /// Starts a picture for another canvas, or returns the reason why it cannot be made.
-    fn snapshot(&self, scene: Scene) -> Result<Box<dyn Snapshot>, &'static str>;
+    fn snapshot(&self, settings: PictureSettings) -> Result<Box<dyn Snapshot>, &'static str>;
 }
 
 /// The reason why a canvas has no picture to save.

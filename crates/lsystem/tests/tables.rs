@@ -15,23 +15,23 @@ const FIELD_TYPES: &str = " */
 
 /**
  * What a number may be, and in words; `whole` where it has no fraction.
- * @typedef {{kind: 'number', low: number, high: number, whole?: boolean, wanted?: string}} NumberRange
+ * @typedef {{kind: 'number', low: number, high: number, whole?: boolean, expected?: string}} NumberRange
  */
 
 /**
  * What a value may be.
- * @typedef {NumberRange | {kind: 'flag' | 'colour'} | {kind: 'text' | 'colours', most: number} | {kind: 'word', words: readonly string[]} | {kind: 'list', count: number, each: NumberRange} | {kind: 'record', members: Readonly<Record<string, NumberRange | {kind: 'flag'}>>}} Range
+ * @typedef {NumberRange | {kind: 'flag' | 'colour'} | {kind: 'text' | 'colours', maxLength: number} | {kind: 'word', words: readonly string[]} | {kind: 'list', count: number, each: NumberRange} | {kind: 'record', members: Readonly<Record<string, NumberRange | {kind: 'flag'}>>}} Range
  */
 
 /**
  * A field of the state: its key in links, its default, what it must be in words, what the page calls it, the values
  * under its slider (up to which value they are how far apart) and what an arrow key adds, and what has to be made anew where it changes.
- * @typedef {Range & {link: string, optional?: boolean, usual: unknown, label: string, wanted: string, unit?: string, slider?: {from: number, parts: readonly (readonly number[])[], arrow: number}, affects: string}} Field
+ * @typedef {Range & {link: string, optional?: boolean, default: unknown, label: string, expected: string, unit?: string, slider?: {from: number, parts: readonly (readonly number[])[], arrow: number}, affects: string}} FieldSpec
  */
 
 /** @typedef {keyof Definition | 'view' | 'camera'} FieldName */
 
-/** The fields of the state by name, in the order in which links write them. @type {Readonly<Record<FieldName, Field>>} */
+/** The fields of the state by name, in the order in which links write them. @type {Readonly<Record<FieldName, FieldSpec>>} */
 export const FIELDS = /* @__PURE__ */ Object.freeze({
 ";
 
@@ -57,7 +57,7 @@ fn script(value: &Value) -> String {
 }
 
 /// The default of a field; `null` for a field that is not part of a definition.
-fn usual(spec: &FieldSpec) -> Value {
+fn default_of(spec: &FieldSpec) -> Value {
     spec.get(&Definition::default()).unwrap_or(Value::Nothing)
 }
 
@@ -68,12 +68,12 @@ fn range(expected: Expected) -> String {
         Expected::Between(low, high) => format!("kind: 'number', low: {}, high: {}", number(low), number(high)),
         Expected::Whole(low, high) => format!("kind: 'number', low: {low}, high: {high}, whole: true"),
         Expected::Boolean => "kind: 'flag'".into(),
-        Expected::Text(most) => format!("kind: 'text', most: {most}"),
+        Expected::Text(max) => format!("kind: 'text', maxLength: {max}"),
         Expected::Word(words) => format!("kind: 'word', words: {}", list(words.iter().copied())),
         Expected::Colour => "kind: 'colour'".into(),
-        Expected::Palette => format!("kind: 'colours', most: {}", lsystem::syntax::MAX_PALETTE),
+        Expected::Palette => format!("kind: 'colours', maxLength: {}", lsystem::syntax::MAX_PALETTE),
         Expected::Each(count, each) => format!(
-            "kind: 'list', count: {count}, each: {{ {}, wanted: {} }}",
+            "kind: 'list', count: {count}, each: {{ {}, expected: {} }}",
             range(*each),
             quoted(&expected_words(*each))
         ),
@@ -119,8 +119,8 @@ fn tables() -> String {
         if spec.optional {
             row += ", optional: true";
         }
-        write!(row, ", usual: {}", script(&usual(spec))).unwrap();
-        write!(row, ", label: {}, wanted: {}", quoted(spec.label), quoted(&spec.wanted())).unwrap();
+        write!(row, ", default: {}", script(&default_of(spec))).unwrap();
+        write!(row, ", label: {}, expected: {}", quoted(spec.label), quoted(&spec.expected_words())).unwrap();
         if !spec.unit.is_empty() {
             write!(row, ", unit: {}", quoted(spec.unit)).unwrap();
         }
@@ -166,7 +166,7 @@ fn with_table(text: &str, rows: &str) -> String {
 
 /// The meaning and the values of a field, for a table in a document.
 fn meaning(spec: &FieldSpec) -> String {
-    format!("{}: {}", spec.help, spec.wanted()).replace('|', "\\|")
+    format!("{}: {}", spec.help, spec.expected_words()).replace('|', "\\|")
 }
 
 /// Code in a table; empty for an empty text.
@@ -181,8 +181,8 @@ fn file_rows() -> String {
             if let Some((place, key)) = spec.file
                 && place == section
             {
-                let usual = serde_json::to_string(&usual(spec)).unwrap().replace(".0", "");
-                writeln!(rows, "| {name} | `{key}` | `{usual}` | {} |", meaning(spec)).unwrap();
+                let default = serde_json::to_string(&default_of(spec)).unwrap().replace(".0", "");
+                writeln!(rows, "| {name} | `{key}` | `{default}` | {} |", meaning(spec)).unwrap();
             }
         }
     }
@@ -203,7 +203,7 @@ fn linked(value: &Value) -> String {
 fn link_rows() -> String {
     let mut rows = String::from("| key | default | what it is, and what it must be |\n|---|---|---|\n");
     for spec in FIELDS.iter().filter(|spec| spec.is_defined()) {
-        writeln!(rows, "| `{}` | {} | {} |", spec.link, code(&linked(&usual(spec))), meaning(spec)).unwrap();
+        writeln!(rows, "| `{}` | {} | {} |", spec.link, code(&linked(&default_of(spec))), meaning(spec)).unwrap();
     }
     rows
 }
@@ -237,7 +237,7 @@ fn names_and_keys_stand_for_one_field_each() {
 #[test]
 fn defaults_are_within_their_ranges_and_sliders() {
     for spec in &FIELDS {
-        assert!(spec.admits(&usual(spec)) || !spec.is_defined(), "{}", spec.name);
+        assert!(spec.admits(&default_of(spec)) || !spec.is_defined(), "{}", spec.name);
         for (value, _) in spec.slider.iter().flat_map(|slider| slider.parts) {
             assert!(spec.expected.admits(*value), "{}", spec.name);
         }
@@ -257,9 +257,9 @@ fn every_field_is_read_and_written() {
 
 /// A value of a field other than its default.
 fn other(spec: &FieldSpec) -> Value {
-    match (spec.expected, usual(spec)) {
-        (Expected::Word(words), usual) => {
-            let word = words.iter().find(|word| usual != Value::Text((**word).to_owned()));
+    match (spec.expected, default_of(spec)) {
+        (Expected::Word(words), default) => {
+            let word = words.iter().find(|word| default != Value::Text((**word).to_owned()));
             Value::Text(word.copied().unwrap_or_default().to_owned())
         }
         (Expected::Colour, _) => Value::Text("#123456".into()),

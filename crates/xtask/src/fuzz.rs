@@ -7,7 +7,7 @@ use std::process::Command;
 
 /// The options of the command.
 #[derive(Debug, Default, PartialEq)]
-struct Options<'a> {
+struct FuzzOptions<'a> {
     targets: Vec<&'a str>,
     /// The time for all targets together.
     minutes: Option<f64>,
@@ -17,7 +17,7 @@ struct Options<'a> {
     guided: bool,
 }
 
-impl<'a> Options<'a> {
+impl<'a> FuzzOptions<'a> {
     fn read(mut words: impl Iterator<Item = &'a str>) -> Result<Self> {
         let mut options = Self::default();
         while let Some(word) = words.next() {
@@ -38,7 +38,7 @@ impl<'a> Options<'a> {
 
 /// Fuzzes the named targets or all, or tries a single input.
 pub(crate) fn fuzz<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a str>) -> Result<()> {
-    let mut options = Options::read(words)?;
+    let mut options = FuzzOptions::read(words)?;
     let program = build(workspace)?;
     if let Some(input) = options.input {
         let mut command = Command::new(&program);
@@ -125,7 +125,7 @@ mod tests {
 
     #[test]
     fn options() {
-        let read = |words: &'static [&'static str]| Options::read(words.iter().copied());
+        let read = |words: &'static [&'static str]| FuzzOptions::read(words.iter().copied());
         let options = read(&["json", "--minutes", "2.5", "--guided"]).unwrap();
         assert_eq!((options.targets, options.minutes, options.guided), (vec!["json"], Some(2.5), true));
         assert!(read(&["--minutes"]).is_err() && read(&["--minutes", "x"]).is_err() && read(&["--what"]).is_err());

@@ -37,9 +37,9 @@ pub(crate) fn join(site: &Path, page: &str, bundler: &dyn Bundler) -> Result<()>
 mod tests {
     use super::*;
 
-    struct Names;
+    struct NameBundler;
 
-    impl Bundler for Names {
+    impl Bundler for NameBundler {
         fn module(&self, entry: &str) -> Result<String> {
             Ok(format!("module {entry}"))
         }
@@ -56,13 +56,13 @@ mod tests {
         let page = "<head>\n<link rel=\"icon\" href=\"a.svg\">\n<link rel=\"stylesheet\" href=\"a.css\">\n<link rel=\"stylesheet\" href=\"b.css\">\n\
                     <script src=\"early.js\"></script>\n<script type=\"module\" src=\"a.js\"></script>\n</head>\n<p>\n";
         files::write(&site.join("index.html"), page).unwrap();
-        join(site, "index.html", &Names).unwrap();
+        join(site, "index.html", &NameBundler).unwrap();
         let expected = "<head>\n<link rel=\"icon\" href=\"a.svg\">\n<script src=\"early.js\"></script>\n\
                         <link rel=\"stylesheet\" href=\"page.css\">\n<script type=\"module\" src=\"page.js\"></script>\n</head>\n<p>\n";
         assert_eq!(files::read_text(&site.join("index.html")).unwrap(), expected);
         assert_eq!(files::read_text(&site.join("page.css")).unwrap(), "a.css b.css");
         assert_eq!(files::read_text(&site.join("page.js")).unwrap(), "module a.js");
         files::write(&site.join("index.html"), "</head>\n").unwrap();
-        assert!(join(site, "index.html", &Names).is_err());
+        assert!(join(site, "index.html", &NameBundler).is_err());
     }
 }

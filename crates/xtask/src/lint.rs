@@ -1,10 +1,10 @@
 //! Formatting, clippy and documentation: warnings are errors.
 
-use crate::report::Report;
+use crate::report::StepReport;
 use crate::tools;
 use crate::workspace::{Workspace, run};
 
-pub(crate) fn steps(workspace: &Workspace, report: &mut Report) {
+pub(crate) fn steps(workspace: &Workspace, report: &mut StepReport) {
     report.step("formatting", || run(&mut workspace.cargo(["fmt", "--all", "--check"])));
     report.step("clippy", || {
         run(&mut workspace.cargo(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]))

@@ -93,10 +93,10 @@ fn run(program: &OsString, command: &str, rest: Vec<OsString>) -> Result<()> {
             no_more(words)?;
             serve::serve(&Workspace::find()?, port)
         }
-        "test" => test::test(&Workspace::find()?, &test::Options::read(words)?),
+        "test" => test::test(&Workspace::find()?, &test::TestOptions::read(words)?),
         "lint" => {
             no_more(words)?;
-            test::test(&Workspace::find()?, &test::Options::read(["lint"].into_iter())?)
+            test::test(&Workspace::find()?, &test::TestOptions::read(["lint"].into_iter())?)
         }
         "tables" => {
             no_more(words)?;
@@ -106,7 +106,7 @@ fn run(program: &OsString, command: &str, rest: Vec<OsString>) -> Result<()> {
         "mutants" => mutants::mutants(&Workspace::find()?, words),
         "fuzz" => fuzz::fuzz(&Workspace::find()?, words),
         "bench" => bench::bench(&Workspace::find()?, words),
-        "monkey" => monkey::monkey(&Workspace::find()?, &monkey::Options::read(words)?),
+        "monkey" => monkey::monkey(&Workspace::find()?, &monkey::MonkeyOptions::read(words)?),
         "help" | "--help" | "-h" => {
             print!("{USAGE}");
             Ok(())

@@ -5,9 +5,9 @@ use crate::{build, page};
 use anyhow::{Result, bail};
 
 /// The options of the script: `--seed`, `--minutes`, `--actions`, `--verbose`.
-pub(crate) struct Options(Vec<String>);
+pub(crate) struct MonkeyOptions(Vec<String>);
 
-impl Options {
+impl MonkeyOptions {
     pub(crate) fn read<'a>(words: impl Iterator<Item = &'a str>) -> Result<Self> {
         let mut options = vec![];
         let mut words = words.peekable();
@@ -33,13 +33,13 @@ impl Options {
 }
 
 /// Builds the page and runs the monkey on it.
-pub(crate) fn monkey(workspace: &Workspace, options: &Options) -> Result<()> {
+pub(crate) fn monkey(workspace: &Workspace, options: &MonkeyOptions) -> Result<()> {
     build::build(workspace)?;
     run(workspace, options)
 }
 
 /// Runs the monkey on the built page.
-pub(crate) fn run(workspace: &Workspace, options: &Options) -> Result<()> {
+pub(crate) fn run(workspace: &Workspace, options: &MonkeyOptions) -> Result<()> {
     page::script(workspace, "test/monkey/monkey.mjs", &options.0)
 }
 
@@ -48,7 +48,7 @@ mod tests {
     use super::*;
 
     fn read(words: &str) -> Result<Vec<String>> {
-        Options::read(words.split_whitespace()).map(|options| options.0)
+        MonkeyOptions::read(words.split_whitespace()).map(|options| options.0)
     }
 
     #[test]

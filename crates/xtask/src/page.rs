@@ -1,6 +1,6 @@
 //! The page's checks: types, unit tests in Node.js, end-to-end tests in a browser.
 
-use crate::report::Report;
+use crate::report::StepReport;
 use crate::workspace::{Workspace, run};
 use crate::{files, server, tools};
 use anyhow::{Result, bail};
@@ -13,7 +13,7 @@ use std::thread;
 const MOUNT: &str = "/some/where/";
 
 /// Checks the built page. `cases` is the number of random states in its unit tests; `None` for the default.
-pub(crate) fn steps(workspace: &Workspace, cases: Option<&str>, report: &mut Report) {
+pub(crate) fn steps(workspace: &Workspace, cases: Option<&str>, report: &mut StepReport) {
     let www = workspace.www();
     if !report.step("packages for the page's checks", || packages(&www)) {
         return;

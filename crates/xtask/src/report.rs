@@ -5,11 +5,11 @@ use std::time::{Duration, Instant};
 
 /// The steps so far.
 #[derive(Default)]
-pub(crate) struct Report {
+pub(crate) struct StepReport {
     steps: Vec<(String, Duration, Option<Error>)>,
 }
 
-impl Report {
+impl StepReport {
     /// Runs a step and prints its name and time. A failure is kept for the end, so that one run shows all failures.
     /// Returns whether the step succeeded.
     pub(crate) fn step(&mut self, name: &str, step: impl FnOnce() -> Result<()>) -> bool {
@@ -50,7 +50,7 @@ mod tests {
 
     #[test]
     fn goes_on_after_a_failure_and_fails_at_the_end() {
-        let mut report = Report::default();
+        let mut report = StepReport::default();
         assert!(report.step("one", || Ok(())));
         assert!(!report.step("two", || bail!("no luck")));
         assert!(report.step("three", || Ok(())));

@@ -10,7 +10,7 @@ use std::io::Write;
 
 /// The size of a file in bytes, raw and compressed by gzip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Size {
+struct FileSize {
     raw: usize,
     gzip: usize,
 }
@@ -29,26 +29,26 @@ pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     Ok(())
 }
 
-fn measure(bytes: &[u8]) -> Result<Size> {
+fn measure(bytes: &[u8]) -> Result<FileSize> {
     let mut encoder = GzEncoder::new(vec![], Compression::best());
     encoder.write_all(bytes)?;
-    Ok(Size { raw: bytes.len(), gzip: encoder.finish()?.len() })
+    Ok(FileSize { raw: bytes.len(), gzip: encoder.finish()?.len() })
 }
 
 /// Reads the line `name: N raw, N gzip`; `#` starts a comment line.
-fn read(text: &str, name: &str) -> Result<Size> {
+fn read(text: &str, name: &str) -> Result<FileSize> {
     let line = text.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(':'));
     let number = |unit| {
         let mut parts = line?.split(',').filter_map(|part| part.trim().split_once(' '));
         parts.find(|(_, its)| *its == unit)?.0.parse().ok()
     };
     match (number("raw"), number("gzip")) {
-        (Some(raw), Some(gzip)) => Ok(Size { raw, gzip }),
+        (Some(raw), Some(gzip)) => Ok(FileSize { raw, gzip }),
         _ => bail!("there is no line `{name}: N raw, N gzip`"),
     }
 }
 
-impl fmt::Display for Size {
+impl fmt::Display for FileSize {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} bytes, {} with gzip", self.raw, self.gzip)
     }
@@ -61,8 +61,8 @@ mod tests {
     #[test]
     fn reads_limits() {
         let text = "# why\na: 20 raw, 10 gzip\nb: 4 gzip, 5 raw\nc: 3 raw\n";
-        assert_eq!(read(text, "a").unwrap(), Size { raw: 20, gzip: 10 });
-        assert_eq!(read(text, "b").unwrap(), Size { raw: 5, gzip: 4 });
+        assert_eq!(read(text, "a").unwrap(), FileSize { raw: 20, gzip: 10 });
+        assert_eq!(read(text, "b").unwrap(), FileSize { raw: 5, gzip: 4 });
         for wrong in ["c", "d", ""] {
             assert!(read(text, wrong).is_err(), "{wrong}");
         }

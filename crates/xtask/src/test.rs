@@ -1,6 +1,6 @@
 //! `cargo xtask test`: all checks before a merge.
 
-use crate::report::Report;
+use crate::report::StepReport;
 use crate::workspace::{Workspace, run};
 use crate::{build, files, fuzz, lint, monkey, page, size, tools};
 use anyhow::{Result, bail};
@@ -10,13 +10,13 @@ use serde_json::Value;
 const PARTS: [&str; 6] = ["lint", "native", "fuzz", "wasm", "size", "page"];
 
 /// The parts to run, and whether to run them thoroughly.
-pub(crate) struct Options {
+pub(crate) struct TestOptions {
     /// Whether the property tests try 10,000 new random systems instead of the same 500 every time.
     thorough: bool,
     parts: Vec<&'static str>,
 }
 
-impl Options {
+impl TestOptions {
     pub(crate) fn read<'a>(words: impl Iterator<Item = &'a str>) -> Result<Self> {
         let mut options = Self { thorough: false, parts: vec![] };
         for word in words {
@@ -38,9 +38,9 @@ impl Options {
     }
 }
 
-pub(crate) fn test(workspace: &Workspace, options: &Options) -> Result<()> {
+pub(crate) fn test(workspace: &Workspace, options: &TestOptions) -> Result<()> {
     let has = |part| options.parts.contains(&part);
-    let mut report = Report::default();
+    let mut report = StepReport::default();
     if has("lint") {
         lint::steps(workspace, &mut report);
     }
@@ -76,7 +76,7 @@ pub(crate) fn test(workspace: &Workspace, options: &Options) -> Result<()> {
         if has("page") {
             page::steps(workspace, options.cases(), &mut report);
             if options.thorough {
-                report.step("a minute of the monkey", || monkey::run(workspace, &monkey::Options::one_minute()));
+                report.step("a minute of the monkey", || monkey::run(workspace, &monkey::MonkeyOptions::one_minute()));
             }
         }
     }
@@ -111,10 +111,10 @@ mod tests {
 
     #[test]
     fn options() {
-        let all = Options::read([].into_iter()).unwrap();
+        let all = TestOptions::read([].into_iter()).unwrap();
         assert_eq!((all.thorough, all.parts), (false, PARTS.to_vec()));
-        let some = Options::read(["page", "--thorough", "native"].into_iter()).unwrap();
+        let some = TestOptions::read(["page", "--thorough", "native"].into_iter()).unwrap();
         assert_eq!((some.thorough, some.parts), (true, vec!["page", "native"]));
-        assert!(Options::read(["pages"].into_iter()).is_err());
+        assert!(TestOptions::read(["pages"].into_iter()).is_err());
     }
 }

@@ -14,12 +14,12 @@ import { slider } from './slider.js';
  * @param {readonly number[]} [stops] the slider's values, if not those of the table
  */
 export function dial(store, field, id, stops = stopsOf(field)) {
-    const { wanted, unit = '', slider: scale } = FIELDS[field];
+    const { expected, unit = '', slider: scale } = FIELDS[field];
     const change = (/** @type {number} */ value, held = false) => store.change({ [field]: value }, held ? `drag ${field}` : field);
     const settle = () => store.settle();
     const text = (/** @type {number} */ value) => `${plain(value)} ${unit}`.trim();
     const slide = slider(input(`${id}-slider`), { stops, text, change, settle });
-    const write = numberField(input(id), { ...rangeOf(field), wanted, step: scale?.arrow ?? 1, change, settle });
+    const write = numberField(input(id), { ...rangeOf(field), expected, step: scale?.arrow ?? 1, change, settle });
     return {
         /** @param {number} value */
         show(value) {

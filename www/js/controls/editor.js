@@ -4,7 +4,7 @@
  */
 
 import { make, setValue } from '../dom.js';
-import { mostOf } from '../state.js';
+import { maxLengthOf } from '../state.js';
 import { carryOver, spansOf } from '../tint.js';
 
 /** @typedef {import('../protocol.js').Diagnostic} Diagnostic */
@@ -77,7 +77,7 @@ export function editor(area, problems, kind, { change, settle }) {
         change(area.value);
     });
     // One character more than allowed, so that pasting too much is noticed and reported.
-    area.maxLength = mostOf(kind) + 1;
+    area.maxLength = maxLengthOf(kind) + 1;
     area.addEventListener('blur', settle);
     if (kind === 'axiom') {
         area.addEventListener('keydown', (event) => {

@@ -2,21 +2,21 @@
 
 import { plain, readNumber } from '../numerals.js';
 import { setValue } from '../dom.js';
-import { rangeNote } from './wanted.js';
+import { rangeNote } from './range-note.js';
 
 /**
- * `wanted` is the range in words; `step` is the change of an arrow key.
- * @typedef {{low: number, high: number, wanted: string, step: number | (() => number), whole?: boolean, change: (value: number) => void, settle: () => void}} Range
+ * `expected` is the range in words; `step` is the change of an arrow key.
+ * @typedef {{low: number, high: number, expected: string, step: number | (() => number), whole?: boolean, change: (value: number) => void, settle: () => void}} NumberOptions
  */
 
 /**
  * @param {HTMLInputElement} field
- * @param {Range} range
+ * @param {NumberOptions} range
  * @returns {(value: number) => void} shows a value
  */
-export function numberField(field, { low, high, wanted, step, whole = false, change, settle }) {
+export function numberField(field, { low, high, expected, step, whole = false, change, settle }) {
     let shown = 0;
-    const setWrong = rangeNote(field, wanted);
+    const setWrong = rangeNote(field, expected);
     field.setAttribute('role', 'spinbutton');
     if (isBound(low)) field.setAttribute('aria-valuemin', decimal(low));
     if (isBound(high)) field.setAttribute('aria-valuemax', decimal(high));
@@ -66,14 +66,14 @@ export function numberField(field, { low, high, wanted, step, whole = false, cha
 /**
  * A field for an optional number. An empty field shows the inherited number as a placeholder.
  * @param {HTMLInputElement} field
- * @param {{low: number, high: number, wanted: string, step: number, change: (value: number | null) => void, settle: () => void}} range
+ * @param {{low: number, high: number, expected: string, step: number, change: (value: number | null) => void, settle: () => void}} range
  * @returns {(value: number | null, inherited: number) => void} shows a value and the inherited one
  */
-export function optionalField(field, { low, high, wanted, step, change, settle }) {
+export function optionalField(field, { low, high, expected, step, change, settle }) {
     /** @type {number | null} */
     let shown = null;
     let fallback = 0;
-    const setWrong = rangeNote(field, wanted);
+    const setWrong = rangeNote(field, expected);
     const written = (/** @type {number | null} */ value) => (value === null ? '' : plain(value));
     const fits = (/** @type {number} */ value) => Math.min(high, Math.max(low, value));
     /** The field's number, null if empty, or undefined if the text is no number within the range. */

@@ -13,7 +13,7 @@ import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
 /** The mates, which help with slow pictures. @typedef {{help: (worker: Hired, wasm: WebAssembly.Module) => void, leave: () => void}} Mates */
 
 /**
- * @typedef {object} Events
+ * @typedef {object} ConnectionEvents
  * @property {() => void} begun the worker has the wasm and accepts messages
  * @property {(message: FromWorker) => void} received a message has come from the worker
  * @property {() => void} left the worker is gone; a fresh one knows no state
@@ -29,7 +29,7 @@ const DELAYS = [500, 1500, 4000];
 /** After more workers in a row that stopped before any picture or answer, wait for new input before starting another. */
 const MOST_FAILURES = 4;
 
-/** @param {Events} events */
+/** @param {ConnectionEvents} events */
 export function createConnection({ begun, received, left, stopped, loadFailed, doubted, owes }) {
     /** @type {Hired | null} */
     let worker = null;

@@ -6,7 +6,7 @@ import { needsNewScale, scaleAbout, writtenAs } from '../controls/scale.js';
 import { slider } from '../controls/slider.js';
 import { plain } from '../numerals.js';
 
-/** @typedef {import('../protocol.js').Constant} Constant */
+/** @typedef {import('../protocol.js').ConstantSpan} ConstantSpan */
 /** @typedef {{element: HTMLElement, name: string, number: boolean, show: (value: number | null) => void}} Row */
 
 /** The maximum number of shown constants; others can be edited in the rules. */
@@ -14,12 +14,12 @@ const MAX_SHOWN = 40;
 
 /**
  * @param {import('../store.js').Store} store
- * @param {{rewrite: (constant: Constant, value: string, label: string) => void}} rules
+ * @param {{rewrite: (constant: ConstantSpan, value: string, label: string) => void}} rules
  */
 export function constantsPanel(store, rules) {
     const group = html('constants');
     const list = html('constants-list');
-    /** The constants in text order, and the rules with these constants. @type {Constant[]} */
+    /** The constants in text order, and the rules with these constants. @type {ConstantSpan[]} */
     let constants = [];
     let text = '';
     /** @type {Row[]} */
@@ -45,7 +45,7 @@ export function constantsPanel(store, rules) {
         rows[at]?.show(value);
     }
 
-    /** @param {Constant} constant @returns {Row} */
+    /** @param {ConstantSpan} constant @returns {Row} */
     function newRow({ name, number, value }) {
         const id = `constant-${++serial}`;
         const label = make('label', { for: id }, make('code', {}, name));
@@ -75,7 +75,7 @@ export function constantsPanel(store, rules) {
         const showField = numberField(field, {
             low: -Number.MAX_VALUE,
             high: Number.MAX_VALUE,
-            wanted: 'a number',
+            expected: 'a number',
             step: () => /** @type {number} */ (stops[1]) - /** @type {number} */ (stops[0]),
             change: (next) => set(name, next, `constant ${name}`),
             settle,

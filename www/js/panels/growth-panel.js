@@ -18,7 +18,7 @@ export function growthPanel(store, source) {
     const iterations = dial(store, 'iterations', 'iterations');
     const angle = dial(store, 'angle', 'angle');
     const right = dial(store, 'rightAngle', 'right');
-    const showSeed = numberField(input('seed'), { ...rangeOf('seed'), wanted: FIELDS.seed.wanted, step: 1, change: (seed) => store.change({ seed }, 'seed'), settle: () => store.settle() });
+    const showSeed = numberField(input('seed'), { ...rangeOf('seed'), expected: FIELDS.seed.expected, step: 1, change: (seed) => store.change({ seed }, 'seed'), settle: () => store.settle() });
 
     const twoAngles = input('two-angles');
     twoAngles.addEventListener('change', () => {
@@ -86,10 +86,10 @@ export function growthPanel(store, source) {
  * @param {Report} report
  * @param {{largest: number, why: string} | null} bound
  */
-function statusOf({ kind, solid, memoised, blocks, largest }, bound) {
+function statusOf({ kind, space, memoised, blocks, largest }, bound) {
     const limit = bound ? ` At most n = ${bound.largest}. ${largest === null ? `Above: ${bound.why}.` : ''}` : '';
     if (memoised === null || blocks === null) return bound ? limit.trim() : 'Growing…';
-    const sentence = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}${solid ? ', in space' : ''}`;
+    const sentence = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}${space ? ', in space' : ''}`;
     if (!memoised) return `${sentence}; expanded in full.${limit}`;
     if (blocks <= 1) return `${sentence}.${limit}`;
     return `${sentence}; drawn from ${grouped(String(blocks))} reusable parts.${limit}`;

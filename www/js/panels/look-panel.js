@@ -3,7 +3,7 @@
 import { button, byId, html, input, make, setChoice, setText } from '../dom.js';
 import { numberField } from '../controls/number-field.js';
 import { SCHEMES, hasScheme, schemePatch } from '../colour-schemes.js';
-import { mostOf, rangeOf } from '../state.js';
+import { maxLengthOf, rangeOf } from '../state.js';
 
 /** @type {Record<import('../state.js').ColourBy, string>} */
 const NOTES = {
@@ -39,14 +39,14 @@ export function lookPanel(store) {
     inkKind.addEventListener('change', () => {
         store.change({ ink: /** @type {import('../state.js').Ink} */ (inkKind.value) }, '');
     });
-    let solid = false;
+    let space = false;
     /** @param {import('../state.js').State} state */
     const showInk = (state) => {
-        const adds = state.ink === 'density' && !solid;
-        setChoice(inkKind, solid ? 'solid' : state.ink);
-        inkKind.disabled = solid;
+        const adds = state.ink === 'density' && !space;
+        setChoice(inkKind, space ? 'solid' : state.ink);
+        inkKind.disabled = space;
         html('exposure-row').hidden = !adds;
-        setText(html('ink-note'), solid ? 'Drawings in space are opaque.' : adds ? 'Overlapping strokes add up. PNG pictures keep this; SVG files are opaque.' : '');
+        setText(html('ink-note'), space ? 'Drawings in space are opaque.' : adds ? 'Overlapping strokes add up. PNG pictures keep this; SVG files are opaque.' : '');
         for (const option of colourBy.options) if (option.value === 'density') option.disabled = !adds && state.colourBy !== 'density';
     };
 
@@ -60,7 +60,7 @@ export function lookPanel(store) {
         numberField(input(id), {
             low: 1,
             high: rangeOf('turnColours').high + 1,
-            wanted: 'a whole number above 0',
+            expected: 'a whole number above 0',
             step: 1,
             whole: true,
             settle,
@@ -95,7 +95,7 @@ export function lookPanel(store) {
     return {
         /** @param {import('../engine.js').Report} report @param {import('../state.js').State} state */
         report(report, state) {
-            solid = report.solid;
+            space = report.space;
             showInk(state);
         },
         /** @param {import('../state.js').State} state */
@@ -108,7 +108,7 @@ export function lookPanel(store) {
                 if (well instanceof HTMLInputElement && well.value !== colour) well.value = colour;
             });
             button('remove-colour').disabled = state.palette.length === 1;
-            button('add-colour').disabled = state.palette.length >= mostOf('palette');
+            button('add-colour').disabled = state.palette.length >= maxLengthOf('palette');
             for (const { scheme, chip } of schemes) chip.setAttribute('aria-pressed', String(hasScheme(state, scheme)));
             setChoice(colourBy, state.colourBy);
             holds.checked = state.paletteHolds;

@@ -3,7 +3,7 @@
 import { toast } from '../announce.js';
 import { byId, html, setText } from '../dom.js';
 import { editor } from '../controls/editor.js';
-import { mostOf } from '../state.js';
+import { maxLengthOf } from '../state.js';
 import { FIELDS } from '../tables.js';
 
 /** @param {import('../store.js').Store} store */
@@ -12,7 +12,7 @@ export function rulesPanel(store) {
     /** @param {'axiom' | 'rules'} field @param {string} text */
     const change = (field, text) => {
         store.change({ [field]: text }, field);
-        if (text.length > mostOf(field)) toast(`${FIELDS[field].label} must be ${FIELDS[field].wanted}; the rest was cut.`);
+        if (text.length > maxLengthOf(field)) toast(`${FIELDS[field].label} must be ${FIELDS[field].expected}; the rest was cut.`);
     };
     const axiom = editor(byId('axiom', HTMLTextAreaElement), html('axiom-problems'), 'axiom', {
         change: (text) => change('axiom', text),
@@ -39,7 +39,7 @@ export function rulesPanel(store) {
         },
         /**
          * Replaces the value of a constant; caret and selection stay.
-         * @param {import('../protocol.js').Constant} constant
+         * @param {import('../protocol.js').ConstantSpan} constant
          * @param {string} value
          * @param {string} label of the change
          */

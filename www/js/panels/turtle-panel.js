@@ -30,29 +30,29 @@ export function turtlePanel(store) {
     const showElasticity = plainField('elasticity', 'elasticity', 0.01);
     const showPull = listFields('tropism', ['tropism-x', 'tropism-y', 'tropism-z'], 0.1);
     /** Whether the drawing is in space, and whether tropism bends it. */
-    let solid = false;
+    let space = false;
     let bent = false;
 
     /** A field for a number. @param {FieldName} field @param {string} id @param {number} step */
     function plainField(field, id, step) {
-        return numberField(input(id), { ...rangeOf(field), wanted: FIELDS[field].wanted, step, settle, change: (value) => store.change({ [field]: value }, field) });
+        return numberField(input(id), { ...rangeOf(field), expected: FIELDS[field].expected, step, settle, change: (value) => store.change({ [field]: value }, field) });
     }
 
     /** A field for an optional angle. @param {FieldName} field @param {string} id */
     function optionalAngle(field, id) {
-        return optionalField(input(id), { ...rangeOf(field), wanted: FIELDS[field].wanted, step: 1, settle, change: (value) => store.change({ [field]: value }, field) });
+        return optionalField(input(id), { ...rangeOf(field), expected: FIELDS[field].expected, step: 1, settle, change: (value) => store.change({ [field]: value }, field) });
     }
 
     /** Fields for the numbers of a list. @param {'start' | 'tropism'} field @param {string[]} ids @param {number} step */
     function listFields(field, ids, step) {
-        const { wanted = '', ...range } = rangeOf(field);
-        const show = ids.map((id, at) => numberField(input(id), { ...range, wanted, step, settle, change: (value) => store.change({ [field]: store.state[field].with(at, value) }, field) }));
+        const { expected = '', ...range } = rangeOf(field);
+        const show = ids.map((id, at) => numberField(input(id), { ...range, expected, step, settle, change: (value) => store.change({ [field]: store.state[field].with(at, value) }, field) }));
         return (/** @type {readonly number[]} */ values) => values.forEach((value, at) => show[at]?.(value));
     }
 
     /** Shows the angles in space if the drawing is in space or an angle is set. @param {import('../state.js').State} state */
     function showSpace({ angle, pitchDown, pitchUp, rollLeft, rollRight }) {
-        html('space').hidden = !solid && [pitchDown, pitchUp, rollLeft, rollRight].every((value) => value === null);
+        html('space').hidden = !space && [pitchDown, pitchUp, rollLeft, rollRight].every((value) => value === null);
         showDown(pitchDown, angle);
         showUp(pitchUp, pitchDown ?? angle);
         showLeft(rollLeft, angle);
@@ -100,7 +100,7 @@ export function turtlePanel(store) {
             const { ok, legend, diagnostics } = report;
             overrides.mark(diagnostics.filter(({ field }) => field === 'overrides'));
             if (!ok) return;
-            solid = report.solid;
+            space = report.space;
             showSpace(store.state);
             showLegend(legend);
         },

@@ -4,7 +4,7 @@ import { html, make } from '../dom.js';
 import { countText, placeText } from './places.js';
 import { birth, birthOf, descent, origin, visible } from './words.js';
 
-/** @typedef {import('../protocol.js').Link} Link */
+/** @typedef {import('../protocol.js').AncestryLink} AncestryLink */
 /** @typedef {import('../protocol.js').SymbolFacts} SymbolFacts */
 /** The symbol, if loaded, its index and generation, and the drawn generation. @typedef {{symbol: string | undefined, index: bigint, generation: number, iterations: number}} Chosen */
 
@@ -14,7 +14,7 @@ const UNTRACED = 'This derivation is too long to record, so the origin of the sy
 export function createOriginCard(goTo) {
     const card = html('reader-path');
 
-    /** @param {Link} link @param {Link} own the chosen symbol's */
+    /** @param {AncestryLink} link @param {AncestryLink} own the chosen symbol's */
     function item(link, own) {
         const here = make('button', { type: 'button', class: 'link' }, make('kbd', {}, visible(link.symbol)), make('span', {}, birth(link)));
         here.addEventListener('click', () => goTo(link.generation, BigInt(link.index)));
@@ -42,7 +42,7 @@ export function createOriginCard(goTo) {
     };
 }
 
-/** The part of the drawing derived from a symbol, in words. @param {Chosen} chosen @param {import('../protocol.js').Part} part @param {boolean} placed whether the part has a place in the drawing */
+/** The part of the drawing derived from a symbol, in words. @param {Chosen} chosen @param {import('../protocol.js').Descendants} part @param {boolean} placed whether the part has a place in the drawing */
 function drawnText({ generation, iterations }, { symbols, segments }, placed) {
     const from = BigInt(segments[0]);
     const count = BigInt(segments[1]) - from;

@@ -7,7 +7,7 @@ import { createOriginCard } from './origin-card.js';
 import { createPlaceField } from './place-field.js';
 import { createTextWindow } from './text-window.js';
 
-/** @typedef {import('../protocol.js').Link} Link */
+/** @typedef {import('../protocol.js').AncestryLink} AncestryLink */
 /** @typedef {import('../state.js').State} State */
 
 /** The fields of the state that determine the string. @type {(keyof State)[]} */
@@ -118,14 +118,14 @@ export function createReader(engine, { mark, opened }) {
             text.fetchMissing();
         },
 
-        /** Highlights a symbol of the last generation, or its ancestor in the shown generation; an empty chain highlights none. @param {Link[]} chain */
+        /** Highlights a symbol of the last generation, or its ancestor in the shown generation; an empty chain highlights none. @param {AncestryLink[]} chain */
         light(chain) {
             if (!marked.light(chain)) return;
             if (frame.open && marked.lit !== null) text.reveal(marked.lit);
             show();
         },
 
-        /** @param {Link[]} chain */
+        /** @param {AncestryLink[]} chain */
         choose(chain) {
             const link = chain[generations.now()];
             if (frame.open && link) choose(BigInt(link.index));
@@ -161,7 +161,7 @@ function createMarked(generation) {
     let chosen = null;
     /** The symbol under the pointer in the drawing, or its ancestor in the shown generation. @type {bigint | null} */
     let lit = null;
-    /** @type {Link[]} */
+    /** @type {AncestryLink[]} */
     let chain = [];
 
     function relight() {
@@ -182,7 +182,7 @@ function createMarked(generation) {
             chosen = index;
         },
 
-        /** @param {Link[]} next @returns {boolean} whether the highlight has changed */
+        /** @param {AncestryLink[]} next @returns {boolean} whether the highlight has changed */
         light(next) {
             const before = lit;
             chain = next;

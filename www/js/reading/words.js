@@ -2,9 +2,9 @@
 
 import { grouped, plain, raised } from '../numerals.js';
 
-/** @typedef {import('../protocol.js').Link} Link */
-/** @typedef {import('../protocol.js').Stroke} Stroke */
-/** @typedef {import('../protocol.js').Filled} Filled */
+/** @typedef {import('../protocol.js').AncestryLink} AncestryLink */
+/** @typedef {import('../protocol.js').SegmentFacts} SegmentFacts */
+/** @typedef {import('../protocol.js').PolygonFacts} PolygonFacts */
 
 const ORDINALS = ['first', 'second', 'third', 'fourth', 'fifth', 'sixth', 'seventh', 'eighth', 'ninth', 'tenth', 'eleventh', 'twelfth'];
 
@@ -44,7 +44,7 @@ function fewDigits(number) {
     return String(Number(value.toPrecision(value < 1e4 ? 4 : 6)));
 }
 
-/** The origin of a link's symbol: `step 5, by rule 1, third symbol`. @param {Link} link */
+/** The origin of a link's symbol: `step 5, by rule 1, third symbol`. @param {AncestryLink} link */
 export function birth({ generation, production, position }) {
     if (generation === 0) return `${ordinal(position)} symbol of the axiom`;
     if (production === null) return `copied at step ${generation}`;
@@ -53,20 +53,20 @@ export function birth({ generation, production, position }) {
 
 /**
  * The chain from a symbol back to the axiom, without the steps that only copied it.
- * @param {Link[]} chain from the axiom on
- * @returns {Link[]} from the symbol back
+ * @param {AncestryLink[]} chain from the axiom on
+ * @returns {AncestryLink[]} from the symbol back
  */
 export function descent(chain) {
     return chain.filter(({ generation, production }) => generation === 0 || production !== null).reverse();
 }
 
-/** The origin of the last symbol of a chain. @param {Link[]} chain */
+/** The origin of the last symbol of a chain. @param {AncestryLink[]} chain */
 export function birthOf(chain) {
     const [born] = descent(chain);
     return born ? birth(born) : '';
 }
 
-/** `X at step 5, by rule 1, third symbol`. @param {Link[]} chain */
+/** `X at step 5, by rule 1, third symbol`. @param {AncestryLink[]} chain */
 export function origin(chain) {
     const [born] = descent(chain);
     if (!born) return '';
@@ -86,10 +86,10 @@ function headingText(heading) {
     return `heading ${typeof heading === 'number' ? `${plain(Number(heading.toFixed(2)))}°` : heading.map(coordinate).join(', ')}`;
 }
 
-/** The look of a segment, in words. @param {Stroke} stroke */
+/** The look of a segment, in words. @param {SegmentFacts} stroke */
 export const strokeText = (stroke) => [headingText(stroke.heading), ...looks(stroke)].join(', ');
 
-/** The look of a polygon, in words. @param {Filled} filled */
+/** The look of a polygon, in words. @param {PolygonFacts} filled */
 export const filledText = (filled) => ['filled', ...looks(filled)].join(', ');
 
 /** @param {{level: number, colour: number}} drawn */

@@ -14,10 +14,10 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowD
  * @param {HTMLElement} canvas
  * @param {import('../store.js').Store} store
  * @param {ReturnType<typeof import('./moves.js').createMoves>} moves
- * @param {{solid: () => boolean, side: () => number, changes: () => readonly ('angle' | 'iterations')[]}} stage `side` is the
+ * @param {{space: () => boolean, side: () => number, changes: () => readonly ('angle' | 'iterations')[]}} stage `side` is the
  *   length of the shorter side, in CSS pixels; `changes` tells which fields the arrows change
  */
-export function listenToKeys(canvas, store, moves, { solid, side, changes }) {
+export function listenToKeys(canvas, store, moves, { space, side, changes }) {
     canvas.addEventListener('keydown', (event) => {
         if (event.ctrlKey || event.metaKey) return;
         const act = actionOf(event);
@@ -45,7 +45,7 @@ export function listenToKeys(canvas, store, moves, { solid, side, changes }) {
 
     /** @param {[number, number]} arrow @param {boolean} moving @param {boolean} fine */
     function arrowAction([x, y], moving, fine) {
-        const by = solid() ? ORBIT_STEP : PAN_STEP * side();
+        const by = space() ? ORBIT_STEP : PAN_STEP * side();
         if (moving) return () => moves.drag(-x * by, y * by, false);
         if (!changes().includes(x ? 'angle' : 'iterations')) return undefined;
         const { angle, iterations } = store.state;

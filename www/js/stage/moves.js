@@ -15,9 +15,9 @@ const GLIDE_MS = 260;
 /**
  * @param {import('../store.js').Store} store
  * @param {{readonly painted: boolean, readonly scale: number}} picture
- * @param {() => boolean} solid whether the drawing is in space
+ * @param {() => boolean} space whether the drawing is in space
  */
-export function createMoves(store, picture, solid) {
+export function createMoves(store, picture, space) {
     let glide = 0;
     const view = () => store.state.view ?? FITTED;
     const camera = () => store.state.camera ?? FRONT;
@@ -66,22 +66,22 @@ export function createMoves(store, picture, solid) {
         glideToCamera,
 
         /** Whether the view is the initial one, which shows the whole drawing. */
-        isFitted: () => (solid() ? isWhole(camera()) : store.state.view === null),
+        isFitted: () => (space() ? isWhole(camera()) : store.state.view === null),
 
-        fit: () => (solid() ? glideToCamera(whole(camera())) : glideTo(null)),
+        fit: () => (space() ? glideToCamera(whole(camera())) : glideTo(null)),
 
         /** Zooms smoothly about the middle. @param {number} factor */
-        zoom: (factor) => (solid() ? glideToCamera(zoomed(camera(), factor, 0, 0, picture.scale)) : glideTo(zoomAt(view(), factor, 0, 0, picture.scale))),
+        zoom: (factor) => (space() ? glideToCamera(zoomed(camera(), factor, 0, 0, picture.scale)) : glideTo(zoomAt(view(), factor, 0, 0, picture.scale))),
 
         /** @param {number} factor @param {number} x of the fixed point, in CSS pixels from the middle @param {number} y */
         zoomAt(factor, x, y) {
-            if (solid()) aim(zoomed(camera(), factor, x, y, picture.scale));
+            if (space()) aim(zoomed(camera(), factor, x, y, picture.scale));
             else look(zoomAt(view(), factor, x, y, picture.scale));
         },
 
         /** @param {number} dx in CSS pixels @param {number} dy @param {boolean} aside moves the camera instead of turning it */
         drag(dx, dy, aside) {
-            if (!solid()) look(pan(view(), dx, dy, picture.scale));
+            if (!space()) look(pan(view(), dx, dy, picture.scale));
             else aim(aside ? slide(camera(), dx, dy, picture.scale) : orbit(camera(), dx, dy));
         },
     };

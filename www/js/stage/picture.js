@@ -36,12 +36,12 @@ export function createPicture(canvas, mark) {
             canvas.style.transform = camera || still ? 'none' : `translate(${x}px, ${y}px) scale(${at.factor})`;
         },
 
-        /** @param {import('../engine.js').Drawn} drawn @param {boolean} solid whether the drawing is in space */
-        paint({ bitmap, scale, view, canvas: made }, solid) {
+        /** @param {import('../engine.js').Drawn} drawn @param {boolean} space whether the drawing is in space */
+        paint({ bitmap, scale, view, canvas: made }, space) {
             if (canvas.width !== bitmap.width) canvas.width = bitmap.width;
             if (canvas.height !== bitmap.height) canvas.height = bitmap.height;
             // While a drawing in space moves, its picture may have fewer pixels than the canvas.
-            const { width, height } = solid ? made : bitmap;
+            const { width, height } = space ? made : bitmap;
             shown = { view, scale: scale / made.ratio, size: { width: width / made.ratio, height: height / made.ratio } };
             context.transferFromImageBitmap(bitmap);
             canvas.style.width = `${shown.size.width}px`;

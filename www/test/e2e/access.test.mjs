@@ -217,21 +217,21 @@ test('a number field with an invalid text says what it expects', () =>
         for (const [id, wrong, words] of [['iterations', '12 times', 'Must be a whole number from 0 to 1,000.'], ['angle', 'wide', 'Must be a number.'], ['seed', 'NaN', 'Must be a whole number from 0 to 4,294,967,295.']]) {
             const field = page.locator(`#${id}`);
             await field.fill('');
-            assert.equal(await page.locator('.wanted').count(), 0, 'an empty field waits');
+            assert.equal(await page.locator('.range-note').count(), 0, 'an empty field waits');
             await field.fill(String(wrong));
             assert.equal(await page.locator(`#${await field.getAttribute('aria-errormessage')}`).textContent(), words);
             assert.equal(await field.getAttribute('aria-invalid'), 'true');
             await field.blur();
-            assert.equal(await page.locator('.wanted').count(), 0);
+            assert.equal(await page.locator('.range-note').count(), 0);
             assert.equal(await field.getAttribute('aria-invalid'), 'false');
         }
         // A value out of range becomes the nearest value; the note stays until the next change.
         await page.fill('#iterations', '5000');
         await page.locator('#iterations').blur();
         assert.equal(await page.inputValue('#iterations'), '1000');
-        assert.equal(await page.textContent('.wanted'), 'Must be a whole number from 0 to 1,000; the nearest value was taken.');
+        assert.equal(await page.textContent('.range-note'), 'Must be a whole number from 0 to 1,000; the nearest value was taken.');
         await page.fill('#iterations', '3');
-        assert.equal(await page.locator('.wanted').count(), 0);
+        assert.equal(await page.locator('.range-note').count(), 0);
     }));
 
 test('results and errors are announced once, after typing has paused', () =>

@@ -143,7 +143,7 @@ test('a drawing in space turns with the pointer', () =>
         const frame = await drawn(page);
         const before = await picture(frame);
         assert.ok(before.ink > 0.001);
-        assert.equal(await frame.locator('#stage.solid').count(), 1);
+        assert.equal(await frame.locator('#stage.space').count(), 1);
         await page.mouse.move(250, 200);
         await page.mouse.down();
         await page.mouse.move(330, 200, { steps: 4 });

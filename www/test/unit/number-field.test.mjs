@@ -56,7 +56,7 @@ test('a number field gives only numbers within its range, and shows the last num
         const field = new Field();
         /** @type {(number | null)[]} */
         const given = [range.low];
-        const how = { ...range, wanted: 'a number', settle: () => {}, change: (/** @type {number | null} */ value) => void given.push(value) };
+        const how = { ...range, expected: 'a number', settle: () => {}, change: (/** @type {number | null} */ value) => void given.push(value) };
         const element = /** @type {HTMLInputElement} */ (/** @type {unknown} */ (field));
         const write = optional ? optionalField(element, how) : numberField(element, how);
         write(range.low, 90);

@@ -99,7 +99,7 @@ test('places and speeds are shown in short form', () => {
 });
 
 test('the origin of a symbol is described in words', () => {
-    /** @type {import('../../js/protocol.js').Link[]} */
+    /** @type {import('../../js/protocol.js').AncestryLink[]} */
     const chain = [
         { generation: 0, symbol: 'Y', index: '1', production: null, position: 1 },
         { generation: 1, symbol: 'X', index: '4', production: 0, position: 2 },

@@ -1,6 +1,6 @@
 //! Random systems, with every field of a definition.
 
-use super::text::{Features, overrides, random_pieces, rules, word};
+use super::text::{SystemFeatures, overrides, random_pieces, rules, word};
 use super::view::style;
 use crate::Source;
 use lsystem::syntax::{ColourBy, Ink};
@@ -39,9 +39,9 @@ pub(crate) fn definition(source: &mut Source<'_>) -> Definition {
 }
 
 fn random_definition(source: &mut Source<'_>) -> Definition {
-    let features = Features::make(source);
+    let features = SystemFeatures::make(source);
     let mut definition = Definition {
-        axiom: word(source, Features { long: false, ..features }, &[], 1),
+        axiom: word(source, SystemFeatures { long: false, ..features }, &[], 1),
         rules: rules(source, features),
         angle: angle(source),
         iterations: match source.below(16) {

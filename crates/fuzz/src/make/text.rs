@@ -15,7 +15,7 @@ const STRANGE: &str =
 
 /// The features of a system beyond plain letters.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Features {
+pub(super) struct SystemFeatures {
     pub(super) contexts: bool,
     pub(super) parameters: bool,
     pub(super) weights: bool,
@@ -25,7 +25,7 @@ pub(super) struct Features {
     pub(super) long: bool,
 }
 
-impl Features {
+impl SystemFeatures {
     pub(super) fn make(source: &mut Source<'_>) -> Self {
         Self {
             contexts: source.once_in(5),
@@ -40,7 +40,7 @@ impl Features {
 }
 
 /// A symbol in a text, quoted if necessary.
-fn symbol(source: &mut Source<'_>, features: Features) -> String {
+fn symbol(source: &mut Source<'_>, features: SystemFeatures) -> String {
     match source.below(12) {
         0..8 => source.pick_char(COMMON).to_string(),
         8 | 9 if features.special => match source.pick_char(SPECIAL) {
@@ -55,7 +55,7 @@ fn symbol(source: &mut Source<'_>, features: Features) -> String {
 }
 
 /// A character, in backquotes if it has another meaning in the notation.
-fn quoted(symbol: char, features: Features) -> String {
+fn quoted(symbol: char, features: SystemFeatures) -> String {
     match symbol {
         '[' | ']' | '{' | '}' if !features.unbalanced => "F".to_owned(),
         '`' => "U+60".to_owned(),
@@ -66,7 +66,7 @@ fn quoted(symbol: char, features: Features) -> String {
 }
 
 /// A word; arguments of its modules use `names`.
-pub(super) fn word(source: &mut Source<'_>, features: Features, names: &[&str], depth: u32) -> String {
+pub(super) fn word(source: &mut Source<'_>, features: SystemFeatures, names: &[&str], depth: u32) -> String {
     let mut text = String::new();
     for _ in 0..source.between(1, 6) {
         let piece = match source.below(10) {
@@ -78,7 +78,7 @@ pub(super) fn word(source: &mut Source<'_>, features: Features, names: &[&str], 
             9 if features.long && depth > 0 => {
                 let times = source.pick(&[2, 3, 5, 10, 30, 100, 300, 1000, 2048, 8192]);
                 // Nested repeats would exceed the limit of texts.
-                let few = Features { long: false, ..features };
+                let few = SystemFeatures { long: false, ..features };
                 word(source, few, names, 0).repeat(times)
             }
             _ => symbol(source, features),
@@ -146,7 +146,7 @@ pub(crate) fn expression(source: &mut Source<'_>, names: &[&str], depth: u32) ->
 }
 
 /// A predecessor or a part of a context. Adds its parameters to `names`.
-fn pattern(source: &mut Source<'_>, features: Features, names: &mut Vec<&'static str>) -> String {
+fn pattern(source: &mut Source<'_>, features: SystemFeatures, names: &mut Vec<&'static str>) -> String {
     const NAMES: [&str; 8] = ["x", "y", "a", "b", "l", "w", "s", "t"];
     let symbol = if source.once_in(6) { symbol(source, features) } else { source.pick_char("FABXPQ").to_string() };
     if !features.parameters || source.once_in(2) {
@@ -159,7 +159,7 @@ fn pattern(source: &mut Source<'_>, features: Features, names: &mut Vec<&'static
 }
 
 /// A production.
-fn production(source: &mut Source<'_>, features: Features, image: bool) -> String {
+fn production(source: &mut Source<'_>, features: SystemFeatures, image: bool) -> String {
     let mut names = vec![];
     let mut text = String::new();
     let context = features.contexts && !image;
@@ -194,7 +194,7 @@ fn production(source: &mut Source<'_>, features: Features, image: bool) -> Strin
 }
 
 /// Rules, one on each line.
-pub(super) fn rules(source: &mut Source<'_>, features: Features) -> String {
+pub(super) fn rules(source: &mut Source<'_>, features: SystemFeatures) -> String {
     let mut lines = vec![];
     if features.parameters || source.once_in(10) {
         lines.push(format!("r = {}", source.pick(&["0.75", "0.9", "1", "2", "-1", "1.5*2", "1e300"])));
@@ -208,7 +208,7 @@ pub(super) fn rules(source: &mut Source<'_>, features: Features) -> String {
     if features.images {
         lines.push("draw:".to_owned());
         for _ in 0..source.between(1, 3) {
-            let image = Features { weights: false, ..features };
+            let image = SystemFeatures { weights: false, ..features };
             lines.push(production(source, image, true));
         }
     }
@@ -256,7 +256,7 @@ pub(crate) fn overrides(source: &mut Source<'_>) -> String {
     let mut lines = vec![];
     for _ in 0..source.between(1, 4) {
         let symbol = if source.once_in(8) { source.pick_char(SYMBOLS) } else { source.pick_char("FABXfG+-") };
-        let symbol = quoted(symbol, Features { unbalanced: true, ..Features::default() });
+        let symbol = quoted(symbol, SystemFeatures { unbalanced: true, ..SystemFeatures::default() });
         let mut actions = vec![];
         for _ in 0..source.pick(&[1, 1, 1, 2, 3, 6, 40]) {
             let number = if source.once_in(4) { source.number() } else { source.pick(&[0.0, 1.0, 90.0, 0.5, 17.3]) };

@@ -86,12 +86,12 @@ fn printed(system: &System, word: &[Module]) -> String {
 }
 
 /// A source of pages of generations: counts, or a remembered derivation.
-enum Reader<'a> {
+enum GenerationReader<'a> {
     Counted(&'a System, u32),
     Remembered(Box<History>, u32),
 }
 
-impl Reader<'_> {
+impl GenerationReader<'_> {
     fn modules(&self, generation: u32, start: u128) -> Vec<(char, Vec<f64>)> {
         let mut found = vec![];
         let mut visit = |symbol: char, arguments: &[f64]| found.push((symbol, arguments.to_vec()));
@@ -144,7 +144,7 @@ pub(super) fn access(source: &mut Source<'_>, gauge: &mut Gauge) {
     let mut readers = vec![];
     if gauge.call("word", || system.word(n)).is_some() {
         gauge.reach("counted");
-        readers.push(Reader::Counted(&system, n));
+        readers.push(GenerationReader::Counted(&system, n));
     }
     if let Some(mut history) = gauge.call("history", || system.history(n, &limits)) {
         gauge.steps("history step", WORK, || {
@@ -153,7 +153,7 @@ pub(super) fn access(source: &mut Source<'_>, gauge: &mut Gauge) {
         });
         if history.is_complete() {
             gauge.reach("remembered");
-            readers.push(Reader::Remembered(Box::new(history), n));
+            readers.push(GenerationReader::Remembered(Box::new(history), n));
         }
     }
     let words = if is_supported(&definition, &system) { words(&system, n) } else { vec![] };

@@ -9,22 +9,22 @@ use lsystem::{Definition, Dialect, Drawing, Progress, Renderer, Style, System, V
 use std::sync::Arc;
 
 /// The settings of a picture.
-struct Scene {
+struct PictureSettings {
     style: Style,
     viewport: Viewport,
     view: View,
     upto: Option<u128>,
 }
 
-impl Scene {
+impl PictureSettings {
     fn make(source: &mut Source<'_>, system: &System) -> Self {
         let style = if source.once_in(3) { make::style(source) } else { system.style.clone() };
         let upto = make::upto(source);
-        let scene = Self { style, viewport: make::viewport(source).within_limits(), view: make::view(source), upto };
+        let settings = Self { style, viewport: make::viewport(source).within_limits(), view: make::view(source), upto };
         if source.is_shown {
-            println!("{:?} {:?} upto {:?}\n{:?}", scene.viewport, scene.view, scene.upto, scene.style);
+            println!("{:?} {:?} upto {:?}\n{:?}", settings.viewport, settings.view, settings.upto, settings.style);
         }
-        scene
+        settings
     }
 
     /// The bytes for all pixels: subsamples, sums of ink and the picture itself.
@@ -44,20 +44,20 @@ impl Scene {
 }
 
 /// A random drawing and the settings of its picture.
-fn random_picture(source: &mut Source<'_>, ink: Ink, gauge: &mut Gauge) -> Option<(Arc<Drawing>, Scene)> {
+fn random_picture(source: &mut Source<'_>, ink: Ink, gauge: &mut Gauge) -> Option<(Arc<Drawing>, PictureSettings)> {
     let (definition, system) = make::system(source)?;
     let limits = make::limits(source);
     let drawing = drawn(&system, definition.iterations, &limits, gauge)?;
-    let mut scene = Scene::make(source, &system);
-    scene.style.ink = ink;
-    gauge.allow(scene.memory());
-    Some((drawing, scene))
+    let mut settings = PictureSettings::make(source, &system);
+    settings.style.ink = ink;
+    gauge.allow(settings.memory());
+    Some((drawing, settings))
 }
 
 /// Pictures in opaque ink.
 pub(super) fn render(source: &mut Source<'_>, gauge: &mut Gauge) {
-    let Some((drawing, scene)) = random_picture(source, Ink::Solid, gauge) else { return };
-    check_opaque(source, &drawing, &scene, gauge);
+    let Some((drawing, settings)) = random_picture(source, Ink::Solid, gauge) else { return };
+    check_opaque(source, &drawing, &settings, gauge);
 }
 
 /// Pictures of well-known systems in opaque ink, at random views.
@@ -85,46 +85,46 @@ pub(super) fn views(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
     let Some(system) = System::new(&definition).0 else { return };
     let Some(drawing) = drawn(&system, n, &make::limits(source), gauge) else { return };
-    let mut scene = Scene::make(source, &system);
-    scene.style.ink = Ink::Solid;
-    gauge.allow(scene.memory());
-    let _ = (fit(&drawing), fitted_scale(&drawing, scene.viewport));
-    check_opaque(source, &drawing, &scene, gauge);
+    let mut settings = PictureSettings::make(source, &system);
+    settings.style.ink = Ink::Solid;
+    gauge.allow(settings.memory());
+    let _ = (fit(&drawing), fitted_scale(&drawing, settings.viewport));
+    check_opaque(source, &drawing, &settings, gauge);
 }
 
 /// The largest magnification at which rounding does not move the edges of strokes.
 const MOST_EXACT: f64 = 1e12;
 
 /// Checks that the picture is the same in other steps and in panes.
-fn check_opaque(source: &mut Source<'_>, drawing: &Arc<Drawing>, scene: &Scene, gauge: &mut Gauge) {
+fn check_opaque(source: &mut Source<'_>, drawing: &Arc<Drawing>, settings: &PictureSettings, gauge: &mut Gauge) {
     let mut renderer = if source.once_in(6) { Renderer::light() } else { Renderer::new() };
     gauge.call("load", || renderer.load(drawing.clone()));
     if source.once_in(3) {
-        scene.picture(&mut renderer, Detail::Coarse, WORK, gauge);
+        settings.picture(&mut renderer, Detail::Coarse, WORK, gauge);
         gauge.reach("coarse");
     }
-    scene.picture(&mut renderer, Detail::Fine, WORK, gauge);
+    settings.picture(&mut renderer, Detail::Fine, WORK, gauge);
     gauge.reach("fine");
     let (pixels, stats) = (renderer.pixels().to_vec(), renderer.stats());
     if source.once_in(2) {
         let mut other = Renderer::new();
         other.load(drawing.clone());
-        scene.picture(&mut other, Detail::Fine, source.pick(&[1_000_000, 100, 3]), &mut Gauge::new());
+        settings.picture(&mut other, Detail::Fine, source.pick(&[1_000_000, 100, 3]), &mut Gauge::new());
         if stats.outlines + stats.parts == 0 && other.stats().outlines + other.stats().parts == 0 {
             gauge.reach("other steps");
             assert!(other.pixels() == pixels, "the picture depends on the size of steps");
         }
     }
     // A light renderer, tiles and outlines differ between panes by design.
-    let is_exact = scene.view.zoom.abs() < MOST_EXACT && stats.tiles + stats.outlines + stats.parts == 0;
+    let is_exact = settings.view.zoom.abs() < MOST_EXACT && stats.tiles + stats.outlines + stats.parts == 0;
     if is_exact && source.once_in(2) {
-        panes(source, drawing, scene, &pixels, gauge);
+        panes(source, drawing, settings, &pixels, gauge);
     }
 }
 
 /// Checks that the picture in panes equals the whole picture.
-fn panes(source: &mut Source<'_>, drawing: &Arc<Drawing>, scene: &Scene, whole: &[u8], gauge: &mut Gauge) {
-    let Scene { style, viewport, view, upto } = scene;
+fn panes(source: &mut Source<'_>, drawing: &Arc<Drawing>, settings: &PictureSettings, whole: &[u8], gauge: &mut Gauge) {
+    let PictureSettings { style, viewport, view, upto } = settings;
     let size = [source.pick(&[64, 16, 144, 48]), source.pick(&[16, 48, 64])];
     let mut renderer = Renderer::new();
     renderer.load(drawing.clone());
@@ -161,26 +161,26 @@ pub(super) fn differing(own: &[u8], whole: &[u8], pane: Pane, width: u32) -> usi
 
 /// Pictures in additive ink.
 pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
-    let Some((drawing, scene)) = random_picture(source, Ink::Density, gauge) else { return };
+    let Some((drawing, settings)) = random_picture(source, Ink::Density, gauge) else { return };
     let mut renderer = Renderer::new();
     gauge.call("load", || renderer.load(drawing.clone()));
     let detail = if source.once_in(3) { Detail::Coarse } else { Detail::Fine };
-    scene.picture(&mut renderer, detail, WORK, gauge);
+    settings.picture(&mut renderer, detail, WORK, gauge);
     gauge.reach("picture");
     if source.once_in(2) {
         let mut other = Renderer::new();
         other.load(drawing.clone());
         let work = source.pick(&[1_000_000, 100, 3]);
-        let Scene { style, viewport, view, upto } = &scene;
+        let PictureSettings { style, viewport, view, upto } = &settings;
         other.begin_with(style, *viewport, *view, detail, *upto);
         while other.step(work) == Progress::More {}
         assert!(other.pixels() == renderer.pixels(), "the picture depends on the size of steps");
     }
     let RenderStats { blocks, strokes, stamps, tiles, outlines, .. } = renderer.stats();
     // With more work than this, larger blocks become dots, in the whole picture sooner than in its panes.
-    let is_exact = scene.view.zoom.abs() < MOST_EXACT && tiles + outlines == 0 && blocks + strokes + stamps < 40_000;
+    let is_exact = settings.view.zoom.abs() < MOST_EXACT && tiles + outlines == 0 && blocks + strokes + stamps < 40_000;
     if is_exact && detail == Detail::Fine && source.once_in(2) {
-        let Scene { style, viewport, view, upto } = &scene;
+        let PictureSettings { style, viewport, view, upto } = &settings;
         let size = [source.pick(&[64, 16, 144]), source.pick(&[16, 48, 64])];
         let mut other = Renderer::new();
         other.load(drawing);

@@ -2,7 +2,7 @@
 
 use super::context::Neighbours;
 use super::modules::{Chance, Modules};
-use super::step::Plan;
+use super::step::RewritePlan;
 use crate::rules::Rule;
 
 /// Reused memory.
@@ -23,8 +23,8 @@ pub(super) struct Scratch {
 pub(super) const MOST_LOOKS: u64 = 3 << 16;
 
 /// A module and its neighbours.
-pub(super) struct Place<'a> {
-    pub(super) plan: &'a Plan,
+pub(super) struct ModuleInContext<'a> {
+    pub(super) plan: &'a RewritePlan,
     pub(super) word: &'a Modules,
     pub(super) neighbours: &'a Neighbours,
     pub(super) place: usize,
@@ -33,8 +33,8 @@ pub(super) struct Place<'a> {
     pub(super) chance: Chance,
 }
 
-impl<'a> Place<'a> {
-    /// The production that applies. [`Place::slots`] are then its parameters.
+impl<'a> ModuleInContext<'a> {
+    /// The production that applies. [`ModuleInContext::slots`] are then its parameters.
     #[inline]
     pub(super) fn choose(&self, rules: &'a [Rule], scratch: &mut Scratch, work: &mut u64) -> Option<&'a Rule> {
         match rules {
@@ -81,7 +81,7 @@ impl<'a> Place<'a> {
         self.applies(&rules[index], scratch, work).then_some(&rules[index])
     }
 
-    /// Whether a production applies here. [`Place::slots`] are then its parameters.
+    /// Whether a production applies here. [`ModuleInContext::slots`] are then its parameters.
     #[inline]
     fn applies(&self, rule: &Rule, scratch: &mut Scratch, work: &mut u64) -> bool {
         *work += 1;

@@ -12,7 +12,7 @@ pub(super) const NONE: u32 = u32::MAX;
 
 /// The role of a letter in contexts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Role {
+pub(super) enum ContextRole {
     /// `[`
     Open,
     /// `]`
@@ -24,13 +24,13 @@ pub(super) enum Role {
 }
 
 /// By letter: its role.
-pub(super) fn roles(rules: &Rules) -> Vec<Role> {
+pub(super) fn roles(rules: &Rules) -> Vec<ContextRole> {
     (rules.letters.iter().zip(&rules.considered))
         .map(|(letter, &considered)| match (letter.symbol, considered) {
-            ('[', _) => Role::Open,
-            (']', _) => Role::Close,
-            (_, true) => Role::Seen,
-            (_, false) => Role::Ignored,
+            ('[', _) => ContextRole::Open,
+            (']', _) => ContextRole::Close,
+            (_, true) => ContextRole::Seen,
+            (_, false) => ContextRole::Ignored,
         })
         .collect()
 }
@@ -88,30 +88,30 @@ impl Neighbours {
 
     /// Visits one module in the leftward pass; its arguments start at `argument`.
     #[inline]
-    pub(super) fn leftward(&mut self, place: usize, argument: usize, role: Role) {
+    pub(super) fn leftward(&mut self, place: usize, argument: usize, role: ContextRole) {
         self.arguments[place] = argument as u32;
         self.right[place] = self.nearest;
         match role {
-            Role::Close => {
+            ContextRole::Close => {
                 self.open.push((self.nearest, place as u32 + 1));
                 self.nearest = NONE;
             }
             // An unmatched `[` opens a branch to the end of the word.
-            Role::Open => (self.nearest, self.after[place]) = self.open.pop().unwrap_or((NONE, NONE)),
-            Role::Seen => self.nearest = place as u32,
-            Role::Ignored => {}
+            ContextRole::Open => (self.nearest, self.after[place]) = self.open.pop().unwrap_or((NONE, NONE)),
+            ContextRole::Seen => self.nearest = place as u32,
+            ContextRole::Ignored => {}
         }
     }
 
     /// Visits one module in the rightward pass.
     #[inline]
-    pub(super) fn rightward(&mut self, place: usize, role: Role) {
+    pub(super) fn rightward(&mut self, place: usize, role: ContextRole) {
         self.left[place] = self.nearest;
         match role {
-            Role::Open => self.open.push((self.nearest, 0)),
-            Role::Close => self.nearest = self.open.pop().map_or(NONE, |(nearest, _)| nearest),
-            Role::Seen => self.nearest = place as u32,
-            Role::Ignored => {}
+            ContextRole::Open => self.open.push((self.nearest, 0)),
+            ContextRole::Close => self.nearest = self.open.pop().map_or(NONE, |(nearest, _)| nearest),
+            ContextRole::Seen => self.nearest = place as u32,
+            ContextRole::Ignored => {}
         }
     }
 
@@ -144,7 +144,7 @@ impl Neighbours {
     pub(super) fn match_right(
         &self,
         word: &[LetterId],
-        roles: &[Role],
+        roles: &[ContextRole],
         place: usize,
         pattern: &[ContextPattern],
         found: &mut Vec<u32>,
@@ -171,8 +171,8 @@ impl Neighbours {
                             return false;
                         }
                         match roles[usize::from(letter)] {
-                            Role::Ignored => at += 1,
-                            Role::Open => {
+                            ContextRole::Ignored => at += 1,
+                            ContextRole::Open => {
                                 let start = found.len();
                                 if self.match_right(word, roles, at, rest, found, (work, until)) {
                                     return true;
@@ -180,7 +180,7 @@ impl Neighbours {
                                 found.truncate(start);
                                 at = self.after[at] as usize;
                             }
-                            Role::Close | Role::Seen => return false,
+                            ContextRole::Close | ContextRole::Seen => return false,
                         }
                     }
                     return false;
@@ -196,9 +196,9 @@ impl Neighbours {
                         match word.get(at).map(|&letter| roles[usize::from(letter)]) {
                             // The end of the word closes every branch.
                             None => return rest.iter().all(|piece| *piece == ContextPattern::Close),
-                            Some(Role::Close) => break,
-                            Some(Role::Open) => at = self.after[at] as usize,
-                            Some(Role::Seen | Role::Ignored) => at += 1,
+                            Some(ContextRole::Close) => break,
+                            Some(ContextRole::Open) => at = self.after[at] as usize,
+                            Some(ContextRole::Seen | ContextRole::Ignored) => at += 1,
                         }
                     }
                     place = at;

@@ -38,36 +38,36 @@ pub struct History {
     /// By letter: the number of segments it draws.
     drawn: Vec<u64>,
     /// By production: its place in the rules, and the number of segments its successor draws.
-    productions: Vec<Option<Source>>,
+    productions: Vec<Option<SourceProduction>>,
     axiom: Modules,
     /// By generation except the last: the records of the step after it.
-    steps: Vec<Step>,
+    steps: Vec<StepRecord>,
     /// By generation: the number of modules.
     lengths: Vec<usize>,
     /// By generation: its modules; `None` if generations are not kept.
     words: Option<Vec<Kept>>,
     /// The images of the modules of generation `n`, once counted.
-    images: Option<Step>,
+    images: Option<StepRecord>,
     /// The bytes of the records.
     bytes: u64,
     /// The most bytes of the records and the generations under construction together.
     memory: u64,
-    state: State,
+    stage: Stage,
     /// The units of work of all steps.
     spent: u64,
 }
 
 #[derive(Clone, Debug)]
-enum State {
+enum Stage {
     Derive(Box<Rewriter>),
     /// Counting the modules that a step made.
-    Sum(Box<Rewriter>, Step),
+    Sum(Box<Rewriter>, StepRecord),
     /// Copying a generation. The number is the index of the next module's first argument.
     Keep(Box<Rewriter>, Kept, usize),
     /// Counting the segments of the last generation.
     Count {
         rewriter: Box<Rewriter>,
-        sums: Sums,
+        sums: PrefixSums,
         choices: Choices,
         /// The index of the next module's first argument.
         argument: usize,
@@ -76,7 +76,7 @@ enum State {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Source {
+struct SourceProduction {
     letter: u16,
     index: usize,
     /// Whether the production stands below `draw:`.
@@ -87,10 +87,10 @@ struct Source {
 
 /// The records of one derivation step.
 #[derive(Clone, Debug, Default)]
-struct Step {
+struct StepRecord {
     choices: Choices,
     /// The number of modules that the modules before each block made.
-    sums: Sums,
+    sums: PrefixSums,
 }
 
 /// A whole generation.
@@ -98,18 +98,18 @@ struct Step {
 struct Kept {
     word: Modules,
     /// The number of arguments before each block.
-    arguments: Sums,
+    arguments: PrefixSums,
 }
 
 /// Sums over the modules before each block.
 #[derive(Clone, Debug, Default)]
-struct Sums {
+struct PrefixSums {
     before: Vec<u64>,
     total: u64,
     count: usize,
 }
 
-impl Sums {
+impl PrefixSums {
     /// Sums of `count` modules, without memory yet.
     fn of(count: usize) -> Self {
         Self { count, ..Self::default() }
@@ -164,7 +164,7 @@ impl History {
                     let segments = rule.successor.letters.iter().map(|&letter| drawn[usize::from(letter)]).sum();
                     let modules = rule.successor.letters.len() as u32;
                     productions[rule.production] =
-                        Some(Source { letter: letter as u16, index, image, modules, segments });
+                        Some(SourceProduction { letter: letter as u16, index, image, modules, segments });
                 }
             }
         }
@@ -186,7 +186,7 @@ impl History {
             images: None,
             bytes: axiom.bytes(),
             memory: limits.memory,
-            state: State::Done,
+            stage: Stage::Done,
             axiom,
             spent: 0,
         };
@@ -340,7 +340,7 @@ impl History {
         usize::try_from(index).ok().filter(|&place| place < length)
     }
 
-    fn rule(&self, source: Source) -> &Rule {
+    fn rule(&self, source: SourceProduction) -> &Rule {
         let lists = if source.image { &self.rules.images } else { &self.rules.by_letter };
         &lists[usize::from(source.letter)][source.index]
     }
@@ -349,7 +349,7 @@ impl History {
         self.productions.get(production).copied().flatten().map(|source| self.rule(source))
     }
 
-    fn segments(&self, images: &Step, place: usize, letter: u16) -> u64 {
+    fn segments(&self, images: &StepRecord, place: usize, letter: u16) -> u64 {
         match images.choices.get(place) {
             Choice::Made(production) => self.productions[production].map_or(0, |source| source.segments),
             Choice::Stayed | Choice::Cut => self.drawn[usize::from(letter)],
@@ -357,13 +357,13 @@ impl History {
     }
 
     /// The place of the first module in the next generation that the module at `place` makes.
-    fn first(&self, step: &Step, place: usize) -> usize {
+    fn first(&self, step: &StepRecord, place: usize) -> usize {
         let (before, block) = step.sums.block(place);
         (block..place).fold(before, |sum, place| sum + made_of(&self.productions, step.choices.get(place))) as usize
     }
 
     /// The place of the module that made the module at `place` of the next generation.
-    fn parent(&self, step: &Step, place: usize) -> usize {
+    fn parent(&self, step: &StepRecord, place: usize) -> usize {
         let (mut before, mut at) = step.sums.holding(place as u64);
         loop {
             before += made_of(&self.productions, step.choices.get(at));
@@ -419,7 +419,14 @@ impl History {
     /// The modules that derivation step `number` makes of `word`, limited to those in `range`. `word` are the modules
     /// at
     /// `places` of their generation; `range` counts from the first module made.
-    fn derived(&self, word: &Modules, step: &Step, places: Range<usize>, number: u32, range: Range<usize>) -> Modules {
+    fn derived(
+        &self,
+        word: &Modules,
+        step: &StepRecord,
+        places: Range<usize>,
+        number: u32,
+        range: Range<usize>,
+    ) -> Modules {
         let mut next = Modules::default();
         let mut argument = 0;
         for (at, place) in places.enumerate() {
@@ -453,7 +460,7 @@ impl History {
 }
 
 /// The number of modules that one module makes.
-fn made_of(productions: &[Option<Source>], choice: Choice) -> u64 {
+fn made_of(productions: &[Option<SourceProduction>], choice: Choice) -> u64 {
     match choice {
         Choice::Stayed => 1,
         Choice::Cut => 0,
@@ -463,11 +470,11 @@ fn made_of(productions: &[Option<Source>], choice: Choice) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{BLOCK, Sums};
+    use super::{BLOCK, PrefixSums};
 
     #[test]
     fn a_sum_at_the_end_of_a_block_is_held_by_the_next() {
-        let mut sums = Sums::default();
+        let mut sums = PrefixSums::default();
         // Blocks 1 and 2 add nothing, so a search skips them.
         (0..BLOCK).for_each(|_| sums.add(3));
         (BLOCK..3 * BLOCK).for_each(|_| sums.add(0));

@@ -1,6 +1,6 @@
 //! The images of modules: productions below `draw:`, applied once before drawing (a homomorphism).
 
-use super::choose::{MOST_LOOKS, Place, Scratch};
+use super::choose::{MOST_LOOKS, ModuleInContext, Scratch};
 use super::modules::{Chance, Modules, NotFinite};
 use super::step::{Fault, Rewriter};
 use crate::rules::Rule;
@@ -60,16 +60,16 @@ impl Rewriter {
         self.choose_image(&self.pictured(place, argument), scratch, work).map(|rule| rule.production)
     }
 
-    fn pictured(&self, place: usize, argument: usize) -> Place<'_> {
+    fn pictured(&self, place: usize, argument: usize) -> ModuleInContext<'_> {
         let Self { plan, word, neighbours, .. } = self;
         let own = argument..argument + usize::from(plan.arities[usize::from(word.letters[place])]);
         let chance = Chance { key: word.key_of(place), seed: plan.seed, step: STEP };
-        Place { plan, word, neighbours, place, own: &word.arguments[own], chance }
+        ModuleInContext { plan, word, neighbours, place, own: &word.arguments[own], chance }
     }
 
     // Inlined twice, the function would enlarge the page's wasm for no gain in speed.
     #[inline(never)]
-    fn choose_image<'a>(&'a self, at: &Place<'a>, scratch: &mut Scratch, work: &mut u64) -> Option<&'a Rule> {
+    fn choose_image<'a>(&'a self, at: &ModuleInContext<'a>, scratch: &mut Scratch, work: &mut u64) -> Option<&'a Rule> {
         let letter = usize::from(self.word.letters[at.place]);
         scratch.until = *work + MOST_LOOKS;
         at.choose(&self.plan.rules.images[letter], scratch, work)

@@ -5,7 +5,7 @@ mod cut;
 
 use super::choices::Choices;
 use super::choose::Scratch;
-use super::context::{Neighbours, Role, roles};
+use super::context::{ContextRole, Neighbours, roles};
 use super::modules::{Modules, NotFinite};
 use super::room::held;
 use super::table::{Sides, Table};
@@ -27,14 +27,14 @@ pub enum Fault {
 /// Derives one generation after another.
 #[derive(Clone, Debug)]
 pub struct Rewriter {
-    pub(super) plan: Plan,
+    pub(super) plan: RewritePlan,
     pub(super) word: Modules,
     next: Modules,
     pub(super) neighbours: Neighbours,
     sides: Sides,
     scratch: Scratch,
     generation: u32,
-    pass: Pass,
+    pass: StepPass,
     work: u64,
     /// The units of work of all steps.
     spent: u64,
@@ -55,9 +55,9 @@ struct Record {
 
 /// Data that stays the same from step to step.
 #[derive(Clone, Debug)]
-pub(super) struct Plan {
+pub(super) struct RewritePlan {
     pub(super) rules: Arc<Rules>,
-    pub(super) roles: Vec<Role>,
+    pub(super) roles: Vec<ContextRole>,
     /// By letter: the number of arguments.
     pub(super) arities: Vec<u8>,
     /// By letter: whether it has no production.
@@ -77,7 +77,7 @@ pub(super) struct Plan {
 
 /// The progress of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Pass {
+enum StepPass {
     /// The step has not begun.
     Start,
     /// Rightward: removing the modules that are cut off.
@@ -123,7 +123,7 @@ impl Rewriter {
         let mut word = Modules::default();
         word.start(&rules.axiom, &arities, seed, random).map_err(|NotFinite| Fault::NotFinite(None))?;
         let roles = roles(&rules);
-        let plan = Plan {
+        let plan = RewritePlan {
             contexts: rules.by_letter.iter().flatten().any(Rule::is_context_sensitive),
             table: if rules.is_parametric() || random { None } else { Table::new(&rules, &roles) },
             inert: rules.by_letter.iter().map(Vec::is_empty).collect(),
@@ -145,7 +145,7 @@ impl Rewriter {
             sides: Sides::default(),
             scratch: Scratch::default(),
             generation: 0,
-            pass: Pass::Start,
+            pass: StepPass::Start,
             work: 0,
             spent: 0,
             record: None,
@@ -208,7 +208,7 @@ impl Rewriter {
 
     /// Frees the memory that only deriving needs. The next step allocates it again.
     pub fn rest(&mut self) {
-        if self.pass == Pass::Start {
+        if self.pass == StepPass::Start {
             self.next = Modules::default();
             self.neighbours = Neighbours::default();
             self.sides = Sides::default();
@@ -249,30 +249,30 @@ impl Rewriter {
         let length = self.word.letters.len();
         let piece = usize::try_from(meter.left()).unwrap_or(usize::MAX).clamp(1, PIECE);
         match self.pass {
-            Pass::Start => self.begin()?,
-            Pass::Cut(mut cutting) => {
+            StepPass::Start => self.begin()?,
+            StepPass::Cut(mut cutting) => {
                 let (start, kept) = (cutting.at.0, cutting.kept.0);
                 let done = self.cut(&mut cutting, piece)?;
                 let passed = cutting.at.0 - start;
                 meter.charge(passed as u64);
                 // Only modules cut off count here; modules kept count when they are rewritten.
                 self.work += (passed - (cutting.kept.0 - kept)) as u64;
-                self.pass = if done { self.pass_after_cutting() } else { Pass::Cut(cutting) };
+                self.pass = if done { self.pass_after_cutting() } else { StepPass::Cut(cutting) };
             }
-            Pass::Count(start, mut brackets) => {
+            StepPass::Count(start, mut brackets) => {
                 let end = (start + piece * QUICK).min(length);
                 for &letter in &self.word.letters[start..end] {
                     let role = self.plan.roles[usize::from(letter)];
-                    brackets[0] += usize::from(role == Role::Open);
-                    brackets[1] += usize::from(role == Role::Close);
+                    brackets[0] += usize::from(role == ContextRole::Open);
+                    brackets[1] += usize::from(role == ContextRole::Close);
                 }
                 meter.charge(((end - start) / QUICK) as u64 + 1);
-                self.pass = Pass::Count(end, brackets);
+                self.pass = StepPass::Count(end, brackets);
                 if end == length {
                     self.make_places(brackets[0].max(brackets[1]))?;
                 }
             }
-            Pass::Room(left) => {
+            StepPass::Room(left) => {
                 let count = left.min(piece * QUICK);
                 match &self.plan.table {
                     Some(_) => self.sides.extend(count),
@@ -280,24 +280,25 @@ impl Rewriter {
                 }
                 meter.charge((count / QUICK) as u64 + 1);
                 let whole = (length, self.word.arguments.len());
-                self.pass = if count == left { Pass::Leftward(whole.0, whole.1) } else { Pass::Room(left - count) };
+                self.pass =
+                    if count == left { StepPass::Leftward(whole.0, whole.1) } else { StepPass::Room(left - count) };
             }
-            Pass::Leftward(0, _) => {
+            StepPass::Leftward(0, _) => {
                 self.neighbours.start_pass();
                 self.sides.start_pass();
-                self.pass = Pass::Rightward(0, 0);
+                self.pass = StepPass::Rightward(0, 0);
             }
-            Pass::Leftward(end, arguments) => self.leftward(end, arguments, piece, meter),
-            Pass::Rightward(start, _) if start == length => {
+            StepPass::Leftward(end, arguments) => self.leftward(end, arguments, piece, meter),
+            StepPass::Rightward(start, _) if start == length => {
                 if let Some(record) = &mut self.record {
                     record.choices.cut(record.length - record.choices.len());
                 }
                 core::mem::swap(&mut self.word, &mut self.next);
                 self.generation += 1;
-                self.pass = Pass::Start;
+                self.pass = StepPass::Start;
                 return Ok(true);
             }
-            Pass::Rightward(start, arguments) => self.rightward(start, arguments, piece, meter)?,
+            StepPass::Rightward(start, arguments) => self.rightward(start, arguments, piece, meter)?,
         }
         Ok(false)
     }
@@ -315,7 +316,7 @@ impl Rewriter {
                 record.choices.reserve(record.length);
             }
         }
-        self.pass = if self.plan.cutting { Pass::Cut(Cutting::default()) } else { self.pass_after_cutting() };
+        self.pass = if self.plan.cutting { StepPass::Cut(Cutting::default()) } else { self.pass_after_cutting() };
         Ok(())
     }
 
@@ -331,7 +332,7 @@ impl Rewriter {
             }
         }
         meter.charge((end - start) as u64);
-        self.pass = Pass::Leftward(start, arguments);
+        self.pass = StepPass::Leftward(start, arguments);
     }
 
     /// Makes room in the next generation for more modules and arguments, if needed.
@@ -355,8 +356,8 @@ impl Rewriter {
     }
 
     /// The first pass after the cutting of branches.
-    fn pass_after_cutting(&mut self) -> Pass {
-        if self.plan.contexts { Pass::Count(0, [0, 0]) } else { Pass::Rightward(0, 0) }
+    fn pass_after_cutting(&mut self) -> StepPass {
+        if self.plan.contexts { StepPass::Count(0, [0, 0]) } else { StepPass::Rightward(0, 0) }
     }
 
     /// Reserves memory for the neighbours of the word's modules. The word has at most `brackets` of each kind of
@@ -372,7 +373,7 @@ impl Rewriter {
             Some(_) => self.sides.reset(length, brackets),
             None => self.neighbours.reset(length, brackets),
         }
-        self.pass = Pass::Room(length);
+        self.pass = StepPass::Room(length);
         Ok(())
     }
 }
@@ -380,7 +381,13 @@ impl Rewriter {
 /// Makes room in a generation for more modules and arguments, within the limits. `others` are the bytes of all other
 /// memory.
 #[cold]
-fn make_room(plan: &Plan, next: &mut Modules, others: u64, modules: usize, arguments: usize) -> Result<(), Fault> {
+fn make_room(
+    plan: &RewritePlan,
+    next: &mut Modules,
+    others: u64,
+    modules: usize,
+    arguments: usize,
+) -> Result<(), Fault> {
     let (modules, arguments) = (next.letters.len() + modules, next.arguments.len() + arguments);
     if modules.max(arguments) as u64 > plan.limits.modules {
         return Err(Fault::Limit(LimitName::Modules));

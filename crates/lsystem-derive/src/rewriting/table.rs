@@ -2,7 +2,7 @@
 //! each side.
 
 use super::choices::{Choice, Choices};
-use super::context::Role;
+use super::context::ContextRole;
 use super::room::{held, renew, room_for};
 use crate::rules::{ContextPattern, LetterId, Rules};
 
@@ -96,14 +96,14 @@ impl Sides {
 
 impl Updates {
     /// The updates of a pass in which the role `begin` begins a branch.
-    fn new(roles: &[Role], begin: Role, inside: u8) -> Self {
+    fn new(roles: &[ContextRole], begin: ContextRole, inside: u8) -> Self {
         let mut updates = Self { keep: [0; MAX_LETTERS], put: [0; MAX_LETTERS], inside };
         for (letter, &role) in roles.iter().enumerate() {
             (updates.keep[letter], updates.put[letter]) = match role {
-                Role::Seen => (0, letter as u8 + 1),
-                Role::Ignored => (u8::MAX, 0),
+                ContextRole::Seen => (0, letter as u8 + 1),
+                ContextRole::Ignored => (u8::MAX, 0),
                 _ if role == begin => (0, BEGIN),
-                Role::Open | Role::Close => (0, END),
+                ContextRole::Open | ContextRole::Close => (0, END),
             };
         }
         updates
@@ -126,7 +126,7 @@ impl Updates {
 
 impl Table {
     /// The table; `None` if the rules have other productions or too many letters.
-    pub(super) fn new(rules: &Rules, roles: &[Role]) -> Option<Self> {
+    pub(super) fn new(rules: &Rules, roles: &[ContextRole]) -> Option<Self> {
         let letters = rules.letters.len();
         let short = |rule: &crate::rules::Rule| rule.is_plain() && rule.successor.letters.len() <= LONGEST;
         if letters > MAX_LETTERS || !rules.by_letter.iter().flatten().all(short) {
@@ -141,8 +141,8 @@ impl Table {
             chosen: (0..letters << (2 * bits)).map(|slot| ((slot >> (2 * bits)) as u16, 1)).collect(),
             successors: (0..letters).map(stay).collect(),
             productions: vec![Choice::Stayed; letters],
-            leftward: Updates::new(roles, Role::Close, 0),
-            rightward: Updates::new(roles, Role::Open, u8::MAX),
+            leftward: Updates::new(roles, ContextRole::Close, 0),
+            rightward: Updates::new(roles, ContextRole::Open, u8::MAX),
         };
         for (letter, by_letter) in rules.by_letter.iter().enumerate() {
             // The first matching rule decides, so it is written last.

@@ -28,7 +28,7 @@ pub struct Body {
 impl Space for Solid {
     type Hull = Body;
     type Extent = Extent;
-    type Survey = Survey;
+    type Survey = SolidSurvey;
 
     fn enclose(input: HullInput<'_, Self>, items: &[Item<Self>]) -> Enclosed<Self> {
         let HullInput { blocks, items: made, corners, vertices, .. } = input;
@@ -52,11 +52,11 @@ impl Space for Solid {
         SceneSize::LEAST
     }
 
-    fn survey(root: BlockId) -> Survey {
-        Survey::new(root)
+    fn survey(root: BlockId) -> SolidSurvey {
+        SolidSurvey::new(root)
     }
 
-    fn advance(survey: &mut Survey, contents: Contents<'_, Self>, meter: &mut Meter) -> Option<Extent> {
+    fn advance(survey: &mut SolidSurvey, contents: Contents<'_, Self>, meter: &mut Meter) -> Option<Extent> {
         survey.step(contents, meter)
     }
 }
@@ -143,7 +143,7 @@ pub struct Extent {
 
 /// A search, with bounded effort, for the smallest box around a drawing and for its girth.
 #[derive(Clone, Debug)]
-pub struct Survey {
+pub struct SolidSurvey {
     root: BlockId,
     /// The sides found so far: the least coordinates, then the greatest.
     sides: Vec<f64>,
@@ -155,7 +155,7 @@ pub struct Survey {
     ring: Option<MaximumSearch<OutwardCoordinate>>,
 }
 
-impl Survey {
+impl SolidSurvey {
     pub fn new(root: BlockId) -> Self {
         Self { root, sides: vec![], side: None, reach: vec![], ring: None }
     }

@@ -40,8 +40,8 @@ impl SegmentArrays {
     }
 
     /// The slices for `len` segments from number `first` on.
-    fn room(&mut self, first: usize, len: usize) -> Room<'_> {
-        Room {
+    fn slices(&mut self, first: usize, len: usize) -> SegmentSlices<'_> {
+        SegmentSlices {
             ends: &mut self.ends[4 * first..4 * (first + len)],
             colours: &mut self.colours[first..first + len],
             levels: &mut self.levels[first..first + len],
@@ -68,7 +68,7 @@ impl Drawing {
         }
         let mut done = 0;
         Emitter::new(self).run(&mut |len, write| {
-            write(arrays.room(done, len));
+            write(arrays.slices(done, len));
             done += len;
         });
         Ok(())
@@ -85,7 +85,7 @@ impl Drawing {
                 visit(chunk.first(done));
                 done = 0;
             }
-            write(chunk.room(done, len));
+            write(chunk.slices(done, len));
             done += len;
         });
         if done > 0 {
@@ -95,14 +95,14 @@ impl Drawing {
 }
 
 /// The slices that receive the next segments.
-struct Room<'a> {
+struct SegmentSlices<'a> {
     ends: &'a mut [f32],
     colours: &'a mut [i32],
     levels: &'a mut [u16],
 }
 
 /// Makes room for a number of segments, then calls the function that writes them.
-type Sink<'s> = &'s mut dyn FnMut(usize, &mut dyn FnMut(Room<'_>));
+type Sink<'s> = &'s mut dyn FnMut(usize, &mut dyn FnMut(SegmentSlices<'_>));
 
 /// The segments of a block in its own frame.
 struct BlockCopy {
@@ -173,10 +173,10 @@ impl<'a> Emitter<'a> {
                         Item::Stroke(stroke) => {
                             let style = frame.style.then(&drawing.styles[stroke.style.0 as usize]);
                             let ends = ends(frame.transform(stroke.from), frame.transform(stroke.to));
-                            sink(1, &mut |room| {
-                                room.ends.copy_from_slice(&ends);
-                                room.colours[0] = style.colour.of(0);
-                                room.levels[0] = level(style.level);
+                            sink(1, &mut |slices| {
+                                slices.ends.copy_from_slice(&ends);
+                                slices.colours[0] = style.colour.of(0);
+                                slices.levels[0] = level(style.level);
                             });
                         }
                         Item::Polygon(_) => {}
@@ -215,13 +215,13 @@ impl<'a> Emitter<'a> {
             TurnedCopy { block, heading: frame.heading, scale: frame.scale, ends }
         });
         let fits = turned.block == block && turned.heading == frame.heading && turned.scale == frame.scale;
-        sink(copy.ends.len() / 4, &mut |room| {
+        sink(copy.ends.len() / 4, &mut |slices| {
             if fits {
-                shift(&turned.ends, at, room.ends);
+                shift(&turned.ends, at, slices.ends);
             } else {
-                place(&copy.ends, turn, at, room.ends);
+                place(&copy.ends, turn, at, slices.ends);
             }
-            copy.write_styles(&frame.style, room.colours, room.levels);
+            copy.write_styles(&frame.style, slices.colours, slices.levels);
         });
     }
 }

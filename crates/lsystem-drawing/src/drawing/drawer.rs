@@ -29,13 +29,13 @@ pub struct Drawer<S: Space = Plane> {
     builder: Builder<S>,
     /// The number of symbols of the generation, if counted.
     symbols: Option<u64>,
-    state: State<S>,
+    stage: Stage<S>,
     /// The units of work of all steps so far.
     spent: u64,
 }
 
 #[derive(Clone, Debug)]
-enum State<S: Space> {
+enum Stage<S: Space> {
     Share(Share<S>),
     Unfold(Unfold<S>),
     /// The search for the extent of the finished blocks.
@@ -69,14 +69,14 @@ impl<S: Space> Drawer<S> {
         let score = turtle.score(&reachable);
         let task = Task { rules, turtle, score, seed, n, limits };
         let shares = Share::is_possible(&task);
-        let state = if n > MAX_ITERATIONS {
-            State::Failed(Diagnostic::limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)))
+        let stage = if n > MAX_ITERATIONS {
+            Stage::Failed(Diagnostic::limit(LimitName::Iterations, u64::from(MAX_ITERATIONS), Some(MAX_ITERATIONS)))
         } else if shares {
-            Share::new(&task).map_or_else(State::Failed, State::Share)
+            Share::new(&task).map_or_else(Stage::Failed, Stage::Share)
         } else {
-            Unfold::new(&task, None).map_or_else(State::Failed, State::Unfold)
+            Unfold::new(&task, None).map_or_else(Stage::Failed, Stage::Unfold)
         };
-        Self { task, shares, builder: Builder::within(limits.memory), symbols: None, state, spent: 0 }
+        Self { task, shares, builder: Builder::within(limits.memory), symbols: None, stage, spent: 0 }
     }
 
     /// Continues for about `work` units (100,000 take a few milliseconds). Returns whether there is more to do.
@@ -89,15 +89,15 @@ impl<S: Space> Drawer<S> {
             self.advance(&mut meter);
             if self.builder.is_full || self.bytes() > self.task.limits.memory {
                 self.builder = Builder::new();
-                let searches = match &mut self.state {
-                    State::Unfold(unfold) => unfold.begin_search(&self.task),
+                let searches = match &mut self.stage {
+                    Stage::Unfold(unfold) => unfold.begin_search(&self.task),
                     _ => false,
                 };
                 if !searches {
-                    self.state = State::Failed(Diagnostic::limit(LimitName::Memory, self.task.limits.memory, None));
+                    self.stage = Stage::Failed(Diagnostic::limit(LimitName::Memory, self.task.limits.memory, None));
                 }
             }
-            if matches!(self.state, State::Done { .. } | State::Failed(_)) {
+            if matches!(self.stage, Stage::Done { .. } | Stage::Failed(_)) {
                 progress = Progress::Done;
             }
         }
@@ -115,13 +115,13 @@ impl<S: Space> Drawer<S> {
     /// for its pictures.
     #[must_use]
     pub fn bytes(&self) -> u64 {
-        let state = match &self.state {
-            State::Share(share) => share.bytes(),
-            State::Unfold(unfold) => unfold.bytes(),
-            State::Survey { pieces, .. } | State::Done { pieces, .. } => pieces.bytes(),
-            State::Failed(_) => 0,
+        let stage = match &self.stage {
+            Stage::Share(share) => share.bytes(),
+            Stage::Unfold(unfold) => unfold.bytes(),
+            Stage::Survey { pieces, .. } | Stage::Done { pieces, .. } => pieces.bytes(),
+            Stage::Failed(_) => 0,
         };
-        self.builder.bytes() + self.builder.scene.bytes(self.shares) + state
+        self.builder.bytes() + self.builder.scene.bytes(self.shares) + stage
     }
 
     /// Runs all steps left and returns the drawing.
@@ -130,9 +130,9 @@ impl<S: Space> Drawer<S> {
     /// As [`draw`].
     pub fn finish(mut self) -> Result<Drawing<S>, Diagnostic> {
         while self.step(1 << 20) == Progress::More {}
-        let (root, pieces, extent) = match self.state {
-            State::Failed(diagnostic) => return Err(diagnostic),
-            State::Done { root, pieces, extent } => (root, pieces, extent),
+        let (root, pieces, extent) = match self.stage {
+            Stage::Failed(diagnostic) => return Err(diagnostic),
+            Stage::Done { root, pieces, extent } => (root, pieces, extent),
             _ => (None, Pieces::None, None),
         };
         self.builder.shrink();
@@ -155,42 +155,42 @@ impl<S: Space> Drawer<S> {
         })
     }
 
-    /// Continues in the present state, or changes to the next.
+    /// Continues in the present stage, or changes to the next.
     // Inlined, the code would be twice in the wasm.
     #[inline(never)]
     fn advance(&mut self, meter: &mut Meter) {
-        let Self { task, shares, builder, symbols, state, .. } = self;
-        let outcome = match state {
-            State::Share(share) => share.step(task, builder, meter),
-            State::Unfold(unfold) => unfold.step(task, builder, meter),
-            State::Survey { survey, root, pieces } => {
+        let Self { task, shares, builder, symbols, stage, .. } = self;
+        let outcome = match stage {
+            Stage::Share(share) => share.step(task, builder, meter),
+            Stage::Unfold(unfold) => unfold.step(task, builder, meter),
+            Stage::Survey { survey, root, pieces } => {
                 if let Some(extent) = S::advance(survey, builder.contents(), meter) {
                     let pieces = core::mem::replace(pieces, Pieces::None);
-                    *state = State::Done { root: Some(*root), pieces, extent: Some(extent) };
+                    *stage = Stage::Done { root: Some(*root), pieces, extent: Some(extent) };
                 }
                 return;
             }
-            State::Done { .. } | State::Failed(_) => return,
+            Stage::Done { .. } | Stage::Failed(_) => return,
         };
         match outcome {
             Outcome::Paused => {}
             Outcome::Ended(made) => {
                 *symbols = made.symbols;
-                *state = complete(made);
+                *stage = complete(made);
             }
             Outcome::NotShareable(largest) => {
                 *shares = false;
-                *state = Unfold::new(task, largest).map_or_else(State::Failed, State::Unfold);
+                *stage = Unfold::new(task, largest).map_or_else(Stage::Failed, Stage::Unfold);
             }
-            Outcome::Failed(diagnostic) => *state = State::Failed(diagnostic),
+            Outcome::Failed(diagnostic) => *stage = Stage::Failed(diagnostic),
         }
     }
 }
 
-/// The state after all blocks are made.
-fn complete<S: Space>(Made { root, pieces, .. }: Made<S>) -> State<S> {
+/// The stage after all blocks are made.
+fn complete<S: Space>(Made { root, pieces, .. }: Made<S>) -> Stage<S> {
     match root {
-        None => State::Done { root, pieces, extent: None },
-        Some(root) => State::Survey { survey: Box::new(S::survey(root)), root, pieces },
+        None => Stage::Done { root, pieces, extent: None },
+        Some(root) => Stage::Survey { survey: Box::new(S::survey(root)), root, pieces },
     }
 }

@@ -16,7 +16,7 @@ impl Space for Plane {
     type Hull = Range<u32>;
     /// Min x, min y, max x, max y.
     type Extent = [f64; 4];
-    type Survey = Survey;
+    type Survey = PlaneSurvey;
 
     fn enclose(input: HullInput<'_, Self>, items: &[Item]) -> Enclosed<Self> {
         let HullInput { blocks, corners, vertices, directions, points, .. } = input;
@@ -59,11 +59,11 @@ impl Space for Plane {
         Enclosed { hull: first..corners.len() as u32, slack, shift, work: work + hulled }
     }
 
-    fn survey(root: BlockId) -> Survey {
-        Survey::new(root)
+    fn survey(root: BlockId) -> PlaneSurvey {
+        PlaneSurvey::new(root)
     }
 
-    fn advance(survey: &mut Survey, contents: Contents<'_, Self>, meter: &mut Meter) -> Option<[f64; 4]> {
+    fn advance(survey: &mut PlaneSurvey, contents: Contents<'_, Self>, meter: &mut Meter) -> Option<[f64; 4]> {
         survey.step(contents, meter)
     }
 }
@@ -89,7 +89,7 @@ const SIDES: [f64; 4] = [180.0, 270.0, 0.0, 90.0];
 
 /// A search for the extent of a block in its own units: min x, min y, max x, max y.
 #[derive(Clone, Debug)]
-pub struct Survey {
+pub struct PlaneSurvey {
     root: BlockId,
     directions: Directions,
     /// By block and direction: the reach, and its largest error.
@@ -126,7 +126,7 @@ pub(super) fn falling(value: f64) -> i64 {
     if bits < 0 { bits ^ i64::MIN } else { !bits }
 }
 
-impl Survey {
+impl PlaneSurvey {
     pub fn new(root: BlockId) -> Self {
         Self {
             root,

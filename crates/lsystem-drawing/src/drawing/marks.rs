@@ -1,6 +1,6 @@
 //! The marks of a drawing, segments and polygons, one by one.
 
-use super::segments::{Cursor, Part};
+use super::segments::{Cursor, ItemRef};
 use super::{Drawing, Frame, Segment};
 use crate::drawing::block::Space;
 use crate::style::StyleChange;
@@ -50,13 +50,13 @@ impl<S: Space> MarkReader<S> {
         self.marks += 1;
         let tint = |style: &StyleChange| Tint { index: style.colour.of(0), level: style.level, place };
         Some(match part {
-            Part::Stroke(stroke) => {
+            ItemRef::Stroke(stroke) => {
                 let style = change(stroke.style);
                 let ends = [stroke.from, stroke.to].map(|end| frame.transform(end));
                 self.segments += 1;
                 Mark::Segment(drawing.segment(ends, &style, self.unit), tint(&style))
             }
-            Part::Polygon(polygon) => {
+            ItemRef::Polygon(polygon) => {
                 let style = change(polygon.style);
                 let vertices = drawing.vertices_of(polygon).iter();
                 let vertices = vertices.map(|&vertex| drawing.model(frame.transform(vertex), self.unit)).collect();

@@ -2,9 +2,9 @@
 
 use super::Drawing;
 use super::builder::Builder;
-use super::extent::{Survey, falling};
+use super::extent::{PlaneSurvey, falling};
 use super::pieces::Pieces;
-use super::segments::{Cursor, Frame, Part};
+use super::segments::{Cursor, Frame, ItemRef};
 use super::tree::Tree;
 use crate::Solid;
 use crate::drawing::block::{BlockId, Space};
@@ -98,7 +98,7 @@ enum Stage {
     Draw,
     /// Make the last blocks.
     Close,
-    Survey(BlockId, Box<Survey>),
+    Survey(BlockId, Box<PlaneSurvey>),
     Done(Option<(BlockId, [f64; 4])>),
 }
 
@@ -173,8 +173,8 @@ impl Projection {
     fn read(&mut self, drawing: &Drawing<Solid>, meter: &mut Meter) -> bool {
         let Some((part, frame)) = self.cursor.next_part(drawing) else { return false };
         let (points, filled, id) = match part {
-            Part::Stroke(stroke) => (&[stroke.from, stroke.to][..], false, stroke.style),
-            Part::Polygon(polygon) => (drawing.vertices_of(polygon), true, polygon.style),
+            ItemRef::Stroke(stroke) => (&[stroke.from, stroke.to][..], false, stroke.style),
+            ItemRef::Polygon(polygon) => (drawing.vertices_of(polygon), true, polygon.style),
         };
         meter.charge(8 + points.len() as u64 / 4);
         let [right, up, back] = self.axes;

@@ -8,7 +8,7 @@ use lsystem_syntax::Heading;
 
 /// Iterates over a drawing's segments in drawing order. Made by [`Drawing::segments`].
 #[derive(Clone, Debug)]
-pub struct Segments<'a, S: Space = Plane> {
+pub struct SegmentIter<'a, S: Space = Plane> {
     strokes: Strokes<'a, S>,
     /// The number of segments left; saturating.
     left: u128,
@@ -16,7 +16,7 @@ pub struct Segments<'a, S: Space = Plane> {
     unit: f64,
 }
 
-impl Segments<'_> {
+impl SegmentIter<'_> {
     /// The direction of the next segment, in degrees counter-clockwise from +x, in `0.0..360.0`. The direction is
     /// computed in the frame of the block: in the root's frame, rounding may reduce a short segment to a point.
     pub(super) fn heading(&self) -> Option<f64> {
@@ -27,7 +27,7 @@ impl Segments<'_> {
     }
 }
 
-impl<'a, S: Space> Segments<'a, S> {
+impl<'a, S: Space> SegmentIter<'a, S> {
     pub(super) fn new(drawing: &'a Drawing<S>) -> Self {
         let mut strokes = Strokes::new(drawing);
         if let Some(root) = drawing.root {
@@ -43,7 +43,7 @@ impl<'a, S: Space> Segments<'a, S> {
     }
 }
 
-impl<S: Space> Iterator for Segments<'_, S> {
+impl<S: Space> Iterator for SegmentIter<'_, S> {
     type Item = Segment<S>;
 
     fn next(&mut self) -> Option<Segment<S>> {
@@ -118,7 +118,7 @@ impl<S: Space> Frame<S> {
 
 /// An item that is not a block.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Part<'a, S: Space> {
+pub(super) enum ItemRef<'a, S: Space> {
     Stroke(&'a Stroke<S>),
     Polygon(&'a Polygon),
 }
@@ -143,7 +143,7 @@ impl<S: Space> Cursor<S> {
     }
 
     /// The next stroke or polygon, and the frame of its block.
-    pub(super) fn next_part<'a>(&mut self, drawing: &'a Drawing<S>) -> Option<(Part<'a, S>, Frame<S>)> {
+    pub(super) fn next_part<'a>(&mut self, drawing: &'a Drawing<S>) -> Option<(ItemRef<'a, S>, Frame<S>)> {
         loop {
             let (next, end, frame) = self.open.last_mut()?;
             if next == end {
@@ -153,8 +153,8 @@ impl<S: Space> Cursor<S> {
             let item = &drawing.items[*next as usize];
             *next += 1;
             match item {
-                Item::Stroke(stroke) => return Some((Part::Stroke(stroke), *frame)),
-                Item::Polygon(polygon) => return Some((Part::Polygon(polygon), *frame)),
+                Item::Stroke(stroke) => return Some((ItemRef::Stroke(stroke), *frame)),
+                Item::Polygon(polygon) => return Some((ItemRef::Polygon(polygon), *frame)),
                 Item::Block(placed) => {
                     let inner = frame.place(placed, drawing, &mut self.directions);
                     self.enter(drawing, placed.block, &inner);
@@ -184,14 +184,14 @@ impl<'a, S: Space> Strokes<'a, S> {
     /// The next stroke, and the frame of its block.
     fn next_placed(&mut self) -> Option<(&'a Stroke<S>, Frame<S>)> {
         loop {
-            if let (Part::Stroke(stroke), frame) = self.next_part()? {
+            if let (ItemRef::Stroke(stroke), frame) = self.next_part()? {
                 return Some((stroke, frame));
             }
         }
     }
 
     /// The next stroke or polygon, and the frame of its block.
-    pub(super) fn next_part(&mut self) -> Option<(Part<'a, S>, Frame<S>)> {
+    pub(super) fn next_part(&mut self) -> Option<(ItemRef<'a, S>, Frame<S>)> {
         self.cursor.next_part(self.drawing)
     }
 

@@ -10,7 +10,7 @@ mod states;
 mod vertical;
 mod word;
 
-use self::letters::Letters;
+use self::letters::LetterSharing;
 use self::states::States;
 use super::block::Space;
 use super::builder::Builder;
@@ -20,7 +20,7 @@ use lsystem_syntax::{Diagnostic, Meter};
 /// A drawing in the making.
 #[derive(Clone, Debug)]
 pub(crate) enum Share<S: Space> {
-    Letters(Letters<S>),
+    Letters(LetterSharing<S>),
     States(Box<States<S>>),
 }
 
@@ -34,7 +34,7 @@ impl<S: Space> Share<S> {
     /// Prepares to draw from the axiom on.
     pub(super) fn new(task: &Task<S>) -> Result<Self, Diagnostic> {
         if task.rules.is_plain() {
-            return Ok(Self::Letters(Letters::new(&task.rules)));
+            return Ok(Self::Letters(LetterSharing::new(&task.rules)));
         }
         Ok(Self::States(Box::new(States::new(task)?)))
     }

@@ -1,7 +1,7 @@
 //! A tree of blocks of consecutive strokes: for drawings without shared pieces, and for the word of one piece.
 
 use super::builder::Builder;
-use super::sheet::{Sheet, SheetWriter, is_hollow, origin, shift};
+use super::item_buffer::{ItemBuffer, ItemWriter, is_hollow, origin, shift};
 use crate::drawing::block::{BlockId, Item, Placed, Space};
 use crate::room::bytes_of;
 use crate::space::minus;
@@ -24,8 +24,8 @@ pub(crate) struct Tree<S: Space> {
     bottom: usize,
     /// Whether the tree is the word of a piece. A word that fits into one bottom block becomes one block as it is.
     is_word: bool,
-    pub sheet: Sheet<S>,
-    /// The number of the sheet's items that are in blocks already.
+    pub buffer: ItemBuffer<S>,
+    /// The number of the buffer's items that are in blocks already.
     done: usize,
     /// The items of the block that is made next.
     run: Vec<Item<S>>,
@@ -35,7 +35,15 @@ pub(crate) struct Tree<S: Space> {
 
 impl<S: Space> Tree<S> {
     pub(super) fn new(exponent: i32) -> Self {
-        Self { exponent, bottom: STROKES, is_word: false, sheet: Sheet::new(), done: 0, run: vec![], rows: vec![] }
+        Self {
+            exponent,
+            bottom: STROKES,
+            is_word: false,
+            buffer: ItemBuffer::new(),
+            done: 0,
+            run: vec![],
+            rows: vec![],
+        }
     }
 
     /// A tree of the items of a word. The items form one block, unless the word is `long`.
@@ -45,7 +53,7 @@ impl<S: Space> Tree<S> {
 
     /// The bytes that the tree occupies, without its blocks.
     pub(super) fn bytes(&self) -> u64 {
-        bytes_of(&self.run) + self.sheet.bytes()
+        bytes_of(&self.run) + self.buffer.bytes()
     }
 
     /// Draws the symbol at `place` of the string by `act`, and makes a block if there are enough items.
@@ -53,24 +61,24 @@ impl<S: Space> Tree<S> {
         &mut self,
         builder: &mut Builder<S>,
         place: u64,
-        act: impl FnOnce(&mut SheetWriter<'_, S>, &mut S::Directions),
+        act: impl FnOnce(&mut ItemWriter<'_, S>, &mut S::Directions),
     ) {
         // A string that is drawn symbol by symbol has fewer than 2^32 symbols.
-        self.sheet.symbol = place as u32;
+        self.buffer.symbol = place as u32;
         let Builder { styles, vertices, directions, .. } = builder;
-        act(&mut SheetWriter { sheet: &mut self.sheet, styles, vertices }, directions);
+        act(&mut ItemWriter { buffer: &mut self.buffer, styles, vertices }, directions);
         self.settle(builder);
     }
 
     /// Appends a block.
     pub(super) fn place(&mut self, builder: &mut Builder<S>, placed: Placed<S>) {
-        self.sheet.items.push(Item::Block(placed));
+        self.buffer.items.push(Item::Block(placed));
         self.settle(builder);
     }
 
     /// Makes a bottom block if there are enough items and no polygon is open.
     fn settle(&mut self, builder: &mut Builder<S>) {
-        if self.sheet.items.len() - self.done >= self.bottom && self.sheet.is_closed() {
+        if self.buffer.items.len() - self.done >= self.bottom && self.buffer.is_closed() {
             self.close_run(builder);
         }
     }
@@ -79,10 +87,10 @@ impl<S: Space> Tree<S> {
     /// root, if any. The root's frame has the axes and the origin of the coordinates.
     pub(crate) fn finish_one(&mut self, builder: &mut Builder<S>) -> Option<Option<BlockId>> {
         if self.is_word && self.rows.is_empty() && self.done == 0 {
-            self.sheet.finish();
-            return Some(builder.block(&self.sheet.items, self.exponent));
+            self.buffer.finish();
+            return Some(builder.block(&self.buffer.items, self.exponent));
         }
-        if self.done < self.sheet.items.len() {
+        if self.done < self.buffer.items.len() {
             self.close_run(builder);
             return None;
         }
@@ -101,14 +109,14 @@ impl<S: Space> Tree<S> {
     /// Makes a block of the next items. Outside of words, the last block also takes a rest that is too small for a
     /// block.
     fn close_run(&mut self, builder: &mut Builder<S>) {
-        let left = self.sheet.items.len() - self.done;
+        let left = self.buffer.items.len() - self.done;
         let count = if left < 2 * self.bottom && !self.is_word { left } else { left.min(self.bottom) };
         self.run.clear();
-        let next = &self.sheet.items[self.done..self.done + count];
+        let next = &self.buffer.items[self.done..self.done + count];
         self.run.extend(next.iter().filter(|item| !is_hollow(item)));
         self.done += count;
-        if self.done == self.sheet.items.len() {
-            self.sheet.items.clear();
+        if self.done == self.buffer.items.len() {
+            self.buffer.items.clear();
             self.done = 0;
         }
         let Some(origin) = self.run.first().map(|item| origin(builder, item)) else { return };

@@ -1,14 +1,14 @@
 //! Drawing module by module, without shared pieces. Plain letters are derived depth-first, one at a time. Rules with
 //! contexts or parameters are derived by whole generations.
 
+mod counts;
 mod generations;
 mod letters;
 mod limits;
-mod tally;
 
 use self::generations::Generations;
-use self::letters::{Letters, WalkOutcome};
-use self::limits::{Exceeded, Forecast, Search};
+use self::letters::{LetterUnfolding, WalkOutcome};
+use self::limits::{Exceeded, Forecast, IterationSearch};
 use super::block::Space;
 use super::builder::Builder;
 use super::pieces::Pieces;
@@ -28,9 +28,9 @@ enum Stage<S: Space> {
     /// Check the limits by counting.
     Forecast(Forecast),
     /// Derive and draw letter by letter.
-    Letters(Box<Letters<S>>),
+    Letters(Box<LetterUnfolding<S>>),
     /// After a limit was exceeded: find the largest n within the limits.
-    Search(Search),
+    Search(IterationSearch),
     /// Derive whole generations, and draw the last.
     Generations(Box<Generations<S>>),
 }
@@ -43,7 +43,7 @@ impl<S: Space> Unfold<S> {
         } else if task.rules.is_deterministic() {
             Stage::Forecast(Forecast::new(&task.score))
         } else {
-            Stage::Letters(Box::new(Letters::new(task)))
+            Stage::Letters(Box::new(LetterUnfolding::new(task)))
         };
         Ok(Self { stage, shared })
     }
@@ -61,7 +61,7 @@ impl<S: Space> Unfold<S> {
     pub(super) fn begin_search(&mut self, task: &Task<S>) -> bool {
         let draws = matches!(self.stage, Stage::Letters(_));
         if draws {
-            self.stage = Stage::Search(Search::new(LimitName::Memory, task.n, task.seed));
+            self.stage = Stage::Search(IterationSearch::new(LimitName::Memory, task.n, task.seed));
         }
         draws
     }
@@ -75,14 +75,14 @@ impl<S: Space> Unfold<S> {
             Stage::Forecast(forecast) => match forecast.step(&task.rules, &task.limits, task.n, meter) {
                 None => {}
                 Some(Err(exceeded)) => return failed(exceeded),
-                Some(Ok(())) => self.stage = Stage::Letters(Box::new(Letters::new(task))),
+                Some(Ok(())) => self.stage = Stage::Letters(Box::new(LetterUnfolding::new(task))),
             },
             Stage::Letters(letters) => match letters.step(task, builder, meter) {
                 WalkOutcome::Paused => {}
                 WalkOutcome::Ended(root) => return made(root, letters.symbols()),
                 WalkOutcome::Passed(limit) => {
                     *builder = Builder::within(task.limits.memory);
-                    self.stage = Stage::Search(Search::new(limit, task.n, task.seed));
+                    self.stage = Stage::Search(IterationSearch::new(limit, task.n, task.seed));
                 }
             },
             Stage::Search(search) => {

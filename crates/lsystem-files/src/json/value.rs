@@ -5,7 +5,7 @@ use lsystem_syntax::MAX_PALETTE;
 use lsystem_syntax::Value as Held;
 use lsystem_syntax::decimal;
 
-impl File {
+impl JsonFile {
     /// Notes unknown keys (unless `known` is empty) and repeated keys.
     pub(super) fn check_keys(&mut self, object: &Object<'_>, known: &[&'static str]) {
         let repeated = repeated(object.properties.iter().map(|p| p.name.as_str()));

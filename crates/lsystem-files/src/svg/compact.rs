@@ -4,10 +4,10 @@
 //! is a block together with the visible part of the style at its start.
 
 use super::features::Features;
-use super::paths::{Ink, PATH, Paths, attribute};
-use super::plan::{Part, Plan};
-use super::scene::Scene;
-use super::{Decimals, MANY, Sheet, SvgOptions, VERTEX_WORK};
+use super::paths::{PATH, Paths, StrokeLook, attribute};
+use super::plan::{CompactPlan, SymbolPart};
+use super::styled_drawing::StyledDrawing;
+use super::{Decimals, MANY, SvgOptions, VERTEX_WORK, ViewBox};
 use core::fmt::Write;
 use lsystem_drawing::finite;
 use lsystem_drawing::{BlockId, Drawing, StyleChange};
@@ -34,7 +34,7 @@ pub(super) struct Compact {
     /// The file's start; empty once written.
     head: String,
     features: Features,
-    plan: Plan,
+    plan: CompactPlan,
     stage: Stage,
     paths: Paths,
     decimals: Decimals,
@@ -71,13 +71,19 @@ impl Compact {
         // A negative step turns the picture by 180 degrees.
         let (scale, left, top) = if drawing.step < 0.0 { (-pixels, -x1, -y0) } else { (pixels, x0, y1) };
         let whole = Placement::new([(step - left) * pixels, -(step + top) * pixels], Heading::EAST);
-        let sheet = Sheet { x: 0.0, y: 0.0, width: width * pixels, height: height * pixels, pixel: 1.0 };
+        let view_box = ViewBox { x: 0.0, y: 0.0, width: width * pixels, height: height * pixels, pixel: 1.0 };
         let step = finite(step * pixels);
-        let around = Ink::of(style, &StyleChange::start(drawing.width), step, 1.0);
+        let around = StrokeLook::of(style, &StyleChange::start(drawing.width), step, 1.0);
         // At least three places, because rounding errors add up in nested placements.
         let decimals = Decimals::for_size(options.size.min(1000.0));
         let features = Features::default();
-        let plan = Plan::new(&Scene { drawing, style, features: &features, step }, root, scale, SMALL[0], options.most);
+        let plan = CompactPlan::new(
+            &StyledDrawing { drawing, style, features: &features, step },
+            root,
+            scale,
+            SMALL[0],
+            options.most,
+        );
         Self {
             root,
             scale,
@@ -85,7 +91,7 @@ impl Compact {
             whole,
             small: SMALL[0],
             most: options.most,
-            head: sheet.open(style, options, &around.attributes()),
+            head: view_box.open(style, options, &around.attributes()),
             features,
             plan,
             stage: Stage::Look,
@@ -143,14 +149,14 @@ impl Compact {
         text: &mut String,
         meter: &mut Meter,
     ) -> Result<(), Diagnostic> {
-        let scene = Scene { drawing, style, features: &self.features, step: self.step };
+        let styled = StyledDrawing { drawing, style, features: &self.features, step: self.step };
         let [_, largest] = SMALL;
-        match self.plan.step(&scene, meter) {
+        match self.plan.step(&styled, meter) {
             None => return Err(Diagnostic::limit(LimitName::Segments, self.most, None)),
             Some(Progress::More) => {}
             Some(Progress::Done) if self.plan.instances > MANY && self.small < largest => {
                 self.small *= 2;
-                self.plan = Plan::new(&scene, self.root, self.scale, self.small, self.most);
+                self.plan = CompactPlan::new(&styled, self.root, self.scale, self.small, self.most);
             }
             Some(Progress::Done) => {
                 text.push_str(&core::mem::take(&mut self.head));
@@ -164,7 +170,7 @@ impl Compact {
         meter.charge(8);
         let Some(symbol) = self.plan.shared.pop() else {
             text.push_str(if self.names.is_empty() { "" } else { "</defs>\n" });
-            self.open.push((Plan::WHOLE, 0, self.whole));
+            self.open.push((CompactPlan::WHOLE, 0, self.whole));
             self.stage = Stage::Draw;
             return;
         };
@@ -201,16 +207,16 @@ impl Compact {
             None => {
                 self.open.pop();
             }
-            Some(&Part::Stroke(from, to, ink)) => {
-                self.paths.stroke(text, down(placement.lie(from)), down(placement.lie(to)), ink);
+            Some(&SymbolPart::Stroke(from, to, look)) => {
+                self.paths.stroke(text, down(placement.lie(from)), down(placement.lie(to)), look);
             }
-            Some(Part::Polygon(vertices, rgb)) => {
+            Some(SymbolPart::Polygon(vertices, rgb)) => {
                 let vertices = self.plan.vertices_of(vertices);
                 meter.charge(vertices.len() as u64 / 8);
                 let vertices = vertices.iter().map(|&vertex| down(placement.lie(vertex))).collect();
                 self.paths.fill(text, vertices, *rgb);
             }
-            Some(&Part::Use(target, at, heading)) => {
+            Some(&SymbolPart::Use(target, at, heading)) => {
                 let inner = Placement::new(placement.lie(at), placement.heading + heading);
                 match self.names.get(&target) {
                     Some(name) => {

@@ -1,7 +1,7 @@
 //! The flat form: every segment, in drawing order.
 
-use super::paths::{Ink, Paths, within};
-use super::{Decimals, Sheet, SvgOptions, VERTEX_WORK};
+use super::paths::{Paths, StrokeLook, within};
+use super::{Decimals, SvgOptions, VERTEX_WORK, ViewBox};
 use lsystem_drawing::MarkReader;
 use lsystem_drawing::{Drawing, Mark, Plane};
 use lsystem_syntax::{Diagnostic, Meter, Progress, Style};
@@ -27,7 +27,7 @@ impl Flat {
         let (width, height) = (x1 - x0 + 2.0 * margin, y1 - y0 + 2.0 * margin);
         let longer = width.max(height);
         let pixel = longer / options.size;
-        let head = Sheet { x: x0 - margin, y: -y1 - margin, width, height, pixel }.open(style, options, "");
+        let head = ViewBox { x: x0 - margin, y: -y1 - margin, width, height, pixel }.open(style, options, "");
         let paths = Paths::new(Decimals::for_size(longer), None);
         Ok(Self { reader: MarkReader::new(drawing), head, paths, pixel, is_done: false })
     }
@@ -43,8 +43,8 @@ impl Flat {
             meter.charge(8);
             match self.reader.next(drawing) {
                 Some(Mark::Segment(segment, tint)) => {
-                    let ink = Ink::new(style, tint, segment.width, self.pixel);
-                    self.paths.stroke(text, down(segment.from), down(segment.to), ink);
+                    let look = StrokeLook::new(style, tint, segment.width, self.pixel);
+                    self.paths.stroke(text, down(segment.from), down(segment.to), look);
                 }
                 Some(Mark::Polygon(vertices, tint)) => {
                     meter.charge(vertices.len() as u64 / 8);

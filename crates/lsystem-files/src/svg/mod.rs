@@ -5,7 +5,7 @@ mod features;
 mod flat;
 mod paths;
 mod plan;
-mod scene;
+mod styled_drawing;
 mod writer;
 
 use super::number::Decimals;
@@ -106,7 +106,7 @@ pub fn write_svg(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Resu
 }
 
 /// The rectangle of the picture, in the units of the file, y down.
-struct Sheet {
+struct ViewBox {
     x: f64,
     y: f64,
     width: f64,
@@ -115,7 +115,7 @@ struct Sheet {
     pixel: f64,
 }
 
-impl Sheet {
+impl ViewBox {
     /// Writes the file's start and opens the drawing's group. `more` are further attributes of the group.
     fn open(&self, style: &Style, options: &SvgOptions, more: &str) -> String {
         let decimals = Decimals::for_size(self.width.max(self.height));

@@ -10,27 +10,27 @@ pub(super) const PATH: usize = 10_000;
 
 /// The look of a stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Ink {
+pub(super) struct StrokeLook {
     pub(super) rgb: [u8; 3],
     /// In the units of the file.
     pub(super) width: f64,
 }
 
-impl Ink {
-    /// The ink of a stroke of this width. `pixel` is the length of one CSS pixel in the same units.
+impl StrokeLook {
+    /// The look of a stroke of this width. `pixel` is the length of one CSS pixel in the same units.
     pub(super) fn new(style: &Style, tint: Tint, width: f64, pixel: f64) -> Self {
         let width = within(width.max(style.min_width * pixel));
         // A stroke of width 0 is drawn one pixel wide, as on the screen.
         Self { rgb: style.colour_of(tint).rgb, width: if width > 0.0 { width } else { pixel } }
     }
 
-    /// The ink of a style that began with [`StyleChange::start`]. `step` is the step length.
+    /// The look of a style that began with [`StyleChange::start`]. `step` is the step length.
     pub(super) fn of(style: &Style, change: &StyleChange, step: f64, pixel: f64) -> Self {
         let tint = Tint { index: change.colour.of(0), level: change.level, place: 0.0 };
         Self::new(style, tint, change.width.of(0.0) * step, pixel)
     }
 
-    /// The ink as attributes of an element.
+    /// The look as attributes of an element.
     pub(super) fn attributes(&self) -> String {
         let [r, g, b] = self.rgb;
         let mut text = format!(" stroke=\"#{r:02x}{g:02x}{b:02x}\"");
@@ -39,42 +39,42 @@ impl Ink {
     }
 }
 
-/// Writes strokes and polygons. Consecutive strokes of the same ink share a path. The writer holds no text,
+/// Writes strokes and polygons. Consecutive strokes of the same look share a path. The writer holds no text,
 /// so that callers may store it between two calls.
 #[derive(Clone, Debug)]
 pub(super) struct Paths {
     decimals: Decimals,
-    /// The ink of the surrounding group.
-    around: Option<Ink>,
+    /// The look of the surrounding group.
+    around: Option<StrokeLook>,
     /// The ID of the next path.
     pub(super) id: Option<String>,
     /// The open path.
-    pen: Option<Pen>,
+    open: Option<OpenPath>,
     /// The vertices of the open polygon, and the number of vertices written.
     outline: Option<(Vec<[f64; 2]>, usize)>,
 }
 
 /// The open path.
 #[derive(Clone, Copy, Debug)]
-struct Pen {
-    ink: Ink,
+struct OpenPath {
+    look: StrokeLook,
     /// The end of the path so far, in units of the last decimal place.
     at: [f64; 2],
     segments: usize,
 }
 
 impl Paths {
-    pub(super) fn new(decimals: Decimals, around: Option<Ink>) -> Self {
-        Self { decimals, around, id: None, pen: None, outline: None }
+    pub(super) fn new(decimals: Decimals, around: Option<StrokeLook>) -> Self {
+        Self { decimals, around, id: None, open: None, outline: None }
     }
 
     /// Writes a stroke, in the units of the file, y down.
-    pub(super) fn stroke(&mut self, text: &mut String, from: [f64; 2], to: [f64; 2], ink: Ink) {
+    pub(super) fn stroke(&mut self, text: &mut String, from: [f64; 2], to: [f64; 2], look: StrokeLook) {
         let [start, end] = [from, to].map(|point| point.map(|c| self.decimals.round(c)));
-        match self.pen {
-            Some(pen) if pen.ink == ink && pen.segments < PATH => {
-                text.push(if pen.at == start { ' ' } else { 'M' });
-                if pen.at != start {
+        match self.open {
+            Some(open) if open.look == look && open.segments < PATH => {
+                text.push(if open.at == start { ' ' } else { 'M' });
+                if open.at != start {
                     self.point(text, from);
                     text.push('L');
                 }
@@ -85,8 +85,8 @@ impl Paths {
                 if let Some(id) = self.id.take() {
                     let _ = write!(text, " id=\"{id}\"");
                 }
-                if self.around != Some(ink) {
-                    text.push_str(&ink.attributes());
+                if self.around != Some(look) {
+                    text.push_str(&look.attributes());
                 }
                 text.push_str(" d=\"M");
                 self.point(text, from);
@@ -94,8 +94,8 @@ impl Paths {
             }
         }
         self.point(text, to);
-        let segments = self.pen.map_or(0, |pen| pen.segments) + 1;
-        self.pen = Some(Pen { ink, at: end, segments });
+        let segments = self.open.map_or(0, |open| open.segments) + 1;
+        self.open = Some(OpenPath { look, at: end, segments });
     }
 
     /// Begins a filled polygon without a stroke. [`Paths::vertex`] writes its vertices.
@@ -132,7 +132,7 @@ impl Paths {
 
     /// Ends the open path, so that other elements can follow.
     pub(super) fn close(&mut self, text: &mut String) {
-        if self.pen.take().is_some() {
+        if self.open.take().is_some() {
             text.push_str("\"/>\n");
         }
     }

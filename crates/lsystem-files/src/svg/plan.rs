@@ -1,7 +1,7 @@
 //! The plan of a compact file: its symbols, and the strokes, polygons and placed symbols in them.
 
-use super::paths::{Ink, PATH};
-use super::scene::Scene;
+use super::paths::{PATH, StrokeLook};
+use super::styled_drawing::StyledDrawing;
 use core::ops::Range;
 use lsystem_drawing::{BlockId, Directions, Frame, Item, Line, StyleChange};
 use lsystem_syntax::{Heading, Meter, Progress};
@@ -9,7 +9,7 @@ use std::collections::{BinaryHeap, HashMap};
 
 /// The content of a compact file, planned in steps.
 #[derive(Clone, Debug)]
-pub(super) struct Plan {
+pub(super) struct CompactPlan {
     /// Blocks of at most this many strokes are written out at each place.
     small: u32,
     /// The number of strokes, vertices of polygons and placed blocks that may still be planned.
@@ -17,7 +17,7 @@ pub(super) struct Plan {
     directions: Directions,
     symbols: Vec<Symbol>,
     /// The parts of all symbols, symbol by symbol.
-    parts: Vec<Part>,
+    parts: Vec<SymbolPart>,
     /// The vertices of all polygons.
     vertices: Vec<[f64; 2]>,
     /// Symbols by block, scale, colour index, level and width.
@@ -49,21 +49,21 @@ struct Symbol {
 
 /// A part of a symbol, in pixels, y up.
 #[derive(Clone, Debug)]
-pub(super) enum Part {
-    Stroke([f64; 2], [f64; 2], Ink),
+pub(super) enum SymbolPart {
+    Stroke([f64; 2], [f64; 2], StrokeLook),
     /// A polygon: the range of its vertices in the plan, and its colour.
     Polygon(Range<usize>, [u8; 3]),
     /// A placed symbol: its index, position and heading.
     Use(usize, [f64; 2], Heading),
 }
 
-impl Plan {
+impl CompactPlan {
     /// The symbol that is the whole picture.
     pub(super) const WHOLE: usize = 0;
 
     /// A plan that writes out blocks of at most `small` strokes at each place, and has at most `most` strokes, vertices
     /// of polygons and placed blocks. One unit of the root is `scale` pixels.
-    pub(super) fn new(scene: &Scene<'_>, root: BlockId, scale: f64, small: u32, most: u64) -> Self {
+    pub(super) fn new(styled: &StyledDrawing<'_>, root: BlockId, scale: f64, small: u32, most: u64) -> Self {
         let mut plan = Self {
             small,
             left: most,
@@ -78,17 +78,17 @@ impl Plan {
             shared: vec![],
             instances: 0,
         };
-        let whole = plan.symbol(scene, root, scale, &StyleChange::start(scene.drawing.width));
+        let whole = plan.symbol(styled, root, scale, &StyleChange::start(styled.drawing.width));
         plan.symbols[whole].copies = 1;
         plan
     }
 
     /// Continues the plan until the meter is spent; `None` if the plan exceeds its limit.
-    pub(super) fn step(&mut self, scene: &Scene<'_>, meter: &mut Meter) -> Option<Progress> {
+    pub(super) fn step(&mut self, styled: &StyledDrawing<'_>, meter: &mut Meter) -> Option<Progress> {
         while !meter.is_spent() {
             meter.charge(4);
             let Some((items, frame)) = self.open.last_mut() else {
-                if !self.begin(scene) {
+                if !self.begin(styled) {
                     return Some(Progress::Done);
                 }
                 continue;
@@ -96,7 +96,7 @@ impl Plan {
             match items.next() {
                 Some(item) => {
                     let frame = *frame;
-                    self.read(scene, &scene.drawing.items[item as usize], &frame, meter)?;
+                    self.read(styled, &styled.drawing.items[item as usize], &frame, meter)?;
                 }
                 None => {
                     self.open.pop();
@@ -107,7 +107,7 @@ impl Plan {
     }
 
     /// Begins the next symbol. Returns whether there was one.
-    fn begin(&mut self, scene: &Scene<'_>) -> bool {
+    fn begin(&mut self, styled: &StyledDrawing<'_>) -> bool {
         // Blocks come before the blocks that contain them, so a planned symbol is never used again.
         let Some((block, current)) = self.pending.pop() else { return false };
         let symbol = &mut self.symbols[current];
@@ -117,18 +117,18 @@ impl Plan {
             self.instances = self.instances.saturating_add(symbol.copies);
         }
         self.current = current;
-        self.open.push((scene.drawing.blocks[block.0 as usize].items.clone(), symbol.frame));
+        self.open.push((styled.drawing.blocks[block.0 as usize].items.clone(), symbol.frame));
         true
     }
 
     /// Adds an item to the current symbol, or opens its block to write it out.
-    fn read(&mut self, scene: &Scene<'_>, item: &Item, frame: &Frame, meter: &mut Meter) -> Option<()> {
-        let drawing = scene.drawing;
+    fn read(&mut self, styled: &StyledDrawing<'_>, item: &Item, frame: &Frame, meter: &mut Meter) -> Option<()> {
+        let drawing = styled.drawing;
         let stroke = |line: &Line, frame: &Frame| {
-            Part::Stroke(
+            SymbolPart::Stroke(
                 frame.transform(line.from),
                 frame.transform(line.to),
-                scene.ink(&frame.style.then(&line.style)),
+                styled.look(&frame.style.then(&line.style)),
             )
         };
         let part = match item {
@@ -139,23 +139,23 @@ impl Plan {
                 let first = self.vertices.len();
                 self.vertices.extend(drawing.vertices_of(polygon).iter().map(|&vertex| frame.transform(vertex)));
                 let style = frame.style.then(&drawing.styles[polygon.style.0 as usize]);
-                Part::Polygon(first..self.vertices.len(), scene.ink(&style).rgb)
+                SymbolPart::Polygon(first..self.vertices.len(), styled.look(&style).rgb)
             }
             Item::Block(placed) => {
                 let inner = frame.place(placed, drawing, &mut self.directions);
-                match scene.features.one_stroke(placed.block, inner.scale) {
+                match styled.features.one_stroke(placed.block, inner.scale) {
                     Some(line) => stroke(line, &inner),
-                    None if scene.features.strokes(placed.block) <= self.small => {
+                    None if styled.features.strokes(placed.block) <= self.small => {
                         self.open.push((drawing.blocks[placed.block.0 as usize].items.clone(), inner));
                         return Some(());
                     }
                     None => {
-                        let target = self.symbol(scene, placed.block, inner.scale, &inner.style);
+                        let target = self.symbol(styled, placed.block, inner.scale, &inner.style);
                         let copies = self.symbols[self.current].copies;
                         let symbol = &mut self.symbols[target];
                         symbol.uses += 1;
                         symbol.copies = symbol.copies.saturating_add(copies);
-                        Part::Use(target, inner.at, inner.heading)
+                        SymbolPart::Use(target, inner.at, inner.heading)
                     }
                 }
             }
@@ -167,8 +167,8 @@ impl Plan {
     }
 
     /// The symbol of a block. A new symbol becomes pending.
-    fn symbol(&mut self, scene: &Scene<'_>, block: BlockId, scale: f64, style: &StyleChange) -> usize {
-        let entry = scene.entry(block, style);
+    fn symbol(&mut self, styled: &StyledDrawing<'_>, block: BlockId, scale: f64, style: &StyleChange) -> usize {
+        let entry = styled.entry(block, style);
         let key = (block, scale.to_bits(), entry.colour, entry.level, entry.width.to_bits());
         let next = self.symbols.len();
         let symbol = *self.known.entry(key).or_insert(next);
@@ -180,7 +180,7 @@ impl Plan {
         symbol
     }
 
-    pub(super) fn parts_of(&self, symbol: usize) -> &[Part] {
+    pub(super) fn parts_of(&self, symbol: usize) -> &[SymbolPart] {
         &self.parts[self.symbols[symbol].parts.clone()]
     }
 
@@ -191,8 +191,8 @@ impl Plan {
     /// Whether a symbol is written as a single path.
     pub(super) fn is_one_path(&self, symbol: usize) -> bool {
         let parts = self.parts_of(symbol);
-        let ink = |part: &Part| if let Part::Stroke(_, _, ink) = part { Some(*ink) } else { None };
-        let first = parts.first().and_then(ink);
-        first.is_some() && parts.len() <= PATH && parts.iter().all(|part| ink(part) == first)
+        let look = |part: &SymbolPart| if let SymbolPart::Stroke(_, _, look) = part { Some(*look) } else { None };
+        let first = parts.first().and_then(look);
+        first.is_some() && parts.len() <= PATH && parts.iter().all(|part| look(part) == first)
     }
 }

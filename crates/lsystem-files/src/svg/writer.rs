@@ -9,13 +9,13 @@ use lsystem_syntax::{ColourBy, Diagnostic, Ink, Meter, Progress, Style};
 /// A writer of SVG in steps. It holds no drawing, and the caller may remove the written text between two steps.
 #[derive(Clone, Debug)]
 pub struct SvgWriter {
-    form: Form,
+    form: FormWriter,
     ink: Ink,
     spent: u64,
 }
 
 #[derive(Clone, Debug)]
-enum Form {
+enum FormWriter {
     Flat(Box<Flat>),
     Compact(Box<Compact>),
 }
@@ -28,9 +28,9 @@ impl SvgWriter {
     pub fn new(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Self, Diagnostic> {
         let form = match (options.form, drawing.root) {
             (SvgForm::Compact, Some(root)) if drawing.is_memoised() && style.colour_by != ColourBy::Path => {
-                Form::Compact(Box::new(Compact::new(drawing, root, style, options)))
+                FormWriter::Compact(Box::new(Compact::new(drawing, root, style, options)))
             }
-            _ => Form::Flat(Box::new(Flat::new(drawing, style, options)?)),
+            _ => FormWriter::Flat(Box::new(Flat::new(drawing, style, options)?)),
         };
         Ok(Self { form, ink: style.ink, spent: 0 })
     }
@@ -39,8 +39,8 @@ impl SvgWriter {
     #[must_use]
     pub fn instances(&self) -> u128 {
         match &self.form {
-            Form::Flat(_) => 0,
-            Form::Compact(compact) => compact.instances(),
+            FormWriter::Flat(_) => 0,
+            FormWriter::Compact(compact) => compact.instances(),
         }
     }
 
@@ -69,8 +69,8 @@ impl SvgWriter {
     ) -> Result<Progress, Diagnostic> {
         let mut meter = Meter::new(work);
         let progress = match &mut self.form {
-            Form::Flat(flat) => Ok(flat.step(drawing, style, text, &mut meter)),
-            Form::Compact(compact) => compact.step(drawing, style, text, &mut meter),
+            FormWriter::Flat(flat) => Ok(flat.step(drawing, style, text, &mut meter)),
+            FormWriter::Compact(compact) => compact.step(drawing, style, text, &mut meter),
         };
         self.spent = self.spent.saturating_add(meter.spent());
         progress

@@ -29,7 +29,7 @@ const WORDS: [&str; 3] = ["and", "or", "not"];
 /// From tight to loose: `^` (to the right), signs and `!`, `* / %`, `+ -`, comparisons (not to be chained), `not`,
 /// `&&`, `||`.
 pub(crate) fn read(tokens: &[Token], end: usize, role: Role, names: &mut dyn Names, notes: &mut Notes) -> Option<Expr> {
-    let mut reader = Reader { tokens, at: 0, end, depth: 0, length: 0, role, names, notes };
+    let mut reader = ExpressionReader { tokens, at: 0, end, depth: 0, length: 0, role, names, notes };
     let expr = match role {
         Role::Condition | Role::Argument | Role::Axiom => reader.disjunction()?,
         Role::Constant | Role::Weight => reader.sum()?,
@@ -54,7 +54,7 @@ pub(crate) fn code(expr: &Expr, names: &mut dyn Names) -> Result<Code, Unusable>
     Code::new(expr, &|name: &str| names.borrow_mut().meaning(name), &mut 0)
 }
 
-struct Reader<'a> {
+struct ExpressionReader<'a> {
     tokens: &'a [Token],
     at: usize,
     end: usize,
@@ -65,7 +65,7 @@ struct Reader<'a> {
     notes: &'a mut Notes,
 }
 
-impl Reader<'_> {
+impl ExpressionReader<'_> {
     fn peek(&self) -> Option<Token> {
         self.tokens.get(self.at).copied()
     }

@@ -3,7 +3,7 @@
 use super::constants::ConstantPlace;
 use super::constants::Constants;
 use super::expression;
-use super::production::{self, Line};
+use super::production::{self, ProductionLine};
 use super::token::{Token, span_of, text_of, tokens};
 use super::{Reading, arrow};
 use crate::notes::{Notes, excerpt};
@@ -13,7 +13,7 @@ use std::collections::HashMap;
 
 /// Reads all lines of `text` into `reading`. The constants serve the axiom, which is read later.
 pub(crate) fn read(text: &str, reading: &mut Reading, constants: &mut Constants, notes: &mut Notes) {
-    let mut rules = Rules { text, reading, notes, constants, productions: Vec::new(), drawing: false };
+    let mut rules = RulesReader { text, reading, notes, constants, productions: Vec::new(), drawing: false };
     for line in super::lines(text) {
         if super::is_comment(&text[line.clone()]) {
             rules.notes.class(Class::Comment, line);
@@ -29,18 +29,18 @@ pub(crate) fn read(text: &str, reading: &mut Reading, constants: &mut Constants,
     note_never_applied(&grammar.images, images.iter().map(|places| &places.predecessor), rules.notes);
 }
 
-struct Rules<'a> {
+struct RulesReader<'a> {
     text: &'a str,
     reading: &'a mut Reading,
     notes: &'a mut Notes,
     constants: &'a mut Constants,
     /// The lines with an arrow, read after all constants.
-    productions: Vec<Line>,
+    productions: Vec<ProductionLine>,
     /// Whether the present line is below `draw:`.
     drawing: bool,
 }
 
-impl Rules<'_> {
+impl RulesReader<'_> {
     fn line(&mut self, line: Range<usize>) {
         let text = self.text[line.clone()].trim_start_matches(crate::characters::is_blank);
         let define = "#define";
@@ -67,7 +67,7 @@ impl Rules<'_> {
             return;
         }
         if let Some(arrow) = arrow::find(tokens) {
-            self.productions.push(Line { tokens: tokens.to_vec(), arrow, end, drawing: self.drawing });
+            self.productions.push(ProductionLine { tokens: tokens.to_vec(), arrow, end, drawing: self.drawing });
         } else if let Some(equals) = tokens.iter().position(|t| t.is('=')) {
             self.constant(tokens, equals, end);
         } else {

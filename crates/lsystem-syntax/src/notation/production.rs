@@ -11,7 +11,7 @@ use crate::{Class, Code, Expr, Kind, LimitName, MAX_CONTEXT, Pattern, Production
 use core::ops::Range;
 
 /// A line with an arrow. Such lines are read after all constants.
-pub(super) struct Line {
+pub(super) struct ProductionLine {
     pub(super) tokens: Vec<Token>,
     /// The arrow's range among the tokens.
     pub(super) arrow: Range<usize>,
@@ -22,8 +22,8 @@ pub(super) struct Line {
 }
 
 /// Reads a production into `reading`. A line without a single predecessor is only noted.
-pub(super) fn read(line: &Line, constants: &mut Constants, reading: &mut Reading, notes: &mut Notes) {
-    let Line { tokens, arrow, end, drawing } = line;
+pub(super) fn read(line: &ProductionLine, constants: &mut Constants, reading: &mut Reading, notes: &mut Notes) {
+    let ProductionLine { tokens, arrow, end, drawing } = line;
     let (before, after) = (&tokens[..arrow.start], &tokens[arrow.end..]);
     let is_double = tokens[arrow.start].is('=');
     let arrow = span_of(&tokens[arrow.clone()], *end);

@@ -9,15 +9,15 @@ use core::ops::Range;
 
 /// The modules of a word, and each module's span in the text, in bytes.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Word {
+pub(crate) struct SpannedWord {
     pub(crate) modules: Vec<Module>,
     pub(crate) spans: Vec<Range<usize>>,
 }
 
 /// Reads an axiom or a successor; `role` is the role of its arguments. `*` or `ε` alone is the empty word. A separate
 /// arrow is noted.
-pub(crate) fn word(tokens: &[Token], role: Role, names: &mut dyn Names, notes: &mut Notes) -> Word {
-    let mut word = Word::default();
+pub(crate) fn word(tokens: &[Token], role: Role, names: &mut dyn Names, notes: &mut Notes) -> SpannedWord {
+    let mut word = SpannedWord::default();
     if is_empty(tokens) {
         return word;
     }

@@ -4,27 +4,27 @@ use super::super::choices::{Choice, Choices};
 use super::super::image::Image;
 use super::super::modules::Modules;
 use super::super::step::Rewriter;
-use super::{History, Kept, PIECE, SPARE, State, Step, Sums, made_of};
+use super::{History, Kept, PIECE, PrefixSums, SPARE, Stage, StepRecord, made_of};
 use lsystem_syntax::{Meter, Progress};
 
 impl History {
     /// Does one piece of work.
     pub(super) fn piece(&mut self, meter: &mut Meter) -> Progress {
-        let outcome = match &mut self.state {
-            State::Done => return Progress::Done,
-            State::Derive(rewriter) if rewriter.generation() < self.n => match rewriter.advance(meter) {
+        let outcome = match &mut self.stage {
+            Stage::Done => return Progress::Done,
+            Stage::Derive(rewriter) if rewriter.generation() < self.n => match rewriter.advance(meter) {
                 Ok(false) => return Progress::More,
                 Ok(true) => self.begin_sum(),
                 Err(_) => None,
             },
-            State::Derive(_) => self.begin_count(),
-            State::Sum(..) => self.sum(meter),
-            State::Keep(..) => self.keep(meter),
-            State::Count { .. } => self.count(meter),
+            Stage::Derive(_) => self.begin_count(),
+            Stage::Sum(..) => self.sum(meter),
+            Stage::Keep(..) => self.keep(meter),
+            Stage::Count { .. } => self.count(meter),
         };
         meter.charge(1);
         if outcome.is_none() {
-            self.state = State::Done;
+            self.stage = Stage::Done;
             return Progress::Done;
         }
         Progress::More
@@ -39,17 +39,17 @@ impl History {
     }
 
     fn begin_sum(&mut self) -> Option<()> {
-        let State::Derive(mut rewriter) = core::mem::replace(&mut self.state, State::Done) else { return None };
+        let Stage::Derive(mut rewriter) = core::mem::replace(&mut self.stage, Stage::Done) else { return None };
         let choices = rewriter.take_record()?;
-        let sums = Sums::of(*self.lengths.last()?);
+        let sums = PrefixSums::of(*self.lengths.last()?);
         self.take(choices.bytes() + sums.bytes(), &mut rewriter)?;
-        self.state = State::Sum(rewriter, Step { choices, sums: sums.ready() });
+        self.stage = Stage::Sum(rewriter, StepRecord { choices, sums: sums.ready() });
         Some(())
     }
 
     /// Counts the modules that the last step made, and records the step.
     fn sum(&mut self, meter: &mut Meter) -> Option<()> {
-        let State::Sum(_, Step { choices, sums }) = &mut self.state else { return None };
+        let Stage::Sum(_, StepRecord { choices, sums }) = &mut self.stage else { return None };
         let former = *self.lengths.last()?;
         let end = (sums.count + left(meter)).min(former);
         meter.charge((end - sums.count) as u64);
@@ -59,7 +59,7 @@ impl History {
         if end < former {
             return Some(());
         }
-        let State::Sum(rewriter, step) = core::mem::replace(&mut self.state, State::Done) else { return None };
+        let Stage::Sum(rewriter, step) = core::mem::replace(&mut self.stage, Stage::Done) else { return None };
         self.lengths.push(rewriter.word().letters.len());
         self.steps.push(step);
         self.begin_keep(rewriter)
@@ -68,22 +68,22 @@ impl History {
     /// Reserves memory for a generation, if generations are kept.
     pub(super) fn begin_keep(&mut self, mut rewriter: Box<Rewriter>) -> Option<()> {
         if self.words.is_none() {
-            self.state = State::Derive(rewriter);
+            self.stage = Stage::Derive(rewriter);
             return Some(());
         }
         let (modules, arguments) = (rewriter.word().letters.len(), rewriter.word().arguments.len());
-        let sums = Sums::of(modules);
+        let sums = PrefixSums::of(modules);
         self.take((2 * modules + 8 * arguments) as u64 + sums.bytes(), &mut rewriter)?;
         let mut word = Modules::default();
         word.letters.reserve_exact(modules);
         word.arguments.reserve_exact(arguments);
-        self.state = State::Keep(rewriter, Kept { word, arguments: sums.ready() }, 0);
+        self.stage = Stage::Keep(rewriter, Kept { word, arguments: sums.ready() }, 0);
         Some(())
     }
 
     /// Keeps a piece of a generation.
     fn keep(&mut self, meter: &mut Meter) -> Option<()> {
-        let State::Keep(rewriter, kept, argument) = &mut self.state else { return None };
+        let Stage::Keep(rewriter, kept, argument) = &mut self.stage else { return None };
         let from = rewriter.word();
         let start = kept.word.letters.len();
         let end = (start + left(meter)).min(from.letters.len());
@@ -98,22 +98,22 @@ impl History {
         if end < from.letters.len() {
             return Some(());
         }
-        let State::Keep(rewriter, kept, _) = core::mem::replace(&mut self.state, State::Done) else { return None };
+        let Stage::Keep(rewriter, kept, _) = core::mem::replace(&mut self.stage, Stage::Done) else { return None };
         self.words.as_mut()?.push(kept);
-        self.state = State::Derive(rewriter);
+        self.stage = Stage::Derive(rewriter);
         Some(())
     }
 
     fn begin_count(&mut self) -> Option<()> {
-        let State::Derive(mut rewriter) = core::mem::replace(&mut self.state, State::Done) else { return None };
+        let Stage::Derive(mut rewriter) = core::mem::replace(&mut self.stage, Stage::Done) else { return None };
         let modules = rewriter.word().letters.len();
-        let (mut choices, sums) = (Choices::new(self.productions.len()), Sums::of(modules));
+        let (mut choices, sums) = (Choices::new(self.productions.len()), PrefixSums::of(modules));
         let images = if self.has_images() { choices.bytes_of(modules) } else { 0 };
         self.take(images + sums.bytes(), &mut rewriter)?;
         if images > 0 {
             choices.reserve(modules);
         }
-        self.state = State::Count { rewriter, sums: sums.ready(), choices, argument: 0 };
+        self.stage = Stage::Count { rewriter, sums: sums.ready(), choices, argument: 0 };
         Some(())
     }
 
@@ -124,7 +124,7 @@ impl History {
     /// Counts the segments of the last generation. Returns `None` at its end.
     fn count(&mut self, meter: &mut Meter) -> Option<()> {
         let imagined = self.has_images();
-        let State::Count { rewriter, sums, choices, argument } = &mut self.state else { return None };
+        let Stage::Count { rewriter, sums, choices, argument } = &mut self.stage else { return None };
         let letters = &rewriter.word().letters;
         let mut image = Image::default();
         let end = (sums.count + left(meter)).min(letters.len());
@@ -146,7 +146,7 @@ impl History {
         if sums.count < letters.len() {
             return Some(());
         }
-        self.images = Some(Step { choices: core::mem::take(choices), sums: core::mem::take(sums) });
+        self.images = Some(StepRecord { choices: core::mem::take(choices), sums: core::mem::take(sums) });
         None
     }
 }

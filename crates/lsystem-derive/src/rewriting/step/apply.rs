@@ -1,10 +1,10 @@
 //! The pass that makes the next generation: by a table of letters, or module by module.
 
 use super::super::choices::Choice;
-use super::super::choose::{MOST_LOOKS, Place};
+use super::super::choose::{MOST_LOOKS, ModuleInContext};
 use super::super::modules::{Chance, NotFinite};
 use super::super::table::LONGEST;
-use super::{Fault, LOOKS, Pass, Rewriter, make_room, others};
+use super::{Fault, LOOKS, Rewriter, StepPass, make_room, others};
 use core::ops::Range;
 use lsystem_syntax::{LimitName, Meter};
 
@@ -35,7 +35,7 @@ impl Rewriter {
         } else {
             end = self.by_rules(start..end, &mut arguments, meter)?;
         }
-        self.pass = Pass::Rightward(end, arguments);
+        self.pass = StepPass::Rightward(end, arguments);
         Ok(())
     }
 
@@ -124,7 +124,7 @@ impl Rewriter {
         *arguments = own.end;
         let step = *generation + 1;
         let chance = Chance { key: word.key_of(place), seed: plan.seed, step };
-        let at = Place { plan, word, neighbours, place, own: &word.arguments[own.clone()], chance };
+        let at = ModuleInContext { plan, word, neighbours, place, own: &word.arguments[own.clone()], chance };
         let before = *work;
         scratch.until = before + MOST_LOOKS;
         let chosen = at.choose(&plan.rules.by_letter[letter], scratch, work);

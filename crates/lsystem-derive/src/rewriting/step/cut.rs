@@ -1,6 +1,6 @@
 //! The pass that cuts off branches.
 
-use super::super::context::Role;
+use super::super::context::ContextRole;
 use super::super::modules::Modules;
 use super::super::room::{room_for, while_growing};
 use super::{Cutting, Fault, Record, Rewriter};
@@ -35,11 +35,11 @@ impl Rewriter {
         while *at < end {
             let letter = usize::from(word.letters[*at]);
             match (*cut, plan.roles[letter]) {
-                (Some(0), Role::Close) => {
+                (Some(0), ContextRole::Close) => {
                     (*cut, run, run_arguments) = (None, *at, *argument);
                 }
-                (Some(deep), Role::Open) => *cut = Some(deep + 1),
-                (Some(deep), Role::Close) => *cut = Some(deep - 1),
+                (Some(deep), ContextRole::Open) => *cut = Some(deep + 1),
+                (Some(deep), ContextRole::Close) => *cut = Some(deep - 1),
                 (None, _) if plan.rules.cuts[letter] => {
                     keep(word, run, run_arguments, *at, *argument);
                     *cut = Some(0);

@@ -1,14 +1,14 @@
 //! Sharing the pieces of plain letters: one for each letter and number of steps, made from the last step back.
 
-use super::plan::Plan;
-use super::word::{Origin, Word, Writing};
+use super::plan::LetterPlan;
+use super::word::{LetterPieceWriting, Origin, PieceWord};
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
 use crate::drawing::piece::Level;
 use crate::drawing::pieces::Pieces;
 use crate::drawing::task::{Made, Outcome, Task};
 use crate::room::bytes_of;
-use crate::turtle::{Op, Score};
+use crate::turtle::{Score, TurtleOp};
 use lsystem_derive::{LetterId, Rewrite, Rules};
 use lsystem_syntax::{Diagnostic, Meter};
 
@@ -18,7 +18,7 @@ use lsystem_syntax::{Diagnostic, Meter};
 /// - balanced branches in every rewritten letter and every successor;
 /// - every polygon within one successor.
 pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
-    let uses_model = |op: &Op<S>| matches!(op, Op::Bend(_)) || matches!(op, Op::Upright) && !S::LEVEL;
+    let uses_model = |op: &TurtleOp<S>| matches!(op, TurtleOp::Bend(_)) || matches!(op, TurtleOp::Upright) && !S::LEVEL;
     let is_kept = |s: LetterId| matches!(rules.rewrites[usize::from(s)], Rewrite::Keep);
     let ops = |s: LetterId| score.ops[usize::from(s)].as_slice();
     let filled = |word: &[LetterId]| is_filled_at_once(word.iter().map(|&s| is_kept(s).then(|| ops(s))));
@@ -43,12 +43,12 @@ pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
 }
 
 /// Whether operations close exactly the branches that they open.
-pub(super) fn is_balanced<'a, S: Space>(ops: impl IntoIterator<Item = &'a Op<S>>) -> bool {
+pub(super) fn is_balanced<'a, S: Space>(ops: impl IntoIterator<Item = &'a TurtleOp<S>>) -> bool {
     let mut level = 0_i64;
     let never_below = ops.into_iter().all(|op| {
         match op {
-            Op::Push(_) => level += 1,
-            Op::Pop => level -= 1,
+            TurtleOp::Push(_) => level += 1,
+            TurtleOp::Pop => level -= 1,
             _ => {}
         }
         level >= 0
@@ -58,13 +58,13 @@ pub(super) fn is_balanced<'a, S: Space>(ops: impl IntoIterator<Item = &'a Op<S>>
 
 /// Whether every polygon of a word is complete within the word, with no rewritten letter inside. Each letter is given
 /// by its operations, or by `None` if it is rewritten.
-pub(super) fn is_filled_at_once<'a, S: Space>(word: impl IntoIterator<Item = Option<&'a [Op<S>]>>) -> bool {
+pub(super) fn is_filled_at_once<'a, S: Space>(word: impl IntoIterator<Item = Option<&'a [TurtleOp<S>]>>) -> bool {
     let mut open = 0_i64;
     let fits = word.into_iter().all(|ops| {
         for op in ops.into_iter().flatten() {
             match op {
-                Op::OpenPolygon => open += 1,
-                Op::ClosePolygon => open -= 1,
+                TurtleOp::OpenPolygon => open += 1,
+                TurtleOp::ClosePolygon => open -= 1,
                 _ => {}
             }
         }
@@ -75,9 +75,9 @@ pub(super) fn is_filled_at_once<'a, S: Space>(word: impl IntoIterator<Item = Opt
 
 /// A drawing in the making.
 #[derive(Clone, Debug)]
-pub(crate) enum Letters<S: Space> {
+pub(crate) enum LetterSharing<S: Space> {
     /// Find the letters that each depth needs.
-    Plan(Plan),
+    Plan(LetterPlan),
     /// Make the pieces of one depth after the other.
     Build(Build<S>),
 }
@@ -90,14 +90,14 @@ pub(crate) struct Build<S: Space> {
     /// The pieces made so far, by depth; the last level may be incomplete.
     pieces: Vec<Level<S>>,
     /// The next piece, in the making.
-    writing: Option<Box<Writing<S>>>,
+    writing: Option<Box<LetterPieceWriting<S>>>,
     /// The bytes of complete levels.
     held: u64,
 }
 
-impl<S: Space> Letters<S> {
+impl<S: Space> LetterSharing<S> {
     pub(super) fn new(rules: &Rules) -> Self {
-        Self::Plan(Plan::new(rules))
+        Self::Plan(LetterPlan::new(rules))
     }
 
     /// The bytes that the pieces occupy.
@@ -140,8 +140,9 @@ impl<S: Space> Build<S> {
         let Task { rules, turtle, score, n, .. } = task;
         let depth = pieces.len().saturating_sub(1);
         let done = pieces.last().map_or(0, Vec::len);
-        let mut write = |word: Word<'_, S>| {
-            let piece = writing.get_or_insert_with(|| Box::new(Writing::new(&word))).step(builder, &word, meter)?;
+        let mut write = |word: PieceWord<'_, S>| {
+            let piece =
+                writing.get_or_insert_with(|| Box::new(LetterPieceWriting::new(&word))).step(builder, &word, meter)?;
             *writing = None;
             meter.charge(8);
             Some(piece)
@@ -151,7 +152,7 @@ impl<S: Space> Build<S> {
                 let letters = rules.rewrites[usize::from(symbol)].always().unwrap_or_default();
                 let below = depth.checked_sub(1).map(|below| &pieces[below]);
                 let origin = Origin { former: Some(symbol), step: n.saturating_sub(depth as u32) };
-                let Some(piece) = write(Word { score, below, letters, origin, heading: S::AHEAD }) else {
+                let Some(piece) = write(PieceWord { score, below, letters, origin, heading: S::AHEAD }) else {
                     return Outcome::Paused;
                 };
                 if pieces.is_empty() {
@@ -167,7 +168,7 @@ impl<S: Space> Build<S> {
             None => {
                 let (letters, origin) = (rules.axiom.letters.as_slice(), Origin { former: None, step: 0 });
                 let heading = turtle.start_turn::<S>();
-                if let Some(root) = write(Word { score, below: pieces.last(), letters, origin, heading }) {
+                if let Some(root) = write(PieceWord { score, below: pieces.last(), letters, origin, heading }) {
                     return Outcome::Ended(Made {
                         root: root.block,
                         pieces: Pieces::Letters(core::mem::take(pieces)),

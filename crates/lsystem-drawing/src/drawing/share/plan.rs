@@ -4,7 +4,7 @@ use lsystem_syntax::Meter;
 
 /// The letters that each depth needs.
 #[derive(Clone, Debug)]
-pub(crate) struct Plan {
+pub(crate) struct LetterPlan {
     /// By depth from `n` down to 1: the rewritten letters, sorted.
     levels: Vec<Vec<LetterId>>,
     /// The letters of the next level; `None` while the axiom is read.
@@ -20,7 +20,7 @@ pub(crate) struct Plan {
 /// The number of letters read between two checks of the meter.
 const READ: usize = 256;
 
-impl Plan {
+impl LetterPlan {
     pub(super) fn new(rules: &Rules) -> Self {
         let (made, cost) = (vec![false; rules.rewrites.len()], rules.axiom.letters.len() as u64);
         Self { levels: vec![], next: None, at: (0, 0), made, cost }

@@ -30,7 +30,7 @@ impl Scales {
     pub(crate) fn new(rules: &Rules, turtle: &Turtle) -> Self {
         let none = vec![[false; MAX_PARAMETERS]; rules.letters.len()];
         let mut found = Self { lengths: none.clone() };
-        let drawn = Drawn { rules, turtle };
+        let drawn = DrawnRules { rules, turtle };
         found.grow(&drawn);
         if found.hold(&drawn) { found } else { Self { lengths: none } }
     }
@@ -58,7 +58,7 @@ impl Scales {
     }
 
     /// Marks the lengths that are drawn, and all parameters from which lengths are computed.
-    fn grow(&mut self, drawn: &Drawn<'_>) {
+    fn grow(&mut self, drawn: &DrawnRules<'_>) {
         for (letter, lengths) in self.lengths.iter_mut().enumerate() {
             lengths[0] = drawn.length(letter);
         }
@@ -79,8 +79,8 @@ impl Scales {
     }
 
     /// Whether the lengths scale together and nothing else depends on them.
-    fn hold(&self, drawn: &Drawn<'_>) -> bool {
-        let Drawn { rules, .. } = drawn;
+    fn hold(&self, drawn: &DrawnRules<'_>) -> bool {
+        let DrawnRules { rules, .. } = drawn;
         let degree = |maker: LetterId, code: &Code| degree(code, &|slot| self.is_length(maker, usize::from(slot)));
         let conditions = (0..rules.letters.len()).flat_map(|letter| {
             let rules = rules.by_letter[letter].iter().chain(&rules.images[letter]);
@@ -98,12 +98,12 @@ impl Scales {
 }
 
 /// Rules with the turtle that draws their letters.
-struct Drawn<'a> {
+struct DrawnRules<'a> {
     rules: &'a Rules,
     turtle: &'a Turtle,
 }
 
-impl<'a> Drawn<'a> {
+impl<'a> DrawnRules<'a> {
     /// A letter's own actions; none if the letter is always drawn as an image.
     fn actions(&self, letter: usize) -> &'a [Action] {
         let replaced = self.rules.images[letter].iter().any(|image| image.condition.is_none());

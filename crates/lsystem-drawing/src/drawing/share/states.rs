@@ -20,13 +20,13 @@ use crate::drawing::pieces::{Pieces, StateWord, StateWords};
 use crate::drawing::task::{Made, Outcome, Task};
 use crate::room::{bytes_of, reserve};
 use crate::style::ColourChange;
-use crate::turtle::{Op, Score, continuation};
+use crate::turtle::{Score, TurtleOp, continuation};
 use core::ops::Range;
 use lsystem_derive::{Fault, LetterId, Rules, Template, fault};
 use lsystem_syntax::{Diagnostic, Limits, Meter};
 use std::collections::HashMap;
 use std::sync::Arc;
-use write::Writing;
+use write::StatePieceWriting;
 
 /// The most states; each takes about 100 bytes. Systems with more states hardly ever repeat them.
 const STATES: usize = 1 << 16;
@@ -36,7 +36,7 @@ const STATES: usize = 1 << 16;
 /// - balanced branches in every rewritten module, successor and image;
 /// - every polygon within one successor or image.
 pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
-    let bends = |op: &Op<S>| matches!(op, Op::Bend(_));
+    let bends = |op: &TurtleOp<S>| matches!(op, TurtleOp::Bend(_));
     let (letters, ops) = (rules.by_letter.len(), |letter: usize| score.ops[letter].as_slice());
     // Rewritten modules and modules with images do not act in a word; their pieces and images are checked separately.
     let is_rewritten = |letter: usize| !rules.by_letter[letter].is_empty();
@@ -48,7 +48,7 @@ pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     };
     let inside =
         |word: &Template| is_balanced(word.letters.iter().flat_map(|&letter| own(usize::from(letter)))) && filled(word);
-    let alone = |ops: &[Op<S>]| is_balanced(ops) && is_filled_at_once([Some(ops)]);
+    let alone = |ops: &[TurtleOp<S>]| is_balanced(ops) && is_filled_at_once([Some(ops)]);
     let shown = |word: &Template| {
         alone(&word.letters.iter().flat_map(|&letter| ops(usize::from(letter))).copied().collect::<Vec<_>>())
     };
@@ -80,7 +80,7 @@ pub(crate) struct States<S: Space> {
     /// By derivation step: the states that the step rewrites.
     levels: Vec<Vec<State>>,
     /// The modules of the axiom and of all successors.
-    parts: Vec<Part>,
+    parts: Vec<StateModule>,
     /// The arguments of all modules.
     arguments: Vec<f64>,
     /// The number of states in all levels.
@@ -98,9 +98,9 @@ pub(crate) struct States<S: Space> {
     /// The pieces of the level below and of the present level; `None` during planning.
     pieces: Option<[Vec<CountedPiece<S>>; 2]>,
     /// The next piece, in the making.
-    writing: Option<Box<Writing<S>>>,
+    writing: Option<Box<StatePieceWriting<S>>>,
     /// A reusable buffer.
-    commands: Vec<Command<S>>,
+    commands: Vec<TurtleCommand<S>>,
     /// By letter: whether it or an image draws, to find the module that continues another under growth. Empty without
     /// growth.
     shows: Vec<bool>,
@@ -122,14 +122,14 @@ struct State {
 
 /// A module of a successor or of the axiom.
 #[derive(Clone, Copy, Debug)]
-enum Part {
+enum StateModule {
     /// A module that is not rewritten: letter, and index of the first argument.
     Module(LetterId, u32),
     /// A module that is rewritten: letter, index of the state in the next level, and scale of its lengths.
     State(LetterId, u32, f64),
 }
 
-impl Part {
+impl StateModule {
     fn letter(&self) -> LetterId {
         match *self {
             Self::Module(letter, _) | Self::State(letter, ..) => letter,
@@ -175,8 +175,8 @@ type CountedPiece<S> = (Piece<S>, u128);
 
 /// A command to the turtle.
 #[derive(Clone, Copy, Debug)]
-enum Command<S: Space> {
-    Op(Op<S>),
+enum TurtleCommand<S: Space> {
+    Op(TurtleOp<S>),
     /// The index in the word of the module of the next commands; only in systems with polygons.
     Place(u32),
     /// The colour of the next commands, by generation.
@@ -267,7 +267,7 @@ impl<S: Space> States<S> {
         };
         let mut writing = self.writing.take().unwrap_or_else(|| {
             let (parts, origin, way) = begun;
-            Box::new(Writing::new(parts.clone(), origin, self.fully_grown(parts, &origin, meter), way))
+            Box::new(StatePieceWriting::new(parts.clone(), origin, self.fully_grown(parts, &origin, meter), way))
         });
         match self.write(&mut writing, (turtle, score), builder, meter) {
             Err(diagnostic) => return Outcome::Failed(diagnostic),
@@ -314,7 +314,7 @@ impl<S: Space> States<S> {
         let former = origin.former.filter(|_| !self.shows.is_empty() && origin.step == self.n)?;
         meter.charge(parts.len() as u64 / 4);
         let first = parts.start;
-        let letters = self.parts[parts.start as usize..parts.end as usize].iter().map(Part::letter);
+        let letters = self.parts[parts.start as usize..parts.end as usize].iter().map(StateModule::letter);
         Some(continuation(former, letters, |letter| self.shows[usize::from(letter)]).map(|at| first + at as u32))
     }
 
@@ -432,20 +432,20 @@ impl<S: Space> States<S> {
         with: (&Turtle, &Score<S>),
         letter: LetterId,
         Planning { argument, depth, orientation, .. }: &mut Planning<S>,
-        commands: &mut Vec<Command<S>>,
-    ) -> Part {
+        commands: &mut Vec<TurtleCommand<S>>,
+    ) -> StateModule {
         if *depth == 0 || self.rules.by_letter[usize::from(letter)].is_empty() {
             if !self.uses_vertical.is_empty() {
                 commands.clear();
                 // A number that is not finite is reported when the piece is made.
                 let _ = self.act(with, letter, *argument, commands);
                 for command in commands {
-                    if let Command::Op(op) = command {
+                    if let TurtleCommand::Op(op) = command {
                         orientation.follow(op);
                     }
                 }
             }
-            return Part::Module(letter, *argument as u32);
+            return StateModule::Module(letter, *argument as u32);
         }
         let Self {
             rules,
@@ -480,7 +480,7 @@ impl<S: Space> States<S> {
                 state
             }
         };
-        Part::State(letter, state, scale)
+        StateModule::State(letter, state, scale)
     }
 
     /// Completes a level of the plan: the states found become the next level.
@@ -496,12 +496,13 @@ impl<S: Space> States<S> {
         (turtle, score): (&Turtle, &Score<S>),
         letter: LetterId,
         argument: usize,
-        commands: &mut Vec<Command<S>>,
+        commands: &mut Vec<TurtleCommand<S>>,
     ) -> Result<(), Fault> {
         let arity = |letter: LetterId| usize::from(self.rules.letters[usize::from(letter)].arity);
         let own = argument..argument + arity(letter);
         let mut one = |letter: LetterId, arguments: &[f64]| {
-            commands.extend(score.ops_of(turtle, usize::from(letter), arguments.first().copied()).map(Command::Op));
+            commands
+                .extend(score.ops_of(turtle, usize::from(letter), arguments.first().copied()).map(TurtleCommand::Op));
         };
         match applying(&self.rules.images[usize::from(letter)], &self.arguments[own.clone()]) {
             None => one(letter, &self.arguments[own]),

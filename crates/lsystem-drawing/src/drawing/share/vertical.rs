@@ -2,7 +2,7 @@
 //! of its orientation in the model.
 
 use crate::drawing::block::Space;
-use crate::turtle::{Op, Score};
+use crate::turtle::{Score, TurtleOp};
 use lsystem_derive::{LetterId, Rules, Template};
 
 /// A rounded vertical, so that frames with the same vertical by different rotations have equal tilts.
@@ -40,7 +40,7 @@ pub(super) fn is_known<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     if !uses.contains(&true) {
         return true;
     }
-    let turns = spread(rules, score, &|op| matches!(op, Op::Turn(_) | Op::Upright), true);
+    let turns = spread(rules, score, &|op| matches!(op, TurtleOp::Turn(_) | TurtleOp::Upright), true);
     let known = |word: &Template| {
         let (mut lost, mut saved) = (false, vec![]);
         word.letters.iter().all(|&letter| {
@@ -52,8 +52,8 @@ pub(super) fn is_known<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
             }
             for op in &score.ops[letter] {
                 match op {
-                    Op::Push(_) => saved.push(lost),
-                    Op::Pop => lost = saved.pop().unwrap_or(lost),
+                    TurtleOp::Push(_) => saved.push(lost),
+                    TurtleOp::Pop => lost = saved.pop().unwrap_or(lost),
                     _ => {}
                 }
             }
@@ -65,12 +65,12 @@ pub(super) fn is_known<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
 
 /// By letter: whether the letter, or any letter derived from it, uses the vertical. Empty if the left is always level.
 pub(super) fn uses_vertical<S: Space>(rules: &Rules, score: &Score<S>) -> Vec<bool> {
-    if S::LEVEL { vec![] } else { spread(rules, score, &|op| matches!(op, Op::Upright), false) }
+    if S::LEVEL { vec![] } else { spread(rules, score, &|op| matches!(op, TurtleOp::Upright), false) }
 }
 
 /// By letter: whether `is` holds for an operation of the letter or of any letter derived from it. If `outside`, letters
 /// inside the branches of a successor do not count.
-fn spread<S: Space>(rules: &Rules, score: &Score<S>, is: &dyn Fn(&Op<S>) -> bool, outside: bool) -> Vec<bool> {
+fn spread<S: Space>(rules: &Rules, score: &Score<S>, is: &dyn Fn(&TurtleOp<S>) -> bool, outside: bool) -> Vec<bool> {
     let acts = |letter: LetterId| score.ops[usize::from(letter)].iter().any(is);
     let mut holds: Vec<bool> = (rules.images.iter().enumerate())
         .map(|(letter, images)| {
@@ -87,7 +87,7 @@ fn spread<S: Space>(rules: &Rules, score: &Score<S>, is: &dyn Fn(&Op<S>) -> bool
                     makers.push((made, letter as LetterId));
                 }
                 for op in &score.ops[usize::from(made)] {
-                    level += i64::from(matches!(op, Op::Push(_))) - i64::from(matches!(op, Op::Pop));
+                    level += i64::from(matches!(op, TurtleOp::Push(_))) - i64::from(matches!(op, TurtleOp::Pop));
                 }
             }
         }
@@ -125,12 +125,12 @@ impl<S: Space> Orientation<S> {
     }
 
     /// Applies an operation.
-    pub(super) fn follow(&mut self, op: &Op<S>) {
+    pub(super) fn follow(&mut self, op: &TurtleOp<S>) {
         match op {
-            Op::Turn(by) => self.heading = S::then(self.heading, by.turn),
-            Op::Upright => self.heading = S::upright(self.heading, &self.vertical),
-            Op::Push(_) => self.saved.push(self.heading),
-            Op::Pop => self.heading = self.saved.pop().unwrap_or(self.heading),
+            TurtleOp::Turn(by) => self.heading = S::then(self.heading, by.turn),
+            TurtleOp::Upright => self.heading = S::upright(self.heading, &self.vertical),
+            TurtleOp::Push(_) => self.saved.push(self.heading),
+            TurtleOp::Pop => self.heading = self.saved.pop().unwrap_or(self.heading),
             _ => {}
         }
     }

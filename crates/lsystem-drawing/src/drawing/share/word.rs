@@ -6,7 +6,7 @@ use crate::drawing::piece::{Level, Piece, branch_exponent, effect, exponent, fol
 use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;
 use crate::style::{ColourChange, StyleChange};
-use crate::turtle::{Op, Pen, Score};
+use crate::turtle::{Pen, Score, TurtleOp};
 use lsystem_derive::LetterId;
 use lsystem_syntax::Meter;
 
@@ -29,7 +29,7 @@ impl Origin {
 
 /// A word, and the pieces of its letters.
 #[derive(Clone, Copy)]
-pub(super) struct Word<'a, S: Space> {
+pub(super) struct PieceWord<'a, S: Space> {
     pub score: &'a Score<S>,
     /// The pieces of the rewritten letters; `None` at depth 0, where every letter acts by itself.
     pub below: Option<&'a Level<S>>,
@@ -39,21 +39,21 @@ pub(super) struct Word<'a, S: Space> {
     pub heading: S::Turn,
 }
 
-impl<'a, S: Space> Word<'a, S> {
+impl<'a, S: Space> PieceWord<'a, S> {
     /// The piece of a rewritten letter.
     fn lower(&self, symbol: LetterId) -> Option<&'a Piece<S>> {
         let below = self.below?;
         below.binary_search_by_key(&symbol, |(s, _)| *s).ok().map(|place| &below[place].1)
     }
 
-    fn ops(&self, symbol: LetterId) -> &'a [Op<S>] {
+    fn ops(&self, symbol: LetterId) -> &'a [TurtleOp<S>] {
         &self.score.ops[usize::from(symbol)]
     }
 }
 
 /// A piece in the making, letter by letter.
 #[derive(Clone, Debug)]
-pub(super) struct Writing<S: Space> {
+pub(super) struct LetterPieceWriting<S: Space> {
     /// The number of letters done: letters are measured while `tree` is `None`, then drawn.
     done: usize,
     /// The number of open branches after the letters measured.
@@ -70,9 +70,9 @@ pub(super) struct Writing<S: Space> {
     tree: Option<Tree<S>>,
 }
 
-impl<S: Space> Writing<S> {
-    pub(super) fn new(word: &Word<'_, S>) -> Self {
-        let Word { score, below, letters, origin, heading } = *word;
+impl<S: Space> LetterPieceWriting<S> {
+    pub(super) fn new(word: &PieceWord<'_, S>) -> Self {
+        let PieceWord { score, below, letters, origin, heading } = *word;
         let growing = origin.former.filter(|_| below.is_none() && score.growth < 1.0);
         Self {
             done: 0,
@@ -92,7 +92,12 @@ impl<S: Space> Writing<S> {
     }
 
     /// Continues until the meter is spent. Returns the finished piece.
-    pub(super) fn step(&mut self, builder: &mut Builder<S>, word: &Word<'_, S>, meter: &mut Meter) -> Option<Piece<S>> {
+    pub(super) fn step(
+        &mut self,
+        builder: &mut Builder<S>,
+        word: &PieceWord<'_, S>,
+        meter: &mut Meter,
+    ) -> Option<Piece<S>> {
         if self.tree.is_none() {
             while let Some(&symbol) = word.letters.get(self.done) {
                 if meter.is_spent() {
@@ -128,7 +133,7 @@ impl<S: Space> Writing<S> {
     }
 
     /// Measures the length and the number of items of a letter.
-    fn measure(&mut self, builder: &Builder<S>, word: &Word<'_, S>, symbol: LetterId) {
+    fn measure(&mut self, builder: &Builder<S>, word: &PieceWord<'_, S>, symbol: LetterId) {
         let score = word.score;
         let below = word.lower(symbol);
         let own = match below {
@@ -140,8 +145,8 @@ impl<S: Space> Writing<S> {
         if below.is_none() {
             self.weight += word.ops(symbol).len();
             let depths = word.ops(symbol).iter().map(|op| match op {
-                Op::Push(_) => 1,
-                Op::Pop => -1,
+                TurtleOp::Push(_) => 1,
+                TurtleOp::Pop => -1,
                 _ => 0,
             });
             self.level = self.level.saturating_add(depths.sum::<i32>()).max(0);
@@ -151,7 +156,7 @@ impl<S: Space> Writing<S> {
     fn draw(
         &mut self,
         builder: &mut Builder<S>,
-        word: &Word<'_, S>,
+        word: &PieceWord<'_, S>,
         symbol: LetterId,
         (tree, exponent): (&mut Tree<S>, i32),
     ) {

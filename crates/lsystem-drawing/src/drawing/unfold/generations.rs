@@ -1,6 +1,6 @@
 //! Drawing by whole generations, for rules with contexts or parameters.
 
-use super::tally::Tally;
+use super::counts::DrawingCounts;
 use crate::Turtle;
 use crate::drawing::block::{BlockId, Space};
 use crate::drawing::builder::Builder;
@@ -9,7 +9,7 @@ use crate::drawing::tree::Tree;
 use crate::room::bytes_of;
 use crate::space::unit_of;
 use crate::style::StyleChange;
-use crate::turtle::{Op, Pen, Score};
+use crate::turtle::{Pen, Score, TurtleOp};
 use lsystem_derive::{Age, Fate, Fault, Image, Rewriter, fault};
 use lsystem_syntax::{Diagnostic, LimitName, Limits, Meter};
 
@@ -21,14 +21,14 @@ const PIECE: usize = 1 << 12;
 pub(crate) struct Generations<S: Space> {
     rewriter: Rewriter,
     seed: u32,
-    reader: Reader<S>,
+    reader: TurtleOpReader<S>,
     stage: Stage<S>,
 }
 
 #[derive(Clone, Debug)]
 enum Stage<S: Space> {
     Derive,
-    Measure(Measure),
+    Measure(GenerationSize),
     Draw {
         pen: Pen<S>,
         saved: Vec<Pen<S>>,
@@ -44,7 +44,7 @@ enum Stage<S: Space> {
         next: u32,
         /// The last generation known to fit.
         fits: Option<u32>,
-        measure: Measure,
+        measure: GenerationSize,
     },
 }
 
@@ -58,7 +58,7 @@ impl<S: Space> Generations<S> {
             let aged = score.colours_by_generation || score.growth < 1.0;
             rewriter.remember(aged.then(|| score.shows(rules)));
         }
-        Ok(Self { rewriter, seed, reader: Reader::default(), stage: Stage::Derive })
+        Ok(Self { rewriter, seed, reader: TurtleOpReader::default(), stage: Stage::Derive })
     }
 
     /// The number of symbols of the last complete generation.
@@ -88,7 +88,7 @@ impl<S: Space> Generations<S> {
             Stage::Derive if self.rewriter.generation() < n => self.derive(builder, limits, meter),
             Stage::Derive => {
                 self.rewriter.rest();
-                self.stage = Stage::Measure(Measure::default());
+                self.stage = Stage::Measure(GenerationSize::default());
                 Outcome::Paused
             }
             Stage::Measure(_) => self.measure(with, limits, n, meter),
@@ -131,7 +131,7 @@ impl<S: Space> Generations<S> {
             (None, Ok(false)) => {}
             (None, Ok(true)) => {
                 let shift = unit_of(measure.longest);
-                *reader = Reader::default();
+                *reader = TurtleOpReader::default();
                 *stage = Stage::Draw {
                     pen: Pen::new(turtle.start_turn::<S>(), StyleChange::start(score.width)),
                     saved: Vec::new(),
@@ -153,7 +153,7 @@ impl<S: Space> Generations<S> {
         let Self { rewriter, seed, reader, stage } = self;
         let Stage::Draw { pen, saved, tree, scale } = stage else { return Outcome::Paused };
         let derived = rewriter.bytes();
-        let mut act = |place: usize, ops: &[Op<S>]| {
+        let mut act = |place: usize, ops: &[TurtleOp<S>]| {
             tree.draw(builder, place as u64, |paper, directions| pen.act(ops, saved, *scale, directions, paper));
             let bytes = builder.bytes() + derived + bytes_of(saved) + tree.bytes();
             let is_full = builder.is_full || bytes > limits.memory;
@@ -199,8 +199,8 @@ impl<S: Space> Generations<S> {
         if within && done == Ok(true) {
             *fits = Some(*next);
         }
-        *measure = Measure::default();
-        *reader = Reader::default();
+        *measure = GenerationSize::default();
+        *reader = TurtleOpReader::default();
         *next += 1;
         Outcome::Paused
     }
@@ -210,25 +210,25 @@ impl<S: Space> Generations<S> {
         let failed = || Outcome::Failed(Diagnostic::limit(passed, limits.value(passed), None));
         let Ok(rewriter) = Rewriter::new(self.rewriter.rules().clone(), self.seed, *limits) else { return failed() };
         self.rewriter = rewriter;
-        self.reader = Reader::default();
-        self.stage = Stage::Recount { passed, before, next: 0, fits: None, measure: Measure::default() };
+        self.reader = TurtleOpReader::default();
+        self.stage = Stage::Recount { passed, before, next: 0, fits: None, measure: GenerationSize::default() };
         Outcome::Paused
     }
 }
 
 /// The size of a generation's drawing.
 #[derive(Clone, Debug, Default)]
-struct Measure {
-    tally: Tally,
+struct GenerationSize {
+    counts: DrawingCounts,
     /// The longest draw or move, in units of the score.
     longest: f64,
 }
 
-impl Measure {
-    fn add<S: Space>(&mut self, ops: &[Op<S>]) {
+impl GenerationSize {
+    fn add<S: Space>(&mut self, ops: &[TurtleOp<S>]) {
         for op in ops {
-            self.tally.add(op);
-            if let Op::Draw(length) | Op::Move(length) = op {
+            self.counts.add(op);
+            if let TurtleOp::Draw(length) | TurtleOp::Move(length) = op {
                 self.longest = self.longest.max(length.abs());
             }
         }
@@ -236,9 +236,9 @@ impl Measure {
 
     /// The limit that the drawing exceeds, if any.
     fn passed(&self, limits: &Limits) -> Option<LimitName> {
-        if self.tally.segments > limits.segments {
+        if self.counts.segments > limits.segments {
             Some(LimitName::Segments)
-        } else if self.tally.work() > limits.work {
+        } else if self.counts.work() > limits.work {
             Some(LimitName::Work)
         } else {
             None
@@ -247,11 +247,11 @@ impl Measure {
 }
 
 /// Receives the place and the operations of a module. Returns the units of work, or `None` to pause.
-type Act<'a, S> = &'a mut dyn FnMut(usize, &[Op<S>]) -> Option<u64>;
+type Act<'a, S> = &'a mut dyn FnMut(usize, &[TurtleOp<S>]) -> Option<u64>;
 
 /// Reads the operations of a generation's modules, in order.
 #[derive(Clone, Debug)]
-struct Reader<S: Space> {
+struct TurtleOpReader<S: Space> {
     /// The index of the next module.
     at: usize,
     /// The index of its first argument.
@@ -260,18 +260,18 @@ struct Reader<S: Space> {
     /// While an image is read: the number of its modules and of its arguments read so far.
     inside: Option<(usize, usize)>,
     /// A reusable buffer for the operations of a letter with an argument.
-    ops: Vec<Op<S>>,
+    ops: Vec<TurtleOp<S>>,
     /// A reusable buffer for the operations of one module.
-    own: Vec<Op<S>>,
+    own: Vec<TurtleOp<S>>,
 }
 
-impl<S: Space> Default for Reader<S> {
+impl<S: Space> Default for TurtleOpReader<S> {
     fn default() -> Self {
         Self { at: 0, argument: 0, image: Image::default(), inside: None, ops: vec![], own: vec![] }
     }
 }
 
-impl<S: Space> Reader<S> {
+impl<S: Space> TurtleOpReader<S> {
     /// Hands the places and operations of up to [`PIECE`] modules to `act`. Stops earlier if the work exceeds 4 units
     /// per module, or if `act` returns `None`. Returns whether the generation is at its end.
     fn read(

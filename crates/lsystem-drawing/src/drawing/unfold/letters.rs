@@ -1,13 +1,13 @@
 //! Drawing letter by letter, without shared pieces.
 
-use super::tally::Tally;
+use super::counts::DrawingCounts;
 use crate::drawing::block::{BlockId, Item, Space};
 use crate::drawing::builder::Builder;
 use crate::drawing::task::Task;
 use crate::drawing::tree::Tree;
 use crate::room::bytes_of;
 use crate::style::StyleChange;
-use crate::turtle::{Op, Pen, Score};
+use crate::turtle::{Pen, Score, TurtleOp};
 use lsystem_derive::{LetterId, Next, Rules, Walk};
 use lsystem_syntax::{LimitName, Limits, Meter};
 
@@ -16,7 +16,7 @@ use lsystem_syntax::{LimitName, Limits, Meter};
 pub(crate) struct Census {
     walk: Walk,
     symbols: u64,
-    tally: Tally,
+    counts: DrawingCounts,
 }
 
 /// The outcome of a step of a walk.
@@ -31,7 +31,7 @@ pub(super) enum WalkOutcome<T> {
 
 impl Census {
     pub(super) fn new(n: u32, seed: u32) -> Self {
-        Self { walk: Walk::new(n, seed), symbols: 0, tally: Tally::default() }
+        Self { walk: Walk::new(n, seed), symbols: 0, counts: DrawingCounts::default() }
     }
 
     /// Continues until the meter is spent. Hands the place and the operations of each letter of the last generation to
@@ -42,7 +42,7 @@ impl Census {
         score: &Score<S>,
         limits: &Limits,
         meter: &mut Meter,
-        mut act: impl FnMut(&Walk, (u64, LetterId), &[Op<S>]) -> Option<u64>,
+        mut act: impl FnMut(&Walk, (u64, LetterId), &[TurtleOp<S>]) -> Option<u64>,
     ) -> WalkOutcome<()> {
         let began = self.walk.work;
         let mut acted = 0_u64;
@@ -53,13 +53,13 @@ impl Census {
                     let ops = &score.ops[usize::from(symbol)];
                     let place = self.symbols;
                     self.symbols += 1;
-                    let before = self.tally.work();
-                    ops.iter().for_each(|op| self.tally.add(op));
-                    self.walk.work += self.tally.work() - before;
-                    if self.tally.segments > limits.segments {
+                    let before = self.counts.work();
+                    ops.iter().for_each(|op| self.counts.add(op));
+                    self.walk.work += self.counts.work() - before;
+                    if self.counts.segments > limits.segments {
                         break WalkOutcome::Passed(LimitName::Segments);
                     }
-                    if self.tally.segments.saturating_mul(size_of::<Item<S>>() as u64) > limits.memory {
+                    if self.counts.segments.saturating_mul(size_of::<Item<S>>() as u64) > limits.memory {
                         break WalkOutcome::Passed(LimitName::Memory);
                     }
                     match act(&self.walk, (place, symbol), ops) {
@@ -79,7 +79,7 @@ impl Census {
 
 /// A tree of blocks in the making.
 #[derive(Clone, Debug)]
-pub(crate) struct Letters<S: Space> {
+pub(crate) struct LetterUnfolding<S: Space> {
     census: Census,
     pen: Pen<S>,
     saved: Vec<Pen<S>>,
@@ -89,10 +89,10 @@ pub(crate) struct Letters<S: Space> {
     /// predecessor.
     continuation: Option<((LetterId, usize, usize), Option<usize>)>,
     /// A reusable buffer for the operations of one module.
-    own: Vec<Op<S>>,
+    own: Vec<TurtleOp<S>>,
 }
 
-impl<S: Space> Letters<S> {
+impl<S: Space> LetterUnfolding<S> {
     pub(super) fn new(Task { turtle, score, seed, n, .. }: &Task<S>) -> Self {
         Self {
             census: Census::new(*n, *seed),

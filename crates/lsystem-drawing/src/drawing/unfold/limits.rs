@@ -2,7 +2,7 @@
 
 use super::letters::{Census, WalkOutcome};
 use crate::drawing::block::{Item, Space};
-use crate::turtle::{Op, Score};
+use crate::turtle::{Score, TurtleOp};
 use lsystem_derive::{LetterId, Rewrite, Rules};
 use lsystem_syntax::{LimitName, Limits, Meter};
 
@@ -37,7 +37,7 @@ pub(crate) struct Forecast {
 
 impl Forecast {
     pub(super) fn new<S: Space>(score: &Score<S>) -> Self {
-        let draws = |ops: &Vec<Op<S>>| ops.iter().filter(|op| matches!(op, Op::Draw(_))).count() as u128;
+        let draws = |ops: &Vec<TurtleOp<S>>| ops.iter().filter(|op| matches!(op, TurtleOp::Draw(_))).count() as u128;
         let sums = score.ops.iter().map(|ops| (draws(ops), 0)).collect();
         Self {
             sums,
@@ -128,7 +128,7 @@ impl Forecast {
 
 /// A search for the largest n within the limits, by trials.
 #[derive(Clone, Debug)]
-pub(super) struct Search {
+pub(super) struct IterationSearch {
     /// The limit that generation `exceeds` exceeds.
     limit: LimitName,
     /// The largest n known to fit.
@@ -140,7 +140,7 @@ pub(super) struct Search {
     census: Census,
 }
 
-impl Search {
+impl IterationSearch {
     /// A search after generation `n` exceeded `limit`.
     pub(super) fn new(limit: LimitName, n: u32, seed: u32) -> Self {
         Self { limit, fits: None, exceeds: n, trial: 0, census: Census::new(0, seed) }

@@ -1,6 +1,6 @@
 //! The making of a piece of modules with parameters: the turtle's commands become a block.
 
-use super::{Command, CountedPiece, Part, States};
+use super::{CountedPiece, StateModule, States, TurtleCommand};
 use crate::Turtle;
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
@@ -10,14 +10,14 @@ use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;
 use crate::space::unit_of;
 use crate::style::StyleChange;
-use crate::turtle::{Op, Pen, Score};
+use crate::turtle::{Pen, Score, TurtleOp};
 use core::ops::Range;
 use lsystem_derive::fault;
 use lsystem_syntax::{Diagnostic, Limits, Meter};
 
 /// A piece in the making.
 #[derive(Clone, Debug)]
-pub(super) struct Writing<S: Space> {
+pub(super) struct StatePieceWriting<S: Space> {
     parts: Range<u32>,
     origin: Origin,
     /// As [`States::fully_grown`].
@@ -50,7 +50,7 @@ impl<S: Space> States<S> {
     /// Continues with a piece until the meter is spent. Returns the finished piece.
     pub(super) fn write(
         &mut self,
-        writing: &mut Writing<S>,
+        writing: &mut StatePieceWriting<S>,
         (turtle, score): (&Turtle, &Score<S>),
         builder: &mut Builder<S>,
         meter: &mut Meter,
@@ -110,8 +110,8 @@ impl<S: Space> States<S> {
     fn collect(
         &self,
         with: (&Turtle, &Score<S>),
-        writing: &Writing<S>,
-        commands: &mut Vec<Command<S>>,
+        writing: &StatePieceWriting<S>,
+        commands: &mut Vec<TurtleCommand<S>>,
     ) -> Result<u32, Diagnostic> {
         commands.clear();
         for number in writing.done..writing.parts.end {
@@ -119,25 +119,26 @@ impl<S: Space> States<S> {
                 return Ok(number);
             }
             let part = self.parts[number as usize];
-            commands.extend(self.words.is_some().then(|| Command::Place(number - writing.parts.start)));
-            commands
-                .extend(with.1.colours_by_generation.then(|| Command::Colour(writing.origin.colour_of(part.letter()))));
+            commands.extend(self.words.is_some().then(|| TurtleCommand::Place(number - writing.parts.start)));
+            commands.extend(
+                with.1.colours_by_generation.then(|| TurtleCommand::Colour(writing.origin.colour_of(part.letter()))),
+            );
             match part {
-                Part::Module(letter, argument) => {
+                StateModule::Module(letter, argument) => {
                     let before = commands.len();
                     let acted = self.act(with, letter, argument as usize, commands);
                     // An image counts as a step after generation `n`.
                     acted.map_err(|error| fault(&self.rules, error, self.n, &Limits::default(), None))?;
                     if writing.fully_grown.is_some_and(|continuation| continuation != Some(number)) {
                         commands[before..].iter_mut().for_each(|command| {
-                            if let Command::Op(op) = command {
+                            if let TurtleCommand::Op(op) = command {
                                 *op = with.1.growing(*op);
                             }
                         });
                     }
                 }
-                Part::State(_, state, scale) => {
-                    commands.extend(self.below(state).map(|(piece, _)| Command::Piece(*piece, scale)));
+                StateModule::State(_, state, scale) => {
+                    commands.extend(self.below(state).map(|(piece, _)| TurtleCommand::Piece(*piece, scale)));
                 }
             }
         }
@@ -152,13 +153,13 @@ impl<S: Space> States<S> {
     /// The number of symbols in a part's derivation.
     fn symbols_of(&self, part: u32) -> u128 {
         match self.parts[part as usize] {
-            Part::Module(..) => 1,
-            Part::State(_, state, _) => self.below(state).map_or(0, |(_, symbols)| *symbols),
+            StateModule::Module(..) => 1,
+            StateModule::State(_, state, _) => self.below(state).map_or(0, |(_, symbols)| *symbols),
         }
     }
 }
 
-impl<S: Space> Writing<S> {
+impl<S: Space> StatePieceWriting<S> {
     /// A piece of these parts. The turtle enters with `heading`, in a frame with `vertical`.
     pub(super) fn new(
         parts: Range<u32>,
@@ -190,39 +191,46 @@ impl<S: Space> Writing<S> {
     }
 
     /// Measures the lengths and the number of some commands.
-    fn measure(&mut self, builder: &Builder<S>, score: &Score<S>, commands: &[Command<S>]) {
+    fn measure(&mut self, builder: &Builder<S>, score: &Score<S>, commands: &[TurtleCommand<S>]) {
         for command in commands {
             let unit = match command {
-                Command::Op(Op::Draw(length) | Op::Move(length)) if *length != 0.0 => {
+                TurtleCommand::Op(TurtleOp::Draw(length) | TurtleOp::Move(length)) if *length != 0.0 => {
                     Some(score.exponent.saturating_add(unit_of(*length)))
                 }
-                Command::Op(Op::Push(_)) => {
+                TurtleCommand::Op(TurtleOp::Push(_)) => {
                     self.level = self.level.saturating_add(1);
                     None
                 }
-                Command::Op(Op::Pop) => {
+                TurtleCommand::Op(TurtleOp::Pop) => {
                     self.level = self.level.saturating_sub(1).max(0);
                     None
                 }
-                Command::Op(_) | Command::Colour(_) | Command::Place(_) => None,
-                Command::Piece(piece, scale) => exponent(builder, piece).map(|own| own.saturating_add(unit_of(*scale))),
+                TurtleCommand::Op(_) | TurtleCommand::Colour(_) | TurtleCommand::Place(_) => None,
+                TurtleCommand::Piece(piece, scale) => {
+                    exponent(builder, piece).map(|own| own.saturating_add(unit_of(*scale)))
+                }
             };
             self.unit = self.unit.max(unit.map(|unit| unit.saturating_add(branch_exponent(score, self.level))));
         }
         self.weight += 1 + commands.len();
     }
 
-    fn draw(&mut self, builder: &mut Builder<S>, command: &Command<S>, (tree, unit, scale): (&mut Tree<S>, i32, f64)) {
+    fn draw(
+        &mut self,
+        builder: &mut Builder<S>,
+        command: &TurtleCommand<S>,
+        (tree, unit, scale): (&mut Tree<S>, i32, f64),
+    ) {
         let Self { pen, saved, place: at, .. } = self;
         match command {
-            Command::Op(op) => {
+            TurtleCommand::Op(op) => {
                 tree.draw(builder, u64::from(*at), |paper, directions| {
                     pen.act(&[*op], saved, scale, directions, paper);
                 });
             }
-            Command::Place(place) => *at = *place,
-            Command::Colour(colour) => pen.style.colour = *colour,
-            Command::Piece(piece, scale) => {
+            TurtleCommand::Place(place) => *at = *place,
+            TurtleCommand::Colour(colour) => pen.style.colour = *colour,
+            TurtleCommand::Piece(piece, scale) => {
                 if let Some(block) = piece.block {
                     let placed = place(builder, block, pen, unit, *scale);
                     tree.place(builder, placed);

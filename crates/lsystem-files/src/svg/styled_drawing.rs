@@ -1,12 +1,12 @@
 //! A drawing at the size of a picture, and the look of its parts.
 
 use super::features::Features;
-use super::paths::Ink;
+use super::paths::StrokeLook;
 use lsystem_drawing::{BlockId, ColourChange, Drawing, StyleChange, WidthChange};
 use lsystem_syntax::{ColourBy, Style};
 
 /// A drawing with its style and features.
-pub(super) struct Scene<'a> {
+pub(super) struct StyledDrawing<'a> {
     pub(super) drawing: &'a Drawing,
     pub(super) style: &'a Style,
     pub(super) features: &'a Features,
@@ -28,9 +28,9 @@ impl From<Entry> for StyleChange {
     }
 }
 
-impl Scene<'_> {
-    pub(super) fn ink(&self, change: &StyleChange) -> Ink {
-        Ink::of(self.style, change, self.step, 1.0)
+impl StyledDrawing<'_> {
+    pub(super) fn look(&self, change: &StyleChange) -> StrokeLook {
+        StrokeLook::of(self.style, change, self.step, 1.0)
     }
 
     /// The visible part of the style at the start of a block.

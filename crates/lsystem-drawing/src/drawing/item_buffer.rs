@@ -9,7 +9,7 @@ use crate::turtle::Paper;
 
 /// The items that will form blocks, and the polygons that are still open.
 #[derive(Clone, Debug)]
-pub(super) struct Sheet<S: Space> {
+pub(super) struct ItemBuffer<S: Space> {
     pub items: Vec<Item<S>>,
     /// The open polygons, innermost last: the indices of their items, and their vertices so far.
     open: Vec<(usize, Vec<S::Point>)>,
@@ -19,7 +19,7 @@ pub(super) struct Sheet<S: Space> {
     pub symbol: u32,
 }
 
-impl<S: Space> Sheet<S> {
+impl<S: Space> ItemBuffer<S> {
     pub(super) fn new() -> Self {
         Self { items: vec![], open: vec![], held: 0, symbol: 0 }
     }
@@ -35,7 +35,7 @@ impl<S: Space> Sheet<S> {
         self.items.retain(|item| !is_hollow(item));
     }
 
-    /// The bytes that the sheet occupies. A list of vertices may have twice the capacity that it uses.
+    /// The bytes that the buffer occupies. A list of vertices may have twice the capacity that it uses.
     pub(super) fn bytes(&self) -> u64 {
         bytes_of(&self.items) + bytes_of(&self.open) + (2 * self.held * size_of::<S::Point>()) as u64
     }
@@ -72,40 +72,40 @@ pub(super) fn shift<S: Space>(builder: &mut Builder<S>, items: &mut [Item<S>], o
     }
 }
 
-/// Adds strokes and polygons to a sheet, and their styles and vertices to the builder's lists.
-pub(crate) struct SheetWriter<'a, S: Space> {
-    pub sheet: &'a mut Sheet<S>,
+/// Adds strokes and polygons to a buffer, and their styles and vertices to the builder's lists.
+pub(crate) struct ItemWriter<'a, S: Space> {
+    pub buffer: &'a mut ItemBuffer<S>,
     pub styles: &'a mut Styles,
     pub vertices: &'a mut Vec<S::Point>,
 }
 
-impl<S: Space> Paper<S> for SheetWriter<'_, S> {
+impl<S: Space> Paper<S> for ItemWriter<'_, S> {
     fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange) {
-        reserve(&mut self.sheet.items, 1);
-        self.sheet.items.push(Item::Stroke(Stroke { from, to, style: self.styles.id(style) }));
+        reserve(&mut self.buffer.items, 1);
+        self.buffer.items.push(Item::Stroke(Stroke { from, to, style: self.styles.id(style) }));
     }
 
     fn open(&mut self, style: &StyleChange) {
         // A polygon lies beneath the strokes that are drawn while it is open, so its item comes first.
-        self.sheet.open.push((self.sheet.items.len(), vec![]));
-        let Sheet { items, symbol, .. } = self.sheet;
+        self.buffer.open.push((self.buffer.items.len(), vec![]));
+        let ItemBuffer { items, symbol, .. } = self.buffer;
         items.push(Item::Polygon(Polygon { first: 0, count: 0, style: self.styles.id(style), symbol: *symbol }));
     }
 
     fn vertex(&mut self, at: S::Point) {
-        if let Some((_, vertices)) = self.sheet.open.last_mut()
+        if let Some((_, vertices)) = self.buffer.open.last_mut()
             && vertices.last() != Some(&at)
         {
             vertices.push(at);
-            self.sheet.held += 1;
+            self.buffer.held += 1;
         }
     }
 
     fn close(&mut self) {
-        let Some((place, vertices)) = self.sheet.open.pop() else { return };
-        self.sheet.held -= vertices.len();
+        let Some((place, vertices)) = self.buffer.open.pop() else { return };
+        self.buffer.held -= vertices.len();
         if vertices.len() > 2
-            && let Some(Item::Polygon(polygon)) = self.sheet.items.get_mut(place)
+            && let Some(Item::Polygon(polygon)) = self.buffer.items.get_mut(place)
         {
             (polygon.first, polygon.count) = (self.vertices.len() as u32, vertices.len() as u32);
             reserve(self.vertices, vertices.len());

@@ -4,19 +4,19 @@ import { make } from '../dom.js';
 
 /**
  * @param {HTMLInputElement} field
- * @param {string} wanted
- * @returns {(wrong: boolean, mended?: boolean) => void} updates the note; `wrong`: the text is no number within the
- *   range; `mended`: the nearest valid number was taken
+ * @param {string} expected
+ * @returns {(wrong: boolean, corrected?: boolean) => void} updates the note; `wrong`: the text is no number within the
+ *   range; `corrected`: the nearest valid number was taken
  */
-export function rangeNote(field, wanted) {
-    const id = `${field.id}-wanted`;
-    const note = make('p', { id, class: 'wanted', role: 'status' });
+export function rangeNote(field, expected) {
+    const id = `${field.id}-range-note`;
+    const note = make('p', { id, class: 'range-note', role: 'status' });
     return (wrong, corrected = false) => {
         field.toggleAttribute('data-wrong', wrong);
         field.setAttribute('aria-invalid', String(wrong));
         // An empty field is about to be typed into.
         if ((wrong && field.value.trim() !== '') || corrected) {
-            note.textContent = `Must be ${wanted}${corrected ? '; the nearest value was taken' : ''}.`;
+            note.textContent = `Must be ${expected}${corrected ? '; the nearest value was taken' : ''}.`;
             if (!note.isConnected) (field.closest('.dial, .quad, .seed') ?? field).after(note);
             if (wrong) field.setAttribute('aria-errormessage', id);
         } else {

@@ -1,14 +1,14 @@
 //! The count of segments and open branches, for the limits of unfolded drawings.
 
 use crate::drawing::block::Space;
-use crate::turtle::Op;
+use crate::turtle::TurtleOp;
 
 /// The units of work of an open branch: the saved turtle state takes the memory of this many letters.
 const BRANCH: u64 = 32;
 
 /// The counts so far.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Tally {
+pub(super) struct DrawingCounts {
     /// The number of segments, polygons and vertices of polygons; each counts the same towards the memory limit.
     pub segments: u64,
     /// The number of open branches.
@@ -19,22 +19,22 @@ pub(super) struct Tally {
     outlines: u64,
 }
 
-impl Tally {
-    pub(super) fn add<S: Space>(&mut self, op: &Op<S>) {
+impl DrawingCounts {
+    pub(super) fn add<S: Space>(&mut self, op: &TurtleOp<S>) {
         match op {
-            Op::Draw(_) => self.segments += 1,
-            Op::Push(_) => {
+            TurtleOp::Draw(_) => self.segments += 1,
+            TurtleOp::Push(_) => {
                 self.open += 1;
                 self.deepest = self.deepest.max(self.open);
             }
-            Op::Pop => self.open = self.open.saturating_sub(1),
-            Op::Vertex => self.segments += u64::from(self.outlines > 0),
-            Op::OpenPolygon => {
+            TurtleOp::Pop => self.open = self.open.saturating_sub(1),
+            TurtleOp::Vertex => self.segments += u64::from(self.outlines > 0),
+            TurtleOp::OpenPolygon => {
                 self.outlines += 1;
                 self.segments += 1;
             }
-            Op::ClosePolygon => self.outlines = self.outlines.saturating_sub(1),
-            Op::Move(_) | Op::Turn(_) | Op::Upright | Op::Bend(_) | Op::Style(_) => {}
+            TurtleOp::ClosePolygon => self.outlines = self.outlines.saturating_sub(1),
+            TurtleOp::Move(_) | TurtleOp::Turn(_) | TurtleOp::Upright | TurtleOp::Bend(_) | TurtleOp::Style(_) => {}
         }
     }
 
