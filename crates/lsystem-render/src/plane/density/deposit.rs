@@ -3,7 +3,7 @@
 use crate::plane::Amount;
 use crate::plane::descent::Node;
 use crate::plane::shape::Shape;
-use crate::plane::sweep::{Fact, Sweep};
+use crate::plane::sweep::{BlockVisitor, Sweep};
 use crate::plane::view::Measure;
 use lsystem_drawing::{Block, Drawing, Item};
 use lsystem_syntax::{Meter, Progress};
@@ -79,7 +79,7 @@ struct Summing<'a> {
     shapes: &'a [Shape],
 }
 
-impl Fact for Summing<'_> {
+impl BlockVisitor for Summing<'_> {
     /// For all ink, for its centre of gravity, and for how it is spread about that.
     const PASSES: usize = 3;
 

@@ -28,7 +28,7 @@ use facts::Facts;
 use lsystem_drawing::Drawing;
 use lsystem_syntax::{Meter, Progress};
 use picture::Picture;
-pub(super) use tile::TILES as DENSITY_TILES;
+pub(super) use tile::TILE_BYTES as DENSITY_TILE_BYTES;
 use tone::Tone;
 
 /// Pixels along the side of a sum in a coarse picture.

@@ -8,10 +8,10 @@ use super::pigment::{Pigments, Source};
 use super::sheet::{LEAST, Pigment, Sheet};
 use super::survey::{Finding, Next, Survey};
 use super::tiling::{Outcome, Seen, Sheets, Tiling};
-use crate::plane::descent::{Cut, Descent, Met, Node};
+use crate::plane::descent::{Cut, Descent, Node, Visit};
 use crate::plane::inks::{InkTable, Inks, Shade};
 use crate::plane::picture::Plan;
-use crate::plane::view::{Camera, Measure};
+use crate::plane::view::{Measure, ViewTransform};
 use crate::plane::{Amount, Pane, Pass, RenderStats};
 use lsystem_drawing::{Drawing, Item};
 use lsystem_syntax::{Meter, Progress};
@@ -115,9 +115,9 @@ impl Picture {
         self.apron = 0;
         self.stats = RenderStats::default();
         self.repeats = drawing.memoised;
-        let camera = Camera::new(drawing, plan.viewport, plan.view, samples);
+        let transform = ViewTransform::new(drawing, plan.viewport, plan.view, samples);
         let hairline = plan.viewport.least_width(&plan.style) * samples;
-        let measure = Measure { hairline, step: camera.step, scale: camera.scale };
+        let measure = Measure { hairline, step: transform.step, scale: transform.scale };
         let changed = self.table.choose(drawing, &plan.style);
         // Tiles with large dots in them would spoil this picture.
         let rough = core::mem::replace(&mut self.dots.extent, TINY) > TINY;
@@ -147,8 +147,8 @@ impl Picture {
         }
         let [patience, each] = PATIENCE;
         (self.dots.patience, self.dots.laid) = (patience + each * (size[0] * size[1]) as u64, 0);
-        let camera = Camera::new(drawing, plan.viewport, plan.view, samples).of_pane(plan.pane, samples);
-        self.start.extend(self.descent.root(drawing, camera));
+        let transform = ViewTransform::new(drawing, plan.viewport, plan.view, samples).of_pane(plan.pane, samples);
+        self.start.extend(self.descent.root(drawing, transform));
         self.cut = plan.upto.map(Cut::new);
         (self.stage, self.pass) = (Stage::Cut, plan.pass);
         Progress::Done
@@ -250,7 +250,7 @@ impl Picture {
                 Next::Count(survey) => self.count(survey),
                 Next::End(finding) => return self.draw(finding),
             },
-            Some(Met { item: Item::Block(_), node }) => {
+            Some(Visit { item: Item::Block(_), node }) => {
                 let Some(seen) = self.seen(drawing, facts, &node) else { return 0 };
                 if seen.extent > survey.grain {
                     self.stack.push(node);
@@ -260,7 +260,7 @@ impl Picture {
                 }
                 self.stage = Stage::Survey(survey);
             }
-            Some(Met { node, .. }) => {
+            Some(Visit { node, .. }) => {
                 // More than any stroke has that is in the picture.
                 survey.count(Amount::new(self.measure.width(node.pen.width)).times(self.sheets[0].numbers() as f64));
                 self.stage = Stage::Survey(survey);
@@ -281,11 +281,11 @@ impl Picture {
                 self.stats.stamps += 1;
                 work
             }
-            Some(Met { item: Item::Stroke(stroke), node }) => {
+            Some(Visit { item: Item::Stroke(stroke), node }) => {
                 let ends = [stroke.from, stroke.to].map(|p| node.place.point(p));
                 self.stroke(&node, ends, node.pen.width, node.pen.shade)
             }
-            Some(Met { item: Item::Polygon(polygon), node }) => {
+            Some(Visit { item: Item::Polygon(polygon), node }) => {
                 self.stats.strokes += 1;
                 let vertices = drawing.vertices_of(polygon).iter().map(|&vertex| node.place.point(vertex));
                 let pigment = self.pigments.of(node.pen.shade);
@@ -293,7 +293,7 @@ impl Picture {
                 let sheet = &mut self.sheets[node.canvas];
                 sheet.fill(vertices, sheet.layer(), pigment)
             }
-            Some(Met { item: Item::Block(_), node }) => self.block(drawing, facts, node, grain),
+            Some(Visit { item: Item::Block(_), node }) => self.block(drawing, facts, node, grain),
         }
     }
 

@@ -1,16 +1,16 @@
 use super::*;
 use crate::plane::tests::{check_odd_views, check_small_steps, close_up, difference, hard, put, samples, time};
 use crate::plane::view::root_bounds;
-use crate::plane::{Maker, Pass, Renderer, View, Viewport};
+use crate::plane::{InkMethod, Pass, Renderer, View, Viewport};
 use crate::{fit, fitted_scale};
 use lsystem_syntax::{ColourBy, Ink, Style};
 use std::sync::Arc;
 
 /// The picture of sums that was made last.
 fn density(renderer: &Renderer) -> &Density {
-    match &renderer.maker {
-        Maker::Density(density) => density,
-        Maker::Opaque(_) => unreachable!("the picture is opaque"),
+    match &renderer.method {
+        InkMethod::Density(density) => density,
+        InkMethod::Opaque(_) => unreachable!("the picture is opaque"),
     }
 }
 

@@ -24,7 +24,7 @@ const CHUNKS: usize = 16;
 const ROWS: usize = 1 << 20;
 
 /// The bytes of all tiles: their numbers, and of each row where it begins.
-pub(in crate::plane) const TILES: u64 =
+pub(in crate::plane) const TILE_BYTES: u64 =
     (CHUNKS * CHUNK * size_of::<f32>() + ROWS * size_of::<(u32, u32, u32)>()) as u64;
 /// The number of sizes.
 pub(super) const SIZES: usize = 3;
