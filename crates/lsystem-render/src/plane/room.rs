@@ -40,7 +40,7 @@ fn opaque(style: &Style, viewport: Viewport, detail: Detail) -> u64 {
 }
 
 fn density(style: &Style, viewport: Viewport, detail: Detail) -> u64 {
-    let side = if detail == Detail::Coarse { super::density::COARSE as u64 } else { 1 };
+    let side = if detail == Detail::Coarse { super::density::COARSE_SIDE as u64 } else { 1 };
     let sums = u64::from(viewport.width).div_ceil(side) * u64::from(viewport.height).div_ceil(side);
     let numbers = if colours(style) > 1 { 4 } else { 1 };
     4 * numbers * sums + DENSITY_TILE_BYTES

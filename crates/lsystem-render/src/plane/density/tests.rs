@@ -6,7 +6,7 @@ use crate::{fit, fitted_scale};
 use lsystem_syntax::{ColourBy, Ink, Style};
 use std::sync::Arc;
 
-/// The picture of sums that was made last.
+/// The picture of sums made last.
 fn density(renderer: &Renderer) -> &Density {
     match &renderer.method {
         InkMethod::Density(density) => density,
@@ -37,7 +37,7 @@ fn by_definition(drawing: &Drawing, style: &Style, viewport: Viewport, view: Vie
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let length = (dx * dx + dy * dy).sqrt();
         let stroke = (segment.width * scale).max(style.min_width * viewport.ratio).max(1.0);
-        // Strokes of a pixel are lines without width; others have as many of them as makes no difference.
+        // A stroke one pixel wide is a line without width. A wider stroke is many lines.
         let lines = if stroke > 1.0 { (stroke * 8.0).ceil() as usize } else { 1 };
         let points = (length * 8.0).ceil().max(1.0) as usize;
         for (line, point) in (0..lines).flat_map(|line| (0..points).map(move |point| (line, point))) {
@@ -159,7 +159,7 @@ fn a_drawing_has_the_ink_of_its_strokes_at_any_depth() {
     }
 }
 
-/// Also where they are much wider than all of it is: it is no dot.
+/// Also if strokes are much wider than the whole drawing, which is then no dot.
 #[test]
 fn small_drawings_of_wide_strokes_have_their_ink() {
     let viewport = Viewport { width: 160, height: 120, ratio: 1.0 };
