@@ -402,8 +402,8 @@ impl Picture {
         work
     }
 
-    /// Adds all ink of a block at its centre of gravity. Where its strokes are broad, the ink is work down as two bands
-    /// that cross there.
+    /// Adds all ink of a block at its centre of gravity, or as two bands that cross there if its strokes are broad.
+    /// Returns the units of work.
     fn dot(&mut self, node: &Node, deposit: &Deposit, width: f64) -> u64 {
         let Some(pigment) = self.pigment(node) else { return 1 };
         self.stats.strokes += 1;
