@@ -100,7 +100,7 @@ pub(super) fn brute_force_until(
 
 /// The place of a block, y up: its origin, and the complex number that turns and scales its points.
 type Placement = ([f64; 2], [f64; 2]);
-/// Takes the points of a stroke or of a polygon, whether it is a polygon, and the pen.
+/// Takes the points of a stroke or of a polygon, whether they are those of a polygon, and the pen.
 type Out<'a> = dyn FnMut(&[[f64; 2]], bool, Pen) + 'a;
 
 fn at((origin, turn): Placement, p: [f64; 2]) -> [f64; 2] {

@@ -291,8 +291,8 @@ pub(super) fn processor_time() -> f64 {
     nanoseconds.map_or_else(|| START.elapsed().as_secs_f64() * 1e3, |ns| ns / 1e6)
 }
 
-/// Prints what pictures take, of the systems whose names contain `ONLY`, of generation `N`, at magnifications `ZOOMS`;
-/// writes them where `PICTURES` says.
+/// Prints what pictures take, of the systems whose names contain `ONLY`, of generation `N`, at magnifications `ZOOMS`.
+/// Writes them to the folder `PICTURES`.
 pub(super) fn time(ink: Ink) {
     let mut renderer = Renderer::new();
     const RUNS: usize = 10;
@@ -342,8 +342,8 @@ fn the_fitted_scale_is_that_of_the_view() {
         let viewport = Viewport { width: 320, height: 200, ratio: 2.0 };
         let (_, rect) = view::root_bounds(&drawing);
         for zoom in [1.0, 8.0] {
-            let camera = view::ViewTransform::new(&drawing, viewport, View { zoom, ..View::default() }, 1.0);
-            let at = |x| camera.place([Wide::sum(x, 0.0), Wide::ZERO])[0];
+            let transform = view::ViewTransform::new(&drawing, viewport, View { zoom, ..View::default() }, 1.0);
+            let at = |x| transform.place([Wide::sum(x, 0.0), Wide::ZERO])[0];
             let scale = at(rect.width.max(rect.height)) - at(0.0);
             assert!((scale / (fitted_scale(&drawing, viewport) * zoom) - 1.0).abs() < 1e-9, "{name}");
         }
@@ -501,11 +501,11 @@ fn a_bottom_up_picture_is_exact_where_all_is_on_the_lattice() {
         renderer.load(drawing.clone());
         for steps in [12.0, 17.0] {
             // A step is `steps` subsamples long, and the origin lies between two subsamples.
-            let camera = |view| view::ViewTransform::new(&drawing, viewport, view, 4.0);
-            let view = View { zoom: steps / camera(View::default()).step, ..View::default() };
-            let camera = camera(view);
-            let side = view::root_bounds(&drawing).1.longer_side() * camera.scale;
-            let [x, y] = camera.place(Default::default()).map(|v| (v - libm::round(v)) / side);
+            let transform = |view| view::ViewTransform::new(&drawing, viewport, view, 4.0);
+            let view = View { zoom: steps / transform(View::default()).step, ..View::default() };
+            let transform = transform(view);
+            let side = view::root_bounds(&drawing).1.longer_side() * transform.scale;
+            let [x, y] = transform.place(Default::default()).map(|v| (v - libm::round(v)) / side);
             let view = View { x: x + view.x, y: view.y - y, ..view };
             for colour_by in [ColourBy::Symbol, ColourBy::Level] {
                 let style = Style { colour_by, ..sample.0.style.clone() };
@@ -564,10 +564,10 @@ fn a_bottom_up_picture_in_small_steps_is_the_same() {
 fn a_thousand_generations_look_like_two_hundred() {
     let viewport = Viewport { width: 160, height: 120, ratio: 1.0 };
     let [mut few, mut many] = [Renderer::new(), Renderer::new()];
-    // The dragon turns by 45 degrees with each generation, Gosper's curve by 19.1, which never comes round; what
-    // narrows has a trunk that grows by steps of one length, so that its twigs are of another size in each generation.
-    let comes_round = |name: &str| !name.contains("gosper") && name != "narrowing";
-    for (name, sample, _) in samples().into_iter().filter(|(name, ..)| comes_round(name)) {
+    // The pictures can only be alike if headings and sizes recur. The dragon turns by 45 degrees with each generation.
+    // Gosper's curve turns by 19.1 degrees, which never recurs. The twigs of `narrowing` shrink with each generation.
+    let recurs = |name: &str| !name.contains("gosper") && name != "narrowing";
+    for (name, sample, _) in samples().into_iter().filter(|(name, ..)| recurs(name)) {
         for (renderer, n) in [(&mut few, 200), (&mut many, 1000)] {
             renderer.load(Arc::new(sample.draw(n)));
             picture(renderer, &sample.0.style, viewport, View::default());
@@ -789,8 +789,8 @@ fn slow_zooms_and_pans_neither_shimmer_nor_pop() {
                     let off = (got - expected).abs() / (1.0 + 0.02 * expected);
                     let (mut extra, mut worst) = (0.0, 0.0_f64);
                     if let Some((before, truth_before)) = &last {
-                        // An eighth of a pixel of movement changes what lies on edges; what our picture changes beyond
-                        // that is what tiles are off by, an eighth of a subsample or less, twice.
+                        // Moving by an eighth of a pixel changes the pixels at edges. Further changes come from tiles,
+                        // which are off by an eighth of a subsample or less, in both pictures.
                         let (change, _) = difference(before, &ours, 160);
                         let (needed, _) = difference(truth_before, &truth, 160);
                         extra = change - needed;

@@ -35,7 +35,7 @@ impl Viewport {
     }
 }
 
-/// A place and a magnification, relative to the fitted drawing, so that the drawing can change under it.
+/// A place and a magnification, relative to the fitted drawing, so that the view stays when the drawing changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// The picture's centre, right of the fitted centre, in fitted extents (the longer side of [`fit`]).

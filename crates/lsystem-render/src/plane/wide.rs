@@ -17,7 +17,7 @@ impl Wide {
         Self { high, low: (a - (high - rest)) + (b - rest) }
     }
 
-    /// The exact product of two numbers (Veltkamp's split), unless it is out of range.
+    /// The exact product of two numbers (Veltkamp's split), unless the product is out of range.
     pub(super) fn product(a: f64, b: f64) -> Self {
         let split = |v: f64| {
             let big = v * 134_217_729.0;

@@ -1,4 +1,4 @@
-//! The descent through a scene, tile by tile and from front to back, on an explicit stack so that it can stop anywhere.
+//! The descent through a scene, tile by tile and from front to back. An explicit stack lets the descent stop anywhere.
 
 use super::Quality;
 use super::camera::Camera;
@@ -16,8 +16,7 @@ use crate::{RenderStats, Viewport};
 use lsystem_drawing::{Drawing, Solid};
 use lsystem_syntax::{Meter, Progress, Style};
 
-/// Nodes with a larger radius than this, in samples, are checked for being hidden. For smaller nodes the check costs
-/// more than it saves.
+/// Nodes with a larger radius than this, in samples, are checked for being hidden.
 const LEAST_HIDDEN: f32 = 3.0;
 /// The size of dots, relative to that of other dots, up to which a node without enough budget is a dot.
 const LARGEST_DOT: f32 = 2.0;

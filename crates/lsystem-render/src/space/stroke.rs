@@ -21,8 +21,7 @@ pub(super) struct Stick {
 
 /// A stick that reaches farther from a tile than this, in samples, is cut, so that single precision is enough.
 const REACH: f64 = 4096.0;
-/// If the bounds of a stick are at most this many samples wide, every row looks at all columns: that is faster than
-/// computing the crossings.
+/// If the bounds of a stick are at most this many samples wide, every row looks at all columns.
 const NARROW: usize = 6;
 /// If the ratio of a stick's length in the picture to its length is at most this, only the nearer end is painted.
 const END_ON: f64 = 1e-3;

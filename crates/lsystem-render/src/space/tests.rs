@@ -177,8 +177,8 @@ fn styles() -> [Style; 3] {
     ]
 }
 
-/// Nothing is so small that it is left out: all that may differ is rounding, and which of two strokes is in front where
-/// both are equally deep. Rounding moves an edge by much less than a sample, a sixteenth of a pixel's colour.
+/// No stroke is left out. Pictures may differ by rounding, and in which of two equally deep strokes is in front.
+/// Rounding moves an edge by much less than a sample, a sixteenth of a pixel's colour.
 #[test]
 fn pictures_are_true_where_all_is_looked_into() {
     for (system, n) in [(tree(), 2), (bush(), 4)] {
@@ -197,9 +197,9 @@ fn pictures_are_true_where_all_is_looked_into() {
     }
 }
 
-/// Where blocks are dots of half a pixel: their edges may be wrong by a quarter of a pixel, and their colours are those
-/// of the mean. In a crown where every pixel has an edge a pixel may so differ by a part of its contrast, but on the
-/// whole the picture is as bright and as dense as the true one.
+/// Blocks are dots of half a pixel: their edges may be off by a quarter of a pixel, and their colours are means. So in
+/// a crown, where every pixel has an edge, a pixel may differ by a part of its contrast. On the whole the picture is as
+/// bright and as dense as the true picture.
 #[test]
 fn pictures_of_small_blocks_are_true_on_the_whole() {
     let [level, _, path] = &styles();
@@ -219,8 +219,8 @@ fn pictures_of_small_blocks_are_true_on_the_whole() {
     }
 }
 
-/// The drawing cut short anywhere is that of its first segments, in the colours that they have in the whole; whole
-/// again, it is as it was.
+/// A drawing that is cut anywhere shows its first segments, in the colours of the whole drawing. Shown in full again,
+/// the drawing is as before.
 #[test]
 fn the_first_segments_are_shown_alone() {
     let [level, _, path] = &styles();
@@ -293,8 +293,8 @@ fn wide_strokes_are_painted_in_steps() {
     }
 }
 
-/// The picture made pane by pane, in any order and by several renderers, with the budgets that it has one after the
-/// other; and how many those are.
+/// The picture made pane by pane, in any order and by several renderers, with one budget after the other; and the
+/// number of budgets.
 fn in_panes(drawing: &Arc<Drawing<Solid>>, style: &Style, viewport: Viewport, camera: &Camera) -> (Vec<u8>, usize) {
     let mut renderers = [SolidRenderer::new(), SolidRenderer::new()];
     renderers.iter_mut().for_each(|renderer| renderer.load(drawing.clone()));
@@ -444,7 +444,7 @@ fn colours_go_along_the_path() {
     }
 }
 
-/// A filled square covers its area, from whatever side, and half a branch's length is a quarter of it.
+/// A filled square covers its area from every side; a square of half the side covers a quarter.
 #[test]
 fn polygons_are_filled() {
     let style = Style::default();

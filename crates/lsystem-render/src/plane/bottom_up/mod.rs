@@ -15,7 +15,7 @@ mod parts;
 
 use crate::plane::canvas::polygon::Filling;
 use crate::plane::canvas::stroke::Capsule;
-use crate::plane::canvas::words::{Block, GROUP};
+use crate::plane::canvas::words::{GROUP, GroupBits};
 use crate::plane::pen::Pen;
 use crate::plane::top_down::tile;
 use crate::plane::view::Measure;
@@ -237,7 +237,7 @@ impl BottomUp {
         let corner = [0, 1].map(|axis| self.layout.origin[axis] + self.layout.areas[root][0][axis]);
         let column = (self.strips * u64::BITS as usize) as i64 / grain - corner[0];
         for group in 0..frame.rows / GROUP {
-            let block = |plane: usize| -> Block {
+            let block = |plane: usize| -> GroupBits {
                 core::array::from_fn(|row| {
                     let row = (group * GROUP + row) as i64 / grain - corner[1];
                     enlarged(picture.word(plane, [column, row]), self.layout.grain)

@@ -62,7 +62,7 @@ pub(in crate::plane) struct Joint {
 }
 
 /// Everything that a part's picture depends on: block, heading, scale, and the width if it is wider than a hairline.
-type Key = (BlockId, Heading, u64, Option<u64>);
+type PartKey = (BlockId, Heading, u64, Option<u64>);
 
 /// The parts of a picture.
 #[derive(Default)]
@@ -71,7 +71,7 @@ pub(in crate::plane) struct Parts {
     pub joints: Vec<Joint>,
     /// The parts looked into. A part comes before all parts inside it, and the first is the whole drawing.
     pub order: Vec<usize>,
-    known: HashMap<Key, usize, BuildHasherDefault<Mixer>>,
+    known: HashMap<PartKey, usize, BuildHasherDefault<Mixer>>,
     /// The parts not looked into yet. A block has a larger number than the blocks inside, so outer parts come first.
     waiting: BinaryHeap<(BlockId, Heading, usize)>,
     /// The part that is being looked into.

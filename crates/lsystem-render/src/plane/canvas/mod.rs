@@ -16,7 +16,7 @@ use crate::plane::inks::{Dye, PLANES};
 use bits::Bits;
 use core::ops::Range;
 use lsystem_syntax::{Meter, Progress};
-use words::{Block, GROUP, NOTHING, STRIP, Spans, Words, any, columns, has_only_holes, within};
+use words::{GROUP, GroupBits, NOTHING, STRIP, Spans, Words, any, columns, has_only_holes, within};
 
 /// Rows in a cell. A cell is 64 rows of a strip, and is turned into pixels at once.
 const CELL: usize = 64;
@@ -169,7 +169,7 @@ impl Canvas {
     }
 
     /// Sets the words of a group, which begins at the word `at` of every plane: the coverage `bits`, and no colours.
-    fn begin_group(&mut self, at: usize, bits: Block) {
+    fn begin_group(&mut self, at: usize, bits: GroupBits) {
         let size = self.covered.len();
         if let Some(words) = self.covered[at..].first_chunk_mut() {
             *words = bits;
@@ -310,7 +310,13 @@ impl Canvas {
     }
 
     /// Paints these subsamples of a group, in colours whose digits are given by plane.
-    pub(in crate::plane) fn put(&mut self, strip: usize, group: usize, bits: Block, digit: impl Fn(usize) -> Block) {
+    pub(in crate::plane) fn put(
+        &mut self,
+        strip: usize,
+        group: usize,
+        bits: GroupBits,
+        digit: impl Fn(usize) -> GroupBits,
+    ) {
         if let Some(new) = self.cover(strip, group, bits) {
             for plane in 0..self.planes {
                 self.add(plane, strip * self.rows + group * GROUP, &new, &digit(plane));
@@ -320,7 +326,7 @@ impl Canvas {
 
     /// Covers these subsamples of a group. Returns the subsamples that were not covered before, if there are any.
     #[inline(always)]
-    fn cover(&mut self, strip: usize, group: usize, bits: Block) -> Option<Block> {
+    fn cover(&mut self, strip: usize, group: usize, bits: GroupBits) -> Option<GroupBits> {
         let at = strip * self.rows + group * GROUP;
         let (word, bit) = (strip * self.words() + group / GROUPS, 1 << (group % GROUPS));
         if self.mixed[word] & bit == 0 {
@@ -354,7 +360,7 @@ impl Canvas {
 
     /// Gives the `new` subsamples of a group, which begins at the word `at` of every plane, the dyed colours of a tile.
     #[inline(always)]
-    fn dye(&mut self, at: usize, new: &Block, tile: &Bits<'_>, words: &Words, dye: &Dye) {
+    fn dye(&mut self, at: usize, new: &GroupBits, tile: &Bits<'_>, words: &Words, dye: &Dye) {
         if dye.is_even(tile.colours.count) {
             return self.colour(at, new, dye.entry.code(dye.digits));
         }
@@ -380,7 +386,7 @@ impl Canvas {
 
     /// Sets those of the `bits` that are `new`, in a plane of a group that begins at the word `at`.
     #[inline(always)]
-    fn add(&mut self, plane: usize, at: usize, new: &Block, bits: &Block) {
+    fn add(&mut self, plane: usize, at: usize, new: &GroupBits, bits: &GroupBits) {
         if let Some(words) = self.colours[plane * self.covered.len() + at..].first_chunk_mut::<GROUP>() {
             for ((word, bits), new) in words.iter_mut().zip(bits).zip(new) {
                 *word |= bits & new;
@@ -390,7 +396,7 @@ impl Canvas {
 
     /// Gives the `new` subsamples of a group, which begins at the word `at` of every plane, a colour.
     #[inline(always)]
-    fn colour(&mut self, at: usize, new: &Block, colour: u32) {
+    fn colour(&mut self, at: usize, new: &GroupBits, colour: u32) {
         for plane in (0..self.planes).filter(|plane| colour >> plane & 1 != 0) {
             self.add(plane, at, new, new);
         }
@@ -515,7 +521,7 @@ impl Canvas {
 
     /// Paints these subsamples of a group.
     #[inline(always)]
-    fn fill_strip(&mut self, strip: usize, group: usize, bits: Block, colour: u32) {
+    fn fill_strip(&mut self, strip: usize, group: usize, bits: GroupBits, colour: u32) {
         if self.open(strip, [group; 2]) != 0
             && let Some(new) = self.cover(strip, group, bits)
         {

@@ -24,7 +24,7 @@ const MOST_RADIUS: f64 = (1_u64 << 34) as f64;
 
 /// The left or the right side of a stroke, from top to bottom: an arc around the upper end, an edge, an arc around
 /// the lower end.
-struct Side {
+struct StrokeSide {
     /// -1 on the left, 1 on the right.
     sign: f64,
     /// The ends of the segment.
@@ -40,7 +40,7 @@ struct Side {
     step: i64,
 }
 
-impl Side {
+impl StrokeSide {
     fn new(sign: f64, [upper, lower]: [[f64; 2]; 2], [ux, uy]: [f64; 2], radius: f64, first: i64) -> Self {
         let start = [upper[0] + sign * radius * uy, upper[1] - sign * radius * ux];
         let end = start[1] + lower[1] - upper[1];
@@ -94,13 +94,13 @@ impl Capsule {
         let Some((ends, direction)) = near.clipped(size) else { return 0 };
         let first = ((ends[0][1] - radius - 0.5).ceil() as i64).max(0);
         let last = ((ends[1][1] + radius - 0.5).floor() as i64).min(height - 1);
-        let left = Side::new(-1.0, ends, direction, radius, first);
-        let right = Side::new(1.0, ends, direction, radius, first);
+        let left = StrokeSide::new(-1.0, ends, direction, radius, first);
+        let right = StrokeSide::new(1.0, ends, direction, radius, first);
         if first > last {
             return 0;
         }
         let slope = if direction[1] > 0.0 { direction[0] / direction[1] } else { 0.0 };
-        // The axis at two heights, and the radius around it, bound what lies between.
+        // The axis at two heights, widened by the radius, bounds the rows between.
         let bounds = |rows: Range<usize>| {
             let at = |y: f64| match y {
                 _ if y <= ends[0][1] => ends[0][0],

@@ -11,7 +11,7 @@ pub(in crate::plane) const GROUP: usize = 8;
 const MOST_HOLES: u32 = 2;
 
 /// The words of a group.
-pub(in crate::plane) type Block = [u64; GROUP];
+pub(in crate::plane) type GroupBits = [u64; GROUP];
 
 /// The first and the last column of a shape in each row of a group.
 pub(in crate::plane) type Spans = [[i64; 2]; GROUP];
@@ -32,18 +32,18 @@ pub(in crate::plane) struct Words {
 impl Words {
     /// The shifted words of a plane. Bits that the tile does not cover are arbitrary.
     #[inline(always)]
-    pub(in crate::plane) fn of(&self, planes: &Planes<'_>, plane: usize) -> Block {
+    pub(in crate::plane) fn of(&self, planes: &Planes<'_>, plane: usize) -> GroupBits {
         self.moved(planes, plane, [u64::MAX; 2])
     }
 
     /// The shifted words of the first plane. Bits outside the tile are 0.
     #[inline(always)]
-    pub(in crate::plane) fn masked(&self, planes: &Planes<'_>) -> Block {
+    pub(in crate::plane) fn masked(&self, planes: &Planes<'_>) -> GroupBits {
         self.moved(planes, 0, self.masks)
     }
 
     #[inline(always)]
-    fn moved(&self, planes: &Planes<'_>, plane: usize, masks: [u64; 2]) -> Block {
+    fn moved(&self, planes: &Planes<'_>, plane: usize, masks: [u64; 2]) -> GroupBits {
         let first = planes.first + plane * planes.size;
         let [before, own] = self.at.map(|at| {
             planes.words.get(first.wrapping_add(at)..).and_then(<[u64]>::first_chunk::<GROUP>).unwrap_or(&[0; GROUP])
@@ -76,7 +76,7 @@ fn funnel(words: [[u64; 2]; 2], masks: [u64; 2], shift: u32) -> [u64; 2] {
 
 /// The bits of a strip that lie in these spans.
 #[inline(always)]
-pub(in crate::plane) fn within(strip: usize, spans: &Spans) -> Block {
+pub(in crate::plane) fn within(strip: usize, spans: &Spans) -> GroupBits {
     const LAST: i64 = STRIP as i64 - 1;
     let left = (strip * STRIP) as i64;
     spans.map(|[first, last]| {
@@ -87,7 +87,7 @@ pub(in crate::plane) fn within(strip: usize, spans: &Spans) -> Block {
 
 /// Whether a group has any bits.
 #[inline(always)]
-pub(in crate::plane) fn any(group: &Block) -> bool {
+pub(in crate::plane) fn any(group: &GroupBits) -> bool {
     let [a, b, c, d, e, f, g, h] = *group;
     let pair = [a | c | e | g, b | d | f | h];
     pair[0] | pair[1] != 0

@@ -6,8 +6,7 @@ use crate::plane::descent::{Node, Place};
 use crate::plane::inks::Shade;
 use crate::plane::top_down::tile::{self as opaque, Key};
 
-/// Once tiles had to be dropped, only blocks smaller than this extent, in pixels, get tiles: large tiles fill the
-/// memory.
+/// Once tiles had to be dropped, only blocks smaller than this extent, in pixels, get tiles.
 const CROWDED_EXTENT: f64 = 20.0;
 
 /// The picture, then a sheet for each size of tile.

@@ -2,7 +2,7 @@
 //! anywhere.
 //!
 //! A block that is covered or outside the picture costs one step. A small block that recurs is stamped from its tile.
-//! Broad strokes in one colour are painted in [passes](self::passes).
+//! Broad strokes in one colour are painted in [passes].
 
 pub(in crate::plane) mod passes;
 pub(in crate::plane) mod tile;
