@@ -20,7 +20,7 @@ pub struct Camera {
     /// Whether nearer parts look larger. With perspective the eye is two fitted extents from the target; without, it is
     /// infinitely far away.
     pub perspective: bool,
-    /// How much far parts fade into the background: 0 (not at all) to 1.
+    /// How much the farthest parts fade into the background: 0 (not at all) to 1.
     pub fade: f64,
 }
 

@@ -10,7 +10,7 @@ use super::shares::{UNLIMITED, shares, weight};
 use crate::plane::Shade;
 use lsystem_drawing::rotation::dot;
 
-/// The contents of a node whose scale is larger than this, in samples, are sorted by depth.
+/// A node with more samples to a unit than this has its contents sorted by depth.
 const SORTED: f32 = 4.0;
 
 /// A node that is being looked into.

@@ -9,10 +9,9 @@ use lsystem_drawing::triangulate::facing;
 use lsystem_drawing::{BlockId, Drawing, Placed, Polygon, Solid, Stroke, StyleChange};
 
 /// The segment or the polygon under a pointer as the camera sees it. Among the polygons filled there and the segments
-/// whose strokes are within a quarter of the tolerance, the nearest to the eye is picked; depths that differ by less
-/// than that quarter count as equal. If there are none, the nearest to the pointer is picked, to a 32nd of the
-/// tolerance. Where many blocks overlap, the search ends with the pointer's visits. Segments and polygons beyond the
-/// first 2^128 - 1 are not found.
+/// whose strokes are within a quarter of the tolerance, the nearest to the eye is picked, to about that quarter in
+/// depth. If there are none, the nearest to the pointer is picked, to a 32nd of the tolerance. Where many blocks
+/// overlap, the search ends with the pointer's visits. Segments and polygons beyond the first 2^128 - 1 are not found.
 #[must_use]
 pub fn pick_solid(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera, pointer: &Pointer) -> Option<Pick> {
     let lens = Lens::new(drawing, viewport, camera, 1.0);

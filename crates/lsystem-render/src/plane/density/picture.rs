@@ -22,7 +22,7 @@ const TINY: f64 = 1.0;
 const LONGEST_LINE: f64 = 1e6;
 /// Strokes with a larger radius than this, in pixels, are not drawn into tiles, and their blocks are bands, not dots.
 const BROAD: f64 = 16.0;
-/// Sums stay below 2 to this power, so that an `f32` (below 2^128) holds them and their pigments.
+/// Sums stay below about 2 to this power, so that an `f32` (below 2^128) holds them and their pigments.
 const LARGEST_EXPONENT: i32 = 100;
 /// The steps of a picture before larger blocks are added as dots: this many, and more for each sum. A step is a block
 /// looked into, a stroke or a stamp.
