@@ -1,9 +1,9 @@
 //! Pixels of L-systems.
 //!
-//! What comes in is a [`Drawing`](lsystem_drawing::Drawing), a [`Style`](lsystem_syntax::Style) and where to look; what
-//! goes out are RGBA pixels, or what is drawn at a place ([`pick`], [`pick_solid`]).
+//! Input: a [`Drawing`](lsystem_drawing::Drawing), a [`Style`](lsystem_syntax::Style) and a [`View`] or a [`Camera`].
+//! Output: RGBA pixels, or the segment or polygon at a place ([`pick`], [`pick_solid`]).
 //!
-//! The way between: `plane` and `space` each go down the graph of the drawing, in steps of counted work.
+//! `plane` and `space` each descend the graph of the drawing, in steps of counted work.
 
 mod plane;
 mod space;

@@ -1,9 +1,9 @@
-//! Numbers far beyond the range of `f64`: a drawing of a thousand generations has 2^3000 segments.
+//! Numbers beyond the range of `f64`: a drawing of a thousand generations has 2^3000 segments.
 
-/// A number, and the exponent of a power of two that it is to be multiplied by.
+/// The number `part * 2^exponent`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Amount {
-    /// From 0.5 on and below 1, or 0.
+    /// The absolute value is at least 0.5 and below 1, or 0.
     part: f64,
     exponent: i32,
 }
@@ -36,17 +36,17 @@ impl Amount {
         Self { part, exponent: exponent.saturating_add(self.exponent) }
     }
 
-    /// The greatest power of two that is not greater, as its exponent; `None` of nothing.
+    /// The exponent of the greatest power of two that is not greater than the number; `None` for 0.
     pub(crate) fn exponent(self) -> Option<i32> {
         (!self.is_zero()).then(|| self.exponent - 1)
     }
 
-    /// In units of `2^exponent`.
+    /// The number in units of `2^exponent`.
     pub(crate) fn units(self, exponent: i32) -> f64 {
         libm::scalbn(self.part, self.exponent.saturating_sub(exponent))
     }
 
-    /// Which part of `whole` it is.
+    /// The ratio of the number to `whole`; 0 if `whole` is 0.
     pub(crate) fn of(self, whole: Self) -> f64 {
         if whole.is_zero() { 0.0 } else { self.units(whole.exponent) / whole.part }
     }

@@ -1,11 +1,11 @@
-//! The way down through a drawing's graph: where its blocks are on a canvas, and what the turtle carries there.
+//! The descent through a drawing's graph: the places of blocks on a canvas, and the pen there.
 
 use super::bottom_up::Part;
 use super::inks::{Choice, Shade};
 use super::path::{Path, Span};
 use super::pen::Pen;
 use super::shape::Shape;
-use super::view::Camera;
+use super::view::ViewTransform;
 use super::wide::Wide;
 use lsystem_drawing::Directions;
 use lsystem_drawing::{BlockId, Drawing, Geometry, Item, Placed, Plane};
@@ -15,36 +15,37 @@ use lsystem_syntax::{Heading, Meter, Progress};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
     pub block: BlockId,
-    /// The items from here on are done.
+    /// The items from this index on are done.
     pub cursor: u32,
-    /// Which canvas it is painted on: 0 is the picture, others are tiles being made, by size.
+    /// The canvas that the block is painted on: 0 is the picture, others are tiles being made, by size.
     pub canvas: usize,
     pub place: Place,
-    /// Where it is in the root block's frame, as long as it is large.
-    pub far: Option<Far>,
+    /// The place in the root block's frame, as long as the block is large.
+    pub root_place: Option<RootPlace>,
     pub pen: Pen,
-    /// Which part of the path it is, but for the items that are done.
+    /// The part of the path that the items not yet done make.
     pub span: Span,
 }
 
-/// Where a block is in the root block's frame. On the canvas the origin of a block that is much larger than the picture
-/// is a number so large that nothing is left of its fraction; here it is kept apart from the magnification.
+/// The place of a block in the root block's frame. If a block is much larger than the picture, the coordinates of its
+/// origin on the canvas are so large that their fractions are lost. The coordinates here do not grow with the
+/// magnification.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Far {
-    at: [Wide; 2],
-    /// Units of the root block in one of its own.
+pub(super) struct RootPlace {
+    origin: [Wide; 2],
+    /// Units of the root block in one unit of the block.
     pub scale: f64,
 }
 
-/// Blocks with more subsamples to a unit than this are placed by way of the root block's frame.
-const FAR: f64 = (1_u64 << 24) as f64;
+/// Blocks inside a block with more subsamples to a unit than this are placed by way of the root block's frame.
+const LARGE_SCALE: f64 = (1_u64 << 24) as f64;
 
-/// Where a block is on the canvas.
+/// The place of a block on the canvas.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
-    /// Its origin, in subsamples, y down.
+    /// The block's origin, in subsamples, y down.
     pub origin: [f64; 2],
-    /// Subsamples in one of its units.
+    /// Subsamples in one unit of the block.
     pub scale: f64,
     pub heading: Heading,
     /// The heading's cosine and sine, times the scale.
@@ -53,116 +54,120 @@ pub(super) struct Place {
 }
 
 impl Place {
+    /// The place on the canvas of a point of the block.
     pub(super) fn point(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.origin[0] + self.cos * x - self.sin * y, self.origin[1] - self.sin * x - self.cos * y]
     }
 
-    /// The centre of a block on the canvas, and how far it reaches from there across and down, its strokes as well: half
-    /// their width is `radius`, at most.
+    /// The centre of a block on the canvas, and how far the block and its strokes reach from there, across and down.
+    /// Half the width of its strokes is at most `radius`.
     pub(super) fn bounds(&self, shape: &Shape, radius: f64) -> ([f64; 2], [f64; 2]) {
         let [along, aside] = shape.half;
         let [cos, sin] = [self.cos.abs(), self.sin.abs()];
         (self.point(shape.centre), [cos * along + sin * aside + radius, sin * along + cos * aside + radius])
     }
 
-    /// Which point of the block is at a place on the canvas.
+    /// The point of the block at a place on the canvas.
     pub(super) fn within(&self, at: [f64; 2]) -> [f64; 2] {
         let [x, y] = [at[0] - self.origin[0], self.origin[1] - at[1]];
         let square = self.scale * self.scale;
         [(self.cos * x + self.sin * y) / square, (self.cos * y - self.sin * x) / square]
     }
 
-    /// Whether a rectangle along the axes of the frame, about `centre` and widened by `radius`, is beside a picture of
-    /// this `size`; all in subsamples, but half its sides in units.
+    /// Whether a rectangle along the axes of the block's frame is outside a picture of this `size`. The rectangle has
+    /// its middle at `centre` and is widened by `radius`, all in subsamples; `half` its sides are in units of the
+    /// block.
     pub(super) fn misses(&self, size: [f64; 2], centre: [f64; 2], half: [f64; 2], radius: f64) -> bool {
         let size = size.map(|side| side / 2.0);
         let [dx, dy] = [size[0] - centre[0], size[1] - centre[1]];
-        // Far away numbers are rough.
+        // The coordinates of a rectangle far away are rounded.
         let radius = radius + 1e-12 * (dx.abs() + dy.abs());
-        let beside = |[u, v]: [f64; 2], half: f64| {
+        let is_outside = |[u, v]: [f64; 2], half: f64| {
             (dx * u + dy * v).abs() > self.scale * (self.scale * half + radius) + size[0] * u.abs() + size[1] * v.abs()
         };
-        beside([self.cos, -self.sin], half[0]) || beside([-self.sin, -self.cos], half[1])
+        is_outside([self.cos, -self.sin], half[0]) || is_outside([-self.sin, -self.cos], half[1])
     }
 }
 
-/// Something met on the way.
+/// An item of the descent.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Met<'a> {
+pub(super) struct Visit<'a> {
     pub item: &'a Item,
-    /// Where it is: a block itself, or the block that a stroke or a polygon is in, with the pen it is drawn with.
+    /// The node of a block. For a stroke or a polygon, the node of the block around it, with the pen of the item.
     pub node: Node,
 }
 
-/// Items that are looked at to tell how much is done, at most.
-const LOOKED_AT: usize = 1 << 14;
+/// The most items that are looked at to tell how much is done: small beside the 100,000 steps of the probe.
+const MOST_ITEMS: usize = 1 << 14;
 
-/// How far segments have been left out: the place in the block on top of the stack.
+/// The state of leaving out the last segments, for the block on top of the stack.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cut {
-    /// How many segments are still to be kept.
+    /// The number of segments still to be kept.
     left: u128,
-    /// How many items of the block are kept, and whether the next is known to be the first that is not.
+    /// The number of items of the block that are kept so far.
     kept: usize,
+    /// Whether the first item that is not kept has been found.
     found: bool,
-    /// How large those are that are not kept, of which so many have been measured.
+    /// The part of the path of the items that are left out, as far as they are measured.
     rest: f64,
+    /// The number of items left out that are measured.
     measured: usize,
 }
 
 impl Cut {
-    /// Everything from the segment `from` (0-based) on is left out.
+    /// Leaves out everything from the segment `from` (0-based) on.
     pub(super) fn new(from: u128) -> Self {
         Self { left: from, kept: 0, found: false, rest: 0.0, measured: 0 }
     }
 }
 
-/// What leads from a block to those inside.
+/// Leads from a block to the blocks inside.
 #[derive(Default)]
 pub(super) struct Descent {
-    camera: Option<Camera>,
+    transform: Option<ViewTransform>,
     directions: Directions,
     pub path: Path,
 }
 
 impl Descent {
-    /// Starts a picture: the whole drawing, none of it done; `None` where nothing is drawn.
-    pub(super) fn root(&mut self, drawing: &Drawing, camera: Camera) -> Option<Node> {
+    /// Starts a picture at the root, with no item done; `None` if the drawing is empty.
+    pub(super) fn root(&mut self, drawing: &Drawing, transform: ViewTransform) -> Option<Node> {
         let block = drawing.root?;
         let cursor = drawing.blocks.get(block.0 as usize)?.items.end;
-        let far = Far { at: [Wide::default(); 2], scale: 1.0 };
+        let root_place = RootPlace { origin: [Wide::default(); 2], scale: 1.0 };
         let place = Place {
-            origin: camera.place(far.at),
-            scale: camera.scale,
+            origin: transform.place(root_place.origin),
+            scale: transform.scale,
             heading: Heading::EAST,
-            cos: camera.scale,
+            cos: transform.scale,
             sin: 0.0,
         };
         let pen = Pen { shade: Shade { number: 0, fixed: true }, width: drawing.width };
-        self.camera = Some(camera);
-        Some(Node { block, cursor, canvas: 0, place, far: Some(far), pen, span: Span::WHOLE })
+        self.transform = Some(transform);
+        Some(Node { block, cursor, canvas: 0, place, root_place: Some(root_place), pen, span: Span::WHOLE })
     }
 
-    /// A part by itself, with its origin at `origin`, so many times as large.
-    pub(super) fn alone(&mut self, drawing: &Drawing, part: &Part, origin: [f64; 2], times: f64) -> Node {
+    /// The node of a part by itself, with its origin at `origin`, magnified by `times`.
+    pub(super) fn part(&mut self, drawing: &Drawing, part: &Part, origin: [f64; 2], times: f64) -> Node {
         let Part { block, heading, width, .. } = *part;
         let scale = part.scale * times;
         let (cos, sin) = Plane::scaled(self.directions.cos_sin(heading), scale);
         let place = Place { origin, scale, heading, cos, sin };
         let cursor = drawing.blocks[block.0 as usize].items.end;
         let pen = Pen { shade: Shade::default(), width };
-        Node { block, cursor, canvas: 1, place, far: None, pen, span: Span::WHOLE }
+        Node { block, cursor, canvas: 1, place, root_place: None, pen, span: Span::WHOLE }
     }
 
-    /// The next item on the way, last items first; `None` when what is on the stack above `floor` is done. A block is
-    /// not looked into, unless it is put on the stack.
+    /// The next item, last items first; `None` when all nodes on the stack above `floor` are done. A block is looked
+    /// into only if the caller puts its node on the stack.
     pub(super) fn next<'a>(
         &mut self,
         drawing: &'a Drawing,
         choice: Choice,
         stack: &mut Vec<Node>,
         floor: usize,
-    ) -> Option<Met<'a>> {
+    ) -> Option<Visit<'a>> {
         let node = loop {
             let node = stack.get_mut(floor..)?.last_mut()?;
             if node.cursor > drawing.blocks[node.block.0 as usize].items.start {
@@ -180,7 +185,7 @@ impl Descent {
                 if let Some(node) = stack.last_mut() {
                     node.span.end -= child.span.size;
                 }
-                return Some(Met { item, node: child });
+                return Some(Visit { item, node: child });
             }
         };
         let mut pen = node.pen.after(choice, &drawing.styles[style.0 as usize]);
@@ -191,22 +196,22 @@ impl Descent {
                 node.span.end -= span.size;
             }
         }
-        Some(Met { item, node: Node { pen, ..node } })
+        Some(Visit { item, node: Node { pen, ..node } })
     }
 
-    /// A block inside another, none of it done.
+    /// The node of a block inside another, with no item done.
     pub(super) fn child(&mut self, drawing: &Drawing, choice: Choice, node: &Node, placed: &Placed) -> Node {
         let heading = node.place.heading + placed.heading;
         let scale = node.place.scale * placed.scale;
         let (c, s) = self.directions.cos_sin(heading);
-        let far = node.far.filter(|_| node.place.scale > FAR).map(|far| {
-            let (c, s) = Plane::scaled(self.directions.cos_sin(node.place.heading), far.scale);
+        let root_place = node.root_place.filter(|_| node.place.scale > LARGE_SCALE).map(|outer| {
+            let (c, s) = Plane::scaled(self.directions.cos_sin(node.place.heading), outer.scale);
             let [x, y] = placed.at;
-            let at = [far.at[0].plus(c * x - s * y), far.at[1].plus(s * x + c * y)];
-            Far { at, scale: far.scale * placed.scale }
+            let origin = [outer.origin[0].plus(c * x - s * y), outer.origin[1].plus(s * x + c * y)];
+            RootPlace { origin, scale: outer.scale * placed.scale }
         });
-        let origin = match (&far, &self.camera) {
-            (Some(far), Some(camera)) => camera.place(far.at),
+        let origin = match (&root_place, &self.transform) {
+            (Some(root_place), Some(transform)) => transform.place(root_place.origin),
             _ => node.place.point(placed.at),
         };
         let place = Place { origin, scale, heading, cos: scale * c, sin: scale * s };
@@ -216,11 +221,11 @@ impl Descent {
             pen.shade = Shade { number: span.ink(), fixed: true };
         }
         let cursor = drawing.blocks[placed.block.0 as usize].items.end;
-        Node { block: placed.block, cursor, canvas: node.canvas, place, far, pen, span }
+        Node { block: placed.block, cursor, canvas: node.canvas, place, root_place, pen, span }
     }
 
-    /// Which part of a picture is done, as the segments tell that are in blocks that `counts`; `None` where too many items
-    /// would have to be looked at.
+    /// The part of the picture that is done, from 0 to 1: the share of the segments in blocks that `counts` accepts.
+    /// `None` if too many items would have to be looked at.
     pub(super) fn done(
         &mut self,
         drawing: &Drawing,
@@ -233,7 +238,7 @@ impl Descent {
         for node in stack.iter().take_while(|node| node.canvas == 0) {
             let (mut all, mut after, mut own) = (0.0, 0.0, 0.0);
             looked_at += drawing.items_of(node.block).len();
-            if looked_at > LOOKED_AT {
+            if looked_at > MOST_ITEMS {
                 return None;
             }
             for index in drawing.blocks[node.block.0 as usize].items.clone() {
@@ -257,8 +262,8 @@ impl Descent {
         Some(done)
     }
 
-    /// Leaves out everything from a segment on, of a picture that has just begun: along the way down to that segment, what
-    /// comes after it counts as done.
+    /// Leaves out everything from a segment on, at the start of a picture: in the blocks on the way down to that
+    /// segment, all later items count as done.
     pub(super) fn leave_out(
         &mut self,
         drawing: &Drawing,
@@ -269,7 +274,7 @@ impl Descent {
     ) -> Progress {
         while let Some(node) = stack.last().copied() {
             let items = drawing.items_of(node.block);
-            // Polygons before the first segment that is left out are there.
+            // Polygons before the first segment that is left out are kept.
             while let Some(count) = items.get(cut.kept).map(|item| drawing.segments_in(item)).filter(|_| !cut.found) {
                 if meter.is_spent() {
                     return Progress::More;

@@ -1,21 +1,21 @@
-//! Which colours a block draws with, so that one picture of it serves whatever colour it is entered with.
+//! The colours of a block relative to its entry, so that one tile serves every entry colour.
 
-use super::sweep::{Fact, Sweep};
+use super::sweep::{BlockVisitor, Sweep};
 use lsystem_drawing::{Block, BlockId, ColourChange, Drawing, Item, StyleChange, StyleId};
 use lsystem_syntax::MAX_PALETTE;
 use lsystem_syntax::{ColourBy, Meter, Progress, Style};
 
-/// A colour, as far as it is known inside a block.
+/// A colour inside a block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(crate) struct Shade {
-    /// A palette entry, or how many entries it is after the one at the block's entry.
+    /// If fixed, the palette entry; otherwise the number of entries after the colour at the block's entry.
     pub number: u32,
-    /// Whether it is a palette entry.
+    /// Whether the shade is independent of the colour at entry.
     pub fixed: bool,
 }
 
 impl Shade {
-    /// As the bits of planes: the digits of the number, and what tells whether it is fixed behind them.
+    /// The shade as bits of planes: the digits of the number, then the bit `fixed`.
     pub(super) fn code(self, digits: usize) -> u32 {
         self.number | u32::from(self.fixed) << digits
     }
@@ -25,17 +25,17 @@ impl Shade {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Choice {
     by: ColourBy,
-    /// Of the palette; at least 1.
+    /// The number of colours in the palette; at least 1.
     pub colours: u32,
-    /// Whether numbers beyond the palette mean its last entry, instead of wrapping around.
+    /// Whether numbers beyond the palette mean its last entry. Otherwise they wrap around.
     holds: bool,
 }
 
 impl Choice {
-    /// By a style, in a drawing with these changes of it.
+    /// The choice of a style, for a drawing with these style changes.
     pub(crate) fn new(style: &Style, changes: &[StyleChange]) -> Self {
         let by = style.colour_by;
-        // Where numbers become smaller again, those beyond the palette have to be told apart.
+        // If numbers can become smaller again, numbers beyond the palette must stay apart.
         let falls =
             by != ColourBy::Level && changes.iter().any(|change| matches!(change.colour, ColourChange::Add(..0)));
         let largest = changes.iter().map(|change| change.colour.of(0).max(0).unsigned_abs());
@@ -43,18 +43,18 @@ impl Choice {
         Self { by, colours: style.inks().max(apart).min(MAX_PALETTE as u32), holds: style.holds() && !falls }
     }
 
-    /// The number of the palette entry for an index.
+    /// The palette entry for an index.
     fn wrapped(self, index: i64) -> u32 {
         let colours = i64::from(self.colours.max(1));
         (if self.holds { index.clamp(0, colours - 1) } else { index.rem_euclid(colours) }) as u32
     }
 
-    /// The shade after a change, from the entry's.
+    /// The shade after a change, relative to the block's entry.
     pub(crate) fn shade(self, change: &StyleChange) -> Shade {
         let wrapped = |index: i32| self.wrapped(i64::from(index));
         let moving = |number: u32| Shade { number, fixed: false };
         match (self.by, change.colour) {
-            // Along the path the walk knows.
+            // Colours along the path come from the descent, and those by density from the tone curve.
             (ColourBy::Single | ColourBy::Path | ColourBy::Density, _) => moving(0),
             (ColourBy::Level, _) => moving(self.wrapped(i64::from(change.level))),
             (_, ColourChange::Set(index)) => Shade { number: wrapped(index), fixed: true },
@@ -62,7 +62,7 @@ impl Choice {
         }
     }
 
-    /// `first`, then `second`.
+    /// The shade `second` of a block that is entered with `first`.
     pub(crate) fn then(self, first: Shade, second: Shade) -> Shade {
         if second.fixed {
             return second;
@@ -73,15 +73,15 @@ impl Choice {
     }
 }
 
-/// The shades that something is drawn with.
+/// The shades of a block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Inks {
-    /// Nothing is drawn.
+    /// The block draws nothing.
     #[default]
     None,
-    /// All in one.
+    /// The block draws in one shade.
     One(Shade),
-    /// Several.
+    /// The block draws in several shades.
     Many,
 }
 
@@ -106,6 +106,7 @@ impl Inks {
 #[derive(Debug, Default)]
 pub(super) struct InkTable {
     pub choice: Choice,
+    /// Whether the table belongs to the present drawing.
     ready: bool,
     blocks: Vec<Inks>,
     /// The palette entries of the picture, by number on its canvas.
@@ -114,19 +115,20 @@ pub(super) struct InkTable {
     fixes: bool,
     /// Whether all blocks are known.
     made: bool,
-    place: Sweep,
-    /// Of the block in hand, and the style and the block of its last item.
+    sweep: Sweep,
+    /// The shades so far of the block being visited.
     block: Inks,
+    /// The style and the block of the item that was visited last.
     last: Option<(StyleId, Option<BlockId>)>,
 }
 
 impl InkTable {
-    /// Forgets the drawing there was.
+    /// Forgets the drawing.
     pub(super) fn clear(&mut self) {
         self.ready = false;
     }
 
-    /// Starts the table for a drawing, unless it is the one already there. Returns whether anything changes.
+    /// Starts the table for a drawing, unless the present table fits. Returns whether anything changes.
     pub(super) fn choose(&mut self, drawing: &Drawing, style: &Style) -> bool {
         let choice = Choice::new(style, &drawing.styles);
         if self.ready && self.choice == choice {
@@ -138,9 +140,9 @@ impl InkTable {
 
     /// Goes on with the table, until it is made.
     pub(super) fn prepare(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
-        let mut place = self.place;
-        let progress = place.step(self, drawing, meter);
-        self.place = place;
+        let mut sweep = self.sweep;
+        let progress = sweep.step(self, drawing, meter);
+        self.sweep = sweep;
         if progress == Progress::Done && !self.made {
             self.finish(drawing);
         }
@@ -165,7 +167,7 @@ impl InkTable {
         &self.used
     }
 
-    /// The shades in a block.
+    /// The shades of a block.
     pub(super) fn of(&self, block: usize) -> Inks {
         self.blocks.get(block).copied().unwrap_or_default()
     }
@@ -175,18 +177,18 @@ impl InkTable {
         (u32::BITS - (self.choice.colours - 1).leading_zeros()) as usize
     }
 
-    /// The bit planes that the picture takes for its colours.
+    /// The number of bit planes for the colours of the picture.
     pub(super) fn picture_planes(&self) -> usize {
         if self.used.len() > 1 { self.digits() } else { 0 }
     }
 
-    /// The bit planes that a tile with these shades takes: the digits of the number and, where it matters, one more
-    /// that tells what is fixed.
+    /// The number of bit planes for the colours of a tile: the digits of the number and, if some shade is fixed, one
+    /// more for the bit `fixed`.
     pub(super) fn planes(&self, inks: Inks) -> usize {
         if inks == Inks::Many { self.digits() + usize::from(self.fixes) } else { 0 }
     }
 
-    /// What becomes of a picture with these shades where it is entered with `shade`.
+    /// The dye for a tile with these shades that is entered with `shade`.
     pub(super) fn dye(&self, inks: Inks, shade: Shade) -> Dye {
         let entry = match inks {
             Inks::One(own) => self.choice.then(shade, own),
@@ -195,20 +197,20 @@ impl InkTable {
         Dye { entry, choice: self.choice, digits: self.digits() }
     }
 
-    /// A shade as the bits of as many planes.
+    /// The shade as bits of planes.
     pub(super) fn code(&self, shade: Shade) -> u32 {
         shade.code(self.digits())
     }
 }
 
-impl Fact for InkTable {
+impl BlockVisitor for InkTable {
     fn item(&mut self, drawing: &Drawing, _: usize, _: usize, item: &Item) -> u64 {
         let (style, inner) = match item {
             Item::Stroke(stroke) => (stroke.style, None),
             Item::Polygon(polygon) => (polygon.style, None),
             Item::Block(placed) => (placed.style, Some(placed.block)),
         };
-        // Long runs of strokes in one style are common.
+        // Long runs of strokes in one style are common: only the first of them counts.
         if self.block == Inks::Many || self.last.replace((style, inner)) == Some((style, inner)) {
             return 1;
         }
@@ -227,13 +229,13 @@ impl Fact for InkTable {
     }
 }
 
-/// A change of colour numbers in binary, for 64 of them at a time: what a tile's shades are where it is stamped.
+/// Turns the shades of a tile into the shades at the place where the tile is stamped, 64 subsamples at a time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dye {
     /// The shade at the block's entry.
     pub entry: Shade,
     pub choice: Choice,
-    /// Binary digits of a number; the plane behind them tells what is fixed.
+    /// Binary digits of a number. The plane after them holds the bit `fixed`.
     pub digits: usize,
 }
 
@@ -241,21 +243,21 @@ pub(super) struct Dye {
 pub(super) const PLANES: usize = MAX_PALETTE.next_power_of_two().trailing_zeros() as usize;
 
 impl Dye {
-    /// Whether a tile of so many planes becomes one shade throughout.
+    /// Whether a tile of `planes` bit planes becomes one shade throughout.
     #[inline(always)]
     pub(super) fn is_even(&self, planes: usize) -> bool {
         planes == 0 || self.choice.holds && self.entry.number + 1 == self.choice.colours && planes <= self.digits
     }
 
-    /// Makes the numbers of a tile, given the words of each digit, what they are after the entry's shade, but for those
-    /// that are `fixed`.
+    /// Adds the number of the entry's shade to the numbers of a tile, but for `fixed` subsamples. `numbers` has the
+    /// words of each digit.
     pub(super) fn apply<const N: usize>(&self, numbers: &mut [[u64; N]], fixed: &[u64; N]) {
         let by = self.entry.number;
         if by == 0 {
             return;
         }
-        // n + by or, where that is beyond the palette, the last number or n - (colours - by), which is the same modulo
-        // the palette's size.
+        // n + by is within the palette if n < back = colours - by. Beyond, the result is the last number if the choice
+        // holds, and otherwise n - back.
         let Choice { colours, holds, .. } = self.choice;
         let back = colours - by;
         let mask = |number: u32, digit: usize| u64::from(number >> digit & 1).wrapping_neg();
@@ -271,7 +273,7 @@ impl Dye {
             within[i] &= !fixed[i];
             beyond[i] = !(less[i] | fixed[i]);
         }
-        // Which of them get the last number.
+        // The subsamples that get the last number.
         let ends = if holds { beyond } else { [0; N] };
         let down = if holds { 0 } else { back.wrapping_neg() };
         let mut carry = [0; N];

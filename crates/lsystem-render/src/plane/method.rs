@@ -1,4 +1,4 @@
-//! What the renderer needs of each way in which ink is laid down.
+//! The steps that the renderer asks of each kind of ink.
 
 use super::RenderStats;
 use super::picture::Plan;
@@ -8,27 +8,27 @@ use lsystem_syntax::{Meter, Progress};
 /// Makes pictures: [`Opaque`](super::opaque::Opaque) where strokes cover each other,
 /// [`Density`](super::density::Density) where their ink adds up.
 pub(super) trait Method {
-    /// Forgets everything about the drawing there was.
+    /// Forgets the drawing.
     fn clear(&mut self);
 
-    /// Takes what the next picture shows. A picture that was being made is given up.
+    /// Starts a picture. An unfinished picture is given up.
     fn begin(&mut self, drawing: &Drawing, plan: &Plan);
 
-    /// Finds out what the picture needs to know of the drawing.
+    /// Collects the facts about the drawing's blocks that the picture needs.
     fn prepare(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress;
 
-    /// Makes room for the pixels, which stay blank where there is no drawing; the units of work that this took.
+    /// Makes room for the pixels. They stay blank if there is no drawing. Returns the units of work.
     fn open(&mut self, plan: &Plan, is_blank: bool) -> u64;
 
-    /// Paints.
+    /// Paints the drawing.
     fn paint(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress;
 
-    /// Makes pixels of what has been painted.
+    /// Turns the painting into pixels.
     fn resolve(&mut self, meter: &mut Meter) -> Progress;
 
-    /// The pixels.
+    /// The pixels: RGBA, 8 bits each, from the upper left corner row by row.
     fn pixels(&self) -> &[u8];
 
-    /// What the picture has taken.
+    /// What the picture took so far.
     fn stats(&self) -> RenderStats;
 }

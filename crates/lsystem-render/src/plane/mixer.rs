@@ -1,8 +1,8 @@
-//! A fast hash for keys that nobody chooses with ill intent beyond wasting their own time.
+//! A fast hash without protection against chosen keys: who chooses bad keys slows only their own picture.
 
 use core::hash::Hasher;
 
-/// The hash so far.
+/// The state of the hash.
 #[derive(Default)]
 pub(super) struct Mixer(u64);
 

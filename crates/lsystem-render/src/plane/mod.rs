@@ -2,9 +2,9 @@
 //!
 //! # The picture
 //!
-//! The picture is the one that stroking every segment in drawing order would give. Strokes have round caps and are at
-//! least a pixel wide. A pixel has 4x4 subsamples, or one in a coarse picture. Each subsample keeps the colour that is
-//! drawn last. Polygons are filled by the non-zero winding rule.
+//! The picture is the same as if every segment were stroked in drawing order. Strokes have round caps and are at least
+//! a pixel wide. A pixel has 4x4 subsamples, or one in a coarse picture. Each subsample keeps the colour that is drawn
+//! last. Polygons are filled by the non-zero winding rule.
 //!
 //! # The way of a picture
 //!
@@ -25,33 +25,33 @@
 //!                    pixels
 //! ```
 //!
-//! Opaque pictures are made by one of two strategies:
+//! An opaque picture is made by one of two strategies:
 //!
 //! - **Top-down** (`top_down`, `descent`): the block drawn last comes first, so that a covered block costs one step. A
 //!   block that is straight or at most 2 subsamples large is one stroke. A small block that recurs is stamped from its
 //!   tile, which is put together from smaller tiles. Any other block is looked into. Broad strokes in one colour, where
 //!   the order of painting is free, are painted in passes from coarse to fine.
-//! - **Bottom-up** (`bottom_up`), for crowds, on which very much overlaps and each subsample is covered late: the picture
+//! - **Bottom-up** (`bottom_up`), for crowds, where many blocks overlap and each subsample is covered late: the picture
 //!   of each part is composed from the pictures of the parts inside it, on a lattice.
 //!
-//! `strategy` is the one place that chooses: every picture is begun top-down, and judged after a probe of fixed work. The
-//! panes of a large picture are made as a survey of the whole picture has chosen, so that they fit together.
+//! `strategy` chooses: every picture is begun top-down, and judged after a probe of fixed work. The panes of a large
+//! picture follow the strategy of a survey of the whole picture, so that the panes fit together.
 //!
 //! # Cost
 //!
-//! A step visits one item: a block, a stroke or a tile. A top-down picture takes at most 1,000,000 steps in full detail.
-//! Then it is made bottom-up, unless the drawing has more than 20,000 parts or 200,000 items in them, or the pictures of
-//! its parts take more than 400 Mi words. What cannot be made bottom-up either is painted as outlines of ever larger
-//! blocks: their extent doubles every 100,000 steps, so that every picture ends. Tiles take at most 21 MiB, the parts of a
-//! bottom-up picture 24 MiB.
+//! A step visits one item: a block, a stroke or a tile. A top-down picture takes at most 1,000,000 steps in full
+//! detail. Then the picture is made bottom-up, unless the drawing has more than 20,000 parts or 200,000 items in them,
+//! or the pictures of its parts take more than 24 MiB at a time or 400 Mi words in all. Otherwise the picture goes on
+//! top-down with outlines of ever larger blocks: their extent doubles every 100,000 steps, so that every picture ends.
+//! Tiles take at most 21 MiB.
 //!
 //! # Exactness
 //!
 //! - A stroke is exact to the rounding of `f64`, at any magnification.
-//! - A tile is off by at most a quarter of a subsample in each direction. The smaller tiles that it is put together from
-//!   are, too.
-//! - A part of a bottom-up picture is off by at most half a cell of the lattice for each level of parts inside each other,
-//!   and by at most 3 % of the drawing in all. A cell is 1, 2 or 4 subsamples wide.
+//! - A tile is off by at most a quarter of a subsample in each direction. The smaller tiles that it is put together
+//!   from are, too.
+//! - A part of a bottom-up picture is off by at most half a cell of the lattice for each level of parts inside each
+//!   other, by a quarter of a cell on average: about 3 % of the drawing in all. A cell is 1, 2 or 4 subsamples wide.
 //! - An outline hides the detail of its block.
 //!
 //! [`RenderStats`] counts parts and outlines, so that the page can tell the reader.
@@ -104,7 +104,7 @@ use opaque::Opaque;
 use picture::Plan;
 use std::sync::Arc;
 
-/// What a picture took.
+/// Counts of what a picture took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RenderStats {
     /// Blocks looked into.
@@ -115,16 +115,16 @@ pub struct RenderStats {
     pub stamps: u64,
     /// Tiles made.
     pub tiles: u64,
-    /// Blocks of which only the outline was painted, because the picture took too long: where there are any, fine detail
-    /// is left out.
+    /// Blocks of which only the outline was painted, because the picture took too long. Fine detail is left out if
+    /// there are any.
     pub outlines: u64,
-    /// Pictures of parts that it was put together from, because it took too long to look for each of them: where there
-    /// are any, what is drawn is a little off its place, by some pixels where very much is inside each other.
+    /// Pictures of parts in a bottom-up picture. If there are any, strokes are a little off their places: by some
+    /// pixels where many parts are inside each other.
     pub parts: u64,
 }
 
 impl RenderStats {
-    /// Whether not every line is in its place.
+    /// Whether some strokes are missing or off their places.
     #[must_use]
     pub fn is_rough(&self) -> bool {
         self.outlines + self.parts > 0
@@ -135,28 +135,28 @@ impl RenderStats {
 #[derive(Default)]
 pub struct Renderer {
     drawing: Option<Arc<Drawing>>,
-    maker: Maker,
-    /// A picture that has been asked for, until the drawing is ready for it.
+    method: InkMethod,
+    /// The picture that was asked for, until the drawing is prepared.
     plan: Option<Plan>,
     /// Whether pictures are never made bottom-up.
     is_light: bool,
     spent: u64,
 }
 
-/// The method of the picture's ink.
-enum Maker {
+/// The method that makes pictures in the style's ink.
+enum InkMethod {
     Opaque(Box<Opaque>),
     Density(Box<Density>),
 }
 
-impl Default for Maker {
+impl Default for InkMethod {
     fn default() -> Self {
         Self::Opaque(Box::default())
     }
 }
 
-impl Maker {
-    fn is_of(&self, ink: Ink) -> bool {
+impl InkMethod {
+    fn is_for(&self, ink: Ink) -> bool {
         matches!((self, ink), (Self::Opaque(_), Ink::Solid) | (Self::Density(_), Ink::Density))
     }
 
@@ -188,27 +188,27 @@ impl Renderer {
         Self { is_light: true, ..Self::default() }
     }
 
-    /// Takes the drawing that the next pictures are of. It is made ready for them in the steps of the first.
+    /// Takes the drawing of the next pictures. The steps of the first picture prepare the drawing.
     pub fn load(&mut self, drawing: Arc<Drawing>) {
-        self.maker.get_mut().clear();
+        self.method.get_mut().clear();
         self.drawing = Some(drawing);
     }
 
-    /// Starts a picture of the loaded drawing; a picture that was being made is given up. A viewport that is too large
-    /// is cut to [`Viewport::within_limits`].
+    /// Starts a picture of the loaded drawing. An unfinished picture is given up. A viewport that is too large is cut
+    /// to [`Viewport::within_limits`].
     pub fn begin(&mut self, style: &Style, viewport: Viewport, view: View) {
         self.begin_with(style, viewport, view, Detail::Fine, None);
     }
 
-    /// As [`Renderer::begin`], in coarse or in fine `detail`; of the first `upto` segments only, if that is given: the
-    /// turtle on its way.
+    /// As [`Renderer::begin`], in coarse or in fine `detail`. If `upto` is given, only the first `upto` segments are
+    /// shown, for playback.
     pub fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>) {
         let pane = Pane::whole(viewport);
         self.start(Plan { style: style.clone(), viewport, view, detail, upto, pane, pass: Pass::Only });
     }
 
-    /// As [`Renderer::begin_with`], but only one of the [panes](Pass::all) of the fine picture. The pixels are those of
-    /// the pane. Panes that begin at multiples of 16 pixels have the same subsamples as the whole.
+    /// As [`Renderer::begin_with`] in fine detail, for one of the [panes](Pass::all) of the picture. The pixels are
+    /// those of the pane. Panes that begin at multiples of 16 pixels have the same subsamples as the whole picture.
     pub fn begin_pane(
         &mut self,
         style: &Style,
@@ -223,22 +223,23 @@ impl Renderer {
     fn start(&mut self, plan: Plan) {
         let viewport = plan.viewport.within_limits();
         let plan = Plan { viewport, pane: plan.pane.within(viewport), ..plan };
-        if !self.maker.is_of(plan.style.ink) {
-            self.maker = match plan.style.ink {
-                Ink::Solid => Maker::default(),
-                Ink::Density => Maker::Density(Box::default()),
+        if !self.method.is_for(plan.style.ink) {
+            self.method = match plan.style.ink {
+                Ink::Solid => InkMethod::default(),
+                Ink::Density => InkMethod::Density(Box::default()),
             };
         }
-        if let Maker::Opaque(opaque) = &mut self.maker {
+        if let InkMethod::Opaque(opaque) = &mut self.method {
             opaque.picture.is_light = self.is_light;
         }
         if let Some(drawing) = &self.drawing {
-            self.maker.get_mut().begin(drawing, &plan);
+            self.method.get_mut().begin(drawing, &plan);
         }
         self.plan = Some(plan);
     }
 
-    /// Goes on with the picture for about `work` units, as [`Meter`] counts them: at most [`Meter::PIECE`] more.
+    /// Goes on with the picture for about `work` units, as [`Meter`] counts them, and for at most [`Meter::PIECE`]
+    /// more.
     pub fn step(&mut self, work: usize) -> Progress {
         let mut meter = Meter::new(work as u64);
         let progress = self.go_on(&mut meter);
@@ -247,7 +248,7 @@ impl Renderer {
     }
 
     fn go_on(&mut self, meter: &mut Meter) -> Progress {
-        let method = self.maker.get_mut();
+        let method = self.method.get_mut();
         if let Some(drawing) = &self.drawing
             && method.prepare(drawing, meter) == Progress::More
         {
@@ -267,16 +268,17 @@ impl Renderer {
         method.resolve(meter)
     }
 
-    /// The picture so far, once it has been begun in a step: RGBA, 8 bits each, opaque, from the upper left corner row by row.
+    /// The picture so far: RGBA, 8 bits each, opaque, from the upper left corner row by row. The size is that of the
+    /// picture once a step has prepared the drawing.
     #[must_use]
     pub fn pixels(&self) -> &[u8] {
-        self.maker.get().pixels()
+        self.method.get().pixels()
     }
 
     /// What the picture took so far.
     #[must_use]
     pub fn stats(&self) -> RenderStats {
-        self.maker.get().stats()
+        self.method.get().stats()
     }
 
     /// The units of work of all steps so far.

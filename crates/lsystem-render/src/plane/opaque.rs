@@ -1,4 +1,4 @@
-//! Pictures in which strokes cover each other.
+//! Opaque ink.
 
 use super::RenderStats;
 use super::canvas::resolve::Output;

@@ -1,4 +1,4 @@
-//! Paints strokes, polygons and blocks on the canvases of a picture, and counts what that takes.
+//! Paints strokes, polygons and blocks on the canvases of a picture, and counts the steps.
 
 use super::RenderStats;
 use super::canvas::Canvas;
@@ -14,31 +14,32 @@ use super::view::{Measure, TINY};
 use lsystem_drawing::Drawing;
 use lsystem_syntax::Meter;
 
-/// Strokes wider than twice this, in subsamples, are broad: they are not painted into tiles.
+/// Strokes with a larger radius than this, in subsamples, are broad: they are not painted into tiles.
 pub(super) const BROAD: f64 = 64.0;
-/// A straight block longer than this is taken apart, so that rounding stays far below a subsample.
-const LONG: f64 = 1e6;
-/// A stroke of so many units of work takes as long as two steps.
-const UNITS: u64 = 32;
+/// A straight block longer than this, in subsamples, is taken apart, so that rounding stays far below a subsample.
+const LONGEST_LINE: f64 = 1e6;
+/// The units of work, beside the step itself, that count as one step more.
+const UNITS_PER_STEP: u64 = 32;
 
-/// What paints a picture.
+/// Paints on the canvases of one picture at a time.
 #[derive(Default)]
 pub(super) struct Painter {
     pub measure: Measure,
     pub inks: InkTable,
     /// The picture, then a canvas for each size of tile.
     pub canvases: [Canvas; 1 + tile::SIZES],
-    /// By canvas: how often it has been started anew.
+    /// By canvas: how often the canvas has been emptied for a tile.
     serials: [u64; 1 + tile::SIZES],
     seen: Seen,
     /// Whether blocks may recur.
     pub repeats: bool,
-    /// The polygon in hand, and its canvas.
+    /// The polygon that is being filled.
     filling: Filling,
+    /// The canvas of that polygon.
     filled: usize,
-    /// The strokes on the picture so far.
+    /// The strokes and polygons painted on the picture itself so far.
     pub painted: u64,
-    /// What outlines and broad strokes took beyond a step each.
+    /// The steps that large items took beyond one step each.
     extra: u64,
     pub stats: RenderStats,
 }
@@ -52,36 +53,36 @@ impl Painter {
         self.seen.clear();
     }
 
-    /// Gives up the polygon in hand.
+    /// Gives up the polygon that is being filled.
     pub(super) fn stop(&mut self) {
         self.filling = Filling::default();
     }
 
-    /// Makes the canvas for tiles of a size empty, and at least so large.
+    /// Empties the canvas for tiles of a size, and makes it at least `width` by `height` subsamples.
     pub(super) fn empty_tile(&mut self, size: usize, [width, height]: [usize; 2], planes: usize) {
         self.canvases[1 + size].reset(width, height, planes);
         self.serials[1 + size] += 1;
     }
 
-    /// Half the width of a block's widest stroke, at most.
+    /// The most that half the width of a block's strokes is, in subsamples.
     #[inline]
     pub(super) fn widest(&self, drawing: &Drawing, node: &Node) -> f64 {
         self.measure.widest(&drawing.blocks[node.block.0 as usize], node.pen.width)
     }
 
-    /// The steps so far: blocks looked into, strokes and stamps.
+    /// The steps so far: blocks looked into, strokes and stamps, and more for large ones.
     #[inline]
     pub(super) fn steps(&self) -> u64 {
         self.stats.blocks + self.stats.strokes + self.stats.stamps + self.extra
     }
 
-    /// Counts units of work beyond those of a step.
+    /// Counts units of work beyond the step itself.
     #[inline]
     pub(super) fn add_work(&mut self, work: u64) {
-        self.extra += work / UNITS;
+        self.extra += work / UNITS_PER_STEP;
     }
 
-    /// Goes on with the polygon in hand; whether there was one.
+    /// Goes on with the polygon that is being filled. Returns whether there was one.
     #[inline]
     pub(super) fn fill(&mut self, meter: &mut Meter) -> bool {
         if self.filling.is_done() {
@@ -91,14 +92,14 @@ impl Painter {
         true
     }
 
-    /// Whether no block with these properties has been painted at this place on this canvas.
+    /// Notes a block with these properties at this place on this canvas. Returns whether it is new there.
     #[inline]
     pub(super) fn is_new(&mut self, canvas: usize, properties: [u64; 4], place: [f64; 2]) -> bool {
         let [block, scale, width, grain] = properties;
         self.seen.paint([self.tag(canvas), block, scale, width, grain], [place])
     }
 
-    /// Paints a stroke.
+    /// Paints a stroke, unless it was painted before. Returns the units of work.
     pub(super) fn stroke(&mut self, canvas: usize, [from, to]: [[f64; 2]; 2], pen: Pen) -> u64 {
         let radius = self.measure.radius(pen.width);
         if self.repeats && !self.seen.paint([self.tag(canvas), radius.to_bits()], [from, to]) {
@@ -113,13 +114,13 @@ impl Painter {
         work
     }
 
-    /// What tells a canvas from others, former tiles included.
+    /// A number that tells a canvas from all others, and from the same canvas with an earlier tile.
     #[inline]
     fn tag(&self, canvas: usize) -> u64 {
         self.serials[canvas] << 8 | canvas as u64
     }
 
-    /// Starts to fill a polygon.
+    /// Starts to fill a polygon. Returns the units of work.
     pub(super) fn polygon(&mut self, canvas: usize, place: &Place, vertices: &[[f64; 2]], pen: Pen) -> u64 {
         self.stats.strokes += 1;
         self.painted += u64::from(canvas == 0);
@@ -128,8 +129,8 @@ impl Painter {
         self.filling.begin(&self.canvases[canvas], vertices.iter().map(|&vertex| place.point(vertex)), colour)
     }
 
-    /// Paints what a block's hull encloses, in the colour of what it draws last; where strokes are broader than the
-    /// block, one of them.
+    /// Paints a block's hull in the colour of the block's last stroke. If strokes are `broad` beside the block, paints
+    /// a stroke along the block instead. Returns the units of work.
     pub(super) fn outline(&mut self, drawing: &Drawing, shape: &Shape, node: &Node, broad: bool) -> u64 {
         self.stats.outlines += 1;
         if broad {
@@ -148,8 +149,8 @@ impl Painter {
         }
     }
 
-    /// Paints a stroke along a block, in the colour of what it draws last; and below it one as wide as its widest, if that
-    /// is much wider.
+    /// Paints a stroke along a block in the colour of the block's last stroke, and below it a stroke as wide as the
+    /// block's widest if that is much wider. Returns the units of work.
     fn axis(&mut self, drawing: &Drawing, shape: &Shape, node: &Node) -> u64 {
         let ends = shape.axis().map(|end| node.place.point(end));
         let pen = node.pen.after(self.inks.choice, &shape.last);
@@ -157,11 +158,12 @@ impl Painter {
         pens.map(|pen| self.stroke(node.canvas, ends, pen)).sum()
     }
 
-    /// Paints a block that is a straight line in one colour (only where it is `plain`), or too small to tell from one.
+    /// Paints a block as one stroke if it is a `plain` straight line (in one colour), or too small to tell from one.
+    /// Returns the units of work, or `None` if the block is neither.
     pub(super) fn straight(&mut self, drawing: &Drawing, shape: &Shape, node: &Node, plain: bool) -> Option<u64> {
         let extent = shape.extent(node.place.scale);
         if let Some(line) = &shape.line
-            && extent < LONG
+            && extent < LONGEST_LINE
             && plain
         {
             let ends = [line.from, line.to].map(|p| node.place.point(p));

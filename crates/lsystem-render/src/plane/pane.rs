@@ -1,4 +1,4 @@
-//! Panes of a picture, which are made one by one where the whole would take too much memory.
+//! Panes of a picture. A picture that would take too much memory is made pane by pane.
 
 use super::Viewport;
 use lsystem_syntax::Ink;
@@ -6,24 +6,25 @@ use lsystem_syntax::Ink;
 /// A rectangle of a picture's pixels, y down from the upper left corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pane {
-    /// Its left side.
+    /// The left side, in pixels from the left side of the picture.
     pub x: u32,
-    /// Its upper side.
+    /// The upper side, in pixels below the upper side of the picture.
     pub y: u32,
-    /// In pixels.
+    /// The width in pixels.
     pub width: u32,
-    /// In pixels.
+    /// The height in pixels.
     pub height: u32,
 }
 
 impl Pane {
-    /// All of a picture.
+    /// The pane that is the whole picture.
     #[must_use]
     pub fn whole(viewport: Viewport) -> Self {
         Self { x: 0, y: 0, width: viewport.width, height: viewport.height }
     }
 
-    /// All of a picture in panes of this size, but for the last of each row and column, row by row.
+    /// Panes of `[width, height]` pixels that cover the picture, row by row. The last pane of a row or a column may be
+    /// smaller.
     #[must_use]
     pub fn all(viewport: Viewport, [width, height]: [u32; 2]) -> Vec<Self> {
         let mut panes = Vec::new();
@@ -38,30 +39,29 @@ impl Pane {
         panes
     }
 
-    /// What of it lies in a picture.
+    /// The part of the pane inside the picture.
     pub fn within(self, viewport: Viewport) -> Self {
         let [x, y] = [self.x.min(viewport.width), self.y.min(viewport.height)];
         Self { x, y, width: self.width.min(viewport.width - x), height: self.height.min(viewport.height - y) }
     }
 }
 
-/// What is done with a pane. A large picture is surveyed as a whole, so that all its panes are made in the same way; only
-/// then are they shown.
+/// The work on a pane. A large picture is surveyed as a whole first, so that all panes are made in the same way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pass {
-    /// The pane is the only one: all is done for it.
+    /// All work for a picture of one pane.
     #[default]
     Only,
-    /// Of the whole picture: how it can be made. There are no pixels.
+    /// Finds out how the whole picture can be made. Makes no pixels.
     Survey,
-    /// Where ink adds up: how much ink lies at how many of the pane's pixels. The tone depends on all panes.
+    /// For ink that adds up: counts how many of the pane's pixels have how much ink. The tone depends on all panes.
     Count,
-    /// The pixels of the pane.
+    /// Makes the pixels of the pane.
     Show,
 }
 
 impl Pass {
-    /// All that is done for a picture in panes of this size, in order.
+    /// The panes of a picture and their passes, in order; a pane is `size` = \[width, height\] pixels.
     #[must_use]
     pub fn all(ink: Ink, viewport: Viewport, size: [u32; 2]) -> Vec<(Pane, Self)> {
         let panes = Pane::all(viewport, size);
@@ -73,7 +73,7 @@ impl Pass {
         [(Pane::whole(viewport), Self::Survey)].into_iter().chain(each).collect()
     }
 
-    /// Whether there are pixels after it.
+    /// Whether the pass makes pixels.
     #[must_use]
     pub fn shows(self) -> bool {
         matches!(self, Self::Only | Self::Show)

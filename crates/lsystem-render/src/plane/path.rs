@@ -1,59 +1,62 @@
-//! Colours along the path: which part of all segments a block is.
+//! Colours along the path: the position of a block among all segments.
 //!
-//! A block recurs at many places of the path, so its tiles know nothing of them: on the picture every block that is
-//! shorter than a step of the gradient is in the colour of its middle, and longer ones are looked into.
+//! A block recurs at many positions of the path, so tiles hold no path colours. On the picture a block that is shorter
+//! than a step of the gradient has the colour of its middle. A longer block is looked into.
 
 use super::amount::Amount;
-use super::sweep::{Fact, Sweep};
+use super::sweep::{BlockVisitor, Sweep};
 use lsystem_drawing::{Block, BlockId, Drawing, Item};
 use lsystem_syntax::style::{gradient_step, is_one_step};
 use lsystem_syntax::{ColourBy, Meter, Progress, Style};
 
-/// A part of the path, as parts of the whole.
+/// A part of the path.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
+    /// The end, as a part of the whole path: 0 to 1.
     pub end: f64,
+    /// The length, as a part of the whole path.
     pub size: f64,
 }
 
 impl Span {
     pub(super) const WHOLE: Self = Self { end: 1.0, size: 1.0 };
 
-    /// The number of its colour.
+    /// The number of the colour in the middle.
     pub(super) fn ink(self) -> u32 {
         gradient_step(self.end - 0.5 * self.size)
     }
 
+    /// Whether the span has one colour.
     pub(super) fn is_short(self) -> bool {
         is_one_step(self.size)
     }
 }
 
-/// How many segments blocks have, beyond what integers hold.
+/// The number of segments in each block.
 #[derive(Debug, Default)]
 pub(super) struct Path {
-    /// By block; empty where colours follow something else.
+    /// By block; empty if colours do not follow the path.
     counts: Vec<Amount>,
-    place: Sweep,
-    /// Of the block in hand.
+    sweep: Sweep,
+    /// The segments so far of the block being counted.
     sum: Amount,
 }
 
 impl Path {
-    /// Forgets the drawing there was.
+    /// Forgets the drawing.
     pub(super) fn clear(&mut self) {
         *self = Self::default();
     }
 
-    /// Counts, where colours follow the path, until that is done.
+    /// Goes on counting, if colours follow the path.
     pub(super) fn prepare(&mut self, drawing: &Drawing, style: &Style, meter: &mut Meter) -> Progress {
         if style.colour_by != ColourBy::Path {
             self.clear();
             return Progress::Done;
         }
-        let mut place = self.place;
-        let progress = place.step(self, drawing, meter);
-        self.place = place;
+        let mut sweep = self.sweep;
+        let progress = sweep.step(self, drawing, meter);
+        self.sweep = sweep;
         progress
     }
 
@@ -62,18 +65,18 @@ impl Path {
         !self.counts.is_empty()
     }
 
-    /// The last segment of what is left of a block.
+    /// The span of the last segment in `left`, the part of a block that is not yet done.
     pub(super) fn stroke(&self, block: BlockId, left: Span) -> Span {
         Span { size: self.part(block, left, Amount::ONE), ..left }
     }
 
-    /// The last block of what is left of a block.
+    /// The span of the block `last`, which is the last item in `left`.
     pub(super) fn block(&self, block: BlockId, left: Span, last: BlockId) -> Span {
         let count = self.counts.get(last.0 as usize).copied().unwrap_or_default();
         Span { size: self.part(block, left, count), ..left }
     }
 
-    /// How large an item of a block is.
+    /// The length of an item of a block, as a part of the whole path.
     pub(super) fn size(&self, block: BlockId, span: Span, item: &Item) -> f64 {
         match item {
             Item::Stroke(_) => self.stroke(block, span).size,
@@ -88,7 +91,7 @@ impl Path {
     }
 }
 
-impl Fact for Path {
+impl BlockVisitor for Path {
     fn item(&mut self, _: &Drawing, _: usize, _: usize, item: &Item) -> u64 {
         match item {
             Item::Stroke(_) => self.sum = self.sum.plus(Amount::ONE),

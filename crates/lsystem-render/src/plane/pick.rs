@@ -1,27 +1,28 @@
-//! What is at a place of a picture in the plane.
+//! Picking: the segment or the polygon at a place of a picture in the plane.
 
 use super::descent::{Descent, Node};
 use super::inks::Choice;
 use super::search::{Aim, Order, Pick, Pointer, Sight, covers, nearest_on, search};
 use super::seen::Seen;
-use super::view::{Camera, View, Viewport};
+use super::view::{View, ViewTransform, Viewport};
 use lsystem_drawing::{BlockId, Drawing, Placed, Plane, Polygon, Stroke};
 
-/// What is near a place of a picture: what is drawn last of the polygons that are filled there and of the segments within
-/// a quarter of the tolerance; where there are none, the nearest, to a 32nd of the tolerance. It descends as the renderer
-/// does, so it is right at any magnification at which the picture is. Where many blocks overlap it gives the best of what
-/// it may look at. Segments and polygons beyond the first 2^128 - 1 are not found.
+/// The segment or the polygon near a place of a picture. Among the polygons filled there and the segments within a
+/// quarter of the tolerance, the last drawn is picked. If there are none, the nearest is picked, to a 32nd of the
+/// tolerance. The search descends as the renderer does, so a pick is right at any magnification at which the picture
+/// is. Where many blocks overlap, the search ends with the pointer's visits. Segments and polygons beyond the first
+/// 2^128 - 1 are not found.
 #[must_use]
 pub fn pick(drawing: &Drawing, viewport: Viewport, view: View, pointer: &Pointer) -> Option<Pick> {
-    let camera = Camera::new(drawing, viewport, view, 1.0);
+    let transform = ViewTransform::new(drawing, viewport, view, 1.0);
     let mut descent = Descent::default();
-    let root = descent.root(drawing, camera)?;
-    let mut sight = Page { drawing, at: pointer.at, descent, seen: Seen::default(), step: camera.step };
+    let root = descent.root(drawing, transform)?;
+    let mut sight = PlaneSight { drawing, at: pointer.at, descent, seen: Seen::default(), step: transform.step };
     search(drawing, pointer, &mut sight, root, Order::Best)
 }
 
-/// The plane beside a pointer.
-struct Page<'a> {
+/// Places the items of a drawing in the plane relative to a pointer.
+struct PlaneSight<'a> {
     drawing: &'a Drawing,
     at: [f64; 2],
     descent: Descent,
@@ -30,14 +31,14 @@ struct Page<'a> {
     step: f64,
 }
 
-impl Page<'_> {
-    /// What is `distance` away.
+impl PlaneSight<'_> {
+    /// The position of an item that is `distance` pixels away.
     fn aim(distance: f64) -> Aim {
         Aim { distance, depth: 0.0, off: 0.0 }
     }
 }
 
-impl Sight<Plane> for Page<'_> {
+impl Sight<Plane> for PlaneSight<'_> {
     type Place = Node;
 
     fn inside(&mut self, node: &Node, placed: &Placed) -> Node {
@@ -45,7 +46,7 @@ impl Sight<Plane> for Page<'_> {
     }
 
     fn is_new(&mut self, id: BlockId, Node { place, pen, .. }: &Node) -> bool {
-        // Larger ones are few, and rounded.
+        // Larger blocks are few, and their places are rounded too much to be compared.
         const LARGE: f64 = (1_u64 << 24) as f64;
         let along = [place.origin[0] + place.cos, place.origin[1] + place.sin];
         place.scale > LARGE || self.seen.paint([u64::from(id.0), pen.width.to_bits()], [place.origin, along])
@@ -56,8 +57,8 @@ impl Sight<Plane> for Page<'_> {
     }
 
     fn block(&self, id: BlockId, Node { place, pen, .. }: &Node) -> Option<Aim> {
-        /// In units of the block: what hulls and places on a canvas are rounded by.
-        const ROUGH: f64 = 1e-11;
+        /// The rounding of hulls and of places on a canvas, in units of the block.
+        const ROUNDING: f64 = 1e-11;
         let block = &self.drawing.blocks[id.0 as usize];
         let corners = self.drawing.corners_of(block);
         // In units of the block.
@@ -71,7 +72,7 @@ impl Sight<Plane> for Page<'_> {
             from = to;
         }
         let radius = self.step * block.widest.of(pen.width).max(0.0) / 2.0;
-        let distance = if inside { 0.0 } else { (place.scale * (away - ROUGH) - radius).max(0.0) };
+        let distance = if inside { 0.0 } else { (place.scale * (away - ROUNDING) - radius).max(0.0) };
         Some(Self::aim(distance))
     }
 
@@ -102,7 +103,7 @@ mod tests {
 
     const VIEWPORT: Viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
 
-    /// Where the view shows the middle of a segment, in device pixels, and its ends.
+    /// The ends of a segment in the picture, in device pixels.
     fn shown(drawing: &Drawing, view: View, number: u128) -> [[f64; 2]; 2] {
         let scale = crate::fitted_scale(drawing, VIEWPORT) * view.zoom;
         fitted_ends(drawing, number).unwrap().map(|[x, y, fine_x, fine_y]| {
@@ -111,7 +112,7 @@ mod tests {
         })
     }
 
-    /// The number of some segment of the smallest blocks, in the midst of a drawing.
+    /// The number of a segment in the innermost blocks; `way` selects the blocks on the way down.
     fn deep(drawing: &Drawing, way: usize) -> u128 {
         let (mut block, mut number) = (drawing.root.unwrap(), 0);
         for depth in 0.. {
@@ -134,7 +135,7 @@ mod tests {
         number
     }
 
-    /// At any magnification a segment is found where it is, what is found is there, and it is what the picture shows.
+    /// At any magnification a segment is found at its place, the found segment is there, and the picture shows it.
     #[test]
     fn segments_are_found_at_any_depth() {
         let mut renderer = Renderer::new();
@@ -149,7 +150,7 @@ mod tests {
             let drawing = Arc::new(sample.draw(n));
             assert!(drawing.segment_count() < u128::MAX);
             let fitted = crate::fitted_scale(&drawing, VIEWPORT);
-            // Too many blocks lie upon each other to look into all of them.
+            // Too many blocks overlap to look into all of them.
             let crowded = name == "bush" || name == "coloured c";
             renderer.load(drawing.clone());
             for (zoom, way) in [1.0, 1e6, 1e12, 1e15, 1e18].into_iter().flat_map(|zoom| [(zoom, 0), (zoom, 3)]) {
@@ -164,7 +165,7 @@ mod tests {
                 }
                 let at = [183.0, 117.0];
                 assert!(nearest_on(at, ends).0 < 1e-3, "{name} {zoom} {ends:?} {to:?}");
-                // Its outline is it, however short it is beside the drawing.
+                // The outline of one segment is the segment, however short.
                 for end in [from, to] {
                     let on = |corner: &[f64; 4]| {
                         [0, 1].map(|i| fitted * zoom * (corner[i] - end[i] + (corner[i + 2] - end[i + 2])).abs())
@@ -183,7 +184,7 @@ mod tests {
                 let away = nearest_on(at, shown(&drawing, view, segment)).0;
                 assert!((found.distance - away).abs() < 1e-3 && away <= 0.5, "{name} {zoom} {found:?} {away}");
                 deepest += i32::from(zoom >= 1e15);
-                // Played up to there, it is not there any more.
+                // Played back up to this segment, the segment is not shown yet.
                 let before = pick(&drawing, VIEWPORT, view, &Pointer { upto: Some(number), ..pointer });
                 assert!(
                     before.is_none_or(|pick| matches!(pick.target, Target::Segment(other) if other < number)),
@@ -210,7 +211,7 @@ mod tests {
         assert!(deepest > 12, "{deepest}");
     }
 
-    /// Wherever there is something, soon something is found that is as near.
+    /// Near any segment the visits suffice to find a segment as near.
     #[test]
     fn crowds_are_picked_within_a_budget() {
         let viewport = Viewport { width: 1280, height: 800, ratio: 1.0 };

@@ -1,39 +1,39 @@
-//! A picture in the making: what it shows, and the strategy that makes it.
+//! An opaque picture in the making: its plan, and the strategy that makes it.
 
-use super::bottom_up::{BottomUp, Scene};
+use super::bottom_up::{BottomUp, PartSource};
 use super::canvas::Canvas;
 use super::descent::{Descent, Node};
 use super::painter::Painter;
 use super::pane::Pass;
 use super::shape::Shape;
-use super::strategy::{PATIENCE, Strategy};
-use super::top_down::{Easel, TopDown};
-use super::view::{Camera, Detail, Measure, View, Viewport};
+use super::strategy::{MOST_STEPS, Strategy};
+use super::top_down::{Context, TopDown};
+use super::view::{Detail, Measure, View, ViewTransform, Viewport};
 use super::{Pane, RenderStats};
 use lsystem_drawing::Drawing;
 use lsystem_syntax::{Meter, Progress, Style};
 
 /// The most pixels of a survey: about those of an ordinary screen. A larger picture is surveyed at a smaller scale.
-const SURVEYED: f64 = (1 << 20) as f64;
+const SURVEY_PIXELS: f64 = (1 << 20) as f64;
 
-/// What a picture shows.
+/// Everything that a picture is asked to show.
 #[derive(Clone)]
 pub(super) struct Plan {
     pub style: Style,
     pub viewport: Viewport,
     pub view: View,
     pub detail: Detail,
-    /// Only the segments before this one, if it is given.
+    /// If given, only the segments with smaller numbers (0-based) are shown.
     pub upto: Option<u128>,
     pub pane: Pane,
     pub pass: Pass,
 }
 
 impl Plan {
-    /// The whole picture at the scale of a survey, and that scale.
+    /// The plan of a survey of the whole picture, and the survey's pixels along the side of a pixel.
     fn survey(&self) -> (Self, f64) {
         let Viewport { width, height, ratio } = self.viewport;
-        let scale = (SURVEYED / (f64::from(width) * f64::from(height)).max(1.0)).sqrt().min(1.0);
+        let scale = (SURVEY_PIXELS / (f64::from(width) * f64::from(height)).max(1.0)).sqrt().min(1.0);
         let side = |side: u32| (f64::from(side) * scale).ceil() as u32;
         let viewport = Viewport { width: side(width), height: side(height), ratio: ratio * scale };
         (Self { viewport, pane: Pane::whole(viewport), ..self.clone() }, scale)
@@ -45,34 +45,34 @@ impl Plan {
     }
 }
 
-/// A picture in the making.
+/// An opaque picture in the making.
 #[derive(Default)]
 pub(super) struct Picture {
-    /// What is to be made, until the drawing is ready for it, and the scale of that.
+    /// The plan until the drawing is prepared, and the scale of the survey (1 without one).
     plan: Option<(Plan, f64)>,
     painter: Painter,
     descent: Descent,
     pub top_down: TopDown,
     bottom_up: Option<Box<BottomUp>>,
-    /// What a bottom-up picture starts with, where there may be one.
+    /// The start of a bottom-up picture, if there may be one.
     whole: Option<Whole>,
     /// The steps after which a top-down picture is judged.
     probe: Option<u64>,
-    /// The subsamples of the survey that is being made, along the side of a pixel of the whole picture.
+    /// During a survey: its subsamples along the side of a pixel of the whole picture.
     survey: Option<f64>,
-    /// How the panes are made: what a survey of the whole picture has found.
+    /// The strategy of the panes, as the last survey has found.
     strategy: Strategy,
-    /// How a picture that is not surveyed is begun.
+    /// The strategy at the start of a picture without a survey.
     pub opening: Strategy,
-    /// Whether pictures are never made bottom-up, which takes memory.
+    /// Whether pictures are never made bottom-up, to save memory.
     pub is_light: bool,
 }
 
-/// The whole drawing, and the upper left and the lower right corner of the whole picture in subsamples.
+/// The root's node, and the upper left and the lower right corner of the whole picture in subsamples.
 type Whole = (Node, [[f64; 2]; 2]);
 
 impl Picture {
-    /// Forgets everything about the drawing there was.
+    /// Forgets the drawing.
     pub(super) fn clear(&mut self) {
         self.stop();
         self.top_down.tiling.clear();
@@ -80,7 +80,7 @@ impl Picture {
         self.descent.path.clear();
     }
 
-    /// Gives up the picture that is being made.
+    /// Gives up the unfinished picture.
     fn stop(&mut self) {
         self.plan = None;
         self.painter.stop();
@@ -93,9 +93,9 @@ impl Picture {
         self.stop();
         self.painter.begin(drawing.memoised);
         let (plan, scale) = if plan.pass == Pass::Survey { plan.survey() } else { (plan, 1.0) };
-        let camera = Camera::new(drawing, plan.viewport, plan.view, plan.samples());
+        let transform = ViewTransform::new(drawing, plan.viewport, plan.view, plan.samples());
         let hairline = plan.viewport.least_width(&plan.style) * plan.samples();
-        let measure = Measure { hairline, step: camera.step, scale: camera.scale };
+        let measure = Measure { hairline, step: transform.step, scale: transform.scale };
         if self.painter.inks.choose(drawing, &plan.style) || measure != self.painter.measure {
             self.painter.measure = measure;
             self.top_down.tiling.clear();
@@ -103,7 +103,7 @@ impl Picture {
         self.plan = Some((plan, scale));
     }
 
-    /// Finds out what the picture needs to know of the drawing, and empties the canvas.
+    /// Collects the facts that the picture needs, and empties the canvas.
     pub(super) fn prepare(&mut self, drawing: &Drawing, shapes: &[Shape], meter: &mut Meter) -> Progress {
         let Some((plan, scale)) = self.plan.take() else { return Progress::Done };
         let size = [plan.pane.width, plan.pane.height].map(|side| side as usize * plan.detail.samples());
@@ -116,7 +116,7 @@ impl Picture {
         }
         self.start(drawing, shapes, &plan, size);
         self.survey = (plan.pass == Pass::Survey).then_some(scale * plan.samples());
-        // That was counted while room was made.
+        // `make_room` has charged this work already.
         self.painter.canvases[0].take_work();
         Progress::Done
     }
@@ -126,29 +126,29 @@ impl Picture {
         let frame = &mut self.painter.canvases[0];
         frame.reset(width, height, self.painter.inks.picture_planes());
         frame.holes = self.painter.repeats;
-        let camera = Camera::new(drawing, plan.viewport, plan.view, samples).of_pane(plan.pane, samples);
-        let Some(root) = self.descent.root(drawing, camera) else { return };
+        let transform = ViewTransform::new(drawing, plan.viewport, plan.view, samples).of_pane(plan.pane, samples);
+        let Some(root) = self.descent.root(drawing, transform) else { return };
         if self.painter.repeats && plan.upto.is_none() && !self.descent.path.counts() && !self.is_light {
             let corner = [plan.pane.x, plan.pane.y].map(|v| -f64::from(v) * samples);
             let [width, height] = [plan.viewport.width, plan.viewport.height].map(|v| f64::from(v) * samples);
             self.whole = Some((root, [corner, [corner[0] + width, corner[1] + height]]));
         }
         let strategy = if plan.pass == Pass::Show { self.strategy } else { self.opening };
-        let mut rough = 0.0;
+        let mut outlined = 0.0;
         match strategy {
-            Strategy::BottomUp => self.turn(drawing, shapes),
-            Strategy::TopDown { rough: pixels } if plan.pass == Pass::Show => rough = pixels * samples,
+            Strategy::BottomUp => self.start_bottom_up(drawing, shapes),
+            Strategy::TopDown { outlined: pixels } if plan.pass == Pass::Show => outlined = pixels * samples,
             Strategy::TopDown { .. } => self.probe = self.whole.map(|_| Strategy::next_judgement(0)),
         }
         let Self { painter, descent, .. } = self;
-        self.top_down.begin(&Easel { drawing, shapes, painter, descent }, root, plan.upto, rough);
+        self.top_down.begin(&Context { drawing, shapes, painter, descent }, root, plan.upto, outlined);
     }
 
-    /// Goes over to the bottom-up strategy, if there can be one.
-    fn turn(&mut self, drawing: &Drawing, shapes: &[Shape]) {
-        let scene = Scene { drawing, shapes, inks: &self.painter.inks };
+    /// Switches to the bottom-up strategy, unless the drawing is too large for it.
+    fn start_bottom_up(&mut self, drawing: &Drawing, shapes: &[Shape]) {
+        let source = PartSource { drawing, shapes, inks: &self.painter.inks };
         let measure = self.painter.measure;
-        let bottom_up = self.whole.and_then(|(root, seen)| BottomUp::new(scene, measure, root, seen));
+        let bottom_up = self.whole.and_then(|(root, seen)| BottomUp::new(source, measure, root, seen));
         self.bottom_up = bottom_up.map(Box::new);
     }
 
@@ -165,13 +165,13 @@ impl Picture {
         self.painter.stats
     }
 
-    /// Goes on with the picture.
+    /// Goes on with the picture or its survey.
     pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], meter: &mut Meter) -> Progress {
         let progress = self.make(drawing, shapes, meter);
         let is_bottom_up = self.bottom_up.as_ref().is_some_and(|bottom_up| bottom_up.is_planned());
         if let Some(samples) = self.survey.filter(|_| is_bottom_up || progress == Progress::Done) {
-            let rough = self.top_down.rough / samples;
-            self.strategy = if is_bottom_up { Strategy::BottomUp } else { Strategy::TopDown { rough } };
+            let outlined = self.top_down.outlined / samples;
+            self.strategy = if is_bottom_up { Strategy::BottomUp } else { Strategy::TopDown { outlined } };
             self.stop();
             return Progress::Done;
         }
@@ -184,41 +184,41 @@ impl Picture {
                 return progress;
             }
             let Self { painter, descent, .. } = self;
-            let mut easel = Easel { drawing, shapes, painter, descent };
+            let mut context = Context { drawing, shapes, painter, descent };
             let most = self.probe.unwrap_or(u64::MAX);
-            let progress = self.top_down.step(&mut easel, most, meter);
-            let steps = easel.painter.steps();
+            let progress = self.top_down.step(&mut context, most, meter);
+            let steps = context.painter.steps();
             if progress == Progress::Done || steps <= most {
                 return progress;
             }
-            self.probe = (steps <= PATIENCE).then_some(Strategy::next_judgement(steps));
-            if Strategy::judge(&self.top_down, &mut easel, steps) == Strategy::BottomUp {
-                self.turn(drawing, shapes);
+            self.probe = (steps <= MOST_STEPS).then_some(Strategy::next_judgement(steps));
+            if Strategy::judge(&self.top_down, &mut context, steps) == Strategy::BottomUp {
+                self.start_bottom_up(drawing, shapes);
                 self.probe = None;
             }
         }
     }
 
-    /// Goes on with the bottom-up picture, if there is one; `None` where it cannot be.
+    /// Goes on with the bottom-up picture; `None` if there is none, or if its parts are too many.
     fn make_bottom_up(&mut self, drawing: &Drawing, shapes: &[Shape], meter: &mut Meter) -> Option<Progress> {
         let bottom_up = self.bottom_up.as_mut()?;
         let Painter { inks, canvases: [frame, ..], stats, .. } = &mut self.painter;
-        let scene = Scene { drawing, shapes, inks };
+        let source = PartSource { drawing, shapes, inks };
         if !bottom_up.is_planned() {
-            match bottom_up.plan(scene, &mut self.descent, meter) {
+            match bottom_up.plan(source, &mut self.descent, meter) {
                 None => {
                     self.bottom_up = None;
                     return None;
                 }
                 Some(Progress::More) => return Some(Progress::More),
                 Some(Progress::Done) => {
-                    // The parts take the memory of the tiles.
+                    // The parts take the memory of the tiles, so that both together stay within the budget.
                     self.top_down.stop();
                     self.top_down.tiling.free();
                     frame.reset(frame.strips * u64::BITS as usize, frame.height, frame.planes);
                 }
             }
         }
-        Some(bottom_up.step(scene, &mut self.descent, frame, stats, meter))
+        Some(bottom_up.step(source, &mut self.descent, frame, stats, meter))
     }
 }

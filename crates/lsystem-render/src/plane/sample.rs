@@ -1,14 +1,14 @@
-//! Drawings and a brute-force picture for the tests of this module.
+//! Sample systems and a brute-force picture for the tests.
 
-use super::view::Camera;
+use super::view::ViewTransform;
 use super::{View, Viewport};
 use lsystem_drawing::{BlockId, Drawing, Item, StyleChange, System, draw};
 use lsystem_syntax::{Colour, Definition, Dialect, Limits, Style, Tint};
 
-/// Subsamples along one side of a pixel, by definition.
+/// Subsamples along one side of a pixel.
 const SAMPLES: f64 = 4.0;
 
-/// A system to be drawn at several n.
+/// A system that is drawn at several n.
 #[derive(Clone, Debug)]
 pub(super) struct Sample(pub Definition);
 
@@ -23,7 +23,7 @@ impl Sample {
         Self(Definition { dialect: Dialect::Lowercase, ..abop })
     }
 
-    /// With this stroke width, in steps.
+    /// The system with this stroke width, in steps.
     pub(super) fn wide(mut self, width: f64) -> Self {
         self.0.style.width = width;
         self
@@ -72,12 +72,12 @@ pub(super) fn brute_force_until(
     upto: usize,
 ) -> Vec<u8> {
     let (mut left, mut ended) = (upto, false);
-    let camera = Camera::new(drawing, viewport, view, SAMPLES);
+    let transform = ViewTransform::new(drawing, viewport, view, SAMPLES);
     let mut picture = Subsamples::new(viewport);
     let hairline = (style.min_width * viewport.ratio).max(1.0) * SAMPLES / 2.0;
     let pen = Pen { colour: 0, width: drawing.width, level: 0 };
-    let [x, y] = camera.place(Default::default());
-    let start = ([x, -y], [camera.scale, 0.0]);
+    let [x, y] = transform.place(Default::default());
+    let start = ([x, -y], [transform.scale, 0.0]);
     visit(drawing, drawing.root.unwrap(), start, pen, &mut |points, filled, pen| {
         let all = drawing.segment_count() as f64;
         let number = (upto - left) as f64;
@@ -92,23 +92,23 @@ pub(super) fn brute_force_until(
             return;
         };
         left = rest;
-        let radius = (pen.width * camera.step / 2.0).max(hairline);
+        let radius = (pen.width * transform.step / 2.0).max(hairline);
         picture.stroke([points[0], points[1]], radius, pen.colour(style, (number + 0.5) / all));
     });
     picture.pixels(style.background)
 }
 
-/// Where a block is, y up: its origin, and the complex number that points of it are multiplied by, for turn and scale.
-type Place = ([f64; 2], [f64; 2]);
-/// Takes the points of a stroke or of a polygon, whether it is a polygon, and the pen.
+/// The place of a block, y up: its origin, and the complex number that turns and scales its points.
+type Placement = ([f64; 2], [f64; 2]);
+/// Takes the points of a stroke or of a polygon, whether they are those of a polygon, and the pen.
 type Out<'a> = dyn FnMut(&[[f64; 2]], bool, Pen) + 'a;
 
-fn at((origin, turn): Place, p: [f64; 2]) -> [f64; 2] {
+fn at((origin, turn): Placement, p: [f64; 2]) -> [f64; 2] {
     [origin[0] + turn[0] * p[0] - turn[1] * p[1], origin[1] + turn[1] * p[0] + turn[0] * p[1]]
 }
 
-/// Goes through all strokes and polygons of a block, in drawing order.
-fn visit(drawing: &Drawing, block: BlockId, place: Place, pen: Pen, out: &mut Out<'_>) {
+/// Visits all strokes and polygons of a block, in drawing order.
+fn visit(drawing: &Drawing, block: BlockId, place: Placement, pen: Pen, out: &mut Out<'_>) {
     let range = drawing.blocks[block.0 as usize].items.clone();
     for item in &drawing.items[range.start as usize..range.end as usize] {
         match item {
@@ -159,7 +159,7 @@ impl Subsamples {
         }
     }
 
-    /// Paints what is within `r` of a segment, y up.
+    /// Paints the subsamples within `r` of a segment, y up.
     fn stroke(&mut self, ends: [[f64; 2]; 2], r: f64, colour: Colour) {
         let [a, b] = ends.map(|end| [end[0], -end[1]]);
         let range = |axis: usize, end: i64| {
@@ -180,7 +180,7 @@ impl Subsamples {
         }
     }
 
-    /// The mean colours of the pixels' subsamples, as RGBA.
+    /// The mean colour of each pixel's subsamples, as RGBA.
     fn pixels(&self, background: Colour) -> Vec<u8> {
         let mut pixels = vec![];
         for y in 0..self.height / 4 {
@@ -200,7 +200,7 @@ impl Subsamples {
     }
 }
 
-/// How often an outline goes round a point.
+/// The winding number of an outline around a point.
 fn winding(vertices: &[[f64; 2]], [x, y]: [f64; 2]) -> i32 {
     let next = vertices.iter().cycle().skip(1);
     let crossings = vertices.iter().zip(next).map(|(a, b)| {

@@ -1,33 +1,33 @@
-//! The way down to what is under a pointer, in any space.
+//! The search for the segment or the polygon under a pointer, in any space.
 
 use lsystem_drawing::Space;
 use lsystem_drawing::{BlockId, Drawing, Item, Placed, Polygon, Stroke};
 
-/// A place on a picture, and how hard to look there.
+/// A place on a picture, and the limits of the search there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pointer {
-    /// Right of and below the upper left corner, in device pixels.
+    /// The place: right of and below the upper left corner, in device pixels.
     pub at: [f64; 2],
-    /// What is nearer than this may be meant, in device pixels.
+    /// Only segments and polygons nearer than this are found, in device pixels.
     pub tolerance: f64,
-    /// Only the first so many segments are there, and the polygons before the next; everything without it.
+    /// If given, only the first `upto` segments are searched, and the polygons before the next segment.
     pub upto: Option<u128>,
-    /// Blocks, segments and polygons that are looked at, at most; of many blocks in one, and of vertices, some count as one.
+    /// The most visits: a block, a segment or a polygon is one. So are 8 vertices, and the comparison of 16 blocks.
     pub visits: usize,
 }
 
-/// Something found near a pointer.
+/// A segment or a polygon found near a pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pick {
-    /// What it is.
+    /// The segment or the polygon.
     pub target: Target,
-    /// How far the pointer is from it, in device pixels: 0 upon a stroke or inside a polygon. A stroke is as wide as in
-    /// the model here, however thin that is.
+    /// The distance from the pointer in device pixels: 0 on a stroke or inside a polygon. A stroke has the width of the
+    /// model here, however thin that is.
     pub distance: f64,
 }
 
-/// What a pointer may be upon: the number of a segment or of a polygon among all of its sort, in drawing order, 0-based.
-/// Polygons come in the order in which they are opened.
+/// A segment or a polygon, by its number (0-based): segments in drawing order, polygons in the order in which they are
+/// opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// A segment.
@@ -37,46 +37,46 @@ pub enum Target {
 }
 
 impl Pointer {
-    /// A segment this near is as good as any that is nearer.
+    /// The distance in device pixels below which segments count as equally near: a quarter of the tolerance.
     pub fn enough(&self) -> f64 {
-        /// As a part of the tolerance.
-        const CLOSE: f64 = 0.25;
-        self.tolerance * CLOSE
+        const NEAR: f64 = 0.25;
+        self.tolerance * NEAR
     }
 
-    /// A block of this size in pixels is in one place: whatever is in it will do.
+    /// Whether a block of this size in pixels counts as one place: any segment inside is as good as another.
     fn is_small(&self, size: f64) -> bool {
-        size < self.tolerance * BETTER / 3.0
+        size < self.tolerance * LEAST_GAIN / 3.0
     }
 }
 
-/// Something must be this much nearer than another to be better, as a part of the tolerance; and a block that is smaller
-/// is in one place.
-const BETTER: f64 = 1.0 / 32.0;
+/// A segment must be this much nearer than another to replace it, as a part of the tolerance. The limit lets the search
+/// leave out blocks that could gain less.
+const LEAST_GAIN: f64 = 1.0 / 32.0;
 
-/// Vertices of a polygon that are looked at in the time in which a segment is.
-const VERTICES: usize = 8;
+/// Vertices of a polygon that take the time of one visit.
+const VERTICES_PER_VISIT: usize = 8;
 
-/// How something lies to the pointer.
+/// The position of an item relative to the pointer.
 #[derive(Clone, Copy)]
 pub(crate) struct Aim {
     /// The least distance, in device pixels.
     pub distance: f64,
-    /// How far behind the target it is at least; 0 in the plane, where what is drawn later hides what was there.
+    /// The least depth: how far behind the camera's target the item is. 0 in the plane, where later items hide earlier
+    /// ones.
     pub depth: f64,
-    /// How far the pointer is from its middle, as a part of its radius.
+    /// The distance of the pointer from the item's middle, as a part of the item's radius.
     pub off: f64,
 }
 
-/// Places what a drawing holds beside a pointer.
+/// Places the items of a drawing relative to a pointer.
 pub(crate) trait Sight<S: Space> {
-    /// Where a block is.
+    /// The place of a block.
     type Place: Copy;
 
-    /// Where a block inside another is.
+    /// The place of a block inside another.
     fn inside(&mut self, place: &Self::Place, placed: &Placed<S>) -> Self::Place;
 
-    /// Whether no block that draws the same has been looked into before, where that is known.
+    /// Whether the block has not been looked into before at the same place, as far as that is known.
     fn is_new(&mut self, _id: BlockId, _place: &Self::Place) -> bool {
         true
     }
@@ -84,58 +84,59 @@ pub(crate) trait Sight<S: Space> {
     /// Pixels in a unit of a block.
     fn scale(&self, place: &Self::Place) -> f64;
 
-    /// How a block lies to the pointer; `None` where nothing of it can be seen.
+    /// The position of a block relative to the pointer; `None` if the block is out of sight.
     fn block(&self, id: BlockId, place: &Self::Place) -> Option<Aim>;
 
-    /// The same of a stroke.
+    /// The position of a stroke relative to the pointer; `None` if the stroke is out of sight.
     fn stroke(&self, place: &Self::Place, stroke: &Stroke<S>) -> Option<Aim>;
 
-    /// The same of a polygon.
+    /// The position of a polygon relative to the pointer; `None` if the polygon is out of sight.
     fn polygon(&self, place: &Self::Place, polygon: &Polygon) -> Option<Aim>;
 }
 
-/// In which order a search looks into the blocks that another holds.
+/// The order in which a search looks into the blocks inside a block.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Order {
-    /// What is best if it is there.
+    /// The block with the best possible item first.
     Best,
-    /// Until something is found, that where this is most likely.
+    /// Until an item is found, the block whose middle is nearest first.
     Likely,
 }
 
-/// How well something is seen.
+/// The order of preference among items.
 #[derive(Clone, Copy)]
 struct Rank {
-    /// Pixels from the pointer, or as many as are near enough.
-    beside: f64,
+    /// Pixels from the pointer, and at least [`Pointer::enough`].
+    distance: f64,
     depth: f64,
-    /// How many segments and polygons come before it.
+    /// The number of segments and polygons that come before.
     turn: u128,
 }
 
 impl Rank {
-    /// Whether it lies before another, by more than `slack`.
+    /// Whether the item lies before another by more than `slack` of depth, or is drawn later at the same depth.
     fn hides(&self, other: &Self, slack: f64) -> bool {
         self.depth < other.depth - slack || self.depth == other.depth && self.turn > other.turn
     }
 }
 
-/// A block to be looked into.
-struct Open<P> {
+/// A block that may be looked into.
+struct Candidate<P> {
     block: BlockId,
     place: P,
-    /// How many segments and how many polygons come before it.
+    /// The numbers of segments and of polygons that come before the block.
     before: [u128; 2],
-    /// Nothing inside is better.
-    least: Rank,
+    /// No item inside has a better rank.
+    best_rank: Rank,
     off: f64,
-    /// Where in the list those begin that are in the same block.
+    /// The index of the first candidate inside the same block.
     siblings: usize,
 }
 
-/// What the pointer is upon, in a drawing whose root is at `root`. Of what is within a quarter of the tolerance it is what
-/// hides the rest, a polygon only if the pointer is inside; where there is nothing, it is the nearest, to a 32nd of the
-/// tolerance. It is the best of what may be looked at. Nothing beyond the first 2^128 - 1 of its sort is found.
+/// The segment or the polygon at the pointer, in a drawing whose root is at `root`. Among segments within a quarter of
+/// the tolerance and polygons around the pointer, the foremost is picked. If there are none, the nearest is picked, to
+/// a 32nd of the tolerance. The search ends with the pointer's visits. Segments and polygons beyond the first 2^128 - 1
+/// are not found.
 pub(crate) fn search<S: Space, V: Sight<S>>(
     drawing: &Drawing<S>,
     pointer: &Pointer,
@@ -143,12 +144,13 @@ pub(crate) fn search<S: Space, V: Sight<S>>(
     root: V::Place,
     order: Order,
 ) -> Option<Pick> {
-    // Nothing is near a place that is no place.
+    // A place that is not a number is near nothing.
     if !pointer.at.iter().all(|coordinate| coordinate.is_finite()) {
         return None;
     }
     let shown = drawing.segment_count().min(pointer.upto.unwrap_or(u128::MAX));
-    let mut search = Search { drawing, pointer, sight, order, shown, open: vec![], best: None, visits: pointer.visits };
+    let (candidates, visits) = (vec![], pointer.visits);
+    let mut search = Search { drawing, pointer, sight, order, shown, candidates, best: None, visits };
     search.add(drawing.root?, root, [0; 2], 0);
     while search.visits > 0 {
         let Some(block) = search.next() else { break };
@@ -157,72 +159,73 @@ pub(crate) fn search<S: Space, V: Sight<S>>(
     search.best.map(|(_, pick)| pick)
 }
 
+/// A search in progress.
 struct Search<'a, S: Space, V: Sight<S>> {
     drawing: &'a Drawing<S>,
     pointer: &'a Pointer,
     sight: &'a mut V,
     order: Order,
-    /// How many segments are there.
+    /// The number of segments that are searched.
     shown: u128,
-    /// Those of inner blocks last.
-    open: Vec<Open<V::Place>>,
+    /// The candidates inside the innermost block are last.
+    candidates: Vec<Candidate<V::Place>>,
     best: Option<(Rank, Pick)>,
     visits: usize,
 }
 
 impl<S: Space, V: Sight<S>> Search<'_, S, V> {
-    /// Whether something is better than the best so far, by enough to matter.
+    /// Whether a rank is better than the best so far, by enough to matter.
     fn is_better(&self, rank: &Rank) -> bool {
         let (tolerance, enough) = (self.pointer.tolerance, self.pointer.enough());
         match &self.best {
-            None => rank.beside < tolerance,
-            Some((best, _)) if rank.beside > enough => rank.beside < best.beside - tolerance * BETTER,
-            Some((best, _)) => best.beside > enough || rank.hides(best, enough),
+            None => rank.distance < tolerance,
+            Some((best, _)) if rank.distance > enough => rank.distance < best.distance - tolerance * LEAST_GAIN,
+            Some((best, _)) => best.distance > enough || rank.hides(best, enough),
         }
     }
 
-    /// Takes a block of those that were found last, unless nothing there is better than what there is.
-    fn next(&mut self) -> Option<Open<V::Place>> {
+    /// Takes the next candidate out of the innermost block that has a candidate better than the best item so far.
+    fn next(&mut self) -> Option<Candidate<V::Place>> {
         let likely = self.order == Order::Likely && self.best.is_none();
-        /// Blocks that are compared in the time in which one is looked at.
-        const COMPARED: usize = 16;
+        /// Candidates that are compared in the time of one visit.
+        const COMPARED_PER_VISIT: usize = 16;
         loop {
-            let siblings = self.open.last()?.siblings;
-            // Long blocks hold so many that choosing one of them takes longer than looking into it.
-            self.visits = self.visits.saturating_sub((self.open.len() - siblings) / COMPARED);
+            let siblings = self.candidates.last()?.siblings;
+            // A long block holds so many candidates that the choice among them takes longer than a visit.
+            self.visits = self.visits.saturating_sub((self.candidates.len() - siblings) / COMPARED_PER_VISIT);
             let mut best = siblings;
-            for i in siblings..self.open.len() {
-                let [a, b] = [i, best].map(|i| &self.open[i]);
-                let [least, other] = [a.least, b.least];
+            for i in siblings..self.candidates.len() {
+                let [a, b] = [i, best].map(|i| &self.candidates[i]);
+                let [rank, other] = [a.best_rank, b.best_rank];
                 let sooner = if likely {
                     a.off < b.off
                 } else {
-                    least.beside < other.beside || least.beside == other.beside && least.hides(&other, 0.0)
+                    rank.distance < other.distance || rank.distance == other.distance && rank.hides(&other, 0.0)
                 };
                 if sooner {
                     best = i;
                 }
             }
-            if self.is_better(&self.open[best].least) {
-                return Some(self.open.swap_remove(best));
+            if self.is_better(&self.candidates[best].best_rank) {
+                return Some(self.candidates.swap_remove(best));
             }
-            self.open.truncate(siblings);
+            self.candidates.truncate(siblings);
         }
     }
 
-    /// Considers what a block holds.
-    fn look_into(&mut self, block: &Open<V::Place>) {
-        let Open { place, before, .. } = *block;
+    /// Considers the items of a block.
+    fn look_into(&mut self, block: &Candidate<V::Place>) {
+        let Candidate { place, before, .. } = *block;
         let [mut segments, mut polygons] = before;
-        // Of what repeats something exactly the last is looked into first.
+        // Among exact repeats the last drawn is looked into first, so the others can be left out.
         let whole = self.drawing.blocks[block.block.0 as usize].segments.saturating_add(segments) <= self.shown;
         if whole && !self.sight.is_new(block.block, &place) {
             return;
         }
         let small = self.pointer.is_small(self.sight.scale(&place));
-        let siblings = self.open.len();
+        let siblings = self.candidates.len();
         for item in self.drawing.items_of(block.block) {
-            // Nobody can count to what comes after so many.
+            // Beyond the range of `u128` items have no numbers.
             if self.visits == 0 || segments > self.shown || segments == u128::MAX {
                 break;
             }
@@ -232,20 +235,21 @@ impl<S: Space, V: Sight<S>> Search<'_, S, V> {
                     if segments < self.shown
                         && let Some(aim) = self.sight.stroke(&place, stroke)
                     {
-                        let beside = aim.distance.max(self.pointer.enough());
-                        self.consider(aim, beside, Target::Segment(segments), segments.saturating_add(polygons));
+                        let distance = aim.distance.max(self.pointer.enough());
+                        self.consider(aim, distance, Target::Segment(segments), segments.saturating_add(polygons));
                     }
                 }
                 Item::Polygon(polygon) => {
-                    self.visits = self.visits.saturating_sub(polygon.count as usize / VERTICES);
+                    self.visits = self.visits.saturating_sub(polygon.count as usize / VERTICES_PER_VISIT);
                     if polygons < self.drawing.polygon_count()
                         && let Some(aim) = self.sight.polygon(&place, polygon)
                     {
-                        /// Beside what one sees there is nothing of it, but for what is too small to be aimed at.
+                        /// Makes a polygon beside the pointer farther than near enough, unless the polygon is too small
+                        /// to be aimed at.
                         const OUTSIDE: f64 = 1.0 + 1e-9;
                         let outside = if aim.distance > 0.0 && !small { OUTSIDE } else { 1.0 };
-                        let beside = aim.distance.max(self.pointer.enough() * outside);
-                        self.consider(aim, beside, Target::Polygon(polygons), segments.saturating_add(polygons));
+                        let distance = aim.distance.max(self.pointer.enough() * outside);
+                        self.consider(aim, distance, Target::Polygon(polygons), segments.saturating_add(polygons));
                     }
                 }
                 Item::Block(placed) => {
@@ -255,47 +259,48 @@ impl<S: Space, V: Sight<S>> Search<'_, S, V> {
             }
             segments = segments.saturating_add(self.drawing.segments_in(item));
             polygons = polygons.saturating_add(self.drawing.polygons_in(item));
-            // A small block is in one place: anything inside will do.
+            // In a small block the first item is as good as any other.
             if small && [segments, polygons] != before {
                 break;
             }
         }
     }
 
-    /// Adds a block to be looked into, if there may be something better.
+    /// Adds a block to the candidates, if an item inside may be better than the best so far.
     fn add(&mut self, id: BlockId, place: V::Place, before: [u128; 2], siblings: usize) {
         let block = &self.drawing.blocks[id.0 as usize];
         let own = block.segments.saturating_add(block.polygons);
         let Some(Aim { distance, depth, off }) = self.sight.block(id, &place).filter(|_| own > 0) else { return };
         let turn = before[0].saturating_add(before[1]).saturating_add(own - 1);
-        let least = Rank { beside: distance.max(self.pointer.enough()), depth, turn };
-        if self.is_better(&least) {
-            self.open.push(Open { block: id, place, before, least, off, siblings });
+        let best_rank = Rank { distance: distance.max(self.pointer.enough()), depth, turn };
+        if self.is_better(&best_rank) {
+            self.candidates.push(Candidate { block: id, place, before, best_rank, off, siblings });
         }
     }
 
-    /// Takes something, if it is better than what there is.
-    fn consider(&mut self, Aim { distance, depth, .. }: Aim, beside: f64, target: Target, turn: u128) {
-        let rank = Rank { beside, depth, turn };
-        // What is magnified beyond all numbers is near nothing.
+    /// Takes an item whose rank counts it as `ranked` pixels away, if the item is better than the best so far.
+    fn consider(&mut self, Aim { distance, depth, .. }: Aim, ranked: f64, target: Target, turn: u128) {
+        let rank = Rank { distance: ranked, depth, turn };
+        // Magnified beyond the range of numbers, an item is near nothing.
         if !distance.is_nan() && self.is_better(&rank) {
             self.best = Some((rank, Pick { target, distance }));
         }
     }
 }
 
-/// The distance from a point to a segment, and which part of the segment is before the place nearest to it.
+/// The distance from a point to a segment, and the place on the segment nearest to it: from 0 at the start to 1 at the
+/// end.
 pub(crate) fn nearest_on(point: [f64; 2], [from, to]: [[f64; 2]; 2]) -> (f64, f64) {
     let along = [to[0] - from[0], to[1] - from[1]];
     let away = [point[0] - from[0], point[1] - from[1]];
-    // Squares of what is far beyond the picture are no numbers.
+    // Coordinates far beyond the picture are scaled, because their squares overflow.
     let reach = along[0].abs().max(along[1].abs());
     let [x, y] = along.map(|c| c / reach);
     let part = if reach > 0.0 { ((away[0] * x + away[1] * y) / (x * x + y * y) / reach).clamp(0.0, 1.0) } else { 0.0 };
     (libm::hypot(away[0] - part * along[0], away[1] - part * along[1]), part)
 }
 
-/// Whether a polygon is filled at a point: whether its outline winds around that a number of times other than zero.
+/// Whether a polygon is filled at a point: whether the winding number of its outline is not zero there.
 pub(crate) fn covers(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
     let next = outline.iter().cycle().skip(1);
     let winding = outline.iter().zip(next).map(|(&[x0, y0], &[x1, y1])| {

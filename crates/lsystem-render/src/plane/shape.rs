@@ -1,31 +1,31 @@
-//! What the renderer needs to know of a block before it looks inside.
+//! Facts about a block that the renderer uses before it looks inside.
 
-use super::sweep::{Fact, Sweep};
+use super::sweep::{BlockVisitor, Sweep};
 use lsystem_drawing::{Block, Drawing, Item, StyleChange};
 use lsystem_syntax::{Meter, Progress};
 
 /// Facts about one block, in its own frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shape {
-    /// The middle of its bounds.
+    /// The middle of the block's bounds.
     pub centre: [f64; 2],
-    /// Half the sides of its bounds, along the frame's axes.
+    /// Half the sides of the bounds, along the frame's axes.
     pub half: [f64; 2],
-    /// What it covers, where that is one straight line without gaps, in one style.
+    /// The line that the block covers, if it covers one straight line without gaps in one style.
     pub line: Option<Line>,
-    /// The style of the last of its strokes, relative to its entry.
+    /// The style of the last stroke, relative to the block's entry.
     pub last: StyleChange,
-    /// How many strokes and lines it takes to draw it, at most.
+    /// The most strokes, lines and polygons that drawing the block takes.
     pub strokes: u32,
 }
 
 impl Shape {
-    /// The longer side of its bounds, at this scale.
+    /// The longer side of the bounds, at this scale.
     pub(super) fn extent(&self, scale: f64) -> f64 {
         2.0 * scale * self.half[0].max(self.half[1])
     }
 
-    /// From one end of its bounds to the other, halfway between the longer sides.
+    /// The segment through the centre from one end of the bounds to the other, parallel to the longer sides.
     pub(super) fn axis(&self) -> [[f64; 2]; 2] {
         let along = if self.half[0] >= self.half[1] { [self.half[0], 0.0] } else { [0.0, self.half[1]] };
         [-1.0, 1.0].map(|sign| [self.centre[0] + sign * along[0], self.centre[1] + sign * along[1]])
@@ -37,7 +37,7 @@ impl Shape {
 pub(super) struct Line {
     pub from: [f64; 2],
     pub to: [f64; 2],
-    /// Relative to the block's entry.
+    /// The style relative to the block's entry.
     pub style: StyleChange,
 }
 
@@ -48,45 +48,45 @@ const ROUNDING: f64 = 1e-9;
 /// exactly.
 #[derive(Debug, Default)]
 pub(super) struct Shapes {
-    /// By block, as far as they are known.
+    /// By block, as far as the sweep is.
     pub list: Vec<Shape>,
-    place: Sweep,
-    block: Partial,
+    sweep: Sweep,
+    block: PartialShape,
 }
 
-/// What is known of the block in hand.
+/// The shape of the items visited so far in a block.
 #[derive(Debug)]
-struct Partial {
+struct PartialShape {
     line: Option<Line>,
-    /// Whether all so far is one line.
+    /// Whether all items so far make one line.
     straight: bool,
     strokes: u32,
     /// The number of the last item that draws something.
     last: Option<usize>,
 }
 
-impl Default for Partial {
+impl Default for PartialShape {
     fn default() -> Self {
         Self { line: None, straight: true, strokes: 0, last: None }
     }
 }
 
 impl Shapes {
-    /// Forgets everything.
+    /// Forgets the drawing.
     pub(super) fn clear(&mut self) {
         *self = Self::default();
     }
 
     /// Goes on until the shapes of all blocks are known.
     pub(super) fn step(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
-        let mut place = self.place;
-        let progress = place.step(self, drawing, meter);
-        self.place = place;
+        let mut sweep = self.sweep;
+        let progress = sweep.step(self, drawing, meter);
+        self.sweep = sweep;
         progress
     }
 }
 
-impl Fact for Shapes {
+impl BlockVisitor for Shapes {
     fn item(&mut self, drawing: &Drawing, _: usize, number: usize, item: &Item) -> u64 {
         let block = &mut self.block;
         let line = match item {
@@ -144,7 +144,7 @@ impl Fact for Shapes {
     }
 }
 
-/// The shape of each block.
+/// The shapes of all blocks, by block.
 #[cfg(test)]
 pub(super) fn shapes(drawing: &Drawing) -> Vec<Shape> {
     let mut shapes = Shapes::default();
@@ -166,7 +166,7 @@ fn bounds(drawing: &Drawing, block: &Block) -> [[f64; 2]; 2] {
     [[0, 1].map(|a| (low[a] + high[a]) / 2.0), [0, 1].map(|a| (high[a] - low[a]) / 2.0)]
 }
 
-/// Two lines as one, where together they are one.
+/// The union of two lines, if it is one line in one style.
 fn join(a: Line, b: Line) -> Option<Line> {
     if a.style != b.style {
         return None;

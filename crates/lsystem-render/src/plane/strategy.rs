@@ -1,40 +1,40 @@
-//! The one place that chooses how a picture is made: from the graph, and from a probe of fixed work.
+//! The choice of the strategy, from the graph and from a probe of fixed work.
 
-use super::top_down::{Easel, TopDown};
+use super::top_down::{Context, TopDown};
 
-/// The steps of the probe: a top-down picture is judged after so many. Most pictures take fewer.
+/// The steps of the probe: a top-down picture is judged after this many. Most pictures take fewer.
 const PROBE: u64 = 100_000;
-/// The most steps of a top-down picture that is true in every detail: about a second, after which nobody waits for more.
-pub(super) const PATIENCE: u64 = 1_000_000;
-/// A picture is crowded if more than 1 step in so many led to a covered block. Where few blocks are covered though the
-/// picture takes long, blocks lie on a lattice: they coincide exactly, and a bottom-up picture tears them apart.
+/// The most steps of a top-down picture in full detail: about a second, the longest wait that the reader is given.
+pub(super) const MOST_STEPS: u64 = 1_000_000;
+/// A picture is crowded if more than 1 in 20 steps led to a covered block. A long picture with fewer covered blocks has
+/// blocks on a lattice: they coincide exactly, and a bottom-up picture would tear them apart.
 const CROWDED: u64 = 20;
 
 /// How a picture is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Strategy {
-    /// Top-down. Blocks up to this extent, in pixels, are painted as outlines: 0 where every block is looked into.
-    TopDown { rough: f64 },
-    /// Bottom-up, if the drawing has few enough parts.
+    /// Top-down. Blocks up to the extent `outlined`, in pixels, are painted as outlines; 0 means none.
+    TopDown { outlined: f64 },
+    /// Bottom-up, if the parts of the drawing are few enough.
     BottomUp,
 }
 
 impl Default for Strategy {
     fn default() -> Self {
-        Self::TopDown { rough: 0.0 }
+        Self::TopDown { outlined: 0.0 }
     }
 }
 
 impl Strategy {
-    /// The steps after which a top-down picture is judged, if it has taken so many.
+    /// The number of steps at which a top-down picture that has taken `steps` is judged next.
     pub(super) fn next_judgement(steps: u64) -> u64 {
-        if steps < PROBE { PROBE } else { PATIENCE }
+        if steps < PROBE { PROBE } else { MOST_STEPS }
     }
 
-    /// Judges a picture that has been made top-down for so many `steps`.
-    pub(super) fn judge(top_down: &TopDown, easel: &mut Easel<'_>, steps: u64) -> Self {
+    /// The strategy for the rest of a picture that has been made top-down for `steps`.
+    pub(super) fn judge(top_down: &TopDown, context: &mut Context<'_>, steps: u64) -> Self {
         let is_crowded = || top_down.covered * CROWDED > steps;
-        if steps > PATIENCE || is_crowded() && is_hopeless(top_down.done(easel), steps) {
+        if steps > MOST_STEPS || is_crowded() && is_hopeless(top_down.done(context), steps) {
             Self::BottomUp
         } else {
             Self::default()
@@ -42,9 +42,9 @@ impl Strategy {
     }
 }
 
-/// Whether a picture will not be done in time. What is done grows with the square of the steps: the more is covered, the
-/// larger are the blocks that are.
+/// Whether a picture will take more than [`MOST_STEPS`]. The part that is done grows with the square of the steps: the
+/// fuller the canvas, the larger are the blocks that are covered as a whole.
 fn is_hopeless(done: Option<f64>, steps: u64) -> bool {
-    let part = steps as f64 / PATIENCE as f64;
+    let part = steps as f64 / MOST_STEPS as f64;
     done.is_some_and(|done| done < part * part)
 }

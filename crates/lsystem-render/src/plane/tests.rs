@@ -5,7 +5,7 @@ use lsystem_drawing::Item;
 use lsystem_syntax::ColourBy;
 use std::time::Instant;
 
-/// Of 100,000 units of work each, for one picture.
+/// The most steps of 100,000 units of work for one picture.
 const MOST_STEPS: usize = 5_000;
 
 pub(super) fn picture(renderer: &mut Renderer, style: &Style, viewport: Viewport, view: View) {
@@ -26,11 +26,11 @@ pub(super) fn difference(a: &[u8], b: &[u8], width: usize) -> (f64, f64) {
     (mean, tiles.iter().copied().max().unwrap_or(0) as f64 / (64.0 * 3.0))
 }
 
-/// The picture in the making of opaque ink.
+/// The opaque picture in the making.
 fn opaque(renderer: &mut Renderer) -> &mut picture::Picture {
-    match &mut renderer.maker {
-        Maker::Opaque(opaque) => &mut opaque.picture,
-        Maker::Density(_) => unreachable!("the renderer has made no picture of sums"),
+    match &mut renderer.method {
+        InkMethod::Opaque(opaque) => &mut opaque.picture,
+        InkMethod::Density(_) => unreachable!("the renderer has made no picture of sums"),
     }
 }
 
@@ -76,7 +76,7 @@ fn the_picture_is_that_of_every_segment_stroked_in_order() {
             let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
             let style = Style { colour_by, ..sample.0.style.clone() };
             let truth = brute_force(&drawing, &style, viewport, view);
-            // As it is, and with tiles wherever there can be any.
+            // With the usual tiles, and with tiles wherever they are possible.
             for simple in [top_down::tile::SIMPLE_STROKES, 0] {
                 opaque(&mut renderer).top_down.tiling.simple = simple;
                 renderer.load(drawing.clone());
@@ -118,7 +118,7 @@ fn panes_together_are_the_picture() {
                         put(&mut pixels, 320, pane, renderer.pixels());
                     }
                 }
-                // Which tiles there are depends on what has been painted before, and where the last holes are as well.
+                // The tiles and the last holes depend on the order in which blocks were painted.
                 let (mean, worst) = difference(&pixels, whole.pixels(), 320);
                 let (_, truth) = difference(&pixels, &brute_force(&drawing, &style, viewport, view), 320);
                 println!("{name:12} {colour_by:?} {zoom:5} {simple:5} mean {mean:.3} worst {worst:.2}");
@@ -132,7 +132,7 @@ fn panes_together_are_the_picture() {
     assert!(failures.is_empty(), "{failures:?}");
 }
 
-/// Puts a pane where it belongs in a picture that is so many pixels wide.
+/// Copies a pane into a picture that is `width` pixels wide.
 pub(super) fn put(pixels: &mut [u8], width: usize, pane: Pane, own: &[u8]) {
     assert_eq!(own.len(), (pane.width * pane.height * 4) as usize);
     for (y, row) in own.chunks(pane.width as usize * 4).enumerate() {
@@ -218,13 +218,13 @@ fn what_is_broad_and_in_one_colour_takes_few_of_its_strokes() {
     }
 }
 
-/// With branches that are shorter and thinner than what bears them.
+/// The sample with branches that are shorter and thinner than the branch they grow from.
 fn narrowing(mut sample: Sample) -> Sample {
     (sample.0.length_factor, sample.0.style.width_factor) = (0.7, 0.5);
     sample
 }
 
-/// A view at `zoom` onto a place of the drawing where something is drawn.
+/// A view at `zoom` onto a segment of the drawing.
 pub(super) fn close_up(drawing: &Drawing, zoom: f64) -> View {
     let (mut at, mut turn) = ([0.0, 0.0], [1.0, 0.0]);
     let place = |at: [f64; 2], turn: [f64; 2], p: [f64; 2]| {
@@ -240,7 +240,7 @@ pub(super) fn close_up(drawing: &Drawing, zoom: f64) -> View {
             Item::Polygon(_) => 0,
             Item::Block(p) => drawing.blocks[p.block.0 as usize].segments,
         };
-        // One of the largest parts, a different one at each level.
+        // One of the largest items, a different one at each level.
         let most = items.iter().map(size).max().unwrap();
         let large: Vec<&Item> = items.iter().filter(|i| size(i) == most).collect();
         match large[(depth * 7 + 1) % large.len()] {
@@ -283,7 +283,7 @@ pub(super) fn hard() -> Vec<(&'static str, Sample)> {
     ]
 }
 
-/// Milliseconds this thread has run, where Linux tells; the clock otherwise.
+/// The milliseconds that this thread has run, as Linux counts them; elsewhere the milliseconds of the clock.
 pub(super) fn processor_time() -> f64 {
     static START: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);
     let told = std::fs::read_to_string("/proc/thread-self/schedstat");
@@ -291,8 +291,8 @@ pub(super) fn processor_time() -> f64 {
     nanoseconds.map_or_else(|| START.elapsed().as_secs_f64() * 1e3, |ns| ns / 1e6)
 }
 
-/// Prints what pictures take, of the systems whose names contain `ONLY`, of generation `N`, at magnifications `ZOOMS`;
-/// writes them where `PICTURES` says.
+/// Prints what pictures take, of the systems whose names contain `ONLY`, of generation `N`, at magnifications `ZOOMS`.
+/// Writes them to the folder `PICTURES`.
 pub(super) fn time(ink: Ink) {
     let mut renderer = Renderer::new();
     const RUNS: usize = 10;
@@ -342,8 +342,8 @@ fn the_fitted_scale_is_that_of_the_view() {
         let viewport = Viewport { width: 320, height: 200, ratio: 2.0 };
         let (_, rect) = view::root_bounds(&drawing);
         for zoom in [1.0, 8.0] {
-            let camera = view::Camera::new(&drawing, viewport, View { zoom, ..View::default() }, 1.0);
-            let at = |x| camera.place([Wide::sum(x, 0.0), Wide::ZERO])[0];
+            let transform = view::ViewTransform::new(&drawing, viewport, View { zoom, ..View::default() }, 1.0);
+            let at = |x| transform.place([Wide::sum(x, 0.0), Wide::ZERO])[0];
             let scale = at(rect.width.max(rect.height)) - at(0.0);
             assert!((scale / (fitted_scale(&drawing, viewport) * zoom) - 1.0).abs() < 1e-9, "{name}");
         }
@@ -355,7 +355,7 @@ fn finishes(renderer: &mut Renderer) -> bool {
     (0..MOST_STEPS).any(|_| renderer.step(100_000) == Progress::Done)
 }
 
-/// Whatever is asked for, pictures end, are as large as they should be, and opaque.
+/// With odd views and sizes pictures end, have the right size, and are opaque.
 pub(super) fn check_odd_views(ink: Ink) {
     let mut renderer = Renderer::new();
     renderer.begin(&Style { ink, ..Style::default() }, Viewport { width: 7, height: 5, ratio: 1.0 }, View::default());
@@ -391,7 +391,7 @@ fn odd_views_and_sizes_do_no_harm() {
 #[test]
 fn blocks_small_beside_their_strokes_are_as_wide_as_the_widest() {
     let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
-    // What is drawn last is a thousandth of the trunk's width.
+    // The segment drawn last is a thousandth as wide as the trunk.
     let mut sample = Sample::abop("A", &[('A', "AILR"), ('I', "F"), ('L', "[+F]"), ('R', "[-F]")], 30.0);
     (sample.0.style.width, sample.0.style.width_factor) = (1000.0, 0.001);
     for (mut renderer, n) in [(Renderer::new(), 2), (Renderer::new(), 5), (bottom_up(), 5)] {
@@ -422,7 +422,7 @@ fn crowds_that_never_repeat_end() {
         assert!(outlines > 0);
         let inked = renderer.pixels().chunks(4).filter(|pixel| pixel[..3] != sample.0.style.background.rgb).count();
         assert!(inked > 320 * 200 / 20, "{inked}");
-        // What was painted roughly leaves no trace.
+        // Tiles with outlines leave no trace in the next picture.
         let drawing = Arc::new(sample.draw(6));
         for renderer in [&mut renderer, &mut fresh] {
             renderer.load(drawing.clone());
@@ -438,7 +438,7 @@ fn what_would_take_far_too_long_is_made_bottom_up_early() {
     let viewport = Viewport { width: 1600, height: 1000, ratio: 1.0 };
     let mut renderer = Renderer::new();
     let crowd = Sample::lowercase("A", &[('A', "g[+A][-A]")], 20.0);
-    // Nothing is covered between the lines of this one, which come again and again.
+    // The gaps between the lines of this lattice are never covered, and the lines recur exactly.
     let lattice = Sample::abop("A++A++A", &[('A', "F"), ('F', "F-[+F][-A]")], 60.0);
     for (sample, n, early) in [(&crowd, 40, true), (&crowd, 24, false), (&lattice, 40, false)] {
         renderer.load(Arc::new(sample.draw(n)));
@@ -473,8 +473,8 @@ fn a_bottom_up_picture_is_the_same() {
             let style = Style { colour_by, ..sample.0.style.clone() };
             picture(&mut renderer, &style, viewport, view);
             let truth = brute_force(&drawing, &style, viewport, view);
-            // Each part is off by an eighth of a pixel at most, and all of them by half a pixel, which is a sixteenth of
-            // a tile: 16 levels where a tile is crossed by an edge, more where by several, and less in all others.
+            // Each part is off by an eighth of a pixel at most, and all of them by half a pixel, which is a sixteenth
+            // of a tile: 16 levels where a tile is crossed by an edge, more where by several, and less in all others.
             let (ours, theirs) = (tiles(renderer.pixels(), 320), tiles(&truth, 320));
             let apart = ours.iter().zip(&theirs).map(|(a, b)| (a - b).abs());
             let (mean, worst) = (apart.clone().sum::<f64>() / ours.len() as f64, apart.fold(0.0, f64::max));
@@ -500,12 +500,12 @@ fn a_bottom_up_picture_is_exact_where_all_is_on_the_lattice() {
         let drawing = Arc::new(sample.draw(n));
         renderer.load(drawing.clone());
         for steps in [12.0, 17.0] {
-            // So many subsamples to a step, and the origin between two of them.
-            let camera = |view| view::Camera::new(&drawing, viewport, view, 4.0);
-            let view = View { zoom: steps / camera(View::default()).step, ..View::default() };
-            let camera = camera(view);
-            let side = view::root_bounds(&drawing).1.longer_side() * camera.scale;
-            let [x, y] = camera.place(Default::default()).map(|v| (v - libm::round(v)) / side);
+            // A step is `steps` subsamples long, and the origin lies between two subsamples.
+            let transform = |view| view::ViewTransform::new(&drawing, viewport, view, 4.0);
+            let view = View { zoom: steps / transform(View::default()).step, ..View::default() };
+            let transform = transform(view);
+            let side = view::root_bounds(&drawing).1.longer_side() * transform.scale;
+            let [x, y] = transform.place(Default::default()).map(|v| (v - libm::round(v)) / side);
             let view = View { x: x + view.x, y: view.y - y, ..view };
             for colour_by in [ColourBy::Symbol, ColourBy::Level] {
                 let style = Style { colour_by, ..sample.0.style.clone() };
@@ -532,16 +532,16 @@ fn crowds_that_never_repeat_are_made_bottom_up() {
         picture(&mut renderer, &sample.0.style, viewport, View::default());
         let RenderStats { blocks, strokes, stamps, outlines, parts, .. } = renderer.stats();
         assert!(parts > 0 && outlines == 0 && blocks + strokes + stamps < 1_100_000, "{:?}", renderer.stats());
-        // They fill their hulls.
+        // The picture fills the hull of the drawing.
         let hull = &drawing.blocks[drawing.root.unwrap().0 as usize].hull;
         let corners = &drawing.corners[hull.start as usize..hull.end as usize];
         let next = corners.iter().cycle().skip(1);
         let twice: f64 = corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum();
-        let scale = view::Camera::new(&drawing, viewport, View::default(), 1.0).scale;
+        let scale = view::ViewTransform::new(&drawing, viewport, View::default(), 1.0).scale;
         let inked = renderer.pixels().chunks(4).filter(|pixel| pixel[..3] != sample.0.style.background.rgb).count();
         let filled = inked as f64 / (twice.abs() / 2.0 * scale * scale);
         assert!((0.9..1.1).contains(&filled), "{filled}");
-        // Panes of it are pieces of the same picture.
+        // Panes are pieces of the same picture.
         let whole = renderer.pixels().to_vec();
         let mut pixels = vec![0; whole.len()];
         for (pane, pass) in Pass::all(Ink::Solid, viewport, [208, 200]) {
@@ -564,10 +564,10 @@ fn a_bottom_up_picture_in_small_steps_is_the_same() {
 fn a_thousand_generations_look_like_two_hundred() {
     let viewport = Viewport { width: 160, height: 120, ratio: 1.0 };
     let [mut few, mut many] = [Renderer::new(), Renderer::new()];
-    // The dragon turns by 45 degrees with each generation, Gosper's curve by 19.1, which never comes round; what narrows
-    // has a trunk that grows by steps of one length, so that its twigs are of another size in each generation.
-    let comes_round = |name: &str| !name.contains("gosper") && name != "narrowing";
-    for (name, sample, _) in samples().into_iter().filter(|(name, ..)| comes_round(name)) {
+    // The pictures can only be alike if headings and sizes recur. The dragon turns by 45 degrees with each generation.
+    // Gosper's curve turns by 19.1 degrees, which never recurs. The twigs of `narrowing` shrink with each generation.
+    let recurs = |name: &str| !name.contains("gosper") && name != "narrowing";
+    for (name, sample, _) in samples().into_iter().filter(|(name, ..)| recurs(name)) {
         for (renderer, n) in [(&mut few, 200), (&mut many, 1000)] {
             renderer.load(Arc::new(sample.draw(n)));
             picture(renderer, &sample.0.style, viewport, View::default());
@@ -577,7 +577,7 @@ fn a_thousand_generations_look_like_two_hundred() {
     }
 }
 
-/// However the work is cut into steps, and whatever was given up before.
+/// Pictures are the same however the work is cut into steps, and whatever picture was given up before.
 pub(super) fn check_small_steps([mut whole, mut stepped]: [Renderer; 2], ink: Ink) {
     let viewport = Viewport { width: 200, height: 150, ratio: 1.0 };
     for (name, sample, n) in samples() {
@@ -620,7 +620,7 @@ fn a_segment_fills_the_picture_at_any_depth() {
         let side = rect.width.max(rect.height);
         let fitted = fitted_scale(&drawing, viewport) / side;
         for pixels in [40.0, 100.0, 100.7] {
-            // So many pixels to the segment, its middle shifted from the picture's by whole pixels.
+            // The segment is `pixels` long, and its middle is shifted from the picture's by whole pixels.
             let zoom = pixels / (length * fitted);
             let mut pictures = vec![];
             for shift in [0.0, 16.0] {
@@ -639,14 +639,14 @@ fn a_segment_fills_the_picture_at_any_depth() {
             assert!((98..=101).any(|y| ink(&pictures[0], 160, y) || ink(&pictures[0], 159, y)), "{pixels}");
             let count = |picture: &[u8]| (0..320 * 200).filter(|i| ink(picture, i % 320, i / 320)).count();
             assert!((pixels as usize..6000).contains(&count(&pictures[0])), "{}", count(&pictures[0]));
-            // Moving the view by whole pixels moves the picture by them, to the last subsample.
+            // Moving the view by whole pixels moves the picture as much, to the last subsample.
             let moved = (0..200).all(|y| (16..320).all(|x| ink(&pictures[0], x, y) == ink(&pictures[1], x - 16, y)));
             assert!(moved, "the picture trembles at {pixels} pixels to the segment");
         }
     }
 }
 
-/// The middle of some segment in the midst of a drawing, in the root block's frame, and its length there.
+/// The middle of a segment in the innermost blocks, in the root block's frame, and its length there.
 fn deep_segment(drawing: &Drawing) -> ([Wide; 2], f64) {
     let mut block = drawing.root.unwrap();
     let (mut at, mut heading, mut scale) = ([Wide::default(); 2], lsystem_syntax::Heading::EAST, 1.0);
@@ -719,7 +719,7 @@ fn a_coarse_picture_has_the_ink_of_the_fine_one_where_that_has_it() {
             coarse.begin_with(&sample.0.style, viewport, view, Detail::Coarse, None);
             while coarse.step(10_000) == Progress::More {}
             assert_eq!(coarse.pixels().len(), fine.pixels().len());
-            // A sample stands for sixteen; what that loses evens out over some pixels.
+            // One sample stands for sixteen; the errors even out over some pixels.
             let (blurred, truth) = (tiles(coarse.pixels(), 320), tiles(fine.pixels(), 320));
             let differences = blurred.iter().zip(&truth).map(|(a, b)| (a - b).abs());
             let worst = differences.clone().fold(0.0, f64::max);
@@ -753,7 +753,7 @@ fn pictures_have_a_largest_size() {
     assert_eq!(within(0, u32::MAX), (0, 32_768));
 }
 
-/// Views a little apart each: zooming in slowly, and panning by parts of a pixel.
+/// Series of views a little apart: zooming in slowly, and panning by parts of a pixel.
 fn steady_views(drawing: &Drawing, zoom: f64) -> Vec<Vec<View>> {
     let view = if zoom == 1.0 { View::default() } else { close_up(drawing, zoom) };
     let zooms = (0..6).map(|i| View { zoom: zoom * (1.0 + f64::from(i) / 640.0), ..view }).collect();
@@ -784,17 +784,17 @@ fn slow_zooms_and_pans_neither_shimmer_nor_pop() {
                     picture(&mut renderer, style, viewport, view);
                     let ours = renderer.pixels().to_vec();
                     let truth = brute_force(&drawing, style, viewport, view);
-                    // The ink in the picture is that of the truth, so it goes up and down with nothing else.
+                    // The amount of ink follows the truth.
                     let (got, expected) = (ink(&ours, style), ink(&truth, style));
                     let off = (got - expected).abs() / (1.0 + 0.02 * expected);
                     let (mut extra, mut worst) = (0.0, 0.0_f64);
                     if let Some((before, truth_before)) = &last {
-                        // An eighth of a pixel of movement changes what lies on edges; what our picture changes beyond
-                        // that is what tiles are off by, an eighth of a subsample or less, twice.
+                        // Moving by an eighth of a pixel changes the pixels at edges. Further changes come from tiles,
+                        // which are off by an eighth of a subsample or less, in both pictures.
                         let (change, _) = difference(before, &ours, 160);
                         let (needed, _) = difference(truth_before, &truth, 160);
                         extra = change - needed;
-                        // Nothing pops up or vanishes: no 8x8 tile changes much more than in truth.
+                        // No stroke appears or vanishes: no 8x8 tile changes much more than in truth.
                         let moved = |a: &[u8], b: &[u8]| -> Vec<f64> {
                             tiles(a, 160).iter().zip(tiles(b, 160)).map(|(a, b)| a - b).collect()
                         };

@@ -1,4 +1,4 @@
-//! Where on the drawing a picture looks.
+//! The part of the drawing that a picture shows.
 
 use super::Pane;
 use super::pen::Pen;
@@ -10,17 +10,17 @@ use lsystem_syntax::{MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 /// The size of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewport {
-    /// In device pixels.
+    /// The width in device pixels.
     pub width: u32,
-    /// In device pixels.
+    /// The height in device pixels.
     pub height: u32,
     /// Device pixels in one CSS pixel.
     pub ratio: f64,
 }
 
 impl Viewport {
-    /// The same, or the upper left part of it where it is larger than pictures may be: [`MAX_PICTURE_SIDE`] each way
-    /// and [`MAX_PICTURE_PIXELS`] in all.
+    /// The viewport, cut at the right and at the bottom to at most [`MAX_PICTURE_SIDE`] pixels each way and
+    /// [`MAX_PICTURE_PIXELS`] in all.
     #[must_use]
     pub fn within_limits(self) -> Self {
         let width = self.width.min(MAX_PICTURE_SIDE);
@@ -35,7 +35,7 @@ impl Viewport {
     }
 }
 
-/// A place and a magnification, relative to the fitted drawing, so that the drawing can change under it.
+/// A place and a magnification, relative to the fitted drawing, so that the view stays when the drawing changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// The picture's centre, right of the fitted centre, in fitted extents (the longer side of [`fit`]).
@@ -44,7 +44,7 @@ pub struct View {
     pub y: f64,
     /// 1 shows the whole drawing with a margin; 2 shows it twice as large.
     pub zoom: f64,
-    /// What is to be added to `x` and `y`: the part below their precision, which counts where a single segment of a
+    /// Added to `x` and `y`: the part of the centre below their precision. The part matters where a single segment of a
     /// drawing 10^19 steps wide fills the picture.
     pub fine: [f64; 2],
 }
@@ -58,13 +58,13 @@ impl Default for View {
 /// An upright rectangle, y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rect {
-    /// Its left side.
+    /// The left side.
     pub x: f64,
-    /// Its lower side.
+    /// The lower side.
     pub y: f64,
-    /// Not negative.
+    /// The width; not negative.
     pub width: f64,
-    /// Not negative.
+    /// The height; not negative.
     pub height: f64,
 }
 
@@ -78,8 +78,8 @@ impl Rect {
     }
 }
 
-/// What the view at zoom 1 shows, without the margin, in model units: the bounds of all strokes' axes. A drawing that
-/// is only a point, or nothing, gives a square of one step around it.
+/// The rectangle that the view at zoom 1 shows, without the margin, in model units: the bounds of all strokes' axes. An
+/// empty drawing, or one that is only a point, gives a square with sides of one step.
 #[must_use]
 pub fn fit(drawing: &Drawing) -> Rect {
     let (unit, rect) = root_bounds(drawing);
@@ -87,12 +87,12 @@ pub fn fit(drawing: &Drawing) -> Rect {
     Rect { x: x + unit * rect.x, y: y + unit * rect.y, width: unit * rect.width, height: unit * rect.height }
 }
 
-/// Device pixels in one fitted extent (the longer side of [`fit`]) at zoom 1: what moves and magnifies a finished
-/// picture as the renderer would.
+/// Device pixels in one fitted extent (the longer side of [`fit`]) at zoom 1. With this scale a finished picture can be
+/// moved and magnified as the renderer would.
 #[must_use]
 pub fn fitted_scale(drawing: &Drawing, viewport: Viewport) -> f64 {
     let (_, rect) = root_bounds(drawing);
-    Camera::new(drawing, viewport, View::default(), 1.0).scale * rect.longer_side()
+    ViewTransform::new(drawing, viewport, View::default(), 1.0).scale * rect.longer_side()
 }
 
 /// The bounds of the drawing in units of its root block, never empty, and that unit in model units.
@@ -119,13 +119,13 @@ pub(super) fn root_bounds(drawing: &Drawing) -> (f64, Rect) {
     (unit, Rect { x: x - side / 2.0, y: y - side / 2.0, width: side, height: side })
 }
 
-/// How closely a picture looks.
+/// The subsamples of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Detail {
-    /// 4x4 subsamples a pixel: smooth edges.
+    /// 4x4 subsamples in a pixel: smooth edges.
     #[default]
     Fine,
-    /// One sample a pixel: rough edges, in a fraction of the time.
+    /// One subsample in a pixel: rough edges, in a fraction of the time.
     Coarse,
 }
 
@@ -139,7 +139,8 @@ impl Detail {
     }
 }
 
-/// The size of things in a picture. Its samples are subsamples of strokes that cover, or pixels of sums.
+/// The sizes of strokes in a picture. A sample is a subsample of opaque ink, or the place of one sum of ink that adds
+/// up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Measure {
     /// The smallest stroke width, in samples.
@@ -160,7 +161,7 @@ impl Measure {
         (width * self.step).max(self.hairline)
     }
 
-    /// Half of it.
+    /// Half the width of a stroke, in samples, from its width in step lengths.
     pub(super) fn radius(&self, width: f64) -> f64 {
         self.width(width) / 2.0
     }
@@ -170,13 +171,13 @@ impl Measure {
         2.0 * radius > self.hairline
     }
 
-    /// The same of a block's widest stroke, at most, from the width at its entry.
+    /// The most that half the width of a block's strokes is, in samples, from the width at the block's entry.
     pub(super) fn widest(&self, block: &Block, width: f64) -> f64 {
         self.radius(block.widest.of(width))
     }
 
-    /// With what one stroke after the other stands for all of a block, given the pen at its entry and that of its `last`
-    /// stroke: with this one and, if that is much wider, one as wide as its widest.
+    /// The pens of the strokes that stand for a whole block, the last drawn first: the pen of the block's `last` stroke
+    /// and, if the block has much wider strokes, a pen as wide as the widest.
     pub(super) fn pens(&self, block: &Block, entry: Pen, last: Pen) -> impl Iterator<Item = Pen> + use<> {
         let pen = Pen { width: block.widest.of(entry.width), ..last };
         let wider = self.radius(pen.width) > self.radius(last.width) + TINY;
@@ -187,11 +188,10 @@ impl Measure {
 /// Empty space around a fitted drawing, as a part of the viewport's shorter side.
 const MARGIN: f64 = 0.04;
 
-/// How the root block's frame is placed on the subsample lattice: `scale` times the way from `centre`, which is in
-/// the `middle`; y down.
+/// Maps the root block's frame (y up) to the subsample lattice (y down).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Camera {
-    /// What is in the middle of the picture, in units of the root block, y up.
+pub(super) struct ViewTransform {
+    /// The point in the middle of the picture, in units of the root block, y up.
     pub centre: [Wide; 2],
     /// The middle of the picture, in subsamples.
     pub middle: [f64; 2],
@@ -201,8 +201,8 @@ pub(super) struct Camera {
     pub step: f64,
 }
 
-impl Camera {
-    /// With so many subsamples along one side of a pixel.
+impl ViewTransform {
+    /// The transform of a view, with `samples` subsamples along one side of a pixel.
     pub(super) fn new(drawing: &Drawing, viewport: Viewport, view: View, samples: f64) -> Self {
         let (_, rect) = root_bounds(drawing);
         let exponent = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize)).map_or(0, |root| root.exponent);
@@ -235,13 +235,13 @@ impl Camera {
         }
     }
 
-    /// The same picture, seen from the corner of a pane of it.
+    /// The transform with the origin in the upper left corner of a pane.
     pub(super) fn of_pane(self, pane: Pane, samples: f64) -> Self {
         let [x, y] = [pane.x, pane.y].map(|corner| f64::from(corner) * samples);
         Self { middle: [self.middle[0] - x, self.middle[1] - y], ..self }
     }
 
-    /// Where a point of the root block's frame is, in subsamples.
+    /// The place of a point of the root block's frame, in subsamples.
     pub(super) fn place(&self, at: [Wide; 2]) -> [f64; 2] {
         let [x, y] = [0, 1].map(|axis| at[axis].minus(self.centre[axis]) * self.scale);
         [self.middle[0] + x, self.middle[1] - y]

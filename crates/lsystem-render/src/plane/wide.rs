@@ -1,6 +1,6 @@
-//! Numbers of twice the precision of `f64`, for places on a drawing whose segments are 10^-19 of it.
+//! Numbers of twice the precision of `f64`, for places on a drawing whose segments are 10^-19 of its size.
 
-/// The sum of two `f64`, unevaluated: 106 bits (Dekker 1971, Knuth's two-sum).
+/// The unevaluated sum of two `f64`: 106 bits (Dekker 1971, Knuth's two-sum).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Wide {
     high: f64,
@@ -17,7 +17,7 @@ impl Wide {
         Self { high, low: (a - (high - rest)) + (b - rest) }
     }
 
-    /// The exact product of two numbers (Veltkamp's split), unless it is out of range.
+    /// The exact product of two numbers (Veltkamp's split), unless the product is out of range.
     pub(super) fn product(a: f64, b: f64) -> Self {
         let split = |v: f64| {
             let big = v * 134_217_729.0;
@@ -39,13 +39,13 @@ impl Wide {
         self.plus(other.high).plus(other.low)
     }
 
-    /// The quotient, to about the same precision.
+    /// The quotient, to about 106 bits.
     pub(super) fn over(self, divisor: f64) -> Self {
         let quotient = self.high / divisor;
         Self::sum(quotient, self.minus(Self::product(quotient, divisor)) / divisor)
     }
 
-    /// The number as an `f64`, and what that leaves.
+    /// The number rounded to `f64`, and the rest.
     pub(super) fn parts(self) -> [f64; 2] {
         [self.high, self.low]
     }

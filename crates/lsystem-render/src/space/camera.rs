@@ -1,4 +1,4 @@
-//! From where a drawing in space is looked at.
+//! The camera: the view of a drawing in space.
 
 use crate::Viewport;
 use lsystem_drawing::rotation::{Vector, dot};
@@ -8,19 +8,19 @@ use lsystem_drawing::{Drawing, Solid};
 /// picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Where the eye is around the vertical, in degrees: 0 looks from +z, 90 from +x.
+    /// The angle of the eye around the vertical, in degrees: 0 looks from +z, 90 from +x.
     pub azimuth: f64,
-    /// How high it is above the level of the target, in degrees, -90 to 90.
+    /// The angle of the eye above the level of the target, in degrees, -90 to 90.
     pub elevation: f64,
-    /// 1 shows the whole drawing with a margin, from whatever side; 2 shows it twice as large.
+    /// 1 shows the whole drawing with a margin, from every side; 2 shows it twice as large.
     pub zoom: f64,
-    /// What is in the middle of the picture, from the fitted centre, in fitted extents (the diameter of a ball around
+    /// The point in the middle of the picture, from the fitted centre, in fitted extents (the diameter of a ball around
     /// the drawing), in the directions of the model.
     pub target: [f64; 3],
-    /// Whether what is nearer looks larger. The eye is two fitted extents from the target then; otherwise it is
+    /// Whether nearer parts look larger. With perspective the eye is two fitted extents from the target; without, it is
     /// infinitely far away.
     pub perspective: bool,
-    /// How far the farthest part fades into the background, 0 to 1.
+    /// How much the farthest parts fade into the background: 0 (not at all) to 1.
     pub fade: f64,
 }
 
@@ -36,7 +36,7 @@ pub fn solid_scale(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera
     Lens::new(drawing, viewport, &Camera { zoom: 1.0, ..*camera }, 1.0).extent
 }
 
-/// Right and up in the picture and towards the eye, as unit vectors of the model.
+/// The directions right and up in the picture and towards the eye, as unit vectors of the model.
 #[must_use]
 pub fn camera_axes(camera: &Camera) -> [[f64; 3]; 3] {
     let angle = |degrees: f64| if degrees.is_finite() { degrees.to_radians() } else { 0.0 };
@@ -46,8 +46,8 @@ pub fn camera_axes(camera: &Camera) -> [[f64; 3]; 3] {
     [[ca, 0.0, -sa], [-se * sa, ce, -se * ca], [ce * sa, se, ce * ca]]
 }
 
-/// Where the segment `number` (0-based) starts and ends: from the fitted centre, in fitted extents (the diameter of a
-/// ball around the drawing), in the directions of the model, as [`Camera::target`]; `None` beyond the last.
+/// The start and the end of the segment `number` (0-based), from the fitted centre, in fitted extents (the diameter of
+/// a ball around the drawing), in the directions of the model, as [`Camera::target`]; `None` after the last segment.
 #[must_use]
 pub fn fitted_solid_ends(drawing: &Drawing<Solid>, number: u128) -> Option<[[f64; 3]; 2]> {
     let (centre, radius) = ball(drawing);
@@ -60,8 +60,8 @@ pub fn fitted_solid_ends(drawing: &Drawing<Solid>, number: u128) -> Option<[[f64
     )
 }
 
-/// The vertices of the polygon `number` (0-based, in the order in which they are opened), as in [`fitted_solid_ends`], each
-/// joined to the next and the last to the first; none beyond the last polygon.
+/// The vertices of the polygon `number` (0-based, in the order in which polygons are opened), in the coordinates of
+/// [`fitted_solid_ends`]. Each vertex is joined to the next and the last to the first. Empty after the last polygon.
 #[must_use]
 pub fn fitted_solid_polygon(drawing: &Drawing<Solid>, number: u128) -> Vec<[f64; 3]> {
     let Some((polygon, frame)) = drawing.polygon(number) else { return vec![] };
@@ -71,8 +71,8 @@ pub fn fitted_solid_polygon(drawing: &Drawing<Solid>, number: u128) -> Vec<[f64;
     drawing.vertices_of(polygon).iter().map(|&vertex| fitted(vertex)).collect()
 }
 
-/// The ball around a drawing in units of its root block: its centre, and its radius, which is not 0. A drawing that is
-/// only a point, or nothing, has one of one step around it.
+/// The centre and the radius of the ball around a drawing, in units of its root block. The radius is not 0: an empty
+/// drawing, or one that is only a point, has a ball with a diameter of one step.
 fn ball(drawing: &Drawing<Solid>) -> (Vector, f64) {
     let root = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize));
     let (centre, radius) = root.map_or(([0.0; 3], 0.0), |root| (root.hull.centre(), root.hull.radius));
@@ -84,38 +84,41 @@ fn ball(drawing: &Drawing<Solid>) -> (Vector, f64) {
 const DISTANCE: f64 = 4.0;
 /// Empty space around a fitted drawing, as a part of the viewport's shorter side.
 const MARGIN: f64 = 0.04;
-/// Places that are looked at on half a ring.
-const RING: u32 = 12;
-/// What is nearer to the eye than this part of the target's distance is not shown.
+/// The steps in which half a ring is sampled.
+const RING_STEPS: u32 = 12;
+/// Parts nearer to the eye than this part of the target's distance are not shown.
 pub(super) const NEAR: f64 = 0.05;
 
-/// A camera ready for a picture. It sees places in samples: x to the right and y down from the upper left corner of the
-/// picture, z away from the eye, 0 at the target.
+/// Maps the root block's frame to the picture. Places are in samples: x to the right, y down, and z away from the eye,
+/// 0 at the target. The origin of x and y is the middle of the picture before perspective, and the upper left corner
+/// after.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lens {
-    /// Of the root block's frame: where its origin lies before perspective, from the middle of the picture.
+    /// The place of the root block's origin before perspective, from the middle of the picture.
     pub origin: Vector,
-    /// Where its unit vectors lead.
+    /// The root block's unit vectors.
     pub axes: [Vector; 3],
-    /// One over the eye's distance from the target; 0 without perspective.
+    /// 1 / the eye's distance from the target; 0 without perspective.
     pub nearness: f64,
     /// The middle of the picture.
     pub middle: [f64; 2],
     /// Samples in one step length, at the target.
     pub step: f64,
-    /// The ball around the drawing: its centre as `origin`, and its radius.
+    /// The centre of the ball around the drawing before perspective, from the middle of the picture.
     pub centre: Vector,
+    /// The radius of that ball.
     pub radius: f64,
     /// Samples in one fitted extent at this zoom.
     pub extent: f64,
 }
 
-/// How far a ring about the upright axis reaches to the side and up or down in the picture, given its radius and its
-/// height, how upright things look, how much of them leads to the eye, and how far that is from the axis.
+/// How far a ring about the upright axis reaches to the side, and up or down, in the picture. `aside` is the radius of
+/// the ring and `height` its height. `upright` and `back` are the parts of the model's vertical that lead up in the
+/// picture and to the eye. `distance` is the eye's distance from the target.
 fn reach([aside, height]: [f64; 2], [upright, back]: [f64; 2], distance: f64) -> [f64; 2] {
     let mut reach = [0.0_f64; 2];
-    for step in 0..=RING {
-        let angle = core::f64::consts::PI * f64::from(step) / f64::from(RING);
+    for step in 0..=RING_STEPS {
+        let angle = core::f64::consts::PI * f64::from(step) / f64::from(RING_STEPS);
         let (side, near) = (aside * libm::sin(angle), aside * libm::cos(angle));
         let larger = 1.0 / (1.0 - (height * back + near * upright) / distance).max(NEAR);
         reach = [reach[0].max(side * larger), reach[1].max(((height * upright - near * back) * larger).abs())];
@@ -124,7 +127,7 @@ fn reach([aside, height]: [f64; 2], [upright, back]: [f64; 2], distance: f64) ->
 }
 
 impl Lens {
-    /// `samples` lie along the side of a pixel.
+    /// The lens of a camera, with `samples` along the side of a pixel.
     pub(super) fn new(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera, samples: f64) -> Self {
         let root = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize));
         let exponent = root.map_or(0, |root| root.exponent);
@@ -168,20 +171,20 @@ impl Lens {
         }
     }
 
-    /// How much larger than at the target things are that lie `z` behind it.
+    /// The scale `z` samples behind the target, relative to the scale at the target.
     #[inline]
     pub(super) fn factor(&self, z: f64) -> f64 {
         1.0 / (1.0 + z * self.nearness).max(NEAR)
     }
 
-    /// Where a place is in the picture, and how far behind the target, in a measure that keeps straight lines straight.
+    /// The place in the picture, and a depth behind the target that keeps straight lines straight: `z` times the scale.
     #[inline]
     pub(super) fn project(&self, [x, y, z]: Vector) -> Vector {
         let factor = self.factor(z);
         [self.middle[0] + x * factor, self.middle[1] + y * factor, z * factor]
     }
 
-    /// What of a line lies before the eye.
+    /// The part of a line before the eye; `None` if there is none.
     pub(super) fn before_eye(&self, ends: [Vector; 2]) -> Option<[Vector; 2]> {
         let ahead = ends.map(|end| 1.0 + end[2] * self.nearness - NEAR);
         match ahead.map(|a| a > 0.0) {

@@ -1,70 +1,71 @@
-//! How much a picture in space may show for the work that it is worth.
+//! The budget of a picture in space, and the work that the picture should take.
 
 use super::Quality;
 use crate::Viewport;
 
-/// How often a picture is made again at most, when a budget is too small, and how many times larger the next one is.
-const AGAIN: u8 = 4;
-const MORE: f32 = 8.0;
-/// It is not made again for less than this part more.
-const WORTH: f32 = 1.6;
+/// The most times that a picture is made again with a larger budget.
+const MOST_RETRIES: u8 = 4;
+/// The most that a budget grows at a time, as a factor.
+const MOST_GROWTH: f32 = 8.0;
+/// A picture is made again only if it took less than its work divided by this.
+const LEAST_GROWTH: f32 = 1.6;
 
-/// What a picture has taken with its budget, or some of its panes.
+/// What a picture, or some of its panes, took with a budget.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spent {
-    /// In units of work.
+    /// The units of work.
     pub work: f64,
-    /// Whether something had to go without.
+    /// Whether the budget was too small for some node.
     pub poor: bool,
 }
 
 impl Spent {
-    /// Adds what another pane has taken.
+    /// Adds what another pane took.
     pub fn add(&mut self, other: Self) {
         self.work += other.work;
         self.poor |= other.poor;
     }
 }
 
-/// The budget of a picture, which is made again with a larger one where it was too small.
+/// The budget of a picture. A picture whose budget was too small is made again with a larger one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Effort {
-    /// Contents of nodes that are looked into at most.
+    /// The most contents of nodes that are looked into.
     pub(super) budget: f32,
-    /// Units of work that the picture is worth.
+    /// The units of work that the picture should take; 0 if the budget is fixed.
     pub(super) work: i64,
-    /// How often it has been made with too small a budget.
-    again: u8,
+    /// How often the budget was too small.
+    retries: u8,
 }
 
 impl Effort {
-    /// For a picture's first time.
+    /// The first budget of a picture.
     #[must_use]
     pub fn new(quality: Quality, viewport: Viewport) -> Self {
-        Self { budget: quality.budget(), work: quality.work(viewport), again: 0 }
+        Self { budget: quality.budget(), work: quality.work(viewport), retries: 0 }
     }
 
-    /// For a picture that others make panes of, with the budget that they are told.
+    /// The same effort with another budget, for panes that share the budget of their picture.
     #[must_use]
     pub fn with_budget(self, budget: f32) -> Self {
         Self { budget, ..self }
     }
 
-    /// Contents of nodes that are looked into at most.
+    /// The most contents of nodes that are looked into.
     #[must_use]
     pub fn budget(&self) -> f32 {
         self.budget
     }
 
-    /// Gives a larger budget where little of the work that the picture is worth was done, though something had to go
-    /// without: how much of a budget is needed nobody knows before. Whether it does, and the picture is to be made again.
+    /// Grows the budget if the picture took too little of its work though the budget was too small for some node: the
+    /// budget that is needed cannot be known before. Returns whether the picture is to be made again.
     pub fn is_too_small(&mut self, spent: Spent) -> bool {
         let missing = self.work as f32 / spent.work.max(1.0) as f32;
-        if !spent.poor || self.again == AGAIN || missing < WORTH {
+        if !spent.poor || self.retries == MOST_RETRIES || missing < LEAST_GROWTH {
             return false;
         }
-        self.budget *= (0.8 * missing).min(MORE);
-        self.again += 1;
+        self.budget *= (0.8 * missing).min(MOST_GROWTH);
+        self.retries += 1;
         true
     }
 }

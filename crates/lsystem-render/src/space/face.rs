@@ -1,7 +1,7 @@
-//! A flat triangle: what filled polygons are made of.
+//! A flat triangle of a filled polygon.
 
 use super::stroke::{Painted, band, span};
-use super::tile::Tile;
+use super::tile::ScreenTile;
 use lsystem_drawing::rotation::Vector;
 
 /// A triangle of one colour in the space of a picture.
@@ -12,8 +12,8 @@ pub(super) struct Face {
 }
 
 impl Face {
-    /// Paints a band of it on a tile whose upper left corner is at `corner`: the samples whose middles it covers.
-    pub(super) fn paint(&self, tile: &mut Tile, corner: [f64; 2], from: usize) -> Painted {
+    /// Paints a band of the triangle, from the row `from` on, on a tile whose upper left corner is at `corner`.
+    pub(super) fn paint(&self, tile: &mut ScreenTile, corner: [f64; 2], from: usize) -> Painted {
         let [width, height] = tile.size.map(|count| count as f64);
         let [a, b, c] = self.corners.map(|[x, y, d]| [x - corner[0], y - corner[1], d]);
         let least = |i: usize| a[i].min(b[i]).min(c[i]);
@@ -27,7 +27,7 @@ impl Face {
             return Painted { looked: 0, rest };
         }
         tile.touch(across, down);
-        // The plane that it lies in: how depth goes on from column to column and from row to row.
+        // The change of depth from column to column and from row to row, in the triangle's plane.
         let [p, q] = [[b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]];
         let right = (p[2] * q[1] - q[2] * p[1]) / area;
         let below = (p[0] * q[2] - q[0] * p[2]) / area;
@@ -64,13 +64,13 @@ mod tests {
 
     #[test]
     fn faces_cover_their_area_and_what_is_behind() {
-        let mut tile = Tile::default();
+        let mut tile = ScreenTile::default();
         tile.reset([64, 64], [64, 64], [0, 0, 0]);
         let red = u32::from_le_bytes([255, 0, 0, 255]);
         let green = u32::from_le_bytes([0, 255, 0, 255]);
         let face = Face { corners: [[4.0, 4.0, 0.0], [60.0, 4.0, 56.0], [4.0, 60.0, 0.0]], colour: red };
         face.paint(&mut tile, [0.0; 2], 0);
-        // Upright and nearer on the right half only.
+        // Parallel to the picture, and nearer on the right half only.
         let other = Face { corners: [[0.0, 0.0, 28.0], [64.0, 0.0, 28.0], [0.0, 64.0, 28.0]], colour: green };
         other.paint(&mut tile, [0.0; 2], 0);
         let mut counts = [0; 2];
@@ -80,7 +80,7 @@ mod tests {
                 counts[1] += i32::from(*colour == green);
             }
         }
-        // Red is left of the column 32, of 56 * 56 / 2 less 28 * 28 / 2; green the rest of 64 * 64 / 2.
+        // Red is left of column 32: 56 * 56 / 2 - 28 * 28 / 2 samples. Green has the rest of 64 * 64 / 2.
         assert!((counts[0] - 1176).abs() < 60 && (counts[1] - 872).abs() < 60, "{counts:?}");
     }
 }

@@ -1,27 +1,27 @@
-//! Numbers side by side, so that compilers see what can be done at once: no branches, and every step the same for all.
+//! Numbers side by side without branches, so that the compiler makes vector instructions of them.
 
 use core::array::from_fn;
 use core::ops::{Add, Mul, Sub};
 
-/// How many samples are looked at together.
+/// The number of samples that are looked at together.
 pub(super) const LANES: usize = 4;
 
 /// A number for each sample.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lanes(pub [f32; LANES]);
 
-/// A decision for each sample: all bits or none.
+/// A decision for each sample: all bits set, or none.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mask(pub [u32; LANES]);
 
 impl Lanes {
-    /// The same number everywhere.
+    /// The same number in all lanes.
     #[inline(always)]
     pub(super) fn all(value: f32) -> Self {
         Self([value; LANES])
     }
 
-    /// A number, and those that follow it.
+    /// Numbers that count up by 1.
     #[inline(always)]
     pub(super) fn from(first: f32) -> Self {
         Self([first, first + 1.0, first + 2.0, first + 3.0])
@@ -37,34 +37,34 @@ impl Lanes {
         Self(from_fn(|i| if self.0[i] < most { self.0[i] } else { most }))
     }
 
-    /// Square roots; of negative numbers 0.
+    /// The square roots; 0 for negative numbers.
     #[inline(always)]
     pub(super) fn root(self) -> Self {
         Self(self.at_least(0.0).0.map(f32::sqrt))
     }
 
-    /// One over each.
+    /// The reciprocals.
     #[inline(always)]
     pub(super) fn inverse(self) -> Self {
         Self(from_fn(|i| 1.0 / self.0[i]))
     }
 
-    /// Where it is less than the other.
+    /// The lanes in which the number is less than the other.
     #[inline(always)]
     pub(super) fn below(self, other: Self) -> Mask {
         Mask(from_fn(|i| if self.0[i] < other.0[i] { u32::MAX } else { 0 }))
     }
 
-    /// This where the mask says so, and the other elsewhere.
+    /// The numbers of the lanes in the mask, and the other's numbers elsewhere.
     #[inline(always)]
     pub(super) fn or(self, mask: Mask, other: Self) -> Self {
         Self(from_fn(|i| f32::from_bits((self.0[i].to_bits() & mask.0[i]) | (other.0[i].to_bits() & !mask.0[i]))))
     }
 
-    /// Whole numbers, of numbers from 0 to 255.
+    /// Numbers from 0 to 255, rounded to whole numbers.
     #[inline(always)]
     pub(super) fn bytes(self) -> [u32; LANES] {
-        // From here on floating-point numbers are whole, and their lowest bits are the number.
+        // From 2^23 on an `f32` is whole, and its lowest bits are the number.
         const WHOLE: f32 = 8_388_608.0;
         from_fn(|i| (self.0[i] + WHOLE).to_bits() & 0xff)
     }

@@ -1,58 +1,60 @@
-//! How strokes are lit.
+//! The light on strokes.
 //!
-//! A fixed light comes from the viewer's upper left. A stroke is a round stick; besides, it is brighter where the whole
-//! drawing faces the light, and darker inside the drawing, as leaves in a crown are. Edges stand out from the
-//! background: lighter on dark ones, darker on light ones.
+//! A fixed light comes from the viewer's upper left. A stroke is lit as a round stick. A stroke is also brighter on the
+//! side of the drawing that faces the light, and darker inside the drawing, as leaves in a crown are. Edges of sticks
+//! are lighter on a dark background and darker on a light one.
 //!
-//! All of it is polynomials of the normal, so that what a stick looks like on the average, and many sticks of a block
-//! too small to see, is known from the average of their directions.
+//! The light is a polynomial of the normal. So the mean light on many sticks, in a block too small to see, follows from
+//! the mean of their directions.
 
 use super::camera::Lens;
 use super::lanes::{LANES, Lanes};
 use lsystem_drawing::rotation::{Vector, dot};
 use lsystem_syntax::Style;
 
-/// Towards the light, a unit vector: x to the right, y down, z away from the viewer.
+/// The direction towards the light, a unit vector: x to the right, y down, z away from the viewer.
 pub(super) const LIGHT: Vector = [-0.48, -0.64, -0.6];
-/// How much of the light's angle is a stroke's own, the rest being the place's in the drawing.
+/// The share of the stroke's own normal in the light. The rest depends on the place in the drawing.
 const OWN: f32 = 0.7;
-/// Brightness without light, and what the light adds.
+/// The brightness without light.
 const AMBIENT: f32 = 0.54;
+/// The brightness that the light adds at most.
 const DIFFUSE: f32 = 0.9;
-/// A soft highlight.
+/// The strength of the highlight.
 const GLOSS: f32 = 0.16;
-/// How dark the middle of the drawing is.
+/// The part of the light that is missing in the middle of the drawing.
 const SHADE: f32 = 0.25;
-/// How much edges are darkened on light backgrounds, and lightened on dark ones.
+/// The change of brightness at edges on a light background.
 const EDGE_DARK: f32 = -0.3;
+/// The change of brightness at edges on a dark background.
 const EDGE_LIGHT: f32 = 0.42;
-/// The mean of the height of a half circle, and of its square.
+/// The mean height of a unit half circle, and the mean of its square.
 const HEIGHT: f32 = core::f32::consts::FRAC_PI_4;
 const HEIGHT_2: f32 = 2.0 / 3.0;
 
-/// What lighting depends on in a picture.
+/// The light of a picture.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Light {
     background: [f32; 3],
     edge: f32,
     fade: f32,
-    /// One over the radius of the ball around the drawing.
+    /// 1 / the radius of the ball around the drawing, in samples.
     inverse: f64,
     centre: Vector,
 }
 
-/// What the light does at a place in the drawing.
+/// The light at a place in the drawing.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Spot {
-    /// How the place faces the light.
+pub(super) struct LocalLight {
+    /// How much the place faces the light: -0.3 to 0.3.
     facing: f32,
-    /// What is left of the light there.
+    /// The part of the light that reaches the place.
     open: f32,
-    /// How far the background shines through.
+    /// The part of the background in the colour.
     haze: f32,
 }
 
-/// What the directions of many sticks are on the average.
+/// The mean of the directions of many sticks.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Bundle {
     /// The mean of the products of direction vectors' coordinates: xx, yy, zz, xy, xz, yz.
@@ -72,23 +74,24 @@ impl Light {
         }
     }
 
-    /// What the light does at a place as the lens sees it before perspective.
+    /// The light at a place, as the lens sees the place before perspective.
     #[inline]
-    pub(super) fn spot(&self, at: Vector) -> Spot {
+    pub(super) fn spot(&self, at: Vector) -> LocalLight {
         let [x, y, z] = [0, 1, 2].map(|i| ((at[i] - self.centre[i]) * self.inverse) as f32);
         let out = (x * x + y * y + z * z).min(1.0);
         let facing = -(x * 0.48 + y * 0.64 + z * 0.6);
         let depth = (0.5 + 0.5 * z).clamp(0.0, 1.0);
-        Spot {
+        LocalLight {
             facing: facing.clamp(-1.0, 1.0) * (1.0 - OWN),
             open: 1.0 - SHADE * (1.0 - out),
             haze: self.fade * depth * (0.55 + 0.4 * depth),
         }
     }
 
-    /// The colour of a surface whose normal has these products with the directions towards the light and the viewer.
+    /// The colour of a surface; `light` and `view` are the scalar products of its normal with the directions towards
+    /// the light and the viewer.
     #[inline]
-    pub(super) fn surface(&self, ink: [f32; 3], spot: &Spot, light: f32, view: f32) -> u32 {
+    pub(super) fn surface(&self, ink: [f32; 3], spot: &LocalLight, light: f32, view: f32) -> u32 {
         let wrap = 0.5 + 0.5 * (OWN * light + spot.facing);
         let square = wrap * wrap;
         let fourth = square * square;
@@ -96,12 +99,12 @@ impl Light {
         self.colour(ink, spot, square, fourth * fourth, edge)
     }
 
-    /// The same for several samples of a stroke, at `t` from one of its ends to the other.
+    /// As [`Light::surface`], for several samples of a stroke at `t`, from 0 at its first end to 1 at the other.
     #[inline(always)]
     pub(super) fn surfaces(
         &self,
         ink: [f32; 3],
-        [from, to]: &[Spot; 2],
+        [from, to]: &[LocalLight; 2],
         t: Lanes,
         light: Lanes,
         view: Lanes,
@@ -124,16 +127,23 @@ impl Light {
         packed
     }
 
-    /// The colour of many sticks in a small place, as seen from `view` and lit from `light` in their own frame: unit
-    /// vectors towards viewer and light.
+    /// The mean colour of many sticks at one place. `view` and `light` are unit vectors towards the viewer and the
+    /// light, in the frame of the sticks.
     #[inline]
-    pub(super) fn bundle(&self, ink: [f32; 3], spot: &Spot, bundle: &Bundle, view: [f32; 3], light: [f32; 3]) -> u32 {
+    pub(super) fn bundle(
+        &self,
+        ink: [f32; 3],
+        spot: &LocalLight,
+        bundle: &Bundle,
+        view: [f32; 3],
+        light: [f32; 3],
+    ) -> u32 {
         let [xx, yy, zz, xy, xz, yz] = bundle.spread;
         let spread =
             |[x, y, z]: [f32; 3]| [xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y + zz * z];
         let product = |a: [f32; 3], b: [f32; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         let of_view = spread(view);
-        // The squared cosine of the angle between sticks and view, and how sticks rise towards the viewer.
+        // The mean squared cosine of the angle between sticks and view.
         let end_on = product(of_view, view);
         let rise = (1.0 - end_on).max(1e-3).sqrt();
         let up = (product(view, light) - product(of_view, light)) / rise;
@@ -148,7 +158,7 @@ impl Light {
     }
 
     #[inline]
-    fn colour(&self, ink: [f32; 3], spot: &Spot, diffuse: f32, gloss: f32, edge: f32) -> u32 {
+    fn colour(&self, ink: [f32; 3], spot: &LocalLight, diffuse: f32, gloss: f32, edge: f32) -> u32 {
         let strength = (AMBIENT + DIFFUSE * diffuse) * spot.open * (1.0 + self.edge * edge);
         let shine = 255.0 * GLOSS * gloss * spot.open;
         let mut packed = 0xff00_0000;
@@ -161,8 +171,8 @@ impl Light {
     }
 }
 
-impl Spot {
-    /// On the way to another place.
+impl LocalLight {
+    /// The light between this place (`t` = 0) and another (`t` = 1).
     #[inline]
     pub(super) fn towards(&self, other: &Self, t: f32) -> Self {
         let mix = |a: f32, b: f32| a + t * (b - a);
@@ -175,7 +185,7 @@ impl Spot {
 }
 
 impl Bundle {
-    /// Of one stick.
+    /// The bundle of one stick.
     pub(super) fn of(direction: Vector) -> Self {
         let square = dot(direction, direction);
         if square <= 0.0 {
@@ -185,7 +195,7 @@ impl Bundle {
         Self { spread: [x * x, y * y, z * z, x * y, x * z, y * z].map(|c| c as f32) }
     }
 
-    /// Rotated, as `columns` do with the unit vectors.
+    /// The bundle after the rotation with these columns.
     pub(super) fn turned(&self, columns: &[Vector; 3]) -> Self {
         let [xx, yy, zz, xy, xz, yz] = self.spread.map(f64::from);
         let spread = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
@@ -201,11 +211,11 @@ impl Bundle {
         Self { spread: [entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)] }
     }
 
-    /// With another's, `weight` of it.
+    /// Adds another bundle, times `weight`.
     pub(super) fn add(&mut self, other: &Self, weight: f32) {
         self.spread.iter_mut().zip(other.spread).for_each(|(sum, c)| *sum += weight * c);
     }
 }
 
-/// Towards the light, and towards the viewer.
+/// The directions towards the light and towards the viewer.
 pub(super) const DIRECTIONS: [Vector; 2] = [LIGHT, [0.0, 0.0, -1.0]];

@@ -1,23 +1,23 @@
 //! From a drawing's graph in space to pixels.
 //!
-//! The picture is what drawing every segment as a lit round stick would show: no stick thinner than a pixel, 4x4 samples
-//! a pixel, each showing what is nearest. It is made tile by tile: the graph is descended from front to back, what is
-//! outside the tile or behind what is painted already is not looked into, and a block under half a pixel is a dot with
-//! the mean colour and the mean shading of what it draws. So a picture costs what can be seen of it, however many
-//! segments there are.
+//! The picture is the same as if every segment were drawn as a lit round stick. No stick is thinner than a pixel. A
+//! pixel has 4x4 samples, and each sample shows the nearest stick. The picture is made tile by tile, and the graph is
+//! descended from front to back. Blocks outside the tile or behind painted ones are not looked into. A block under half
+//! a pixel is a dot with the mean colour and the mean shading of its strokes. So the cost depends on the visible
+//! blocks, not on the number of segments.
 //!
-//! Where very many blocks lie in the same place, as in a bush that thickens without growing, even that is too much. So
-//! a picture has a budget, which a block shares out to the blocks in it; one whose share is too small to look into
-//! shows as many of its strokes as it may, those that stand out and face the viewer. Pictures end in time, and all that
-//! they show is there. How large the budget is depends on the work that the picture took with a smaller one, or, while
-//! things move, on the time that the picture before took.
+//! Where very many blocks lie in the same place, as in a bush that thickens without growing, even the visible blocks
+//! are too many. So a picture has a budget, which a block shares out to the blocks inside. A block whose share is too
+//! small to look into shows some of its strokes: those that stand out and those that face the viewer. So every picture
+//! ends, and each stroke shown is part of the drawing. The budget depends on the work that the picture took with a
+//! smaller budget or, while the camera moves, on the time of the picture before.
 
 mod camera;
 mod effort;
 mod face;
-mod frame;
 mod lanes;
 mod light;
+mod open_node;
 mod painter;
 mod path;
 mod pick;
@@ -47,21 +47,20 @@ use picture::Picture;
 use scene::Scene;
 use std::sync::Arc;
 
-/// How much a picture may show for its time: 0 is the coarsest, for large drawings on the move, and
-/// [`Quality::FINEST`] the picture as it is meant for the screen.
+/// The detail of a picture: 0 is the coarsest, for large drawings while the camera moves. [`Quality::FINEST`] is for
+/// the screen at rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Quality(pub u8);
 
 impl Quality {
-    /// For files: as [`Quality::FINEST`], with more time where there is more to see than that has time for.
+    /// For files: as [`Quality::FINEST`], with 8 times the work for crowded drawings.
     pub const BEST: Self = Self(17);
-    /// Blocks of half a pixel, 4x4 samples a pixel.
+    /// Dots up to half a pixel, 4x4 samples in a pixel.
     pub const FINEST: Self = Self(16);
-    /// The finest of those with one sample a pixel, which are for what moves. They differ in how much is looked into:
-    /// two steps are twice as much.
+    /// The finest quality with one sample in a pixel, for a moving camera. Up to here two steps double the budget.
     pub const MOVING: Self = Self(14);
 
-    /// Finer by `steps`, or coarser by a negative number, but still for what moves.
+    /// The quality `steps` finer, or coarser for a negative number, between 0 and [`Quality::MOVING`].
     #[must_use]
     pub fn paced(self, steps: i32) -> Self {
         let number = (i32::from(self.0) + steps).clamp(0, i32::from(Self::MOVING.0));
@@ -79,7 +78,7 @@ impl Quality {
         }
     }
 
-    /// Blocks smaller than this are dots, in samples.
+    /// The extent in samples below which blocks are dots.
     fn detail(self) -> f64 {
         match self.0 {
             0..6 => 3.0,
@@ -89,10 +88,10 @@ impl Quality {
         }
     }
 
-    /// Samples across and down a tile. What moves has a single one, so that what is nowhere need not be looked for
-    /// often; fine pictures have small ones, which stay in a near cache.
+    /// Samples across and down a tile. A coarse picture has a single tile (up to 2048 samples each way), so that the
+    /// graph is descended once. Fine pictures have small tiles, which stay in the processor's cache.
     fn tile(self, viewport: Viewport) -> [usize; 2] {
-        /// A multiple of all numbers of samples, and of the tile's cells.
+        /// A multiple of 1, 2 and 4 samples, and of the tile's cells.
         const SIDE: usize = 1024;
         if self > Self::MOVING {
             return [SIDE; 2];
@@ -100,58 +99,61 @@ impl Quality {
         [viewport.width, viewport.height].map(|pixels| (pixels as usize).next_multiple_of(8).clamp(8, 2 * SIDE))
     }
 
-    /// Strokes and nodes that are looked into at most.
+    /// The first budget: the most strokes and nodes that are looked into.
     fn budget(self) -> f32 {
         if self > Self::MOVING {
-            return FIRST;
+            return FIRST_BUDGET;
         }
-        let whole = (COARSEST << (self.0 / 2)) as f32;
+        let whole = (COARSEST_BUDGET << (self.0 / 2)) as f32;
         if self.0.is_multiple_of(2) { whole } else { whole * core::f32::consts::SQRT_2 }
     }
 
-    /// Work that a picture is worth: for fine ones, what there is to see depends on the room for it.
+    /// The units of work that a picture should take; 0 for coarse pictures, whose budget is fixed.
     fn work(self, viewport: Viewport) -> i64 {
-        let worth = LEAST.max(i64::from(viewport.width) * i64::from(viewport.height) * WORTH);
+        let worth = LEAST_WORK.max(i64::from(viewport.width) * i64::from(viewport.height) * WORK_PER_PIXEL);
         match self {
             Self(..=14) => 0,
             Self(15 | 16) => worth,
-            _ => worth * BETTER,
+            _ => worth * BEST_FACTOR,
         }
     }
 }
 
-/// Units of work for each pixel of a fine picture, and for one of whatever size.
-const WORTH: i64 = 2;
-const LEAST: i64 = 3_000_000;
-/// How many times more the best one is worth.
-const BETTER: i64 = 8;
+/// The units of work for each pixel of a fine picture.
+const WORK_PER_PIXEL: i64 = 2;
+/// The least units of work for a fine picture of any size.
+const LEAST_WORK: i64 = 3_000_000;
+/// The work of [`Quality::BEST`], relative to [`Quality::FINEST`].
+const BEST_FACTOR: i64 = 8;
 /// The first budget of fine pictures, in strokes and nodes.
-const FIRST: f32 = 40_000.0;
-/// Strokes and nodes in the coarsest picture.
-const COARSEST: u32 = 1500;
+const FIRST_BUDGET: f32 = 40_000.0;
+/// The budget of the coarsest picture, in strokes and nodes.
+const COARSEST_BUDGET: u32 = 1500;
 
 /// Makes pictures of a drawing in space, one after the other, in the same memory.
 #[derive(Default)]
 pub struct SolidRenderer {
     drawing: Option<Arc<Drawing<Solid>>>,
     scene: Scene,
-    /// How many segments are shown; all of them without it.
+    /// If given, only the first `upto` segments are shown.
     upto: Option<u128>,
-    /// Pictures of two sizes in turn, as while things move and at rest, keep the memory of both; the last is for panes.
+    /// Two pictures, whose sizes alternate between moving and rest, so that the memory of both is kept. The third is
+    /// for panes.
     pictures: [Picture; 3],
-    /// Which of them makes the picture.
+    /// The index of the present picture.
     at: usize,
-    /// A picture that has been asked for, until the scene is ready for it.
+    /// The picture that was asked for, until the scene is ready.
     plan: Option<Plan>,
     spent: u64,
 }
 
+/// Everything that a picture is asked to show.
 struct Plan {
     style: Style,
     viewport: Viewport,
     camera: Camera,
     quality: Quality,
-    /// Only this pane, with this budget.
+    /// If given, only this pane is made, with this budget.
     pane: Option<(Pane, f32)>,
 }
 
@@ -162,7 +164,7 @@ impl SolidRenderer {
         Self::default()
     }
 
-    /// Takes the drawing that the next pictures are of. It is made ready for them in the steps of the first.
+    /// Takes the drawing of the next pictures. The steps of the first picture prepare the drawing.
     pub fn load(&mut self, drawing: Arc<Drawing<Solid>>) {
         self.stop();
         self.scene = Scene::new(&drawing);
@@ -170,8 +172,8 @@ impl SolidRenderer {
         self.drawing = Some(drawing);
     }
 
-    /// The next pictures are of the first `upto` segments and the polygons before them, or of all. A picture that was being
-    /// made is given up.
+    /// Limits the next pictures to the first `upto` segments and the polygons before the next, or shows all. An
+    /// unfinished picture is given up.
     pub fn play(&mut self, upto: Option<u128>) {
         if upto != self.upto {
             self.stop();
@@ -185,7 +187,7 @@ impl SolidRenderer {
         self.pictures.iter_mut().for_each(Picture::stop);
     }
 
-    /// Starts a picture of the loaded drawing; a picture that was being made is given up.
+    /// Starts a picture of the loaded drawing. An unfinished picture is given up.
     pub fn begin(&mut self, style: &Style, viewport: Viewport, camera: &Camera, quality: Quality) {
         if !self.pictures[self.at].fits(viewport) {
             let other = usize::from(self.at == 0);
@@ -194,22 +196,24 @@ impl SolidRenderer {
         self.plan = Some(Plan { style: style.clone(), viewport, camera: *camera, quality, pane: None });
     }
 
-    /// Panes of a picture in the finest quality that are made like the whole picture: its tiles, row by row.
+    /// The panes of a picture in the finest quality: its tiles, row by row. Panes have the same pixels as the whole
+    /// picture.
     #[must_use]
     pub fn panes(viewport: Viewport) -> Vec<Pane> {
         let quality = Quality::FINEST;
         Pane::all(viewport, quality.tile(viewport).map(|side| (side / quality.samples()) as u32))
     }
 
-    /// Starts one of [`SolidRenderer::panes`] of the finest picture, with a budget that holds for all of them: the pixels
-    /// are those of the pane. Whether that was too small what all of them have [taken](Self::effort_spent) tells [`Effort`].
+    /// Starts one of [`SolidRenderer::panes`] of the finest picture, with the budget that all panes share. The pixels
+    /// are those of the pane. The sum of what all panes [took](Self::effort_spent) tells [`Effort`] whether the budget
+    /// was too small.
     pub fn begin_pane(&mut self, style: &Style, viewport: Viewport, camera: &Camera, pane: Pane, budget: f32) {
         let pane = Some((pane, budget));
         self.at = 2;
         self.plan = Some(Plan { style: style.clone(), viewport, camera: *camera, quality: Quality::FINEST, pane });
     }
 
-    /// What the picture, or the pane, has taken with its budget so far.
+    /// What the picture, or the pane, took so far with its present budget.
     #[must_use]
     pub fn effort_spent(&self) -> Spent {
         self.pictures[self.at].spent()
@@ -221,7 +225,8 @@ impl SolidRenderer {
         self.spent
     }
 
-    /// Goes on with the picture for about `work` units, as [`Meter`] counts them: at most [`Meter::PIECE`] more.
+    /// Goes on with the picture for about `work` units, as [`Meter`] counts them, and for at most [`Meter::PIECE`]
+    /// more.
     pub fn step(&mut self, work: usize) -> Progress {
         let mut meter = Meter::new(work as u64);
         let progress = self.go_on(&mut meter);
@@ -243,14 +248,15 @@ impl SolidRenderer {
         self.pictures[self.at].step(&self.scene, meter)
     }
 
-    /// What is left of the picture is made with only `part` of the effort that was meant for it.
+    /// Makes the rest of the picture with `part` (0 to 1) of its budget.
     pub fn hurry(&mut self, part: f32) {
         if self.plan.is_none() {
-            self.pictures[self.at].hurry(&self.scene, part);
+            self.pictures[self.at].scale_budget(&self.scene, part);
         }
     }
 
-    /// The picture so far, once it has been begun in a step: RGBA, 8 bits each, opaque, from the upper left corner row by row.
+    /// The picture so far: RGBA, 8 bits each, opaque, from the upper left corner row by row. The size is that of the
+    /// picture once a step has prepared the drawing.
     #[must_use]
     pub fn pixels(&self) -> &[u8] {
         self.pictures[self.at].pixels()

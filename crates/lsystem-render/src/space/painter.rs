@@ -5,37 +5,39 @@ use super::face::Face;
 use super::light::LIGHT;
 use super::setup::Setup;
 use super::stroke::{Dot, Painted, Stick};
-use super::tile::Tile;
+use super::tile::ScreenTile;
 use crate::RenderStats;
 use lsystem_drawing::rotation::{Vector, cross, dot, minus, norm};
 use std::collections::VecDeque;
 
-/// Strokes that stand for others are made thicker up to this radius at most, in pixels.
+/// The greatest radius, in pixels, up to which strokes that stand for others are made thicker.
 const THICKER: f64 = 1.25;
-/// What a line, a triangle or a dot costs, in units of work, apart from the samples.
+/// The units of work for a line, a triangle or a dot, without its samples.
 pub(super) const LINE_WORK: i64 = 4;
 /// Samples in a unit of work.
 const SAMPLES_WORK: i64 = 8;
 
-/// What is painted on a tile.
+/// A shape that is painted on a tile.
 #[derive(Clone, Copy)]
-enum Shape {
+enum Primitive {
     Stick(Stick),
     Face(Face),
     Dot(Dot),
 }
 
-/// What paints a tile. All that paints returns the units of work that it took.
+/// Paints a tile. Functions that paint return the units of work.
 #[derive(Default)]
 pub(super) struct TilePainter {
-    pub tile: Tile,
+    pub tile: ScreenTile,
     /// The tile's upper left corner in the picture, in samples.
     pub corner: [f64; 2],
-    /// What is painted before anything else, and from which row on: wide strokes are painted band by band.
-    shapes: VecDeque<(Shape, usize)>,
-    /// How often this tile has been painted over, and how much of it the shape in hand has so far.
-    pub coats: f64,
-    coat: f64,
+    /// The unfinished primitives, and the row from which on each is still to be painted: wide ones are painted in
+    /// bands.
+    primitives: VecDeque<(Primitive, usize)>,
+    /// How often large primitives have covered this tile: the sum of the squares of the covered parts.
+    pub layers: f64,
+    /// The part of the tile that the present primitive has covered so far.
+    layer: f64,
     pub stats: RenderStats,
 }
 
@@ -43,17 +45,17 @@ impl TilePainter {
     /// Starts a tile of this `size`, in samples.
     pub(super) fn begin(&mut self, setup: &Setup, corner: [f64; 2], size: [usize; 2]) {
         self.corner = corner;
-        (self.coats, self.coat) = (0.0, 0.0);
+        (self.layers, self.layer) = (0.0, 0.0);
         self.tile.leans = setup.samples == 4;
         self.tile.reset(size, setup.side, setup.background);
     }
 
-    /// Gives up what is still to be painted.
+    /// Gives up the unfinished primitives.
     pub(super) fn stop(&mut self) {
-        self.shapes.clear();
+        self.primitives.clear();
     }
 
-    /// Paints a triangle, which is seen from both sides; one that reaches behind the eye is left out.
+    /// Paints a triangle, which is visible from both sides. A triangle that reaches behind the eye is left out.
     pub(super) fn face(&mut self, setup: &Setup, corners: [Vector; 3], ink: [f32; 3]) -> i64 {
         let lens = &setup.lens;
         if corners.iter().any(|corner| 1.0 + corner[2] * lens.nearness <= NEAR) {
@@ -66,16 +68,16 @@ impl TilePainter {
         if size <= 0.0 {
             return 1;
         }
-        // Towards the viewer.
+        // The normal points towards the viewer.
         let sign = if normal[2] > 0.0 { -1.0 } else { 1.0 };
         let normal = normal.map(|n| sign * n / size);
         let spot = setup.light.spot([0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0));
         let colour = setup.light.surface(ink, &spot, dot(normal, LIGHT) as f32, -normal[2] as f32);
         let face = Face { corners: corners.map(|corner| lens.project(corner)), colour };
-        self.shape(setup, Shape::Face(face))
+        self.primitive(setup, Primitive::Face(face))
     }
 
-    /// Paints a stroke, `thicker` by a factor where it stands for others.
+    /// Paints a stroke, made `thicker` by a factor if it stands for others.
     pub(super) fn stick(&mut self, setup: &Setup, ends: [Vector; 2], width: f64, thicker: f32, ink: [f32; 3]) -> i64 {
         self.stats.strokes += 1;
         let Some(ends) = setup.lens.before_eye(ends) else { return 1 };
@@ -89,50 +91,50 @@ impl TilePainter {
             ink,
             spots: ends.map(|end| setup.light.spot(end)),
         };
-        self.shape(setup, Shape::Stick(stick))
+        self.primitive(setup, Primitive::Stick(stick))
     }
 
     /// Paints a dot.
     pub(super) fn dot(&mut self, setup: &Setup, dot: Dot) -> i64 {
-        self.shape(setup, Shape::Dot(dot))
+        self.primitive(setup, Primitive::Dot(dot))
     }
 
-    /// Paints the first band of something, unless something else is to be painted before; the rest follows.
+    /// Paints the first band of a primitive, or queues the primitive behind unfinished ones.
     #[inline]
-    fn shape(&mut self, setup: &Setup, shape: Shape) -> i64 {
-        if !self.shapes.is_empty() {
-            self.shapes.push_back((shape, 0));
+    fn primitive(&mut self, setup: &Setup, primitive: Primitive) -> i64 {
+        if !self.primitives.is_empty() {
+            self.primitives.push_back((primitive, 0));
             return LINE_WORK;
         }
-        let Painted { looked, rest } = self.band(setup, &shape, 0);
-        self.shapes.extend(rest.map(|from| (shape, from)));
+        let Painted { looked, rest } = self.band(setup, &primitive, 0);
+        self.primitives.extend(rest.map(|from| (primitive, from)));
         LINE_WORK + looked as i64 / SAMPLES_WORK
     }
 
-    /// Paints the next band of what is still to be painted; `None` where nothing is.
+    /// Paints the next band of an unfinished primitive; `None` if there is none.
     #[inline]
     pub(super) fn go_on(&mut self, setup: &Setup) -> Option<i64> {
-        let (shape, from) = self.shapes.pop_front()?;
-        let Painted { looked, rest } = self.band(setup, &shape, from);
+        let (primitive, from) = self.primitives.pop_front()?;
+        let Painted { looked, rest } = self.band(setup, &primitive, from);
         if let Some(from) = rest {
-            self.shapes.push_front((shape, from));
+            self.primitives.push_front((primitive, from));
         }
         Some(looked as i64 / SAMPLES_WORK)
     }
 
-    /// Paints a band of something, from a row on.
-    fn band(&mut self, setup: &Setup, shape: &Shape, from: usize) -> Painted {
-        let painted = match shape {
-            Shape::Stick(stick) => stick.paint(&mut self.tile, self.corner, &setup.light, from),
-            Shape::Face(face) => face.paint(&mut self.tile, self.corner, from),
-            Shape::Dot(dot) => dot.paint(&mut self.tile, self.corner, from),
+    /// Paints a band of a primitive, from the row `from` on.
+    fn band(&mut self, setup: &Setup, primitive: &Primitive, from: usize) -> Painted {
+        let painted = match primitive {
+            Primitive::Stick(stick) => stick.paint(&mut self.tile, self.corner, &setup.light, from),
+            Primitive::Face(face) => face.paint(&mut self.tile, self.corner, from),
+            Primitive::Dot(dot) => dot.paint(&mut self.tile, self.corner, from),
         };
         let [width, height] = self.tile.size;
-        self.coat += painted.looked as f64 / (width * height) as f64;
+        self.layer += painted.looked as f64 / (width * height) as f64;
         if painted.rest.is_none() {
-            // So that what is small does not count, however much there is of it.
-            self.coats += self.coat * self.coat;
-            self.coat = 0.0;
+            // Squared, so that any number of small primitives hardly counts.
+            self.layers += self.layer * self.layer;
+            self.layer = 0.0;
         }
         painted
     }

@@ -1,4 +1,4 @@
-//! Colours along the path: which part of all segments a node has.
+//! Colours along the path: the position of a node among all segments.
 
 use lsystem_syntax::GRADIENT;
 use lsystem_syntax::style::{gradient_step, is_one_step};
@@ -11,25 +11,25 @@ pub(super) struct Stretch {
 }
 
 impl Stretch {
-    /// A part of this one, given what part of it comes before and how large it is.
+    /// A part of the stretch, given the parts of the stretch that come `before` and that it takes.
     #[inline]
     pub(super) fn part(self, before: f64, size: f64) -> Self {
         Self { from: self.from + self.size * before, size: self.size * size }
     }
 
-    /// Whether it has one colour, as far as anybody can tell.
+    /// Whether the stretch has one colour.
     #[inline]
     pub(super) fn is_short(self) -> bool {
         is_one_step(self.size)
     }
 
-    /// The number of the colour in its middle.
+    /// The number of the colour in the middle.
     #[inline]
     pub(super) fn ink(self) -> u32 {
         gradient_step(self.from + 0.5 * self.size)
     }
 
-    /// Its mean colour.
+    /// The mean colour, from the palette's RGB.
     pub(super) fn mean(self, palette: &[[f32; 3]]) -> [f32; 3] {
         let half = 0.5 * self.size.min(1.0 / f64::from(GRADIENT));
         let [first, last] = [self.from + half, self.from + self.size - half].map(gradient_step);

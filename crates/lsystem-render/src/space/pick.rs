@@ -1,4 +1,4 @@
-//! What of a drawing in space is under a pointer.
+//! Picking: the segment or the polygon of a drawing in space under a pointer.
 
 use super::camera::{Camera, Lens, NEAR};
 use crate::plane::{Aim, Order, Sight, covers, nearest_on, search};
@@ -8,33 +8,33 @@ use lsystem_drawing::rotation::{Vector, combine, cross, dot, minus, norm};
 use lsystem_drawing::triangulate::facing;
 use lsystem_drawing::{BlockId, Drawing, Placed, Polygon, Solid, Stroke, StyleChange};
 
-/// What is under a pointer as the camera sees it. Of the polygons that are filled there, and of the segments whose strokes
-/// are within a quarter of the tolerance, it is the one nearest to the eye, to about that in depth; where there are none,
-/// the nearest to the pointer, to a 32nd of the tolerance. Where many blocks overlap it is the best of what may be looked
-/// at. Segments and polygons beyond the first 2^128 - 1 are not found.
+/// The segment or the polygon under a pointer as the camera sees it. Among the polygons filled there and the segments
+/// whose strokes are within a quarter of the tolerance, the nearest to the eye is picked, to about that quarter in
+/// depth. If there are none, the nearest to the pointer is picked, to a 32nd of the tolerance. Where many blocks
+/// overlap, the search ends with the pointer's visits. Segments and polygons beyond the first 2^128 - 1 are not found.
 #[must_use]
 pub fn pick_solid(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera, pointer: &Pointer) -> Option<Pick> {
     let lens = Lens::new(drawing, viewport, camera, 1.0);
     let [x, y] = [0, 1].map(|i| pointer.at[i] - lens.middle[i]);
     let towards = [x * lens.nearness, y * lens.nearness, 1.0];
     let ray = [[x, y, 0.0], towards.map(|c| c / norm(towards))];
-    let mut sight = Sky { drawing, at: pointer.at, lens, unit: norm(lens.axes[0]), ray };
+    let mut sight = SolidSight { drawing, at: pointer.at, lens, unit: norm(lens.axes[0]), ray };
     let root = Frame::new(1.0, StyleChange::start(drawing.width));
     search(drawing, pointer, &mut sight, root, Order::Likely)
 }
 
-/// Space beside a pointer.
-struct Sky<'a> {
+/// Places the items of a drawing in space relative to a pointer.
+struct SolidSight<'a> {
     drawing: &'a Drawing<Solid>,
     at: [f64; 2],
     lens: Lens,
-    /// Pixels in a unit of the root block, at the target.
+    /// Pixels in a unit of the root block, at the depth of the target.
     unit: f64,
-    /// What the pointer covers: a place and a direction, as the lens sees them before perspective.
+    /// The line of sight through the pointer: a place and a direction, as the lens sees them before perspective.
     ray: [Vector; 2],
 }
 
-impl Sight<Solid> for Sky<'_> {
+impl Sight<Solid> for SolidSight<'_> {
     type Place = Frame<Solid>;
 
     fn inside(&mut self, frame: &Frame<Solid>, placed: &Placed<Solid>) -> Frame<Solid> {
@@ -48,7 +48,7 @@ impl Sight<Solid> for Sky<'_> {
     fn block(&self, id: BlockId, frame: &Frame<Solid>) -> Option<Aim> {
         let (block, lens) = (&self.drawing.blocks[id.0 as usize], &self.lens);
         let widest = block.widest.of(frame.style.width.of(0.0)).max(0.0) * lens.step / 2.0;
-        // Rounding may leave an end out.
+        // A little larger, because rounding may leave an end outside the hull.
         let radius = (block.hull.radius + 1e-9) * frame.scale * self.unit + widest;
         let centre = self.place(frame.transform(block.hull.centre()));
         let [near, far] = [centre[2] - radius, centre[2] + radius];
@@ -68,7 +68,7 @@ impl Sight<Solid> for Sky<'_> {
         let radius = (style.width.of(0.0) * lens.step / 2.0).max(0.0);
         let off = axis / lens.factor(depth);
         let distance = (axis - radius * lens.factor(depth)).max(0.0);
-        // Its surface bulges towards the eye.
+        // The surface of the stick bulges towards the eye.
         let depth = depth - (radius * radius - off * off).max(0.0).sqrt();
         Some(Aim { distance, depth, off })
     }
@@ -77,13 +77,13 @@ impl Sight<Solid> for Sky<'_> {
         let lens = &self.lens;
         let vertices = self.drawing.vertices_of(polygon).iter();
         let vertices: Vec<Vector> = vertices.map(|&vertex| self.place(frame.transform(vertex))).collect();
-        // What reaches behind the eye is not painted.
+        // A polygon that reaches behind the eye is not painted.
         if vertices.iter().any(|vertex| 1.0 + vertex[2] * lens.nearness <= NEAR) {
             return None;
         }
         let outline: Vec<_> = vertices.iter().map(|&vertex| lens.project(vertex)).map(|[x, y, _]| [x, y]).collect();
         if covers(&outline, self.at) {
-            // Where the pointer meets the plane that it lies in.
+            // The depth at which the line of sight meets the polygon's plane.
             let [from, towards] = self.ray;
             let normal = facing(&vertices)?;
             let depth = dot(normal, minus(vertices[0], from)) / dot(normal, towards) * towards[2];
@@ -95,9 +95,9 @@ impl Sight<Solid> for Sky<'_> {
     }
 }
 
-impl Sky<'_> {
-    /// Where a point of the root block lies, as the lens sees it before perspective.
-    // Once is enough in the wasm.
+impl SolidSight<'_> {
+    /// The place of a point of the root block, as the lens sees it before perspective.
+    // Not inlined, to keep the wasm small.
     #[inline(never)]
     fn place(&self, point: Vector) -> Vector {
         let [x, y, z] = combine(&self.lens.axes, point);
@@ -105,9 +105,9 @@ impl Sky<'_> {
         [x0 + x, y0 + y, z0 + z]
     }
 
-    /// How far the pointer is from a line before the eye, in pixels, and how far behind the target the place nearest to it
-    /// is.
-    // Once is enough in the wasm.
+    /// The distance in pixels of the pointer from a line before the eye, and the depth of the line's nearest place: how
+    /// far behind the target, in pixels.
+    // Not inlined, to keep the wasm small.
     #[inline(never)]
     fn beside(&self, ends: [Vector; 2]) -> (f64, f64) {
         let ends = ends.map(|end| self.lens.project(end));

@@ -1,6 +1,6 @@
-//! The pixels of a picture in space, which finished tiles are copied into.
+//! The pixels of a picture in space. Finished tiles are copied into them.
 
-use super::tile::Tile;
+use super::tile::ScreenTile;
 use crate::{Pane, Viewport};
 use lsystem_syntax::{Meter, Progress};
 
@@ -11,11 +11,11 @@ pub(super) struct Pixels {
     pub height: usize,
     /// RGBA, row by row.
     pub bytes: Vec<u8>,
-    /// The colour of pixels that nothing is painted on.
+    /// The background.
     paper: [u8; 4],
-    /// By row of pixels: from where to where something may have been painted.
+    /// By row of pixels: the first pixel that may have been painted, and the pixel after the last.
     painted: Vec<[usize; 2]>,
-    /// The rows before this one hold nothing of the picture before.
+    /// The number of rows, from the top, that are cleared of the picture before.
     wiped: usize,
 }
 
@@ -25,7 +25,7 @@ impl Pixels {
         (self.width, self.height) == (viewport.width as usize, viewport.height as usize)
     }
 
-    /// Starts a picture of a pane; its size in bytes.
+    /// Starts a picture of a pane. Returns its size in bytes.
     pub(super) fn begin(&mut self, pane: Pane, [r, g, b]: [u8; 3]) -> usize {
         (self.width, self.height) = (pane.width as usize, pane.height as usize);
         let size = self.width * self.height * 4;
@@ -49,7 +49,7 @@ impl Pixels {
         self.wiped = 0;
     }
 
-    /// Goes on removing the picture before.
+    /// Goes on clearing the picture before.
     pub(super) fn wipe(&mut self, meter: &mut Meter) -> Progress {
         while self.wiped < self.height {
             if meter.is_spent() {
@@ -65,9 +65,9 @@ impl Pixels {
         Progress::Done
     }
 
-    /// Copies a finished tile into the picture: the tile `at` this column and row of tiles, which have so many pixels along
-    /// their sides.
-    pub(super) fn put(&mut self, tile: &Tile, at: [usize; 2], side: [usize; 2], samples: usize) {
+    /// Copies a finished tile into the picture. The tile is `at` this column and row of tiles; tiles have `side` pixels
+    /// across and down.
+    pub(super) fn put(&mut self, tile: &ScreenTile, at: [usize; 2], side: [usize; 2], samples: usize) {
         let [x, y] = [0, 1].map(|i| at[i] * side[i]);
         let right = (x + side[0]).min(self.width);
         for row in y..(y + side[1]).min(self.height) {

@@ -1,5 +1,5 @@
-//! A drawing made ready for being looked at in space: every block becomes nodes of at most 16 contents, with a ball
-//! around each, and with what is seen of it where it is too small to be looked into.
+//! A drawing prepared for pictures in space: every block becomes nodes of at most 16 contents. Each content has a ball
+//! around it, and each node a summary that is shown if the node is too small to be looked into.
 
 mod colour;
 mod node;
@@ -16,133 +16,136 @@ use lsystem_drawing::triangulate::triangulate;
 use lsystem_drawing::{BlockId, Drawing, Item, Placed, Solid, StyleChange, WidthChange};
 use lsystem_syntax::{ColourBy, Meter, Progress, Style};
 
-/// Contents of a node at most.
+/// The most contents of a node.
 pub(super) const WIDTH: usize = SceneSize::WIDTH;
 
 /// The nodes of a drawing.
 #[derive(Default)]
 pub(super) struct Scene {
-    pub(super) nodes: Vec<Node>,
+    pub(super) nodes: Vec<SceneNode>,
     pub(super) links: Vec<Link>,
-    pub(super) lines: Vec<Line>,
+    pub(super) lines: Vec<SceneLine>,
     pub(super) styles: Vec<StyleChange>,
-    /// `kept` of each node, those that are shown first before others.
-    samples: Vec<Sample>,
+    /// By node: `kept` sample strokes.
+    samples: Vec<SampleStroke>,
     kept: usize,
-    /// By node, then by the colour at its entry: the mean colour of what it draws.
+    /// By node, then by the colour at its entry: the mean colour of its strokes.
     means: Vec<[f32; 3]>,
-    /// Colours at a node's entry that `means` tells apart.
+    /// The number of colours at a node's entry that `means` tells apart.
     entries: u32,
     /// The picture's inks.
     palette: Vec<[f32; 3]>,
     pub(super) choice: Choice,
     pub(super) root: Option<u32>,
-    /// By block: its node, if it shows anything.
+    /// By block: its node; `None` if the block shows nothing.
     blocks: Vec<Option<u32>>,
     stage: Stage,
-    making: Option<Making>,
-    /// How many segments are asked for; all of them without it.
+    unfinished: Option<UnfinishedNodes>,
+    /// If given, only the first `upto` segments are shown.
     upto: Option<u128>,
-    /// How many nodes, links and lines there are for the whole drawing; those after them are of a part of it.
+    /// The numbers of nodes, links and lines of the whole drawing. Later ones belong to the part that is shown.
     whole: [usize; 3],
     memoised: bool,
-    /// Whether colours follow the path, and not what is at a node's entry.
+    /// Whether colours follow the path, not the colour at a node's entry.
     pub(super) along: bool,
-    /// What part of the path is shown, and what part one segment is.
+    /// The part of the path that is shown.
     pub(super) shown: Stretch,
+    /// One segment, as a part of the path.
     pub(super) one: f64,
 }
 
-/// A block, or a run of a block's contents. Coordinates are the block's.
-pub(super) struct Node {
-    /// Balls around the contents, links first: x, y, z and radius of each, strokes' widths apart.
+/// A block, or a run of a block's contents, in the block's frame.
+pub(super) struct SceneNode {
+    /// Balls around the contents, links first: x, y, z and radius of each, without the widths of strokes.
     pub(super) balls: [[f32; WIDTH]; 4],
     pub(super) first_link: u32,
     pub(super) first_line: u32,
     pub(super) links: u8,
     pub(super) lines: u8,
-    pub(super) own: Own,
+    pub(super) summary: Summary,
 }
 
-/// What is known of a node without looking into it.
+/// The facts about a node that are used without looking into it.
 #[derive(Clone, Copy)]
-pub(super) struct Own {
-    /// Of the ball around it.
+pub(super) struct Summary {
+    /// The ball around the node.
     centre: Vector,
     radius: f64,
-    /// The length of all it draws, and the area of all triangles.
+    /// The length of all strokes and of the longest sides of triangles.
     pub(super) length: f32,
+    /// The area of all triangles.
     area: f32,
     bundle: Bundle,
-    /// No stroke inside is wider than this change makes the width at entry.
+    /// The change of the width at entry to an upper bound of all widths inside.
     pub(super) widest: WidthChange,
-    pub(super) limb: Limb,
-    /// Strokes and nodes inside, as often as they are there; at most [`MANY`].
+    pub(super) main_line: MainLine,
+    /// The strokes and nodes inside, counted as often as they occur; at most [`MOST_NEED`].
     pub(super) need: f32,
-    /// The mean length of its samples.
+    /// The mean length of the sample strokes.
     pub(super) sampled: f32,
-    /// How many segments it has.
+    /// The number of segments.
     count: Amount,
 }
 
-/// A straight part of a node, all of it drawn in one style: the longest, which stands for the node where nothing else
-/// shows or where there is no time for more.
+/// The longest straight part of a node in one style. The main line stands for the node if nothing else of the node
+/// shows, or if the budget allows no more.
 #[derive(Clone, Copy)]
-pub(super) struct Limb {
+pub(super) struct MainLine {
     pub(super) from: Vector,
     pub(super) to: Vector,
     pub(super) style: StyleChange,
-    /// How far from it anything of the node reaches, strokes' widths apart.
-    pub(super) off: f64,
-    /// What part of the node's segments comes before.
+    /// The farthest that any content of the node is from the line, without the widths of strokes.
+    pub(super) reach: f64,
+    /// The part of the node's segments that comes before.
     pub(super) before: f64,
 }
 
-/// A stroke of a node, drawn by lot: what there is no time to look into shows some of these.
+/// A random stroke of a node. Sample strokes stand for a node that the budget does not allow to look into.
 #[derive(Clone, Copy)]
-pub(super) struct Sample {
+pub(super) struct SampleStroke {
     pub(super) from: [f32; 3],
     pub(super) to: [f32; 3],
     pub(super) style: StyleChange,
-    /// What part of the node's segments comes before.
+    /// The part of the node's segments that comes before.
     pub(super) before: f32,
 }
 
-/// A node inside another: `p -> at + axes p`.
+/// A node inside another. A point `p` of the inner node is at `at + axes p` in the outer.
 pub(super) struct Link {
     pub(super) node: u32,
     pub(super) style: u32,
     pub(super) at: Vector,
-    /// Times the scale.
+    /// The unit vectors of the inner node, times its scale.
     pub(super) axes: [Vector; 3],
-    /// As the node's, from the entry of the node that holds it.
+    /// The inner node's [`Summary::widest`], from the entry of the outer node.
     pub(super) widest: WidthChange,
-    /// Of all it draws, in units of the node that holds it.
+    /// The inner node's length, in units of the outer node.
     pub(super) length: f32,
-    /// Of all its triangles, in the same units.
+    /// The inner node's area, in square units of the outer node.
     pub(super) area: f32,
-    /// In the frame of the node that holds it.
+    /// The inner node's bundle, in the frame of the outer node.
     pub(super) bundle: Bundle,
-    /// Whether it is a run of the same block.
+    /// Whether the inner node is a run of the same block.
     pub(super) same: bool,
-    /// What part of all segments in the node that holds it comes before, and what part is in it.
+    /// The part of the outer node's segments that comes before.
     pub(super) before: f64,
+    /// The part of the outer node's segments that is in the inner node.
     pub(super) part: f64,
 }
 
 /// One segment, or a triangle of a polygon.
 #[derive(Clone, Copy)]
-pub(super) struct Line {
+pub(super) struct SceneLine {
     pub(super) from: [f32; 3],
     pub(super) to: [f32; 3],
-    /// Of a triangle: the corner that is not on its longest side.
+    /// For a triangle: the corner that is not on its longest side, which is `from` to `to`.
     pub(super) corner: Option<[f32; 3]>,
     pub(super) style: u32,
-    /// What part of the node's segments comes before.
+    /// The part of the node's segments that comes before.
     pub(super) before: f32,
 }
 
-impl Line {
+impl SceneLine {
     fn new(ends: [Vector; 2], style: u32) -> Self {
         let [from, to] = ends.map(|end| end.map(|c| c as f32));
         Self { from, to, corner: None, style, before: 0.0 }
@@ -156,7 +159,7 @@ impl Line {
         Self { corner: Some(corner.map(|c| c as f32)), ..Self::new([from, to], style) }
     }
 
-    /// Of a triangle.
+    /// The area of a triangle; 0 for a segment.
     fn area(&self) -> f32 {
         let Some(corner) = self.corner else { return 0.0 };
         let aside = [0, 1, 2].map(|i| f64::from(corner[i] - self.from[i]));
@@ -168,67 +171,72 @@ impl Line {
     }
 }
 
-/// How much longer a limb must be than those before it to stand for them: more than by rounding.
+/// A main line must be longer than the lines before by this factor, which is more than rounding.
 const LONGER: f64 = 1.0 + 1e-9;
-/// How far one may be from going straight on with another, for its length.
+/// The greatest offset, relative to its length, of a line that continues another.
 const STRAIGHT: f64 = 1e-4;
-/// Samples of a node.
-pub(super) const SAMPLES: usize = SceneSize::samples(true);
-/// Contents that are looked at for a sample.
+/// The most sample strokes of a node.
+pub(super) const SAMPLE_STROKES: usize = SceneSize::samples(true);
+/// Contents that are compared for a sample stroke.
 const TRIES: usize = 2;
-/// More contents than anybody can look into.
-const MANY: f32 = 1e30;
-/// Mean colours that are remembered at most.
-const MEANS: usize = 1 << 21;
+/// The greatest need that is counted, so that sums stay finite.
+const MOST_NEED: f32 = 1e30;
+/// The most mean colours that are remembered: 24 MiB.
+const MOST_MEANS: usize = 1 << 21;
 
-/// How far a scene is made.
+/// The stage of a scene.
 #[derive(Debug, Default)]
 enum Stage {
-    /// Nodes of all blocks are being made.
+    /// Makes the nodes of all blocks.
     #[default]
     Blocks,
-    /// What is to be shown is not known yet.
+    /// Starts showing all, or the first segments.
     Show,
-    /// On the way down to the first segment that is left out.
-    Cut(Way),
-    /// Nodes are being made of what comes before that, from the innermost block outwards; the node of the last.
-    Inside(Way, Option<u32>),
+    /// Descends to the first segment that is left out.
+    Cut(CutPath),
+    /// Makes nodes of the items before that segment, from the innermost block outwards; holds the node made last.
+    Inside(CutPath, Option<u32>),
     Ready,
 }
 
-/// The way down to the first segment that is left out.
+/// The descent to the first segment that is left out.
 #[derive(Debug)]
-struct Way {
-    /// By block: its items before that segment, and the block that has it.
+struct CutPath {
+    /// For each block on the way: its items before that segment, and the inner block that contains the segment.
     kept: Vec<(Range<u32>, Option<Placed<Solid>>)>,
     block: BlockId,
-    /// The item that is looked at, and how many segments come before the one that is left out.
+    /// The item that is looked at.
     at: u32,
+    /// The segments from that item on that are still kept.
     left: u128,
 }
 
 /// Nodes being made of items.
 #[derive(Default)]
-struct Making {
+struct UnfinishedNodes {
     items: Range<u32>,
-    /// What the last of them places, and the node of it.
+    /// The block placed after the items, and its node.
     last: Option<(Placed<Solid>, u32)>,
     run: Run,
-    /// Of the item in hand, the next one last.
-    lines: Vec<Line>,
-    /// Nodes that are not in another yet, how many of them have been done, and those around these.
+    /// The triangles of the present item, the next one last.
+    lines: Vec<SceneLine>,
+    /// The nodes of the present level, which are not in another node yet.
     row: Vec<u32>,
+    /// The number of nodes in `row` that are in a node of `above`.
     done: usize,
+    /// The nodes of the level above.
     above: Vec<u32>,
 }
 
-/// What it costs to make a node, to make a line or a link, and to look at a segment, in units of work.
+/// The units of work for making a node.
 const NODE_WORK: u64 = 64;
+/// The units of work for making a line or a link.
 const ITEM_WORK: u64 = 4;
+/// The units of work for looking at an item on the way to a cut.
 const LOOK_WORK: u64 = 1;
 
 impl Scene {
-    /// Takes the memory that the drawing has been counted to need, so that no list grows.
+    /// Reserves the memory that the drawing has counted for its scene, so that no list grows.
     fn reserve(&mut self, size: SceneSize) {
         self.nodes.reserve_exact(size.nodes);
         self.links.reserve_exact(size.links);
@@ -236,7 +244,7 @@ impl Scene {
         self.samples.reserve_exact(size.nodes * self.kept);
     }
 
-    /// A scene with nothing in it yet.
+    /// An empty scene for a drawing.
     pub(super) fn new(drawing: &Drawing<Solid>) -> Self {
         let mut styles = drawing.styles.clone();
         styles.push(StyleChange::NONE);
@@ -244,15 +252,15 @@ impl Scene {
         Self { styles, memoised: drawing.memoised, kept, ..Self::default() }
     }
 
-    /// Asks for the first `upto` segments and the polygons before them, or for all.
+    /// Shows the first `upto` segments and the polygons before the next, or all.
     pub(super) fn show(&mut self, upto: Option<u128>) {
         self.upto = upto;
         if !matches!(self.stage, Stage::Blocks) {
-            (self.stage, self.making) = (Stage::Show, None);
+            (self.stage, self.unfinished) = (Stage::Show, None);
         }
     }
 
-    /// Goes on with making the nodes, until what is asked for can be shown.
+    /// Goes on making nodes, until the scene can be shown.
     pub(super) fn step(&mut self, drawing: &Drawing<Solid>, meter: &mut Meter) -> Progress {
         while !meter.is_spent() {
             match core::mem::take(&mut self.stage) {
@@ -271,7 +279,7 @@ impl Scene {
 
     /// Goes on with the nodes of a block.
     fn next_block(&mut self, drawing: &Drawing<Solid>, meter: &mut Meter) {
-        if self.blocks.is_empty() && self.making.is_none() {
+        if self.blocks.is_empty() && self.unfinished.is_none() {
             self.reserve(drawing.scene);
         }
         let Some(block) = drawing.blocks.get(self.blocks.len()) else {
@@ -279,24 +287,24 @@ impl Scene {
             self.stage = Stage::Show;
             return;
         };
-        let mut making = self.making.take().unwrap_or_else(|| Making::new(block.items.clone(), None));
-        if self.contents(drawing, &mut making, meter) == Progress::More {
-            self.making = Some(making);
+        let mut unfinished = self.unfinished.take().unwrap_or_else(|| UnfinishedNodes::new(block.items.clone(), None));
+        if self.contents(drawing, &mut unfinished, meter) == Progress::More {
+            self.unfinished = Some(unfinished);
             return;
         }
         meter.charge(1);
-        let node = making.node();
+        let node = unfinished.node();
         if let Some(node) = node.and_then(|node| self.nodes.get_mut(node as usize)) {
-            // The drawing knows a tighter ball than one around balls.
-            if block.hull.radius < node.own.radius {
-                (node.own.centre, node.own.radius) = (block.hull.centre(), block.hull.radius);
+            // The drawing's ball around the block may be tighter than the ball around the contents' balls.
+            if block.hull.radius < node.summary.radius {
+                (node.summary.centre, node.summary.radius) = (block.hull.centre(), block.hull.radius);
             }
         }
         self.blocks.push(node);
     }
 
-    /// Shows all, or begins to look for the first segment that is left out: on the way down to it every block becomes a node
-    /// with what is before it.
+    /// Shows all, or starts the descent to the first segment that is left out: each block on the way gets a node with
+    /// the items before that segment.
     fn start_showing(&mut self, drawing: &Drawing<Solid>) -> Stage {
         let [nodes, links, lines] = self.whole;
         self.nodes.truncate(nodes);
@@ -309,13 +317,13 @@ impl Scene {
         self.shown = Stretch { from: 0.0, size: 1.0 };
         let upto = self.upto.filter(|&upto| upto < drawing.segment_count());
         match upto.zip(drawing.root) {
-            Some((left, block)) => Stage::Cut(Way::new(drawing, block, left)),
+            Some((left, block)) => Stage::Cut(CutPath::new(drawing, block, left)),
             None => Stage::Ready,
         }
     }
 
-    /// Goes on to the first segment that is left out.
-    fn cut(&mut self, drawing: &Drawing<Solid>, mut way: Way, meter: &mut Meter) -> Stage {
+    /// Goes on with the descent to the first segment that is left out.
+    fn cut(&mut self, drawing: &Drawing<Solid>, mut way: CutPath, meter: &mut Meter) -> Stage {
         let items = drawing.blocks[way.block.0 as usize].items.clone();
         while !meter.is_spent() {
             meter.charge(LOOK_WORK);
@@ -337,11 +345,11 @@ impl Scene {
         Stage::Cut(way)
     }
 
-    /// Goes on with the nodes of what comes before.
-    fn inside(&mut self, drawing: &Drawing<Solid>, mut way: Way, inside: Option<u32>, meter: &mut Meter) -> Stage {
-        let mut making = match (self.making.take(), way.kept.last()) {
-            (Some(making), _) => making,
-            (None, Some((items, placed))) => Making::new(items.clone(), placed.zip(inside)),
+    /// Goes on with the nodes of the items before that segment.
+    fn inside(&mut self, drawing: &Drawing<Solid>, mut way: CutPath, inside: Option<u32>, meter: &mut Meter) -> Stage {
+        let mut unfinished = match (self.unfinished.take(), way.kept.last()) {
+            (Some(unfinished), _) => unfinished,
+            (None, Some((items, placed))) => UnfinishedNodes::new(items.clone(), placed.zip(inside)),
             (None, None) => {
                 let all = self.count(self.root);
                 self.root = inside;
@@ -349,67 +357,67 @@ impl Scene {
                 return Stage::Ready;
             }
         };
-        if self.contents(drawing, &mut making, meter) == Progress::More {
-            self.making = Some(making);
+        if self.contents(drawing, &mut unfinished, meter) == Progress::More {
+            self.unfinished = Some(unfinished);
             return Stage::Inside(way, inside);
         }
         way.kept.pop();
-        Stage::Inside(way, making.node())
+        Stage::Inside(way, unfinished.node())
     }
 
     fn count(&self, node: Option<u32>) -> Amount {
-        node.and_then(|node| self.nodes.get(node as usize)).map_or(Amount::default(), |node| node.own.count)
+        node.and_then(|node| self.nodes.get(node as usize)).map_or(Amount::default(), |node| node.summary.count)
     }
 
-    /// Goes on with making nodes of items.
-    fn contents(&mut self, drawing: &Drawing<Solid>, making: &mut Making, meter: &mut Meter) -> Progress {
+    /// Goes on with the unfinished nodes.
+    fn contents(&mut self, drawing: &Drawing<Solid>, unfinished: &mut UnfinishedNodes, meter: &mut Meter) -> Progress {
         let same = self.styles.len() as u32 - 1;
         while !meter.is_spent() {
-            if making.run.len() == WIDTH {
+            if unfinished.run.len() == WIDTH {
                 meter.charge(NODE_WORK);
-                making.row.push(self.node(core::mem::take(&mut making.run)));
-            } else if let Some(line) = making.lines.pop() {
+                unfinished.row.push(self.node(core::mem::take(&mut unfinished.run)));
+            } else if let Some(line) = unfinished.lines.pop() {
                 meter.charge(ITEM_WORK);
-                making.run.draw(line);
-            } else if let Some(item) = making.items.next() {
-                meter.charge(self.add(drawing, making, &drawing.items[item as usize]));
-            } else if let Some((placed, node)) = making.last.take() {
-                making.run.hold(self.link(&placed, node), self.count(Some(node)));
-            } else if making.run.len() > 0 {
+                unfinished.run.add_line(line);
+            } else if let Some(item) = unfinished.items.next() {
+                meter.charge(self.add(drawing, unfinished, &drawing.items[item as usize]));
+            } else if let Some((placed, node)) = unfinished.last.take() {
+                unfinished.run.add_link(self.link(&placed, node), self.count(Some(node)));
+            } else if unfinished.run.len() > 0 {
                 meter.charge(NODE_WORK);
-                making.row.push(self.node(core::mem::take(&mut making.run)));
-            } else if making.row.len() <= 1 {
+                unfinished.row.push(self.node(core::mem::take(&mut unfinished.run)));
+            } else if unfinished.row.len() <= 1 {
                 return Progress::Done;
-            } else if making.done < making.row.len() {
+            } else if unfinished.done < unfinished.row.len() {
                 meter.charge(NODE_WORK);
                 let mut run = Run::default();
-                for &node in making.row[making.done..].iter().take(WIDTH) {
-                    run.hold(self.same(node, same), self.count(Some(node)));
+                for &node in unfinished.row[unfinished.done..].iter().take(WIDTH) {
+                    run.add_link(self.same(node, same), self.count(Some(node)));
                 }
-                making.done += run.len();
-                making.above.push(self.node(run));
+                unfinished.done += run.len();
+                unfinished.above.push(self.node(run));
             } else {
-                (making.row, making.done) = (core::mem::take(&mut making.above), 0);
+                (unfinished.row, unfinished.done) = (core::mem::take(&mut unfinished.above), 0);
             }
         }
         Progress::More
     }
 
-    /// Adds an item to the nodes that are being made; the units of work that this took. A block that shows nothing, as
-    /// polygons without an area do, has no node.
-    fn add(&self, drawing: &Drawing<Solid>, making: &mut Making, item: &Item<Solid>) -> u64 {
+    /// Adds an item to the unfinished nodes. Returns the units of work. A block that shows nothing, such as polygons
+    /// without an area, has no node.
+    fn add(&self, drawing: &Drawing<Solid>, unfinished: &mut UnfinishedNodes, item: &Item<Solid>) -> u64 {
         match item {
-            Item::Stroke(stroke) => making.run.draw(Line::new([stroke.from, stroke.to], stroke.style.0)),
+            Item::Stroke(stroke) => unfinished.run.add_line(SceneLine::new([stroke.from, stroke.to], stroke.style.0)),
             Item::Polygon(polygon) => {
                 let vertices = drawing.vertices_of(polygon);
                 let triangles = triangulate(vertices);
                 let corners = triangles.corners.into_iter().rev().map(|corners| corners.map(|corner| vertices[corner]));
-                making.lines.extend(corners.map(|corners| Line::face(corners, polygon.style.0)));
+                unfinished.lines.extend(corners.map(|corners| SceneLine::face(corners, polygon.style.0)));
                 return ITEM_WORK * vertices.len() as u64 + triangles.work;
             }
             Item::Block(placed) => {
                 if let Some(node) = self.blocks[placed.block.0 as usize] {
-                    making.run.hold(self.link(placed, node), self.count(Some(node)));
+                    unfinished.run.add_link(self.link(placed, node), self.count(Some(node)));
                 }
             }
         }
@@ -417,7 +425,7 @@ impl Scene {
     }
 
     fn link(&self, placed: &Placed<Solid>, node: u32) -> Link {
-        let own = &self.nodes[node as usize].own;
+        let own = &self.nodes[node as usize].summary;
         let columns = placed.heading.columns();
         Link {
             node,
@@ -425,7 +433,7 @@ impl Scene {
             at: placed.at,
             axes: columns.map(|column| column.map(|c| c * placed.scale)),
             widest: self.styles[placed.style.0 as usize].width.then(own.widest),
-            // Sums of these stay finite.
+            // Limited, so that sums stay finite.
             length: (own.length * placed.scale as f32).min(1e30),
             area: (own.area * (placed.scale * placed.scale) as f32).min(1e30),
             bundle: own.bundle.turned(&columns),
@@ -435,44 +443,45 @@ impl Scene {
         }
     }
 
-    /// What the pen does for a line that stands for others: a triangle's longest side has no width.
-    fn style_of(&self, line: &Line) -> StyleChange {
+    /// The style of a main line made of this line: the longest side of a triangle has no width.
+    fn style_of(&self, line: &SceneLine) -> StyleChange {
         let style = self.styles[line.style as usize];
         let width = if line.corner.is_some() { WidthChange { factor: 0.0, offset: 0.0 } } else { style.width };
         StyleChange { width, ..style }
     }
 
-    /// The samples of a node, those that are shown first before others.
-    pub(super) fn samples(&self, node: u32) -> &[Sample] {
+    /// The sample strokes of a node, by direction.
+    pub(super) fn samples(&self, node: u32) -> &[SampleStroke] {
         let first = node as usize * self.kept;
         self.samples.get(first..first + self.kept).unwrap_or_default()
     }
 }
 
-impl Making {
+impl UnfinishedNodes {
     fn new(items: Range<u32>, last: Option<(Placed<Solid>, u32)>) -> Self {
         Self { items, last, ..Self::default() }
     }
 
-    /// The node that holds all, when they are made, if there is any.
+    /// The node that contains all others, when they are done; `None` if there is none.
     fn node(&self) -> Option<u32> {
         self.row.first().copied()
     }
 }
 
-impl Way {
+impl CutPath {
     fn new(drawing: &Drawing<Solid>, block: BlockId, left: u128) -> Self {
         Self { kept: vec![], block, at: drawing.blocks[block.0 as usize].items.start, left }
     }
 }
 
-/// What becomes a node.
+/// The contents of the next node.
 #[derive(Default)]
 struct Run {
     links: Vec<Link>,
-    lines: Vec<Line>,
-    /// Segments before each link, and before each line.
+    lines: Vec<SceneLine>,
+    /// The number of segments before each link, and before each line.
     before: [Vec<Amount>; 2],
+    /// The number of segments.
     count: Amount,
 }
 
@@ -481,14 +490,15 @@ impl Run {
         self.links.len() + self.lines.len()
     }
 
-    /// Goes on with a link to so many segments.
-    fn hold(&mut self, link: Link, count: Amount) {
+    /// Adds a link to a node of `count` segments.
+    fn add_link(&mut self, link: Link, count: Amount) {
         self.links.push(link);
         self.before[0].push(self.count);
         self.count = self.count.plus(count);
     }
 
-    fn draw(&mut self, line: Line) {
+    /// Adds a segment or a triangle.
+    fn add_line(&mut self, line: SceneLine) {
         self.before[1].push(self.count);
         if line.corner.is_none() {
             self.count = self.count.plus(Amount::ONE);

@@ -1,4 +1,4 @@
-//! What does not change while a picture in space is made.
+//! The settings of a picture in space.
 
 use super::Quality;
 use super::camera::{Camera, Lens};
@@ -8,26 +8,26 @@ use crate::{Pane, Viewport};
 use lsystem_drawing::{Drawing, Solid};
 use lsystem_syntax::Style;
 
-/// What does not change while a picture is made.
+/// The settings of a picture, which only change when its budget does.
 #[derive(Clone, Copy)]
 pub(super) struct Setup {
     pub lens: Lens,
     pub light: Light,
     pub background: [u8; 3],
-    /// Along the side of a pixel.
+    /// Samples along the side of a pixel.
     pub samples: usize,
-    /// Across and down the picture, in samples.
+    /// The width and the height of the whole picture, in samples.
     pub size: [f64; 2],
-    /// Of a tile, in samples.
+    /// The width and the height of a tile, in samples.
     pub side: [usize; 2],
     /// Whether there is only one tile.
     pub single: bool,
-    /// Blocks smaller than this are dots, in samples.
+    /// The extent in samples below which blocks are dots.
     pub detail: f32,
     pub effort: Effort,
-    /// Whether it is only a pane of the picture, whose effort others know.
+    /// Whether only a pane is made, whose budget is set by the caller.
     pub pane: bool,
-    /// Where it begins in the picture, in samples.
+    /// The upper left corner of the pane in the picture, in samples.
     pub corner: [f64; 2],
     /// Half the smallest stroke width, in samples.
     pub hairline: f64,
@@ -36,7 +36,7 @@ pub(super) struct Setup {
 }
 
 impl Setup {
-    /// Of a pane; with a budget if it is a part of a picture that several workers make.
+    /// The settings of a pane; `budget` is given if the pane is one of several of a picture.
     pub(super) fn new(
         drawing: &Drawing<Solid>,
         style: &Style,

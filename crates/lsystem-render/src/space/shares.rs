@@ -1,22 +1,22 @@
-//! How a node's budget is shared out to the nodes in it.
+//! The shares of a node's budget for the nodes inside.
 
 use super::scene::WIDTH;
 
-/// From this radius on nodes have the same share of the budget, in samples.
-const LARGE: f32 = 256.0;
-/// How often what a node does not need of a budget is shared out to the others.
+/// Nodes with at least this radius, in samples, have the same weight.
+const LARGEST_RADIUS: f32 = 256.0;
+/// How often the rest that nodes do not need is shared out to the others.
 const ROUNDS: usize = 2;
-/// Enough for everything.
-pub(super) const MOST: f32 = 1e30;
+/// A budget for any number of contents.
+pub(super) const UNLIMITED: f32 = 1e30;
 
-/// The weight of a node whose ball has this radius: by the room that it takes, as far as that can be in the tile.
+/// The weight of a node whose ball has this radius in samples: about its area in the picture.
 #[inline]
 pub(super) fn weight(ball: f32) -> f32 {
-    let size = ball.min(LARGE);
+    let size = ball.min(LARGEST_RADIUS);
     size * size + 1.0
 }
 
-/// Shares out a budget: no node gets more than it needs, others by their weights.
+/// Shares out a budget by weights. A node that needs less than its share gets only its need and 1 more.
 pub(super) fn shares(mut budget: f32, weights: &[f32], needs: impl Fn(usize) -> f32) -> [f32; WIDTH] {
     let mut shares = [0.0; WIDTH];
     let mut open = [0.0; WIDTH];

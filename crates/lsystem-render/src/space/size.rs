@@ -1,32 +1,33 @@
-//! The memory that pictures in space take, known before they are made.
+//! The memory that a picture in space takes, computed before the picture is made.
 
 use super::SolidRenderer;
-use super::scene::{Line, Link, Node, Sample};
+use super::scene::{Link, SampleStroke, SceneLine, SceneNode};
 use crate::Viewport;
 use lsystem_drawing::{Drawing, SceneSize, Solid};
 
-// What the drawing is counted to need for its pictures is enough.
-const _: () = assert!(size_of::<Node>() <= SceneSize::NODE && size_of::<Sample>() <= SceneSize::SAMPLE);
-const _: () = assert!(size_of::<Link>() <= SceneSize::LINK && size_of::<Line>() <= SceneSize::LINE);
+// The sizes with which a drawing counts the memory of its scene are large enough.
+const _: () = assert!(size_of::<SceneNode>() <= SceneSize::NODE && size_of::<SampleStroke>() <= SceneSize::SAMPLE);
+const _: () = assert!(size_of::<Link>() <= SceneSize::LINK && size_of::<SceneLine>() <= SceneSize::LINE);
 
 impl SolidRenderer {
-    /// The bytes that the drawing is made ready in for its pictures, [counted with it](lsystem_drawing::Drawing::bytes);
-    /// what shows only its first segments takes as many again at most.
+    /// The bytes of the scene made from the drawing, which are [counted with it](lsystem_drawing::Drawing::bytes). A
+    /// scene that shows only the first segments takes at most as many again.
     #[must_use]
     pub fn scene_bytes(drawing: &Drawing<Solid>) -> u64 {
         drawing.scene.bytes(drawing.memoised)
     }
 
-    /// The most bytes that a renderer takes which makes pictures of this size, whole and halved and in panes, beside the
-    /// drawing and what is [counted with it](lsystem_drawing::Drawing::bytes).
+    /// The most bytes that a renderer takes for pictures of this size, whole, of half the sides, and in panes, without
+    /// the drawing and the scene that is [counted with it](lsystem_drawing::Drawing::bytes).
     #[must_use]
     pub fn most_bytes(viewport: Viewport) -> u64 {
-        /// Pixels, or samples of a tile that has as many, and a depth and a colour for each of these.
+        /// The bytes of a pixel.
         const PIXEL: u64 = 4;
+        /// The bytes of a sample: a depth and a colour.
         const SAMPLE: u64 = 8;
         let tile = |samples: u64| SAMPLE * samples + samples / 8;
         let pixels = u64::from(viewport.width) * u64::from(viewport.height);
-        // A tile has at most 1024 samples each way at rest, and 2048 while things move.
+        // A tile has at most 1024 samples each way at rest, and 2048 while the camera moves.
         let (rest, moving) = (tile(1 << 20), |pixels: u64| tile(pixels.clamp(1 << 20, 1 << 22)));
         let walk = |pixels: u64| PIXEL * pixels + moving(pixels);
         walk(pixels) + walk(pixels / 4) + PIXEL * pixels + rest

@@ -1,13 +1,13 @@
-//! A stroke in space: a stick with round ends, as it looks from where the viewer is.
+//! A stroke in space: a stick with round ends, as the viewer sees it.
 //!
-//! In the picture's own space (samples to the right and down, and a depth that keeps straight lines straight) lines of
-//! sight are parallel, and where one meets a stick is known exactly: the stick's side is met at the place `along` the
-//! axis less what the bulge of the side hides, and beyond its ends the line of sight meets a ball or nothing.
+//! In the space of the picture (samples to the right and down, and a depth that keeps straight lines straight) lines of
+//! sight are parallel, so the point where one meets a stick is exact. A line of sight meets the side of the stick a
+//! little before the place `along` the axis, because the side bulges. Beyond the ends the line meets a ball or nothing.
 
 use super::lanes::{LANES, Lanes};
-use super::light::{LIGHT, Light, Spot};
+use super::light::{LIGHT, Light, LocalLight};
 use super::surface::Surface;
-use super::tile::{CELL, Tile};
+use super::tile::{CELL, ScreenTile};
 use lsystem_drawing::rotation::Vector;
 
 /// A stick in the space of a picture; with perspective its ends differ in width.
@@ -16,19 +16,19 @@ pub(super) struct Stick {
     pub ends: [Vector; 2],
     pub radii: [f64; 2],
     pub ink: [f32; 3],
-    pub spots: [Spot; 2],
+    pub spots: [LocalLight; 2],
 }
 
-/// Sticks reach at most so far from a tile before they are cut, in samples, so that single precision is enough.
+/// A stick that reaches farther from a tile than this, in samples, is cut, so that single precision is enough.
 const REACH: f64 = 4096.0;
-/// Where a stick is at most so many samples wide, all of them are looked at in every row.
+/// If the bounds of a stick are at most this many samples wide, every row looks at all columns.
 const NARROW: usize = 6;
-/// A stick that is seen more end on than this is painted as its nearer end.
+/// If the ratio of a stick's length in the picture to its length is at most this, only the nearer end is painted.
 const END_ON: f64 = 1e-3;
 
 impl Stick {
-    /// Paints a band of it on a tile whose upper left corner is at `corner`.
-    pub(super) fn paint(&self, tile: &mut Tile, corner: [f64; 2], light: &Light, from: usize) -> Painted {
+    /// Paints a band of the stick, from the row `from` on, on a tile whose upper left corner is at `corner`.
+    pub(super) fn paint(&self, tile: &mut ScreenTile, corner: [f64; 2], light: &Light, from: usize) -> Painted {
         let size = tile.size.map(|count| count as f64);
         let Some(stick) = self.within(corner, size) else { return Painted::default() };
         let [[x0, y0, d0], [x1, y1, d1]] = stick.ends;
@@ -54,7 +54,7 @@ impl Stick {
         Painted { looked: stick.fill(tile, across, down, [flat, length], light), rest }
     }
 
-    /// Relative to a tile's corner, what is far from the tile cut off; `None` if nothing is left.
+    /// The stick relative to a tile's corner, cut to the part near the tile; `None` if nothing is left.
     fn within(&self, corner: [f64; 2], size: [f64; 2]) -> Option<Self> {
         let mut ends = self.ends.map(|[x, y, d]| [x - corner[0], y - corner[1], d]);
         let is_near = |end: &Vector| (0..2).all(|i| end[i].abs() < REACH);
@@ -87,10 +87,10 @@ impl Stick {
         Some(Self { ends, radii: [radius(from), radius(to)], spots: [spot(from), spot(to)], ink: self.ink })
     }
 
-    /// Paints a stick that looks `flat` long and is so long; returns how many samples were looked at.
+    /// Paints a stick of this `length` that is `flat` long in the picture. Returns the number of samples looked at.
     fn fill(
         &self,
-        tile: &mut Tile,
+        tile: &mut ScreenTile,
         across: [usize; 2],
         down: [usize; 2],
         [flat, length]: [f64; 2],
@@ -101,7 +101,7 @@ impl Stick {
         let surface = Surface::new(self, [flat, length]);
         let narrow = across[1] - across[0] <= NARROW;
         let crossings = Crossings::new(&surface, widest, tile.slack() as f32);
-        // What rows cross of the stick at most; empty where the second is less than the first.
+        // The columns that may cross the stick in some rows; none if the second is less than the first.
         let cross = |rows: [usize; 2], columns: [usize; 2]| {
             if narrow { columns } else { crossings.columns(rows.map(|row| row as f32 + 0.5 - y0), x0, columns) }
         };
@@ -110,9 +110,9 @@ impl Stick {
         let mut within = [1, 0];
         for row in down[0]..=down[1] {
             if row == down[0] || row % CELL == 0 {
-                // Without cells that show something nearer.
+                // Cells that show nearer surfaces are left out.
                 let end = down[1].min(row / CELL * CELL + CELL - 1);
-                within = tile.seen(row / CELL, cross([row, end], across), near);
+                within = tile.uncovered(row / CELL, cross([row, end], across), near);
                 looked += 2;
             }
             let y = row as f32 + 0.5 - y0;
@@ -134,8 +134,8 @@ impl Stick {
     }
 }
 
-/// Where a row crosses the band around a stick's axis, and the slab between its ends: both at places that go on evenly
-/// from row to row. Of each: the middle at the first end, how far it moves from row to row, and half the length.
+/// The spans in which a row crosses the band around a stick's axis, and the slab between its ends. Each span moves
+/// evenly from row to row: its middle in the row of the first end, its shift from row to row, and half its length.
 struct Crossings {
     band: [f32; 3],
     slab: [f32; 3],
@@ -153,8 +153,8 @@ impl Crossings {
         Self { band: crossing(-ey, ex, [-widest, widest]), slab: crossing(ex, ey, [-widest, flat + widest]) }
     }
 
-    /// What is crossed of both at most between two heights, relative to the first end, which lies at `x`: of the columns
-    /// from `first` to `last`.
+    /// The columns from `first` to `last` that may cross both between two heights. Heights are relative to the first
+    /// end, which lies at `x`.
     #[inline(always)]
     fn columns(&self, heights: [f32; 2], x: f32, [first, last]: [usize; 2]) -> [usize; 2] {
         let [a, b] = [self.band, self.slab].map(|[middle, slope, half]| {
@@ -165,21 +165,21 @@ impl Crossings {
         if high < 0.5 {
             return [1, 0];
         }
-        // From a sample's middle on; what is negative becomes 0.
+        // A column counts from its middle on; the conversion turns negative numbers into 0.
         [first.max((low + 0.5) as usize), last.min((high - 0.5) as usize)]
     }
 }
 
-/// A ball on a tile.
+/// The round end of a stick on a tile.
 struct Ball {
     at: [f32; 3],
     radius: f32,
     ink: [f32; 3],
-    spot: Spot,
+    spot: LocalLight,
 }
 
 impl Ball {
-    fn fill(&self, tile: &mut Tile, across: [usize; 2], down: [usize; 2], light: &Light) -> usize {
+    fn fill(&self, tile: &mut ScreenTile, across: [usize; 2], down: [usize; 2], light: &Light) -> usize {
         let [x0, y0, d] = self.at;
         let per = 1.0 / self.radius;
         for row in down[0]..=down[1] {
@@ -205,18 +205,18 @@ impl Ball {
     }
 }
 
-/// A spot of one colour: what stands for things too small to be told apart.
+/// A disc of one colour, which stands for a node too small to be looked into.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dot {
-    /// In the space of the picture.
+    /// The centre in the space of the picture.
     pub at: Vector,
     pub radius: f64,
     pub colour: u32,
 }
 
 impl Dot {
-    /// Paints a band of it on a tile whose upper left corner is at `corner`.
-    pub(super) fn paint(&self, tile: &mut Tile, corner: [f64; 2], from: usize) -> Painted {
+    /// Paints a band of the dot, from the row `from` on, on a tile whose upper left corner is at `corner`.
+    pub(super) fn paint(&self, tile: &mut ScreenTile, corner: [f64; 2], from: usize) -> Painted {
         let [x, y] = [0, 1].map(|i| self.at[i] - corner[i]);
         let [width, height] = tile.size.map(|count| count as f64);
         let aside = self.radius + tile.slack();
@@ -242,20 +242,20 @@ impl Dot {
     }
 }
 
-/// What painting a band of something has taken.
+/// The result of painting a band.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Painted {
-    /// Samples that were looked at.
+    /// The number of samples looked at.
     pub looked: usize,
-    /// The row from which on it is still to be painted.
+    /// The first row of the next band, if there is one.
     pub rest: Option<usize>,
 }
 
-/// Samples of a band, at least a row of cells: few beside what a piece of work may take.
+/// The most samples of a band (at least a row of cells), so that a band's work is small beside a step's.
 const BAND: usize = 1 << 16;
 
-/// The rows of `down` that are painted at once, from the row `from` on, and the row from which on others are left. Bands
-/// end where cells do.
+/// The rows of the band that begins at the row `from`, and the first row of the next band, if there is one. Bands end
+/// at the borders of cells.
 pub(super) fn band([left, right]: [usize; 2], [top, bottom]: [usize; 2], from: usize) -> ([usize; 2], Option<usize>) {
     let top = top.max(from);
     let cells = (BAND / (CELL * (right - left + 1))).max(1);
@@ -263,7 +263,7 @@ pub(super) fn band([left, right]: [usize; 2], [top, bottom]: [usize; 2], from: u
     ([top, bottom.min(next - 1)], (next <= bottom).then_some(next))
 }
 
-/// The samples of a tile whose middles lie between two places.
+/// The first and the last sample of a tile whose middles lie between two places; `None` if there is none.
 #[inline]
 pub(super) fn span(from: f64, to: f64, side: f64) -> Option<[usize; 2]> {
     let first = (from - 0.5).ceil().max(0.0);

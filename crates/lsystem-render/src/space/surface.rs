@@ -1,32 +1,33 @@
-//! The surface of a stick: where lines of sight meet it, and how it is lit there.
+//! The surface of a stick: the points where lines of sight meet the surface, and the light there.
 
 use super::lanes::{LANES, Lanes};
-use super::light::{LIGHT, Light, Spot};
+use super::light::{LIGHT, Light, LocalLight};
 use super::stroke::Stick;
 
 /// The surface of a stick on a tile. Places are relative to the middle of its first end.
 pub(super) struct Surface<'a> {
     ink: [f32; 3],
-    spots: &'a [Spot; 2],
-    /// How deep the ends lie.
+    spots: &'a [LocalLight; 2],
+    /// The depths of the ends.
     d0: f32,
     d1: f32,
-    /// The direction of the axis in the picture, and how long the axis looks.
+    /// The unit vector along the axis in the picture, and the length of the axis in the picture.
     ex: f32,
     ey: f32,
     flat: f32,
-    /// One over that length.
+    /// 1 / `flat`.
     per: f32,
-    /// Of each unit of length, how much leads away from the viewer, and how much aside.
+    /// The change of depth, and of the place in the picture, for each unit of the axis' length.
     rise: f32,
     level: f32,
-    /// `rise` over `level`, and one over `level`.
+    /// `rise` / `level`, and 1 / `level`.
     slope: f32,
     steep: f32,
-    /// The radius of the first end, and how much larger the other is.
+    /// The radius of the first end, and the second radius minus the first.
     radius: f32,
     grows: f32,
-    /// What the light gives to parts of the normal: sideways, upwards, ahead, towards the viewer.
+    /// The products of the light's direction with the parts of the normal: sideways, upwards, ahead, towards the
+    /// viewer.
     side_light: f32,
     up_light: f32,
     ahead_light: f32,
@@ -34,7 +35,7 @@ pub(super) struct Surface<'a> {
 }
 
 impl<'a> Surface<'a> {
-    /// Of a stick that looks `flat` long and is so long.
+    /// The surface of a stick of this `length`, whose axis is `flat` long in the picture.
     #[inline(always)]
     pub(super) fn new(stick: &'a Stick, [flat, length]: [f64; 2]) -> Self {
         let [[x0, y0, d0], [x1, y1, d1]] = stick.ends;
@@ -72,19 +73,19 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The direction of the axis in the picture, and how long the axis looks.
+    /// The unit vector along the axis in the picture, and the length of the axis in the picture.
     #[inline(always)]
     pub(super) fn axis(&self) -> ([f32; 2], f32) {
         ([self.ex, self.ey], self.flat)
     }
 
-    /// How deep the nearest point lies at least, of a stick whose widest radius is this.
+    /// A lower bound of the depth, given the larger of the two radii.
     #[inline(always)]
     pub(super) fn near(&self, widest: f32) -> f32 {
         self.d0.min(self.d1) - widest
     }
 
-    /// Paints the samples at `x`, as far as they are before `last`, of a row at `y`: where the surface is nearer than their
+    /// Paints the samples at `x` of a row at `y`, as far as they are before `last` and the surface is nearer than their
     /// depths.
     #[inline(always)]
     pub(super) fn paint(
@@ -113,7 +114,7 @@ impl<'a> Surface<'a> {
         let mut to_light = u * self.side_light + h * self.up_light;
         let mut to_view = h * self.level;
         if before.any() || beyond.any() {
-            // The ball at one of the ends.
+            // The line of sight meets the ball at an end.
             let end = before.with(beyond);
             let start = Lanes::all(0.0).or(before, Lanes::all(flat));
             let w = (along - start) * inverse;

@@ -42,7 +42,7 @@ fn picture(
     renderer.pixels().to_vec()
 }
 
-/// What is met by a line of sight: how deep, the normal, and how far along the stroke.
+/// The point where a line of sight meets a stroke: its depth, its normal, and its place along the stroke (0 to 1).
 fn meet(ends: [Vector; 2], radii: [f64; 2], [x, y]: [f64; 2]) -> Option<(f64, Vector, f64)> {
     let [a, b] = ends;
     let way = [0, 1, 2].map(|i| b[i] - a[i]);
@@ -76,7 +76,7 @@ fn meet(ends: [Vector; 2], radii: [f64; 2], [x, y]: [f64; 2]) -> Option<(f64, Ve
     Some((a[2] + along / flat * way[2] - radius * h * length / flat, normal, met / flat))
 }
 
-/// Every segment against every sample, in double precision.
+/// The picture by definition: every segment against every sample, in double precision.
 fn naive(drawing: &Drawing<Solid>, style: &Style, viewport: Viewport, camera: &Camera) -> Vec<u8> {
     naive_until(drawing, style, viewport, camera, usize::MAX)
 }
@@ -151,7 +151,7 @@ fn lit(style: &Style, camera: &Camera, ink: [f64; 3], spot: [Vector; 2], t: f64,
     })
 }
 
-/// How much two pictures differ: the mean over all channels, and the part of the pixels that differ by more than `by`.
+/// The mean difference of two pictures over all channels, and the part of the pixels that differ by more than `by`.
 fn difference(a: &[u8], b: &[u8], by: u8) -> (f64, f64) {
     let sum: u64 = a.iter().zip(b).map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
     let far = a.chunks(4).zip(b.chunks(4)).filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > by));
@@ -177,8 +177,8 @@ fn styles() -> [Style; 3] {
     ]
 }
 
-/// Nothing is so small that it is left out: all that may differ is rounding, and which of two strokes is in front where
-/// both are equally deep. Rounding moves an edge by much less than a sample, a sixteenth of a pixel's colour.
+/// No stroke is left out. Pictures may differ by rounding, and in which of two equally deep strokes is in front.
+/// Rounding moves an edge by much less than a sample, a sixteenth of a pixel's colour.
 #[test]
 fn pictures_are_true_where_all_is_looked_into() {
     for (system, n) in [(tree(), 2), (bush(), 4)] {
@@ -197,9 +197,9 @@ fn pictures_are_true_where_all_is_looked_into() {
     }
 }
 
-/// Where blocks are dots of half a pixel: their edges may be wrong by a quarter of a pixel, and their colours are those
-/// of the mean. In a crown where every pixel has an edge a pixel may so differ by a part of its contrast, but on the
-/// whole the picture is as bright and as dense as the true one.
+/// Blocks are dots of half a pixel: their edges may be off by a quarter of a pixel, and their colours are means. So in
+/// a crown, where every pixel has an edge, a pixel may differ by a part of its contrast. On the whole the picture is as
+/// bright and as dense as the true picture.
 #[test]
 fn pictures_of_small_blocks_are_true_on_the_whole() {
     let [level, _, path] = &styles();
@@ -219,8 +219,8 @@ fn pictures_of_small_blocks_are_true_on_the_whole() {
     }
 }
 
-/// The drawing cut short anywhere is that of its first segments, in the colours that they have in the whole; whole again,
-/// it is as it was.
+/// A drawing that is cut anywhere shows its first segments, in the colours of the whole drawing. Shown in full again,
+/// the drawing is as before.
 #[test]
 fn the_first_segments_are_shown_alone() {
     let [level, _, path] = &styles();
@@ -245,7 +245,7 @@ fn the_first_segments_are_shown_alone() {
         }
         assert_eq!(whole, paint(None));
     }
-    // The way down is as long as the drawing is deep.
+    // The work of the descent grows with the depth of the drawing.
     let deep = drawing(&bush(), 200);
     let mut renderer = SolidRenderer::new();
     renderer.load(deep.clone());
@@ -254,7 +254,7 @@ fn the_first_segments_are_shown_alone() {
     while renderer.step(1 << 20) == Progress::More {}
 }
 
-/// However the work is cut into steps, and whatever was painted before.
+/// Pictures are the same however the work is cut into steps, and whatever was painted before.
 #[test]
 fn pictures_do_not_depend_on_steps() {
     let (style, camera) = (&styles()[0], Camera::default());
@@ -293,8 +293,8 @@ fn wide_strokes_are_painted_in_steps() {
     }
 }
 
-/// The picture made pane by pane, in any order and by several renderers, with the budgets that it has one after the other;
-/// and how many those are.
+/// The picture made pane by pane, in any order and by several renderers, with one budget after the other; and the
+/// number of budgets.
 fn in_panes(drawing: &Arc<Drawing<Solid>>, style: &Style, viewport: Viewport, camera: &Camera) -> (Vec<u8>, usize) {
     let mut renderers = [SolidRenderer::new(), SolidRenderer::new()];
     renderers.iter_mut().for_each(|renderer| renderer.load(drawing.clone()));
@@ -339,7 +339,7 @@ fn panes_together_are_the_picture() {
     assert!(rounds > 12, "some are made again: {rounds}");
 }
 
-/// Where strokes are so wide that no tile has time for all of them.
+/// Strokes may be so wide that no tile has work for all of them.
 #[test]
 fn panes_of_wide_strokes_are_the_picture() {
     let viewport = Viewport { width: 300, height: 270, ratio: 1.0 };
@@ -353,7 +353,7 @@ fn panes_of_wide_strokes_are_the_picture() {
     }
 }
 
-/// Every tile's work is bounded, at any number of segments, also where they all lie in the same place.
+/// Every tile's work is bounded at any number of segments, also if all segments lie in the same place.
 #[test]
 fn deep_drawings_end_in_time() {
     for (system, n) in [(tree(), 30), (bush(), 30), (tree(), 300), (bush(), 1000)] {
@@ -394,7 +394,7 @@ fn strange_cameras_and_drawings_do_no_harm() {
     }
 }
 
-/// The fitted drawing lies in the picture from every side, with perspective and thick strokes too, and fills it.
+/// From every side the fitted drawing lies in the picture and fills it, also with perspective and thick strokes.
 #[test]
 fn the_whole_drawing_is_shown() {
     let style = Style::default();
@@ -444,7 +444,7 @@ fn colours_go_along_the_path() {
     }
 }
 
-/// A filled square covers its area, from whatever side, and half a branch's length is a quarter of it.
+/// A filled square covers its area from every side; a square of half the side covers a quarter.
 #[test]
 fn polygons_are_filled() {
     let style = Style::default();
@@ -459,7 +459,7 @@ fn polygons_are_filled() {
             let pixels = picture(&drawing, &style, SIZE, &camera, Quality(3), 1 << 20);
             let painted = pixels.chunks(4).filter(|pixel| pixel[..3] != style.background.rgb).count() as f64;
             let expected = part * step * step * libm::cos(azimuth.to_radians()).abs();
-            // The stroke before it, a pixel wide, and the polygon's edges.
+            // The tolerance is the stroke before the polygon, a pixel wide, and the polygon's edges.
             assert!((painted - expected).abs() < 3.0 * step, "{axiom} {azimuth}: {painted} {expected}");
         }
     }
@@ -474,7 +474,7 @@ fn polygons_without_an_area_show_nothing() {
     let pixels = picture(&alone, &style, SIZE, &Camera::default(), Quality::FINEST, 1 << 20);
     assert!(pixels.chunks(4).all(|pixel| pixel == paper));
 
-    // Where a block of it is placed nothing else is drawn in its stead.
+    // A block without a node leaves no other item in its place.
     let beside = system(Dialect::Abop, "X&ffffA", "X -> F[+F][-F][^F]F\nA -> {fff}", 60.0);
     let beside = drawing(&beside, 1);
     let mut scene = Scene::new(&beside);
@@ -483,7 +483,7 @@ fn polygons_without_an_area_show_nothing() {
     assert_eq!((root.links, root.lines), (1, 0), "X alone");
 }
 
-/// However many contents a block has, a step does not make more of the scene than it may.
+/// A step makes no more of the scene than its work allows, however many contents a block has.
 #[test]
 fn long_blocks_are_made_ready_in_steps() {
     let long = drawing(&system(Dialect::Abop, "A", &format!("A -> &{}", "F+".repeat(24_000)), 7.0), 1);

@@ -2,40 +2,40 @@
 
 use super::lanes::LANES;
 
-/// Samples along the side of a cell, for which the farthest depth is remembered.
+/// Samples along the side of a cell. A tile remembers the farthest depth of each cell.
 pub(super) const CELL: usize = 8;
-/// After so many changes a cell's farthest depth is looked up again: a cell is seldom covered by less.
-const STALE: u8 = 4;
-/// How far to the right of their places the samples are in each of a pixel's four rows, so that upright edges, which
-/// trees have most of, pass them one after the other and not four at once.
+/// After this many changes a cell's farthest depth is looked up again: fewer shapes seldom cover a cell.
+const STALE_AFTER: u8 = 4;
+/// The shift to the right of the samples in each of a pixel's four rows, in samples. An upright edge, the most frequent
+/// in trees, then passes the rows one after the other and not four at once.
 const LEAN: [f32; 4] = [-0.375, 0.125, -0.125, 0.375];
 
-/// A rectangle of samples, row by row. Behind every row there is room for some more that are never looked at.
+/// A rectangle of samples, row by row. Each row has room for some more samples at its end, which are never shown.
 #[derive(Default)]
-pub(super) struct Tile {
+pub(super) struct ScreenTile {
     /// Samples across and down, multiples of [`CELL`].
     pub(super) size: [usize; 2],
-    /// How many of them there is room for.
+    /// Samples across and down that there is room for.
     room: [usize; 2],
-    /// From one row to the next.
+    /// The samples from one row to the next in memory.
     stride: usize,
-    /// How far behind the target; infinite where nothing is.
+    /// By sample: the depth behind the target; infinite if nothing is painted.
     depth: Vec<f32>,
-    /// Red in the lowest byte.
+    /// By sample: RGBA with red in the lowest byte.
     colour: Vec<u32>,
-    /// By cell: the farthest of its depths, or farther.
+    /// By cell: an upper bound of its depths.
     far: Vec<f32>,
-    /// By cell: how often something may have come nearer since.
+    /// By cell: the number of changes since `far` was looked up.
     stale: Vec<u8>,
     background: u32,
-    /// Whether samples lean, as those of pixels of four by four do.
+    /// Whether rows are shifted by [`LEAN`], as for 4x4 samples in a pixel.
     pub(super) leans: bool,
-    /// By row of cells: the first and the last sample of what may have been painted; the other way round without any.
+    /// By row of cells: the first and the last sample that may have been painted; in reverse order if there is none.
     reach: Vec<[usize; 2]>,
 }
 
-impl Tile {
-    /// Empties it, with at least so many samples across and down, and room for others of the same picture.
+impl ScreenTile {
+    /// Empties the tile, with at least `size` samples across and down, and `room` for other tiles of the same picture.
     pub(super) fn reset(&mut self, size: [usize; 2], room: [usize; 2], [r, g, b]: [u8; 3]) {
         let background = u32::from_le_bytes([r, g, b, u8::MAX]);
         let [size, room] = [size, room].map(|sides| sides.map(|count| count.next_multiple_of(CELL)));
@@ -67,20 +67,20 @@ impl Tile {
         }
     }
 
-    /// How far to the right of its place a row's samples are.
+    /// The shift to the right of a row's samples, in samples.
     #[inline]
     pub(super) fn lean(&self, row: usize) -> f32 {
         if self.leans { LEAN[row % LEAN.len()] } else { 0.0 }
     }
 
-    /// How far samples are from their places at most.
+    /// The most that samples are shifted, in samples.
     #[inline]
     pub(super) fn slack(&self) -> f64 {
         if self.leans { f64::from(LEAN[3]) } else { 0.0 }
     }
 
-    /// Whether all samples of a rectangle, ends included, show something nearer than `near`.
-    // Inlined into its long caller, the loop would keep its values in memory.
+    /// Whether all samples of a rectangle, ends included, show surfaces nearer than `near`.
+    // Inlined into its long caller, the loop would keep its values in memory, not in registers.
     #[inline(never)]
     pub(super) fn hides(&mut self, [left, right]: [usize; 2], [top, bottom]: [usize; 2], near: f32) -> bool {
         for row in top / CELL..=bottom / CELL {
@@ -94,9 +94,9 @@ impl Tile {
         true
     }
 
-    /// What of the samples `left..=right` of a row of cells is not behind something nearer than `near`, as far as cells
-    /// tell, and notes that it is about to be painted; the other way round where nothing is.
-    pub(super) fn seen(&mut self, row: usize, [mut left, mut right]: [usize; 2], near: f32) -> [usize; 2] {
+    /// The part of the samples `left..=right` of a row of cells that is not behind surfaces nearer than `near`, as far
+    /// as cells tell; in reverse order if there is none. Notes that the part is about to be painted.
+    pub(super) fn uncovered(&mut self, row: usize, [mut left, mut right]: [usize; 2], near: f32) -> [usize; 2] {
         let first = row * (self.room[0] / CELL);
         while left <= right && self.is_hidden(first + left / CELL, near) {
             left = (left / CELL + 1) * CELL;
@@ -113,13 +113,13 @@ impl Tile {
         [left, right]
     }
 
-    /// Whether all samples of a cell show something nearer than `near`.
+    /// Whether all samples of a cell show surfaces nearer than `near`.
     #[inline]
     fn is_hidden(&mut self, cell: usize, near: f32) -> bool {
-        self.far[cell] < near || self.stale[cell] >= STALE && self.farthest(cell) < near
+        self.far[cell] < near || self.stale[cell] >= STALE_AFTER && self.farthest(cell) < near
     }
 
-    /// Looks up how far a cell reaches.
+    /// Looks up the farthest depth of a cell.
     fn farthest(&mut self, cell: usize) -> f32 {
         let (stride, cells) = (self.stride, self.room[0] / CELL);
         let first = cell / cells * CELL * stride + cell % cells * CELL;
@@ -135,7 +135,7 @@ impl Tile {
         far
     }
 
-    /// Notes that something is about to be painted in a rectangle, ends included.
+    /// Notes that a rectangle, ends included, is about to be painted.
     pub(super) fn touch(&mut self, [left, right]: [usize; 2], [top, bottom]: [usize; 2]) {
         for row in top / CELL..=bottom / CELL {
             let reach = &mut self.reach[row];
@@ -153,7 +153,7 @@ impl Tile {
         (&mut self.depth[at + left..=at + right], &mut self.colour[at + left..=at + right])
     }
 
-    /// The same for the samples from `left` on, up to `right` or a few more.
+    /// Depths and colours of the samples of a row from `left` on, up to `right` or a few more, in groups of [`LANES`].
     #[inline]
     pub(super) fn lanes(
         &mut self,
@@ -167,13 +167,14 @@ impl Tile {
         (depth, colour)
     }
 
-    /// The first pixel that may have been painted in a row of pixels that are `samples` wide, and the one after the last.
+    /// The first pixel that may have been painted in a row of pixels that are `samples` wide, and the one after the
+    /// last.
     pub(super) fn painted(&self, row: usize, samples: usize) -> [usize; 2] {
         let [left, right] = self.reach[row * samples / CELL];
         if left > right { [0, 0] } else { [left / samples, right / samples + 1] }
     }
 
-    /// The pixels of a row from number `from` on: the means of their samples' colours.
+    /// Writes the pixels of a row from number `from` on: the mean of each pixel's samples.
     pub(super) fn pixels(&self, row: usize, from: usize, samples: usize, out: &mut [u8]) {
         const PAIRS: u32 = 0x00ff_00ff;
         let (out, _) = out.as_chunks_mut::<4>();

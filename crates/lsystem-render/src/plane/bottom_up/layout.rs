@@ -1,57 +1,58 @@
-//! Where the parts of a picture are, on a lattice that may be coarser than the picture's.
+//! The layout of a bottom-up picture: the places of its parts, on a lattice that may be coarser than the picture's.
 
 use super::parts::{Joint, Part, Parts};
 
-/// Words that the pictures of parts may take at a time: 24 MiB, where tiles, which are dropped before, take 23.
-pub(in crate::plane) const ROOM: u64 = 24 << 17;
-/// Words of such pictures that may be painted in all: some tenths of a second.
-const WORK: u64 = 400 << 20;
-/// How many subsamples of the picture a cell of the lattice has along its side: the finest that will do is taken.
+/// The most words of the pictures of parts at a time: 24 MiB. The tiles are dropped before, which take up to 23 MiB.
+pub(in crate::plane) const PART_WORDS: u64 = 24 << 17;
+/// The most words of such pictures that are stamped in all: some tenths of a second.
+const MOST_WORK: u64 = 400 << 20;
+/// The sides of a cell that are tried, in subsamples of the picture. The smallest that meets the limits is taken.
 const GRAINS: [u32; 3] = [1, 2, 4];
 
-/// The fewest cells along the drawing's longer side for each of the parts that are inside each other: 3 % of the drawing is
-/// the most that anything is off.
-const LEAST: f64 = 8.0;
+/// The least cells along the drawing's longer side for each level of parts inside each other. With a part off by a
+/// quarter of a cell, all levels together are off by 3 % of the drawing.
+const CELLS_PER_LEVEL: f64 = 8.0;
 
-/// The cells from the first to before the second: columns and rows.
+/// A rectangle of cells: its first column and row, and the column and row after its last.
 pub(in crate::plane) type Area = [[i64; 2]; 2];
 
 /// The parts on a lattice, each off by half a cell at most.
 ///
-/// If all had their origins in the corners of cells, a drawing whose steps are of one length would have each step in some
-/// direction off by the same, and the more of them the more. So a part's origin may lie anywhere in its cell: where those
-/// inside it are off least. What is left is about a quarter of a cell for each of the parts inside each other,
-/// at worst to the same side.
+/// If every origin lay in the corner of a cell, a drawing with steps of one length would have all steps in one
+/// direction off by the same, and the errors would add up. So a part's origin may lie anywhere in its cell: where the
+/// parts inside are off least. The remaining error is about a quarter of a cell for each level of parts, at worst to
+/// the same side.
 #[derive(Default)]
 pub(in crate::plane) struct Layout {
-    /// How many subsamples of the picture there are along the side of a cell.
+    /// The side of a cell, in subsamples of the picture.
     pub grain: u32,
-    /// By joint: cells from the origin's cell of a part to that of the one inside.
+    /// By joint: the cells from the cell of the part's origin to the cell of the inner part's origin.
     pub shifts: Vec<[i64; 2]>,
-    /// By part: what of it is seen, from its origin's cell.
+    /// By part: the area that is seen, from the cell of the part's origin.
     pub areas: Vec<Area>,
-    /// By part: where its origin lies, from the upper left corner of the origin's cell.
+    /// By part: the place of its origin in the origin's cell, in cells from the upper left corner.
     pub phases: Vec<[f64; 2]>,
-    /// By part: how many others are inside each other in it.
+    /// By part: the number of levels of parts inside.
     heights: Vec<u32>,
-    /// By part: how often it is needed.
+    /// By part: how often its picture is still needed.
     pub uses: Vec<u32>,
     /// The cell of the whole drawing's origin.
     pub origin: [i64; 2],
 }
 
-/// The lattices tried so far, from the finest on.
+/// The search for the finest lattice within the limits.
 #[derive(Default)]
 pub(in crate::plane) struct Trials {
+    /// The index of the next grain.
     next: usize,
-    /// One of which it is not known yet what it takes.
+    /// A layout whose cost is not known yet.
     layout: Option<Layout>,
 }
 
 impl Trials {
-    /// Tries a lattice for the part `seen` of a drawing whose origin is at `origin`, both in subsamples; `planes` tells how
-    /// many planes a part has. One that takes no more memory and time than it may, when it is found; `None` where there
-    /// is none. Each call looks at all joints a few times.
+    /// Goes on with the search, for the rectangle `seen` of a drawing whose origin is at `origin`, both in subsamples;
+    /// `planes` gives the bit planes of a part. Returns `None` if no lattice is within the limits, and `Some(None)` as
+    /// long as none is found. Each call looks at all joints a few times.
     pub(in crate::plane) fn step(
         &mut self,
         parts: &Parts,
@@ -65,8 +66,8 @@ impl Trials {
             self.layout = Some(Layout::of_grain(parts, origin, seen, grain));
             return Some(None);
         };
-        let [room, work] = layout.cost(parts, &planes);
-        Some((layout.is_true(parts) && room <= ROOM && work <= WORK).then_some(layout))
+        let [words, work] = layout.cost(parts, &planes);
+        Some((layout.is_fine_enough(parts) && words <= PART_WORDS && work <= MOST_WORK).then_some(layout))
     }
 }
 
@@ -84,7 +85,7 @@ impl Layout {
             uses: vec![0; parts.list.len()],
             origin: cell,
         };
-        // What each covers, with what it contains where that is put; and how many are inside each other there.
+        // The innermost parts first: the area that each part covers, with the parts inside, and its levels.
         for &index in parts.order.iter().rev() {
             let part = &parts.list[index];
             let joints = &parts.joints[part.joints.clone()];
@@ -95,7 +96,7 @@ impl Layout {
             layout.phases[index] = own;
             let [low, high] = part.bounds.map(|corner| [0, 1].map(|axis| corner[axis] * scale + own[axis]));
             let mut area = [low.map(|v| v.floor() as i64), high.map(|v| v.ceil() as i64 + 1)];
-            area = area.map(|corner| corner.map(|v| v.clamp(-FAR, FAR)));
+            area = area.map(|corner| corner.map(|v| v.clamp(-FARTHEST, FARTHEST)));
             for (joint, inner) in part.joints.clone().zip(joints) {
                 let other = layout.phases[inner.part];
                 let shift = [0, 1].map(|axis| (inner.at[axis] * scale + own[axis] - other[axis] + 0.5).floor() as i64);
@@ -104,8 +105,8 @@ impl Layout {
             }
             layout.areas[index] = area;
         }
-        // What of that is seen, from the whole on.
-        let covers = core::mem::replace(&mut layout.areas, vec![NOTHING; parts.list.len()]);
+        // The outermost parts first: the area of each part that is seen.
+        let covers = core::mem::replace(&mut layout.areas, vec![NO_CELLS; parts.list.len()]);
         if let Some(&root) = parts.order.first() {
             let ends = [seen[0].map(|v| (v * scale).floor() as i64), seen[1].map(|v| (v * scale).ceil() as i64)];
             layout.areas[root] = common(moved(ends, cell.map(|v| -v)), covers[root]);
@@ -124,22 +125,23 @@ impl Layout {
         layout
     }
 
-    /// Whether the lattice is fine enough for the parts that are inside each other.
-    fn is_true(&self, parts: &Parts) -> bool {
+    /// Whether the lattice is fine enough for the levels of parts.
+    fn is_fine_enough(&self, parts: &Parts) -> bool {
         parts.order.first().is_some_and(|&root| {
             let [low, high] = parts.list[root].bounds;
             let side = (high[0] - low[0]).max(high[1] - low[1]) / f64::from(self.grain);
-            side >= LEAST * f64::from(self.heights[root])
+            side >= CELLS_PER_LEVEL * f64::from(self.heights[root])
         })
     }
 
-    /// The joints of a part whose picture shows something of what they join.
+    /// Whether the picture of a part shows any cell of the part at a joint.
     pub(in crate::plane) fn is_used(&self, parts: &Parts, index: usize, joint: usize) -> bool {
         let inner = parts.joints[joint].part;
         !is_empty(common(moved(self.areas[index], self.shifts[joint].map(|v| -v)), self.areas[inner]))
     }
 
-    /// The most words at a time, and the words painted in all, if parts are done one after the other from the last on.
+    /// The most words at a time, and the words stamped in all, if the parts are made one after the other, the last
+    /// first.
     fn cost(&self, parts: &Parts, planes: impl Fn(&Part) -> usize) -> [u64; 2] {
         let words = |index: usize| {
             let [width, height] = size(self.areas[index]);
@@ -148,7 +150,7 @@ impl Layout {
         let mut uses = self.uses.clone();
         let (mut now, mut most, mut work) = (0_u64, 0, 0_u64);
         for &index in parts.order.iter().rev().filter(|&&index| !is_empty(self.areas[index])) {
-            // On the canvas and as it is kept.
+            // The part is on the canvas and in the kept picture at the same time.
             most = most.max(now + 2 * words(index));
             now += words(index);
             for joint in parts.list[index].joints.clone().filter(|&joint| self.is_used(parts, index, joint)) {
@@ -164,7 +166,7 @@ impl Layout {
     }
 }
 
-/// The middle of what places in a cell are, apart from whole cells: as seen from the first of them.
+/// The mean of places modulo whole cells, from 0 to 1 each way. Each place counts as near as possible to the first.
 fn middle(mut places: impl ExactSizeIterator<Item = [f64; 2]>) -> [f64; 2] {
     let count = places.len() as f64;
     let Some(first) = places.next() else { return [0.0; 2] };
@@ -178,16 +180,16 @@ fn middle(mut places: impl ExactSizeIterator<Item = [f64; 2]>) -> [f64; 2] {
     [0, 1].map(|axis| first[axis] + sum[axis] / count).map(|v| v - v.floor())
 }
 
-/// Farther away nothing is.
-const FAR: i64 = 1 << 40;
-/// No cells.
-const NOTHING: Area = [[FAR; 2], [-FAR; 2]];
+/// Areas are cut at this many cells from the origin, to keep sums in range.
+const FARTHEST: i64 = 1 << 40;
+/// The empty area.
+const NO_CELLS: Area = [[FARTHEST; 2], [-FARTHEST; 2]];
 
 pub(in crate::plane) fn is_empty([low, high]: Area) -> bool {
     low[0] >= high[0] || low[1] >= high[1]
 }
 
-/// Columns and rows.
+/// The numbers of columns and rows.
 pub(in crate::plane) fn size([low, high]: Area) -> [u64; 2] {
     [0, 1].map(|axis| (high[axis] - low[axis]).max(0) as u64)
 }

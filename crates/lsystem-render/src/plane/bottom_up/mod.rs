@@ -1,8 +1,8 @@
-//! The bottom-up strategy, for crowds: the picture of each part is made once, from the pictures of the parts inside it. The
-//! smallest part comes first and the whole drawing last.
+//! The bottom-up strategy, for crowds: the picture of each part is made once, from the pictures of the parts inside it.
+//! The innermost part comes first and the whole drawing last.
 //!
-//! A part is put into the nearest cell of a lattice, where it is off by half a cell at most. With many parts inside each
-//! other that adds up to some cells.
+//! A part is put into the nearest cell of a lattice, so it is off by at most half a cell. The errors of many parts
+//! inside each other add up to some cells.
 
 use crate::plane::RenderStats;
 use crate::plane::canvas::Canvas;
@@ -15,19 +15,19 @@ mod parts;
 
 use crate::plane::canvas::polygon::Filling;
 use crate::plane::canvas::stroke::Capsule;
-use crate::plane::canvas::words::{Block, GROUP};
+use crate::plane::canvas::words::{GROUP, GroupBits};
 use crate::plane::pen::Pen;
 use crate::plane::top_down::tile;
 use crate::plane::view::Measure;
-pub(in crate::plane) use layout::ROOM;
+pub(in crate::plane) use layout::PART_WORDS;
 use lsystem_drawing::{Item, StyleId};
 use lsystem_syntax::{Meter, Progress};
 use parts::Parts;
-pub(in crate::plane) use parts::{Part, Scene};
+pub(in crate::plane) use parts::{Part, PartSource};
 
 /// The finished picture of a part.
 #[derive(Debug, Default)]
-struct Picture {
+struct PartPicture {
     /// A group of nothing, the extents and the planes of [`Bits`], a group of nothing.
     words: Vec<u64>,
     strips: usize,
@@ -35,17 +35,17 @@ struct Picture {
     planes: usize,
 }
 
-impl Picture {
+impl PartPicture {
     fn new(canvas: &Canvas) -> Self {
         let mut picture = Self { words: vec![], strips: canvas.strips, rows: canvas.height, planes: canvas.planes };
         picture.words.reserve_exact(picture.plane(1 + picture.planes) + GROUP);
         picture.words.resize(GROUP, 0);
-        tile::keep(canvas, &mut picture.words);
+        tile::append_bits(canvas, &mut picture.words);
         picture.words.resize(picture.words.len() + GROUP, 0);
         picture
     }
 
-    /// Where a plane begins; the first tells what is covered.
+    /// The first word of a plane; plane 0 is the coverage.
     fn plane(&self, number: usize) -> usize {
         GROUP + self.strips * (1 + number * self.rows)
     }
@@ -62,7 +62,7 @@ impl Picture {
         }
     }
 
-    /// 64 bits of a row of a plane, from a column on; there are none beside the picture.
+    /// 64 bits of a row of a plane, from a column on; bits outside the picture are 0.
     fn word(&self, plane: usize, [column, row]: [i64; 2]) -> u64 {
         let strip = column.div_euclid(u64::BITS.into());
         let word = |strip: i64| match (usize::try_from(strip), usize::try_from(row)) {
@@ -78,38 +78,42 @@ impl Picture {
     }
 }
 
-/// A picture in the making.
+/// A bottom-up picture in the making.
 pub(in crate::plane) struct BottomUp {
     measure: Measure,
     root: Node,
-    /// The whole picture, in subsamples: the upper left and the lower right corner.
+    /// The upper left and the lower right corner of the whole picture, in subsamples.
     seen: [[f64; 2]; 2],
     parts: Parts,
     layout: Layout,
-    /// The lattices that have been tried, and the last of them until it is known what it takes.
     trials: Trials,
-    /// By part, as long as they are needed.
-    pictures: Vec<Option<Picture>>,
+    /// By part, as long as the picture is needed.
+    pictures: Vec<Option<PartPicture>>,
     canvas: Canvas,
-    /// The polygon in hand.
+    /// The polygon that is being filled.
     filling: Filling,
-    /// How many parts, from the last on, have been begun.
+    /// The number of parts begun, from the last in order on.
     begun: usize,
-    /// The part on the canvas, and how many of its joints are done.
+    /// The part on the canvas, and the number of its joints that are done.
     making: Option<(Node, usize)>,
-    /// Strips of the whole picture that are done.
+    /// The number of strips of the whole picture that are done.
     strips: usize,
 }
 
 impl BottomUp {
-    /// Starts a picture of the whole drawing `root`, of which the part from one corner to the other is `seen`, both in
-    /// subsamples; `None` where it is too large.
-    pub(in crate::plane) fn new(scene: Scene<'_>, measure: Measure, root: Node, seen: [[f64; 2]; 2]) -> Option<Self> {
+    /// Starts a picture of the drawing `root` that shows the rectangle `seen`, given by its upper left and lower right
+    /// corners in subsamples; `None` if the drawing is too large.
+    pub(in crate::plane) fn new(
+        source: PartSource<'_>,
+        measure: Measure,
+        root: Node,
+        seen: [[f64; 2]; 2],
+    ) -> Option<Self> {
         Some(Self {
             measure,
             root,
             seen,
-            parts: Parts::new(scene.drawing, scene.shapes, measure, root)?,
+            parts: Parts::new(source.drawing, source.shapes, measure, root)?,
             layout: Layout::default(),
             trials: Trials::default(),
             pictures: vec![],
@@ -121,13 +125,13 @@ impl BottomUp {
         })
     }
 
-    /// The part that was begun last.
+    /// The index of the part that was begun last.
     fn index(&self) -> usize {
         self.parts.order[self.parts.order.len() - self.begun]
     }
 
-    /// Begins with the next part.
-    fn begin(&mut self, scene: Scene<'_>, descent: &mut Descent) {
+    /// Starts the next part.
+    fn begin(&mut self, source: PartSource<'_>, descent: &mut Descent) {
         let index = self.index();
         let area = self.layout.areas[index];
         if is_empty(area) {
@@ -135,30 +139,30 @@ impl BottomUp {
         }
         let part = &self.parts.list[index];
         let [width, height] = size(area).map(|side| side as usize);
-        self.canvas.reset(width, height, scene.planes(part));
+        self.canvas.reset(width, height, source.planes(part));
         let phase = self.layout.phases[index];
         let origin = [0, 1].map(|axis| phase[axis] - area[0][axis] as f64);
-        let node = descent.alone(scene.drawing, part, origin, 1.0 / f64::from(self.layout.grain));
+        let node = descent.part(source.drawing, part, origin, 1.0 / f64::from(self.layout.grain));
         self.making = Some((node, 0));
     }
 
-    /// Paints the next item of the part on the canvas; what that took.
+    /// Paints the next item of the part on the canvas. Returns the units of work.
     fn item(
         &mut self,
-        scene: Scene<'_>,
+        source: PartSource<'_>,
         descent: &mut Descent,
         mut node: Node,
         joints: usize,
         stats: &mut RenderStats,
     ) -> u64 {
-        let Scene { drawing, shapes, inks } = scene;
+        let PartSource { drawing, shapes, inks } = source;
         let index = self.index();
         if node.cursor == drawing.blocks[node.block.0 as usize].items.start {
             self.canvas.settle();
-            self.pictures[index] = Some(Picture::new(&self.canvas));
+            self.pictures[index] = Some(PartPicture::new(&self.canvas));
             self.making = None;
             stats.parts += 1;
-            // As much again to keep it.
+            // Keeping the picture takes as much work as painting it.
             return 1 + 2 * self.canvas.take_work();
         }
         node.cursor -= 1;
@@ -200,12 +204,12 @@ impl BottomUp {
     }
 
     fn stroke(&mut self, inks: &InkTable, [from, to]: [[f64; 2]; 2], pen: Pen) -> u64 {
-        // What is thinner than a cell would be torn.
+        // A stroke thinner than a cell would have gaps.
         let radius = (self.measure.radius(pen.width) / f64::from(self.layout.grain)).max(0.5);
         Capsule { from, to, radius }.paint(&mut self.canvas, inks.code(pen.shade)) as u64 / 4 + 1
     }
 
-    /// Stamps what a joint joins, which is entered with a shade.
+    /// Stamps the inner part of a joint, entered with a shade. Returns the units of work.
     fn stamp(&mut self, inks: &InkTable, index: usize, joint: usize, shade: Shade, stats: &mut RenderStats) -> u64 {
         if !self.layout.is_used(&self.parts, index, joint) {
             return 1;
@@ -225,15 +229,15 @@ impl BottomUp {
         took
     }
 
-    /// Puts a strip of the finished picture where it belongs; what that took.
-    fn put(&mut self, frame: &mut Canvas) -> u64 {
+    /// Copies a strip of the finished picture to the frame. Returns the units of work.
+    fn copy_strip(&mut self, frame: &mut Canvas) -> u64 {
         let Some(root) = self.parts.order.first().copied() else { return 1 };
         let Some(picture) = &self.pictures[root] else { return 1 };
         let grain = i64::from(self.layout.grain);
         let corner = [0, 1].map(|axis| self.layout.origin[axis] + self.layout.areas[root][0][axis]);
         let column = (self.strips * u64::BITS as usize) as i64 / grain - corner[0];
         for group in 0..frame.rows / GROUP {
-            let block = |plane: usize| -> Block {
+            let block = |plane: usize| -> GroupBits {
                 core::array::from_fn(|row| {
                     let row = (group * GROUP + row) as i64 / grain - corner[1];
                     enlarged(picture.word(plane, [column, row]), self.layout.grain)
@@ -246,18 +250,18 @@ impl BottomUp {
 }
 
 impl BottomUp {
-    /// Finds out what there is to be done; `None` where it is too much.
+    /// Finds the parts and their layout; `None` if the parts are too many or take too much.
     pub(in crate::plane) fn plan(
         &mut self,
-        scene: Scene<'_>,
+        source: PartSource<'_>,
         descent: &mut Descent,
         meter: &mut Meter,
     ) -> Option<Progress> {
-        if self.parts.step(scene, self.measure, descent, meter)? == Progress::More {
+        if self.parts.step(source, self.measure, descent, meter)? == Progress::More {
             return Some(Progress::More);
         }
         while !meter.is_spent() {
-            let found = self.trials.step(&self.parts, self.root.place.origin, self.seen, |part| scene.planes(part))?;
+            let found = self.trials.step(&self.parts, self.root.place.origin, self.seen, |part| source.planes(part))?;
             meter.charge(1 + (self.parts.joints.len() + self.parts.list.len()) as u64 / 4);
             if let Some(layout) = found {
                 self.layout = layout;
@@ -268,15 +272,15 @@ impl BottomUp {
         Some(Progress::More)
     }
 
-    /// Whether it is known what there is to be done.
+    /// Whether the parts and their layout are known.
     pub(in crate::plane) fn is_planned(&self) -> bool {
         !self.pictures.is_empty()
     }
 
-    /// Goes on with what has been planned.
+    /// Goes on with the planned picture.
     pub(in crate::plane) fn step(
         &mut self,
-        scene: Scene<'_>,
+        source: PartSource<'_>,
         descent: &mut Descent,
         frame: &mut Canvas,
         stats: &mut RenderStats,
@@ -286,14 +290,14 @@ impl BottomUp {
             if !self.filling.is_done() {
                 self.filling.step(&mut self.canvas, meter);
             } else if let Some((node, joints)) = self.making {
-                meter.charge(self.item(scene, descent, node, joints, stats));
+                meter.charge(self.item(source, descent, node, joints, stats));
                 meter.charge(self.canvas.take_work());
             } else if self.begun < self.parts.order.len() {
                 self.begun += 1;
-                self.begin(scene, descent);
+                self.begin(source, descent);
                 meter.charge(1);
             } else if self.strips < frame.strips {
-                meter.charge(self.put(frame));
+                meter.charge(self.copy_strip(frame));
                 self.strips += 1;
             } else {
                 return Progress::Done;
@@ -303,7 +307,7 @@ impl BottomUp {
     }
 }
 
-/// The first bits of a word, each of them so many times: a power of two.
+/// The first bits of a word, each repeated `times` times; `times` is a power of two.
 fn enlarged(word: u64, times: u32) -> u64 {
     if times == 1 {
         return word;
@@ -326,7 +330,7 @@ mod tests {
     use super::*;
     use crate::plane::sample::Sample;
     use crate::plane::shape::shapes;
-    use crate::plane::view::{Camera, View, Viewport};
+    use crate::plane::view::{View, ViewTransform, Viewport};
 
     #[test]
     fn bits_are_enlarged() {
@@ -349,22 +353,23 @@ mod tests {
             let (shapes, mut inks, mut descent) = (shapes(&drawing), InkTable::default(), Descent::default());
             inks.choose(&drawing, &sample.0.style);
             inks.prepare(&drawing, &mut Meter::new(u64::MAX));
-            let scene = Scene { drawing: &drawing, shapes: &shapes, inks: &inks };
-            let camera = Camera::new(&drawing, viewport, View { zoom, ..View::default() }, 4.0);
-            let measure = Measure { hairline: 2.0, step: camera.step, scale: camera.scale };
-            let root = descent.root(&drawing, camera).unwrap();
-            let mut bottom_up = BottomUp::new(scene, measure, root, [[0.0; 2], [6400.0, 4000.0]]).unwrap();
-            while bottom_up.plan(scene, &mut descent, &mut Meter::new(1000)).unwrap() == Progress::More {}
+            let source = PartSource { drawing: &drawing, shapes: &shapes, inks: &inks };
+            let transform = ViewTransform::new(&drawing, viewport, View { zoom, ..View::default() }, 4.0);
+            let measure = Measure { hairline: 2.0, step: transform.step, scale: transform.scale };
+            let root = descent.root(&drawing, transform).unwrap();
+            let mut bottom_up = BottomUp::new(source, measure, root, [[0.0; 2], [6400.0, 4000.0]]).unwrap();
+            while bottom_up.plan(source, &mut descent, &mut Meter::new(1000)).unwrap() == Progress::More {}
             let mut frame = Canvas::default();
             frame.reset(6400, 4000, inks.picture_planes());
             let mut stats = RenderStats::default();
             let mut most = 0;
-            while bottom_up.step(scene, &mut descent, &mut frame, &mut stats, &mut Meter::new(1000)) == Progress::More {
-                // The pictures and the canvas; the words around them, and extents, are few.
+            while bottom_up.step(source, &mut descent, &mut frame, &mut stats, &mut Meter::new(1000)) == Progress::More
+            {
+                // The words of extents and of the groups around a picture are few, and left out.
                 let kept: usize = bottom_up.pictures.iter().flatten().map(|p| p.strips * p.rows * (1 + p.planes)).sum();
                 most = most.max(kept + bottom_up.canvas.covered.len() + bottom_up.canvas.colours.len());
             }
-            assert!((ROOM / 8..=ROOM + ROOM / 64).contains(&(most as u64)), "{most} of {ROOM}");
+            assert!((PART_WORDS / 8..=PART_WORDS + PART_WORDS / 64).contains(&(most as u64)), "{most} of {PART_WORDS}");
             assert_eq!(bottom_up.pictures.iter().flatten().count(), 1, "the whole is left");
             assert_eq!(stats.parts as usize, bottom_up.pictures.len());
         }
@@ -378,13 +383,13 @@ mod tests {
         let (shapes, mut inks, mut descent) = (shapes(&drawing), InkTable::default(), Descent::default());
         inks.choose(&drawing, &sample.0.style);
         inks.prepare(&drawing, &mut Meter::new(u64::MAX));
-        let scene = Scene { drawing: &drawing, shapes: &shapes, inks: &inks };
-        let camera = Camera::new(&drawing, viewport, View::default(), 1.0);
-        // One sample a pixel, and four pixels to a cell: an eighth of a cell is half as wide as a stroke.
-        let measure = Measure { hairline: 0.5, step: camera.step, scale: camera.scale };
-        let root = descent.root(&drawing, camera).unwrap();
+        let source = PartSource { drawing: &drawing, shapes: &shapes, inks: &inks };
+        let transform = ViewTransform::new(&drawing, viewport, View::default(), 1.0);
+        // With one subsample in a pixel and four pixels in a cell, a stroke is an eighth of a cell wide.
+        let measure = Measure { hairline: 0.5, step: transform.step, scale: transform.scale };
+        let root = descent.root(&drawing, transform).unwrap();
         let pen = root.pen;
-        let mut bottom_up = BottomUp::new(scene, measure, root, [[0.0; 2], [64.0; 2]]).unwrap();
+        let mut bottom_up = BottomUp::new(source, measure, root, [[0.0; 2], [64.0; 2]]).unwrap();
         bottom_up.layout.grain = 4;
         bottom_up.canvas.reset(64, 64, inks.picture_planes());
         bottom_up.stroke(&inks, [[2.0, 20.3], [62.0, 31.7]], pen);

@@ -1,5 +1,5 @@
-//! Which parts a picture is made of: its blocks, told apart by whatever makes their pictures differ. What recurs at far
-//! too many places to look into each of them still recurs in few ways.
+//! The parts of a bottom-up picture: its blocks, told apart by everything that makes their pictures differ. A block may
+//! recur at too many places to look into each, but it recurs in few headings, scales and widths.
 
 use crate::plane::descent::{Descent, Node};
 use crate::plane::inks::InkTable;
@@ -13,109 +13,111 @@ use lsystem_drawing::{BlockId, Drawing, Item};
 use lsystem_syntax::{Heading, Meter, Progress};
 use std::collections::{BinaryHeap, HashMap};
 
-/// What a picture is made of.
+/// The facts that parts are made from.
 #[derive(Clone, Copy)]
-pub(in crate::plane) struct Scene<'a> {
+pub(in crate::plane) struct PartSource<'a> {
     pub drawing: &'a Drawing,
     pub shapes: &'a [Shape],
     pub inks: &'a InkTable,
 }
 
-impl Scene<'_> {
+impl PartSource<'_> {
     /// The bit planes of a part's picture.
     pub(in crate::plane) fn planes(&self, part: &Part) -> usize {
         self.inks.planes(self.inks.of(part.block.0 as usize))
     }
 }
 
-/// The most parts, and the most items in all of them.
-const MOST: [usize; 2] = [20_000, 200_000];
-/// The most subsamples in a unit of the root block: places are integers here, with room to spare.
-const LARGEST: f64 = (1_u64 << 32) as f64;
+/// The most parts of a picture.
+const MOST_PARTS: usize = 20_000;
+/// The most items in all parts.
+const MOST_ITEMS: usize = 200_000;
+/// The most subsamples in a unit of the root block, so that cells are exact integers.
+const LARGEST_SCALE: f64 = (1_u64 << 32) as f64;
 
-/// A block as it is in some places of the picture.
+/// A block at one heading, scale and width.
 #[derive(Clone, Debug)]
 pub(in crate::plane) struct Part {
     pub block: BlockId,
     pub heading: Heading,
-    /// Subsamples in one of its units.
+    /// Subsamples in one unit of the block.
     pub scale: f64,
     /// The width at entry, in step lengths.
     pub width: f64,
-    /// Where it contains others, last first.
+    /// The indices of its joints, the last item's first.
     pub joints: Range<usize>,
-    /// What it covers, from its origin in subsamples: the upper left and the lower right corner.
+    /// The upper left and the lower right corner of the area it covers, from its origin in subsamples.
     pub bounds: [[f64; 2]; 2],
 }
 
-/// Where a part contains another.
+/// A place where a part contains another.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::plane) struct Joint {
-    /// Which of the drawing's items.
+    /// The index of the item in the drawing.
     pub item: u32,
-    /// Which of the parts.
+    /// The index of the inner part.
     pub part: usize,
-    /// From one origin to the other, in subsamples.
+    /// The offset from the outer to the inner origin, in subsamples.
     pub at: [f64; 2],
 }
 
-/// All that a part's picture depends on: as for tiles, which also depend on where they are.
-type Key = (BlockId, Heading, u64, Option<u64>);
+/// Everything that a part's picture depends on: block, heading, scale, and the width if it is wider than a hairline.
+type PartKey = (BlockId, Heading, u64, Option<u64>);
 
 /// The parts of a picture.
 #[derive(Default)]
 pub(in crate::plane) struct Parts {
     pub list: Vec<Part>,
     pub joints: Vec<Joint>,
-    /// Those looked into: a part comes before all that are inside it, and the first is the whole drawing.
+    /// The parts looked into. A part comes before all parts inside it, and the first is the whole drawing.
     pub order: Vec<usize>,
-    known: HashMap<Key, usize, BuildHasherDefault<Mixer>>,
-    /// Those found and not looked into. Blocks have larger numbers than those inside them.
+    known: HashMap<PartKey, usize, BuildHasherDefault<Mixer>>,
+    /// The parts not looked into yet. A block has a larger number than the blocks inside, so outer parts come first.
     waiting: BinaryHeap<(BlockId, Heading, usize)>,
-    /// The one that is looked into.
-    opened: Option<Opened>,
-    /// Items looked at.
+    /// The part that is being looked into.
+    opened: Option<OpenPart>,
+    /// The number of items in all parts looked into.
     items: usize,
 }
 
-/// A part that is looked into, from its last item on.
+/// A part that is being looked into, from its last item on.
 #[derive(Clone, Copy)]
-struct Opened {
+struct OpenPart {
     index: usize,
     node: Node,
-    /// The first of its joints.
+    /// The index of its first joint.
     first: usize,
 }
 
 impl Parts {
-    /// Starts with the whole drawing; `None` where it is too large.
+    /// Starts with the whole drawing; `None` if the drawing is too large.
     pub(in crate::plane) fn new(drawing: &Drawing, shapes: &[Shape], measure: Measure, root: Node) -> Option<Self> {
         let mut parts = Self::default();
         parts.find(drawing, shapes, measure, root);
-        (root.place.scale < LARGEST).then_some(parts)
+        (root.place.scale < LARGEST_SCALE).then_some(parts)
     }
 
-    /// Looks into parts; `None` where there are too many.
+    /// Looks into parts; `None` if there are too many.
     pub(in crate::plane) fn step(
         &mut self,
-        scene: Scene<'_>,
+        scene: PartSource<'_>,
         measure: Measure,
         descent: &mut Descent,
         meter: &mut Meter,
     ) -> Option<Progress> {
-        let Scene { drawing, shapes, inks } = scene;
+        let PartSource { drawing, shapes, inks } = scene;
         while !meter.is_spent() {
             if self.opened.is_none() {
                 let Some((block, _, index)) = self.waiting.pop() else { return Some(Progress::Done) };
                 self.items += drawing.items_of(block).len();
-                if [self.list.len(), self.items].into_iter().zip(MOST).any(|(count, most)| count > most) {
+                if self.list.len() > MOST_PARTS || self.items > MOST_ITEMS {
                     return None;
                 }
-                let node = descent.alone(drawing, &self.list[index], [0.0; 2], 1.0);
-                self.opened = Some(Opened { index, node, first: self.joints.len() });
+                let node = descent.part(drawing, &self.list[index], [0.0; 2], 1.0);
+                self.opened = Some(OpenPart { index, node, first: self.joints.len() });
             }
             let Some(opened) = &mut self.opened else { continue };
-            let Opened { index, node, first } = *opened;
+            let OpenPart { index, node, first } = *opened;
             if node.cursor == drawing.blocks[node.block.0 as usize].items.start {
                 self.list[index].joints = first..self.joints.len();
                 self.order.push(index);
@@ -138,7 +140,7 @@ impl Parts {
         Some(Progress::More)
     }
 
-    /// The part that a block is.
+    /// The index of the part that a block is, which is added if it is new.
     fn find(&mut self, drawing: &Drawing, shapes: &[Shape], measure: Measure, node: Node) -> usize {
         let Node { block, place, pen, .. } = node;
         let radius = measure.widest(&drawing.blocks[block.0 as usize], pen.width);

@@ -2,11 +2,11 @@
 
 /// Bit planes of a tile, each laid out as on a canvas: by strip, then row.
 pub(in crate::plane) struct Planes<'a> {
-    /// Before and behind the planes there is a group of words more at least.
+    /// The words. At least one group of other words lies before the planes, and one behind.
     pub words: &'a [u64],
-    /// Where the first plane begins.
+    /// The index of the first word of the first plane.
     pub first: usize,
-    /// Words of a plane.
+    /// The number of words in a plane.
     pub size: usize,
     pub count: usize,
 }
@@ -14,10 +14,10 @@ pub(in crate::plane) struct Planes<'a> {
 /// The bits of a tile.
 pub(in crate::plane) struct Bits<'a> {
     pub rows: usize,
-    /// By strip: the first row that has bits, and 2^32 times the row after the last.
+    /// By strip: the first row that has bits, plus 2^32 times the row after the last.
     pub extents: &'a [u64],
     pub covered: Planes<'a>,
     pub colours: Planes<'a>,
-    /// The digits of colours that are dyed already.
+    /// The digits of the dyed colours, if there is a copy.
     pub dyed: Option<Planes<'a>>,
 }

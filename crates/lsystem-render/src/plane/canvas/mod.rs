@@ -1,10 +1,10 @@
-//! The subsamples of a picture: one bit each for "covered", and a colour number in binary, a bit plane per digit.
+//! The subsamples of a picture: one bit each for "covered", and a colour number in binary, with a bit plane per digit.
 //!
 //! Bits lie in vertical strips of 64 columns, a word per row, so that stamping a tile at any offset is a loop over
-//! consecutive words with one shift. Painting goes from the last drawn to the first: what is covered stays.
+//! consecutive words with one shift. Painting goes from the last drawn to the first: a covered subsample stays.
 //!
-//! What a broad stroke covers throughout is one number to eight words of each plane, so that large pictures of little
-//! take little memory traffic; and nothing is cleared before it is painted upon.
+//! A group of eight words that one colour covers is stored as one number, and a group is cleared only when it is first
+//! painted. So large pictures with few strokes take little memory traffic.
 
 pub(in crate::plane) mod bits;
 pub(in crate::plane) mod polygon;
@@ -16,65 +16,65 @@ use crate::plane::inks::{Dye, PLANES};
 use bits::Bits;
 use core::ops::Range;
 use lsystem_syntax::{Meter, Progress};
-use words::{Block, GROUP, NOTHING, STRIP, Spans, Words, any, columns, has_only_holes, within};
+use words::{GROUP, GroupBits, NOTHING, STRIP, Spans, Words, any, columns, has_only_holes, within};
 
-/// Rows in a cell; a cell is a strip's word range that is made pixels of at once.
+/// Rows in a cell. A cell is 64 rows of a strip, and is turned into pixels at once.
 const CELL: usize = 64;
-/// Groups in a word of bits.
+/// Groups whose states fit into a word.
 const GROUPS: usize = u64::BITS as usize;
 
 /// A bit picture. Coordinates are subsamples, y down.
 #[derive(Default)]
 pub(in crate::plane) struct Canvas {
     pub strips: usize,
-    /// Whole groups of them.
+    /// The rows: `height`, rounded up to whole groups.
     pub rows: usize,
-    /// As many of the rows as were asked for.
+    /// The rows that were asked for.
     pub height: usize,
     /// Cells in a strip.
     pub cells: usize,
     /// Bit planes of colours.
     pub planes: usize,
-    /// Whether what is covered but for a few holes counts as covered.
+    /// Whether a group with a few holes counts as covered.
     pub holes: bool,
-    /// By strip, then row. These are there where a group is mixed; elsewhere they are left over from other pictures.
+    /// Which subsamples are covered: by strip, then row. Valid only in mixed groups; other words are leftovers.
     pub covered: Vec<u64>,
-    /// The same by plane, then strip, then row. Only bits that are covered are ever set.
+    /// The digits of colours: by plane, then strip, then row. A bit is set only where the subsample is covered.
     pub colours: Vec<u64>,
-    /// By strip: a bit for each group that is not covered throughout, or as good as that.
+    /// By strip: a bit for each group that is not yet covered throughout (but for holes).
     open: Vec<u64>,
-    /// By strip: a bit for each group whose subsamples differ.
+    /// By strip: a bit for each group whose words are valid.
     mixed: Vec<u64>,
-    /// By strip, then group: the colour of one that is neither open nor mixed.
+    /// By strip, then group: the colour of a group that is neither open nor mixed.
     plain: Vec<u16>,
-    /// Units of work done since it was asked last, beside what painters count.
+    /// Units of work since the last [`Canvas::take_work`], without those that the painters count.
     work: u64,
-    /// While room is made: for how many words, by plane, and for how many there is some.
+    /// While room is made: the words of a plane and the number of planes, and the words that are done.
     room: ([usize; 2], usize),
 }
 
 /// Strips, or words of bits, that are looked at in a unit of work.
-const LOOKS: usize = 16;
+const LOOKS_PER_UNIT: usize = 16;
 /// Groups that are painted in a unit of work.
-const PAINTED: usize = 4;
+const GROUPS_PER_UNIT: usize = 4;
 /// Words that are cleared or copied in a unit of work.
-const COPIED: usize = 128;
-/// Words that room is made for between two looks at the meter.
-const AT_ONCE: usize = COPIED << 12;
+const WORDS_PER_UNIT: usize = 128;
+/// Words that room is made for between two looks at the meter: 4 MiB.
+const PIECE: usize = WORDS_PER_UNIT << 12;
 
-/// What a group holds.
+/// The state of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plane) enum Group {
-    /// Nothing.
+    /// No subsample is covered.
     Bare,
-    /// One colour throughout.
+    /// One colour covers all subsamples.
     Plain(u16),
-    /// What its words tell.
+    /// The words of the group hold its subsamples.
     Mixed,
 }
 
 impl Canvas {
-    /// Makes it empty and at least `width` by `height` subsamples.
+    /// Empties the canvas and makes it at least `width` by `height` subsamples.
     pub(in crate::plane) fn reset(&mut self, width: usize, height: usize, planes: usize) {
         let (strips, rows) = (width.div_ceil(STRIP), height.next_multiple_of(GROUP));
         self.height = height;
@@ -88,10 +88,10 @@ impl Canvas {
         self.open.resize(words, u64::MAX);
         self.mixed.clear();
         self.mixed.resize(words, 0);
-        self.work += ((words + size * (1 + planes)) / COPIED) as u64;
+        self.work += ((words + size * (1 + planes)) / WORDS_PER_UNIT) as u64;
     }
 
-    /// Makes room for so many subsamples, in pieces. What emptying a large canvas takes is the first touch of its memory.
+    /// Makes room for `width` by `height` subsamples, in pieces: the first touch of new memory takes most of the time.
     pub(in crate::plane) fn make_room(
         &mut self,
         [width, height]: [usize; 2],
@@ -105,12 +105,12 @@ impl Canvas {
             (*wanted, *done) = ([size, planes], 0);
         }
         while *done < all {
-            let next = all.min(*done + AT_ONCE);
+            let next = all.min(*done + PIECE);
             grow(&mut self.covered, next.min(size), size);
             grow(&mut self.colours, next.saturating_sub(size), size * planes);
-            meter.charge((1 + (next - *done) / COPIED) as u64);
+            meter.charge((1 + (next - *done) / WORDS_PER_UNIT) as u64);
             *done = next;
-            // Whatever the meter says, a piece is done each time.
+            // Each call does at least one piece, so that calls with a spent meter end.
             if meter.is_spent() && next < all {
                 return Progress::More;
             }
@@ -119,12 +119,12 @@ impl Canvas {
         Progress::Done
     }
 
-    /// The units of work done since this was asked last, beside what painters count.
+    /// Returns the units of work since the last call, without those that the painters count.
     pub(in crate::plane) fn take_work(&mut self) -> u64 {
         core::mem::take(&mut self.work)
     }
 
-    /// What a group of a strip holds.
+    /// The state of a group of a strip.
     #[inline]
     pub(in crate::plane) fn group(&self, strip: usize, group: usize) -> Group {
         let (word, bit) = (strip * self.words() + group / GROUPS, 1 << (group % GROUPS));
@@ -150,9 +150,9 @@ impl Canvas {
         (self.mixed[word] | !self.open[word]) & bits != 0
     }
 
-    /// Lets the words of every group tell what it holds.
+    /// Writes the state of every group to its words.
     pub(in crate::plane) fn settle(&mut self) {
-        self.work += (self.covered.len() * (1 + self.planes) / COPIED) as u64;
+        self.work += (self.covered.len() * (1 + self.planes) / WORDS_PER_UNIT) as u64;
         for strip in 0..self.strips {
             for group in 0..self.rows / GROUP {
                 let at = strip * self.rows + group * GROUP;
@@ -168,8 +168,8 @@ impl Canvas {
         }
     }
 
-    /// Sets the words of a group, which begins at a word of every plane: what is covered, and no colours.
-    fn begin_group(&mut self, at: usize, bits: Block) {
+    /// Sets the words of a group, which begins at the word `at` of every plane: the coverage `bits`, and no colours.
+    fn begin_group(&mut self, at: usize, bits: GroupBits) {
         let size = self.covered.len();
         if let Some(words) = self.covered[at..].first_chunk_mut() {
             *words = bits;
@@ -186,19 +186,19 @@ impl Canvas {
         (self.rows / GROUP).div_ceil(GROUPS)
     }
 
-    /// Those of the groups `first..=last` of a strip, which lie in one word, that are not covered throughout: bits.
+    /// The bits of the open groups among the groups `first..=last` of a strip, which share one word.
     #[inline]
     fn open(&self, strip: usize, groups: [usize; 2]) -> u64 {
         let word = groups[0] / GROUPS;
         self.open[strip * self.words() + word] & columns(word, groups)
     }
 
-    /// The planes of colours, each laid out as what is covered.
+    /// The planes of colours, each with the layout of `covered`.
     pub(in crate::plane) fn colour_planes(&self) -> impl Iterator<Item = &[u64]> {
         self.colours.chunks_exact(self.covered.len().max(1))
     }
 
-    /// In subsamples, whole strips and groups.
+    /// The width and the height in subsamples, in whole strips and groups.
     pub(in crate::plane) fn size(&self) -> [f64; 2] {
         [self.strips * STRIP, self.rows].map(|side| side as f64)
     }
@@ -212,9 +212,9 @@ impl Canvas {
         let mut looks = 0;
         for strip in x[0] / STRIP..=x[1] / STRIP {
             looks += words;
-            if looks >= LOOKS {
-                self.work += (looks / LOOKS) as u64;
-                looks %= LOOKS;
+            if looks >= LOOKS_PER_UNIT {
+                self.work += (looks / LOOKS_PER_UNIT) as u64;
+                looks %= LOOKS_PER_UNIT;
             }
             let outside = !columns(strip, x);
             let column = &self.covered[strip * self.rows..][..self.rows];
@@ -231,7 +231,7 @@ impl Canvas {
                         if !(self.holes && has_only_holes(&column[first..first + GROUP])) {
                             return false;
                         }
-                        // Not before it is asked for: what fills a picture from one side to the other leaves no holes.
+                        // Holes are looked for only on demand: most strokes leave none.
                         self.open[index] &= !(open & open.wrapping_neg());
                     }
                     open &= open - 1;
@@ -261,7 +261,7 @@ impl Canvas {
         for strip in 0..strips + usize::from(shift > 0) {
             let to = x.div_euclid(STRIP as i64) + strip as i64;
             let Some(to) = usize::try_from(to).ok().filter(|&to| to < self.strips) else { continue };
-            // Bits of this strip of the tile, and those that the one before it leaves over.
+            // A strip of the canvas takes bits of this strip of the tile, and the rest of the strip before.
             let (mut rows, mut sources) = (extent(strip), [strip.min(strips - 1); 2]);
             if shift > 0 && strip > 0 {
                 let before = extent(strip - 1);
@@ -290,7 +290,7 @@ impl Canvas {
             while open != 0 {
                 let group = word * GROUPS + open.trailing_zeros() as usize;
                 open &= open - 1;
-                // Before the first and behind the last of the tile's rows there are others.
+                // Words before the first row of the tile and behind the last belong to others, so they are masked.
                 let skipped = (group * GROUP) as i64 - top;
                 let words = Words { at: words.at.map(|at| at.wrapping_add_signed(skipped as isize)), ..words };
                 let mut bits = words.masked(&tile.covered);
@@ -310,7 +310,13 @@ impl Canvas {
     }
 
     /// Paints these subsamples of a group, in colours whose digits are given by plane.
-    pub(in crate::plane) fn put(&mut self, strip: usize, group: usize, bits: Block, digit: impl Fn(usize) -> Block) {
+    pub(in crate::plane) fn put(
+        &mut self,
+        strip: usize,
+        group: usize,
+        bits: GroupBits,
+        digit: impl Fn(usize) -> GroupBits,
+    ) {
         if let Some(new) = self.cover(strip, group, bits) {
             for plane in 0..self.planes {
                 self.add(plane, strip * self.rows + group * GROUP, &new, &digit(plane));
@@ -318,9 +324,9 @@ impl Canvas {
         }
     }
 
-    /// Covers these subsamples of a group; those that were not covered, if there are any.
+    /// Covers these subsamples of a group. Returns the subsamples that were not covered before, if there are any.
     #[inline(always)]
-    fn cover(&mut self, strip: usize, group: usize, bits: Block) -> Option<Block> {
+    fn cover(&mut self, strip: usize, group: usize, bits: GroupBits) -> Option<GroupBits> {
         let at = strip * self.rows + group * GROUP;
         let (word, bit) = (strip * self.words() + group / GROUPS, 1 << (group % GROUPS));
         if self.mixed[word] & bit == 0 {
@@ -352,9 +358,9 @@ impl Canvas {
         Some(new)
     }
 
-    /// Gives colours to what is `new` in a group that begins at a word of every plane: those of a tile's `words`, dyed.
+    /// Gives the `new` subsamples of a group, which begins at the word `at` of every plane, the dyed colours of a tile.
     #[inline(always)]
-    fn dye(&mut self, at: usize, new: &Block, tile: &Bits<'_>, words: &Words, dye: &Dye) {
+    fn dye(&mut self, at: usize, new: &GroupBits, tile: &Bits<'_>, words: &Words, dye: &Dye) {
         if dye.is_even(tile.colours.count) {
             return self.colour(at, new, dye.entry.code(dye.digits));
         }
@@ -378,9 +384,9 @@ impl Canvas {
         }
     }
 
-    /// Sets what is `new` of some bits in a plane of a group that begins at this word.
+    /// Sets those of the `bits` that are `new`, in a plane of a group that begins at the word `at`.
     #[inline(always)]
-    fn add(&mut self, plane: usize, at: usize, new: &Block, bits: &Block) {
+    fn add(&mut self, plane: usize, at: usize, new: &GroupBits, bits: &GroupBits) {
         if let Some(words) = self.colours[plane * self.covered.len() + at..].first_chunk_mut::<GROUP>() {
             for ((word, bits), new) in words.iter_mut().zip(bits).zip(new) {
                 *word |= bits & new;
@@ -388,15 +394,15 @@ impl Canvas {
         }
     }
 
-    /// Gives a colour to what is `new` in a group that begins at a word of every plane.
+    /// Gives the `new` subsamples of a group, which begins at the word `at` of every plane, a colour.
     #[inline(always)]
-    fn colour(&mut self, at: usize, new: &Block, colour: u32) {
+    fn colour(&mut self, at: usize, new: &GroupBits, colour: u32) {
         for plane in (0..self.planes).filter(|plane| colour >> plane & 1 != 0) {
             self.add(plane, at, new, new);
         }
     }
 
-    /// Paints a shape, as [`Canvas::trace`] goes along it.
+    /// Paints a shape; the arguments are those of [`Canvas::trace`].
     #[inline]
     pub(in crate::plane) fn fill(
         &mut self,
@@ -411,9 +417,9 @@ impl Canvas {
         });
     }
 
-    /// Goes along the groups of a shape that are not covered throughout, row by row, as long as `visit` says so. `spans`
-    /// sets the spans of some rows of a group, which reach nothing before, and gives the first and the last column of
-    /// them all; `bounds` gives columns between which the shape is in some rows.
+    /// Visits the open groups of a shape from top to bottom, until `visit` returns `false`. `spans` sets the spans of
+    /// some rows of a group, which are empty before, and returns their first and last column. `bounds` returns columns
+    /// between which the shape lies in some rows.
     #[inline(always)]
     pub(in crate::plane) fn trace(
         &mut self,
@@ -432,8 +438,8 @@ impl Canvas {
             let reach = [reach[0].max(0), reach[1].min(right)];
             let strips =
                 if reach[0] <= reach[1] { reach[0] as usize / STRIP..reach[1] as usize / STRIP + 1 } else { 0..0 };
-            if strips.len() > LOOKS {
-                self.work += (strips.len() / LOOKS) as u64;
+            if strips.len() > LOOKS_PER_UNIT {
+                self.work += (strips.len() / LOOKS_PER_UNIT) as u64;
             }
             let mut open = strips.fold(0, |open, strip| open | self.open(strip, groups));
             while open != 0 {
@@ -450,14 +456,14 @@ impl Canvas {
         }
     }
 
-    /// Whether some rows of a group are covered; `reach` is from the first to the last of all their columns.
+    /// Whether the spans in a group are covered; `reach` is their first and last column.
     pub(in crate::plane) fn is_group_full(&mut self, group: usize, reach: [i64; 2], spans: &Spans) -> bool {
         let right = (self.strips * STRIP) as i64 - 1;
         if reach[0] > right || reach[1] < 0 {
             return true;
         }
         let strips = reach.map(|column| column.clamp(0, right) as usize / STRIP);
-        self.work += (strips[1].saturating_sub(strips[0]) / PAINTED) as u64;
+        self.work += (strips[1].saturating_sub(strips[0]) / GROUPS_PER_UNIT) as u64;
         (strips[0]..=strips[1]).filter(|&strip| self.open(strip, [group; 2]) != 0).all(|strip| {
             let bits = within(strip, spans);
             let mixed = self.group(strip, group) == Group::Mixed;
@@ -466,14 +472,14 @@ impl Canvas {
         })
     }
 
-    /// Paints some rows of a group; `reach` is from the first to the last of all their columns.
+    /// Paints the spans in a group; `reach` is their first and last column.
     #[inline(always)]
     pub(in crate::plane) fn fill_group(&mut self, group: usize, reach: [i64; 2], spans: &Spans, colour: u32) {
         const LAST: i64 = STRIP as i64 - 1;
         let right = (self.strips * STRIP) as i64 - 1;
         let strips = reach.map(|column| column.clamp(0, right) as usize / STRIP);
         if strips[0] == strips[1] && reach[0] >= 0 && reach[1] <= right {
-            // Mostly so: what is thin and steep.
+            // Thin steep strokes, the most frequent, lie in one strip.
             let bits = |[first, last]: [i64; 2]| u64::MAX << (first & LAST) & u64::MAX >> (!last & LAST);
             let bits = spans.map(|span| if span[0] <= span[1] { bits(span) } else { 0 });
             return self.fill_strip(strips[0], group, bits, colour);
@@ -481,8 +487,8 @@ impl Canvas {
         if reach[0] > right || reach[1] < 0 {
             return;
         }
-        self.work += (strips[1].saturating_sub(strips[0]) / PAINTED) as u64;
-        // Columns that all rows have: most of what is broad.
+        self.work += (strips[1].saturating_sub(strips[0]) / GROUPS_PER_UNIT) as u64;
+        // The columns that all rows have make up most of a broad stroke.
         let inner = spans.iter().fold([i64::MIN, i64::MAX], |[a, b], &[first, last]| [a.max(first), b.min(last)]);
         for strip in strips[0]..=strips[1] {
             if self.open(strip, [group; 2]) == 0 {
@@ -501,7 +507,7 @@ impl Canvas {
         }
     }
 
-    /// Paints all of an open group, if it is bare.
+    /// Paints all of an open group, if the group is bare. Returns whether it was.
     #[inline]
     fn fill_bare(&mut self, strip: usize, group: usize, colour: u32) -> bool {
         let (word, bit) = (strip * self.words() + group / GROUPS, 1 << (group % GROUPS));
@@ -515,7 +521,7 @@ impl Canvas {
 
     /// Paints these subsamples of a group.
     #[inline(always)]
-    fn fill_strip(&mut self, strip: usize, group: usize, bits: Block, colour: u32) {
+    fn fill_strip(&mut self, strip: usize, group: usize, bits: GroupBits, colour: u32) {
         if self.open(strip, [group; 2]) != 0
             && let Some(new) = self.cover(strip, group, bits)
         {
@@ -524,7 +530,7 @@ impl Canvas {
     }
 }
 
-/// Makes a list that will be `whole` long at least `length` long.
+/// Makes a list at least `length` long, with room for the final length `whole`.
 fn grow(list: &mut Vec<u64>, length: usize, whole: usize) {
     if list.len() < length {
         list.reserve_exact(whole - list.len());

@@ -5,37 +5,37 @@ use super::words::{GROUP, NOTHING, Spans};
 use core::ops::Range;
 use lsystem_syntax::{Meter, Progress};
 
-/// Where the outline crosses a row, and whether downwards.
+/// A place where the outline crosses a row: its x, and 1 downwards or -1 upwards.
 pub(in crate::plane) type Crossing = (f64, i32);
-/// Side of an outline: from one corner to the next.
+/// A side of an outline, from one corner to the next.
 pub(in crate::plane) type Side = [[f64; 2]; 2];
-/// A row with more crossings than this is filled without sorting them.
-pub(in crate::plane) const MANY: usize = 1 << 12;
+/// A row with more crossings than this is filled without sorting them, to bound the work of a row.
+pub(in crate::plane) const MOST_SORTED: usize = 1 << 12;
 /// Sides of an outline that are looked at in a unit of work.
-const SIDES: usize = 8;
+const SIDES_PER_UNIT: usize = 8;
 
 /// A polygon that is being filled.
 #[derive(Debug, Default)]
 pub(in crate::plane) struct Filling {
-    /// On the subsample lattice, y down.
+    /// The outline on the subsample lattice, y down.
     vertices: Vec<[f64; 2]>,
     colour: u32,
-    /// Those that are still to be filled.
+    /// The rows that are still to be filled.
     rows: Range<usize>,
-    /// The sides that the rows in hand may cross.
+    /// The sides that may cross the rows of the present group.
     sides: Vec<Side>,
     crossings: Vec<Crossing>,
     /// The first spans of the rows of a group, their second spans, and so on.
     layers: Vec<Spans>,
-    /// By column: how the winding changes there, where a row has very many crossings.
+    /// By column: the change of the winding number there, for a row with very many crossings.
     changes: Vec<i32>,
-    /// Rows and spans so far.
+    /// The spans so far, and an eighth of the vertices for each row.
     pub work: usize,
 }
 
 impl Filling {
-    /// Starts to paint every subsample whose centre the outline winds around a number of times other than zero;
-    /// `vertices` on the subsample lattice, y down. The units of work that this took.
+    /// Starts to paint every subsample around whose centre the outline has a winding number other than 0. `vertices`
+    /// are on the subsample lattice, y down. Returns the units of work.
     pub(in crate::plane) fn begin(
         &mut self,
         canvas: &Canvas,
@@ -55,10 +55,10 @@ impl Filling {
         if first <= last && self.vertices.iter().flatten().all(|c| c.is_finite()) {
             self.rows = first as usize..last as usize + 1;
         }
-        1 + (self.vertices.len() / SIDES) as u64
+        1 + (self.vertices.len() / SIDES_PER_UNIT) as u64
     }
 
-    /// Whether there is nothing to be filled.
+    /// Whether all rows are filled.
     pub(in crate::plane) fn is_done(&self) -> bool {
         self.rows.is_empty()
     }
@@ -74,7 +74,7 @@ impl Filling {
         Progress::Done
     }
 
-    /// Fills all of it at once, for outlines of few corners; the units of work that this took.
+    /// Fills all rows at once, for outlines of few corners. Returns the units of work.
     pub(in crate::plane) fn finish(&mut self, canvas: &mut Canvas) -> u64 {
         let mut units = 0;
         while !self.is_done() {
@@ -83,7 +83,7 @@ impl Filling {
         units
     }
 
-    /// Fills the rows of the next group; the units of work that this took.
+    /// Fills the rows of the next group. Returns the units of work.
     fn group(&mut self, canvas: &mut Canvas) -> u64 {
         let right = canvas.size()[0];
         let start = self.rows.start;
@@ -98,7 +98,7 @@ impl Filling {
             let mut layer = 0;
             let mut work = 0;
             let mut span = |start: f64, x: f64| {
-                // From the first to the last centre between the two.
+                // The columns whose centres lie between the two crossings.
                 let from = (start - 0.5).ceil().clamp(0.0, right) as i64;
                 let to = (x - 0.5).floor().clamp(-1.0, right - 1.0) as i64;
                 if from <= to {
@@ -110,12 +110,12 @@ impl Filling {
                 }
                 work += 1;
             };
-            if self.crossings.len() > MANY {
+            if self.crossings.len() > MOST_SORTED {
                 let columns = right as usize;
                 spans_of_many(&self.crossings, columns, &mut self.changes, |from, to| {
                     span(from as f64 + 0.5, to as f64 + 0.5);
                 });
-                units += ((self.crossings.len() + columns) / SIDES) as u64;
+                units += ((self.crossings.len() + columns) / SIDES_PER_UNIT) as u64;
             } else {
                 spans_of_few(&mut self.crossings, &mut span);
                 units += self.crossings.len() as u64 / 2;
@@ -138,17 +138,17 @@ impl Filling {
     }
 }
 
-/// Collects the sides of an outline that lie between two heights, at least in part; the units of work that this took.
+/// Collects the sides of an outline that lie between two heights, at least in part. Returns the units of work.
 pub(in crate::plane) fn sides_in(vertices: &[[f64; 2]], [top, bottom]: [f64; 2], sides: &mut Vec<Side>) -> u64 {
     sides.clear();
     let next = vertices.iter().cycle().skip(1);
     // A side that ends above the first row, or begins below the last, crosses none of them.
     let crosses = |&(a, b): &(&[f64; 2], &[f64; 2])| a[1].max(b[1]) >= top && a[1].min(b[1]) <= bottom;
     sides.extend(vertices.iter().zip(next).filter(crosses).map(|(&a, &b)| [a, b]));
-    1 + (vertices.len() / SIDES) as u64
+    1 + (vertices.len() / SIDES_PER_UNIT) as u64
 }
 
-/// Finds where sides cross a row; the units of work that this took.
+/// Finds the crossings of sides with a row. Returns the units of work.
 fn crossings(sides: &[Side], y: f64, crossings: &mut Vec<Crossing>) -> u64 {
     crossings.clear();
     for &[[x0, y0], [x1, y1]] in sides {
@@ -157,10 +157,10 @@ fn crossings(sides: &[Side], y: f64, crossings: &mut Vec<Crossing>) -> u64 {
             crossings.push((x, if y0 < y1 { 1 } else { -1 }));
         }
     }
-    (sides.len() / SIDES) as u64
+    (sides.len() / SIDES_PER_UNIT) as u64
 }
 
-/// Finds where a row is inside: from one crossing to another.
+/// Finds the spans of a row that are inside, by sorting the crossings.
 fn spans_of_few(crossings: &mut [Crossing], mut span: impl FnMut(f64, f64)) {
     crossings.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
     let (mut winding, mut start) = (0, 0.0);
@@ -175,7 +175,7 @@ fn spans_of_few(crossings: &mut [Crossing], mut span: impl FnMut(f64, f64)) {
     }
 }
 
-/// The same from column to column, in a time that grows no faster than the number of crossings.
+/// Finds the spans of a row that are inside, column by column, in time linear in the crossings and the columns.
 fn spans_of_many(crossings: &[Crossing], columns: usize, changes: &mut Vec<i32>, mut span: impl FnMut(usize, usize)) {
     changes.clear();
     changes.resize(columns + 1, 0);
@@ -197,7 +197,7 @@ fn spans_of_many(crossings: &[Crossing], columns: usize, changes: &mut Vec<i32>,
     }
 }
 
-/// Paints a polygon at once.
+/// Paints a whole polygon.
 #[cfg(test)]
 pub(in crate::plane) fn paint(canvas: &mut Canvas, vertices: &[[f64; 2]], colour: u32) {
     let mut filling = Filling::default();

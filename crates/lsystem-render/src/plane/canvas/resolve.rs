@@ -14,9 +14,9 @@ pub(in crate::plane) struct Output {
     pixels: Vec<u8>,
     palette: Vec<[u32; 3]>,
     background: [u32; 3],
-    /// By palette entry, then by how many of a pixel's subsamples have it: the pixel.
+    /// The pixel, by palette entry, then by the number of its subsamples with that entry (0 to 16).
     shades: Vec<[[u8; 4]; 32]>,
-    /// By cell, then strip: whether the pixels there are not background.
+    /// By cell, then strip: whether some pixels there may not be background.
     inked: Vec<bool>,
     detail: Detail,
     /// The next cell to do.
@@ -24,13 +24,12 @@ pub(in crate::plane) struct Output {
 }
 
 /// Bytes that are cleared in a unit of work.
-const CLEARED: usize = 1024;
-/// Pixels along the side of a cell of 4x4 subsamples each.
+const BYTES_PER_UNIT: usize = 1024;
+/// Pixels along the side of a cell, in fine detail.
 const SIDE: usize = 16;
 
 impl Output {
-    /// Starts a pane of a picture whose colours have the palette entries `inks`, by number; the units of work that this
-    /// took.
+    /// Starts a pane of a picture; `inks` are the palette entries of its colours, by number. Returns the units of work.
     pub(in crate::plane) fn begin(
         &mut self,
         style: &Style,
@@ -54,7 +53,7 @@ impl Output {
             self.inked.clear();
             let side = 4 * SIDE / detail.samples();
             self.inked.resize(width.div_ceil(side) * height.div_ceil(side), false);
-            work += (self.pixels.len() / CLEARED) as u64;
+            work += (self.pixels.len() / BYTES_PER_UNIT) as u64;
         }
         self.palette.clear();
         self.palette.extend(inks.iter().map(|&ink| style.ink(ink).rgb.map(u32::from)));
@@ -77,8 +76,8 @@ impl Output {
         &self.pixels
     }
 
-    /// Makes pixels of the subsamples, cell by cell from side to side: downwards each row of pixels would be in another
-    /// page of memory, and with more rows than the processor knows addresses of pages that takes several times as long.
+    /// Turns subsamples into pixels, cell by cell from side to side. From top to bottom each row of pixels would be in
+    /// another page of memory, and the processor keeps the addresses of few pages: that takes several times as long.
     pub(in crate::plane) fn step(&mut self, frame: &Canvas, meter: &mut Meter) -> Progress {
         while self.next < self.inked.len() {
             if meter.is_spent() {
@@ -96,7 +95,7 @@ impl Output {
         Progress::Done
     }
 
-    /// Makes pixels of a cell; what that took.
+    /// Turns a cell into pixels. Returns the units of work.
     fn cell(&mut self, frame: &Canvas, strip: usize, cell: usize) -> u64 {
         let samples = self.detail.samples();
         let side = u64::BITS as usize / samples;
@@ -130,7 +129,7 @@ impl Output {
         work
     }
 
-    /// Makes pixels of the four words from one on.
+    /// Turns the four words from `at` on into a row of pixels.
     fn row(&mut self, frame: &Canvas, at: usize, pixels: Range<usize>) {
         let covered = rows(&frame.covered, at);
         let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
@@ -159,7 +158,7 @@ impl Output {
         }
     }
 
-    /// Makes pixels of a word whose subsamples are pixels.
+    /// Turns a word into a row of pixels with one subsample each.
     fn coarse_row(&mut self, frame: &Canvas, at: usize, pixels: Range<usize>) {
         let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
         let covered = frame.covered[at];
@@ -171,7 +170,7 @@ impl Output {
         }
     }
 
-    /// A row of pixels in a cell where colours meet.
+    /// Turns four words with several colours into a row of pixels.
     fn mixed<'a, I: Iterator<Item = &'a [u64; 4]>>(
         &mut self,
         planes: impl Fn() -> I,
@@ -179,7 +178,7 @@ impl Output {
         pixels: Range<usize>,
     ) {
         const BYTES: u64 = 0x00ff_00ff_00ff_00ff;
-        // Of every fourth pixel, by the first of them and by channel: sixteenths, at most 16 * 255, in 16 bits each.
+        // By pixel modulo 4, then by channel: sums of four pixels in sixteenths, at most 16 * 255, in 16 bits each.
         let mut sums = [[0x0008_0008_0008_0008_u64; 3]; 4];
         let mut add = |words: [u64; 4], colour: [u32; 3]| {
             let Counts { even, odd } = counts(words);
@@ -218,23 +217,24 @@ fn rows(words: &[u64], at: usize) -> [u64; 4] {
     words[at..].first_chunk().copied().unwrap_or_default()
 }
 
-/// The same of each plane of colours, where they are: to copy them all takes longer than to look at some.
+/// The four words of each plane of colours from `at` on, by reference: copying all takes longer than looking at some.
 #[inline(always)]
 fn planes(frame: &Canvas, at: usize) -> impl Iterator<Item = &[u64; 4]> {
     frame.colour_planes().filter_map(move |plane| plane[at..].first_chunk())
 }
 
-/// The columns in which any of the words has a bit.
+/// The columns in which any word has a bit.
 #[inline(always)]
 fn any([a, b, c, d]: [u64; 4]) -> u64 {
     a | b | c | d
 }
 
-/// The ink of a subsample of `rest`, and all of `rest` that has the same, by the planes of a row of pixels.
+/// The ink of the leftmost subsample of `rest`, and all subsamples of `rest` with the same ink; `planes` are those of a
+/// row of pixels.
 #[inline(always)]
 fn first_ink<'a>(planes: impl Iterator<Item = &'a [u64; 4]>, rest: [u64; 4]) -> (usize, [u64; 4]) {
     let bit = any(rest).trailing_zeros() & 63;
-    // Its row, without a branch: nobody could foretell it.
+    // The row of that subsample, without a branch, which the processor could not predict.
     let [a, b, c, _] = rest.map(|word| !(word >> bit) as usize & 1);
     let row = a * (1 + b * (1 + c));
     let (mut ink, mut same) = (0, rest);
@@ -250,7 +250,7 @@ fn first_ink<'a>(planes: impl Iterator<Item = &'a [u64; 4]>, rest: [u64; 4]) -> 
     (ink, same)
 }
 
-/// How many subsamples of each of 16 pixels are set; pixels of even and odd places apart, a byte each.
+/// The number of set subsamples in each of 16 pixels, a byte each; pixels at even and odd places are apart.
 struct Counts {
     even: u64,
     odd: u64,

@@ -13,31 +13,34 @@ pub(in crate::plane) struct Capsule {
     pub radius: f64,
 }
 
-/// The fixed point numbers of a side: fraction bits.
+/// The fraction bits of the fixed point numbers of a side.
 const FRACTION: u32 = 24;
 /// Half a subsample, as a fixed point number.
 const HALF: i64 = 1 << (FRACTION - 1);
 
-/// A greater radius than this, in subsamples, is as good as endless beside any picture, and fixed point numbers end soon
-/// beyond it.
-const HUGE: f64 = (1_u64 << 34) as f64;
+/// The greatest radius, in subsamples, that is traced as it is. The side of a larger stroke is straight within a
+/// picture, and soon exceeds the range of fixed point numbers.
+const MOST_RADIUS: f64 = (1_u64 << 34) as f64;
 
 /// The left or the right side of a stroke, from top to bottom: an arc around the upper end, an edge, an arc around
 /// the lower end.
-struct Side {
+struct StrokeSide {
     /// -1 on the left, 1 on the right.
     sign: f64,
+    /// The ends of the segment.
     upper: [f64; 2],
     lower: [f64; 2],
+    /// The square of the radius.
     square: f64,
-    /// The rows of the edge.
+    /// The first row of the edge, and the row after its last.
     edge: [i64; 2],
-    /// Where the edge is in the first row of it, and how far it goes from row to row.
+    /// The x of the edge in its first row, as a fixed point number.
     at: i64,
+    /// The change of x from row to row, as a fixed point number.
     step: i64,
 }
 
-impl Side {
+impl StrokeSide {
     fn new(sign: f64, [upper, lower]: [[f64; 2]; 2], [ux, uy]: [f64; 2], radius: f64, first: i64) -> Self {
         let start = [upper[0] + sign * radius * uy, upper[1] - sign * radius * ux];
         let end = start[1] + lower[1] - upper[1];
@@ -63,7 +66,7 @@ impl Side {
 }
 
 impl Capsule {
-    /// Paints every subsample whose centre is within the radius of the segment. Returns how many rows it took.
+    /// Paints every subsample whose centre is within the radius of the segment. Returns the number of rows.
     pub(in crate::plane) fn paint(&self, canvas: &mut Canvas, colour: u32) -> usize {
         self.trace(canvas, |canvas, group, reach, spans| {
             canvas.fill_group(group, reach, spans, colour);
@@ -71,7 +74,7 @@ impl Capsule {
         })
     }
 
-    /// Whether each of these subsamples is covered, as far as that can be told.
+    /// Whether each subsample of the stroke is covered; `false` if numbers are not finite.
     pub(in crate::plane) fn is_covered(&self, canvas: &mut Canvas) -> bool {
         let mut covered = self.length().is_some();
         self.trace(canvas, |canvas, group, reach, spans| {
@@ -81,23 +84,23 @@ impl Capsule {
         covered
     }
 
-    /// As [`Canvas::trace`]. Returns how many rows it has.
+    /// Visits the open groups of the stroke, as [`Canvas::trace`] does. Returns the number of rows.
     #[inline(always)]
     fn trace(&self, canvas: &mut Canvas, visit: impl FnMut(&mut Canvas, usize, [i64; 2], &Spans) -> bool) -> usize {
         let height = canvas.rows as i64;
         let size = canvas.size();
-        let near = if self.radius > HUGE { self.around(size) } else { *self };
+        let near = if self.radius > MOST_RADIUS { self.around(size) } else { *self };
         let radius = near.radius;
         let Some((ends, direction)) = near.clipped(size) else { return 0 };
         let first = ((ends[0][1] - radius - 0.5).ceil() as i64).max(0);
         let last = ((ends[1][1] + radius - 0.5).floor() as i64).min(height - 1);
-        let left = Side::new(-1.0, ends, direction, radius, first);
-        let right = Side::new(1.0, ends, direction, radius, first);
+        let left = StrokeSide::new(-1.0, ends, direction, radius, first);
+        let right = StrokeSide::new(1.0, ends, direction, radius, first);
         if first > last {
             return 0;
         }
         let slope = if direction[1] > 0.0 { direction[0] / direction[1] } else { 0.0 };
-        // The axis at two heights, and the radius around it, bound what lies between.
+        // The axis at two heights, widened by the radius, bounds the rows between.
         let bounds = |rows: Range<usize>| {
             let at = |y: f64| match y {
                 _ if y <= ends[0][1] => ends[0][0],
@@ -138,31 +141,31 @@ impl Capsule {
         (last - first + 1).max(0) as usize
     }
 
-    /// What covers the same of a canvas of this size, as far as can be seen: a dot no larger than fixed point numbers can
-    /// tell, whose side is where the stroke's is.
+    /// A dot of radius [`MOST_RADIUS`] that covers the same part of a canvas of this size: its side is where the
+    /// stroke's side is.
     fn around(&self, size: [f64; 2]) -> Self {
         let middle = size.map(|side| side / 2.0);
         let (_, part) = nearest_on(middle, [self.from, self.to]);
         let out = [0, 1].map(|axis| middle[axis] - self.from[axis] - part * (self.to[axis] - self.from[axis]));
         let distance = libm::hypot(out[0], out[1]);
-        // From the side inwards to the middle of the picture, or to that of the dot.
-        let inwards = (self.radius - distance).min(HUGE);
+        // The distance from the side inwards to the middle of the picture, or at most to the middle of the dot.
+        let inwards = (self.radius - distance).min(MOST_RADIUS);
         let dot = [0, 1].map(|axis| {
             let towards = if distance > 0.0 { out[axis] / distance } else { 0.0 };
-            middle[axis] + towards * (inwards - HUGE)
+            middle[axis] + towards * (inwards - MOST_RADIUS)
         });
-        Self { from: dot, to: dot, radius: HUGE }
+        Self { from: dot, to: dot, radius: MOST_RADIUS }
     }
 
-    /// Of its segment; `None` where numbers are not finite.
+    /// The length of the segment; `None` if numbers are not finite.
     fn length(&self) -> Option<f64> {
         let [dx, dy] = [0, 1].map(|axis| self.to[axis] - self.from[axis]);
         let length = (dx * dx + dy * dy).sqrt();
         (length + self.from[0] + self.from[1] + self.radius).is_finite().then_some(length)
     }
 
-    /// The upper and the lower end of the part that can be seen on a canvas of this size, and the direction from
-    /// one to the other. Cutting off what is far outside keeps the numbers small.
+    /// The upper and the lower end of the part near a canvas of this size, and the direction from one to the other. The
+    /// cut keeps the numbers small.
     fn clipped(&self, size: [f64; 2]) -> Option<([[f64; 2]; 2], [f64; 2])> {
         let mut ends = if self.from[1] <= self.to[1] { [self.from, self.to] } else { [self.to, self.from] };
         let length = self.length()?;
@@ -211,7 +214,7 @@ mod tests {
         for radius in (9..150).step_by(3).map(|digits| libm::pow(10.0, f64::from(digits))) {
             for degrees in [0.0, 1e-9, 30.0, 90.0, 135.0, 180.0] {
                 let (sin, cos) = libm::sincos(f64::to_radians(degrees));
-                // As long as it is wide, with the side `aside` of the middle of the canvas.
+                // The stroke is as long as wide, and its side is `aside` subsamples from the middle of the canvas.
                 let covered = |aside: f64| {
                     let away = radius - aside;
                     let middle = [32.0 - sin * away, 32.0 + cos * away];

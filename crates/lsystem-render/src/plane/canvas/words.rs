@@ -4,45 +4,46 @@ use super::bits::Planes;
 
 /// Columns in a strip.
 pub(in crate::plane) const STRIP: usize = u64::BITS as usize;
-/// Rows in a group; a group is a strip's word range for which it is remembered how it is covered.
+/// Rows in a group. A group is 8 rows of a strip; the canvas keeps its state in a few bits.
 pub(in crate::plane) const GROUP: usize = 8;
-/// So many subsamples of a group, of 512, may stay bare on a canvas that leaves holes: what a whole picture is off by
-/// is 1/255 at most, and what 8x8 pixels are off by 2/255. The last holes of a crowd take longest to fill.
-const HOLES: u32 = 2;
+/// The most bare subsamples, of 512, in a group that counts as covered on a canvas that leaves holes, because the last
+/// holes of a crowd take longest to fill. A whole picture is off by 1/255 at most, and 8x8 pixels by 2/255.
+const MOST_HOLES: u32 = 2;
 
 /// The words of a group.
-pub(in crate::plane) type Block = [u64; GROUP];
+pub(in crate::plane) type GroupBits = [u64; GROUP];
 
 /// The first and the last column of a shape in each row of a group.
 pub(in crate::plane) type Spans = [[i64; 2]; GROUP];
-/// A row that a shape does not reach.
+/// The empty span of a row that a shape does not reach.
 pub(in crate::plane) const NOTHING: [i64; 2] = [1 << 40, -1];
 
-/// Where a group's words are in a plane of a tile: in two strips next to each other.
+/// The place of a group's words in a plane of a tile. A shifted tile has them in two strips next to each other.
 #[derive(Clone, Copy)]
 pub(in crate::plane) struct Words {
-    /// Where they begin; the bits of the second move up by `shift`, and those of the first that this leaves over go below.
+    /// The first word in the strip before and in the strip itself.
     pub(in crate::plane) at: [usize; 2],
-    /// All ones where there is such a strip.
+    /// For each of the two strips: all ones if the tile has it, otherwise 0.
     pub(in crate::plane) masks: [u64; 2],
+    /// The columns by which bits move to the right.
     pub(in crate::plane) shift: u32,
 }
 
 impl Words {
-    /// The words of a plane, in their places. Where the tile covers nothing they are anything.
+    /// The shifted words of a plane. Bits that the tile does not cover are arbitrary.
     #[inline(always)]
-    pub(in crate::plane) fn of(&self, planes: &Planes<'_>, plane: usize) -> Block {
+    pub(in crate::plane) fn of(&self, planes: &Planes<'_>, plane: usize) -> GroupBits {
         self.moved(planes, plane, [u64::MAX; 2])
     }
 
-    /// Those of a plane alone.
+    /// The shifted words of the first plane. Bits outside the tile are 0.
     #[inline(always)]
-    pub(in crate::plane) fn masked(&self, planes: &Planes<'_>) -> Block {
+    pub(in crate::plane) fn masked(&self, planes: &Planes<'_>) -> GroupBits {
         self.moved(planes, 0, self.masks)
     }
 
     #[inline(always)]
-    fn moved(&self, planes: &Planes<'_>, plane: usize, masks: [u64; 2]) -> Block {
+    fn moved(&self, planes: &Planes<'_>, plane: usize, masks: [u64; 2]) -> GroupBits {
         let first = planes.first + plane * planes.size;
         let [before, own] = self.at.map(|at| {
             planes.words.get(first.wrapping_add(at)..).and_then(<[u64]>::first_chunk::<GROUP>).unwrap_or(&[0; GROUP])
@@ -53,8 +54,8 @@ impl Words {
     }
 }
 
-/// Two words of a strip and two of the one before it as they are behind a shift; nothing is shifted where both are the
-/// same.
+/// Shifts two words of a strip to the right, and the rest of two words of the strip before into their gaps. With a
+/// shift of 0 both strips are the same.
 #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
 #[inline(always)]
 fn funnel([before, own]: [[u64; 2]; 2], masks: [u64; 2], shift: u32) -> [u64; 2] {
@@ -63,7 +64,7 @@ fn funnel([before, own]: [[u64; 2]; 2], masks: [u64; 2], shift: u32) -> [u64; 2]
     [word(0), word(1)]
 }
 
-/// The same at once: the compiler finds no vectors in it.
+/// As the portable version, with explicit vectors, because the compiler finds none in it.
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 #[inline(always)]
 fn funnel(words: [[u64; 2]; 2], masks: [u64; 2], shift: u32) -> [u64; 2] {
@@ -75,7 +76,7 @@ fn funnel(words: [[u64; 2]; 2], masks: [u64; 2], shift: u32) -> [u64; 2] {
 
 /// The bits of a strip that lie in these spans.
 #[inline(always)]
-pub(in crate::plane) fn within(strip: usize, spans: &Spans) -> Block {
+pub(in crate::plane) fn within(strip: usize, spans: &Spans) -> GroupBits {
     const LAST: i64 = STRIP as i64 - 1;
     let left = (strip * STRIP) as i64;
     spans.map(|[first, last]| {
@@ -86,18 +87,18 @@ pub(in crate::plane) fn within(strip: usize, spans: &Spans) -> Block {
 
 /// Whether a group has any bits.
 #[inline(always)]
-pub(in crate::plane) fn any(group: &Block) -> bool {
+pub(in crate::plane) fn any(group: &GroupBits) -> bool {
     let [a, b, c, d, e, f, g, h] = *group;
     let pair = [a | c | e | g, b | d | f | h];
     pair[0] | pair[1] != 0
 }
 
-/// Whether these rows are covered, but for the holes that may be left.
+/// Whether these rows are covered but for the permitted holes.
 pub(in crate::plane) fn has_only_holes(rows: &[u64]) -> bool {
     let mut holes = 0;
     rows.iter().all(|row| {
         holes += row.count_zeros();
-        holes <= HOLES
+        holes <= MOST_HOLES
     })
 }
 

@@ -1,4 +1,4 @@
-//! Bands of ink: what stands for a block that is small beside the width of its strokes.
+//! Bands of ink, which stand for a block that is small beside the width of its strokes.
 
 use super::deposit::Deposit;
 use crate::plane::descent::Node;
@@ -7,9 +7,9 @@ use crate::plane::view::Measure;
 /// The part of a whole that may be rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Two bands that cross at the centre of a block, as one outline in pixels, and the area of both. The bands lie along the
-/// axes of the strokes' directions and are as long as the strokes are wide. Each is as broad as the block is there, the
-/// second by so much less as fewer strokes have its direction.
+/// Two bands that cross at the centre of a block, as one outline in pixels, and the area of both in square pixels. The
+/// bands lie along the principal axes of the strokes' directions across, and are as long as the strokes are wide. The
+/// first band is as broad as the block. The second is narrower, as fewer strokes have their width along it.
 #[inline]
 pub(super) fn bands(
     measure: &Measure,
@@ -18,13 +18,13 @@ pub(super) fn bands(
 ) -> (impl Iterator<Item = [f64; 2]> + use<>, f64) {
     let [xx, xy, yy] = deposit.across;
     let (apart, most) = (xx - yy, libm::hypot(xx - yy, 2.0 * xy));
-    // Where no direction stands out, those of the block's own frame.
+    // If no direction dominates, the bands lie along the axes of the block's frame.
     let angle = if most > ROUNDING { libm::atan2(2.0 * xy, apart) / 2.0 } else { 0.0 };
     let (sin, cos) = libm::sincos(angle);
     let (c, s) = node.place.heading.cos_sin();
     let (centre, width) = (node.place.point(deposit.centre), measure.width(node.pen.width));
     let band = |[x, y]: [f64; 2], part: f64| {
-        // Along the band, and aside; an even distribution over a length has a twelfth of its square.
+        // The mean square of an even distribution is a twelfth of the square of its length.
         let [along, aside] = [[c * x - s * y, -s * x - c * y], [s * x + c * y, c * x - s * y]];
         let square = y * y * deposit.spread[0] - 2.0 * x * y * deposit.spread[1] + x * x * deposit.spread[2];
         let breadth = part * ((12.0 * square.max(0.0)).sqrt() * node.place.scale.abs()).max(1.0);
@@ -33,6 +33,6 @@ pub(super) fn bands(
     };
     let (first, area) = band([cos, sin], 1.0);
     let (second, more) = band([-sin, cos], (1.0 - most).max(0.0) / (1.0 + most));
-    // From one to the other and back.
+    // One outline goes around the first band, then around the second, and back.
     (first.into_iter().chain([first[0]]).chain(second).chain([second[0]]), area + more)
 }

@@ -1,9 +1,9 @@
-//! How much ink blocks lay down, and where: sums over all their strokes, which are sums over the blocks inside.
+//! The amount of ink of each block, and its distribution: sums over strokes and over the blocks inside.
 
 use crate::plane::Amount;
 use crate::plane::descent::Node;
 use crate::plane::shape::Shape;
-use crate::plane::sweep::{Fact, Sweep};
+use crate::plane::sweep::{BlockVisitor, Sweep};
 use crate::plane::view::Measure;
 use lsystem_drawing::{Block, Drawing, Item};
 use lsystem_syntax::{Meter, Progress};
@@ -11,65 +11,65 @@ use lsystem_syntax::{Meter, Progress};
 /// The ink of one block, in its own frame.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Deposit {
-    /// Of all strokes together, in block units.
+    /// The length of all strokes together, in block units.
     pub length: Amount,
-    /// Of all polygons together, in square block units.
+    /// The area of all polygons together, in square block units.
     pub area: Amount,
-    /// The centre of gravity of the strokes; of the polygons where there are no strokes.
+    /// The centre of gravity of the strokes, or of the polygons if there are no strokes.
     pub centre: [f64; 2],
-    /// About the centre: the mean of x x, x y and y y.
+    /// The mean of x x, x y and y y about the centre, in square block units.
     pub spread: [f64; 3],
-    /// The same of the directions across the strokes, each of length 1.
+    /// The mean of x x, x y and y y over the unit vectors across the strokes.
     pub across: [f64; 3],
-    /// Whether the line that the block's shape is has the same ink everywhere.
+    /// Whether the block is a straight line with the same ink everywhere.
     pub even: bool,
 }
 
 impl Deposit {
-    /// All ink of a block whose strokes are as wide as it is entered with: in layers, times pixels.
+    /// All ink of a block in layers times square pixels. Every stroke counts with the width at entry.
     #[inline]
     pub(super) fn amount(&self, measure: &Measure, node: &Node) -> Amount {
         let scale = node.place.scale.abs();
         self.length.times(scale).times(measure.width(node.pen.width)).plus(self.area.times(scale).times(scale))
     }
 
-    /// How the ink of a block lies about its centre, in pixels, up and to the right: the mean of x x, x y and y y. What its
-    /// strokes reach across, as wide as it is entered with, counts as what they reach along.
+    /// The mean of x x, x y and y y of a block's ink about its centre, in square pixels, x to the right and y up.
+    /// Includes the width of the strokes, each with the width at entry.
     #[inline]
     pub(super) fn squares(&self, measure: &Measure, node: &Node) -> [f64; 3] {
         let (cos, sin) = node.place.heading.cos_sin();
         let width = measure.width(node.pen.width);
         let along = turned(self.spread, [node.place.cos, node.place.sin]);
         let across = turned(self.across, [cos, sin]);
-        // An even distribution over a length has a twelfth of its square.
+        // The mean square of an even distribution is a twelfth of the square of its length.
         [0, 1, 2].map(|i| along[i] + width * width / 12.0 * across[i])
     }
 
-    /// Which part of a block's ink it is: by length, or by area where there are no strokes.
+    /// The share of the deposit in the ink of `whole`: by length, or by area if `whole` has no strokes.
     pub(super) fn share_of(&self, whole: &Self) -> f64 {
         if whole.length.is_zero() { self.area.of(whole.area) } else { self.length.of(whole.length) }
     }
 }
 
-/// A line is even where its length is that of all its strokes together, but for rounding.
+/// A line is even if its length differs from that of all its strokes together by at most this part.
 const ROUNDING: f64 = 1e-9;
 
 /// The ink of blocks, found in steps.
 #[derive(Debug, Default)]
 pub(super) struct Deposits {
-    /// By block, as far as they are known.
+    /// By block, as far as the sweep is.
     pub list: Vec<Deposit>,
-    place: Sweep,
-    /// Of the block in hand, so far.
+    sweep: Sweep,
+    /// The deposit so far of the block being visited.
     sum: Deposit,
 }
 
 impl Deposits {
-    /// Goes on until the ink of all blocks is known, which have these shapes.
+    /// Goes on until the deposits of all blocks are known; `shapes` are those of the blocks.
     pub(super) fn step(&mut self, drawing: &Drawing, shapes: &[Shape], meter: &mut Meter) -> Progress {
-        let mut place = self.place;
-        let progress = place.step(&mut Summing { deposits: self, shapes }, drawing, meter);
-        self.place = place;
+        let mut sweep = self.sweep;
+        let progress = sweep.step(&mut Summing { deposits: self, shapes }, drawing, meter);
+        self.sweep = sweep;
         progress
     }
 }
@@ -79,12 +79,12 @@ struct Summing<'a> {
     shapes: &'a [Shape],
 }
 
-impl Fact for Summing<'_> {
-    /// For all ink, for its centre of gravity, and for how it is spread about that.
+impl BlockVisitor for Summing<'_> {
+    /// One pass each for the amount of ink, for its centre of gravity, and for its spread about the centre.
     const PASSES: usize = 3;
 
     fn item(&mut self, drawing: &Drawing, pass: usize, _: usize, item: &Item) -> u64 {
-        // Found anew in each pass: to keep the parts of a long block would take more memory than the drawing.
+        // Computed anew in each pass: keeping the parts of a long block would take more memory than the drawing.
         let part = part(drawing, item, &self.deposits.list);
         let sum = &mut self.deposits.sum;
         if pass == 0 {
@@ -153,7 +153,7 @@ pub(super) fn part(drawing: &Drawing, item: &Item, deposits: &[Deposit]) -> Depo
     }
 }
 
-/// The means of x x, x y and y y after a turn, by so many times its cosine and sine.
+/// The means of x x, x y and y y after a turn and a scaling; `[c, s]` are the cosine and the sine times the scale.
 pub(super) fn turned([xx, xy, yy]: [f64; 3], [c, s]: [f64; 2]) -> [f64; 3] {
     [
         c * c * xx - 2.0 * c * s * xy + s * s * yy,
@@ -162,7 +162,7 @@ pub(super) fn turned([xx, xy, yy]: [f64; 3], [c, s]: [f64; 2]) -> [f64; 3] {
     ]
 }
 
-/// A polygon's area, as far as its outline does not cross itself, and the mean of its vertices.
+/// The area of a polygon whose outline does not cross itself, and the mean of its vertices.
 fn area(vertices: &[[f64; 2]]) -> (f64, [f64; 2]) {
     let next = vertices.iter().cycle().skip(1);
     let twice: f64 = vertices.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum();

@@ -6,7 +6,7 @@ use crate::plane::shape::{Shape, Shapes};
 use lsystem_drawing::Drawing;
 use lsystem_syntax::{Meter, Progress};
 
-/// What is known of the blocks of a drawing.
+/// The shapes and deposits of a drawing's blocks.
 #[derive(Default)]
 pub(super) struct Facts {
     pub shapes: Shapes,
@@ -14,7 +14,7 @@ pub(super) struct Facts {
 }
 
 impl Facts {
-    /// Goes on until all blocks are known.
+    /// Goes on until the facts of all blocks are known.
     pub(super) fn step(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
         if self.shapes.step(drawing, meter) == Progress::More {
             return Progress::More;

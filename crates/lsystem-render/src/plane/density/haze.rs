@@ -1,55 +1,60 @@
-//! Ink of blocks that are too many to be drawn: each is spread evenly over a rectangle as wide and as high as it is.
+//! Ink of blocks that are too many to be drawn: the ink of each is spread evenly over a rectangle of the block's size.
 //!
-//! Where thousands of blocks lie upon each other nobody can tell one from another, and what they add up to is smooth. A
-//! rectangle of any size costs the same: only its corners are noted, and summed up in the end.
+//! Where thousands of blocks overlap, single blocks cannot be told apart, and their sum is smooth. A rectangle of any
+//! size costs the same: only its corners are noted, and summed up at the end.
 
 use super::sheet::{Pigment, Sheet};
 use lsystem_syntax::{Meter, Progress};
 
 /// Pixels along the side of a cell.
 const SIDE: usize = 4;
-/// Pixels around a pane at most from which haze is spread into it.
+/// The most pixels around a pane whose haze is spread into the pane: bounds the memory of the cells.
 const WIDEST_APRON: f64 = 1024.0;
-/// Less than this part of the most ink at any place is what rounding leaves.
+/// A sum below this part of the greatest sum is a rounding error.
 const ROUNDING: f64 = 1e-10;
 
-/// Differences from cell to cell, across and down.
+/// The ink of the haze, by cell: as differences from cell to cell at first, then as sums.
 #[derive(Default)]
 pub(super) struct Haze {
-    /// Pixels on each side of the sheet in which haze lies as well, whole cells.
+    /// Pixels on each side of the sheet that the cells cover as well, in whole cells.
     apron: usize,
     columns: usize,
     rows: usize,
     planes: usize,
     cells: Vec<f64>,
+    /// The running sums of the line being smoothed.
     line: Vec<f64>,
     stage: Stage,
     /// The row or column of cells that is next in the stage.
     line_number: usize,
-    /// The most that lies in a cell.
+    /// The greatest sum of a cell.
     most: f64,
 }
 
-/// How far the summing up is.
+/// The stage of the summing up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Stage {
+    /// Sums up the differences across.
     #[default]
     Across,
+    /// Sums up the differences down.
     Down,
-    /// Twice across and down.
+    /// Smooths twice across and down in turn; the number tells the turn, from 0 to 3.
     Smooth(u8),
+    /// Finds the greatest sum.
     Most,
+    /// Adds the sums to the sheet.
     Add,
     Done,
 }
 
 impl Haze {
-    /// How far around a pane haze of this grain has to be known, in pixels: smoothing spreads it.
+    /// The pixels around a pane in which haze of this grain must be known, because smoothing spreads it into the pane.
     pub(super) fn apron(grain: f64) -> usize {
         (grain / 2.0).min(WIDEST_APRON) as usize / SIDE * SIDE + 2 * SIDE
     }
 
-    /// Makes it empty, for a sheet with so many pixels around it; the units of work that this took.
+    /// Empties the haze, for a sheet with `apron` pixels around it. Returns the units of work.
     pub(super) fn reset(&mut self, sheet: &Sheet, apron: usize) -> u64 {
         (self.stage, self.line_number, self.most) = (Stage::Across, 0, 0.0);
         let cells = |side: usize| (side + 2 * apron).div_ceil(SIDE) + 2;
@@ -60,9 +65,10 @@ impl Haze {
         1 + self.cells.len() as u64 / 128
     }
 
-    /// Adds `amount` of ink, whose places differ from its centre, in pixels, by so much in the mean of squares.
+    /// Adds `amount` of ink; `squares` are the mean squares of its distance from the centre, across and down, in
+    /// pixels.
     pub(super) fn add(&mut self, centre: [f64; 2], squares: [f64; 2], amount: f64, pigment: Pigment) {
-        // An even distribution over a length has a twelfth of its square.
+        // The mean square of an even distribution is a twelfth of the square of its length.
         let sides = squares.map(|square| (12.0 * square).sqrt().max(2.0 * SIDE as f64));
         let density = amount / (sides[0] * sides[1]);
         if !density.is_finite() {
@@ -85,7 +91,7 @@ impl Haze {
         }
     }
 
-    /// Goes on with summing up, and with adding everything to the sheet, smoothed so that no edge shows of rectangles about
+    /// Goes on summing up, smoothing and adding the haze to the sheet. Smoothing hides the edges of rectangles about
     /// `grain` pixels large.
     pub(super) fn settle(&mut self, sheet: &mut Sheet, grain: f64, meter: &mut Meter) -> Progress {
         let (columns, planes) = (self.columns, self.planes);
@@ -152,7 +158,7 @@ impl Haze {
         Progress::More
     }
 
-    /// Adds what lies in a row of pixels to the sheet.
+    /// Adds the haze of a row of pixels to the sheet.
     fn add_row(&self, sheet: &mut Sheet, row: usize) {
         let (columns, planes) = (self.columns, self.planes);
         let near = |pixel: usize, end: usize| {
@@ -177,7 +183,7 @@ impl Haze {
         sheet.reach[row] = 0..sheet.width as u32;
     }
 
-    /// Makes each of a line of cells the mean of those no farther than `radius`.
+    /// Replaces each cell of a line by the mean of the cells up to `radius` away.
     fn smooth(&mut self, first: usize, step: usize, count: usize, radius: usize) {
         let mut sum = 0.0;
         self.line.clear();
@@ -193,7 +199,7 @@ impl Haze {
     }
 }
 
-/// How coverage between two edges changes from cell to cell.
+/// The cells at which the coverage between two edges changes, and the changes.
 fn steps([low, high]: [f64; 2]) -> [(usize, f64); 4] {
     let (first, last) = (low as usize, high as usize);
     let (after, beyond) = (low - first as f64, high - last as f64);

@@ -1,10 +1,10 @@
-//! Pictures in which ink adds up: every stroke lays down its ink, whatever lies there already, and a tone curve makes
-//! sums visible that range from a single stroke to 10^30 of them.
+//! Pictures in which ink adds up: every stroke adds its ink to the ink already there, and a tone curve shows sums from
+//! a single stroke to 10^30 strokes.
 //!
-//! One layer of ink is what a stroke as wide as a pixel leaves along its axis, at any magnification. What lies at a
-//! pixel is the sum over all strokes of the lengths of their parts there times their widths, each part shared by the
+//! One layer is the ink that a stroke as wide as a pixel leaves along its axis, at any magnification. The ink of a
+//! pixel is the sum over all strokes of the length of their parts there times their width. Each part is shared by the
 //! pixels around it ([`sheet`]). A block smaller than a pixel adds all its ink at once, at its centre of gravity
-//! ([`deposit`]); larger ones are put together from tiles. The order of drawing plays no part.
+//! ([`deposit`]). Larger blocks are put together from tiles. The order of drawing does not matter.
 
 mod bands;
 mod deposit;
@@ -28,11 +28,11 @@ use facts::Facts;
 use lsystem_drawing::Drawing;
 use lsystem_syntax::{Meter, Progress};
 use picture::Picture;
-pub(super) use tile::TILES as DENSITY_TILES;
+pub(super) use tile::TILE_BYTES as DENSITY_TILE_BYTES;
 use tone::Tone;
 
-/// Pixels along the side of a sum in a coarse picture.
-pub(super) const COARSE: usize = 3;
+/// Pixels along the side of a sum's place in a coarse picture: a ninth of the sums of a fine picture.
+pub(super) const COARSE_SIDE: usize = 3;
 
 /// Makes pictures in which ink adds up ([`Ink::Density`](lsystem_syntax::Ink)).
 #[derive(Default)]
@@ -83,7 +83,7 @@ impl Method for Density {
     }
 }
 
-/// Pixels along the side of a sum.
+/// Pixels along the side of a sum's place.
 fn side(detail: Detail) -> usize {
-    if detail == Detail::Coarse { COARSE } else { 1 }
+    if detail == Detail::Coarse { COARSE_SIDE } else { 1 }
 }

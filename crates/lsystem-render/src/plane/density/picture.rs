@@ -4,64 +4,66 @@ use super::bands::bands;
 use super::deposit::Deposit;
 use super::facts::Facts;
 use super::haze::Haze;
-use super::pigment::{Pigments, Source};
-use super::sheet::{LEAST, Pigment, Sheet};
+use super::pigment::{MeanSource, Pigments};
+use super::sheet::{LEAST_INK, Pigment, Sheet};
 use super::survey::{Finding, Next, Survey};
-use super::tiling::{Outcome, Seen, Sheets, Tiling};
-use crate::plane::descent::{Cut, Descent, Met, Node};
+use super::tiling::{Footprint, Outcome, Sheets, Tiling};
+use crate::plane::descent::{Cut, Descent, Node, Visit};
 use crate::plane::inks::{InkTable, Inks, Shade};
 use crate::plane::picture::Plan;
-use crate::plane::view::{Camera, Measure};
+use crate::plane::view::{Measure, ViewTransform};
 use crate::plane::{Amount, Pane, Pass, RenderStats};
 use lsystem_drawing::{Drawing, Item};
 use lsystem_syntax::{Meter, Progress};
 
-/// The largest extent, in pixels, at which all ink of a block is added at its centre of gravity, unless that takes too long.
+/// The largest extent of a dot at first, in pixels. A dot is a block whose ink is all added at its centre of gravity.
 const TINY: f64 = 1.0;
 /// A straight block longer than this, in pixels, is taken apart, so that rounding stays far below a pixel.
-const LONG: f64 = 1e6;
-/// Strokes wider than twice this, in pixels, are not drawn into tiles, and a block of them is no dot.
+const LONGEST_LINE: f64 = 1e6;
+/// Strokes with a larger radius than this, in pixels, are not drawn into tiles, and their blocks are bands, not dots.
 const BROAD: f64 = 16.0;
-/// Sums are kept below this power of two.
-const LARGEST: i32 = 100;
-/// The steps of a picture before larger blocks are added as dots, and how many more for each of its sums. A step is a
-/// block looked into, a stroke or a stamp.
-const PATIENCE: [u64; 2] = [200_000, 16];
+/// Sums stay below about 2 to this power, so that an `f32` (below 2^128) holds them and their pigments.
+const LARGEST_EXPONENT: i32 = 100;
+/// The steps of a picture before larger blocks are added as dots: this many, and more for each sum. A step is a block
+/// looked into, a stroke or a stamp.
+const STEPS: u64 = 200_000;
+/// The further steps for each sum of the picture.
+const STEPS_PER_SUM: u64 = 16;
 /// The units of work on strokes and areas that take the time of a step.
-const UNITS: u64 = 16;
+const UNITS_PER_STEP: u64 = 16;
 
-/// What is being done for a picture.
+/// The stage of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Stage {
-    /// Leaving out the segments that are not to be shown.
+    /// Leaves out the segments that are not to be shown.
     Cut,
-    /// Finding out how closely the drawing can be looked at.
+    /// Finds the grain of the haze.
     Survey(Survey),
-    /// Drawing it, and as haze what is not larger than `grain`: 0 where all is drawn.
+    /// Draws blocks, and adds blocks up to the extent `grain`, in pixels, to the haze; 0 means no haze.
     Draw { grain: f64 },
-    /// Adding the haze.
+    /// Adds the haze to the sheet.
     Settle { grain: f64 },
     #[default]
     Done,
 }
 
-/// How large dots are.
+/// The size of dots.
 #[derive(Clone, Copy, Debug, Default)]
 struct Dots {
-    /// The largest extent, in pixels, at which all ink of a block is added at its centre of gravity.
+    /// The largest extent of a dot, in pixels.
     extent: f64,
-    /// The steps after which that extent doubles.
-    patience: u64,
+    /// The number of steps at which that extent doubles next.
+    next_growth: u64,
     /// The units of work that strokes and areas took.
-    laid: u64,
+    work: u64,
 }
 
 /// A picture of sums in the making.
 #[derive(Default)]
 pub(super) struct Picture {
-    /// What is to be made, until the drawing is ready for it, and the sums along the side of a pixel.
+    /// The plan until the drawing is prepared, and the sums along the side of a pixel.
     plan: Option<(Plan, f64)>,
-    /// How far segments have been left out, if some are.
+    /// The state of leaving out the last segments, until that is done.
     cut: Option<Cut>,
     descent: Descent,
     table: InkTable,
@@ -75,14 +77,14 @@ pub(super) struct Picture {
     haze: Haze,
     /// Pixels around a pane whose haze is spread into it.
     apron: usize,
-    /// Where the descent starts.
+    /// The stack at the start of each descent.
     start: Vec<Node>,
     stack: Vec<Node>,
-    /// A block whose pigment has been asked for.
+    /// A block that waits for its pigment.
     waiting: Option<Node>,
     stage: Stage,
     pass: Pass,
-    /// What a survey of the whole picture found for its panes.
+    /// The result of the survey of the whole picture, for its panes.
     finding: Finding,
     /// Whether blocks may recur.
     repeats: bool,
@@ -90,7 +92,7 @@ pub(super) struct Picture {
 }
 
 impl Picture {
-    /// Forgets everything about the drawing there was.
+    /// Forgets the drawing.
     pub(super) fn clear(&mut self) {
         self.descent.path.clear();
         self.table.clear();
@@ -99,7 +101,7 @@ impl Picture {
         self.stop();
     }
 
-    /// Gives up the picture that is being made.
+    /// Gives up the unfinished picture.
     fn stop(&mut self) {
         (self.plan, self.cut, self.waiting) = (None, None, None);
         self.pigments.stop();
@@ -109,17 +111,17 @@ impl Picture {
         self.stage = Stage::Done;
     }
 
-    /// Starts the sums of a pane with so many sums along the side of a pixel.
+    /// Starts the sums of a pane, with `samples` sums along the side of a pixel.
     pub(super) fn begin(&mut self, drawing: &Drawing, plan: Plan, samples: f64) {
         self.stop();
         self.apron = 0;
         self.stats = RenderStats::default();
         self.repeats = drawing.memoised;
-        let camera = Camera::new(drawing, plan.viewport, plan.view, samples);
+        let transform = ViewTransform::new(drawing, plan.viewport, plan.view, samples);
         let hairline = plan.viewport.least_width(&plan.style) * samples;
-        let measure = Measure { hairline, step: camera.step, scale: camera.scale };
+        let measure = Measure { hairline, step: transform.step, scale: transform.scale };
         let changed = self.table.choose(drawing, &plan.style);
-        // Tiles with large dots in them would spoil this picture.
+        // Tiles that hold large dots would spoil this picture.
         let rough = core::mem::replace(&mut self.dots.extent, TINY) > TINY;
         if self.pigments.prepare(&plan.style, self.table.choice.colours) | changed | rough || measure != self.measure {
             self.measure = measure;
@@ -128,7 +130,7 @@ impl Picture {
         self.plan = Some((plan, samples));
     }
 
-    /// Finds out what the picture needs to know of the drawing, and empties the sheet.
+    /// Collects the facts that the picture needs, and empties the sheet.
     pub(super) fn prepare(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
         let Some((plan, samples)) = self.plan.take() else { return Progress::Done };
         if self.table.prepare(drawing, meter) == Progress::More
@@ -145,16 +147,16 @@ impl Picture {
             self.plan = Some((plan, samples));
             return Progress::More;
         }
-        let [patience, each] = PATIENCE;
-        (self.dots.patience, self.dots.laid) = (patience + each * (size[0] * size[1]) as u64, 0);
-        let camera = Camera::new(drawing, plan.viewport, plan.view, samples).of_pane(plan.pane, samples);
-        self.start.extend(self.descent.root(drawing, camera));
+        self.dots.next_growth = STEPS + STEPS_PER_SUM * (size[0] * size[1]) as u64;
+        self.dots.work = 0;
+        let transform = ViewTransform::new(drawing, plan.viewport, plan.view, samples).of_pane(plan.pane, samples);
+        self.start.extend(self.descent.root(drawing, transform));
         self.cut = plan.upto.map(Cut::new);
         (self.stage, self.pass) = (Stage::Cut, plan.pass);
         Progress::Done
     }
 
-    /// Starts the survey, unless that has been made for the whole picture.
+    /// Starts the survey, or the drawing if the whole picture has been surveyed. Returns the units of work.
     fn survey(&mut self) -> u64 {
         if matches!(self.pass, Pass::Count | Pass::Show) {
             return self.draw(self.finding);
@@ -168,7 +170,7 @@ impl Picture {
         self.stack.clone_from(&self.start);
     }
 
-    /// Starts drawing what a survey has found; the units of work that this took.
+    /// Starts drawing with the result of a survey. Returns the units of work.
     fn draw(&mut self, finding: Finding) -> u64 {
         if self.pass == Pass::Survey {
             (self.finding, self.stage) = (finding, Stage::Done);
@@ -177,15 +179,15 @@ impl Picture {
         let Finding { grain, all } = finding;
         self.stage = Stage::Draw { grain };
         self.stack.clone_from(&self.start);
-        // The exponent of a unit in which so much ink can be held.
-        let exponent = all.exponent().map_or(0, |exponent| (exponent - LARGEST).max(0));
+        // The exponent of a unit in which all ink stays below the largest sum.
+        let exponent = all.exponent().map_or(0, |exponent| (exponent - LARGEST_EXPONENT).max(0));
         self.tiling.set_unit(exponent);
         self.sheets[0].exponent = exponent;
         self.apron = if grain > 0.0 { Haze::apron(grain) } else { 0 };
         if grain > 0.0 { self.haze.reset(&self.sheets[0], self.apron) } else { 0 }
     }
 
-    /// An empty picture.
+    /// Makes an empty picture.
     pub(super) fn blank(&mut self, pane: Pane) {
         self.stop();
         self.sheets[0].reset([pane.width, pane.height].map(|side| side as usize), 1, 0);
@@ -195,7 +197,7 @@ impl Picture {
         &self.sheets[0]
     }
 
-    /// What a picture in one ink is drawn with.
+    /// The pigment of a picture in one ink.
     pub(super) fn only_pigment(&self) -> Pigment {
         let number = self.table.used().first().copied().unwrap_or(0);
         self.pigments.of(Shade { number, fixed: true })
@@ -219,10 +221,10 @@ impl Picture {
                 Stage::Draw { .. } if !self.sheets[self.filled].is_filled() => {
                     let before = meter.spent();
                     self.sheets[self.filled].go_on(meter);
-                    self.dots.laid += meter.spent() - before;
+                    self.dots.work += meter.spent() - before;
                 }
                 Stage::Draw { .. } if self.pigments.is_asked() => {
-                    let source = Source { drawing, table: &self.table, deposits: &facts.deposits.list };
+                    let source = MeanSource { drawing, table: &self.table, deposits: &facts.deposits.list };
                     self.pigments.step(source, meter);
                 }
                 Stage::Draw { grain } => meter.charge(match self.waiting.take() {
@@ -236,13 +238,13 @@ impl Picture {
                 }
                 Stage::Done => return Progress::Done,
             }
-            // Not before: then a step of one unit would do nothing.
+            // Charged after the work, so that a step of one unit does something.
             meter.charge(1);
         }
         Progress::More
     }
 
-    /// Visits one item more of a survey; the units of work that this took.
+    /// Visits the next item of a survey. Returns the units of work.
     fn visit(&mut self, drawing: &Drawing, facts: &Facts, mut survey: Survey) -> u64 {
         let met = self.descent.next(drawing, self.table.choice, &mut self.stack, 0).filter(|_| !survey.is_over());
         match met {
@@ -250,9 +252,9 @@ impl Picture {
                 Next::Count(survey) => self.count(survey),
                 Next::End(finding) => return self.draw(finding),
             },
-            Some(Met { item: Item::Block(_), node }) => {
-                let Some(seen) = self.seen(drawing, facts, &node) else { return 0 };
-                if seen.extent > survey.grain {
+            Some(Visit { item: Item::Block(_), node }) => {
+                let Some(footprint) = self.footprint(drawing, facts, &node) else { return 0 };
+                if footprint.extent > survey.grain {
                     self.stack.push(node);
                     survey.count(Amount::default());
                 } else {
@@ -260,8 +262,8 @@ impl Picture {
                 }
                 self.stage = Stage::Survey(survey);
             }
-            Some(Met { node, .. }) => {
-                // More than any stroke has that is in the picture.
+            Some(Visit { node, .. }) => {
+                // An upper bound of the ink of a stroke in the picture.
                 survey.count(Amount::new(self.measure.width(node.pen.width)).times(self.sheets[0].numbers() as f64));
                 self.stage = Stage::Survey(survey);
             }
@@ -269,7 +271,7 @@ impl Picture {
         0
     }
 
-    /// Draws one item more; the units of work that this took.
+    /// Draws the next item. Returns the units of work.
     fn item(&mut self, drawing: &Drawing, facts: &Facts, grain: f64) -> u64 {
         match self.descent.next(drawing, self.table.choice, &mut self.stack, self.tiling.floor()) {
             None => {
@@ -281,11 +283,11 @@ impl Picture {
                 self.stats.stamps += 1;
                 work
             }
-            Some(Met { item: Item::Stroke(stroke), node }) => {
+            Some(Visit { item: Item::Stroke(stroke), node }) => {
                 let ends = [stroke.from, stroke.to].map(|p| node.place.point(p));
                 self.stroke(&node, ends, node.pen.width, node.pen.shade)
             }
-            Some(Met { item: Item::Polygon(polygon), node }) => {
+            Some(Visit { item: Item::Polygon(polygon), node }) => {
                 self.stats.strokes += 1;
                 let vertices = drawing.vertices_of(polygon).iter().map(|&vertex| node.place.point(vertex));
                 let pigment = self.pigments.of(node.pen.shade);
@@ -293,12 +295,12 @@ impl Picture {
                 let sheet = &mut self.sheets[node.canvas];
                 sheet.fill(vertices, sheet.layer(), pigment)
             }
-            Some(Met { item: Item::Block(_), node }) => self.block(drawing, facts, node, grain),
+            Some(Visit { item: Item::Block(_), node }) => self.block(drawing, facts, node, grain),
         }
     }
 
-    /// Where a block is on its sheet; `None` where nothing of it shows.
-    fn seen(&self, drawing: &Drawing, facts: &Facts, node: &Node) -> Option<Seen> {
+    /// The footprint of a block on its sheet; `None` if the block is outside or empty.
+    fn footprint(&self, drawing: &Drawing, facts: &Facts, node: &Node) -> Option<Footprint> {
         let shape = facts.shape(node);
         let place = &node.place;
         let width = self.measure.width(drawing.blocks[node.block.0 as usize].widest.of(node.pen.width));
@@ -308,7 +310,7 @@ impl Picture {
         let apron = if node.canvas == 0 { self.apron as f64 } else { 0.0 };
         let (near, far) = (low.map(|at| at - apron), high.map(|at| at + apron));
         let shows = shape.strokes > 0 && !self.sheets[node.canvas].misses(near, far);
-        shows.then_some(Seen { centre, reach, width, extent })
+        shows.then_some(Footprint { centre, reach, width, extent })
     }
 
     fn stroke(&mut self, node: &Node, ends: [[f64; 2]; 2], width: f64, shade: Shade) -> u64 {
@@ -317,11 +319,11 @@ impl Picture {
         self.filled = node.canvas;
         let sheet = &mut self.sheets[node.canvas];
         let work = sheet.stroke(ends, width, sheet.layer(), pigment);
-        self.dots.laid += work;
+        self.dots.work += work;
         work
     }
 
-    /// What a block is drawn with, as a whole; `None` where that has to be found first, and the block is put off.
+    /// The mean pigment of a block; `None` if the mean is not known yet. Then the block waits for it.
     fn pigment(&mut self, node: &Node) -> Option<Pigment> {
         if self.sheets[node.canvas].planes == 1 {
             return Some(Pigment::default());
@@ -344,47 +346,49 @@ impl Picture {
 
     /// Lets dots grow with the steps that the picture takes.
     fn grow_dots(&mut self) {
-        // Without repeats there are no more steps than the drawing has segments, but each may be wide.
+        // Without repeats the number of steps is bounded by the number of segments, but not the work on wide strokes.
         let steps = self.stats.blocks + self.stats.strokes + self.stats.stamps;
-        let steps = self.dots.laid / UNITS + if self.repeats { steps } else { 0 };
-        if steps > self.dots.patience {
+        let steps = self.dots.work / UNITS_PER_STEP + if self.repeats { steps } else { 0 };
+        if steps > self.dots.next_growth {
             self.dots.extent *= 2.0;
-            self.dots.patience += self.dots.patience / 4;
+            self.dots.next_growth += self.dots.next_growth / 4;
         }
     }
 
-    /// Draws a block, or puts it on the stack; the units of work that this took.
+    /// Draws a block, or puts its node on the stack. Returns the units of work.
     fn block(&mut self, drawing: &Drawing, facts: &Facts, mut node: Node, grain: f64) -> u64 {
-        let Some(seen) = self.seen(drawing, facts, &node) else { return 0 };
+        let Some(footprint) = self.footprint(drawing, facts, &node) else { return 0 };
         let (shape, deposit) = (facts.shape(&node), facts.deposit(&node));
-        // A part of the path that has one colour is like any other block.
+        // Colours along the path allow a stroke or a tile only if the block's part of the path has one colour.
         let is_plain = !self.descent.path.counts() || node.canvas != 0 || node.span.is_short();
-        if let Some(line) = shape.line.as_ref().filter(|_| deposit.even && is_plain && seen.extent < LONG) {
+        if let Some(line) = shape.line.as_ref().filter(|_| deposit.even && is_plain && footprint.extent < LONGEST_LINE)
+        {
             let ends = [line.from, line.to].map(|p| node.place.point(p));
             let pen = node.pen.after(self.table.choice, &line.style);
             return self.stroke(&node, ends, pen.width, pen.shade);
         }
         self.grow_dots();
-        if seen.extent <= self.dots.extent {
-            return self.dot(&node, deposit, seen.width);
+        if footprint.extent <= self.dots.extent {
+            return self.dot(&node, deposit, footprint.width);
         }
-        if seen.extent <= grain {
+        if footprint.extent <= grain {
             return self.spread(&node, deposit);
         }
         let mut work = 1;
         if is_plain
             && self.repeats
-            && seen.width <= 2.0 * BROAD
-            && let Some(size) = self.tiling.tile_size(&node, seen.extent, shape.strokes)
+            && footprint.width <= 2.0 * BROAD
+            && let Some(size) = self.tiling.tile_size(&node, footprint.extent, shape.strokes)
         {
             let is_mixed = self.table.of(node.block.0 as usize) == Inks::Many;
             let Some(pigment) = (if is_mixed { Some(Pigment::default()) } else { self.pigment(&node) }) else {
                 return 1;
             };
             let shade = is_mixed.then_some(node.pen.shade);
-            let width = self.measure.is_wide(seen.width / 2.0).then_some(node.pen.width.to_bits());
+            let width = self.measure.is_wide(footprint.width / 2.0).then_some(node.pen.width.to_bits());
             let tile = (&mut node, self.stack.len(), size);
-            match self.tiling.add_or_make(&mut self.sheets, tile, &seen, (shape.strokes, width), (shade, pigment)) {
+            match self.tiling.add_or_make(&mut self.sheets, tile, &footprint, (shape.strokes, width), (shade, pigment))
+            {
                 Outcome::Added(work) => {
                     self.stats.stamps += 1;
                     return work;
@@ -398,8 +402,8 @@ impl Picture {
         work
     }
 
-    /// Adds all ink of a block at its centre of gravity. Where its strokes are broad, the ink is laid down as two bands
-    /// that cross there.
+    /// Adds all ink of a block at its centre of gravity, or as two bands that cross there if its strokes are broad.
+    /// Returns the units of work.
     fn dot(&mut self, node: &Node, deposit: &Deposit, width: f64) -> u64 {
         let Some(pigment) = self.pigment(node) else { return 1 };
         self.stats.strokes += 1;
@@ -407,18 +411,18 @@ impl Picture {
         let amount = deposit.amount(&self.measure, node);
         let sheet = &mut self.sheets[node.canvas];
         if width <= 2.0 * BROAD || deposit.length.is_zero() {
-            let amount = amount.units(sheet.exponent).max(LEAST) as f32;
+            let amount = amount.units(sheet.exponent).max(LEAST_INK) as f32;
             sheet.dot(node.place.point(deposit.centre), amount, pigment);
             return 1;
         }
         let (corners, area) = bands(&self.measure, deposit, node);
         self.filled = node.canvas;
-        let work = sheet.fill(corners, (amount.units(sheet.exponent) / area).max(LEAST), pigment);
-        self.dots.laid += work;
+        let work = sheet.fill(corners, (amount.units(sheet.exponent) / area).max(LEAST_INK), pigment);
+        self.dots.work += work;
         work
     }
 
-    /// Adds all ink of a block to the haze.
+    /// Adds all ink of a block to the haze. Returns the units of work.
     fn spread(&mut self, node: &Node, deposit: &Deposit) -> u64 {
         let Some(pigment) = self.pigment(node) else { return 1 };
         self.stats.strokes += 1;

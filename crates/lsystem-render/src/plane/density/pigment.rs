@@ -1,4 +1,4 @@
-//! What inks do to the paper's light, and the mean of a block's inks.
+//! The effect of inks on the paper's light, and the mean of a block's inks.
 
 use super::deposit::{Deposit, part};
 use super::sheet::Pigment;
@@ -9,42 +9,43 @@ use lsystem_drawing::{Drawing, Item};
 use lsystem_syntax::{Colour, Meter, Style};
 use std::collections::HashMap;
 
-/// The least part of light that a channel is taken to reflect: colours have 256 levels.
-const LEAST: f64 = 1.0 / 512.0;
+/// The least part of light that a channel reflects: half of one of 256 levels, because the logarithm of 0 is infinite.
+const LEAST_LIGHT: f64 = 1.0 / 512.0;
 
-/// How much one layer of ink darkens each channel, as the logarithm of a part (Beer's law): what is left of the paper's
-/// light is the ink's. Where the ink is lighter than the paper the same holds of the light that the paper lacks, and
-/// the number is negative.
+/// How much one layer of ink darkens each channel (Beer's law): the natural logarithm of the paper's light over the
+/// ink's light. For an ink lighter than the paper: minus the logarithm of the ratio of the light that each lacks.
 pub(super) fn pigment(ink: Colour, paper: Colour) -> Pigment {
     [0, 1, 2].map(|channel| {
         let [ink, paper] = [ink, paper].map(|colour| f64::from(colour.rgb[channel]) / 255.0);
-        let part = |ink: f64, paper: f64| libm::log(paper.max(LEAST) / ink.max(LEAST));
+        let part = |ink: f64, paper: f64| libm::log(paper.max(LEAST_LIGHT) / ink.max(LEAST_LIGHT));
         (if ink <= paper { part(ink, paper) } else { -part(1.0 - ink, 1.0 - paper) }) as f32
     })
 }
 
-/// What is left of the paper's channel, as part of full light, under so much of a pigment.
+/// The light that a channel of the paper reflects under an amount of pigment, as a part of full light.
 pub(super) fn light(paper: u8, pigment: f64) -> f64 {
     let paper = f64::from(paper) / 255.0;
     if pigment >= 0.0 { paper * libm::exp(-pigment) } else { 1.0 - (1.0 - paper) * libm::exp(pigment) }
 }
 
-/// The pigments of a picture's inks and, found when asked for, of blocks that have several.
+/// The pigments of a picture's inks, and the mean pigments of blocks with several inks, found on demand.
 #[derive(Default)]
 pub(super) struct Pigments {
     inks: Vec<Pigment>,
-    /// By block and the colour at its entry.
+    /// By block and the number of the colour at its entry.
     means: HashMap<(u32, u32), Pigment, BuildHasherDefault<Mixer>>,
+    /// By block: the portions of its ink.
     mixtures: HashMap<u32, Vec<Portion>, BuildHasherDefault<Mixer>>,
-    /// The blocks whose means are being found, each for the sake of the one before it.
-    open: Vec<Open>,
-    /// The mixture that is being found: its block, how many items are done, and where its portions are.
+    /// The blocks whose means are being found. Each is needed for the block before.
+    open: Vec<OpenMean>,
+    /// The mixture that is being found: its block, the number of items done, and its portions.
     making: Option<(u32, usize, Vec<Portion>)>,
+    /// The index of each portion of that mixture, by shade and inner block.
     places: HashMap<(Shade, Option<u32>), usize, BuildHasherDefault<Mixer>>,
 }
 
-/// What part of a block's ink is drawn alike: after one change of the colour, and inside one block if it is not the block's
-/// own. However long a block is, it has few of them.
+/// The share of a block's ink with the same change of colour and, if the ink is inside a block, in the same inner
+/// block. Even a long block has few portions.
 #[derive(Clone, Copy, Debug)]
 struct Portion {
     shade: Shade,
@@ -52,32 +53,34 @@ struct Portion {
     share: f64,
 }
 
-/// A block and the colour at its entry; how many of its portions are in the sum.
+/// The mean of a block that is being found.
 #[derive(Clone, Copy, Debug)]
-struct Open {
+struct OpenMean {
     block: u32,
+    /// The number of the colour at the block's entry.
     entry: u32,
+    /// The number of portions in the sum.
     done: usize,
     sum: [f64; 3],
 }
 
-/// What is needed to find the mean of a block.
+/// The facts that means are found from.
 #[derive(Clone, Copy)]
-pub(super) struct Source<'a> {
+pub(super) struct MeanSource<'a> {
     pub drawing: &'a Drawing,
     pub table: &'a InkTable,
     pub deposits: &'a [Deposit],
 }
 
-/// The most means that are remembered from one to the next, and the most portions.
-const REMEMBERED: usize = 1 << 18;
+/// The most means, and the most mixtures, that are remembered, to bound the memory.
+const MOST_REMEMBERED: usize = 1 << 18;
 
 impl Pigments {
     pub(super) fn clear(&mut self) {
         *self = Self::default();
     }
 
-    /// Takes the inks of a style; whether anything changed.
+    /// Takes the inks of a style. Returns whether anything changed.
     pub(super) fn prepare(&mut self, style: &Style, colours: u32) -> bool {
         let inks: Vec<Pigment> = (0..colours).map(|ink| pigment(style.ink(ink), style.background)).collect();
         if inks == self.inks {
@@ -96,28 +99,28 @@ impl Pigments {
         self.inks.get(shade.number as usize).copied().unwrap_or_default()
     }
 
-    /// The mean of a block's inks, each by how much there is of it, where the block is entered with a shade; `None` where it
-    /// has not been found yet.
+    /// The mean of a block's inks, weighted by their amounts, for a shade at the block's entry; `None` if it is not
+    /// known yet.
     pub(super) fn mean(&self, block: u32, entry: Shade) -> Option<Pigment> {
         self.means.get(&(block, entry.number)).copied()
     }
 
     /// Starts to find the mean of a block.
     pub(super) fn ask(&mut self, block: u32, entry: Shade) {
-        if self.means.len() > REMEMBERED || self.mixtures.len() > REMEMBERED {
+        if self.means.len() > MOST_REMEMBERED || self.mixtures.len() > MOST_REMEMBERED {
             (self.means, self.mixtures) = Default::default();
         }
         self.stop();
-        self.open.push(Open::new(block, entry.number));
+        self.open.push(OpenMean::new(block, entry.number));
     }
 
-    /// Whether there is a mean to be found.
+    /// Whether a mean is being found.
     pub(super) fn is_asked(&self) -> bool {
         !self.open.is_empty()
     }
 
-    /// Goes on until what was asked for has been found.
-    pub(super) fn step(&mut self, source: Source<'_>, meter: &mut Meter) {
+    /// Goes on until the mean that was asked for is known.
+    pub(super) fn step(&mut self, source: MeanSource<'_>, meter: &mut Meter) {
         let choice = source.table.choice;
         while !meter.is_spent()
             && let Some(open) = self.open.last_mut()
@@ -140,7 +143,7 @@ impl Pigments {
                         Some(block) => match self.means.get(&(block, shade.number)) {
                             Some(&mean) => mean,
                             None => {
-                                self.open.push(Open::new(block, shade.number));
+                                self.open.push(OpenMean::new(block, shade.number));
                                 continue;
                             }
                         },
@@ -158,9 +161,9 @@ impl Pigments {
         }
     }
 
-    /// Goes on with the portions of a block.
-    fn mix(&mut self, source: Source<'_>, block: u32, meter: &mut Meter) {
-        let Source { drawing, table, deposits } = source;
+    /// Goes on with the mixture of a block.
+    fn mix(&mut self, source: MeanSource<'_>, block: u32, meter: &mut Meter) {
+        let MeanSource { drawing, table, deposits } = source;
         let (_, mut done, mut portions) = self.making.take().unwrap_or_else(|| {
             self.places.clear();
             (block, 0, vec![])
@@ -194,7 +197,7 @@ impl Pigments {
     }
 }
 
-impl Open {
+impl OpenMean {
     fn new(block: u32, entry: u32) -> Self {
         Self { block, entry, done: 0, sum: [0.0; 3] }
     }

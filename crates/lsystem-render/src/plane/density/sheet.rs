@@ -1,44 +1,46 @@
 //! Sums of ink, pixel by pixel.
 //!
-//! The unit is one layer: a stroke as wide as a pixel or wider has 1 along its axis. What is thinner than a pixel or
-//! shorter is spread over the four pixels around it, by how near they are, so that neither moving nor magnifying a
-//! little makes ink jump or vanish.
+//! The unit is one layer: a stroke as wide as a pixel or wider has 1 along its axis. Strokes that are thinner or
+//! shorter than a pixel are shared by the four pixels around each point, by distance, so that a small change of the
+//! view does not make ink jump or vanish.
 
-use crate::plane::canvas::polygon::{Crossing, MANY, Side, sides_in};
+use crate::plane::canvas::polygon::{Crossing, MOST_SORTED, Side, sides_in};
 use core::ops::Range;
 use lsystem_syntax::{Meter, Progress};
 
-/// What ink is added with it: how much it darkens red, green and blue ([`super::pigment`]).
+/// The colour of ink: how much one layer darkens red, green and blue ([`super::pigment`]).
 pub(super) type Pigment = [f32; 3];
 
-/// Wider strokes are filled, others put together from lines.
+/// Strokes wider than this, in pixels, are filled as polygons. Others are put together from lines of points.
 const BROAD: f64 = 4.0;
-/// The least that is added of any ink: a 2^200th part of the most there can be. A trunk beside 10^100 twigs is there.
-pub(super) const LEAST: f64 = 1.0 / (1_u128 << 110) as f64;
-/// How many points of a line are drawn for each pixel of its length.
-const POINTS: f64 = 2.0;
-/// Numbers that are cleared in a unit of work, and pixels of a span to which ink is added.
-const CLEARED: usize = 256;
+/// The least ink that is added, in units of the sheet: less counts as this much, so a trunk shows beside 10^100 twigs.
+/// Sums stay below about 2^100 units.
+pub(super) const LEAST_INK: f64 = 1.0 / (1_u128 << 110) as f64;
+/// Points of a line for each pixel of its length.
+const POINTS_PER_PIXEL: f64 = 2.0;
+/// Numbers that are cleared in a unit of work.
+const NUMBERS_PER_UNIT: usize = 256;
 /// Rows that are emptied between two looks at the meter.
 const ROWS_AT_ONCE: usize = 64;
-const ADDED: usize = 32;
-/// Rows into which a pixel is divided where areas are filled.
-const ROWS: usize = 4;
+/// Pixels of a span to which ink is added in a unit of work.
+const PIXELS_PER_UNIT: usize = 32;
+/// Parts into which a row of pixels is divided to fill areas.
+const PARTS: usize = 4;
 
-/// Numbers of pixels, row by row. Coordinates are pixels, y down.
+/// Sums of ink by pixel, row by row. Coordinates are pixels, y down.
 #[derive(Default)]
 pub(super) struct Sheet {
     pub width: usize,
     pub height: usize,
-    /// Numbers of a pixel: 1, the ink, or 4, the ink and its pigments.
+    /// Numbers of a pixel: 1 (the ink), or 4 (the ink, and the ink times its pigments).
     pub planes: usize,
     /// One unit is `2^exponent` layers of ink.
     pub exponent: i32,
     pub values: Vec<f32>,
-    /// By row: where there may be anything.
+    /// By row: the columns that may have ink.
     pub reach: Vec<Range<u32>>,
     filling: Filling,
-    /// Rows that are empty again, while it is emptied in pieces.
+    /// The number of empty rows, while the sheet is emptied in pieces.
     emptied: usize,
 }
 
@@ -48,29 +50,31 @@ struct Filling {
     vertices: Vec<[f64; 2]>,
     /// Parts of rows that are still to be filled.
     parts: Range<usize>,
+    /// The units of ink that each part adds.
     layer: f32,
     pigment: Pigment,
-    /// The sides that the row in hand may cross, and where they cross a part of it.
+    /// The sides that may cross the present row.
     sides: Vec<Side>,
+    /// The crossings of the sides with the present part of the row.
     crossings: Vec<Crossing>,
-    /// By column: how the winding changes there, where there are very many crossings.
+    /// By column: the change of the winding number there, for very many crossings.
     changes: Vec<i32>,
 }
 
-/// Values to be added to a sheet: those of a small picture, in the same unit.
+/// The values of a tile, in the unit of the sheet that they are added to.
 pub(super) struct Stamp<'a> {
     pub planes: usize,
-    /// By row: its first column, its end, and where its values begin.
+    /// By row: the first column, the column after the last, and the index of the first value.
     pub rows: &'a [(u32, u32, u32)],
     pub values: &'a [f32],
 }
 
 impl Sheet {
-    /// Makes it empty. Returns how much work it was.
+    /// Empties the sheet. Returns the units of work.
     pub(super) fn reset(&mut self, [width, height]: [usize; 2], planes: usize, exponent: i32) -> u64 {
         self.exponent = exponent;
         self.filling.parts = 0..0;
-        let units = 1 + (width * height * planes / CLEARED) as u64;
+        let units = 1 + (width * height * planes / NUMBERS_PER_UNIT) as u64;
         self.emptied = 0;
         if (self.width, self.height, self.planes) == (width, height, planes) && self.reach.len() == height {
             for (row, reach) in self.reach.iter_mut().enumerate() {
@@ -88,7 +92,7 @@ impl Sheet {
         units
     }
 
-    /// The same in pieces.
+    /// Empties the sheet in pieces.
     pub(super) fn empty(&mut self, [width, height]: [usize; 2], planes: usize, meter: &mut Meter) -> Progress {
         if (self.width, self.height, self.planes) != (width, height, planes) {
             (self.width, self.height, self.planes) = (width, height, planes);
@@ -110,8 +114,8 @@ impl Sheet {
                 self.reach.push(0..0);
             }
             self.emptied += 1;
-            meter.charge(1 + (width * planes / CLEARED) as u64);
-            // Whatever the meter says, some rows are done each time.
+            meter.charge(1 + (width * planes / NUMBERS_PER_UNIT) as u64);
+            // Each call empties some rows, so that calls with a spent meter end.
             if meter.is_spent() && self.emptied < height && self.emptied.is_multiple_of(ROWS_AT_ONCE) {
                 return Progress::More;
             }
@@ -120,24 +124,24 @@ impl Sheet {
         Progress::Done
     }
 
-    /// Only the size of one, to see what would lie on it.
+    /// Sets only the size, without memory for values, to see which blocks the sheet would show.
     pub(super) fn outline(&mut self, [width, height]: [usize; 2], planes: usize) {
         *self = Self { width, height, planes, ..Self::default() };
     }
 
-    /// How many numbers its pixels have.
+    /// The number of values.
     pub(super) fn numbers(&self) -> usize {
         self.width * self.height * self.planes
     }
 
     /// One layer of ink, in units of this sheet.
     pub(super) fn layer(&self) -> f64 {
-        libm::scalbn(1.0, self.exponent.saturating_neg()).max(LEAST)
+        libm::scalbn(1.0, self.exponent.saturating_neg()).max(LEAST_INK)
     }
 
-    /// Whether something with these bounds does not show.
+    /// Whether bounds are outside the sheet.
     pub(super) fn misses(&self, low: [f64; 2], high: [f64; 2]) -> bool {
-        // Not a number shows nothing either.
+        // Bounds that are not numbers count as outside.
         !(high[0] > -1.0 && high[1] > -1.0 && low[0] < self.width as f64 + 1.0 && low[1] < self.height as f64 + 1.0)
     }
 
@@ -180,8 +184,8 @@ impl Sheet {
         }
     }
 
-    /// Adds a stroke with flat ends that lays down `layer` units of ink wherever it is, and is `width` pixels wide: less
-    /// than one means so much less ink. [`Sheet::go_on`] does the rest of a broad one. Returns how much work it was.
+    /// Adds a stroke with flat ends, `width` pixels wide, that adds `layer` units of ink to each pixel. A width below 1
+    /// adds less ink. [`Sheet::go_on`] fills a broad stroke. Returns the units of work.
     pub(super) fn stroke(&mut self, ends: [[f64; 2]; 2], width: f64, layer: f64, pigment: Pigment) -> u64 {
         let Some([from, to]) = self.clipped(ends, width) else { return 1 };
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
@@ -196,7 +200,7 @@ impl Sheet {
             return self.fill(corners.into_iter(), layer, pigment);
         }
         let lines = width.ceil().max(1.0);
-        let points = (length * POINTS).ceil().max(1.0);
+        let points = (length * POINTS_PER_PIXEL).ceil().max(1.0);
         let weight = (layer * width * length / (lines * points)) as f32;
         let step = [dx / points, dy / points];
         for line in 0..lines as usize {
@@ -210,7 +214,7 @@ impl Sheet {
         (lines * points) as u64 / 4 + 1
     }
 
-    /// The part of a segment that can be seen.
+    /// The part of a segment near the sheet; `None` if there is none, or if numbers are not finite.
     fn clipped(&self, [from, to]: [[f64; 2]; 2], width: f64) -> Option<[[f64; 2]; 2]> {
         let margin = width / 2.0 + 2.0;
         let size = [self.width as f64, self.height as f64];
@@ -228,7 +232,7 @@ impl Sheet {
             start = start.max(a.min(b));
             end = end.min(a.max(b));
         }
-        // Numbers out of range leave nothing either.
+        // Numbers that are not finite leave nothing.
         if !(start < end && delta.iter().chain(&from).all(|v| v.is_finite())) {
             return None;
         }
@@ -236,38 +240,38 @@ impl Sheet {
         Some([if start > 0.0 { at(start) } else { from }, if end < 1.0 { at(end) } else { to }])
     }
 
-    /// Starts to add `layer` units of ink inside an outline, where it winds around a number of times other than zero;
-    /// [`Sheet::go_on`] does it. Returns how much work it was.
+    /// Starts to add `layer` units of ink inside an outline, where its winding number is not 0. [`Sheet::go_on`] does
+    /// the filling. Returns the units of work.
     pub(super) fn fill(&mut self, vertices: impl Iterator<Item = [f64; 2]>, layer: f64, pigment: Pigment) -> u64 {
         let filling = &mut self.filling;
         filling.vertices.clear();
         filling.vertices.extend(vertices);
-        (filling.layer, filling.pigment, filling.parts) = ((layer / ROWS as f64) as f32, pigment, 0..0);
+        (filling.layer, filling.pigment, filling.parts) = ((layer / PARTS as f64) as f32, pigment, 0..0);
         let (low, high) = filling
             .vertices
             .iter()
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), vertex| (low.min(vertex[1]), high.max(vertex[1])));
         if low < high && filling.vertices.iter().flatten().all(|v| v.is_finite()) {
             let rows = (low.max(0.0) as usize).min(self.height)..(high.ceil().max(0.0) as usize).min(self.height);
-            filling.parts = rows.start * ROWS..rows.end * ROWS;
+            filling.parts = rows.start * PARTS..rows.end * PARTS;
         }
         1 + filling.vertices.len() as u64 / 8
     }
 
-    /// Whether all polygons are filled.
+    /// Whether no polygon is unfinished.
     pub(super) fn is_filled(&self) -> bool {
         self.filling.parts.is_empty()
     }
 
-    /// Goes on with the polygon, a part of a row at a time.
+    /// Goes on with the unfinished polygon, a part of a row at a time.
     pub(super) fn go_on(&mut self, meter: &mut Meter) {
         let mut filling = core::mem::take(&mut self.filling);
         while !meter.is_spent()
             && let Some(part) = filling.parts.next()
         {
-            if part % ROWS == 0 || filling.sides.is_empty() {
-                let centre = |part: usize| (part as f64 + 0.5) / ROWS as f64;
-                let ends = [part, part / ROWS * ROWS + ROWS - 1].map(centre);
+            if part % PARTS == 0 || filling.sides.is_empty() {
+                let centre = |part: usize| (part as f64 + 0.5) / PARTS as f64;
+                let ends = [part, part / PARTS * PARTS + PARTS - 1].map(centre);
                 meter.charge(sides_in(&filling.vertices, ends, &mut filling.sides));
             }
             meter.charge(1 + self.fill_part(&mut filling, part));
@@ -275,18 +279,18 @@ impl Sheet {
         self.filling = filling;
     }
 
-    /// Fills a part of a row.
+    /// Fills a part of a row. Returns the units of work.
     fn fill_part(&mut self, filling: &mut Filling, part: usize) -> u64 {
         let Filling { sides, crossings, changes, layer, pigment, .. } = filling;
-        let y = (part as f64 + 0.5) / ROWS as f64;
+        let y = (part as f64 + 0.5) / PARTS as f64;
         crossings.clear();
         crossings.extend(sides.iter().filter_map(|[a, b]| {
             let turn = i32::from(a[1] <= y) - i32::from(b[1] <= y);
             (turn != 0).then(|| (a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]), turn))
         }));
         let mut work = 0;
-        if crossings.len() > MANY {
-            // By the column that is nearest.
+        if crossings.len() > MOST_SORTED {
+            // Each crossing counts at the nearest border of a column.
             changes.clear();
             changes.resize(self.width + 1, 0);
             for &(x, turn) in &*crossings {
@@ -296,7 +300,7 @@ impl Sheet {
             for (column, change) in changes.iter().enumerate().take(self.width) {
                 winding += change;
                 if winding != 0 {
-                    work += self.span(part / ROWS, [column as f64, column as f64 + 1.0], *layer, *pigment);
+                    work += self.span(part / PARTS, [column as f64, column as f64 + 1.0], *layer, *pigment);
                 }
             }
             work += self.width + crossings.len();
@@ -306,15 +310,15 @@ impl Sheet {
             for pair in crossings.windows(2) {
                 winding += pair[0].1;
                 if winding != 0 {
-                    work += self.span(part / ROWS, [pair[0].0, pair[1].0], *layer, *pigment);
+                    work += self.span(part / PARTS, [pair[0].0, pair[1].0], *layer, *pigment);
                 }
             }
             work += 8 * crossings.len();
         }
-        (work / ADDED + sides.len() / 8) as u64
+        (work / PIXELS_PER_UNIT + sides.len() / 8) as u64
     }
 
-    /// Adds to a part of a row.
+    /// Adds ink to a part of a row between two sides. Returns the number of pixels.
     fn span(&mut self, row: usize, sides: [f64; 2], layer: f32, pigment: Pigment) -> usize {
         let [left, right] = sides.map(|x| x.clamp(0.0, self.width as f64));
         if left >= right {
@@ -329,7 +333,8 @@ impl Sheet {
         end - first
     }
 
-    /// Adds a small picture with its upper left corner at (`x`, `y`). Without pigments of its own it takes this one.
+    /// Adds a tile with its upper left corner at (`x`, `y`). A tile without pigments of its own takes `pigment`.
+    /// Returns the units of work.
     pub(super) fn stamp(&mut self, stamp: &Stamp<'_>, [x, y]: [i64; 2], pigment: Pigment) -> u64 {
         let mut work = 1;
         let above = (-y).clamp(0, stamp.rows.len() as i64) as usize;

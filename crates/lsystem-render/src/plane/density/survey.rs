@@ -1,40 +1,42 @@
-//! The survey of a picture of sums: how closely the drawing can be looked at, in bounded work.
+//! The survey of a picture of sums: finds in bounded work the least extent of blocks that can be drawn.
 
 use crate::plane::Amount;
 
-/// Blocks of this extent, in pixels, and smaller ones are put together from tiles.
+/// Blocks up to this extent, in pixels, are put together from tiles.
 const TILED: f64 = 64.0;
-/// The most blocks of a larger extent that are looked into. If there are more, larger blocks are drawn as haze.
-const PATIENCE: u64 = 40_000;
-/// By how much the grain becomes finer if there are few blocks, and coarser if there are too many.
+/// The most visits of a count. With more, larger blocks are drawn as haze.
+const MOST_VISITS: u64 = 40_000;
+/// If a count is not over, the next grain is divided by this.
 const FINER: f64 = 4.0;
+/// If a count is over, the next grain is multiplied by this.
 const COARSER: f64 = 16.0;
 
-/// What a survey has found.
+/// The result of a survey.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Finding {
-    /// Blocks up to this extent, in pixels, are drawn as haze: 0 where none is.
+    /// Blocks up to this extent, in pixels, are drawn as haze; 0 means none.
     pub grain: f64,
-    /// All ink of the picture, or more.
+    /// An upper bound of all ink of the picture.
     pub all: Amount,
 }
 
-/// A survey in the making. It counts the blocks whose extent is larger than a grain, with one grain after the other.
+/// One count of a survey: the visits if blocks larger than a grain are looked into. A survey counts with one grain
+/// after the other.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Survey {
-    /// In pixels.
+    /// The grain in pixels.
     pub grain: f64,
-    /// The ink of all that is no larger.
+    /// The ink of all visited items that are not looked into.
     all: Amount,
-    /// Items visited.
+    /// The items visited.
     visits: u64,
-    /// Whether there were too many with a smaller grain.
+    /// Whether the count before, with a finer grain, was over.
     is_rising: bool,
-    /// The finest grain so far with which there were few enough.
+    /// The finding with the finest grain so far.
     found: Option<Finding>,
 }
 
-/// What comes after a count.
+/// The step after a count.
 pub(super) enum Next {
     /// Another count.
     Count(Survey),
@@ -48,32 +50,32 @@ impl Survey {
         Self { grain: 4.0 * size[0].max(size[1]) as f64, ..Self::default() }
     }
 
-    /// Counts a visit to something with so much ink that is not looked into.
+    /// Counts a visit to an item; `ink` is 0 if the item is looked into.
     pub(super) fn count(&mut self, ink: Amount) {
         self.visits += 1;
         self.all = self.all.plus(ink);
     }
 
-    /// Whether there are too many blocks.
+    /// Whether there were too many visits.
     pub(super) fn is_over(&self) -> bool {
-        self.visits > PATIENCE
+        self.visits > MOST_VISITS
     }
 
-    fn again(&self, grain: f64) -> Next {
+    fn count_with(&self, grain: f64) -> Next {
         Next::Count(Self { grain, is_rising: self.is_over(), found: self.found, ..Self::default() })
     }
 
-    /// What comes after this count, which is over or has seen everything.
+    /// The step after this count, which is over or complete.
     pub(super) fn next(mut self) -> Next {
         let own = Finding { grain: self.grain, all: self.all };
         match self.found {
             Some(found) if self.is_over() && !self.is_rising => Next::End(found),
-            _ if self.is_over() => self.again(COARSER * self.grain),
+            _ if self.is_over() => self.count_with(COARSER * self.grain),
             _ if self.is_rising => Next::End(own),
             _ if self.grain <= TILED => Next::End(Finding { grain: 0.0, ..own }),
             _ => {
                 self.found = Some(own);
-                self.again((self.grain / FINER).max(TILED))
+                self.count_with((self.grain / FINER).max(TILED))
             }
         }
     }

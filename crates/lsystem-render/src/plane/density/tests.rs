@@ -1,16 +1,16 @@
 use super::*;
 use crate::plane::tests::{check_odd_views, check_small_steps, close_up, difference, hard, put, samples, time};
 use crate::plane::view::root_bounds;
-use crate::plane::{Maker, Pass, Renderer, View, Viewport};
+use crate::plane::{InkMethod, Pass, Renderer, View, Viewport};
 use crate::{fit, fitted_scale};
 use lsystem_syntax::{ColourBy, Ink, Style};
 use std::sync::Arc;
 
-/// The picture of sums that was made last.
+/// The picture of sums made last.
 fn density(renderer: &Renderer) -> &Density {
-    match &renderer.maker {
-        Maker::Density(density) => density,
-        Maker::Opaque(_) => unreachable!("the picture is opaque"),
+    match &renderer.method {
+        InkMethod::Density(density) => density,
+        InkMethod::Opaque(_) => unreachable!("the picture is opaque"),
     }
 }
 
@@ -20,8 +20,8 @@ fn picture(renderer: &mut Renderer, style: &Style, viewport: Viewport, view: Vie
     crate::plane::tests::picture(renderer, &style, viewport, view);
 }
 
-/// The ink at each pixel by definition, in layers: every segment point by point, each shared by the four pixels around
-/// it, by how near they are.
+/// The ink of each pixel by definition, in layers: every segment point by point, each shared by the four pixels around
+/// the point, by distance.
 fn by_definition(drawing: &Drawing, style: &Style, viewport: Viewport, view: View) -> Vec<f64> {
     let (width, height) = (viewport.width as i64, viewport.height as i64);
     let rect = fit(drawing);
@@ -37,7 +37,7 @@ fn by_definition(drawing: &Drawing, style: &Style, viewport: Viewport, view: Vie
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let length = (dx * dx + dy * dy).sqrt();
         let stroke = (segment.width * scale).max(style.min_width * viewport.ratio).max(1.0);
-        // Strokes of a pixel are lines without width; others have as many of them as makes no difference.
+        // A stroke one pixel wide is a line without width. A wider stroke is many lines.
         let lines = if stroke > 1.0 { (stroke * 8.0).ceil() as usize } else { 1 };
         let points = (length * 8.0).ceil().max(1.0) as usize;
         for (line, point) in (0..lines).flat_map(|line| (0..points).map(move |point| (line, point))) {
@@ -89,9 +89,9 @@ fn sums_are_those_of_all_strokes() {
             let worst = pairs().map(|(a, b)| (a - b).abs() / (b + mean)).fold(0.0, f64::max);
             let (total, off) = ((got - all).abs() / all, off / all);
             println!("{name:12} {zoom:4} total {total:.1e} off {off:.3} worst {worst:.3} {:?}", renderer.stats());
-            // Nothing is lost but by rounding, and at the edges of a picture that cuts the drawing by an eighth of a
-            // pixel. Tiles are off by an eighth of a pixel each way, and again where they are put together of smaller
-            // ones: so much of a pixel's ink, about, is at its neighbour's, and of a cell's at the next.
+            // Ink is lost only by rounding, and at the edges of a picture that cuts the drawing. Tiles are off by an
+            // eighth of a pixel each way, and again if they are put together from smaller tiles. About as much of a
+            // pixel's ink is in its neighbour, and of a cell's ink in the next cell.
             if total > if zoom == 1.0 { 2e-3 } else { 2e-2 } || off > 0.25 || worst > 0.12 {
                 failures.push((name, zoom, total, off, worst));
             }
@@ -159,7 +159,7 @@ fn a_drawing_has_the_ink_of_its_strokes_at_any_depth() {
     }
 }
 
-/// Also where they are much wider than all of it is: it is no dot.
+/// Also if strokes are much wider than the whole drawing, which is then no dot.
 #[test]
 fn small_drawings_of_wide_strokes_have_their_ink() {
     let viewport = Viewport { width: 160, height: 120, ratio: 1.0 };
@@ -258,7 +258,7 @@ fn exposure_does_not_jump_while_zooming() {
             let zoom = libm::pow(2.0, f64::from(step) / 30.0);
             picture(&mut renderer, style, viewport, View { zoom, ..at });
             let now = shown(renderer.pixels(), style);
-            // A fortieth of a power of two may show so much more or less of the drawing at the edges.
+            // A zoom by a fortieth of a power of two changes at most this much at the edges.
             if let Some(last) = last {
                 assert!((now - last).abs() < 1.0 + 0.06 * last, "{name} step {step}: {last} then {now}");
             }
@@ -288,8 +288,8 @@ fn inks_mix_by_how_much_there_is_of_each() {
     }
 }
 
-/// Colours that change at every stroke of a long successor: the mean of a block takes as long as the block is, not the
-/// square of that, and is found in steps.
+/// Colours change at every stroke of a long successor. The work for the mean of a block grows with the length of the
+/// block, not with its square, and the mean is found in steps.
 #[test]
 fn means_of_long_blocks_are_found_in_steps() {
     for (times, n) in [(2000, 8), (12_000, 20)] {
@@ -310,7 +310,7 @@ fn means_of_long_blocks_are_found_in_steps() {
     }
 }
 
-/// A small picture of very many blocks in the same place takes no longer than a large one may.
+/// A small picture of very many blocks in the same place takes no longer than a large picture.
 #[test]
 fn small_pictures_end_in_time() {
     for (name, sample) in hard() {

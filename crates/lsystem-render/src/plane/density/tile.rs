@@ -1,4 +1,4 @@
-//! Small pictures of blocks, made once and added wherever the block recurs.
+//! Small pictures of blocks in sums of ink, made once and added wherever the block recurs.
 
 use super::sheet::{Sheet, Stamp};
 use crate::plane::mixer::Mixer;
@@ -6,41 +6,41 @@ use crate::plane::top_down::tile::Key;
 use core::hash::BuildHasherDefault;
 use std::collections::HashMap;
 
-/// The sizes of tiles, as the largest extents of their blocks in pixels: each is put together from smaller ones, the
+/// The sizes of tiles, as the largest extents of their blocks in pixels. A tile is put together from smaller tiles, the
 /// smallest from dots and strokes.
 const EXTENTS: [f64; SIZES] = [64.0, 20.0, 7.0];
 /// By size of tile: blocks of fewer strokes are drawn stroke by stroke.
-const FEW: [u32; SIZES] = [64, 24, 12];
-/// Into how many steps a pixel is divided, each way, for the places of origins. A tile is off by half a step at most.
+const LEAST_STROKES: [u32; SIZES] = [64, 24, 12];
+/// The places for origins in a pixel, each way. A tile is off by at most half the distance between two places.
 const STEPS: f64 = 4.0;
-/// The same for blocks whose strokes can be told apart, as long as there is room.
+/// The places for origins of blocks whose strokes can be told apart, as long as memory allows.
 const SPARSE_STEPS: f64 = 8.0;
-/// Numbers in a chunk of memory; no tile needs more.
+/// Numbers in a chunk of memory (1 MiB); no tile needs more.
 const CHUNK: usize = 1 << 18;
-/// Chunks kept; when more are needed, all tiles are dropped and made again as needed.
+/// The most chunks. If more are needed, all tiles are dropped and made again as needed.
 const CHUNKS: usize = 16;
 
-/// Rows of tiles kept, likewise.
+/// The most rows of all tiles (12 MiB). If more are needed, all tiles are dropped.
 const ROWS: usize = 1 << 20;
 
-/// The bytes of all tiles: their numbers, and of each row where it begins.
-pub(in crate::plane) const TILES: u64 =
+/// The most bytes of all tiles: the numbers, and the start of each row.
+pub(in crate::plane) const TILE_BYTES: u64 =
     (CHUNKS * CHUNK * size_of::<f32>() + ROWS * size_of::<(u32, u32, u32)>()) as u64;
 /// The number of sizes.
 pub(super) const SIZES: usize = 3;
 
-/// The size of the tile for a block, if it should have one: 0 is the largest.
+/// The size of the tile for a block, as an index into [`EXTENTS`] (0 is the largest); `None` if a tile does not pay.
 pub(super) fn size(extent: f64, strokes: u32) -> Option<usize> {
-    EXTENTS.iter().rposition(|&largest| extent <= largest).filter(|&size| strokes >= FEW[size])
+    EXTENTS.iter().rposition(|&largest| extent <= largest).filter(|&size| strokes >= LEAST_STROKES[size])
 }
 
-/// Whether the strokes of a block can be told apart.
+/// Whether the strokes of a block can be told apart: the block has fewer strokes than pixels.
 pub(super) fn is_sparse(extent: f64, strokes: u32) -> bool {
     f64::from(strokes) < extent * extent
 }
 
-/// The nearest place for the origin of a block's tile, in `fine` or in ordinary steps: its pixel, the step in it, and
-/// that in pixels.
+/// The nearest place for the origin of a block's tile, in `fine` or in ordinary steps: its pixel, the step in the
+/// pixel, and the step in pixels.
 pub(super) fn snap(at: [f64; 2], fine: bool) -> ([i64; 2], [u8; 2], [f64; 2]) {
     let steps = if fine { SPARSE_STEPS } else { STEPS };
     let whole = at.map(|v| (v * steps + 0.5).floor() as i64);
@@ -48,23 +48,23 @@ pub(super) fn snap(at: [f64; 2], fine: bool) -> ([i64; 2], [u8; 2], [f64; 2]) {
     (whole.map(|v| v.div_euclid(steps as i64)), offset, offset.map(|v| f64::from(v) / steps))
 }
 
-/// What a tile depends on, apart from what holds for the whole picture: its scale, its thinnest stroke, its inks and the
-/// unit of its sums.
+/// Everything that a tile depends on, apart from the scale, the thinnest stroke, the inks and the unit of the whole
+/// picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct InkKey {
     pub key: Key,
-    /// The shade that its block is entered with, where it draws with several.
+    /// The number of the shade at the block's entry, if the block draws in several shades.
     pub shade: Option<u32>,
 }
 
-/// Where a tile's numbers are, and where they go.
+/// The place of a tile's numbers in memory, and its corner on a sheet.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tile {
     chunk: u32,
     first_row: u32,
     rows: u32,
     planes: u32,
-    /// From the pixel of the block's origin to the upper left corner.
+    /// The upper left corner, in pixels from the pixel of the block's origin.
     pub corner: [i64; 2],
 }
 
@@ -73,11 +73,11 @@ pub(super) struct Tile {
 pub(super) struct Tiles {
     places: HashMap<InkKey, Tile, BuildHasherDefault<Mixer>>,
     chunks: Vec<Vec<f32>>,
-    /// Of all tiles: first column, end, and where in its chunk the row begins.
+    /// The rows of all tiles: the first column, the column after the last, and the first number in the chunk.
     rows: Vec<(u32, u32, u32)>,
     /// The chunk in use.
     chunk: usize,
-    /// Whether there were more tiles than could be kept.
+    /// Whether tiles had to be dropped.
     pub crowded: bool,
 }
 
@@ -90,7 +90,7 @@ impl Tiles {
         self.crowded = false;
     }
 
-    /// Whether a tile of this size can be kept.
+    /// Whether a tile of this size, in pixels, fits into a chunk.
     pub(super) fn fits([width, height]: [usize; 2], planes: usize) -> bool {
         width.saturating_mul(height).saturating_mul(planes) <= CHUNK
     }
@@ -107,7 +107,7 @@ impl Tiles {
         }
     }
 
-    /// Keeps what is on `sheet`, which [fits](Self::fits).
+    /// Keeps the sums on `sheet`, which [fits](Self::fits), as a tile.
     pub(super) fn insert(&mut self, key: InkKey, sheet: &Sheet, corner: [i64; 2]) -> Tile {
         let planes = sheet.planes;
         let needed: usize = sheet.reach.iter().map(|reach| reach.len() * planes).sum();

@@ -6,61 +6,61 @@ use crate::plane::descent::{Node, Place};
 use crate::plane::inks::Shade;
 use crate::plane::top_down::tile::{self as opaque, Key};
 
-/// The largest extent, in pixels, of tiles that are still made when there is no room for all.
-const CROWDED: f64 = 20.0;
+/// Once tiles had to be dropped, only blocks smaller than this extent, in pixels, get tiles.
+const CROWDED_EXTENT: f64 = 20.0;
 
 /// The picture, then a sheet for each size of tile.
 pub(super) type Sheets = [Sheet; 1 + SIZES];
 
-/// Where a block is on its sheet, in pixels.
-pub(super) struct Seen {
-    /// The middle of its bounds.
+/// The area of a block on its sheet, in pixels.
+pub(super) struct Footprint {
+    /// The middle of the block's bounds.
     pub centre: [f64; 2],
-    /// How far it reaches from there, across and down.
+    /// How far the block and its strokes reach from the centre, across and down.
     pub reach: [f64; 2],
-    /// The width of its widest stroke.
+    /// The most that the width of a stroke is.
     pub width: f64,
-    /// The longer side of its bounds.
+    /// The longer side of the bounds, without the width of strokes.
     pub extent: f64,
 }
 
-/// How a tile is added to a sheet.
+/// The place and the pigment of a tile on a sheet.
 #[derive(Clone, Copy)]
-struct Target {
+struct Destination {
     sheet: usize,
     /// The pixel of the block's origin.
     pixel: [i64; 2],
     pigment: Pigment,
 }
 
-/// A tile being made.
-struct Making {
+/// A tile in the making.
+struct UnfinishedTile {
     key: InkKey,
-    /// The stack's height before.
+    /// The height of the stack before the tile's block.
     height: usize,
     size: usize,
-    /// From the pixel of the origin to the tile's upper left corner.
+    /// The upper left corner, in pixels from the pixel of the block's origin.
     corner: [i64; 2],
-    target: Target,
+    destination: Destination,
 }
 
 /// Makes and adds the tiles of a picture.
 #[derive(Default)]
 pub(super) struct Tiling {
     tiles: Tiles,
-    /// The tiles in the making, the innermost last.
-    making: Vec<Making>,
-    /// The exponent of the unit of their sums.
+    /// The unfinished tiles, the innermost last.
+    unfinished: Vec<UnfinishedTile>,
+    /// The exponent of the unit of the tiles' sums.
     unit: i32,
 }
 
-/// What became of a tile.
+/// The result of asking for a tile.
 pub(super) enum Outcome {
-    /// It was added, in so many units of work.
+    /// The tile was added, in this many units of work.
     Added(u64),
-    /// It is being made, on a sheet that was emptied in so many units of work.
+    /// The tile was begun, on a sheet that was emptied in this many units of work.
     Begun(u64),
-    /// It would be too large.
+    /// The tile would be too large.
     TooLarge,
 }
 
@@ -70,12 +70,12 @@ impl Tiling {
         self.tiles.clear();
     }
 
-    /// Gives up the tiles in the making.
+    /// Gives up the unfinished tiles.
     pub(super) fn stop(&mut self) {
-        self.making.clear();
+        self.unfinished.clear();
     }
 
-    /// Takes the unit of a picture. Tiles of another are of no use.
+    /// Sets the unit of the sums, `2^exponent` layers. Tiles in another unit are dropped.
     pub(super) fn set_unit(&mut self, exponent: i32) {
         if exponent != self.unit {
             self.unit = exponent;
@@ -83,39 +83,40 @@ impl Tiling {
         }
     }
 
-    /// The height of the stack at which the innermost tile in the making is done.
+    /// The height of the stack at which the innermost unfinished tile is done; 0 without one.
     pub(super) fn floor(&self) -> usize {
-        self.making.last().map_or(0, |making| making.height)
+        self.unfinished.last().map_or(0, |tile| tile.height)
     }
 
-    /// The size of the tile for a block of so many strokes, if it should have one.
+    /// The size of the tile for a block; `None` if the block is drawn without a tile.
     pub(super) fn tile_size(&self, node: &Node, extent: f64, strokes: u32) -> Option<usize> {
-        tile::size(extent, strokes).filter(|size| size + 1 > node.canvas && (!self.tiles.crowded || extent < CROWDED))
+        tile::size(extent, strokes)
+            .filter(|size| size + 1 > node.canvas && (!self.tiles.crowded || extent < CROWDED_EXTENT))
     }
 
-    /// Adds the tile of a block if there is one. Otherwise moves the block to the sheet where the tile is made until the
-    /// stack has its present `height` again. The tile has the pigments of its block where it is entered with a `shade`.
+    /// Adds the tile of a block, if there is one. Otherwise moves the block to the sheet of a new tile, which is done
+    /// when the stack has its present `height` again. With a `shade`, the tile has its own pigments for that entry.
     pub(super) fn add_or_make(
         &mut self,
         sheets: &mut Sheets,
         (node, height, size): (&mut Node, usize, usize),
-        seen: &Seen,
+        footprint: &Footprint,
         (strokes, width): (u32, Option<u64>),
         (shade, pigment): (Option<Shade>, Pigment),
     ) -> Outcome {
         let Place { origin, scale, heading, .. } = node.place;
-        let fine = !self.tiles.crowded && tile::is_sparse(seen.extent, strokes);
+        let fine = !self.tiles.crowded && tile::is_sparse(footprint.extent, strokes);
         let (pixel, offset, rest) = tile::snap(origin, fine);
         let key = Key { block: node.block, heading, scale: opaque::scale(scale), offset, fine, width };
         let key = InkKey { key, shade: shade.map(|shade| shade.number) };
-        let target = Target { sheet: node.canvas, pixel, pigment };
+        let destination = Destination { sheet: node.canvas, pixel, pigment };
         if let Some(tile) = self.tiles.get(&key) {
-            return Outcome::Added(self.add(sheets, &tile, target));
+            return Outcome::Added(self.add(sheets, &tile, destination));
         }
-        let from_origin = [0, 1].map(|axis| seen.centre[axis] - origin[axis] + rest[axis]);
-        // A stroke adds ink to all pixels around it.
-        let corner = [0, 1].map(|axis| (from_origin[axis] - seen.reach[axis]).floor() as i64 - 1);
-        let far = [0, 1].map(|axis| (from_origin[axis] + seen.reach[axis]).ceil() as i64 + 1 - corner[axis]);
+        let from_origin = [0, 1].map(|axis| footprint.centre[axis] - origin[axis] + rest[axis]);
+        // A stroke adds ink to the pixels around it as well.
+        let corner = [0, 1].map(|axis| (from_origin[axis] - footprint.reach[axis]).floor() as i64 - 1);
+        let far = [0, 1].map(|axis| (from_origin[axis] + footprint.reach[axis]).ceil() as i64 + 1 - corner[axis]);
         let far = far.map(|side| side.max(1) as usize);
         let planes = if shade.is_some() { 4 } else { 1 };
         if !Tiles::fits(far, planes) {
@@ -127,21 +128,21 @@ impl Tiling {
         if shade.is_none() {
             node.pen.shade = Shade::default();
         }
-        self.making.push(Making { key, height, size, corner, target });
+        self.unfinished.push(UnfinishedTile { key, height, size, corner, destination });
         Outcome::Begun(emptied)
     }
 
-    /// Keeps and adds the innermost tile in the making, if there is one; the units of work that this took.
+    /// Keeps and adds the innermost unfinished tile, if there is one. Returns the units of work.
     pub(super) fn finish(&mut self, sheets: &mut Sheets) -> Option<u64> {
-        let making = self.making.pop()?;
+        let making = self.unfinished.pop()?;
         let sheet = &sheets[1 + making.size];
         let kept = (sheet.height + sheet.values.len() / 64) as u64;
         let tile = self.tiles.insert(making.key, sheet, making.corner);
-        Some(kept + self.add(sheets, &tile, making.target))
+        Some(kept + self.add(sheets, &tile, making.destination))
     }
 
-    fn add(&self, sheets: &mut Sheets, tile: &Tile, target: Target) -> u64 {
-        let at = [0, 1].map(|axis| target.pixel[axis] + tile.corner[axis]);
-        sheets[target.sheet].stamp(&self.tiles.stamp(tile), at, target.pigment)
+    fn add(&self, sheets: &mut Sheets, tile: &Tile, destination: Destination) -> u64 {
+        let at = [0, 1].map(|axis| destination.pixel[axis] + tile.corner[axis]);
+        sheets[destination.sheet].stamp(&self.tiles.stamp(tile), at, destination.pigment)
     }
 }

@@ -1,33 +1,35 @@
 //! From sums of ink to pixels.
 //!
-//! How much ink lies at a place ranges over many powers of two, so what is shown is its logarithm, measured against the
-//! picture's own: a picture is exposed for what it shows. All of it depends on ratios alone, so that a view that is
-//! magnified a little is exposed a little differently, and never jumps.
+//! The sums range over many powers of two, so a pixel shows the logarithm of its sum, relative to the other sums of the
+//! picture. The exposure depends on ratios alone, so a small change of the view changes the exposure a little.
 
 use super::pigment::light;
 use super::sheet::{Pigment, Sheet};
 use crate::plane::{Pane, Pass};
 use lsystem_syntax::{ColourBy, Meter, Progress, Style};
 
-/// Numbers that differ by less than a 64th of them are one: exponents of `f32` and the first bits of what follows.
+/// The number of keys. A key is the exponent of an `f32` and the first 6 bits of its fraction, so sums with the same
+/// key differ by at most a 64th.
 const KEYS: usize = 1 << 14;
+/// The bits of an `f32` below its key.
 const SHIFT: u32 = 31 - KEYS.trailing_zeros();
 
-/// The darks, where ink begins to count by its logarithm, and the lights, which are exposed fully: the mean logarithms of
-/// what is between these parts of all places with ink, in the order of how much they have. A mean does not jump where
-/// there is nothing between one amount of ink and the next.
+/// The quantiles between which the darks lie, among all sums with ink. Their mean logarithm is where ink begins to
+/// count by its logarithm. A mean over a range does not jump when a gap between two sums crosses a quantile.
 const DARKS: [f64; 2] = [0.1, 0.4];
+/// The quantiles between which the lights lie. Their mean logarithm is exposed fully.
 const LIGHTS: [f64; 2] = [0.97, 1.0];
-/// By how many powers of two the lights have more than the darks, at least and at most.
+/// The least and the most powers of two between the darks and the lights.
 const RANGE: [f64; 2] = [3.0, 16.0];
-/// How much of what is shown of the lights the first layer of ink shows as, so that a single stroke beside 10^20 of them
-/// is seen.
-const FIRST: f64 = 0.15;
-/// How many layers of ink the lights show as.
+/// The share of the lights' exposure that the first layer of ink gets, so that a single stroke beside 10^20 strokes
+/// shows.
+const FIRST_LAYER: f64 = 0.15;
+/// The number of layers of ink that the lights show as.
 const LAYERS: f64 = 1.5;
 
-/// Steps of a table over pigment: as far as light falls below a 256th, and as fine as its levels.
+/// Steps of the tables over pigment: fine enough for the 256 levels of a channel.
 const STEPS: usize = 4096;
+/// The most pigment of the tables: it leaves less than a 256th of the light.
 const DARKEST: f64 = 8.0;
 
 /// The finished pixels and the way to them.
@@ -35,28 +37,29 @@ const DARKEST: f64 = 8.0;
 pub(super) struct Tone {
     width: usize,
     height: usize,
-    /// Pixels along the side of a sum.
+    /// Pixels along the side of a sum's place.
     side: usize,
     paper: [u8; 3],
     exposure: f64,
-    /// The palette, where colours follow how much ink there is.
+    /// The background and the palette, if colours follow the density.
     ramp: Option<Vec<[u8; 3]>>,
     pixels: Vec<u8>,
-    /// How many sums have each key.
+    /// By key: the number of sums.
     counts: Vec<u32>,
-    /// By key: how many layers it shows as.
+    /// By key: the number of layers that a sum shows as.
     layers: Vec<f32>,
     /// By key: the pixel, in a picture of one ink.
     shades: Vec<[u8; 4]>,
-    /// By channel, then by pigment.
+    /// By channel, then by pigment: the level of the channel, 0 to 255.
     lights: [Vec<u8>; 3],
-    /// A row of sums between others.
+    /// The interpolated sums of a row of pixels.
     row: Vec<f32>,
     next: usize,
     stage: Stage,
     pass: Pass,
 }
 
+/// The stage on the way to the pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Stage {
     #[default]
@@ -77,7 +80,7 @@ fn sum(key: usize) -> f64 {
 }
 
 impl Tone {
-    /// Starts a pane with sums of so many pixels along their sides; the units of work that this took.
+    /// Starts a pane with `side` pixels along the side of a sum's place. Returns the units of work.
     pub(super) fn begin(&mut self, style: &Style, pane: Pane, side: usize, pass: Pass) -> u64 {
         let mut work = 1;
         let size = if pass.shows() { (pane.width as usize, pane.height as usize) } else { (0, 0) };
@@ -119,7 +122,7 @@ impl Tone {
         &self.pixels
     }
 
-    /// Goes on; `pigment` is that of a picture in one ink.
+    /// Goes on towards the pixels; `pigment` is used in a picture of one ink.
     pub(super) fn step(&mut self, sums: &Sheet, pigment: Pigment, meter: &mut Meter) -> Progress {
         while !meter.is_spent() {
             match self.stage {
@@ -132,7 +135,7 @@ impl Tone {
                     self.stage = if self.pass == Pass::Count { Stage::Done } else { Stage::Exposing };
                 }
                 Stage::Exposing => {
-                    // A stroke as wide as a pixel covers only a part of a larger place.
+                    // A stroke as wide as a pixel covers only a part of a place larger than a pixel.
                     let unit = self.side as f64 / sums.layer();
                     self.expose(sums.planes, pigment, unit);
                     meter.charge(2 * KEYS as u64);
@@ -141,7 +144,7 @@ impl Tone {
                 Stage::Showing if self.next < self.height => {
                     self.show(sums, self.next);
                     self.next += 1;
-                    // A coarse picture is put together from four sums at each pixel.
+                    // A coarse picture interpolates four sums for each pixel.
                     meter.charge(1 + (self.width * sums.planes * if self.side > 1 { 4 } else { 1 }) as u64 / 16);
                 }
                 Stage::Showing | Stage::Done => return Progress::Done,
@@ -159,8 +162,8 @@ impl Tone {
         }
     }
 
-    /// The mean logarithm, to the base of 2, of the sums between these parts of all that are not 0; each counts as at
-    /// least so much.
+    /// The mean logarithm to the base 2 of the sums between two quantiles (0 to 1) of all sums other than 0. Each
+    /// logarithm counts as at least `least`.
     fn level(&self, parts: [f64; 2], least: f64) -> f64 {
         let all: u64 = self.counts.iter().skip(1).map(|&count| u64::from(count)).sum();
         let [low, high] = parts.map(|part| part * all as f64);
@@ -176,7 +179,7 @@ impl Tone {
         mean
     }
 
-    /// Makes the tables; a sum of 1 is so many layers of ink.
+    /// Makes the tables of layers and shades; a sum of 1 is `unit` layers of ink.
     fn expose(&mut self, planes: usize, pigment: Pigment, unit: f64) {
         let lights = self.level(LIGHTS, f64::NEG_INFINITY);
         let darks = libm::exp2(self.level(DARKS, lights - RANGE[1]).min(lights - RANGE[0]));
@@ -189,19 +192,20 @@ impl Tone {
         self.shades.resize(KEYS, [r, g, b, u8::MAX]);
         let first = self.counts.iter().skip(1).position(|&count| count > 0).map_or(KEYS, |key| key + 1);
         let last = self.counts.iter().rposition(|&count| count > 0).unwrap_or(0);
-        // Between sums that are there may lie others, where sums are larger than pixels.
+        // If places are larger than pixels, interpolation makes sums below the least.
         let first = if self.side > 1 { 1 } else { first };
         for key in first..=last {
             let sum = sum(key);
             let first = (sum * unit).min(1.0);
-            let shown = self.exposure * (FIRST * first + (1.0 - FIRST) * libm::log2(1.0 + sum / darks) / full);
+            let shown =
+                self.exposure * (FIRST_LAYER * first + (1.0 - FIRST_LAYER) * libm::log2(1.0 + sum / darks) / full);
             let layers = LAYERS * shown;
             self.layers[key] = layers as f32;
             if planes > 1 {
                 continue;
             }
             let [r, g, b] = match &self.ramp {
-                Some(ramp) => along(ramp, shown),
+                Some(ramp) => ramp_colour(ramp, shown),
                 None => [0, 1, 2].map(|channel| self.light(channel, pigment[channel] * layers as f32)),
             };
             self.shades[key] = [r, g, b, u8::MAX];
@@ -227,7 +231,7 @@ impl Tone {
             self.colour(values, sums.planes, &mut out[reach]);
         } else {
             let mut row = core::mem::take(&mut self.row);
-            self.between(sums, y, &mut row);
+            self.interpolate(sums, y, &mut row);
             self.colour(&row, sums.planes, out);
             self.row = row;
         }
@@ -249,8 +253,8 @@ impl Tone {
         }
     }
 
-    /// A row of sums, one for each pixel, between those of larger places.
-    fn between(&self, sums: &Sheet, y: usize, out: &mut Vec<f32>) {
+    /// Interpolates a row of sums, one for each pixel, between those of larger places.
+    fn interpolate(&self, sums: &Sheet, y: usize, out: &mut Vec<f32>) {
         out.clear();
         let near = |pixel: usize, end: usize| {
             let at = (pixel as f32 + 0.5) / self.side as f32 - 0.5;
@@ -270,8 +274,8 @@ impl Tone {
     }
 }
 
-/// The colour at a place, from 0 to 1, along a ramp.
-fn along(ramp: &[[u8; 3]], place: f64) -> [u8; 3] {
+/// The colour at a place on a ramp, from 0 to 1.
+fn ramp_colour(ramp: &[[u8; 3]], place: f64) -> [u8; 3] {
     let place = place.clamp(0.0, 1.0) * (ramp.len() - 1) as f64;
     let from = (place as usize).min(ramp.len().saturating_sub(2));
     let part = place - from as f64;

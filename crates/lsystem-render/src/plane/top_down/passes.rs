@@ -1,26 +1,28 @@
 //! Pictures of broad strokes in one colour, painted in passes from coarse to fine.
 //!
-//! The order of painting is free there. Of blocks that are small beside the width of their strokes, one stroke each covers
-//! most of what the others would add slivers to.
+//! In one colour the order of painting is free. If a block is small beside the width of its strokes, one stroke covers
+//! most of the block, and the others only add slivers.
 
-use super::Easel;
+use super::Context;
 use crate::plane::descent::Node;
 use crate::plane::painter::Painter;
 use lsystem_drawing::{Drawing, Item};
 
-/// From pass to pass the grain becomes finer by this.
+/// The grain of each pass is that of the pass before, divided by this.
 const FINER: f64 = 4.0;
-/// A grain of this, in subsamples, is fine enough.
-const FINE: f64 = 32.0;
-/// So many items of a block are looked at for one stroke of it, and so many for one stroke of the whole.
-const LOOKED_AT: [usize; 2] = [4096, 1 << 15];
+/// A grain up to this, in subsamples (8 pixels), is followed by the last pass.
+const FINEST_GRAIN: f64 = 32.0;
+/// The most items that are looked at in a block for one stroke of it.
+const MOST_ITEMS_OF_BLOCK: usize = 4096;
+/// The most items that are looked at in all blocks on the way to that stroke.
+const MOST_ITEMS: usize = 1 << 15;
 
 /// The passes of a picture.
 #[derive(Default)]
 pub(in crate::plane) struct Passes {
-    /// The whole drawing, where it is painted in passes.
+    /// The root, if the picture is painted in passes.
     root: Option<Node>,
-    /// The extent of blocks of which this pass paints one stroke only; 0 in the last pass.
+    /// In this pass blocks up to this extent, in subsamples, are one stroke; 0 in the last pass.
     pub grain: f64,
 }
 
@@ -30,37 +32,37 @@ impl Passes {
         (self.root, self.grain) = (Some(root), f64::INFINITY);
     }
 
-    /// Starts the next pass, if there is one: the whole drawing, and whether it is the first pass.
+    /// Starts the next pass. Returns the root and whether the pass is the first; `None` after the last pass.
     pub(in crate::plane) fn next(&mut self, painter: &Painter, drawing: &Drawing) -> Option<(Node, bool)> {
         let root = self.root.filter(|_| self.grain > 0.0)?;
         let first = self.grain.is_infinite();
         self.grain = match self.grain {
-            // Without repeats each pass would go through all there is.
+            // Without repeats each pass would visit every segment, so the last pass follows at once.
             _ if first && painter.repeats => painter.widest(drawing, &root),
-            grain if !first && grain > FINE => grain / FINER,
+            grain if !first && grain > FINEST_GRAIN => grain / FINER,
             _ => 0.0,
         };
         Some((root, first))
     }
 }
 
-/// Paints a stroke of a block: one that is near the middle of the picture, of which it may cover all.
-pub(in crate::plane) fn sketch(easel: &mut Easel<'_>, node: &Node) -> u64 {
-    let Easel { drawing, shapes, painter, descent } = easel;
+/// Paints one stroke of a block: a stroke near the middle of the picture, because it may cover the whole picture.
+pub(in crate::plane) fn sketch(context: &mut Context<'_>, node: &Node) -> u64 {
+    let Context { drawing, shapes, painter, descent } = context;
     let mut node = *node;
     let choice = painter.inks.choice;
     let middle = painter.canvases[0].size().map(|side| side / 2.0);
     let away = |p: [f64; 2]| libm::hypot(p[0] - middle[0], p[1] - middle[1]);
     let mut looked_at = 0;
     let work = loop {
-        // The last pass paints every stroke, so that none need be found here.
+        // The search may fail: the last pass paints every stroke.
         let items = drawing.items_of(node.block);
-        let every = items.len().div_ceil(LOOKED_AT[0]).max(1);
+        let every = items.len().div_ceil(MOST_ITEMS_OF_BLOCK).max(1);
         looked_at += items.len() / every;
-        if looked_at > LOOKED_AT[1] {
+        if looked_at > MOST_ITEMS {
             break 0;
         }
-        // Always on into what is nearest.
+        // The search descends into the nearest block.
         let (mut least, mut next, mut nearest) = (f64::INFINITY, None, None);
         for item in items.iter().step_by(every) {
             match item {

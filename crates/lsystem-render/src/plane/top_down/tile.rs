@@ -1,7 +1,7 @@
 //! Small pictures of blocks, made once and stamped wherever the block recurs.
 //!
-//! A tile is what a block covers at one size and heading, with its origin at one of a few places between two
-//! subsamples. Colours are relative to the colour at entry, so that one tile serves them all.
+//! A tile holds the subsamples that a block covers at one size and heading, with its origin at one of a few places
+//! between two subsamples. Colours are relative to the colour at entry, so that one tile serves all entry colours.
 
 use crate::plane::canvas::Canvas;
 use crate::plane::canvas::bits::{Bits, Planes};
@@ -14,75 +14,79 @@ use lsystem_drawing::BlockId;
 use lsystem_syntax::Heading;
 use std::collections::HashMap;
 
-/// The sizes of tiles, as the largest extents of their blocks in subsamples: each is put together from smaller
-/// ones, the smallest from strokes.
+/// The sizes of tiles, as the largest extents of their blocks in subsamples. A tile is put together from smaller tiles,
+/// the smallest from strokes.
 const EXTENTS: [f64; 5] = [512.0, 256.0, 96.0, 28.0, 8.0];
-/// By size of tile: into how many steps a subsample is divided, each way, for the places of origins. A tile is off by
-/// half a step at most.
+/// By size of tile: the places for origins in a subsample, each way. A tile is off by at most half the distance between
+/// two places.
 const STEPS: [f64; SIZES] = [2.0, 2.0, 4.0, 4.0, 4.0];
-/// The same for blocks whose strokes can be told apart, as long as there is room.
+/// The places for origins of blocks whose strokes can be told apart, as long as memory allows.
 const SPARSE_STEPS: f64 = 8.0;
 /// By size of tile: blocks of fewer strokes are painted stroke by stroke, which is as fast, and exact.
-const FEW: [u32; SIZES] = [64, 48, 16, 8, 8];
-/// The same in a picture that has few strokes so far, so that simple drawings are exact throughout.
-const SIMPLE: [u32; SIZES] = [1280, 640, 160, 80, 8];
-/// How many strokes are few for a picture.
+const LEAST_STROKES: [u32; SIZES] = [64, 48, 16, 8, 8];
+/// The same for a picture with few strokes so far, so that simple drawings are exact throughout.
+const LEAST_STROKES_SIMPLE: [u32; SIZES] = [1280, 640, 160, 80, 8];
+/// A picture with fewer strokes than this is simple.
 pub(in crate::plane) const SIMPLE_STROKES: u64 = 4_000;
-/// Words in a chunk of memory; no tile needs more.
+/// Words in a chunk of memory (1 MiB); no tile needs more.
 const CHUNK: usize = 1 << 17;
-/// Chunks kept; when more are needed, all tiles are dropped and made again as needed.
+/// The most chunks. If more are needed, all tiles are dropped and made again as needed.
 const CHUNKS: usize = 21;
-/// The bytes of all of them.
-pub(in crate::plane) const TILES: u64 = (CHUNKS * CHUNK * size_of::<u64>()) as u64;
-/// Of these, dyed copies of tiles are made as long as no more are in use.
-const COPIED: usize = 16;
-/// So many dyed copies are kept of a tile.
+/// The most bytes of all tiles.
+pub(in crate::plane) const TILE_BYTES: u64 = (CHUNKS * CHUNK * size_of::<u64>()) as u64;
+/// Dyed copies of tiles are made only in the first chunks, up to this number, so that copies do not displace tiles.
+const CHUNKS_WITH_COPIES: usize = 16;
+/// The most dyed copies of a tile.
 const COPIES: usize = 6;
-/// The bits of the number of an entry's shade, in what tells where its copy is.
+/// The bits of a copy's note that hold the number of the entry's shade. The bits above hold the place of the copy.
 const NUMBER: u64 = u16::MAX as u64;
 
 /// The number of sizes.
 pub(in crate::plane) const SIZES: usize = EXTENTS.len();
 
-/// The size of the tile for a block, if it should have one: 0 is the largest. `simple` says that it is on a picture
-/// that has few strokes so far. The largest are for crowds in one ink: others are rarely met again, and take much memory.
+/// The size of the tile for a block, as an index into [`EXTENTS`] (0 is the largest); `None` if a tile does not pay.
+/// `simple` tells that the picture has few strokes so far. The largest tiles are for crowds in one ink: others rarely
+/// recur, and take much memory.
 pub(in crate::plane) fn size(extent: f64, strokes: u32, inks: Inks, simple: bool) -> Option<usize> {
-    let enough = if simple { SIMPLE } else { FEW };
+    let enough = if simple { LEAST_STROKES_SIMPLE } else { LEAST_STROKES };
     let size = EXTENTS.iter().rposition(|&largest| extent <= largest)?;
     let crowd = inks != Inks::Many && !is_sparse(extent, strokes);
     (strokes >= enough[size] && (size > 0 || crowd)).then_some(size)
 }
 
-/// Everything a tile depends on, apart from what holds for the whole picture.
+/// Everything that a tile depends on, apart from the settings of the whole picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::plane) struct Key {
     pub block: BlockId,
     pub heading: Heading,
-    /// The number of subsamples in a block unit, as [`scale`] tells.
+    /// The subsamples in a block unit, as [`scale`] rounds them.
     pub scale: u64,
-    /// Where its origin is between two subsamples, in steps.
+    /// The place of the origin between two subsamples, in steps.
     pub offset: [u8; 2],
-    /// Whether these are fine steps.
+    /// Whether the steps are those of sparse blocks.
     pub fine: bool,
-    /// The bits of the width at entry, where a stroke inside may be wider than a hairline.
+    /// The bits of the width at entry, if a stroke inside may be wider than a hairline.
     pub width: Option<u64>,
 }
 
-/// What tells scales apart: 2^-36 of their size, so that factors give the same tile in whatever order they are multiplied.
+/// The bits of a scale, rounded to 2^-36 of its size, so that the order in which factors are multiplied does not
+/// matter.
 pub(in crate::plane) fn scale(scale: f64) -> u64 {
     (scale.to_bits() + (1 << 15)) >> 16
 }
 
-/// A place on the subsample lattice, and the rest of the way to it in steps.
+/// A place for the origin of a tile.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::plane) struct Snapped {
+    /// The subsample, as column and row.
     pub cell: [i64; 2],
+    /// The place in the subsample, in steps.
     pub offset: [u8; 2],
     /// The offset in subsamples.
     pub rest: [f64; 2],
 }
 
-/// Whether the strokes of a block can be told apart: it has fewer than pixels.
+/// Whether the strokes of a block can be told apart: the block has fewer strokes than pixels.
 pub(in crate::plane) fn is_sparse(extent: f64, strokes: u32) -> bool {
     let side = extent / Detail::Fine.samples() as f64;
     f64::from(strokes) < side * side
@@ -96,7 +100,7 @@ pub(in crate::plane) fn snap(at: [f64; 2], size: usize, fine: bool) -> Snapped {
     Snapped { cell: whole.map(|v| v.div_euclid(steps as i64)), offset, rest: offset.map(|v| f64::from(v) / steps) }
 }
 
-/// Where a tile's bits are, and where they go.
+/// The place of a tile's words in memory, and its corner on a canvas.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::plane) struct Tile {
     chunk: usize,
@@ -104,32 +108,32 @@ pub(in crate::plane) struct Tile {
     pub strips: usize,
     pub rows: usize,
     planes: usize,
-    /// From the lattice cell of the block's origin to the upper left corner.
+    /// The upper left corner, in subsamples from the subsample of the block's origin.
     pub corner: [i64; 2],
 }
 
 impl Tile {
-    /// Bit planes of colours.
+    /// The number of bit planes for colours.
     pub(in crate::plane) fn planes(&self) -> usize {
         self.planes
     }
 
-    /// Words that tell where copies are.
+    /// The number of words with notes of copies.
     fn copies(&self) -> usize {
         if self.planes > 0 { COPIES } else { 0 }
     }
 
-    /// Where coverage begins, behind the extents.
+    /// The first word of the coverage, behind the extents.
     fn covered(&self) -> usize {
         self.first + self.copies() + self.strips
     }
 
-    /// Where the planes of colours begin.
+    /// The first word of the planes of colours.
     fn colours(&self) -> usize {
         self.covered() + self.strips * self.rows
     }
 
-    /// All its words.
+    /// The number of words.
     fn len(&self) -> usize {
         self.colours() + self.strips * self.rows * self.planes - self.first
     }
@@ -142,7 +146,7 @@ pub(in crate::plane) struct Tiles {
     chunks: Vec<Vec<u64>>,
     /// The chunk in use.
     chunk: usize,
-    /// Whether there were more tiles than could be kept.
+    /// Whether tiles had to be dropped.
     pub crowded: bool,
 }
 
@@ -154,7 +158,7 @@ impl Tiles {
         self.crowded = false;
     }
 
-    /// Whether a tile of this size, in subsamples, can be kept.
+    /// Whether a tile of this size, in subsamples, fits into a chunk.
     pub(in crate::plane) fn fits([width, height]: [usize; 2], planes: usize) -> bool {
         COPIES + 2 * GROUP + width.div_ceil(u64::BITS as usize) * (1 + height * (1 + planes)) <= CHUNK
     }
@@ -163,7 +167,7 @@ impl Tiles {
         self.places.get(key).copied()
     }
 
-    /// The bits of a tile that is about to be stamped with a dye. What is dyed in the same way again is kept.
+    /// The bits of a tile for stamping with a dye. A dyed copy is kept if the same dye recurs.
     pub(in crate::plane) fn bits(&mut self, tile: &Tile, dye: &Dye) -> Bits<'_> {
         let colours = tile.colours();
         let dyed = match dye.entry.number {
@@ -186,7 +190,8 @@ impl Tiles {
         }
     }
 
-    /// Where a tile's copy is that is dyed like this. It is made when asked for twice, if there is room.
+    /// The chunk and the first word of a tile's copy in a dye. The copy is made at the second request, if memory
+    /// allows.
     fn copy(&mut self, tile: &Tile, dye: &Dye) -> Option<(usize, usize)> {
         let entry = u64::from(dye.entry.number);
         let notes = &mut self.chunks[tile.chunk][tile.first..][..tile.copies()];
@@ -200,10 +205,10 @@ impl Tiles {
             return None;
         }
         let size = tile.strips * tile.rows;
-        if self.chunk(size * dye.digits) >= COPIED {
+        if self.chunk(size * dye.digits) >= CHUNKS_WITH_COPIES {
             return None;
         }
-        let first = self.room(size * dye.digits);
+        let first = self.make_room(size * dye.digits);
         self.chunks[self.chunk].resize(first + size * dye.digits + GROUP, 0);
         let from = tile.colours();
         let mut numbers = [[0; GROUP]; PLANES];
@@ -226,14 +231,14 @@ impl Tiles {
         Some((self.chunk, first))
     }
 
-    /// The chunk where there is room for so many words.
+    /// The chunk for the next `needed` words.
     fn chunk(&self, needed: usize) -> usize {
         let is_full = self.chunks.get(self.chunk).is_some_and(|words| words.len() + needed + GROUP > CHUNK);
         self.chunk + usize::from(is_full)
     }
 
-    /// Makes room for so many words, and a group behind them, in the chunk in use; where they begin.
-    fn room(&mut self, needed: usize) -> usize {
+    /// Makes room for `needed` words, and a group behind them. Returns the first word in the chunk in use.
+    fn make_room(&mut self, needed: usize) -> usize {
         self.chunk = self.chunk(needed);
         if self.chunk == CHUNKS {
             self.clear();
@@ -247,23 +252,23 @@ impl Tiles {
         words.len()
     }
 
-    /// Keeps what is on `canvas`, which [fits](Self::fits).
+    /// Keeps the picture on `canvas`, which [fits](Self::fits), as a tile.
     pub(in crate::plane) fn insert(&mut self, key: Key, canvas: &Canvas, corner: [i64; 2]) -> Tile {
         let (strips, rows, planes) = (canvas.strips, canvas.height, canvas.planes);
         let mut tile = Tile { chunk: 0, first: 0, strips, rows, planes, corner };
-        tile.first = self.room(tile.len());
+        tile.first = self.make_room(tile.len());
         tile.chunk = self.chunk;
         let words = &mut self.chunks[self.chunk];
         words.resize(tile.first + tile.copies(), 0);
-        keep(canvas, words);
+        append_bits(canvas, words);
         words.resize(words.len() + GROUP, 0);
         self.places.insert(key, tile);
         tile
     }
 }
 
-/// Adds what [`Bits`] tell to the words: the extents, then the planes of a canvas.
-pub(in crate::plane) fn keep(canvas: &Canvas, words: &mut Vec<u64>) {
+/// Appends a canvas to the words as [`Bits`] expect: the extents, then the planes.
+pub(in crate::plane) fn append_bits(canvas: &Canvas, words: &mut Vec<u64>) {
     let rows = canvas.height;
     words.extend(canvas.covered.chunks_exact(canvas.rows).map(|strip| {
         let strip = &strip[..rows];
@@ -306,7 +311,7 @@ mod tests {
             Key { block: BlockId(0), heading: Heading::default(), scale: 0, offset: [0; 2], fine: false, width: None };
         let mut tiles = Tiles::default();
         let tile = tiles.insert(key, canvas, [0; 2]);
-        // Something behind it.
+        // Another tile behind the first.
         tiles.insert(Key { scale: 1, ..key }, canvas, [0; 2]);
         let ink = |canvas: &Canvas, x: usize, y: usize| {
             let at = x / 64 * canvas.rows + y;

@@ -9,50 +9,50 @@ use lsystem_syntax::Meter;
 
 /// Makes and stamps the tiles of a picture.
 pub(in crate::plane) struct Tiling {
-    /// Below this number of strokes on the picture, tiles are made only where they save much.
+    /// Below this number of strokes on the picture, tiles are made only of blocks with many strokes.
     pub simple: u64,
     tiles: Tiles,
-    /// The tiles in the making, the innermost last.
-    making: Vec<Making>,
+    /// The unfinished tiles, the innermost last.
+    unfinished: Vec<UnfinishedTile>,
 }
 
-/// A tile being made.
+/// A tile in the making.
 #[derive(Clone, Copy, Debug)]
-struct Making {
+struct UnfinishedTile {
     key: Key,
-    /// The stack's height before.
+    /// The height of the stack before the tile's block.
     height: usize,
     size: usize,
-    /// The shades of its block.
+    /// The shades of the block.
     inks: Inks,
-    /// From the cell of the origin to the tile's upper left corner.
+    /// The upper left corner, in subsamples from the subsample of the block's origin.
     corner: [i64; 2],
-    target: Target,
+    destination: Destination,
 }
 
-/// Where a tile is to be stamped.
+/// The place where a tile is stamped.
 #[derive(Clone, Copy, Debug)]
-struct Target {
+struct Destination {
     canvas: usize,
-    /// The cell of the origin.
+    /// The subsample of the block's origin.
     cell: [i64; 2],
     /// The shade at the block's entry.
     shade: Shade,
 }
 
-/// Where a block lies on its canvas, in subsamples.
+/// The bounds of a block on its canvas, in subsamples.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::plane) struct Bounds {
     pub centre: [f64; 2],
-    /// How far the block reaches from the centre, across and down, its strokes as well.
+    /// How far the block and its strokes reach from the centre, across and down.
     pub reach: [f64; 2],
-    /// Half the width of its widest stroke, at most.
+    /// The most that half the width of a stroke is.
     pub radius: f64,
 }
 
 impl Default for Tiling {
     fn default() -> Self {
-        Self { simple: tile::SIMPLE_STROKES, tiles: Tiles::default(), making: vec![] }
+        Self { simple: tile::SIMPLE_STROKES, tiles: Tiles::default(), unfinished: vec![] }
     }
 }
 
@@ -62,18 +62,18 @@ impl Tiling {
         self.tiles.clear();
     }
 
-    /// Gives up the tiles in the making.
+    /// Gives up the unfinished tiles.
     pub(in crate::plane) fn stop(&mut self) {
-        self.making.clear();
+        self.unfinished.clear();
     }
 
-    /// Gives up the tiles in the making, and the memory of all others.
+    /// Gives up the unfinished tiles, and the memory of all others.
     pub(in crate::plane) fn free(&mut self) {
-        self.making.clear();
+        self.unfinished.clear();
         self.tiles = Tiles::default();
     }
 
-    /// The size of the tile that a block is to be painted with, if any.
+    /// The size of the tile for a block; `None` if the block is painted without a tile.
     #[inline]
     pub(in crate::plane) fn tile_size(
         &self,
@@ -89,8 +89,9 @@ impl Tiling {
             .filter(|size| size + 1 > node.canvas && radius <= BROAD && painter.repeats)
     }
 
-    /// Stamps the tile of a block, if there is one: what that took. Otherwise moves the block to the canvas where the tile
-    /// is made until the stack has its present `height` again, unless the tile would be too large.
+    /// Stamps the tile of a block, if there is one, and returns the units of work. Otherwise moves the block to the
+    /// canvas of a new tile, unless the tile would be too large. The tile is done when the stack has its present
+    /// `height` again.
     #[inline]
     pub(in crate::plane) fn stamp_or_make(
         &mut self,
@@ -113,9 +114,9 @@ impl Tiling {
             fine,
             width: painter.measure.is_wide(radius).then_some(node.pen.width.to_bits()),
         };
-        let target = Target { canvas: node.canvas, cell: snapped.cell, shade: node.pen.shade };
+        let destination = Destination { canvas: node.canvas, cell: snapped.cell, shade: node.pen.shade };
         if let Some(tile) = self.tiles.get(&key) {
-            return Some(self.stamp(painter, &tile, inks, target));
+            return Some(self.stamp(painter, &tile, inks, destination));
         }
         let from_origin = [0, 1].map(|axis| centre[axis] - place.origin[axis] + snapped.rest[axis]);
         let corner = [0, 1].map(|axis| (from_origin[axis] - reach[axis]).floor() as i64);
@@ -127,32 +128,32 @@ impl Tiling {
             node.place.origin = [0, 1].map(|axis| snapped.rest[axis] - corner[axis] as f64);
             node.canvas = 1 + size;
             node.pen.shade = Shade::default();
-            self.making.push(Making { key, height, size, inks, corner, target });
+            self.unfinished.push(UnfinishedTile { key, height, size, inks, corner, destination });
         }
         None
     }
 
-    /// Keeps and stamps the innermost tile in the making, if it is done: if the stack has its `height` again. Whether it
-    /// was.
+    /// Keeps and stamps the innermost unfinished tile, if the stack has the tile's height again. Returns whether that
+    /// was so.
     #[inline]
     pub(in crate::plane) fn finish(&mut self, painter: &mut Painter, height: usize, meter: &mut Meter) -> bool {
-        let Some(making) = self.making.pop_if(|making| making.height == height) else { return false };
+        let Some(making) = self.unfinished.pop_if(|making| making.height == height) else { return false };
         let canvas = &mut painter.canvases[1 + making.size];
         canvas.settle();
-        // As much again to keep it.
+        // Keeping the tile takes as much work as painting it.
         meter.charge(1 + 2 * canvas.take_work());
         let tile = self.tiles.insert(making.key, canvas, making.corner);
         painter.stats.tiles += 1;
-        meter.charge(self.stamp(painter, &tile, making.inks, making.target));
+        meter.charge(self.stamp(painter, &tile, making.inks, making.destination));
         true
     }
 
-    /// Stamps a tile whose block has these shades.
-    fn stamp(&mut self, painter: &mut Painter, tile: &Tile, inks: Inks, target: Target) -> u64 {
+    /// Stamps a tile whose block has these shades. Returns the units of work.
+    fn stamp(&mut self, painter: &mut Painter, tile: &Tile, inks: Inks, destination: Destination) -> u64 {
         painter.stats.stamps += 1;
-        let at = [0, 1].map(|axis| target.cell[axis] + tile.corner[axis]);
-        let dye = painter.inks.dye(inks, target.shade);
-        painter.canvases[target.canvas].stamp(&self.tiles.bits(tile, &dye), at, &dye);
+        let at = [0, 1].map(|axis| destination.cell[axis] + tile.corner[axis]);
+        let dye = painter.inks.dye(inks, destination.shade);
+        painter.canvases[destination.canvas].stamp(&self.tiles.bits(tile, &dye), at, &dye);
         1 + (tile.strips * tile.rows * (1 + tile.planes())) as u64 / 32
     }
 }

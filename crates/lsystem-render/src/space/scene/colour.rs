@@ -3,16 +3,16 @@
 use super::*;
 
 impl Scene {
-    /// Goes on with making the mean colours for a style, until they are there.
+    /// Goes on making the mean colours for a style.
     pub(in crate::space) fn dye(&mut self, style: &Style, meter: &mut Meter) -> Progress {
         let choice = Choice::new(style, &self.styles);
         let colours = choice.colours;
         let palette: Vec<[f32; 3]> = (0..colours).map(|ink| style.ink(ink).rgb.map(f32::from)).collect();
         if choice != self.choice || palette != self.palette || self.means.is_empty() && !self.along {
             (self.choice, self.palette) = (choice, palette);
-            // What does not memoise has its colours as they are, whatever is at the entry.
-            let few = !self.memoised || self.whole[0].saturating_mul(colours as usize) > MEANS;
-            // Along the path they follow from that.
+            // Unfolded drawings enter each node once, so one mean for each node is enough.
+            let few = !self.memoised || self.whole[0].saturating_mul(colours as usize) > MOST_MEANS;
+            // Colours along the path need no means.
             self.along = style.colour_by == ColourBy::Path;
             self.entries = if self.along {
                 0
@@ -33,7 +33,7 @@ impl Scene {
             for entry in 0..self.entries {
                 let (mut sum, mut weight) = ([0.0_f32; 3], 0.0_f32);
                 let mut add = |colour: [f32; 3], length: f32| {
-                    // What has no length counts where there is nothing else.
+                    // A content without length counts only if there is no other.
                     let length = length.max(1e-30);
                     weight += length;
                     sum.iter_mut().zip(colour).for_each(|(sum, c)| *sum += length * c);
@@ -57,13 +57,13 @@ impl Scene {
         Progress::Done
     }
 
-    /// What a style does to the colour.
+    /// The shade of a style.
     #[inline]
     pub(in crate::space) fn shade(&self, style: u32) -> Shade {
         self.choice.shade(&self.styles[style as usize])
     }
 
-    /// The mean colour of a node that is entered with a shade and has a part of the path.
+    /// The mean colour of a node that is entered with a shade and has a stretch of the path.
     #[inline]
     pub(in crate::space) fn mean(&self, node: u32, shade: Shade, path: Stretch) -> [f32; 3] {
         if self.along {
@@ -74,7 +74,7 @@ impl Scene {
         self.means.get((node * self.entries + entry) as usize).copied().unwrap_or_default()
     }
 
-    /// The colour of a stroke with a shade, before which there is a part of the path's stretch.
+    /// The colour of a stroke with a shade; `before` is the part of the node's stretch that comes before the stroke.
     #[inline]
     pub(in crate::space) fn ink(&self, shade: Shade, path: Stretch, before: f64) -> [f32; 3] {
         let entry = if self.along { Stretch { size: self.one, ..path.part(before, 0.0) }.ink() } else { shade.number };

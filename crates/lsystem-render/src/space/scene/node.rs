@@ -1,16 +1,16 @@
-//! Nodes: what is seen of a run of contents from afar.
+//! Making nodes and their summaries.
 
 use super::*;
 
 impl Scene {
     /// A link to a run of the same block.
     pub(super) fn same(&self, node: u32, style: u32) -> Link {
-        let Own { widest, length, area, bundle, .. } = self.nodes[node as usize].own;
+        let Summary { widest, length, area, bundle, .. } = self.nodes[node as usize].summary;
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         Link { node, style, at: [0.0; 3], axes, widest, length, area, bundle, same: true, before: 0.0, part: 0.0 }
     }
 
-    /// Tells every content of a node which part of the node's segments comes before.
+    /// Sets for each content the part of the node's segments that comes before.
     fn set_path(&self, run: &mut Run) {
         let count = run.count;
         for (link, before) in run.links.iter_mut().zip(&run.before[0]) {
@@ -22,29 +22,29 @@ impl Scene {
         }
     }
 
-    /// Adds a node; returns its number.
+    /// Adds a node. Returns its number.
     pub(super) fn node(&mut self, mut run: Run) -> u32 {
         self.set_path(&mut run);
         let mut balls = [[0.0; WIDTH]; 4];
         let mut widest = WidthChange { factor: 0.0, offset: 0.0 };
         let (mut length, mut area, mut bundle) = (0.0_f32, 0.0_f32, Bundle::default());
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        let mut limbs: Vec<Limb> = Vec::with_capacity(WIDTH);
+        let mut main_lines: Vec<MainLine> = Vec::with_capacity(WIDTH);
         let mut put = |lane: usize, centre: Vector, radius: f64| {
             for i in 0..3 {
                 balls[i][lane] = centre[i] as f32;
                 low[i] = low[i].min(centre[i] - radius);
                 high[i] = high[i].max(centre[i] + radius);
             }
-            // Centres are rounded.
+            // A little larger, because centres are rounded.
             balls[3][lane] = (radius * (1.0 + 1e-6) + 1e-7) as f32;
         };
         for (lane, link) in run.links.iter().enumerate() {
-            let own = &self.nodes[link.node as usize].own;
+            let own = &self.nodes[link.node as usize].summary;
             let [x, y, z] = combine(&link.axes, own.centre);
             let scale = if link.same { 1.0 } else { norm(link.axes[0]) };
             put(lane, [link.at[0] + x, link.at[1] + y, link.at[2] + z], own.radius * scale);
-            limbs.push(self.limb_of(link, &own.limb));
+            main_lines.push(self.main_line_of(link, &own.main_line));
             widest = widest.widest(link.widest);
             length += link.length;
             area += link.area;
@@ -54,17 +54,18 @@ impl Scene {
             let [from, to] = [line.from, line.to].map(|end| end.map(f64::from));
             let half = [0, 1, 2].map(|i| 0.5 * (to[i] - from[i]));
             let centre = [0, 1, 2].map(|i| from[i] + half[i]);
-            let mut limb = Limb { from, to, style: self.style_of(line), off: 0.0, before: f64::from(line.before) };
+            let mut main_line =
+                MainLine { from, to, style: self.style_of(line), reach: 0.0, before: f64::from(line.before) };
             if let Some(corner) = line.corner {
                 let corner = corner.map(f64::from);
                 put(run.links.len() + lane, centre, norm(half).max(norm(minus(corner, centre))));
-                limb.off = distance(&limb, corner);
+                main_line.reach = distance(&main_line, corner);
                 area += line.area();
             } else {
                 put(run.links.len() + lane, centre, norm(half));
-                widest = widest.widest(limb.style.width);
+                widest = widest.widest(main_line.style.width);
             }
-            limbs.push(limb);
+            main_lines.push(main_line);
             let own = 2.0 * norm(half) as f32;
             length += own;
             bundle.add(&Bundle::of(half), own);
@@ -81,46 +82,47 @@ impl Scene {
             norm([x - centre[0], y - centre[1], z - centre[2]]) + radius
         });
         let radius = farthest.fold(0.0, f64::max);
-        let limb = longest(&limbs);
-        let needs = run.links.iter().map(|link| self.nodes[link.node as usize].own.need);
-        let need = (needs.sum::<f32>() + contents as f32).min(MANY);
+        let main_line = longest(&main_lines);
+        let needs = run.links.iter().map(|link| self.nodes[link.node as usize].summary.need);
+        let need = (needs.sum::<f32>() + contents as f32).min(MOST_NEED);
         let sampled = self.sample(&run, length);
-        let own = Own { centre, radius, length, area, bundle, widest, limb, need, sampled, count: run.count };
-        self.nodes.push(Node {
+        let summary =
+            Summary { centre, radius, length, area, bundle, widest, main_line, need, sampled, count: run.count };
+        self.nodes.push(SceneNode {
             balls,
             first_link: self.links.len() as u32,
             first_line: self.lines.len() as u32,
             links: run.links.len() as u8,
             lines: run.lines.len() as u8,
-            own,
+            summary,
         });
         self.links.extend(run.links);
         self.lines.extend(run.lines);
         self.nodes.len() as u32 - 1
     }
 
-    /// A limb of a node inside another.
-    pub(super) fn limb_of(&self, link: &Link, limb: &Limb) -> Limb {
-        let [from, to] = [limb.from, limb.to].map(|end| {
+    /// The main line of a node inside another, in the outer frame.
+    pub(super) fn main_line_of(&self, link: &Link, main_line: &MainLine) -> MainLine {
+        let [from, to] = [main_line.from, main_line.to].map(|end| {
             let [x, y, z] = combine(&link.axes, end);
             [link.at[0] + x, link.at[1] + y, link.at[2] + z]
         });
         let scale = if link.same { 1.0 } else { norm(link.axes[0]) };
-        Limb {
+        MainLine {
             from,
             to,
-            style: self.styles[link.style as usize].then(&limb.style),
-            off: limb.off * scale,
-            before: link.before + link.part * limb.before,
+            style: self.styles[link.style as usize].then(&main_line.style),
+            reach: main_line.reach * scale,
+            before: link.before + link.part * main_line.before,
         }
     }
 
-    /// Chooses the samples of a new node from those of its contents. Each stands for a direction: of two contents drawn
-    /// by lot, the longer all their strokes the likelier, the one that has a sample farther in that direction gives it;
-    /// for what can be seen of many strokes in one place are the outer ones. Returns their mean length.
+    /// Chooses the sample strokes of a new node from those of its contents. Each stands for a direction, because only
+    /// the outer strokes of a crowd can be seen. Two random contents are compared, weighted by length, and the one
+    /// whose sample stroke lies farther in the direction gives its stroke. Returns the mean length.
     pub(super) fn sample(&mut self, run: &Run, length: f32) -> f32 {
         let kept = self.kept;
-        let nothing = Sample { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE, before: 0.0 };
+        let nothing = SampleStroke { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE, before: 0.0 };
         let mut passed = 0.0;
         let mut ends = [0.0_f32; WIDTH];
         let lengths =
@@ -154,11 +156,11 @@ impl Scene {
                         });
                         let style = self.styles[link.style as usize].then(&sample.style);
                         let before = link.before + link.part * f64::from(sample.before);
-                        Sample { from, to, style, before: before as f32 }
+                        SampleStroke { from, to, style, before: before as f32 }
                     }
                     None => match run.lines.get(lane - run.links.len()) {
-                        Some(&Line { from, to, style, before, .. }) => {
-                            Sample { from, to, style: self.styles[style as usize], before }
+                        Some(&SceneLine { from, to, style, before, .. }) => {
+                            SampleStroke { from, to, style: self.styles[style as usize], before }
                         }
                         None => nothing,
                     },
@@ -177,50 +179,51 @@ impl Scene {
     }
 }
 
-/// The longest straight part of some contents, given the limb of each, and how far from it they reach.
-fn longest(limbs: &[Limb]) -> Limb {
-    let mut all = limbs.iter();
-    let Some(mut limb) = all.next().copied() else {
-        return Limb { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE, off: 0.0, before: 0.0 };
+/// The main line of a node, given the main line of each content.
+fn longest(main_lines: &[MainLine]) -> MainLine {
+    let mut all = main_lines.iter();
+    let Some(mut main_line) = all.next().copied() else {
+        return MainLine { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE, reach: 0.0, before: 0.0 };
     };
     for next in all {
         let way = minus(next.to, next.from);
         let long = norm(way);
-        let whole = Limb { to: next.to, ..limb };
-        let goes_on = norm(minus(next.from, limb.to)) <= STRAIGHT * long
-            && next.style == limb.style
-            && distance(&whole, limb.to) <= STRAIGHT * long
-            && norm(minus(next.to, limb.from)) > norm(minus(limb.to, limb.from));
+        let whole = MainLine { to: next.to, ..main_line };
+        let goes_on = norm(minus(next.from, main_line.to)) <= STRAIGHT * long
+            && next.style == main_line.style
+            && distance(&whole, main_line.to) <= STRAIGHT * long
+            && norm(minus(next.to, main_line.from)) > norm(minus(main_line.to, main_line.from));
         if goes_on {
-            limb = whole;
-        } else if long > norm(minus(limb.to, limb.from)) * LONGER {
-            limb = *next;
+            main_line = whole;
+        } else if long > norm(minus(main_line.to, main_line.from)) * LONGER {
+            main_line = *next;
         }
     }
-    let off = limbs.iter().map(|own| distance(&limb, own.from).max(distance(&limb, own.to)) + own.off);
-    Limb { off: off.fold(0.0, f64::max), ..limb }
+    let reach =
+        main_lines.iter().map(|own| distance(&main_line, own.from).max(distance(&main_line, own.to)) + own.reach);
+    MainLine { reach: reach.fold(0.0, f64::max), ..main_line }
 }
 
-/// Cosine and sine of multiples of the golden angle.
+/// The cosine and the sine of multiples of the golden angle.
 #[rustfmt::skip]
-const TURNS: [[f64; 2]; SAMPLES] = [
+const TURNS: [[f64; 2]; SAMPLE_STROKES] = [
     [1.000000, 0.000000], [-0.737369, 0.675490], [0.087426, -0.996171], [0.608439, 0.793601],
     [-0.984713, -0.174182], [0.843755, -0.536728], [-0.259604, 0.965715], [-0.460907, -0.887448],
     [0.939321, 0.343039], [-0.924346, 0.381556], [0.423846, -0.905734], [0.299284, 0.954164],
     [-0.865211, -0.501408], [0.976676, -0.214719], [-0.575129, 0.818062], [-0.128511, -0.991708],
 ];
 
-/// The directions that samples stand for, as even as so many can be: unit vectors along a spiral from pole to pole.
+/// The direction that a sample stroke stands for: evenly spread unit vectors along a spiral from pole to pole.
 pub(in crate::space) fn direction(number: usize, count: usize) -> Vector {
     let y = 1.0 - (2.0 * number as f64 + 1.0) / count as f64;
-    let [c, s] = TURNS[number % SAMPLES];
+    let [c, s] = TURNS[number % SAMPLE_STROKES];
     let level = (1.0 - y * y).sqrt();
     [c * level, y, s * level]
 }
 
-/// How far a point is from a limb.
-fn distance(limb: &Limb, point: Vector) -> f64 {
-    let (way, to) = (minus(limb.to, limb.from), minus(point, limb.from));
+/// The distance of a point from a main line.
+fn distance(main_line: &MainLine, point: Vector) -> f64 {
+    let (way, to) = (minus(main_line.to, main_line.from), minus(point, main_line.from));
     let square = dot(way, way);
     let t = if square > 0.0 { (dot(way, to) / square).clamp(0.0, 1.0) } else { 0.0 };
     norm([0, 1, 2].map(|i| to[i] - t * way[i]))
