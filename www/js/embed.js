@@ -153,7 +153,7 @@ function offer(asked) {
     controls = asked;
     dials.offer(controls);
     const has = (/** @type {Control} */ control) => controls.includes(control);
-    html('section-rules').hidden = !has('rules');
+    html('writing').hidden = !has('rules');
     html('constants-row').hidden = !has('rules');
     html('panel').hidden = !(has('n') || has('angle') || has('rules'));
     button('open-reader').hidden = !has('string');

@@ -20,6 +20,7 @@ import { favouritesPanel } from './panels/favourites-panel.js';
 import { captionOf, growthPanel } from './panels/growth-panel.js';
 import { savePanel } from './panels/save-panel.js';
 import { lookPanel } from './panels/look-panel.js';
+import { createRefusal } from './refusal.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { tabs } from './panels/tabs.js';
 import { turtlePanel } from './panels/turtle-panel.js';
@@ -67,6 +68,7 @@ const turtle = turtlePanel(store);
 followNotation(store, engine, [rules, constantsPanel(store, rules), turtle]);
 const look = lookPanel(store);
 const dials = dialRows(store);
+const refusal = createRefusal(store, tabs());
 const trouble = createTrouble({ back: goBack, again: drawAgain });
 const showAddress = followAddress(store, { open: opened });
 
@@ -82,7 +84,6 @@ createGallery(engine, { pick: (definition) => store.open(definition), restyle: (
 createSeeds(store, engine);
 createShortcuts();
 engine.share(createMates(matesOn(navigator)));
-tabs();
 themeButton((next) => {
     // A system in the theme's default colours, and the opening plant, take the new theme's colours.
     const former = next === 'dark' ? 'light' : 'dark';
@@ -163,6 +164,8 @@ function show(state, before) {
 
 /** @param {Readonly<State>} state */
 function showNames(state) {
+    // The introduction is about the opening plant, edited or not.
+    html('intro').hidden = state.name !== opening(theme()).name;
     const title = state.title || state.name || 'Untitled system';
     // A system with another title is a new system, not an edited one.
     const edited = !sameSystem(state, store.origin) && state.title === store.origin.title;
@@ -190,6 +193,7 @@ function reported(next, past) {
     stage.report(next);
     orbit.report(next);
     if (past) return setText(html('caption-text'), 'Showing the last valid drawing.');
+    refusal.report(next);
     const [mistake, ...more] = next.diagnostics.filter(({ severity }) => severity === 'error');
     if (mistake) {
         const words = more.length === 0 ? mistake.message : `${mistake.message}, and ${more.length} more`;

@@ -23,6 +23,7 @@ export {};
  * @property {'warning' | 'error'} severity
  * @property {string} message
  * @property {string | null} hint
+ * @property {string | null} fix the text that is probably meant in place of the problem's; empty where that is to be removed
  * @property {number} start UTF-16 offset into the field
  * @property {number} end
  */

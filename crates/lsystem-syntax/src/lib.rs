@@ -46,6 +46,7 @@ pub mod overrides;
 pub mod print;
 
 mod diagnostic;
+mod fix;
 pub mod message;
 pub mod notes;
 mod place;

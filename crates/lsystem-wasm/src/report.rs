@@ -16,6 +16,8 @@ pub struct Problem {
     pub message: String,
     /// A possible remedy.
     pub hint: Option<String>,
+    /// The text that is probably meant in place of the problem's; empty where that is to be removed.
+    pub fix: Option<String>,
     /// The start of the place in the field.
     pub start: usize,
     /// The end of the place in the field.
@@ -89,6 +91,7 @@ pub(crate) fn problems(diagnostics: &[Diagnostic], definition: &Definition, file
             },
             message: diagnostic.message(),
             hint: diagnostic.hint(),
+            fix: diagnostic.fix(),
             start: span.start,
             end: span.end,
         }

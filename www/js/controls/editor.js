@@ -4,6 +4,7 @@
  */
 
 import { make, setValue } from '../dom.js';
+import { fixLabel } from '../fix.js';
 import { maxLengthOf } from '../state.js';
 import { carryOver, spansOf } from '../tint.js';
 
@@ -30,10 +31,10 @@ const COUNTED = 10_000;
  * @param {HTMLTextAreaElement} area
  * @param {HTMLElement} problems the list under it
  * @param {'axiom' | 'rules' | 'overrides'} kind
- * @param {{change: (text: string) => void, settle: () => void}} on
+ * @param {{change: (text: string) => void, settle: () => void, fix: (diagnostic: Diagnostic) => void}} on
  * @returns {Editor}
  */
-export function editor(area, problems, kind, { change, settle }) {
+export function editor(area, problems, kind, { change, settle, fix }) {
     const layer = /** @type {HTMLElement} */ (area.previousElementSibling);
     /** @type {Diagnostic[]} */
     let marks = [];
@@ -105,7 +106,7 @@ export function editor(area, problems, kind, { change, settle }) {
             if (JSON.stringify(diagnostics) === JSON.stringify(marks)) return;
             marks = diagnostics;
             area.setAttribute('aria-invalid', String(marks.some((mark) => mark.severity === 'error')));
-            listProblems(problems, marks, area.value, area);
+            listProblems(problems, marks, area.value, { area, fix });
             paint();
         },
     };
@@ -113,35 +114,40 @@ export function editor(area, problems, kind, { change, settle }) {
 
 /**
  * Lists diagnostics. With a `text`, each item has its place in the text; with an `area`, a click on the item goes to
- * that place.
+ * that place, and a button applies the remedy.
  * @param {HTMLElement} list
  * @param {Diagnostic[]} diagnostics
  * @param {string} [text]
- * @param {HTMLTextAreaElement} [area]
+ * @param {{area: HTMLTextAreaElement, fix: (diagnostic: Diagnostic) => void}} [editor]
  */
-export function listProblems(list, diagnostics, text, area) {
+export function listProblems(list, diagnostics, text, editor) {
     const place = text === undefined ? null : placesIn(text);
     list.replaceChildren(
-        ...diagnostics.slice(0, MOST_LISTED).map(({ severity, message, hint, start, end }) => {
+        ...diagnostics.slice(0, MOST_LISTED).map((diagnostic) => {
+            const { severity, message, hint, start, end } = diagnostic;
             const words = [make('span', { class: 'problem-text' }, ...withCode(message))];
             if (place) words.unshift(make('span', { class: 'place' }, place(start)));
             if (hint) words.push(make('span', { class: 'problem-hint' }, ...withCode(hint)));
-            if (!area) return make('li', { class: severity }, ...words);
+            if (!editor) return make('li', { class: severity }, ...words);
+            const { area, fix } = editor;
             const go = make('button', { type: 'button', class: 'problem' }, ...words);
             go.addEventListener('click', () => {
                 area.focus();
                 area.setSelectionRange(start, Math.max(end, start));
             });
-            return make('li', { class: severity }, go);
+            if (diagnostic.fix === null) return make('li', { class: severity }, go);
+            const remedy = make('button', { type: 'button', class: 'button fix' }, fixLabel(diagnostic.fix));
+            remedy.addEventListener('click', () => fix(diagnostic));
+            return make('li', { class: severity }, go, remedy);
         }),
     );
     const more = diagnostics.length - MOST_LISTED;
     if (more > 0) list.append(make('li', {}, make('span', { class: 'problem-text' }, `${more.toLocaleString('en')} more problems.`)));
 }
 
-/** Formats text between backquotes as code. The backquotes stay, because some hints are about backquotes. @param {string} words */
+/** Formats text between backquotes as code. @param {string} words */
 function withCode(words) {
-    return words.split(/(`[^`]+`)/).map((part) => (part.length > 2 && part.startsWith('`') ? make('code', {}, part) : part));
+    return words.split(/(`[^`]+`)/).map((part) => (part.length > 2 && part.startsWith('`') ? make('code', {}, part.slice(1, -1)) : part));
 }
 
 /** Describes places in a text by line and column. @param {string} text @returns {(offset: number) => string} */

@@ -1,5 +1,6 @@
-/** Text fields for numbers. Arrow keys change the number by a step, with Shift by ten steps, with Alt by a tenth. */
+/** Text fields for numbers and arithmetic. Arrow keys change the number by a step, with Shift by ten steps, with Alt by a tenth. */
 
+import { valueOf } from '../arithmetic.js';
 import { plain, readNumber } from '../numerals.js';
 import { setValue } from '../dom.js';
 import { rangeNote } from './range-note.js';
@@ -25,7 +26,7 @@ export function numberField(field, { low, high, expected, step, whole = false, c
     const fits = (value) => Math.min(high, Math.max(low, whole ? Math.round(value) : value));
     /** The field's number, or null if the text is no number within the range. */
     const read = () => {
-        const value = readNumber(field.value);
+        const value = numberIn(field);
         return value === null || fits(value) !== value ? null : value;
     };
 
@@ -38,14 +39,14 @@ export function numberField(field, { low, high, expected, step, whole = false, c
         if (event.key === 'Enter') return field.select();
         if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
         event.preventDefault();
-        const next = fits(stepped(readNumber(field.value) ?? shown, event, typeof step === 'number' ? step : step(), whole));
+        const next = fits(stepped(numberIn(field) ?? shown, event, typeof step === 'number' ? step : step(), whole));
         field.value = plain(next);
         setWrong(false);
         change((shown = next));
     });
     field.addEventListener('focus', () => field.select());
     field.addEventListener('blur', () => {
-        const value = readNumber(field.value);
+        const value = numberIn(field);
         const outside = value !== null && fits(value) !== value;
         if (outside) change((shown = fits(value)));
         field.value = plain(shown);
@@ -78,7 +79,7 @@ export function optionalField(field, { low, high, expected, step, change, settle
     const fits = (/** @type {number} */ value) => Math.min(high, Math.max(low, value));
     /** The field's number, null if empty, or undefined if the text is no number within the range. */
     const read = () => {
-        const value = readNumber(field.value);
+        const value = numberIn(field);
         if (field.value.trim() === '') return null;
         return value === null || fits(value) !== value ? undefined : value;
     };
@@ -92,7 +93,7 @@ export function optionalField(field, { low, high, expected, step, change, settle
         if (event.key === 'Enter') return field.select();
         if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
         event.preventDefault();
-        shown = fits(stepped(readNumber(field.value) ?? shown ?? fallback, event, step));
+        shown = fits(stepped(numberIn(field) ?? shown ?? fallback, event, step));
         field.value = plain(shown);
         setWrong(false);
         change(shown);
@@ -113,6 +114,9 @@ export function optionalField(field, { low, high, expected, step, change, settle
         setValue(field, written(value));
     };
 }
+
+/** The number that is written in a field, or the value of its arithmetic. @param {HTMLInputElement} field */
+const numberIn = (field) => readNumber(field.value) ?? valueOf(field.value);
 
 /**
  * The number after an arrow key.

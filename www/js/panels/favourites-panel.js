@@ -41,8 +41,10 @@ export function favouritesPanel(store, engine, { storage, session }) {
 /** The form that adds the current state to favourites. @param {import('../store.js').Store} store @param {ReturnType<typeof createStored>} stored */
 function addForm(store, stored) {
     const name = input('favourite-name');
+    const form = byId('favourites-form', HTMLFormElement);
+    button('quick-favourite').addEventListener('click', () => form.requestSubmit());
 
-    html('favourites-form').addEventListener('submit', (event) => {
+    form.addEventListener('submit', (event) => {
         event.preventDefault();
         const added = favourite(name.value, store.state);
         const former = stored.list();

@@ -2,6 +2,7 @@
 
 import { toast } from '../announce.js';
 import { byId, html, setText } from '../dom.js';
+import { applyFix } from '../fix.js';
 import { editor } from '../controls/editor.js';
 import { maxLengthOf } from '../state.js';
 import { FIELDS } from '../tables.js';
@@ -9,6 +10,8 @@ import { FIELDS } from '../tables.js';
 /** @param {import('../store.js').Store} store */
 export function rulesPanel(store) {
     const settle = () => store.settle();
+    /** @param {import('../protocol.js').Diagnostic} diagnostic */
+    const fix = (diagnostic) => applyFix(store, diagnostic);
     /** @param {'axiom' | 'rules'} field @param {string} text */
     const change = (field, text) => {
         store.change({ [field]: text }, field);
@@ -17,10 +20,12 @@ export function rulesPanel(store) {
     const axiom = editor(byId('axiom', HTMLTextAreaElement), html('axiom-problems'), 'axiom', {
         change: (text) => change('axiom', text),
         settle,
+        fix,
     });
     const rules = editor(byId('rules', HTMLTextAreaElement), html('rules-problems'), 'rules', {
         change: (text) => change('rules', text),
         settle,
+        fix,
     });
 
     return {

@@ -1,55 +1,40 @@
-/**
- * The sections of the controls. Beside the drawing, rules and growth are always open, and the tabs switch between the
- * other sections. On a phone the tabs switch between all sections.
- */
+/** The tabs of the controls. On a phone, the selected tab also folds the controls. */
 
-/** Sections that are always open beside the drawing. */
-const ALWAYS = ['rules', 'grow'];
-const FIRST_BESIDE = 'turtle';
+/** The section that is open at first. */
+const FIRST = 'rules';
 
 export function tabs() {
     const narrow = matchMedia('(max-width: 47.99rem)');
     const all = /** @type {HTMLButtonElement[]} */ ([...document.querySelectorAll('[data-tab]')]);
     const sections = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('[data-section]')]);
-    let onPhone = 'grow';
-    let beside = FIRST_BESIDE;
+    let open = FIRST;
 
     function show() {
-        const chosen = narrow.matches ? onPhone : beside;
         for (const section of sections) {
-            const name = String(section.dataset.section);
-            const tabbed = narrow.matches || !ALWAYS.includes(name);
-            section.hidden = tabbed && name !== chosen;
-            if (tabbed) section.setAttribute('role', 'tabpanel');
-            else section.removeAttribute('role');
+            section.hidden = section.dataset.section !== open;
+            section.setAttribute('role', 'tabpanel');
         }
         for (const tab of all) {
-            const name = String(tab.dataset.tab);
-            tab.hidden = !narrow.matches && ALWAYS.includes(name);
-            tab.setAttribute('aria-selected', String(name === chosen));
-            tab.tabIndex = name === chosen ? 0 : -1;
+            const chosen = tab.dataset.tab === open;
+            tab.setAttribute('aria-selected', String(chosen));
+            tab.tabIndex = chosen ? 0 : -1;
         }
     }
 
     /** @param {string} name */
     function choose(name) {
-        if (narrow.matches) {
-            document.body.classList.toggle('folded', onPhone === name && !document.body.classList.contains('folded'));
-            onPhone = name;
-        } else {
-            beside = name;
-        }
+        if (narrow.matches) document.body.classList.toggle('folded', open === name && !document.body.classList.contains('folded'));
+        open = name;
         show();
     }
 
     for (const tab of all) {
         tab.addEventListener('click', () => choose(String(tab.dataset.tab)));
         tab.addEventListener('keydown', (event) => {
-            const shown = all.filter((each) => !each.hidden);
             const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
             if (!step) return;
             event.preventDefault();
-            const next = shown.at((shown.indexOf(tab) + step) % shown.length);
+            const next = all.at((all.indexOf(tab) + step) % all.length);
             document.body.classList.remove('folded');
             if (next && next !== tab) {
                 next.click();
@@ -62,4 +47,13 @@ export function tabs() {
         show();
     });
     show();
+
+    return {
+        /** Opens a tab, and unfolds the controls. @param {string} name */
+        open(name) {
+            document.body.classList.remove('folded');
+            open = name;
+            show();
+        },
+    };
 }

@@ -1,6 +1,7 @@
 /** The Turtle section: actions of symbols, and the start of the turtle. */
 
 import { byId, html, input, make, setChoice, setText } from '../dom.js';
+import { applyFix } from '../fix.js';
 import { editor } from '../controls/editor.js';
 import { numberField, optionalField } from '../controls/number-field.js';
 import { rangeOf } from '../state.js';
@@ -20,6 +21,7 @@ export function turtlePanel(store) {
     const overrides = editor(byId('overrides', HTMLTextAreaElement), html('overrides-problems'), 'overrides', {
         change: (text) => store.change({ overrides: text }, 'overrides'),
         settle,
+        fix: (diagnostic) => applyFix(store, diagnostic),
     });
     const showHeading = plainField('heading', 'heading', 5);
     const showStep = plainField('step', 'step', 1);

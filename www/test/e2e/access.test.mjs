@@ -60,7 +60,7 @@ const STATES = {
         await page.waitForSelector('.thumb.inked');
         await page.click('.chip >> nth=1');
     },
-    shortcuts: (page) => page.click('#open-shortcuts'),
+    shortcuts: (page) => page.keyboard.press('?'),
     share: (page) => page.click('#share'),
     favourites: async (page) => {
         await tab('save')(page);
@@ -171,7 +171,7 @@ test('every control can be reached and left with the keyboard', () =>
             if (id === 'skip' || id === '') break;
             reached.add(id);
         }
-        for (const id of ['drawing', 'fit', 'open-reader', 'open-playback', 'open-gallery', 'open-shortcuts', 'theme', 'axiom', 'rules', 'iterations-slider', 'iterations', 'angle', 'tab-turtle', 'dialect', 'overrides']) {
+        for (const id of ['drawing', 'fit', 'open-reader', 'open-playback', 'open-gallery', 'open-shortcuts', 'theme', 'axiom', 'rules', 'iterations-slider', 'iterations', 'angle', 'tab-rules', 'quick-favourite']) {
             assert.ok(reached.has(id), `${id} among ${[...reached].join(', ')}`);
         }
         // Arrow keys move between tabs.
@@ -215,6 +215,7 @@ test('number fields step with the arrows, ten times with Shift, a tenth with Alt
 test('a number field with an invalid text says what it expects', () =>
     withPage({ hash: TREE }, async (page) => {
         for (const [id, wrong, words] of [['iterations', '12 times', 'Must be a whole number from 0 to 1,000.'], ['angle', 'wide', 'Must be a number.'], ['seed', 'NaN', 'Must be a whole number from 0 to 4,294,967,295.']]) {
+            if (id === 'seed') await page.click('#tab-grow');
             const field = page.locator(`#${id}`);
             await field.fill('');
             assert.equal(await page.locator('.range-note').count(), 0, 'an empty field waits');
@@ -225,6 +226,7 @@ test('a number field with an invalid text says what it expects', () =>
             assert.equal(await page.locator('.range-note').count(), 0);
             assert.equal(await field.getAttribute('aria-invalid'), 'false');
         }
+        await page.click('#tab-rules');
         // A value out of range becomes the nearest value; the note stays until the next change.
         await page.fill('#iterations', '5000');
         await page.locator('#iterations').blur();
@@ -267,7 +269,7 @@ for (const [width, height] of /** @type {const} */ ([[640, 400], [320, 640], [32
                 page.evaluate(() => [document.scrollingElement, ...document.querySelectorAll('.sections, .section, .shelves, .shortcuts-body')].filter((element) => element && element.scrollWidth > element.clientWidth + 1).map((element) => `${element?.className}: ${element?.scrollWidth} > ${element?.clientWidth}`));
             assert.deepEqual(await sideways(), []);
             for (const name of ['rules', 'grow', 'turtle', 'look', 'save']) {
-                await page.click(`#tab-${name}`);
+                await tab(name)(page);
                 assert.ok(await page.isVisible(`#section-${name}`), name);
                 assert.deepEqual(await sideways(), [], name);
                 const last = page.locator(`#section-${name} :is(button, input, textarea, select, summary):visible`).last();
@@ -279,7 +281,9 @@ for (const [width, height] of /** @type {const} */ ([[640, 400], [320, 640], [32
                 }, `the last control of ${name} is in sight`);
             }
             for (const opener of ['gallery', 'shortcuts']) {
-                await page.click(`#open-${opener}`);
+                await page.locator('#drawing').focus();
+                if (opener === 'gallery') await page.click('#open-gallery');
+                else await page.keyboard.press('?');
                 await page.waitForSelector(`#${opener}:visible`);
                 assert.deepEqual(await sideways(), [], opener);
                 await page.click(`#close-${opener}`);

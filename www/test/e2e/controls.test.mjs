@@ -76,7 +76,7 @@ test('rules with errors keep their sliders', () =>
         assert.equal(await page.locator('#rules-problems .error').count(), 1);
     }));
 
-test('on a phone the sliders of constants are under Growth', () =>
+test('on a phone the sliders of constants are under Rules', () =>
     withPage({ hash: TREE, options: PHONE }, async (page) => {
         await page.waitForSelector('#constants:visible');
         const box = await dial(page, 'r').locator('input[type=range]').boundingBox();
@@ -192,6 +192,7 @@ test('the gallery shows the kind of each system and filters by kind', () =>
 
 test('angles in space are shown for drawings in space, and tropism for drawings that bend', () =>
     withPage({ hash: '#v=1&axiom=A&rules=A%20-%3E%20F%5B%26A%5D%5B/%5EA%5D&n=4&angle=30' }, async (page) => {
+        await page.click('#tab-turtle');
         await page.waitForSelector('#space:visible');
         assert.equal(await page.getAttribute('#pitch-down', 'placeholder'), '30');
         await page.fill('#pitch-down', '20');
@@ -209,10 +210,13 @@ test('angles in space are shown for drawings in space, and tropism for drawings 
         await page.fill('#elasticity', '0.2');
         await page.fill('#tropism-x', '1');
         await until(() => page.evaluate(() => /tropism=1,-1,0&elasticity=0\.2/.test(location.hash)), 'the address holds it');
+        await page.click('#tab-rules');
         await page.fill('#rules', 'A -> F[+A][-A]');
+        await page.click('#tab-turtle');
         await until(async () => !(await page.isVisible('#space')), 'in the plane there are two angles');
         const link = await page.evaluate(() => location.hash);
         await withPage({ hash: link }, async (other) => {
+            await other.click('#tab-turtle');
             assert.ok(await other.isVisible('#elasticity'), 'what bends is shown');
             assert.equal(await other.inputValue('#elasticity'), '0.2');
         });

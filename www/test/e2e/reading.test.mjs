@@ -393,6 +393,7 @@ test('another system ends playback and shows its whole picture; other colours do
         await page.click('#inks .ink:nth-child(2)');
         await nextPicture(page, part);
         assert.match(await text(page, '#play-pose'), /^At /);
+        await page.click('#tab-rules');
         await page.fill('#angle', '35');
         await until(async () => (await text(page, '#play-pose')) === 'The whole drawing.', 'the whole drawing');
         assert.ok(!(await page.isVisible('#mark-turtle')));

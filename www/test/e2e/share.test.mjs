@@ -147,7 +147,7 @@ test('if the clipboard is refused, the older method is tried and the text select
                 if (older) {
                     assert.equal(await text(page, '#share-status'), 'Link copied');
                     await page.click('#close-share');
-                    await page.click('#tab-look');
+                    await page.click('#tab-rules');
                     await page.fill('#axiom', '');
                     await page.focus('#axiom');
                     await page.keyboard.press('Control+v');

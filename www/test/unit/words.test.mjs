@@ -94,7 +94,7 @@ test('numbers are written in the style of the numbers they replace', () => {
 
 test('problems are cut at line ends, and a problem without width marks the symbol before it', () => {
     /** @param {string} text @param {number} start @param {number} end */
-    const marked = (text, start, end) => linesOf(text, [{ field: 'rules', severity: 'error', message: '', hint: null, start, end }]).flatMap((line) => line.marks.map((mark) => line.text.slice(mark.start, mark.end)));
+    const marked = (text, start, end) => linesOf(text, [{ field: 'rules', severity: 'error', message: '', hint: null, fix: null, start, end }]).flatMap((line) => line.marks.map((mark) => line.text.slice(mark.start, mark.end)));
     assert.deepEqual(marked('ab\ncd', 1, 4), ['b\n', 'c']);
     assert.deepEqual(marked('ab\ncd', 5, 5), ['d']);
     assert.deepEqual(marked('ab', 0, 0), ['a']);

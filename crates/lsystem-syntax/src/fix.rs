@@ -1,0 +1,51 @@
+//! Remedies that can be applied at once.
+
+use crate::diagnostic::{Diagnostic, Kind};
+
+impl Diagnostic {
+    /// The text that is probably meant in place of the diagnostic's span: empty where the span is to be removed, `None`
+    /// where nothing is likely.
+    #[must_use]
+    pub fn fix(&self) -> Option<String> {
+        let text = match &self.kind {
+            Kind::NoArrow { suggestion: Some(production) } => production.clone(),
+            Kind::EqualsForArrow { .. } => "->".into(),
+            Kind::LookAlike { read_as, .. } => read_as.to_string(),
+            Kind::UnknownConstant { similar: Some(similar), below: false, .. } => similar.clone(),
+            Kind::UnknownFunction { similar: Some(similar), .. }
+            | Kind::UnknownAction { similar: Some(similar), .. } => (*similar).to_owned(),
+            Kind::UnmatchedClose { .. } | Kind::UnmatchedOpen { .. } => String::new(),
+            _ => return None,
+        };
+        // A long text is quoted with an ellipsis.
+        (!text.contains('…') && !self.span.is_empty()).then_some(text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::parse;
+
+    #[test]
+    fn a_fix_ends_its_problem() {
+        for (rules, expected) in [
+            ("F := FF", "F -> FF"),
+            ("F = FF", "F -> FF"),
+            ("ratio = 2\nA(x) -> F(ratoi)", "ratio = 2\nA(x) -> F(ratio)"),
+            ("A(x) -> F(sqr(x))", "A(x) -> F(sqrt(x))"),
+            ("F -> F\u{2212}F", "F -> F-F"),
+        ] {
+            let problems = parse("F", rules).1;
+            let problem = problems.iter().find(|problem| problem.fix().is_some()).unwrap_or_else(|| panic!("{rules}"));
+            let mut fixed = rules.to_owned();
+            fixed.replace_range(problem.span.clone(), &problem.fix().unwrap_or_default());
+            assert_eq!(fixed, expected);
+            assert!(parse("F", &fixed).1.iter().all(|left| left.kind != problem.kind), "{fixed}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_known_has_no_fix() {
+        assert!(parse("F", "F").1.iter().all(|problem| problem.fix().is_none()));
+    }
+}

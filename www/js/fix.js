@@ -1,0 +1,13 @@
+/** Remedies that the reader can apply with a button. */
+
+/** @typedef {import('./protocol.js').Diagnostic} Diagnostic */
+
+/** The label of a remedy's button. @param {string} fix */
+export const fixLabel = (fix) => (fix === '' ? 'Remove it' : `Write ${fix}`);
+
+/** Applies a remedy, as one undo step. @param {import('./store.js').Store} store @param {Diagnostic} diagnostic */
+export function applyFix(store, { field, start, end, fix }) {
+    if (fix === null || (field !== 'axiom' && field !== 'rules' && field !== 'overrides')) return;
+    const text = store.state[field];
+    store.change({ [field]: text.slice(0, start) + fix + text.slice(end) }, '');
+}

@@ -1,0 +1,104 @@
+/** The first five minutes: the opening plant, and refusals with their remedies. */
+
+import assert from 'node:assert/strict';
+import test, { after } from 'node:test';
+import { DESKTOP, PHONE, close, nextPicture, stillPicture, until, withPage } from './browser.mjs';
+
+after(close);
+
+/** The text of an element. @param {import('playwright-core').Page} page @param {string} selector */
+const text = async (page, selector) => (await page.textContent(selector)) ?? '';
+
+for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['small desktop', { viewport: { width: 1280, height: 657 } }], ['phone', PHONE]])) {
+    test(`the page opens with the rule, what it means and a lesson in sight: ${device}`, () =>
+        withPage({ options }, async (page) => {
+            const { height } = page.viewportSize() ?? { height: 0 };
+            for (const part of ['#intro', '#open-lesson', '#axiom', '#rules', '#tab-rules', '#tab-grow', '#tab-turtle', '#tab-look', '#tab-save', '#share', '#quick-favourite', '#open-gallery']) {
+                const box = await page.locator(part).boundingBox();
+                assert.ok(box && box.y >= 0 && box.y < height - 20, `${part} ${JSON.stringify(box)}`);
+            }
+            assert.equal(await page.inputValue('#rules'), 'F -> F[+F]F[-F][F]');
+            assert.match(await text(page, '#intro'), /replaced at once by its rule/);
+            await page.fill('#rules', 'F -> F[+F]F');
+            assert.ok(await page.isVisible('#intro'), 'an edit keeps the explanation');
+            await page.click('#start-anew');
+            assert.ok(!(await page.isVisible('#intro')));
+        }));
+}
+
+test('every change of one symbol of the opening rule draws something or says why not', () =>
+    withPage({}, async (page) => {
+        const rule = 'F[+F]F[-F][F]';
+        const changed = new Set(['F', '']);
+        for (let at = 0; at < rule.length; at++) for (const symbol of ['', 'F', '+', '-', '[', ']', 'X', 'f']) changed.add(rule.slice(0, at) + symbol + rule.slice(at + 1));
+        for (const successor of changed) {
+            await page.fill('#rules', `F -> ${successor}`);
+            await until(async () => (await page.getAttribute('#stage', 'aria-busy')) === 'false', 'the picture is done');
+            await until(
+                async () =>
+                    (await page.locator('#rules-problems li').count()) > 0 ||
+                    (await page.isVisible('#empty')) ||
+                    /, [1-9][\d,]* segment/.test(await text(page, '#caption-text')),
+                `${successor} draws something or says why not`,
+            );
+        }
+    }));
+
+test('a single segment is longer than wide', () =>
+    withPage({}, async (page) => {
+        const before = await stillPicture(page);
+        await page.fill('#rules', 'F -> F');
+        await nextPicture(page, before);
+        assert.match(await text(page, '#caption-text'), /, 1 segment$/);
+    }));
+
+test('a limit is refused on the drawing, with a button that draws what fits', () =>
+    withPage({}, async (page) => {
+        await page.fill('#iterations', '14');
+        await page.click('#tab-grow');
+        await page.click('#variation summary');
+        await page.fill('#angle-variation', '5');
+        await page.waitForSelector('#refusal:visible');
+        await until(() => page.isVisible('#refusal-fix'), 'the largest number is known');
+        const label = await text(page, '#refusal-fix');
+        assert.match(label, /^Use \d+ iterations$/);
+        await page.click('#refusal-fix');
+        await until(async () => `Use ${await page.inputValue('#iterations')} iterations` === label, 'the number is taken');
+        await until(async () => !(await page.isVisible('#refusal')), 'nothing is refused');
+        await page.keyboard.press('Control+z');
+        assert.equal(await page.inputValue('#iterations'), '14');
+    }));
+
+test('a mistake is shown on the drawing after a pause, and its remedy is one undo step', () =>
+    withPage({}, async (page) => {
+        await page.fill('#rules', 'F = F[+F]F');
+        assert.ok(!(await page.isVisible('#refusal')), 'half a rule is no mistake yet');
+        await page.waitForSelector('#refusal:visible');
+        assert.doesNotMatch(await text(page, '#refusal-words'), /`/);
+        assert.doesNotMatch(await text(page, '#rules-problems'), /`/);
+        await page.click('#tab-look');
+        await page.click('#refusal-show');
+        assert.equal(await page.evaluate(() => document.activeElement?.id), 'rules');
+        await page.click('#rules-problems .fix');
+        assert.equal(await page.inputValue('#rules'), 'F -> F[+F]F');
+        await until(async () => !(await page.isVisible('#refusal')), 'nothing is refused');
+        await page.click('#undo');
+        assert.equal(await page.inputValue('#rules'), 'F = F[+F]F');
+    }));
+
+test('number fields take arithmetic', () =>
+    withPage({}, async (page) => {
+        await page.fill('#angle', '360/7');
+        await until(async () => /51\.43|51\.428/.test(await text(page, '#caption-text')), 'the angle is taken');
+        assert.equal(await page.inputValue('#angle'), '360/7', 'the text stays while it is edited');
+        await page.locator('#angle').blur();
+        assert.match(await page.inputValue('#angle'), /^51\.42857/);
+        await page.fill('#angle', '360/');
+        assert.equal(await page.getAttribute('#angle', 'aria-invalid'), 'true');
+    }));
+
+test('the star adds the system to favourites', () =>
+    withPage({}, async (page) => {
+        await page.click('#quick-favourite');
+        await until(async () => (await text(page, '#toast')).includes('Added “A plant by one rule”'), 'the favourite is added');
+    }));
