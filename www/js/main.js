@@ -21,6 +21,7 @@ import { captionOf, growthPanel } from './panels/growth-panel.js';
 import { savePanel } from './panels/save-panel.js';
 import { lookPanel } from './panels/look-panel.js';
 import { createRefusal } from './refusal.js';
+import { symbolNote } from './controls/symbol-note.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { tabs } from './panels/tabs.js';
 import { turtlePanel } from './panels/turtle-panel.js';
@@ -66,6 +67,7 @@ const rules = rulesPanel(store);
 const growth = growthPanel(store, engine);
 const turtle = turtlePanel(store);
 followNotation(store, engine, [rules, constantsPanel(store, rules), turtle]);
+const explain = symbolNote(['axiom', 'rules']);
 const look = lookPanel(store);
 const dials = dialRows(store);
 const refusal = createRefusal(store, tabs());
@@ -184,6 +186,7 @@ function reported(next, past) {
     stage.setBusy(!isWrong(next) && next.memoised === null);
     if (!past) {
         rules.report(next);
+        explain(next);
         growth.report(next, store.state);
         look.report(next, store.state);
         turtle.report(next);

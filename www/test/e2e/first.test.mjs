@@ -86,6 +86,18 @@ test('a mistake is shown on the drawing after a pause, and its remedy is one und
         assert.equal(await page.inputValue('#rules'), 'F = F[+F]F');
     }));
 
+test('a symbol in the rules says what it does, by pointer and by caret', () =>
+    withPage({}, async (page) => {
+        assert.match(await text(page, '#symbol-note'), /Point at a symbol/);
+        const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('[data-editor=rules] .t-turn').first().boundingBox());
+        await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+        await until(async () => /^\+ turns left by 22/.test(await text(page, '#symbol-note')), 'the symbol under the pointer is told');
+        await page.mouse.move(5, 5);
+        await page.focus('#axiom');
+        await page.keyboard.press('End');
+        await until(async () => /^F .*replaced by its rule/.test(await text(page, '#symbol-note')), 'the symbol at the caret is told');
+    }));
+
 test('number fields take arithmetic', () =>
     withPage({}, async (page) => {
         await page.fill('#angle', '360/7');

@@ -690,12 +690,18 @@ fn full_size_pictures_are_true() {
             for zoom in [1.0, 10.0, 100.0] {
                 let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
                 let truth = brute_force(&drawing, &sample.0.style, viewport, view);
+                // Where all lines lie on one square grid, they fall to the next subsamples together. An 8x8 tile may
+                // differ by as much as it does if the whole picture moves by half a subsample, the most by which a
+                // tile and the tile in it are off together.
+                let moved = |truth: &[u8]| {
+                    let by = 0.125 / (fitted_scale(&drawing, viewport) * zoom);
+                    let moved = View { x: view.x + by, y: view.y + by, ..view };
+                    difference(&brute_force(&drawing, &sample.0.style, viewport, moved), truth, 1600).1
+                };
                 picture(&mut renderer, &sample.0.style, viewport, view);
                 let (mean, worst) = difference(renderer.pixels(), &truth, 1600);
                 println!("{name:12} {n:2} {zoom:5} mean {mean:.3} worst {worst:.2} {:?}", renderer.stats());
-                // An upright line on the border between two columns of subsamples falls to either side by rounding,
-                // which is a quarter of its pixels' coverage; in a square grid all lines do so together.
-                let most = if sample.0.angle == 90.0 { 15.0 } else { 12.0 };
+                let most = if worst > 12.0 { 12.0_f64.max(moved(&truth)) } else { 12.0 };
                 if mean > 2.0 || worst > most {
                     failures.push((name, n, zoom, mean, worst));
                 }
