@@ -98,6 +98,19 @@ test('a symbol in the rules says what it does, by pointer and by caret', () =>
         await until(async () => /^F .*replaced by its rule/.test(await text(page, '#symbol-note')), 'the symbol at the caret is told');
     }));
 
+test('on a phone a row of keys writes the symbols of the notation', () =>
+    withPage({ options: PHONE }, async (page) => {
+        assert.ok(!(await page.isVisible('#symbol-keys')));
+        await page.tap('#rules');
+        await page.waitForSelector('#symbol-keys:visible');
+        await page.fill('#rules', '');
+        for (const key of ['F', 'Arrow', 'F', '[', '+', 'F', ']', 'F']) await page.getByRole('button', { name: key, exact: true }).tap();
+        assert.equal(await page.inputValue('#rules'), 'F -> F[+F]F');
+        await until(async () => /, 243 segments/.test(await text(page, '#caption-text')), 'the drawing follows');
+        await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
+        await until(async () => !(await page.isVisible('#symbol-keys')), 'the keys go with the focus');
+    }));
+
 test('number fields take arithmetic', () =>
     withPage({}, async (page) => {
         await page.fill('#angle', '360/7');
