@@ -8,6 +8,8 @@ use std::fmt::Write as _;
 
 /// From this number of sections on, a page has a table of contents.
 const CONTENTS_FROM: usize = 4;
+/// Code up to this length stays on one line, because its parts are hard to read; it fits on a phone. In characters.
+const SHORT_CODE: usize = 28;
 /// The longest summary, in characters.
 const LONGEST_SUMMARY: usize = 160;
 
@@ -145,6 +147,10 @@ impl<'a> Renderer<'a, '_> {
             Event::End(TagEnd::Link) if self.in_link => self.inline("</a>"),
             Event::End(TagEnd::Link) => {}
             Event::Start(Tag::Image { .. }) => bail!("a picture must stand in a paragraph"),
+            Event::Code(code) => {
+                let class = if code.chars().count() <= SHORT_CODE { " class=\"short\"" } else { "" };
+                self.inline(format!("<code{class}>{}</code>", escape(&code)));
+            }
             // A table can be wider than a phone. Scrolling by keyboard needs the focus, and the focus a name.
             Event::Start(Tag::Table(alignments)) => {
                 let name = escape(&self.section);
@@ -290,7 +296,7 @@ mod tests {
         check("[a](../www/course.html)", "<a href=\"../course.html\">a</a>");
         check(
             "[`a`](https://a.example/?b&c)",
-            "<a href=\"https://a.example/?b&amp;c\" rel=\"noopener\"><code>a</code></a>",
+            "<a href=\"https://a.example/?b&amp;c\" rel=\"noopener\"><code class=\"short\">a</code></a>",
         );
     }
 
@@ -307,7 +313,7 @@ mod tests {
     #[test]
     fn headings_have_ids_and_contents() {
         let three = "## A `B`, c!\n\n## Two\n\ntext\n\n## Two\n\n";
-        check(three, "<h2 id=\"a-b-c\">A <code>B</code>, c!</h2>\n<h2 id=\"two\">Two</h2>");
+        check(three, "<h2 id=\"a-b-c\">A <code class=\"short\">B</code>, c!</h2>\n<h2 id=\"two\">Two</h2>");
         check(three, "<h2 id=\"two-1\">Two</h2>");
         assert!(!body(three).contains("<nav"));
         check(
@@ -340,7 +346,10 @@ mod tests {
             "|a|b|\n|-|-|\n|`<b>`|c|",
             "<div class=\"table\" role=\"group\" aria-label=\"Table: Title\" tabindex=\"0\"><table>",
         );
-        check("|a|b|\n|-|-|\n|`<b>`|c|", "<td><code>&lt;b&gt;</code></td><td>c</td></tr>\n</tbody></table>\n</div>");
+        check(
+            "|a|b|\n|-|-|\n|`<b>`|c|",
+            "<td><code class=\"short\">&lt;b&gt;</code></td><td>c</td></tr>\n</tbody></table>\n</div>",
+        );
     }
 
     #[test]
