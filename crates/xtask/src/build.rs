@@ -2,7 +2,7 @@
 
 use crate::esbuild::Esbuild;
 use crate::workspace::{Workspace, run};
-use crate::{bindgen, files, gallery, include, joined, offline, one_file, tools};
+use crate::{bindgen, docs, files, gallery, include, joined, offline, one_file, tools};
 use anyhow::{Context, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -35,6 +35,7 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
         let text = one_file::one_file(&site, page, &carried, &esbuild)?;
         files::write(&site.join(file), text)?;
     }
+    docs::write_pages(&workspace.root.join("docs"), &www, &site, &esbuild)?;
     joined::join(&site, index, &esbuild)?;
     offline::list_files(&site)?;
     replace(&site, &workspace.dist(), &new.path().join("old"))

@@ -3,6 +3,7 @@
 mod bench;
 mod bindgen;
 mod build;
+mod docs;
 mod esbuild;
 mod files;
 mod fuzz;

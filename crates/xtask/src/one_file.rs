@@ -1,7 +1,7 @@
 //! Pages as a single file: such a page works from a disk, in frames without an origin, and at any address.
 //!
 //! The file contains styles, scripts, icons and the files that the page would fetch (`www/js/files.js` reads them
-//! there). The page's content security policy allows its own scripts and styles by hash and forbids everything else,
+//! there). Links to documents are left out, because the file may stand alone. The page's content security policy allows its own scripts and styles by hash and forbids everything else,
 //! above all requests.
 
 use crate::esbuild::Bundler;
@@ -96,7 +96,7 @@ impl Assembly<'_> {
                     }
                     writeln!(page, "{line}")?;
                 }
-                _ => writeln!(page, "{line}")?,
+                _ => writeln!(page, "{}", without_documents(line)?)?,
             }
         }
         let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n", self.policy.write());
@@ -127,6 +127,21 @@ impl Assembly<'_> {
         let text = BASE64.encode(encoder.finish()?);
         Ok(format!("<script type=\"application/gzip;base64\" data-file=\"{name}\">{text}</script>\n"))
     }
+}
+
+/// A line of the page without its links to documents.
+fn without_documents(line: &str) -> Result<String> {
+    let mut kept = String::new();
+    let mut rest = line;
+    while let Some(at) = rest.find(" href=\"docs/") {
+        let start = rest[..at].rfind('<').with_context(|| format!("no tag begins in `{line}`"))?;
+        ensure!(rest[start..].starts_with("<a "), "`{line}` loads a document");
+        let end = rest[at..].find("</a>").map(|end| at + end);
+        let end = end.with_context(|| format!("a link to a document must end in its line: `{line}`"))?;
+        kept.push_str(&rest[..start]);
+        rest = &rest[end + "</a>".len()..];
+    }
+    Ok(kept + rest)
 }
 
 /// Checks that a script does not end its element early.
@@ -232,6 +247,17 @@ mod tests {
         assert!(page.contains(&format!("script-src {} 'sha256-", hash("early()"))), "{page}");
         assert!(page.contains(&format!("style-src {};", hash("a {}b {}"))), "{page}");
         assert!(page.contains("default-src 'none'") && page.contains("worker-src blob:"), "{page}");
+    }
+
+    #[test]
+    fn leaves_links_to_documents_out() {
+        let kept = |line: &str| without_documents(line).unwrap();
+        let link = "<a class=\"b\" href=\"docs/a.html\" rel=\"noopener\">A <b>c</b></a>";
+        assert_eq!(kept(&format!("<p>1 {link}, <a href=\"#d\">d</a>{link}</p>")), "<p>1 , <a href=\"#d\">d</a></p>");
+        assert_eq!(kept("<a href=\"https://a.example/docs/\">a</a>"), "<a href=\"https://a.example/docs/\">a</a>");
+        for wrong in ["<a href=\"docs/a.html\">", "<a>b</a><a href=\"docs/a.html\">", "<link href=\"docs/docs.css\">"] {
+            assert!(without_documents(wrong).is_err(), "{wrong}");
+        }
     }
 
     #[test]

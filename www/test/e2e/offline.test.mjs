@@ -88,7 +88,7 @@ async function reopened(page) {
 
 const how = () => ({ address: origin, hash: KOCH, expected: /ERR_EMPTY_RESPONSE|Failed to load resource|ERR_FAILED|unknown error occurred when fetching the script/ });
 
-test('after one visit, the page, gallery, exports, embedded drawings and course page work without a network', () =>
+test('after one visit, the page, gallery, exports, embedded drawings, course page and documents work without a network', () =>
     withSite(() =>
         withPage(how(), async (page) => {
             const before = await stillPicture(page);
@@ -114,6 +114,10 @@ test('after one visit, the page, gallery, exports, embedded drawings and course 
                 const frames = page.frames().filter((frame) => frame.url().includes('embed.html'));
                 return (await Promise.all(frames.map((frame) => frame.locator('#stage.inked').count()))).some((count) => count > 0);
             }, 'a drawing of the course page is there', 15_000);
+            await page.goto(`${origin}docs/lesson.html`);
+            await page.frameLocator('iframe').first().locator('#stage.inked').waitFor();
+            await page.click('text=About');
+            await until(() => page.evaluate(() => document.querySelector('img')?.naturalWidth), 'the picture of a document is there');
             assert.deepEqual(asked.filter((path) => path !== '/play/service-worker.js'), []);
         }),
     ));

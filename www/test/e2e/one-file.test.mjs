@@ -57,6 +57,13 @@ test('requests nothing, and contains the gallery and the exports', () =>
         assert.deepEqual(asked, []);
     }));
 
+test('has no links to files that are not beside it', () =>
+    withPage({ address, hash: KOCH }, async (page) => {
+        const links = await page.locator('a').evaluateAll((all) => all.map((link) => link.getAttribute('href') ?? ''));
+        assert.deepEqual(links.filter((link) => !/^(#|https?:|data:)/.test(link)), []);
+        assert.equal(await page.isVisible('.foot'), false);
+    }));
+
 test('its policy forbids other scripts and requests', () =>
     withPage({ address, hash: KOCH, expected: /Content Security Policy/ }, async (page) => {
         const policy = (await page.getAttribute('meta[http-equiv="Content-Security-Policy"]', 'content')) ?? '';

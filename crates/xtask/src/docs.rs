@@ -1,0 +1,128 @@
+//! The documents of `docs/` as pages of the site: `docs/NAME.html`.
+
+mod drawing;
+mod markdown;
+
+use crate::esbuild::Bundler;
+use crate::{files, include};
+use anyhow::{Context, Result, bail};
+use markdown::{Document, Site, escape};
+use std::path::Path;
+
+/// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
+const PAGES: [&str; 6] = ["lesson", "notation", "links", "embedding", "about", "security"];
+/// The pages in the navigation line, with their names there.
+const NAVIGATION: [(&str, &str); 5] = [
+    ("lesson", "Lesson"),
+    ("notation", "Notation"),
+    ("links", "Links"),
+    ("embedding", "Embedding"),
+    ("about", "About"),
+];
+/// The styles that the pages share with the playground, then their own.
+const STYLES: [&str; 3] = ["css/base.css", "css/contrast.css", "css/docs.css"];
+
+/// Writes the pages, their styles and their pictures into the folder of the site. `docs` holds the documents, `www` the
+/// template `docs/page.html`. The other pages of the site must be in place, because documents link to them.
+pub(crate) fn write_pages(docs: &Path, www: &Path, site: &Path, bundler: &dyn Bundler) -> Result<()> {
+    let out = site.join("docs");
+    let template = files::read_text(&www.join("docs/page.html"))?;
+    let template = include::include(&template, "index.html", &files::read_text(&site.join("index.html"))?)?;
+    let is_shipped = |path: &str| site.join(path).is_file();
+    let rules = Site { pages: &PAGES, is_shipped: &is_shipped };
+    for name in PAGES {
+        let text = files::read_text(&docs.join(format!("{name}.md")))?;
+        let document = markdown::render(&text, &rules).with_context(|| format!("in docs/{name}.md"))?;
+        files::write(&out.join(format!("{name}.html")), page(&template, name, &document)?)?;
+        for image in &document.images {
+            files::write(&out.join(image), files::read(&docs.join(image))?)?;
+        }
+    }
+    files::write(&out.join("docs.css"), bundler.styles(&STYLES)?)
+}
+
+/// A whole page: the template around a document.
+fn page(template: &str, name: &str, document: &Document) -> Result<String> {
+    let navigation: String = NAVIGATION
+        .iter()
+        .map(|(page, words)| {
+            let current = if *page == name { " aria-current=\"page\"" } else { "" };
+            format!("<li><a href=\"{page}.html\"{current}>{words}</a></li>\n")
+        })
+        .collect();
+    fill(
+        template,
+        &[
+            ("title", &escape(&document.title)),
+            ("description", &escape(&document.summary)),
+            ("navigation", &navigation),
+            ("body", &document.body),
+            ("version", env!("CARGO_PKG_VERSION")),
+        ],
+    )
+}
+
+/// Replaces `{{name}}` by the value of this name. Values are not searched for names.
+fn fill(template: &str, values: &[(&str, &str)]) -> Result<String> {
+    let mut filled = String::new();
+    let mut rest = template;
+    while let Some((before, after)) = rest.split_once("{{") {
+        let (name, after) = after.split_once("}}").context("a placeholder does not end")?;
+        let Some((_, value)) = values.iter().find(|(each, _)| *each == name) else {
+            bail!("there is no value for the placeholder `{name}`");
+        };
+        filled.push_str(before);
+        filled.push_str(value);
+        rest = after;
+    }
+    Ok(filled + rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct NameBundler;
+
+    impl Bundler for NameBundler {
+        fn module(&self, entry: &str) -> Result<String> {
+            Ok(entry.to_owned())
+        }
+
+        fn styles(&self, names: &[&str]) -> Result<String> {
+            Ok(names.join(" "))
+        }
+    }
+
+    #[test]
+    fn writes_pages_styles_and_pictures() {
+        let folder = tempfile::tempdir().unwrap();
+        let [docs, www, site] = ["docs", "www", "site"].map(|name| folder.path().join(name));
+        for name in PAGES {
+            files::write(&docs.join(format!("{name}.md")), format!("# The {name}\n\nA & b.\n")).unwrap();
+        }
+        files::write(&docs.join("about.md"), "# About\n\n![A leaf](leaf.svg)\n").unwrap();
+        files::write(&docs.join("leaf.svg"), "<svg/>").unwrap();
+        files::write(&site.join("index.html"), "<b id=\"mark\">m</b>").unwrap();
+        let template =
+            "{{title}}|{{description}}|<!-- index.html#mark -->|{{navigation}}|{{body}}|{{version}}".to_owned();
+        files::write(&www.join("docs/page.html"), template).unwrap();
+        write_pages(&docs, &www, &site, &NameBundler).unwrap();
+        let text = files::read_text(&site.join("docs/links.html")).unwrap();
+        assert!(text.starts_with("The links|A &amp; b.|<b id=\"mark\">m</b>|<li><a href=\"lesson.html\">"), "{text}");
+        assert!(text.contains("<a href=\"links.html\" aria-current=\"page\">Links</a>"), "{text}");
+        assert_eq!(text.matches("aria-current").count(), 1);
+        assert!(text.ends_with(concat!("|", env!("CARGO_PKG_VERSION"))), "{text}");
+        assert_eq!(files::read_text(&site.join("docs/leaf.svg")).unwrap(), "<svg/>");
+        assert_eq!(files::read_text(&site.join("docs/docs.css")).unwrap(), STYLES.join(" "));
+        assert!(!site.join("docs/worker.html").exists());
+    }
+
+    #[test]
+    fn fills_placeholders_once() {
+        assert_eq!(fill("a {{x}} {{y}}{{x}}", &[("x", "{{y}}"), ("y", "2")]).unwrap(), "a {{y}} 2{{y}}");
+        for wrong in ["{{z}}", "{{x"] {
+            assert!(fill(wrong, &[("x", "1")]).is_err(), "{wrong}");
+        }
+    }
+}

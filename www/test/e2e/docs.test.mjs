@@ -1,0 +1,145 @@
+/** The documents as pages: without errors and barriers, with drawings that draw and links that lead somewhere. */
+
+import assert from 'node:assert/strict';
+import { access, readFile, readdir } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { after, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { ADDRESS, DESKTOP, PHONE, close, picture, until, withPage } from './browser.mjs';
+
+after(close);
+
+const SITE = new URL('../../../dist/', import.meta.url);
+const DOCS = new URL('docs/', SITE);
+const NAMES = (await readdir(DOCS)).filter((name) => name.endsWith('.html')).sort();
+const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** @param {string} name */
+const at = (name) => ({ address: `${ADDRESS}docs/${name}`, also: ADDRESS, drawing: null });
+
+test('the documents for readers are pages, and no others', () => {
+    assert.deepEqual(NAMES, ['about.html', 'embedding.html', 'lesson.html', 'links.html', 'notation.html', 'security.html']);
+});
+
+for (const [size, options] of /** @type {[string, import('playwright-core').BrowserContextOptions][]} */ ([
+    ['desktop', DESKTOP],
+    ['desktop, dark', { ...DESKTOP, colorScheme: 'dark' }],
+    ['phone', PHONE],
+    ['phone, dark', { ...PHONE, colorScheme: 'dark' }],
+    ['a narrow window', { viewport: { width: 320, height: 256 } }],
+])) {
+    test(`axe-core finds no violation, and nothing but tables and code scrolls sideways: ${size}`, async () => {
+        for (const name of NAMES) {
+            await withPage({ ...at(name), options }, async (page) => {
+                await page.evaluate(axe);
+                const violations = await page.evaluate(async () => {
+                    const { violations } = await /** @type {any} */ (globalThis).axe.run(document, { resultTypes: ['violations'], iframes: false, preload: false });
+                    // A table of two kinds of messages has no name for its second column.
+                    return violations.filter((/** @type {any} */ { id }) => id !== 'empty-table-header').map((/** @type {any} */ { id, nodes }) => `${id}: ${nodes.map((/** @type {any} */ node) => node.target.join(' '))}`);
+                });
+                assert.deepEqual(violations, [], name);
+                const wide = await page.evaluate(() => {
+                    const root = document.documentElement;
+                    return root.scrollWidth > root.clientWidth;
+                });
+                assert.ok(!wide, name);
+                assert.equal(await page.locator('.line [aria-current]').count(), name === 'security.html' ? 0 : 1);
+                assert.ok(((await page.getAttribute('meta[name=description]', 'content')) ?? '').length > 20);
+            });
+        }
+    });
+}
+
+test('the lesson has five drawings that draw and follow its words', () =>
+    withPage(at('lesson.html'), async (page) => {
+        const frames = page.locator('iframe');
+        assert.equal(await frames.count(), 5);
+        for (let index = 0; index < 5; index++) {
+            const place = frames.nth(index);
+            await place.scrollIntoViewIfNeeded();
+            const frame = await (await place.elementHandle())?.contentFrame();
+            assert.ok(frame);
+            await frame.waitForSelector('#stage.inked');
+            assert.ok((await picture(frame)).ink > 0.001, `drawing ${index + 1}`);
+            assert.equal(await frame.locator('#mistake:visible').count(), 0);
+            assert.equal(await place.getAttribute('title'), `Drawing: ${await frame.textContent('#caption-title')}`);
+        }
+        // The numbers that the first step names.
+        const first = page.frameLocator('iframe').first();
+        await frames.first().scrollIntoViewIfNeeded();
+        for (const [n, segments] of [['1', '5 segments'], ['2', '25 segments'], ['5', '3,125 segments']]) {
+            await first.locator('#iterations').fill(String(n));
+            await until(async () => ((await first.locator('#caption-text').textContent()) ?? '').includes(`, ${segments}`), `n = ${n} has ${segments}`);
+        }
+    }));
+
+test('the rules in the lesson’s words are rules', () =>
+    withPage(at('lesson.html'), async (page) => {
+        const rules = (await page.locator('main code').allTextContents()).filter((text) => text.includes('->'));
+        assert.ok(rules.length >= 6, rules.join('\n'));
+        const koch = page.frameLocator('iframe').nth(2);
+        await page.locator('iframe').nth(2).scrollIntoViewIfNeeded();
+        await koch.locator('#stage.inked').waitFor();
+        for (const rule of rules) {
+            await koch.locator('#rules').fill(`${rule}\nG = = 1`);
+            // The mistake in the next line shows that the text has been read.
+            await until(async () => (await koch.locator('#rules-problems .error').count()) === 1, `one mistake below ${rule}`);
+        }
+    }));
+
+test('every link, picture and frame of every page leads somewhere', async () => {
+    /** The ids of a page. @type {Map<string, Set<string>>} */
+    const ids = new Map();
+    const idsOf = async (/** @type {string} */ file) => {
+        const known = ids.get(file) ?? new Set([...(await readFile(file, 'utf8')).matchAll(/ id="([^"]*)"/g)].map(([, id]) => String(id)));
+        ids.set(file, known);
+        return known;
+    };
+    const pages = [...NAMES.map((name) => new URL(name, DOCS)), new URL('index.html', SITE), new URL('course.html', SITE)];
+    for (const page of pages) {
+        const text = await readFile(page, 'utf8');
+        for (const [, , link] of text.matchAll(/ (href|src)="([^"]*)"/g)) {
+            const url = String(link).replaceAll('&amp;', '&');
+            if (/^https?:/.test(url)) continue;
+            assert.ok(!url.startsWith('/') && !/^[a-z]+:/i.test(url), `${url} in ${page.href} is relative`);
+            const target = new URL(url, page);
+            assert.ok(target.href.startsWith(SITE.href), `${url} in ${page.href} stays within the site`);
+            const { hash } = target;
+            target.hash = '';
+            const file = fileURLToPath(target.href.endsWith('/') ? new URL('index.html', target) : target);
+            await access(file);
+            if (hash.length > 1 && !hash.startsWith('#v=')) assert.ok((await idsOf(file)).has(decodeURIComponent(hash.slice(1))), `${url} in ${page.href}`);
+        }
+    }
+});
+
+test('pages have no scripts or styles of their own, and links to other sites do not give the page away', async () => {
+    for (const name of NAMES) {
+        const text = await readFile(new URL(name, DOCS), 'utf8');
+        for (const [tag] of text.matchAll(/<[^>]*>/g)) {
+            assert.doesNotMatch(tag, /^<(script|style)| (style|on[a-z]+)=/i, name);
+            if (/^<a .*href="https?:/.test(tag)) assert.match(tag, / rel="noopener"/, name);
+        }
+        assert.match(text, /Content-Security-Policy" content="default-src 'self'; script-src 'none'; frame-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"/);
+    }
+});
+
+test('the controls end with links to the documents, which open in a new tab', async () => {
+    await withPage({}, async (page) => {
+        const links = page.locator('.foot > a');
+        assert.deepEqual(await links.allTextContents(), ['Lesson', 'Notation', 'Links', 'Embedding', 'About']);
+        for (const link of await links.all()) {
+            const [opened] = await Promise.all([page.waitForEvent('popup'), link.click()]);
+            await opened.waitForLoadState();
+            assert.equal(await opened.textContent('.line [aria-current]'), await link.textContent());
+            await opened.close();
+        }
+    });
+    await withPage({ options: PHONE }, async (page) => {
+        assert.equal(await page.isVisible('.foot'), false);
+        await page.click('#tab-save');
+        assert.ok(await page.isVisible('.foot'));
+        await page.click('#tab-save');
+        assert.equal(await page.isVisible('.foot'), false);
+    });
+});
