@@ -7,6 +7,8 @@ use core::hash::Hasher;
 const FIRST_SLOTS: usize = 1 << 16;
 /// The most slots: 2 MiB. On a lattice far more blocks coincide than 512 KiB can hold.
 const MOST_SLOTS: usize = 1 << 18;
+/// The memory grows when so many times its slots have been filled: a larger one is slower, and most pictures take less.
+const FULL: usize = 4;
 /// The most bytes of the memory.
 pub(super) const SEEN_BYTES: u64 = (MOST_SLOTS * size_of::<u64>()) as u64;
 /// Coordinates are rounded to a subsample divided by this, because exact repeats differ by rounding alone.
@@ -33,6 +35,7 @@ impl Seen {
     pub(super) fn clear(&mut self) {
         self.age += 1;
         self.count = 0;
+        self.slots.truncate(FIRST_SLOTS);
     }
 
     /// Remembers what was painted at these points of a canvas; `words` tell it apart from others at the same points.
@@ -48,8 +51,8 @@ impl Seen {
         let slot = (hash >> 20) as usize & (self.slots.len() - 1);
         let is_new = core::mem::replace(&mut self.slots[slot], hash) != hash;
         self.count += usize::from(is_new);
-        if self.count > self.slots.len() && self.slots.len() < MOST_SLOTS {
-            self.slots.resize(2 * self.slots.len(), 0);
+        if self.count > FULL * self.slots.len() && self.slots.len() < MOST_SLOTS {
+            self.slots.resize(MOST_SLOTS, 0);
         }
         is_new
     }
