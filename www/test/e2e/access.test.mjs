@@ -62,12 +62,15 @@ const STATES = {
     },
     'gallery without results': async (page) => {
         await page.click('#open-gallery');
-        await page.waitForSelector('.card');
+        await page.waitForSelector('.card', { state: 'attached' });
         await page.fill('#search', 'zzz');
         await page.waitForSelector('#clear-search:visible');
     },
     'gallery with cards without pictures': async (page) => {
         await page.click('#open-gallery');
+        // A filter may be chosen.
+        await page.fill('#search', 'zzz');
+        await page.click('#clear-search');
         await page.fill('#search', 'doubling');
         await page.waitForSelector('.card-missing:visible');
     },
