@@ -17,11 +17,7 @@ pub(crate) fn gallery(folder: &Path) -> Result<Value> {
         let (definition, system) = read(&path, &files::read_text(file)?)?;
         let solid = system.is_solid();
         let (n, limits) = (definition.iterations, Limits::default());
-        let made = if solid {
-            draw_solid(&system, n, &limits).is_ok()
-        } else {
-            draw(&system, n, &limits).is_ok()
-        };
+        let made = if solid { draw_solid(&system, n, &limits).is_ok() } else { draw(&system, n, &limits).is_ok() };
         if !made {
             bail!("{path} grows too large for the gallery");
         }
