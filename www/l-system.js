@@ -5,6 +5,7 @@
  * embed.html in an iframe, from the folder of this script. Attributes are sent to the frame as messages, and its
  * messages become events. docs/embedding.md describes the element.
  */
+import { declaredScheme, schemeOf, systemIsDark } from './js/embed/scheme.js';
 import { ATTRIBUTES } from './js/tables.js';
 
 (() => {
@@ -12,6 +13,8 @@ import { ATTRIBUTES } from './js/tables.js';
     const HOME = new URL('embed.html', script instanceof HTMLScriptElement && script.src ? script.src : location.href);
     /** Pages from a disk have no distinct origin. */
     const ORIGIN = HOME.protocol === 'file:' ? null : HOME.origin;
+
+    const system = systemIsDark();
 
     /** Attributes that are values of the drawing, and their link keys. */
     const KEYS = new Map(Object.entries(ATTRIBUTES));
@@ -21,7 +24,7 @@ import { ATTRIBUTES } from './js/tables.js';
     const STYLE = `
         :host { display: block; aspect-ratio: 4 / 3; min-height: 12rem; contain: content; }
         :host([hidden]) { display: none; }
-        iframe { display: block; width: 100%; height: 100%; border: 0; color-scheme: normal; }
+        iframe { display: block; width: 100%; height: 100%; border: 0; }
         @media print { :host { break-inside: avoid; } }`;
 
     class LSystem extends HTMLElement {
@@ -43,10 +46,16 @@ import { ATTRIBUTES } from './js/tables.js';
         /** The last state from the frame. @type {{values: Record<string, unknown>, link: string} | null} */
         #state = null;
         #observer = new MutationObserver(() => this.#changed());
+        /** The theme that was sent to the frame. */
+        #theme = '';
+        /** Host pages switch their scheme with an attribute of their root or body. */
+        #schemes = new MutationObserver(() => this.#recolour());
 
         connectedCallback() {
             addEventListener('message', this.#hear);
             this.#observer.observe(this, { childList: true, characterData: true, subtree: true });
+            for (const element of [document.documentElement, document.body]) this.#schemes.observe(element, { attributes: true });
+            system.addEventListener('change', this.#recolour);
             // While the page loads, the element's text is not parsed yet.
             if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', this.#build, { once: true });
             else queueMicrotask(this.#build);
@@ -56,6 +65,8 @@ import { ATTRIBUTES } from './js/tables.js';
             removeEventListener('message', this.#hear);
             document.removeEventListener('DOMContentLoaded', this.#build);
             this.#observer.disconnect();
+            this.#schemes.disconnect();
+            system.removeEventListener('change', this.#recolour);
             clearTimeout(this.#timer);
             this.#frame?.remove();
             this.#frame = null;
@@ -66,7 +77,8 @@ import { ATTRIBUTES } from './js/tables.js';
         /** @param {string} name @param {string | null} before @param {string | null} now */
         attributeChangedCallback(name, before, now) {
             if (before === now || !this.#frame) return;
-            if (name === 'link' || name === 'theme') this.#load();
+            if (name === 'link') this.#load();
+            else if (name === 'theme') this.#recolour();
             else if (name === 'controls') this.#say({ lsystem: 'controls', controls: now ?? '' });
             else if (name === 'loading') this.#frame.loading = now === 'eager' ? 'eager' : 'lazy';
             else this.#changed();
@@ -141,6 +153,19 @@ import { ATTRIBUTES } from './js/tables.js';
             this.#load();
         };
 
+        /** The theme that is asked for, or else the host page's. */
+        #themeNow() {
+            const asked = this.getAttribute('theme');
+            return asked === 'light' || asked === 'dark' ? asked : schemeOf(declaredScheme(this), system.matches);
+        }
+
+        #recolour = () => {
+            const theme = this.#themeNow();
+            if (!this.#frame || theme === this.#theme) return;
+            this.#theme = theme;
+            this.#say({ lsystem: 'theme', theme });
+        };
+
         /** Sets the frame's address, which contains all values. */
         #load() {
             if (!this.#frame) return;
@@ -148,7 +173,8 @@ import { ATTRIBUTES } from './js/tables.js';
             const name = this.getAttribute('aria-label') ?? this.#sent.title;
             this.#frame.title = name ? `L-system: ${name}` : 'L-system';
             const link = hashOf(this.getAttribute('link') ?? '').replace(/^#/, '');
-            const fields = { ...this.#sent, controls: this.getAttribute('controls') ?? '', theme: this.getAttribute('theme') ?? '', host: location.origin === 'null' ? '' : location.origin };
+            this.#theme = this.#themeNow();
+            const fields = { ...this.#sent, controls: this.getAttribute('controls') ?? '', theme: this.#theme, host: location.origin === 'null' ? '' : location.origin };
             const own = Object.entries(fields).flatMap(([key, value]) => (value === '' ? [] : [`${key}=${encodeURIComponent(value)}`]));
             const address = new URL(HOME);
             address.hash = [link || 'v=1', ...own].join('&');

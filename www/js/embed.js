@@ -5,6 +5,7 @@ import { button, html, input, setText } from './dom.js';
 import { createDials } from './embed/dials.js';
 import { connectHost } from './embed/messages.js';
 import { readOptions } from './embed/options.js';
+import { surroundingTheme, systemIsDark } from './embed/scheme.js';
 import { watchVisibility } from './embed/visibility.js';
 import { createEngine, isWrong } from './engine.js';
 import { createHover } from './hover.js';
@@ -49,7 +50,7 @@ let blank = link === null;
 const rules = rulesPanel(store);
 const constants = constantsPanel(store, rules);
 const dials = createDials(store);
-const host = connectHost(store, { host: options.host, offer, play: (on) => parts?.playback.setPlaying(on), facts: () => facts });
+const host = connectHost(store, { host: options.host, offer, theme: setTheme, play: (on) => parts?.playback.setPlaying(on), facts: () => facts });
 
 offer(controls);
 store.subscribe(show);
@@ -69,6 +70,7 @@ watchVisibility(html('stage'), (now) => {
 });
 // Printing also shows drawings that are scrolled out of view.
 addEventListener('beforeprint', draw);
+systemIsDark().addEventListener('change', showTheme);
 addEventListener('hashchange', async () => {
     options = readOptions(location.hash);
     showTheme();
@@ -226,8 +228,13 @@ function reported(report, past) {
 }
 
 function showTheme() {
-    if (options.theme) document.documentElement.dataset.theme = options.theme;
-    else delete document.documentElement.dataset.theme;
+    document.documentElement.dataset.theme = options.theme ?? surroundingTheme();
+}
+
+/** @param {'light' | 'dark' | null} theme null for none */
+function setTheme(theme) {
+    options = { ...options, theme };
+    showTheme();
 }
 
 /** Shows a problem on the drawing, or hides the last one if empty. @param {string} words */

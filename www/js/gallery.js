@@ -3,23 +3,16 @@
 import { button, byId, closes, html, input, make, setText } from './dom.js';
 import { jsonOf } from './files.js';
 import { Stopped } from './engine/questions.js';
+import { NAMES, choose, count, filtersOf, matches, searchText, shelved, shortSource } from './shelves.js';
 import { clean, definitionOf } from './state.js';
-import { TAGS, choose, count, makingOf, tagsOf } from './tags.js';
 import { emptyThumb, paintThumb } from './thumb.js';
 
 /** @typedef {import('./state.js').Definition} Definition */
-/** @typedef {{path: string, folder: string, definition: Definition} & import('./tags.js').Facts} Entry */
-/** @typedef {{entry: Entry, card: HTMLButtonElement, picture: HTMLCanvasElement, words: string, tags: string[], painted: string}} Card */
+/** @typedef {import('./shelves.js').Entry} Entry */
+/** @typedef {{definition: Definition, card: HTMLButtonElement, picture: HTMLCanvasElement, missing: HTMLElement, text: string, filters: string[], painted: string}} Card */
 
 /** The side of a thumbnail, in CSS pixels. */
 const SIDE = 168;
-
-/** The first shelves, with their names. Others follow, named after their folders. */
-const SHELVES = new Map([
-    ['garden', 'Garden'],
-    ['abop', 'The Algorithmic Beauty of Plants'],
-    ['curves', 'Famous curves'],
-]);
 
 /**
  * @param {import('./engine.js').Engine} engine
@@ -31,13 +24,14 @@ export function createGallery(engine, { pick, restyle, theme }) {
     const shelves = html('shelves');
     const search = input('search');
     const nothing = html('nothing-found');
+    const clear = button('clear-search');
     /** @type {Map<Element, Card>} */
     const cards = new Map();
     /** @type {Promise<void> | null} */
     let filled = null;
     /** @type {Set<string>} */
     let chosen = new Set();
-    const chips = new Map(Object.entries(TAGS).map(([tag, meaning]) => [tag, newChip(tag, meaning)]));
+    const chips = new Map(NAMES.map((filter) => [filter, newChip(filter)]));
 
     const seen = new IntersectionObserver(
         (entries) => {
@@ -51,50 +45,44 @@ export function createGallery(engine, { pick, restyle, theme }) {
 
     async function fill() {
         const entries = /** @type {Entry[]} */ (await jsonOf('gallery.json'));
-        for (const [folder, inside] of groups(entries)) {
-            const shelf = make('div', { class: 'cards' });
-            for (const entry of inside) shelf.append(newCard(entry).card);
-            shelves.append(make('section', { class: 'shelf' }, make('h3', {}, folderTitle(folder)), shelf));
+        for (const [name, inside] of shelved(entries)) {
+            const shelf = make('div', { class: 'cards' }, ...inside.map(newCard));
+            shelves.append(make('section', { class: 'shelf' }, make('h3', {}, name), shelf));
         }
     }
 
-    /** @param {string} tag @param {string} meaning */
-    function newChip(tag, meaning) {
+    /** @param {string} filter */
+    function newChip(filter) {
         const many = make('span', { class: 'chip-count' });
-        const chip = make('button', { type: 'button', class: 'chip', title: meaning, 'aria-pressed': 'false' }, tag, ' ', many);
+        const chip = make('button', { type: 'button', class: 'chip', 'aria-pressed': 'false' }, filter, ' ', many);
         chip.addEventListener('click', () => {
-            chosen = choose(chosen, tag);
-            filter();
+            chosen = choose(chosen, filter, found());
+            show();
         });
         html('chips').append(chip);
         return { chip, many };
     }
 
-    /** @param {Entry} entry @returns {Card} */
+    /** @param {Entry} entry */
     function newCard(entry) {
         const definition = definitionOf(clean(entry.definition));
         const picture = emptyThumb();
-        const title = definition.title || definition.name;
-        const kind = `${[...entry.kinds, ...(entry.solid ? ['3D'] : [])].join(', ')}, n\u00a0=\u00a0${definition.iterations}`;
+        const missing = make('span', { class: 'card-missing', hidden: true });
         const card = make(
             'button',
-            { type: 'button', class: 'card', 'aria-describedby': 'gallery-about' },
-            picture,
-            make('span', { class: 'card-title' }, title),
-            make('span', { class: 'card-kind' }, kind),
-            make('span', { class: 'card-kind' }, makingOf(entry)),
+            { type: 'button', class: 'card', 'data-path': entry.path, 'aria-describedby': 'gallery-about' },
+            make('span', { class: 'card-picture' }, picture, missing),
+            make('span', { class: 'card-title' }, definition.title || definition.name),
+            make('span', { class: 'card-kind' }, shortSource(definition.source)),
         );
-        const tags = tagsOf(entry);
-        const words = [title, definition.name, definition.source, definition.notes, entry.folder, folderTitle(entry.folder), ...tags].join(' ').toLowerCase();
-        const made = { entry: { ...entry, definition }, card, picture, painted: '', tags, words };
         for (const event of ['focus', 'pointerenter']) card.addEventListener(event, () => tell(definition));
         card.addEventListener('click', () => {
             dialog.close();
             pick(restyle(definition));
         });
-        cards.set(card, made);
+        cards.set(card, { definition, card, picture, missing, painted: '', text: searchText(definition), filters: filtersOf(entry) });
         seen.observe(card);
-        return made;
+        return card;
     }
 
     /** @param {Card} card */
@@ -102,44 +90,51 @@ export function createGallery(engine, { pick, restyle, theme }) {
         const wanted = theme();
         if (card.painted === wanted) return;
         card.painted = wanted;
-        const definition = restyle(card.entry.definition);
+        const definition = restyle(card.definition);
         card.picture.style.background = definition.background;
+        let reason = '';
         try {
-            await paintThumb(card.picture, engine, definition, SIDE);
+            // After a colon stands advice for editing, which a card does not need.
+            reason = ((await paintThumb(card.picture, engine, definition, SIDE)) ?? '').replace(/:.*$/s, '.');
         } catch (error) {
+            reason = error instanceof Stopped ? 'Drawing this system took too long.' : 'Drawing was interrupted.';
             // A system that stopped the worker has no picture; others are drawn when the gallery is next opened.
             if (!(error instanceof Stopped)) card.painted = '';
         }
+        card.missing.hidden = reason === '';
+        setText(card.missing, reason);
     }
 
-    /** Shows the source and notes of a system. @param {Definition} definition */
+    /** Shows the notes and source of a system. @param {Definition} definition */
     function tell({ title, name, source, notes }) {
         setText(html('about-title'), title || name);
-        setText(html('about-source'), source);
         setText(html('about-notes'), notes);
+        setText(html('about-source'), source);
     }
 
-    function filter() {
-        const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
-        const worded = [...cards.values()].filter(({ words: own }) => words.every((word) => own.includes(word)));
-        const tagged = worded.map(({ tags }) => tags);
-        for (const [tag, { chip, many }] of chips) {
-            const pressed = chosen.has(tag);
+    /** The cards that the search finds. */
+    const searched = () => [...cards.values()].filter(({ text }) => matches(text, search.value));
+    /** The filters of each of them. */
+    const found = () => searched().map(({ filters }) => filters);
+
+    function show() {
+        const worded = found();
+        for (const [filter, { chip, many }] of chips) {
+            const pressed = chosen.has(filter);
+            const number = count(worded, pressed ? chosen : choose(chosen, filter, worded));
             chip.setAttribute('aria-pressed', String(pressed));
-            const number = count(tagged, pressed ? chosen : choose(chosen, tag));
             chip.classList.toggle('no-match', number === 0);
-            chip.hidden = ![...cards.values()].some(({ tags }) => tags.includes(tag));
             setText(many, String(number));
         }
-        const shown = new Set(worded.filter(({ tags }) => [...chosen].every((tag) => tags.includes(tag))));
+        const shown = new Set(searched().filter(({ filters }) => [...chosen].every((filter) => filters.includes(filter))));
         for (const card of cards.values()) card.card.hidden = !shown.has(card);
-        const found = shown.size;
-        setText(html('found'), found === cards.size ? `${found} systems` : `${found} of ${cards.size} systems`);
+        setText(html('found'), shown.size === cards.size ? `${shown.size} systems` : `${shown.size} of ${cards.size} systems`);
         for (const shelf of shelves.children) {
             if (shelf instanceof HTMLElement) shelf.hidden = !shelf.querySelector('.card:not([hidden])');
         }
-        nothing.hidden = found > 0;
-        setText(nothing, found > 0 ? '' : 'No results.');
+        setText(nothing, 'No results.');
+        html('no-results').hidden = shown.size > 0;
+        clear.hidden = false;
     }
 
     async function open() {
@@ -148,7 +143,7 @@ export function createGallery(engine, { pick, restyle, theme }) {
         if (matchMedia('(pointer: coarse)').matches) button('close-gallery').focus();
         try {
             await (filled ??= fill());
-            filter();
+            show();
             for (const [card] of cards) {
                 // Repaint the visible thumbnails, because the theme may have changed.
                 seen.unobserve(card);
@@ -156,26 +151,19 @@ export function createGallery(engine, { pick, restyle, theme }) {
             }
         } catch (error) {
             filled = null;
-            nothing.hidden = false;
+            html('no-results').hidden = false;
+            clear.hidden = true;
             setText(nothing, `The gallery could not be loaded (${error instanceof Error ? error.message : error}).`);
         }
     }
 
     button('open-gallery').addEventListener('click', open);
     closes(dialog, 'close-gallery');
-    search.addEventListener('input', filter);
-}
-
-/** The systems by folder, the folders of SHELVES first. @param {Entry[]} entries */
-function groups(entries) {
-    /** @type {Map<string, Entry[]>} */
-    const folders = new Map([...SHELVES.keys()].map((folder) => [folder, []]));
-    for (const entry of entries) folders.set(entry.folder, [...(folders.get(entry.folder) ?? []), entry]);
-    return [...folders].filter(([, inside]) => inside.length > 0);
-}
-
-/** `practical-1` is shown as `Practical 1`. @param {string} folder */
-function folderTitle(folder) {
-    const words = folder.replaceAll(/[-_/]+/g, ' ').trim();
-    return SHELVES.get(folder) ?? (words ? words.charAt(0).toUpperCase() + words.slice(1) : 'More');
+    search.addEventListener('input', show);
+    clear.addEventListener('click', () => {
+        search.value = '';
+        chosen = new Set();
+        show();
+        search.focus();
+    });
 }

@@ -2,10 +2,11 @@
 
 import { copyField, copyKeys } from './copy.js';
 import { download, fileName } from './download.js';
-import { button, byId, closes, html, input, setText } from './dom.js';
+import { button, byId, closes, html, input, setChoice, setText, setValue } from './dom.js';
 import { bestLink, shortestLink } from './packed.js';
 import { qrFile, qrPicture } from './qr.js';
-import { elementCode, frameCode } from './share-code.js';
+import { SIZES, elementCode, frameAddress, frameCode, markdownCode, readSide, sizeName } from './share-code.js';
+import { createPreview } from './share-preview.js';
 
 /** Some programs cut longer links, in characters. */
 const LONG = 2000;
@@ -23,7 +24,13 @@ export function createShare(store, engine) {
     const withView = input('share-view');
     const status = html('share-status');
     const send = button('share-send');
-    const picture = byId('qr', SVGSVGElement);
+    const pictures = [byId('qr', SVGSVGElement), byId('qr-full', SVGSVGElement)];
+    const large = byId('qr-large', HTMLDialogElement);
+    const part = byId('share-embed', HTMLDetailsElement);
+    const size = byId('embed-size', HTMLSelectElement);
+    const theme = byId('embed-theme', HTMLSelectElement);
+    const sides = [input('embed-width'), input('embed-height')];
+    const preview = createPreview();
     const choices = [...dialog.querySelectorAll('.embed-choices input')].filter((element) => element instanceof HTMLInputElement);
     const onDisk = location.protocol === 'file:';
     /** The modules of the shown QR code. @type {Uint8Array | null} */
@@ -55,19 +62,41 @@ export function createShare(store, engine) {
         return 'The link contains the whole drawing. Nothing is stored on a server.';
     }
 
-    /** @param {import('./state.js').State} state @param {string} best */
-    function showCode(state, best) {
-        const controls = choices.filter(({ name, checked }) => name === 'controls' && checked).map(({ value }) => value);
-        const whole = byId('embed-element', HTMLInputElement).checked;
-        // The page may be a single file under any name, so these addresses are relative to its folder.
-        code.value = whole ? elementCode(state, controls, address('l-system.js')) : frameCode(state, best, controls, address('embed.html'));
-        setText(html('embed-note'), embedNote(whole));
+    /** The checked form of the code: `frame`, `element` or `markdown`. */
+    const form = () => choices.find(({ name, checked }) => name === 'form' && checked)?.value ?? 'frame';
+
+    /** @returns {import('./share-code.js').Embedding} */
+    function embedding() {
+        const [width = 0, height = 0] = sides.map((field, at) => readSide(field.value) ?? SIZES.medium?.[at] ?? 0);
+        return { controls: choices.filter(({ name, checked }) => name === 'controls' && checked).map(({ value }) => value), theme: theme.value, width, height };
     }
 
-    /** @param {boolean} whole */
-    function embedNote(whole) {
+    /** @param {import('./state.js').State} state @param {string} best */
+    function showCode(state, best) {
+        const chosen = embedding();
+        // The page may be a single file under any name, so these addresses are relative to its folder.
+        const page = address('embed.html');
+        const codes = {
+            frame: () => frameCode(state, best, page, chosen),
+            element: () => elementCode(state, address('l-system.js'), chosen),
+            markdown: () => markdownCode(state, address(best)),
+        };
+        const wanted = /** @type {keyof typeof codes} */ (form());
+        code.value = codes[wanted]();
+        setText(html('embed-note'), embedNote(wanted));
+        setChoice(size, sizeName(chosen.width, chosen.height));
+        const framed = wanted !== 'markdown';
+        html('embed-options').hidden = !framed;
+        html('embed-shown').hidden = !framed || onDisk;
+        if (part.open && framed && !onDisk && dialog.open) preview.show(frameAddress(best, page, chosen), chosen);
+        else preview.hide();
+    }
+
+    /** @param {string} wanted */
+    function embedNote(wanted) {
+        if (wanted === 'markdown') return 'Markdown cannot embed drawings: this is a link with the title.';
         if (onDisk) return 'This page was opened from a disk. Put it on a web server to get code that works in other pages.';
-        return whole ? 'For pages with scripts: scripts can change its attributes and receive its events.' : 'For any page, including Moodle: paste this code into the HTML source.';
+        return wanted === 'element' ? 'For pages that may run scripts. Scripts can change the drawing and hear of changes.' : 'For any page, including Moodle: paste this code into the HTML source.';
     }
 
     /** @param {string} href @param {number} own */
@@ -77,7 +106,7 @@ export function createShare(store, engine) {
         let made = null;
         try {
             made = onDisk ? null : await engine.qr(href);
-            words = made ? 'A phone’s camera opens the drawing.' : onDisk ? 'A page on a disk has no address for phones.' : 'This link is too long for a QR code that can be read.';
+            words = made ? 'Scan it with a phone to open the drawing. Click it to enlarge it.' : onDisk ? 'This page was opened from a disk, so phones cannot reach it.' : 'This link is too long for a QR code that can be read.';
         } catch (error) {
             words = `The QR code could not be made (${error instanceof Error ? error.message : error}).`;
         }
@@ -88,8 +117,10 @@ export function createShare(store, engine) {
         setText(html('qr-note'), words);
         if (!made) return;
         const { path, side } = qrPicture(made);
-        picture.setAttribute('viewBox', `0 0 ${side} ${side}`);
-        picture.querySelector('path')?.setAttribute('d', path);
+        for (const picture of pictures) {
+            picture.setAttribute('viewBox', `0 0 ${side} ${side}`);
+            picture.querySelector('path')?.setAttribute('d', path);
+        }
     }
 
     /** @param {HTMLButtonElement} copier @param {HTMLInputElement | HTMLTextAreaElement} field @param {string} what */
@@ -112,7 +143,28 @@ export function createShare(store, engine) {
 
     copies(button('copy-share'), link, 'Link');
     copies(button('copy-code'), code, 'Code');
-    for (const choice of [withView, ...choices]) choice.addEventListener('change', refresh);
+    for (const choice of [withView, theme, ...choices]) choice.addEventListener('change', refresh);
+    size.addEventListener('change', () => {
+        sides.forEach((field, at) => setValue(field, String(SIZES[size.value]?.[at] ?? field.value)));
+        if (size.value === 'custom') sides[0]?.focus();
+        else refresh();
+    });
+    for (const field of sides) {
+        field.addEventListener('input', () => readSide(field.value) !== null && refresh());
+        // Afterwards the field shows the side that the code has.
+        field.addEventListener('change', () => {
+            const { width, height } = embedding();
+            setValue(field, String(field === sides[0] ? width : height));
+            refresh();
+        });
+    }
+    part.addEventListener('toggle', () => {
+        if (part.open) part.scrollIntoView({ block: 'nearest' });
+        refresh();
+    });
+    dialog.addEventListener('close', preview.hide);
+    button('qr-frame').addEventListener('click', () => large.showModal());
+    closes(large, 'close-qr');
     store.subscribe(() => dialog.open && refresh());
     button('save-qr').addEventListener('click', () => {
         if (modules) download(new Blob([qrFile(modules)], { type: 'image/svg+xml' }), `${fileName(store.state)}_qr.svg`);

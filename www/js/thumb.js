@@ -8,7 +8,7 @@ import { make } from './dom.js';
 export const emptyThumb = () => make('canvas', { class: 'thumb', width: '1', height: '1', 'aria-hidden': 'true' });
 
 /**
- * Draws a system; throws if the worker stops or is missing.
+ * Draws a system; throws if the worker stops or is missing. Returns why there is no picture, or null.
  * @param {HTMLCanvasElement} picture
  * @param {import('./engine.js').Engine} engine
  * @param {Definition} definition
@@ -18,11 +18,15 @@ export const emptyThumb = () => make('canvas', { class: 'thumb', width: '1', hei
 export async function paintThumb(picture, engine, definition, side, wanted = () => true) {
     const pixels = Math.round(side * Math.min(2, devicePixelRatio || 1));
     // Minimum line widths for a full page would cover a small plant.
-    const bitmap = await engine.thumb({ ...definition, minWidth: Math.min(definition.minWidth, 1) }, pixels, pixels);
-    if (!bitmap) return;
-    if (!wanted()) return bitmap.close();
+    const { bitmap, missing } = await engine.thumb({ ...definition, minWidth: Math.min(definition.minWidth, 1) }, pixels, pixels);
+    if (!bitmap) return missing;
+    if (!wanted()) {
+        bitmap.close();
+        return null;
+    }
     picture.width = bitmap.width;
     picture.height = bitmap.height;
     picture.getContext('bitmaprenderer')?.transferFromImageBitmap(bitmap);
     picture.classList.add('inked');
+    return null;
 }

@@ -17,7 +17,7 @@ import { STEP_MS, page } from './page.js';
 export function createThumbs({ playground, waiting, tellAt }) {
     /** After this many steps an unfinished picture is sent as it is. */
     const MOST_STEPS = 40;
-    /** The picture being drawn. @type {{request: Question<'thumb'>, small: Playground, canvas: OffscreenCanvas, bitmap: ImageBitmap | null, steps: number} | null} */
+    /** The picture being drawn; `missing` tells why there will be none. @type {{request: Question<'thumb'>, small: Playground, canvas: OffscreenCanvas, bitmap: ImageBitmap | null, steps: number, missing: string | null} | null} */
     let making = null;
 
     /** @param {Question<'thumb'>} request @returns {NonNullable<typeof making>} */
@@ -27,9 +27,10 @@ export function createThumbs({ playground, waiting, tellAt }) {
         const canvas = new OffscreenCanvas(1, 1);
         const small = wasm_bindgen.Playground.small(canvas);
         /** @type {import('../js/protocol.js').Report} */
-        const { ok } = small.define(definition);
+        const { ok, empty } = small.define(definition);
         small.view(width, height, 1, 0, 0, 1, 0, 0);
-        return { request, small, canvas, bitmap: null, steps: ok ? MOST_STEPS : 0 };
+        const missing = ok ? empty : 'The rules have mistakes.';
+        return { request, small, canvas, bitmap: null, steps: missing === null ? MOST_STEPS : 0, missing };
     }
 
     return {
@@ -65,7 +66,9 @@ export function createThumbs({ playground, waiting, tellAt }) {
             if (!idle && !drawn?.complete && thumb.steps > 0) return;
             making = null;
             thumb.small.free();
-            page.postMessage({ type: 'thumb', id: request.id, bitmap: thumb.bitmap }, thumb.bitmap ? [thumb.bitmap] : []);
+            const { bitmap } = thumb;
+            const missing = bitmap ? null : (thumb.missing ?? 'Too large for a small picture.');
+            page.postMessage({ type: 'thumb', id: request.id, bitmap, missing }, bitmap ? [bitmap] : []);
         },
     };
 }

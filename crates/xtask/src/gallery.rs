@@ -8,31 +8,23 @@ use lsystem::{Definition, Diagnostic, Limits, System, draw, draw_solid, read_jso
 use serde_json::{Value, json};
 use std::path::Path;
 
-/// An array of `{path, folder, kinds, solid, memoised, blocks, definition}` for the JSON files below `folder`, sorted
-/// by path.
+/// An array of `{path, kinds, solid, definition}` for the JSON files below `folder`, sorted by path. The shelves stand in
+/// `www/js/shelves.js`.
 pub(crate) fn gallery(folder: &Path) -> Result<Value> {
     let files = files::list(folder, |path| path.extension().is_none_or(|ending| ending == "json"))?;
     let entries = files.iter().map(|file| {
         let path = file.strip_prefix(folder)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
-        let (parent, _) = path.rsplit_once('/').unwrap_or_default();
         let (definition, system) = read(&path, &files::read_text(file)?)?;
         let solid = system.is_solid();
         let (n, limits) = (definition.iterations, Limits::default());
-        let made = if solid {
-            draw_solid(&system, n, &limits).map(|drawing| (drawing.is_memoised(), drawing.block_count()))
-        } else {
-            draw(&system, n, &limits).map(|drawing| (drawing.is_memoised(), drawing.block_count()))
-        };
-        let Ok((memoised, blocks)) = made else {
+        let made = if solid { draw_solid(&system, n, &limits).is_ok() } else { draw(&system, n, &limits).is_ok() };
+        if !made {
             bail!("{path} grows too large for the gallery");
-        };
+        }
         Ok(json!({
             "path": path,
-            "folder": parent,
             "kinds": kind(&system).split(", ").collect::<Vec<_>>(),
             "solid": solid,
-            "memoised": memoised,
-            "blocks": blocks,
             "definition": definition,
         }))
     });
@@ -74,13 +66,10 @@ mod tests {
         let gallery = gallery(folder.path()).unwrap();
         assert_eq!(gallery.as_array().unwrap().len(), 2);
         assert_eq!(gallery[0]["path"], "a/deep/one.json");
-        assert_eq!(gallery[0]["folder"], "a/deep");
         assert_eq!(gallery[0]["definition"]["axiom"], "X");
-        assert_eq!(gallery[1]["folder"], "b");
+        assert_eq!(gallery[1]["path"], "b/two.json");
         assert_eq!(gallery[1]["kinds"], json!(["deterministic"]));
         assert_eq!(gallery[1]["solid"], false);
-        assert_eq!(gallery[1]["memoised"], true);
-        assert_eq!(gallery[1]["blocks"], 2);
     }
 
     #[test]

@@ -5,7 +5,7 @@
  */
 
 import { bestLink, openLink } from '../packed.js';
-import { readControls } from './options.js';
+import { readControls, readTheme } from './options.js';
 import { fieldsOf, valuesOf } from './values.js';
 
 /** @typedef {import('../protocol.js').Report} Report */
@@ -18,9 +18,9 @@ const MAX_QUEUED = 20;
 
 /**
  * @param {import('../store.js').Store} store
- * @param {{host: string | null, offer: (controls: Control[]) => void, play: (on: boolean) => void, facts: () => {description: string, symbols: string | null, segments: string | null}}} page
+ * @param {{host: string | null, offer: (controls: Control[]) => void, theme: (theme: 'light' | 'dark' | null) => void, play: (on: boolean) => void, facts: () => {description: string, symbols: string | null, segments: string | null}}} page
  */
-export function connectHost(store, { host, offer, play, facts }) {
+export function connectHost(store, { host, offer, theme: paint, play, facts }) {
     const holder = parent === window ? null : parent;
     /** The origin of the host, once known. @type {string | null} */
     let listener = host;
@@ -65,6 +65,7 @@ export function connectHost(store, { host, offer, play, facts }) {
         reset: () => asHost(store.reset),
         // Ignore values that are not strings, which may have no text form.
         controls: ({ controls }) => offer(readControls([controls].flat().filter((one) => typeof one === 'string').join())),
+        theme: ({ theme }) => paint(readTheme(theme)),
         play: () => play(true),
         pause: () => play(false),
     };

@@ -15,9 +15,11 @@ const LONGEST = 1000;
 
 /** @param {string} hash with or without its `#` @returns {Options} */
 export function readOptions(hash) {
-    const theme = valueOf(hash, 'theme');
-    return { controls: readControls(valueOf(hash, 'controls')), theme: theme === 'light' || theme === 'dark' ? theme : null, host: originOf(valueOf(hash, 'host')) };
+    return { controls: readControls(valueOf(hash, 'controls')), theme: readTheme(valueOf(hash, 'theme')), host: originOf(valueOf(hash, 'host')) };
 }
+
+/** @param {unknown} theme */
+export const readTheme = (theme) => (theme === 'light' || theme === 'dark' ? theme : null);
 
 /** The known controls in a list, in the order of CONTROLS. @param {string} list separated by commas or blanks @returns {Control[]} */
 export function readControls(list) {

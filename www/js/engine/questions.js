@@ -135,6 +135,6 @@ export function asking(ask) {
         seed: async () => (await ask('seed', {})).seed,
 
         /** @param {Definition} definition @param {number} width @param {number} height */
-        thumb: async (definition, width, height) => (await ask('thumb', { definition, width, height })).bitmap,
+        thumb: (definition, width, height) => ask('thumb', { definition, width, height }),
     };
 }

@@ -60,8 +60,32 @@ const STATES = {
         await page.waitForSelector('.thumb.inked');
         await page.click('.chip >> nth=1');
     },
+    'gallery without results': async (page) => {
+        await page.click('#open-gallery');
+        await page.waitForSelector('.card', { state: 'attached' });
+        await page.fill('#search', 'zzz');
+        await page.waitForSelector('#clear-search:visible');
+    },
+    'gallery with cards without pictures': async (page) => {
+        await page.click('#open-gallery');
+        // A filter may be chosen.
+        await page.fill('#search', 'zzz');
+        await page.click('#clear-search');
+        await page.fill('#search', 'doubling');
+        await page.waitForSelector('.card-missing:visible');
+    },
     shortcuts: (page) => page.keyboard.press('?'),
     share: (page) => page.click('#share'),
+    'share with a preview': async (page) => {
+        await page.click('#share');
+        await page.click('#share-embed > summary');
+        await page.waitForSelector('#embed-preview > iframe');
+    },
+    'QR code enlarged': async (page) => {
+        await page.click('#share');
+        await page.click('#qr-frame');
+        await page.waitForSelector('#qr-large:visible');
+    },
     favourites: async (page) => {
         await tab('save')(page);
         await page.click('#open-favourites');
@@ -88,7 +112,7 @@ const STATES = {
 
 /** Closes everything and shows the tree again. @param {Page} page */
 async function leave(page) {
-    if (await page.isVisible('dialog[open]')) await page.keyboard.press('Escape');
+    while (await page.isVisible('dialog[open]')) await page.keyboard.press('Escape');
     for (const close of ['#close-reader', '#close-playback']) if (await page.isVisible(close)) await page.click(close);
     if (await page.inputValue('#rules') === RULES && await page.inputValue('#axiom') === 'A(1)') return;
     await until(async () => {

@@ -150,46 +150,6 @@ test('fifty thousand characters can be typed in', () =>
         console.log(`# a key in a text of ${text.length} characters: ${middle?.toFixed(0)} ms to the next frame, in the middle`);
     }));
 
-test('the gallery shows the kind of each system and filters by kind', () =>
-    withPage({}, async (page) => {
-        await page.click('#open-gallery');
-        await page.waitForSelector('#gallery .card');
-        const all = await page.locator('#gallery .card').count();
-        const shown = () => page.locator('#gallery .card:visible').count();
-        assert.equal(await page.textContent('#found'), `${all} systems`);
-        await page.click('.chip:has-text("stochastic")');
-        const stochastic = await shown();
-        assert.ok(stochastic > 3 && stochastic < all / 2);
-        assert.equal(await page.textContent('#found'), `${stochastic} of ${all} systems`);
-        for (const kind of await page.locator('#gallery .card:visible .card-kind').allTextContents()) assert.match(kind, /stochastic|expanded in full|part/);
-        assert.equal(await page.getAttribute('.chip:has-text("stochastic")', 'aria-pressed'), 'true');
-        await page.click('.chip:has-text("stochastic")');
-        // 2D and 3D exclude each other.
-        await page.click('.chip:has-text("2D")');
-        const flat = await shown();
-        await page.click('.chip:has-text("3D")');
-        assert.equal(await page.getAttribute('.chip:has-text("2D")', 'aria-pressed'), 'false');
-        const solid = await shown();
-        assert.ok(solid > 3 && flat + solid === all, `${flat} + ${solid} = ${all}`);
-        await page.click('.chip:has-text("3D")');
-        assert.equal(await shown(), all);
-        await page.fill('#search', 'algorithmic beauty');
-        const abop = await shown();
-        assert.ok(abop > 10 && abop < all);
-        await page.click('.chip:has-text("context-sensitive")');
-        assert.ok((await shown()) < abop);
-        await page.fill('#search', 'nothing has this word');
-        await page.waitForSelector('#nothing-found:visible');
-        await page.fill('#search', '');
-        await page.click('.chip:has-text("context-sensitive")');
-        const card = page.locator('#gallery .card:visible').first();
-        await card.hover();
-        assert.equal(await page.textContent('#about-title'), await card.locator('.card-title').textContent());
-        assert.match(String(await card.locator('.card-kind').last().textContent()), /part|expanded in full/);
-        await card.click();
-        await until(async () => /^[A-Z][a-z, -]+(;|\.)/.test((await page.textContent('#status')) ?? ''), 'the page says it too');
-    }));
-
 test('angles in space are shown for drawings in space, and tropism for drawings that bend', () =>
     withPage({ hash: '#v=1&axiom=A&rules=A%20-%3E%20F%5B%26A%5D%5B/%5EA%5D&n=4&angle=30' }, async (page) => {
         await page.click('#tab-turtle');

@@ -138,6 +138,65 @@ test('a low frame shows its drawing with the playback bar, and symbols of its st
         await until(async () => (await frame.locator('#reader-text .cells').allTextContents()).every((row) => row.length > 20), 'every row is full');
     }));
 
+test('a low frame shows at least six rows of its string', async () => {
+    for (const size of ['width: 420px; height: 300px', 'width: 640px; height: 300px', 'width: 320px; height: 240px', 'width: 480px; height: 360px']) {
+        await withHost(frameOf(`${WEED}&controls=string`, `style="${size}"`), async (page) => {
+            const frame = await drawn(page);
+            await frame.click('#open-reader');
+            await until(async () => {
+                const window = await frame.locator('#reader-text').boundingBox();
+                const boxes = await Promise.all((await frame.locator('#reader-text .row-line').all()).map((row) => row.boundingBox()));
+                return window && boxes.filter((box) => box && box.y >= window.y - 1 && box.y + box.height <= window.y + window.height + 1).length >= 6;
+            }, `six rows in ${size}`);
+            const close = await frame.locator('#close-reader').boundingBox();
+            const whole = await page.locator('iframe').boundingBox();
+            assert.ok(close && whole && close.x + close.width <= whole.x + whole.width, size);
+            await frame.click('#close-reader');
+            assert.ok(await frame.isHidden('#reader'));
+        });
+    }
+});
+
+for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+    test(`embedded drawings have the scheme of the host, not of the reader's system: ${colorScheme} system`, async () => {
+        const system = colorScheme === 'dark';
+        for (const [head, dark] of /** @type {[string, boolean][]} */ ([
+            ['', false],
+            ['<meta name="color-scheme" content="light">', false],
+            ['<meta name="color-scheme" content="light dark">', system],
+            ['<style>:root { color-scheme: light dark }</style>', system],
+            ['<style>:root { color-scheme: dark }</style>', true],
+        ])) {
+            const element = '<l-system axiom="F" n="3" controls="n"><pre>F -&gt; F+F</pre></l-system>';
+            await withHost(frameOf(`${WEED}&controls=n`) + element + frameOf(`${WEED}&controls=n&theme=dark`), async (page) => {
+                await until(() => embedded(page).length === 3, 'three frames');
+                const themes = async () => {
+                    const frames = await Promise.all(['body > iframe >> nth=0', 'l-system iframe', 'body > iframe >> nth=1'].map(async (name) => (await page.waitForSelector(name)).contentFrame()));
+                    return Promise.all(frames.map((frame) => frame?.evaluate(() => {
+                        const [red = 0] = (getComputedStyle(/** @type {Element} */ (document.querySelector('#panel'))).backgroundColor.match(/\d+/g) ?? []).map(Number);
+                        return red < 100 ? 'dark' : 'light';
+                    })));
+                };
+                // A frame of another site cannot see the scheme of its host, and stays light.
+                await until(async () => assert.deepEqual(await themes(), ['light', dark ? 'dark' : 'light', 'dark']) ?? true, head);
+            }, { head: head + ELEMENT, options: { ...DESKTOP, colorScheme } });
+        }
+    });
+}
+
+test('an element follows a host that switches its scheme, and keeps the visitor’s changes', () =>
+    withHost('<l-system axiom="F" n="3" controls="n"><pre>F -&gt; F+F</pre></l-system>', async (page) => {
+        const frame = await drawn(page);
+        const theme = () => frame.evaluate(() => document.documentElement.dataset.theme);
+        assert.equal(await theme(), 'light');
+        await frame.fill('#iterations', '2');
+        await page.evaluate(() => (document.documentElement.className = 'night'));
+        await until(async () => (await theme()) === 'dark', 'dark');
+        await page.evaluate(() => document.querySelector('l-system')?.setAttribute('theme', 'light'));
+        await until(async () => (await theme()) === 'light', 'light');
+        assert.equal(await frame.inputValue('#iterations'), '2');
+    }, { head: `<style>.night { color-scheme: dark }</style>${ELEMENT}` }));
+
 test('a drawing in space turns with the pointer', () =>
     withHost(frameOf('v=1&axiom=A&rules=A%20-%3E%20F%5B%26A%5D%2FF%5B%5EA%5D%2FA&n=4&angle=35&controls=n,play'), async (page) => {
         const frame = await drawn(page);

@@ -22,9 +22,23 @@ async function share(page) {
     await until(async () => (await page.inputValue('#share-link')) !== '' && (await text(page, '#qr-note')) !== '', 'the dialog is filled');
 }
 
-/** Decodes the shown QR code. @param {import('playwright-core').Page} page */
-async function scan(page) {
-    const shot = (await page.locator('#qr-frame').screenshot()).toString('base64');
+/** Opens the part with code for other pages. @param {import('playwright-core').Page} page */
+async function embed(page) {
+    await page.click('#share-embed > summary');
+    await page.waitForSelector('#embed-code:visible');
+}
+
+/** The drawing in the preview, once it is shown. @param {import('playwright-core').Page} page */
+async function previewed(page) {
+    const frame = await (await page.waitForSelector('#embed-preview > iframe')).contentFrame();
+    assert.ok(frame);
+    await frame.waitForSelector('#stage.inked');
+    return frame;
+}
+
+/** Decodes the shown QR code. @param {import('playwright-core').Page} page @param {string} [place] */
+async function scan(page, place = '#qr-frame') {
+    const shot = (await page.locator(place).screenshot()).toString('base64');
     const { dots, width, height } = await page.evaluate(async (png) => {
         const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${png}`)).blob());
         const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
@@ -96,6 +110,7 @@ test('the current view is shared or not', () =>
 test('embed code has the state and the chosen controls', () =>
     withPage({ hash: `${KOCH}&title=${encodeURIComponent('"Koch" <&>')}&do=X:%20turn%20left%2090%0AY:%20move`, options: { ...DESKTOP, ...CLIPBOARD, bypassCSP: true } }, async (page) => {
         await share(page);
+        await embed(page);
         await page.check('input[name=controls][value=rules]');
         await page.uncheck('input[name=controls][value=n]');
         await until(async () => (await page.inputValue('#embed-code')).includes('controls=angle,rules'), 'the controls');
@@ -125,8 +140,79 @@ test('embed code has the state and the chosen controls', () =>
         assert.deepEqual(element, {
             script: `${ADDRESS}l-system.js`,
             rules: 'F -> F+F--F+F',
-            attributes: { caption: '"Koch" <&>', axiom: 'F', n: '4', angle: '60', heading: '0', do: 'X: turn left 90\nY: move', controls: 'angle,rules' },
+            attributes: { caption: '"Koch" <&>', axiom: 'F', n: '4', angle: '60', heading: '0', do: 'X: turn left 90\nY: move', controls: 'angle,rules', style: 'width: 480px; max-width: 100%; height: 360px; aspect-ratio: auto' },
         });
+    }));
+
+test('the preview is loaded when asked for and follows the choices', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        await share(page);
+        assert.equal(page.frames().length, 1);
+        await embed(page);
+        const frame = await previewed(page);
+        assert.equal(await frame.textContent('#caption-title'), 'Koch');
+        const box = () => page.locator('#embed-preview > iframe').evaluate((each) => [each.clientWidth, each.clientHeight]);
+        assert.deepEqual(await box(), [480, 360]);
+        assert.match(await page.inputValue('#embed-code'), /width="480" height="360"/);
+        await page.selectOption('#embed-size', 'small');
+        await until(async () => String(await box()) === '320,240', 'a small frame');
+        assert.deepEqual([await page.inputValue('#embed-width'), await page.inputValue('#embed-height')], ['320', '240']);
+        await page.fill('#embed-width', '500');
+        await until(async () => (await page.inputValue('#embed-size')) === 'custom' && /width="500" height="240"/.test(await page.inputValue('#embed-code')), 'a size of their own');
+        await page.fill('#embed-height', '7');
+        await page.locator('#embed-height').blur();
+        await until(async () => (await page.inputValue('#embed-height')) === '200', 'the smallest height');
+
+        assert.equal(await frame.evaluate(() => document.documentElement.dataset.theme), 'light');
+        await page.selectOption('#embed-theme', 'dark');
+        await until(() => frame.evaluate(() => document.documentElement.dataset.theme === 'dark'), 'a dark frame');
+        assert.match(await page.inputValue('#embed-code'), /theme=dark/);
+        await page.check('input[name=controls][value=play]');
+        await until(() => frame.isVisible('#open-playback'), 'the playback button');
+        assert.equal(await page.evaluate(() => history.length), 2, 'the preview adds nothing to the history');
+
+        await page.check('#embed-markdown');
+        await until(async () => (await page.inputValue('#embed-code')) === `[Koch](${ADDRESS}${KOCH})`, 'a link with the title');
+        assert.ok((await page.isHidden('#embed-options')) && (await page.isHidden('#embed-shown')));
+        assert.equal(page.frames().length, 1);
+        await page.check('#embed-frame');
+        await previewed(page);
+        const guide = page.locator('#share-embed a');
+        assert.deepEqual([await guide.textContent(), await guide.getAttribute('href'), await guide.getAttribute('target')], ['How embedding works', 'docs/embedding.html', '_blank']);
+        await page.click('#close-share');
+        await until(() => page.frames().length === 1, 'the drawing of the preview stops');
+    }));
+
+test('a preview wider than its place is scaled down, and has the scheme of the page', () =>
+    withPage({ hash: KOCH, options: { ...PHONE, colorScheme: 'dark' } }, async (page) => {
+        await share(page);
+        await embed(page);
+        const frame = await previewed(page);
+        assert.equal(await frame.evaluate(() => document.documentElement.dataset.theme), 'dark');
+        await page.selectOption('#embed-size', 'large');
+        await until(async () => /^640 × 480 pixels, shown at \d\d %$/.test(await text(page, '#embed-preview-note')), 'the scale');
+        const box = await page.locator('#embed-preview > iframe').boundingBox();
+        assert.ok(box && box.x >= 0 && box.x + box.width <= 390, JSON.stringify(box));
+    }));
+
+test('the QR code is enlarged by a click and closed first', () =>
+    withPage({ hash: KOCH, options: { ...DESKTOP, bypassCSP: true } }, async (page) => {
+        await share(page);
+        for (const leave of [() => page.keyboard.press('Escape'), () => page.mouse.click(30, 30)]) {
+            await page.click('#qr-frame');
+            await page.waitForSelector('#qr-large:visible');
+            const box = await page.locator('#qr-large').boundingBox();
+            assert.deepEqual(box, { x: 0, y: 0, ...DESKTOP.viewport });
+            const code = await page.locator('#qr-full').boundingBox();
+            assert.ok(code && Math.abs(code.height - DESKTOP.viewport.height) < 2 && Math.abs(code.width - code.height) < 2, JSON.stringify(code));
+            const scanned = await scan(page, '#qr-full');
+            assert.deepEqual((await openLink(new URL(String(scanned)).hash))?.state, (await openLink(KOCH))?.state);
+            await leave();
+            assert.ok((await page.isHidden('#qr-large')) && (await page.isVisible('#share-dialog')));
+            assert.equal(await page.evaluate(() => document.activeElement?.id), 'qr-frame');
+        }
+        await page.keyboard.press('Escape');
+        assert.ok(await page.isHidden('#share-dialog'));
     }));
 
 test('if the clipboard is refused, the older method is tried and the text selected', async () => {
@@ -201,13 +287,17 @@ test('the keyboard reaches every control of the dialog in order and stays inside
     withPage({ hash: KOCH }, async (page) => {
         await share(page);
         assert.equal(await page.evaluate(() => document.activeElement?.id), 'copy-share');
+        assert.ok(await page.isHidden('#embed-code'), 'the code is shown when asked for');
+        await embed(page);
+        await previewed(page);
+        await page.focus('#copy-share');
         /** @type {string[]} */
         const order = [];
-        for (let step = 0; step < 14; step++) {
+        for (let step = 0; step < 32; step++) {
             await page.keyboard.press('Tab');
             order.push(await page.evaluate(() => document.activeElement?.id || /** @type {HTMLInputElement | null} */ (document.activeElement)?.value || document.activeElement?.nodeName || ''));
         }
-        for (const id of ['save-qr', 'embed-frame', 'angle', 'n', 'rules', 'string', 'play', 'embed-code', 'copy-code', 'close-share', 'share-link']) assert.ok(order.includes(id), `${id} in ${order}`);
+        for (const id of ['qr-frame', 'save-qr', 'SUMMARY', 'embed-frame', 'embed-size', 'embed-width', 'embed-height', 'embed-theme', 'angle', 'n', 'rules', 'string', 'play', 'embed-code', 'copy-code', 'close-share', 'share-link']) assert.ok(order.includes(id), `${id} in ${order}`);
         assert.ok(!order.some((id) => ['axiom', 'drawing', 'share'].includes(id)));
     }));
 
@@ -215,8 +305,10 @@ test('a page from a disk says where its links work', () =>
     withPage({ address: new URL('../../../dist/playground.html', import.meta.url).href, hash: KOCH }, async (page) => {
         await share(page);
         assert.match(await text(page, '#share-link-note'), /this computer only/);
-        assert.match(await text(page, '#qr-note'), /no address for phones/);
+        assert.match(await text(page, '#qr-note'), /phones cannot reach it/);
+        await embed(page);
         assert.match(await text(page, '#embed-note'), /web server/);
+        assert.ok(await page.isHidden('#embed-shown'), 'no preview');
         assert.ok(!(await page.isVisible('#qr')));
         assert.match(await page.inputValue('#share-link'), /^file:.*\/playground\.html#v=1&title=Koch/);
     }));

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CONTROLS, readControls, readOptions } from '../../js/embed/options.js';
+import { schemeOf } from '../../js/embed/scheme.js';
 import { fieldsOf, valuesOf } from '../../js/embed/values.js';
 import { KEYS } from '../../js/link.js';
 import { DEFAULTS, clean } from '../../js/state.js';
@@ -23,6 +24,12 @@ test('controls are read in any order and case', () => {
     assert.deepEqual(readControls('Play  string,N'), ['n', 'string', 'play']);
     assert.deepEqual(readControls('all'), CONTROLS);
     assert.deepEqual(readControls('all-of-them'), []);
+});
+
+test('a host without a dark colour scheme is light, whatever the reader’s system is', () => {
+    for (const declared of ['', 'normal', 'light', 'only light', 'sepia']) for (const dark of [false, true]) assert.equal(schemeOf(declared, dark), 'light', declared);
+    for (const dark of [false, true]) assert.equal(schemeOf('only dark', dark), 'dark');
+    assert.deepEqual([schemeOf('light dark', false), schemeOf('Dark  Light', true)], ['light', 'dark']);
 });
 
 test('values contain the whole state and read back the same', () => {

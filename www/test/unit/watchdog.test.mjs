@@ -39,9 +39,9 @@ test('a fresh worker gets the open questions, except the one that stopped the fo
     put = [];
     questions.putAll();
     assert.deepEqual(put, [2]);
-    assert.ok(questions.answer({ type: 'thumb', id: 2, bitmap: null }));
-    assert.ok(!questions.answer({ type: 'thumb', id: 2, bitmap: null }));
-    assert.deepEqual(await good, { type: 'thumb', id: 2, bitmap: null });
+    assert.ok(questions.answer({ type: 'thumb', id: 2, bitmap: null, missing: null }));
+    assert.ok(!questions.answer({ type: 'thumb', id: 2, bitmap: null, missing: null }));
+    assert.deepEqual(await good, { type: 'thumb', id: 2, bitmap: null, missing: null });
     assert.equal(questions.size, 0);
 });
 

@@ -1,0 +1,110 @@
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+import { PHONE, close, until, withPage } from './browser.mjs';
+
+after(close);
+
+/** @typedef {import('playwright-core').Page} Page */
+
+/** Opens the gallery and waits for its cards. @param {Page} page */
+async function open(page) {
+    await page.click('#open-gallery');
+    await page.waitForSelector('#gallery .card');
+}
+
+/** @param {Page} page */
+const shown = (page) => page.locator('#gallery .card:visible').count();
+/** @param {Page} page */
+const titles = (page) => page.locator('#gallery .card:visible .card-title').allTextContents();
+/** @param {Page} page @param {string} name */
+const chip = (page, name) => page.locator('.chip', { hasText: name });
+
+test('shelves say what one sees, the simple systems first', () =>
+    withPage({}, async (page) => {
+        await open(page);
+        const names = ['Start here', 'Trees', 'Flowers and leaves', 'Curves', 'Tilings', 'In space', 'By chance', 'Signals', 'Books and courses'];
+        assert.deepEqual(await page.locator('#shelves h3').allTextContents(), names);
+        assert.deepEqual(await page.locator('.chip').evaluateAll((chips) => chips.map((each) => each.firstChild?.textContent)), names);
+        const first = page.locator('.shelf').first().locator('.card');
+        assert.ok((await first.count()) >= 6 && (await first.count()) <= 8);
+        assert.equal(await first.first().locator('.card-title').textContent(), 'Koch snowflake');
+        assert.equal(await first.first().locator('.card-kind').textContent(), 'Helge von Koch, 1904');
+        await first.first().hover();
+        assert.equal(await page.textContent('#about-title'), 'Koch snowflake');
+        assert.match((await page.textContent('#about-source')) ?? '', /^Helge von Koch, Sur une courbe/);
+        const entries = await page.evaluate(async () => (await fetch('gallery.json')).json());
+        assert.equal(await page.locator('#gallery .card').count(), entries.length);
+        assert.equal(await page.textContent('#found'), `${entries.length} systems`);
+    }));
+
+test('filters are combined, and replaced where they would find nothing', () =>
+    withPage({}, async (page) => {
+        await open(page);
+        const all = await shown(page);
+        await chip(page, 'Trees').click();
+        const trees = await shown(page);
+        assert.equal(await chip(page, 'Trees').locator('.chip-count').textContent(), String(trees));
+        assert.equal(await page.textContent('#found'), `${trees} of ${all} systems`);
+        const both = Number(await chip(page, 'In space').locator('.chip-count').textContent());
+        await chip(page, 'In space').click();
+        assert.ok(both > 8 && both < trees);
+        assert.equal(await shown(page), both);
+        await chip(page, 'Tilings').click();
+        assert.deepEqual(await page.locator('.chip[aria-pressed="true"]').evaluateAll((chips) => chips.map((each) => each.firstChild?.textContent)), ['Tilings']);
+        assert.ok((await titles(page)).includes('Penrose tiling'));
+        await chip(page, 'Tilings').click();
+        assert.equal(await shown(page), all);
+    }));
+
+test('a search reads names, notes and rules, not sources, and can be cleared', () =>
+    withPage({}, async (page) => {
+        await open(page);
+        const all = await shown(page);
+        await page.fill('#search', 'F[+F]');
+        const branching = await titles(page);
+        assert.ok(branching.includes('Feathered weed') && branching.includes('Left plant') && branching.length < all / 4, String(branching));
+        await page.fill('#search', 'penrose');
+        assert.deepEqual(await titles(page), ['Penrose tiling']);
+        // The author of half of the sources, and no word of the gallery.
+        for (const source of ['Prusinkiewicz', 'zzz']) {
+            await page.fill('#search', source);
+            await page.waitForSelector('#no-results:visible');
+            assert.equal(await page.textContent('#nothing-found'), 'No results.');
+        }
+        await page.click('#clear-search');
+        assert.equal(await shown(page), all);
+        assert.equal(await page.inputValue('#search'), '');
+        assert.equal(await page.evaluate(() => document.activeElement?.id), 'search');
+        assert.ok(await page.isHidden('#no-results'));
+        // Filters are cleared as well.
+        await chip(page, 'Signals').click();
+        await page.fill('#search', 'snowflake');
+        await page.waitForSelector('#no-results:visible');
+        await page.click('#clear-search');
+        assert.equal(await shown(page), all);
+    }));
+
+test('every card has a picture or says why it has none', () =>
+    withPage({}, async (page) => {
+        await open(page);
+        const cards = page.locator('#gallery .card');
+        for (let at = 0; at < (await cards.count()); at += 5) await cards.nth(at).scrollIntoViewIfNeeded();
+        await cards.last().scrollIntoViewIfNeeded();
+        const states = () => cards.evaluateAll((all) => all.map((card) => ({ path: card.getAttribute('data-path'), inked: card.querySelector('.thumb.inked') !== null, why: card.querySelector('.card-missing:not([hidden])')?.textContent ?? '' })));
+        await until(async () => (await states()).every(({ inked, why }) => inked !== (why !== '')), 'all cards are done', 30_000);
+        const without = (await states()).filter(({ inked }) => !inked);
+        assert.deepEqual(without.map(({ path }) => path), ['focs-lsystems/readme-s-to-ss.json', 'turtle-blog/lri-prose-rule.json']);
+        for (const { why } of without) assert.equal(why, 'No symbol of this system draws.');
+    }));
+
+test('on a phone the first shelf is in sight and a tap opens a system', () =>
+    withPage({ options: PHONE }, async (page) => {
+        await page.tap('#open-gallery');
+        await page.waitForSelector('#gallery .card');
+        for (const card of await page.locator('.shelf >> nth=0 >> .card').all()) {
+            const box = await card.boundingBox();
+            assert.ok(box && box.x >= 0 && box.x + box.width <= 390 && box.y + box.height <= 844, JSON.stringify(box));
+        }
+        await page.locator('.card', { hasText: 'Lime twig' }).tap();
+        await until(async () => (await page.textContent('#caption-title')) === 'Lime twig', 'it is opened');
+    }));
