@@ -9,6 +9,7 @@ const KEYS = ['F', 'X', '+', '-', '[', ']', '->', '(', ')', '|', '&', '^', '!', 
 export function symbolKeys(ids) {
     const row = html('symbol-keys');
     const areas = ids.map((id) => byId(id, HTMLTextAreaElement));
+    const tabs = html('tabs');
     const touch = matchMedia('(pointer: coarse)');
     const current = () => areas.find((area) => area === document.activeElement);
 
@@ -28,11 +29,13 @@ export function symbolKeys(ids) {
         }),
     );
 
-    /** Puts the row above the keyboard, which covers the lower part of the page. */
+    /** Puts the row above the keyboard, which covers the lower part of the page, or else above the tabs there. */
     function place() {
         row.hidden = !touch.matches || !current();
         const { height = innerHeight, offsetTop = 0 } = visualViewport ?? {};
-        row.style.bottom = `${Math.max(0, innerHeight - height - offsetTop)}px`;
+        const { top, bottom } = tabs.getBoundingClientRect();
+        const taken = bottom >= innerHeight - 1 ? innerHeight - top : 0;
+        row.style.bottom = `${Math.max(taken, innerHeight - height - offsetTop)}px`;
     }
 
     for (const area of areas) {
