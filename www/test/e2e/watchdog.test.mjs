@@ -227,6 +227,7 @@ for (const way of WAYS) {
             }
             assert.equal(await page.inputValue('#axiom'), `F+F${way.toLowerCase()}`);
             assert.equal((await stillPicture(page)).digest, before.digest);
+            await page.click('#tab-rules');
             await page.fill('#axiom', 'FF');
             await nextPicture(page, before);
         }));
