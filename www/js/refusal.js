@@ -1,5 +1,6 @@
 /** The note on the drawing that says why a change is not drawn, with a remedy. */
 
+import { withCode } from './controls/editor.js';
 import { button, html, setText } from './dom.js';
 import { applyFix, fixLabel } from './fix.js';
 
@@ -45,7 +46,7 @@ export function createRefusal(store, tabs) {
 
     /** @param {Diagnostic} found @param {number | null} largest */
     function show(found, largest) {
-        setText(html('refusal-words'), [`${found.message}.`, found.hint].filter(Boolean).join(' ').replaceAll('`', ''));
+        html('refusal-words').replaceChildren(...withCode([`${found.message}.`, found.hint].filter(Boolean).join(' ')));
         const label = found.fix !== null ? fixLabel(found.fix) : found.field === 'numbers' && largest !== null ? `Use ${largest} ${largest === 1 ? 'iteration' : 'iterations'}` : '';
         act = found.fix !== null ? () => applyFix(store, found) : () => largest !== null && store.change({ iterations: largest }, '');
         remedy.hidden = label === '';

@@ -146,7 +146,7 @@ export function listProblems(list, diagnostics, text, editor) {
 }
 
 /** Formats text between backquotes as code. @param {string} words */
-function withCode(words) {
+export function withCode(words) {
     return words.split(/(`[^`]+`)/).map((part) => (part.length > 2 && part.startsWith('`') ? make('code', {}, part.slice(1, -1)) : part));
 }
 

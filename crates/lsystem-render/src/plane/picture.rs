@@ -92,6 +92,11 @@ impl Picture {
     pub(super) fn begin(&mut self, drawing: &Drawing, plan: Plan) {
         self.stop();
         self.painter.begin(drawing.memoised);
+        if plan.pass == Pass::Survey && !drawing.memoised {
+            // A drawing without shared blocks is always made top-down in full detail.
+            self.strategy = Strategy::default();
+            return;
+        }
         let (plan, scale) = if plan.pass == Pass::Survey { plan.survey() } else { (plan, 1.0) };
         let transform = ViewTransform::new(drawing, plan.viewport, plan.view, plan.samples());
         let hairline = plan.viewport.least_width(&plan.style) * plan.samples();
@@ -174,6 +179,10 @@ impl Picture {
             self.strategy = if is_bottom_up { Strategy::BottomUp } else { Strategy::TopDown { outlined } };
             self.stop();
             return Progress::Done;
+        }
+        if progress == Progress::Done {
+            // The finished picture is on the canvas, so its parts are not needed any more.
+            self.bottom_up = None;
         }
         progress
     }

@@ -142,6 +142,23 @@ pub(super) fn put(pixels: &mut [u8], width: usize, pane: Pane, own: &[u8]) {
 }
 
 #[test]
+fn a_drawing_without_shared_blocks_needs_no_survey() {
+    let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+    let sample = Sample::abop("F", &[('F', "F[+F]F : 1"), ('F', "F[-F]F : 1")], 25.0);
+    let drawing = Arc::new(sample.draw(8));
+    assert!(!drawing.memoised);
+    let mut renderer = Renderer::new();
+    renderer.load(drawing);
+    picture(&mut renderer, &sample.0.style, viewport, View::default());
+    let before = renderer.spent();
+    let whole = (Pane::whole(viewport), Pass::Survey);
+    renderer.begin_pane(&sample.0.style, viewport, View::default(), None, whole);
+    while renderer.step(10_000) == Progress::More {}
+    assert!(renderer.spent() - before < 100, "{}", renderer.spent() - before);
+    assert!(renderer.pixels().is_empty());
+}
+
+#[test]
 fn panes_cover_the_picture_once() {
     for (width, height) in [(0, 0), (1, 1), (320, 200), (1600, 1000)] {
         let viewport = Viewport { width, height, ratio: 1.0 };

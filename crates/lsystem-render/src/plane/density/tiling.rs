@@ -115,9 +115,7 @@ impl Tiling {
         }
         let from_origin = [0, 1].map(|axis| footprint.centre[axis] - origin[axis] + rest[axis]);
         // A stroke adds ink to the pixels around it as well.
-        let corner = [0, 1].map(|axis| (from_origin[axis] - footprint.reach[axis]).floor() as i64 - 1);
-        let far = [0, 1].map(|axis| (from_origin[axis] + footprint.reach[axis]).ceil() as i64 + 1 - corner[axis]);
-        let far = far.map(|side| side.max(1) as usize);
+        let (corner, far) = opaque::area(from_origin, footprint.reach, 1);
         let planes = if shade.is_some() { 4 } else { 1 };
         if !Tiles::fits(far, planes) {
             return Outcome::TooLarge;

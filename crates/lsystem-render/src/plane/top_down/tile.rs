@@ -100,6 +100,14 @@ pub(in crate::plane) fn snap(at: [f64; 2], size: usize, fine: bool) -> Snapped {
     Snapped { cell: whole.map(|v| v.div_euclid(steps as i64)), offset, rest: offset.map(|v| f64::from(v) / steps) }
 }
 
+/// The upper left corner of the tile of a block, from the cell of the block's origin, and the tile's size. The middle of
+/// the block lies at `middle` from that cell, and the block reaches `reach` from there and `margin` cells more.
+pub(in crate::plane) fn area(middle: [f64; 2], reach: [f64; 2], margin: i64) -> ([i64; 2], [usize; 2]) {
+    let corner = [0, 1].map(|axis| (middle[axis] - reach[axis]).floor() as i64 - margin);
+    let size = [0, 1].map(|axis| (middle[axis] + reach[axis]).ceil() as i64 + margin - corner[axis]);
+    (corner, size.map(|side| side.max(1) as usize))
+}
+
 /// The place of a tile's words in memory, and its corner on a canvas.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::plane) struct Tile {

@@ -119,9 +119,7 @@ impl Tiling {
             return Some(self.stamp(painter, &tile, inks, destination));
         }
         let from_origin = [0, 1].map(|axis| centre[axis] - place.origin[axis] + snapped.rest[axis]);
-        let corner = [0, 1].map(|axis| (from_origin[axis] - reach[axis]).floor() as i64);
-        let far = [0, 1].map(|axis| (from_origin[axis] + reach[axis]).ceil() as i64 - corner[axis]);
-        let far = far.map(|side| side.max(1) as usize);
+        let (corner, far) = tile::area(from_origin, reach, 0);
         let planes = painter.inks.planes(inks);
         if Tiles::fits(far, planes) {
             painter.empty_tile(size, far, planes);
