@@ -104,11 +104,32 @@ const NEAR = 0.05;
  * @param {number} scale CSS pixels per fitted extent at zoom 1
  * @returns {[number, number]}
  */
-export function seen(camera, [x = 0, y = 0, z = 0], scale) {
+export function seen(camera, place, scale) {
     const [right, up, back] = axes(camera);
-    const along = (/** @type {Vector} */ axis) => axis[0] * (x - camera.x) + axis[1] * (y - camera.y) + axis[2] * (z - camera.z);
-    const pixels = (scale * camera.zoom) / (camera.perspective ? Math.max(NEAR, 1 - along(back) / DISTANCE) : 1);
-    return [along(right) * pixels, -along(up) * pixels];
+    const pixels = (scale * camera.zoom) / (camera.perspective ? Math.max(NEAR, 1 - towards(camera, back, place) / DISTANCE) : 1);
+    return [towards(camera, right, place) * pixels, -towards(camera, up, place) * pixels];
+}
+
+/**
+ * The camera after zooming so that a place of the drawing stays where it is seen.
+ * @param {Camera} camera
+ * @param {number} factor
+ * @param {number[]} place as for {@link seen}
+ * @param {number} scale CSS pixels per fitted extent at zoom 1
+ * @returns {Camera}
+ */
+export function zoomedOn(camera, factor, place, scale) {
+    const next = zoomed(camera, factor, 0, 0, scale);
+    const [[x, y], [nextX, nextY]] = [seen(camera, place, scale), seen(next, place, scale)];
+    // A move in the picture's plane keeps the depth.
+    const [, , back] = axes(camera);
+    const depth = camera.perspective ? Math.max(NEAR, 1 - towards(next, back, place) / DISTANCE) : 1;
+    return slide(next, (x - nextX) * depth, (y - nextY) * depth, scale);
+}
+
+/** The distance of a place from the camera's target along an axis. @param {Camera} camera @param {Vector} axis @param {number[]} place */
+function towards(camera, axis, [x = 0, y = 0, z = 0]) {
+    return axis[0] * (x - camera.x) + axis[1] * (y - camera.y) + axis[2] * (z - camera.z);
 }
 
 /**

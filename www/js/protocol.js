@@ -73,6 +73,7 @@ export {};
  * UTF-16 unit, and the named constants of the rules.
  * @typedef {Texts & {constants: ConstantSpan[]}} Notation
  */
+/** The number of a module in the axiom, or in the successor of a production with this predecessor; numbers count from 0. @typedef {{production: number | null, predecessor: string | null, position: number}} Site */
 /** `text` is the content of a readable text file that has problems. @typedef {{definition: Definition | null, diagnostics: Diagnostic[], text: string | null}} FileRead */
 /** A format of exported files. @typedef {keyof typeof import('./tables.js').FORMATS} Format */
 /** `blob` is the file, or null if a limit was exceeded. @typedef {{blob: Blob | null, diagnostics: Diagnostic[]}} Exported */
@@ -87,6 +88,7 @@ export {};
  * @property {{asked: {generation: number, index: bigint, later: number}, answer: {start: string | null}}} descendant the index of the first symbol derived from a symbol, in a later generation
  * @property {{asked: {x: number, y: number, tolerance: number}, answer: Picked}} pick the visible segment or polygon near a place, in device pixels
  * @property {{asked: {texts: Texts}, answer: Notation}} notation
+ * @property {{asked: {texts: Texts, field: 'axiom' | 'rules', offset: number}, answer: {site: Site | null}}} site the module at a UTF-16 offset into a text; null for other text
  * @property {{asked: {file: Blob}, answer: FileRead}} read a file: JSON, or a picture that carries its system
  * @property {{asked: {format: Format}, answer: Exported}} export
  * @property {{asked: {width: number, height: number, definition: Definition}, answer: {blob: Blob | null, reason: string | null}}} png the current view at another size, with the system in the file; `reason` tells why there is no file
@@ -113,9 +115,9 @@ export {};
 /**
  * A picture of a definition (`id`) and a view. If not `complete`, the picture is coarse, and finer pictures follow
  * while nothing changes. `scale`: device pixels per fitted extent at zoom 1; `rough`: some lines stay slightly
- * displaced even in the finest picture; `slow`: the drawing in space takes long enough for mates to help; `pose`: null
+ * displaced even in the finest picture; `blank`: a complete picture shows nothing but the background; `slow`: the drawing in space takes long enough for mates to help; `pose`: null
  * if all segments are shown.
- * @typedef {{type: 'drawn', id: number, viewId: number, complete: boolean, scale: number, rough: boolean, slow: boolean, bitmap: ImageBitmap, pose: Pose | null}} Picture
+ * @typedef {{type: 'drawn', id: number, viewId: number, complete: boolean, scale: number, rough: boolean, slow: boolean, blank: boolean, bitmap: ImageBitmap, pose: Pose | null}} Picture
  */
 /** No more pictures follow for a definition and a view. @typedef {{type: 'done', id: number, viewId: number}} Done */
 /**

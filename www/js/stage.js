@@ -6,8 +6,10 @@
 import { button, byId, html, setText } from './dom.js';
 import { zoomText } from './numerals.js';
 import { listenToGestures } from './stage/gestures.js';
+import { createHold, nearest } from './stage/hold.js';
 import { ZOOM_STEP, listenToKeys } from './stage/keys.js';
 import { createMoves } from './stage/moves.js';
+import { createNothingHere } from './stage/nothing-here.js';
 import { createPicture } from './stage/picture.js';
 import { watchSize } from './stage/size.js';
 
@@ -42,6 +44,18 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
         engine.look(resolution(), moves.view(), moves.camera());
     }
 
+    /** Finds what is near a place. @param {[number, number]} at CSS pixels from the middle @param {number} reach in CSS pixels */
+    const pick = ([x, y], reach) => engine.pick((x + size.width / 2) * size.ratio, (y + size.height / 2) * size.ratio, reach * size.ratio);
+    const hold = createHold({ pick, seen: moves.seen, along: moves.along });
+    const nothingHere = createNothingHere({
+        pick,
+        goTo({ stroke, filled }) {
+            const place = stroke ? nearest(stroke, [0, 0], moves) : filled?.outline[0];
+            if (place) moves.goTo(place);
+        },
+        fit: moves.fit,
+    });
+
     button('fit').addEventListener('click', moves.fit);
     button('zoom-in').addEventListener('click', () => moves.zoom(ZOOM_STEP));
     button('zoom-out').addEventListener('click', () => moves.zoom(1 / ZOOM_STEP));
@@ -51,7 +65,10 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
         drag: moves.drag,
         zoom(factor, x, y) {
             const box = frame.getBoundingClientRect();
-            moves.zoomAt(factor, x - box.left - size.width / 2, y - box.top - size.height / 2);
+            const at = /** @type {const} */ ([x - box.left - size.width / 2, y - box.top - size.height / 2]);
+            const held = hold.at([...at]);
+            if (held) moves.zoomOn(factor, held);
+            else moves.zoomAt(factor, ...at);
         },
         fit: moves.fit,
     });
@@ -81,6 +98,7 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
 
         /** Notes whether the drawing is in space. @param {import('./protocol.js').Report} report */
         report(report) {
+            hold.forget();
             if (!report.ok || space === report.space) return;
             space = report.space;
             frame.classList.toggle('space', space);
@@ -93,6 +111,7 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
             frame.classList.add('inked');
             setBusy(!drawn.complete);
             place();
+            if (drawn.complete) nothingHere.show(drawn.blank && drawn.upto === null && !moves.isFitted());
         },
     };
 }

@@ -71,6 +71,35 @@ function sum(high, low, value) {
 }
 
 /**
+ * A place on a segment, at `t` from 0 to 1. Places have the rounding remainders of marks.js.
+ * @param {number[]} from
+ * @param {number[]} to
+ * @param {number} t
+ * @returns {number[]}
+ */
+export function along([x1 = 0, y1 = 0, fx1 = 0, fy1 = 0], [x2 = 0, y2 = 0, fx2 = 0, fy2 = 0], t) {
+    const [x, fx] = sum(x1, fx1, (x2 - x1 + (fx2 - fx1)) * t);
+    const [y, fy] = sum(y1, fy1, (y2 - y1 + (fy2 - fy1)) * t);
+    return [x, y, fx, fy];
+}
+
+/**
+ * Projects a place to the picture: CSS pixels right of and below the canvas's centre.
+ * @param {View} view
+ * @param {number[]} place
+ * @param {number} scale CSS pixels per fitted extent at zoom 1
+ * @returns {[number, number]}
+ */
+export function seen(view, [x = 0, y = 0, fx = 0, fy = 0], scale) {
+    const pixels = scale * view.zoom;
+    const [dx, dy] = offset(view, { x, y, fx, fy, zoom: 1 });
+    return [dx * pixels, -dy * pixels];
+}
+
+/** The view with a place in the middle. @param {View} view @param {number[]} place @returns {View} */
+export const centredOn = ({ zoom }, [x = 0, y = 0, fx = 0, fy = 0]) => (zoom < COARSE ? { x: x + fx, y: y + fy, zoom } : { x, y, fx, fy, zoom });
+
+/**
  * Interpolates between two views, at `t` from 0 to 1: a zoom about the point that both views share, or a pan.
  * @param {View} from
  * @param {View} to

@@ -1,7 +1,7 @@
 //! Systems as JSON files.
 //!
-//! A file is one object. Comments, trailing commas and unquoted keys are accepted. All keys are optional; [`FIELDS`]
-//! lists them with their defaults and ranges, and README shows the list. The objects `turtle` and `style` are members
+//! A file is one object. Comments, trailing commas and unquoted keys are accepted. It needs `initial`, `rules`, `turtle`
+//! or `style`, to be told from other JSON; all other keys are optional. [`FIELDS`] lists them with their defaults and ranges, and README shows the list. The objects `turtle` and `style` are members
 //! of the file's object. The key `stochastic` has no effect, because the rules decide.
 //!
 //! In the course's files `rules` is an object: `{"F": "F+F", "X": [{"p": 0.5, "e": "XF"}, {"p": 0.5, "e": "X"}]}`. The
@@ -33,6 +33,9 @@ use lsystem_syntax::{
 
 /// The keys of an outcome.
 const OUTCOME_KEYS: [&str; 2] = ["p", "e"];
+
+/// A system has at least one of these keys.
+const SYSTEM_KEYS: [&str; 4] = ["initial", "rules", "turtle", "style"];
 
 /// Names of keys in other programs, with the keys here.
 const ALIASES: [(&str, &str); 9] = [
@@ -83,6 +86,11 @@ impl JsonFile {
         };
         match parse_to_ast(body, &CollectOptions::default(), &options) {
             Ok(parsed) => match parsed.value {
+                Some(Value::Object(object)) if SYSTEM_KEYS.iter().all(|key| last(&object, key).is_none()) => {
+                    let span = self.span(&object);
+                    self.notes.add(Kind::Json(JsonError::NoSystem), span.start..span.start + 1);
+                    None
+                }
                 Some(Value::Object(object)) => Some(self.definition(&object)),
                 Some(other) => {
                     self.wrong_type("", Expected::Object, &other);

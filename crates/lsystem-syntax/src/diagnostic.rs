@@ -538,6 +538,8 @@ impl Expected {
 pub enum JsonError {
     /// Only white space and comments.
     Empty,
+    /// An object without any key that a system needs.
+    NoSystem,
     /// An unexpected token.
     Unexpected,
     /// A string without its closing quote.

@@ -68,9 +68,10 @@ pub use limits::{
 };
 pub use meter::Meter;
 pub use notation::constants::ConstantPlace;
+pub use notation::site::{Site, site};
 pub use notation::{parse, plain_word};
 pub use overrides::{parse_overrides, print_overrides};
-pub use place::{render_diagnostic, utf16_letters, utf16_span, visible};
+pub use place::{byte_offset, render_diagnostic, utf16_letters, utf16_span, visible};
 pub use print::{print_axiom, print_module, print_rules};
 pub use progress::Progress;
 pub use style::{Colour, ColourBy, GRADIENT, Ink, Style, Tint};

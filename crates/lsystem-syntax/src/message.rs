@@ -449,6 +449,10 @@ fn json(error: JsonError) -> (String, Option<String>) {
     let hint = |text: &str| Some(text.to_owned());
     match error {
         JsonError::Empty => ("The file holds nothing".into(), hint("It must hold an object: {\"initial\": \"F\"}.")),
+        JsonError::NoSystem => (
+            "This is no L-system: it has neither an axiom nor rules".into(),
+            hint("A system has the keys `initial` and `rules`."),
+        ),
         JsonError::Unexpected => ("This has no place in JSON".into(), hint("Is a quote or a comma missing before it?")),
         JsonError::UnclosedString => ("This string is never closed".into(), hint("Add the closing quote.")),
         JsonError::UnclosedComment => ("This comment is never closed".into(), hint("Add `*/`.")),

@@ -16,6 +16,17 @@ pub fn utf16_span(text: &str, span: Range<usize>) -> Range<usize> {
     before..before + units(&text[start..end])
 }
 
+/// Converts an offset in UTF-16 units to the byte offset of the character there; the text's length for later offsets.
+#[must_use]
+pub fn byte_offset(text: &str, utf16: usize) -> usize {
+    let mut end = 0;
+    let mut ends = text.char_indices().map(|(at, ch)| {
+        end += ch.len_utf16();
+        (at, end)
+    });
+    ends.find(|&(_, end)| end > utf16).map_or(text.len(), |(at, _)| at)
+}
+
 /// The letters of classes, one for each UTF-16 unit of `text`. `classes` has one class for each byte of `text`.
 #[must_use]
 pub fn utf16_letters(text: &str, classes: &[Class]) -> String {

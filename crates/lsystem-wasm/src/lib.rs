@@ -25,7 +25,7 @@ mod viewer;
 
 pub use export::Export;
 pub use files::{Picture, read_file, tag_png};
-pub use notation::notation;
+pub use notation::{notation, site_of};
 pub use plain::{Segments, draw, expand};
 pub use playground::Playground;
 pub use qr::qr_code;

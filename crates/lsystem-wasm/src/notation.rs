@@ -2,7 +2,7 @@
 
 use crate::{from_js, to_js};
 use lsystem::Definition;
-use lsystem::syntax::{classify, utf16_letters, utf16_span};
+use lsystem::syntax::{Field, byte_offset, classify, site, utf16_letters, utf16_span};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -47,4 +47,31 @@ pub fn notation(definition: JsValue) -> Result<JsValue, JsValue> {
         overrides: utf16_letters(overrides, &classes.overrides),
         constants: classes.constants.into_iter().map(constant).collect(),
     })
+}
+
+/// The place of a written module.
+#[derive(Serialize)]
+struct Site {
+    /// The number of the production (0-based); null for a module of the axiom.
+    production: Option<usize>,
+    /// The symbol that the production replaces; null for a module of the axiom.
+    predecessor: Option<char>,
+    /// The number of the module in the successor or in the axiom (0-based).
+    position: usize,
+}
+
+/// The module at a UTF-16 offset into the `axiom` or the `rules`: `{production, predecessor, position}`; null for
+/// other text.
+///
+/// # Errors
+/// Throws if the first argument is not a definition.
+#[wasm_bindgen(js_name = siteOf)]
+pub fn site_of(definition: JsValue, field: &str, offset: usize) -> Result<JsValue, JsValue> {
+    let Definition { axiom, rules, .. } = from_js(definition)?;
+    let (field, text) = if field == "axiom" { (Field::Axiom, &axiom) } else { (Field::Rules, &rules) };
+    let found = site(&axiom, &rules, field, byte_offset(text, offset));
+    to_js(&found.map(|found| {
+        let (production, predecessor) = found.production.unzip();
+        Site { production, predecessor, position: found.position }
+    }))
 }

@@ -45,6 +45,15 @@ pub(crate) struct Drawn {
     pub(crate) rough: bool,
     /// Whether the picture is in space and took so long that mates would help.
     pub(crate) slow: bool,
+    /// Whether nothing but the background is in view. Only complete pictures tell.
+    pub(crate) blank: bool,
+}
+
+/// Whether all pixels (RGBA) have the colour of the background.
+pub(crate) fn is_blank(pixels: &[u8], style: &Style) -> bool {
+    let Some(([r, g, b, _], rest)) = pixels.split_first_chunk() else { return true };
+    // Each pixel is compared with the one before.
+    [*r, *g, *b] == style.background.rgb && *rest == pixels[..rest.len()]
 }
 
 /// Builds a drawing and makes its pictures, both in steps.

@@ -206,7 +206,7 @@ fn our_form_says_the_rest() {
 
 #[test]
 fn a_file_of_the_course_has_its_defaults() {
-    let (definition, diagnostics) = read_json("{}");
+    let (definition, diagnostics) = read_json(r#"{"initial": ""}"#);
     assert_eq!(diagnostics, []);
     let expected = Definition { dialect: Dialect::EveryLetter, style: Style::course(), ..Definition::default() };
     assert_eq!(definition, Some(expected));

@@ -116,6 +116,9 @@ export function asking(ask) {
         /** @param {import('../protocol.js').Texts} texts */
         notation: (texts) => ask('notation', { texts }),
 
+        /** @param {import('../protocol.js').Texts} texts @param {'axiom' | 'rules'} field @param {number} offset in UTF-16 units */
+        site: async (texts, field, offset) => (await ask('site', { texts, field, offset })).site,
+
         /** @param {Blob} file */
         read: (file) => ask('read', { file }),
 

@@ -3,9 +3,9 @@
  * stage use these moves, at once or smoothly.
  */
 
-import { FRONT, isWhole, midway, orbit, slide, whole, zoomed } from '../camera.js';
+import { FRONT, isWhole, midway, orbit, seen as seenInSpace, slide, whole, zoomed, zoomedOn } from '../camera.js';
 import { reducedMotion } from '../dom.js';
-import { FITTED, between, pan, zoomAt } from '../view.js';
+import { FITTED, along, between, centredOn, pan, seen, zoomAt } from '../view.js';
 
 /** @typedef {import('../state.js').View} View */
 /** @typedef {import('../state.js').Camera} Camera */
@@ -78,6 +78,25 @@ export function createMoves(store, picture, space) {
             if (space()) aim(zoomed(camera(), factor, x, y, picture.scale));
             else look(zoomAt(view(), factor, x, y, picture.scale));
         },
+
+        /** Zooms about a place of the drawing. @param {number} factor @param {number[]} place */
+        zoomOn(factor, place) {
+            if (space()) aim(zoomedOn(camera(), factor, place, picture.scale));
+            else look(zoomAt(view(), factor, ...seen(view(), place, picture.scale), picture.scale));
+        },
+
+        /** Moves a place of the drawing to the middle, smoothly. @param {number[]} place */
+        goTo(place) {
+            const [x = 0, y = 0, z = 0] = place;
+            if (space()) glideToCamera({ ...camera(), x, y, z });
+            else glideTo(centredOn(view(), place));
+        },
+
+        /** Where a place of the drawing is seen, in CSS pixels from the middle. @param {number[]} place */
+        seen: (place) => (space() ? seenInSpace(camera(), place, picture.scale) : seen(view(), place, picture.scale)),
+
+        /** A place on a segment, at `t` from 0 to 1. @param {number[]} from @param {number[]} to @param {number} t */
+        along: (from, to, t) => (space() ? from.map((value, axis) => value + ((to[axis] ?? 0) - value) * t) : along(from, to, t)),
 
         /** @param {number} dx in CSS pixels @param {number} dy @param {boolean} aside moves the camera instead of turning it */
         drag(dx, dy, aside) {

@@ -28,6 +28,7 @@ pub(crate) mod constants;
 pub(crate) mod expression;
 mod line;
 mod production;
+pub(crate) mod site;
 pub(crate) mod token;
 pub(crate) mod word;
 

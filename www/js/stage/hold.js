@@ -1,0 +1,55 @@
+/**
+ * Holds on to the line under the pointer while zooming: a place on the line stays where it is, so that zooming in on a
+ * line never ends beside the line.
+ */
+
+import { latest } from '../latest.js';
+
+/** Lines this near the pointer are held, in CSS pixels. */
+const NEAR = 24;
+/** A held place farther from the pointer than this is let go, in CSS pixels. */
+const FAR = 40;
+
+/** Right of and below the canvas's centre, in CSS pixels. @typedef {[number, number]} Offset */
+
+/**
+ * @param {object} stage
+ * @param {(at: Offset, reach: number) => Promise<import('../protocol.js').Picked>} stage.pick
+ * @param {(place: number[]) => Offset} stage.seen projects a place of the drawing
+ * @param {(from: number[], to: number[], t: number) => number[]} stage.along a place on a segment
+ */
+export function createHold({ pick, seen, along }) {
+    /** The held place. @type {number[] | null} */
+    let held = null;
+
+    const ask = latest(pick, ({ stroke }, at) => (held = stroke && nearest(stroke, at, { seen, along })));
+
+    return {
+        /** The place to hold while zooming at `at`; null while there is no line near. @param {Offset} at */
+        at(at) {
+            if (held && apart(seen(held), at) > FAR) held = null;
+            if (!held) ask(at, NEAR);
+            return held;
+        },
+
+        /** The drawing has changed. */
+        forget: () => (held = null),
+    };
+}
+
+/**
+ * The place on a segment that is seen nearest to `at`.
+ * @param {{fittedFrom: number[], fittedTo: number[]}} stroke
+ * @param {Offset} at
+ * @param {{seen: (place: number[]) => Offset, along: (from: number[], to: number[], t: number) => number[]}} stage
+ */
+export function nearest({ fittedFrom, fittedTo }, at, { seen, along }) {
+    const [[x, y], [toX, toY]] = [seen(fittedFrom), seen(fittedTo)];
+    const [dx, dy] = [toX - x, toY - y];
+    const length = dx * dx + dy * dy;
+    const t = length > 0 ? ((at[0] - x) * dx + (at[1] - y) * dy) / length : 0;
+    return along(fittedFrom, fittedTo, Math.max(0, Math.min(1, t)));
+}
+
+/** @param {Offset} a @param {Offset} b */
+const apart = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
