@@ -1,6 +1,7 @@
 /** Announcements for assistive technology, and short messages on the drawing. */
 
-import { html, make, setText } from './dom.js';
+import { html, make, setText, withCode, withoutMarks } from './dom.js';
+import { setLayer } from './layers.js';
 
 /** The pause before an announcement, in milliseconds. */
 const PAUSE = 900;
@@ -16,7 +17,12 @@ let toastTimer = 0;
  */
 export function announce(words) {
     clearTimeout(timer);
-    timer = window.setTimeout(() => setText(html('announcer'), words), PAUSE);
+    timer = window.setTimeout(() => setText(html('announcer'), withoutMarks(words)), PAUSE);
+}
+
+function close() {
+    html('toast').classList.remove('shown');
+    setLayer(close, false);
 }
 
 /**
@@ -28,7 +34,6 @@ export function announce(words) {
 export function toast(words, { stay = false, action } = {}) {
     const note = html('toast');
     clearTimeout(toastTimer);
-    const close = () => note.classList.remove('shown');
     if (action) {
         const act = make('button', { type: 'button', class: 'toast-act' }, action.label);
         const dismiss = make('button', { type: 'button', class: 'toast-close', 'aria-label': 'Close this message' }, '×');
@@ -37,10 +42,11 @@ export function toast(words, { stay = false, action } = {}) {
             action.act();
         });
         dismiss.addEventListener('click', close);
-        note.replaceChildren(make('span', {}, words), act, dismiss);
+        note.replaceChildren(make('span', {}, ...withCode(words)), act, dismiss);
     } else {
-        note.replaceChildren(words);
+        note.replaceChildren(...withCode(words));
     }
     note.classList.add('shown');
+    setLayer(close, action !== undefined);
     if (!stay && !action) toastTimer = window.setTimeout(close, Math.max(TOAST, words.length * 60));
 }

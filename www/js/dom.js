@@ -39,6 +39,19 @@ export function make(tag, attributes = {}, ...children) {
     return element;
 }
 
+/** Text without its backquotes. @param {string} words */
+export const withoutMarks = (words) => words.replace(/`([^`]+)`/g, '$1');
+
+/** Sets text, with the parts between backquotes as code, only if it differs. @param {Element} element @param {string} words */
+export function setWords(element, words) {
+    if (element.textContent !== withoutMarks(words)) element.replaceChildren(...withCode(words));
+}
+
+/** Text as nodes, with the parts between backquotes as code. @param {string} words */
+export function withCode(words) {
+    return words.split(/(`[^`]+`)/).map((part) => (part.length > 2 && part.startsWith('`') ? make('code', {}, part.slice(1, -1)) : part));
+}
+
 /** An icon from the page's sprite. @param {string} id */
 export function icon(id) {
     const [svg, use] = [document.createElementNS(SVG, 'svg'), document.createElementNS(SVG, 'use')];

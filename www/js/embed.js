@@ -1,7 +1,8 @@
 /** The embedded page: the drawing in the address, with the controls that the address asks for. */
 
 import { announce, toast } from './announce.js';
-import { button, html, input, setText } from './dom.js';
+import { button, html, input, setText, setWords } from './dom.js';
+import { createLegend } from './controls/legend.js';
 import { createDials } from './embed/dials.js';
 import { connectHost } from './embed/messages.js';
 import { readOptions } from './embed/options.js';
@@ -141,13 +142,14 @@ function begin() {
         keys: () => [...(controls.includes('angle') ? /** @type {const} */ (['angle']) : []), ...(controls.includes('n') ? /** @type {const} */ (['iterations']) : [])],
     });
     const playback = createPlayback(engine, { turtle: marks.turtle, offered: () => controls.includes('play') });
-    const reader = createReader(engine, { mark: marks.part, opened: () => hover.forget() });
+    const legend = createLegend();
+    const reader = createReader(engine, { mark: marks.part('string'), legend, opened: () => hover.forget() });
     // Symbols under the pointer are shown only with the string view, which explains them.
     const reads = () => controls.includes('string');
-    const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.found, light: reader.light, choose: reader.choose, reading: () => reader.open, upto: () => playback.upto, offered: reads });
+    const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.found, light: reader.light, choose: reader.choose, read: reader.read, reading: () => reader.open, upto: () => playback.upto, offered: reads });
     stage.show(store.state, null);
     reader.show(store.state, null);
-    return { engine, stage, playback, reader, hover, drawn: () => ready };
+    return { engine, stage, playback, reader, legend, hover, drawn: () => ready };
 }
 
 /** Shows only these controls. @param {Control[]} asked */
@@ -198,6 +200,7 @@ function reported(report, past) {
     parts?.stage.setBusy(!isWrong(report) && report.memoised === null);
     parts?.stage.report(report);
     if (!past) {
+        parts?.legend.report(report);
         rules.report(report);
         dials.report(report);
     }
@@ -219,7 +222,7 @@ function reported(report, past) {
     }
     showProblem('');
     facts = { description: report.description, symbols: report.symbols, segments: report.segments };
-    setText(html('empty'), report.empty ?? '');
+    setWords(html('empty'), report.empty ?? '');
     html('empty').hidden = report.empty === null;
     setText(html('description'), report.description);
     setText(html('caption-text'), captionOf(store.state, report));
@@ -239,7 +242,7 @@ function setTheme(theme) {
 
 /** Shows a problem on the drawing, or hides the last one if empty. @param {string} words */
 function showProblem(words) {
-    setText(html('mistake'), words);
+    setWords(html('mistake'), words);
     html('mistake').hidden = words === '';
 }
 

@@ -25,49 +25,74 @@ export function duration(iterations) {
 /**
  * @param {import('./store.js').Store} store
  * @param {import('./engine.js').Engine} engine
- * @param {{begins: () => void, tell: (words: string) => void}} page `begins` is called before growth begins, `tell` with each generation
+ * @param {{begins: () => void, present: (show: import('./playback.js').Show | null) => void}} page `begins` is called
+ *   before growth begins; `present` shows growth on the playback bar, or the segments again
  */
-export function createGrowing(store, engine, { begins, tell }) {
+export function createGrowing(store, engine, { begins, present }) {
     const toggle = button('grow');
     let running = false;
+    /** The request for the next frame; 0 while growth pauses. */
     let frame = 0;
-    let began = 0;
+    /** The time of the last frame. */
+    let before = 0;
+    /** The generation, with the part of the next one that has grown. */
+    let grown = 0;
     /** When the last picture was requested; 0 when it is shown. */
     let asked = 0;
-    let shown = -1;
+    /** The generation that was requested last. */
+    let requested = -1;
+    const iterations = () => store.state.iterations;
 
     /** @param {number} now */
     function tick(now) {
         frame = requestAnimationFrame(tick);
         if (asked && now - asked < PATIENCE) return;
-        const definition = definitionOf(store.state);
-        const part = (now - began) / 1000 / duration(definition.iterations);
-        const whole = Math.floor((now - began) / REDUCED_MOTION_MS);
-        const grown = Math.min(definition.iterations, reducedMotion() ? whole : part * definition.iterations);
-        if (grown === definition.iterations) return stop();
-        if (grown === shown) return;
-        shown = grown;
-        asked = now;
-        engine.define(at(definition, grown));
-        tell(`Growing: generation ${Math.ceil(grown)} of ${definition.iterations}.`);
+        const time = now - before;
+        if (reducedMotion() && time < REDUCED_MOTION_MS) return;
+        before = now;
+        const next = reducedMotion() ? Math.floor(grown) + 1 : grown + (time / 1000 / duration(iterations())) * iterations();
+        if (next >= iterations()) return stop();
+        request(next, now);
+    }
+
+    /** Shows a point of growth. @param {number} next @param {number} now */
+    function request(next, now) {
+        grown = next;
+        if (grown !== requested) {
+            requested = grown;
+            asked = now;
+            engine.define(at(definitionOf(store.state), grown));
+        }
+        present(show);
+    }
+
+    function resume() {
+        before = performance.now();
+        frame = requestAnimationFrame(tick);
+    }
+
+    function pause() {
+        cancelAnimationFrame(frame);
+        frame = 0;
     }
 
     function start() {
         begins();
         running = true;
-        began = performance.now();
         asked = 0;
-        shown = -1;
+        requested = -1;
         toggle.setAttribute('aria-pressed', 'true');
-        frame = requestAnimationFrame(tick);
+        request(0, performance.now());
+        resume();
     }
 
     /** The state has changed, and the engine already draws the new state. */
     function forget() {
         if (!running) return;
         running = false;
-        cancelAnimationFrame(frame);
+        pause();
         toggle.setAttribute('aria-pressed', 'false');
+        present(null);
     }
 
     /** Stops, and draws the state again. */
@@ -76,6 +101,29 @@ export function createGrowing(store, engine, { begins, tell }) {
         forget();
         engine.define(definitionOf(store.state));
     }
+
+    /** @type {import('./playback.js').Show} */
+    const show = {
+        get playing() {
+            return frame !== 0;
+        },
+        get part() {
+            return iterations() === 0 ? 1 : grown / iterations();
+        },
+        get words() {
+            return `generation ${grown.toFixed(1)} of ${iterations()}`;
+        },
+        toggle() {
+            if (frame) pause();
+            else resume();
+            present(show);
+        },
+        seek(part) {
+            pause();
+            request(part * iterations(), performance.now());
+        },
+        stop,
+    };
 
     toggle.addEventListener('click', () => (running ? stop() : start()));
 

@@ -1,13 +1,12 @@
 /** The card beside the pointer: the segment or polygon there, its symbol, and the symbol's ancestry. */
 
 import { html, make } from './dom.js';
+import { setLayer } from './layers.js';
 import { placeText } from './reading/places.js';
 import { birth, birthOf, descent, filledText, strokeText, visible } from './reading/words.js';
 
 /** How many ancestors the card shows. A finger leaves less room. */
 const MAX_ANCESTORS = { mouse: 4, touch: 1 };
-/** The lower edge of the stage that the card avoids on touch screens, because phones show buttons there, in CSS pixels. */
-const FOOT = 72;
 /** The distance from the pointer to the card, in CSS pixels. */
 const APART = { mouse: 18, touch: 34 };
 /** The distance from the card to the stage's edge, in CSS pixels. */
@@ -15,31 +14,61 @@ const EDGE = 8;
 
 /** @typedef {import('./protocol.js').Picked} Picked */
 /** @typedef {{x: number, y: number, touch: boolean}} StagePoint CSS pixels from the stage's upper left corner */
+/** The card's left and top, in CSS pixels from the stage's upper left corner. @typedef {[number, number]} Corner */
 
-/** @param {HTMLElement} stage */
-export function createHoverCard(stage) {
+/**
+ * @param {HTMLElement} stage
+ * @param {{hidden: () => void, read: (ancestry: Picked['ancestry']) => void}} page `read` opens the string at a symbol
+ */
+export function createHoverCard(stage, { hidden, read }) {
     const card = html('card');
     let shownFacts = '';
 
-    /** @param {string} facts @param {Picked} picked @param {number} most ancestors */
-    function fill(facts, { symbol, ancestry }, most) {
+    function close() {
+        hide();
+        hidden();
+    }
+
+    function hide() {
+        shownFacts = '';
+        card.hidden = true;
+        setLayer(close, false);
+    }
+
+    /** @param {string} facts @param {Picked} picked @param {boolean} touch */
+    function fill(facts, { symbol, ancestry }, touch) {
+        const most = touch ? MAX_ANCESTORS.touch : MAX_ANCESTORS.mouse;
         const own = ancestry.at(-1);
         const [, ...older] = descent(ancestry);
         const more = older.length - most;
+        // A mouse opens the string with a click on the segment.
+        const show = make('button', { type: 'button', class: 'link card-read' }, 'Show in the string');
+        show.addEventListener('click', () => read(ancestry));
         card.replaceChildren(
             ...(own ? [make('p', { class: 'card-head' }, make('kbd', {}, visible(own.symbol)), make('span', {}, birthOf(ancestry)))] : []),
             ...(older.length > 0 ? [make('ol', { class: 'card-path' }, ...older.slice(0, most).map((link) => make('li', {}, make('kbd', {}, visible(link.symbol)), make('span', {}, birth(link)))), ...(more > 0 ? [make('li', { class: 'more' }, `and ${more} more, back to the axiom`)] : []))] : []),
             make('p', { class: 'card-facts' }, facts, ...(symbol === null ? [] : [make('br'), `Symbol ${number(symbol)}`])),
+            ...(touch && ancestry.length > 0 ? [show] : []),
         );
     }
 
-    /** Moves the card to a place with room for it. @param {StagePoint} place */
+    /** Moves the card beside the pointer, to a place without buttons. @param {StagePoint} place */
     function position({ x, y, touch }) {
-        const { width, height } = card.getBoundingClientRect();
         const apart = touch ? APART.touch : APART.mouse;
-        const room = { width: stage.clientWidth, height: stage.clientHeight - (touch ? FOOT : 0) };
-        const left = x + apart + width < room.width ? x + apart : Math.max(EDGE, x - apart - width);
-        const top = y + apart + height < room.height ? y + apart : Math.max(EDGE, y - apart - height);
+        const frame = stage.getBoundingClientRect();
+        const { width, height } = card.getBoundingClientRect();
+        const [right, bottom] = [frame.width - EDGE - width, frame.height - EDGE - height];
+        const isInside = (/** @type {Corner} */ [left, top]) => left >= EDGE && left <= right && top >= EDGE && top <= bottom;
+        const tools = [...stage.querySelectorAll('.tools')].map((bar) => bar.getBoundingClientRect());
+        const isFree = (/** @type {Corner} */ [left, top]) => {
+            const [clientLeft, clientTop] = [frame.left + left, frame.top + top];
+            return !tools.some((bar) => bar.left < clientLeft + width && bar.right > clientLeft && bar.top < clientTop + height && bar.bottom > clientTop);
+        };
+        /** @type {Corner[]} */
+        const corners = [y + apart, y - apart - height, y - height / 2].flatMap((top) => [x + apart, x - apart - width, x - width / 2].map((left) => /** @type {Corner} */ ([left, top])));
+        // The last corner would put the card under the pointer.
+        const inside = corners.slice(0, -1).filter(isInside);
+        const [left, top] = inside.find(isFree) ?? inside[0] ?? [Math.max(EDGE, Math.min(right, x + apart)), Math.max(EDGE, Math.min(bottom, y + apart))];
         card.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
     }
 
@@ -47,16 +76,14 @@ export function createHoverCard(stage) {
         /** @param {Picked} picked with a segment or a polygon @param {StagePoint} place */
         show(picked, place) {
             const facts = factsOf(picked);
-            if (shownFacts !== facts || card.hidden) fill(facts, picked, place.touch ? MAX_ANCESTORS.touch : MAX_ANCESTORS.mouse);
+            if (shownFacts !== facts || card.hidden) fill(facts, picked, place.touch);
             shownFacts = facts;
+            if (card.hidden) setLayer(close, true);
             card.hidden = false;
             position(place);
         },
 
-        hide() {
-            shownFacts = '';
-            card.hidden = true;
-        },
+        hide,
     };
 }
 

@@ -16,12 +16,13 @@ const REST_MS = 200;
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{ratio: () => number, mark: (points: number[][]) => void, light: (chain: import('./protocol.js').AncestryLink[]) => void, choose: (chain: import('./protocol.js').AncestryLink[]) => void, reading: () => boolean, upto: () => bigint | null, offered?: () => boolean}} page
+ * `choose` selects a symbol in the open string, `read` opens the string there.
+ * @param {{ratio: () => number, mark: (points: number[][]) => void, light: (chain: import('./protocol.js').AncestryLink[]) => void, choose: (chain: import('./protocol.js').AncestryLink[]) => void, read: (chain: import('./protocol.js').AncestryLink[]) => void, reading: () => boolean, upto: () => bigint | null, offered?: () => boolean}} page
  */
-export function createHover(engine, { ratio, mark, light, choose, reading, upto, offered = () => true }) {
+export function createHover(engine, { ratio, mark, light, choose, read, reading, upto, offered = () => true }) {
     const canvas = html('drawing');
     const stage = html('stage');
-    const card = createHoverCard(stage);
+    const card = createHoverCard(stage, { hidden: () => leave(), read });
     /** Where the pointer is, or a finger tapped; null while the pointer is elsewhere or drags. @type {Place | null} */
     let place = null;
     /** Whether to select the symbol in the string view as well. */
@@ -38,7 +39,8 @@ export function createHover(engine, { ratio, mark, light, choose, reading, upto,
             if (turning || (picked.stroke ?? picked.filled) === null) return hide();
             show(picked);
             if (!chosen) return;
-            choose(picked.ancestry);
+            if (place.touch) choose(picked.ancestry);
+            else read(picked.ancestry);
             // The string view shows the same facts, and a phone has no room for both.
             if (place.touch && reading() && picked.ancestry.length > 0) card.hide();
         },

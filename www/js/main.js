@@ -3,7 +3,7 @@
 import { followAddress } from './address.js';
 import { announce, toast } from './announce.js';
 import { dialRows } from './controls/dial-rows.js';
-import { button, html, setText } from './dom.js';
+import { button, html, setText, setWords } from './dom.js';
 import { createEngine, isWrong } from './engine.js';
 import { createGallery } from './gallery.js';
 import { createGrowing } from './growing.js';
@@ -22,6 +22,7 @@ import { savePanel } from './panels/save-panel.js';
 import { lookPanel } from './panels/look-panel.js';
 import { createRefusal } from './refusal.js';
 import { symbolKeys } from './controls/symbol-keys.js';
+import { createLegend } from './controls/legend.js';
 import { symbolNote } from './controls/symbol-note.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { tabs } from './panels/tabs.js';
@@ -61,14 +62,15 @@ const marks = createMarks();
 const stage = createStage(store, engine, marks);
 const orbit = createOrbit(store, stage);
 const playback = createPlayback(engine, { turtle: marks.turtle });
-const growing = createGrowing(store, engine, { begins: () => playback.forget(), tell: (words) => playback.tell(words) });
-const reader = createReader(engine, { mark: marks.part, opened: () => hover.forget() });
-const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.found, light: reader.light, choose: reader.choose, reading: () => reader.open, upto: () => playback.upto });
+const growing = createGrowing(store, engine, { begins: () => playback.forget(), present: playback.present });
+const legend = createLegend();
+const reader = createReader(engine, { mark: marks.part('string'), legend, opened: () => hover.forget() });
+const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.found, light: reader.light, choose: reader.choose, read: reader.read, reading: () => reader.open, upto: () => playback.upto });
 const rules = rulesPanel(store);
 const growth = growthPanel(store, engine);
 const turtle = turtlePanel(store);
 followNotation(store, engine, [rules, constantsPanel(store, rules), turtle]);
-const explain = symbolNote(['axiom', 'rules']);
+symbolNote(store, engine, { legend, mark: marks.part('rules') });
 symbolKeys(['axiom', 'rules', 'overrides']);
 const look = lookPanel(store);
 const dials = dialRows(store);
@@ -188,7 +190,7 @@ function reported(next, past) {
     stage.setBusy(!isWrong(next) && next.memoised === null);
     if (!past) {
         rules.report(next);
-        explain(next);
+        legend.report(next);
         growth.report(next, store.state);
         look.report(next, store.state);
         turtle.report(next);
@@ -206,7 +208,7 @@ function reported(next, past) {
         announce(`${words}. Showing the last valid drawing.`);
         return;
     }
-    setText(html('empty'), next.empty ?? '');
+    setWords(html('empty'), next.empty ?? '');
     html('empty').hidden = next.empty === null;
     setText(html('description'), next.description);
     setText(html('caption-text'), captionOf(store.state, next));

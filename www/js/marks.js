@@ -53,6 +53,8 @@ export function createMarks() {
     let viewpoint = null;
     /** The ends of a segment, or the corners of a polygon. @type {Point[]} */
     let points = [];
+    /** By owner, the outline of a part; the last owner's is shown. @type {Map<string, Point[]>} */
+    const outlines = new Map();
     /** @type {Point[]} */
     let outline = [];
     /** @type {FittedPose | null} */
@@ -144,10 +146,13 @@ export function createMarks() {
             points = next;
             draw();
         },
-        /** @param {Point[]} next */
-        part(next) {
-            if (outline.length === 0 && next.length === 0) return;
-            outline = next;
+        /** A function that marks a part of the drawing for an owner; no points remove the owner's mark. @param {string} owner @returns {(next: Point[]) => void} */
+        part: (owner) => (next) => {
+            outlines.delete(owner);
+            if (next.length > 0) outlines.set(owner, next);
+            const last = [...outlines.values()].at(-1) ?? [];
+            if (outline.length === 0 && last.length === 0) return;
+            outline = last;
             draw();
         },
         /** @param {FittedPose | null} next */

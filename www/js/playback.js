@@ -1,12 +1,15 @@
 /** The playback bar: draws the picture segment by segment. */
 
-import { button, html, input, setText } from './dom.js';
+import { button, html, input, reducedMotion, setText } from './dom.js';
+import { setLayer } from './layers.js';
 import { grouped, shortText } from './numerals.js';
 import { createClock } from './playback/clock.js';
 import { createPace } from './playback/pace.js';
 import { createSegmentField } from './playback/segment-field.js';
 import { REACH, portion, ratio, within } from './reading/places.js';
 import { poseText } from './reading/words.js';
+
+/** What the bar plays in place of the segments. @typedef {{readonly playing: boolean, readonly part: number, readonly words: string, toggle: () => void, seek: (part: number) => void, stop: () => void}} Show */
 
 /** The number of slider positions. */
 const SLIDER_POSITIONS = 10_000;
@@ -21,23 +24,38 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
     let digits = '';
     /** The number of segments shown; null for the whole picture. @type {bigint | null} */
     let upto = null;
+    /** What the bar plays in place of the segments. @type {Show | null} */
+    let other = null;
     const shown = () => upto ?? total ?? 0n;
 
     const pace = createPace(() => total);
     const clock = createClock({ perSecond: pace.perSecond, advance });
-    const bar = createBar({ play: toggle, changed: (open) => (open ? show() : stop()), seek: (part) => total !== null && pauseAt(portion(total, part)) });
+    const bar = createBar({ play: toggle, changed: (open) => (open ? show() : close()), seek });
     const field = createSegmentField({ total: () => total, shown, seek: pauseAt });
 
     function show() {
         if (!bar.open) return;
-        bar.show({ total, digits, shown: shown(), playing: clock.running });
+        html('playback').classList.toggle('other', other !== null);
+        if (other) {
+            setText(html('play-pose'), '');
+            return bar.show({ part: other.part, playing: other.playing, words: other.words, total: other.words, title: '' });
+        }
+        const title = digits ? `${grouped(digits)} segments${total === REACH ? ', of which the first 3.4 × 10³⁸ can be played' : ''}` : '';
+        const words = `${shortText(String(shown()))} of ${digits ? shortText(digits) : '…'} segments`;
+        bar.show({ part: total ? ratio(shown(), total) : null, playing: clock.running, words, total: digits ? `of ${shortText(digits)}` : '', title });
         field.show();
         pace.show();
         if (upto === null) setText(html('play-pose'), total === null ? '' : total === 0n ? 'Nothing is drawn.' : 'The whole drawing.');
     }
 
+    /** @param {number} part of the whole, from 0 to 1 */
+    function seek(part) {
+        if (other) other.seek(part);
+        else if (total !== null) pauseAt(portion(total, part));
+    }
+
     /** Shows only the first segments; null or all show the whole picture. @param {bigint | null} next */
-    function seek(next) {
+    function showFirst(next) {
         upto = next === null || total === null || next >= total ? null : within(next, 0n, total);
         if (upto === null) turtle(null);
         engine.play(upto);
@@ -47,7 +65,12 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
     /** Pauses at a number of segments. @param {bigint | null} next */
     function pauseAt(next) {
         clock.stop();
-        seek(next);
+        showFirst(next);
+    }
+
+    function close() {
+        other?.stop();
+        stop();
     }
 
     /** Back to the whole picture. */
@@ -58,15 +81,16 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         if (upto === null) return;
         const next = upto + segments;
         if (total !== null && next >= total) clock.stop();
-        seek(next);
+        showFirst(next);
     }
 
     /** Plays or pauses. */
     function toggle() {
+        if (other) return other.toggle();
         if (clock.running) clock.stop();
         else if (total) {
             clock.start();
-            seek(upto ?? 0n);
+            showFirst(upto ?? 0n);
         }
         show();
     }
@@ -94,9 +118,10 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
 
         close: () => bar.set(false),
 
-        /** Shows a text in place of the turtle's pose, during growth. @param {string} words */
-        tell(words) {
-            setText(html('play-pose'), words);
+        /** Plays something else in place of the segments, or the segments again. @param {Show | null} next */
+        present(next) {
+            other = next;
+            show();
         },
 
         /** The drawing has changed: goes back to the whole picture. */
@@ -143,23 +168,24 @@ function createBar({ play, changed, seek }) {
         document.body.classList.toggle('playing', open);
         toggle.setAttribute('aria-expanded', String(open));
         bar.hidden = !open;
+        setLayer(close, open);
         changed(open);
+    }
+
+    function close() {
+        set(false);
+        toggle.focus();
     }
 
     toggle.addEventListener('click', () => {
         set(!open);
         if (!open) return;
-        play();
+        // With reduced motion the reader starts.
+        if (!reducedMotion()) play();
         player.focus({ preventScroll: true });
     });
-    button('close-playback').addEventListener('click', () => {
-        set(false);
-        toggle.focus();
-    });
+    button('close-playback').addEventListener('click', close);
     player.addEventListener('click', play);
-    bar.addEventListener('keydown', (event) => {
-        if (event.key === 'Escape') button('close-playback').click();
-    });
     slider.addEventListener('input', () => seek(Number(slider.value) / SLIDER_POSITIONS));
 
     return {
@@ -168,16 +194,16 @@ function createBar({ play, changed, seek }) {
         },
         set,
 
-        /** @param {{total: bigint | null, digits: string, shown: bigint, playing: boolean}} state */
-        show({ total, digits, shown, playing }) {
-            slider.disabled = !total;
+        /** `part` is null while there is nothing to play; `words` tell the position. @param {{part: number | null, playing: boolean, words: string, total: string, title: string}} state */
+        show({ part: known, playing, words, total, title }) {
+            slider.disabled = known === null;
             player.disabled = slider.disabled;
-            const part = total ? ratio(shown, total) : 1;
+            const part = known ?? 1;
             if (Number(slider.value) !== Math.floor(part * SLIDER_POSITIONS)) slider.value = String(Math.floor(part * SLIDER_POSITIONS));
             slider.style.setProperty('--at', String(part));
-            slider.setAttribute('aria-valuetext', `${shortText(String(shown))} of ${digits ? shortText(digits) : '…'} segments`);
-            setText(html('play-total'), digits ? `of ${shortText(digits)}` : '');
-            html('play-total').title = digits ? `${grouped(digits)} segments${total === REACH ? ', of which the first 3.4 × 10³⁸ can be played' : ''}` : '';
+            slider.setAttribute('aria-valuetext', words);
+            setText(html('play-total'), total);
+            html('play-total').title = title;
             player.setAttribute('aria-label', playing ? 'Pause' : 'Play');
             player.classList.toggle('playing', playing);
             /** @type {SVGUseElement} */ (player.querySelector('use')).setAttribute('href', playing ? '#i-pause' : '#i-play');

@@ -115,9 +115,9 @@ export {};
 /**
  * A picture of a definition (`id`) and a view. If not `complete`, the picture is coarse, and finer pictures follow
  * while nothing changes. `scale`: device pixels per fitted extent at zoom 1; `rough`: some lines stay slightly
- * displaced even in the finest picture; `blank`: a complete picture shows nothing but the background; `slow`: the drawing in space takes long enough for mates to help; `pose`: null
+ * displaced even in the finest picture; `only`: the one thing in a complete picture of a single colour; `slow`: the drawing in space takes long enough for mates to help; `pose`: null
  * if all segments are shown.
- * @typedef {{type: 'drawn', id: number, viewId: number, complete: boolean, scale: number, rough: boolean, slow: boolean, blank: boolean, bitmap: ImageBitmap, pose: Pose | null}} Picture
+ * @typedef {{type: 'drawn', id: number, viewId: number, complete: boolean, scale: number, rough: boolean, slow: boolean, only: 'background' | 'ink' | null, bitmap: ImageBitmap, pose: Pose | null}} Picture
  */
 /** No more pictures follow for a definition and a view. @typedef {{type: 'done', id: number, viewId: number}} Done */
 /**

@@ -1,8 +1,8 @@
 /** The note on the drawing that says why a change is not drawn, with a remedy. */
 
-import { withCode } from './controls/editor.js';
-import { button, html, setText } from './dom.js';
+import { button, html, setText, withCode } from './dom.js';
 import { applyFix, fixLabel } from './fix.js';
+import { setLayer } from './layers.js';
 
 /** @typedef {import('./protocol.js').Diagnostic} Diagnostic */
 /** @typedef {import('./protocol.js').Report} Report */
@@ -42,6 +42,7 @@ export function createRefusal(store, tabs) {
     function hide() {
         clearTimeout(timer);
         note.hidden = true;
+        setLayer(hide, false);
     }
 
     /** @param {Diagnostic} found @param {number | null} largest */
@@ -51,6 +52,7 @@ export function createRefusal(store, tabs) {
         act = found.fix !== null ? () => applyFix(store, found) : () => largest !== null && store.change({ iterations: largest }, '');
         remedy.hidden = label === '';
         setText(remedy, label);
+        if (note.hidden) setLayer(hide, true);
         note.hidden = false;
     }
 

@@ -6,7 +6,7 @@
 import { button, byId, html, setText } from './dom.js';
 import { zoomText } from './numerals.js';
 import { listenToGestures } from './stage/gestures.js';
-import { createHold, nearest } from './stage/hold.js';
+import { createHold } from './stage/hold.js';
 import { ZOOM_STEP, listenToKeys } from './stage/keys.js';
 import { createMoves } from './stage/moves.js';
 import { createNothingHere } from './stage/nothing-here.js';
@@ -46,13 +46,10 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
 
     /** Finds what is near a place. @param {[number, number]} at CSS pixels from the middle @param {number} reach in CSS pixels */
     const pick = ([x, y], reach) => engine.pick((x + size.width / 2) * size.ratio, (y + size.height / 2) * size.ratio, reach * size.ratio);
-    const hold = createHold({ pick, seen: moves.seen, along: moves.along });
+    const hold = createHold({ pick, seen: moves.seen, pointBetween: moves.pointBetween });
     const nothingHere = createNothingHere({
         pick,
-        goTo({ stroke, filled }) {
-            const place = stroke ? nearest(stroke, [0, 0], moves) : filled?.outline[0];
-            if (place) moves.goTo(place);
-        },
+        goTo: ({ stroke, filled }) => moves.goTo(stroke ? [stroke.fittedFrom, stroke.fittedTo] : (filled?.outline ?? []), size),
         fit: moves.fit,
     });
 
@@ -111,7 +108,7 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
             frame.classList.add('inked');
             setBusy(!drawn.complete);
             place();
-            if (drawn.complete) nothingHere.show(drawn.blank && drawn.upto === null && !moves.isFitted());
+            if (drawn.complete) nothingHere.show(drawn.upto === null && !moves.isFitted() ? drawn.only : null);
         },
     };
 }

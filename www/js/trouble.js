@@ -5,6 +5,7 @@
 
 import { announce } from './announce.js';
 import { button, html, setText } from './dom.js';
+import { setLayer } from './layers.js';
 
 /** @typedef {import('./engine.js').Trouble} Trouble */
 /** `held`: a drawing that stopped on an earlier visit and was not started this time. @typedef {Trouble['how'] | 'held'} Kind */
@@ -29,7 +30,10 @@ export function createTrouble({ back, again }) {
     const note = html('trouble');
     const backButton = button('trouble-back');
     const againButton = button('trouble-again');
-    const hide = () => (note.hidden = true);
+    function hide() {
+        note.hidden = true;
+        setLayer(hide, false);
+    }
 
     backButton.addEventListener('click', () => {
         hide();
@@ -49,6 +53,7 @@ export function createTrouble({ back, again }) {
             againButton.hidden = kind === 'loading';
             setText(againButton, kind === 'held' ? 'Draw it anyway' : 'Try again');
             note.hidden = false;
+            setLayer(hide, true);
             announce(WORDS[kind]);
             return WORDS[kind];
         },

@@ -101,8 +101,8 @@ export function createDrawing({ playground, canvas, inbox }) {
             if (drawn || idle) begun = null;
             if (drawn) {
                 const bitmap = canvas.transferToImageBitmap();
-                const { complete, scale, rough, slow, blank } = drawn;
-                page.postMessage({ type: 'drawn', id, viewId, complete, scale, rough, slow, blank, bitmap, pose: poseAt(playground, upto) }, [bitmap]);
+                const { complete, scale, rough, slow, only } = drawn;
+                page.postMessage({ type: 'drawn', id, viewId, complete, scale, rough, slow, only, bitmap, pose: poseAt(playground, upto) }, [bitmap]);
             }
             // Tell the page not to wait for more pictures, even if there was none.
             if (idle && at.view) tellDone(id, viewId);

@@ -4,7 +4,7 @@ use crate::budget::affordable;
 use crate::clock::Clock;
 use crate::report::Report;
 use crate::surface::CanvasSurface;
-use crate::viewer::{Drawn, NOTHING, PictureSettings, Snapshot, Viewer, WORK, describe_drawing, is_blank, step_drawer};
+use crate::viewer::{Drawn, NOTHING, Only, PictureSettings, Snapshot, Viewer, WORK, describe_drawing, step_drawer};
 use lsystem::Viewport;
 use lsystem::derive::Counter;
 use lsystem::render::{Detail, Pane, Pass, fitted_scale};
@@ -123,7 +123,7 @@ impl Viewer for PlaneView {
                     self.begin_fine();
                 }
                 self.stage = Stage::Fine { sketched: true };
-                Ok(Some(Drawn { complete: false, scale, moving: false, rough: false, slow: false, blank: false }))
+                Ok(Some(Drawn { complete: false, scale, moving: false, rough: false, slow: false, only: None }))
             }
             Stage::Fine { sketched } => {
                 let start = clock.now();
@@ -134,8 +134,8 @@ impl Viewer for PlaneView {
                     self.stage = Stage::Done;
                     surface.show(self.fine.pixels(), viewport)?;
                     let rough = self.fine.stats().is_rough();
-                    let blank = is_blank(self.fine.pixels(), &settings.style);
-                    return Ok(Some(Drawn { complete: true, scale, moving: false, rough, slow: false, blank }));
+                    let only = Only::of(self.fine.pixels(), &settings.style);
+                    return Ok(Some(Drawn { complete: true, scale, moving: false, rough, slow: false, only }));
                 }
                 if self.spent > PATIENCE {
                     self.sketches = SKETCHES;

@@ -160,7 +160,7 @@ impl Playground {
         self.building.is_none()
     }
 
-    /// Works for about `budget` milliseconds. Returns `{report, drawn: {complete, scale, moving, rough, slow, blank}, idle}`;
+    /// Works for about `budget` milliseconds. Returns `{report, drawn: {complete, scale, moving, rough, slow, only}, idle}`;
     /// `report` and `drawn` are null if they have not changed.
     ///
     /// # Errors

@@ -6,7 +6,7 @@ use crate::playground::Playground;
 use crate::report::Report;
 use crate::sharing::{NextAction, Sharing};
 use crate::surface::CanvasSurface;
-use crate::viewer::{Drawn, NOTHING, PictureSettings, Snapshot, Viewer, WORK, describe_drawing, is_blank, step_drawer};
+use crate::viewer::{Drawn, NOTHING, Only, PictureSettings, Snapshot, Viewer, WORK, describe_drawing, step_drawer};
 use lsystem::derive::Counter;
 use lsystem::render::{Effort, Pane, Quality, Spent, solid_scale};
 use lsystem::{Camera, Diagnostic, Drawer, Drawing, Limits, Progress, Solid, SolidRenderer, System, Viewport};
@@ -160,7 +160,7 @@ impl Viewer for SolidView {
         surface.show(self.renderer.pixels(), self.viewport)?;
         let scale = solid_scale(drawing, settings.screen, &self.camera);
         let complete = self.quality == Quality::FINEST;
-        let blank = complete && is_blank(self.renderer.pixels(), &settings.style);
+        let only = if complete { Only::of(self.renderer.pixels(), &settings.style) } else { None };
         let slow = complete && self.spent > SLOW && drawing.is_memoised();
         let moving = core::mem::take(&mut self.moving);
         let sharp = self.viewport == settings.viewport;
@@ -171,7 +171,7 @@ impl Viewer for SolidView {
         if !complete {
             self.refine(if sharp && self.quality >= MIDDLE { Quality::FINEST } else { MIDDLE });
         }
-        Ok(Some(Drawn { complete, scale, moving, rough: false, slow, blank }))
+        Ok(Some(Drawn { complete, scale, moving, rough: false, slow, only }))
     }
 
     fn is_done(&self) -> bool {
@@ -314,9 +314,9 @@ impl SolidView {
             NextAction::Done => {
                 (self.done, self.shared) = (true, false);
                 let scale = solid_scale(drawing, settings.screen, &self.camera);
-                // A picture without ink is too quick to be shared.
-                let blank = false;
-                return Ok(Some(Drawn { complete: true, scale, moving: false, rough: false, slow: true, blank }));
+                // A picture of a single colour is too quick to be shared.
+                let only = None;
+                return Ok(Some(Drawn { complete: true, scale, moving: false, rough: false, slow: true, only }));
             }
         }
         Ok(None)

@@ -45,15 +45,26 @@ pub(crate) struct Drawn {
     pub(crate) rough: bool,
     /// Whether the picture is in space and took so long that mates would help.
     pub(crate) slow: bool,
-    /// Whether nothing but the background is in view. Only complete pictures tell.
-    pub(crate) blank: bool,
+    /// The one thing in view: only complete pictures tell.
+    pub(crate) only: Option<Only>,
 }
 
-/// Whether all pixels (RGBA) have the colour of the background.
-pub(crate) fn is_blank(pixels: &[u8], style: &Style) -> bool {
-    let Some(([r, g, b, _], rest)) = pixels.split_first_chunk() else { return true };
-    // Each pixel is compared with the one before.
-    [*r, *g, *b] == style.background.rgb && *rest == pixels[..rest.len()]
+/// The one thing in a picture of a single colour.
+#[derive(Clone, Copy, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Only {
+    Background,
+    Ink,
+}
+
+impl Only {
+    /// The one thing in a picture; `None` if its pixels (RGBA) have several colours.
+    pub(crate) fn of(pixels: &[u8], style: &Style) -> Option<Self> {
+        let ([r, g, b, _], rest) = pixels.split_first_chunk()?;
+        // Each pixel is compared with the one before.
+        let single = *rest == pixels[..rest.len()];
+        single.then_some(if [*r, *g, *b] == style.background.rgb { Self::Background } else { Self::Ink })
+    }
 }
 
 /// Builds a drawing and makes its pictures, both in steps.

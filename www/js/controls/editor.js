@@ -3,7 +3,7 @@
  * spans; the area itself shows only caret and selection.
  */
 
-import { make, setValue } from '../dom.js';
+import { make, setValue, withCode } from '../dom.js';
 import { fixLabel } from '../fix.js';
 import { maxLengthOf } from '../state.js';
 import { carryOver, spansOf } from '../tint.js';
@@ -143,11 +143,6 @@ export function listProblems(list, diagnostics, text, editor) {
     );
     const more = diagnostics.length - MOST_LISTED;
     if (more > 0) list.append(make('li', {}, make('span', { class: 'problem-text' }, `${more.toLocaleString('en')} more problems.`)));
-}
-
-/** Formats text between backquotes as code. @param {string} words */
-export function withCode(words) {
-    return words.split(/(`[^`]+`)/).map((part) => (part.length > 2 && part.startsWith('`') ? make('code', {}, part.slice(1, -1)) : part));
 }
 
 /** Describes places in a text by line and column. @param {string} text @returns {(offset: number) => string} */

@@ -1,60 +1,96 @@
-/** The line under the rules that says what a symbol does: the symbol under the pointer, or else at the caret. */
+/**
+ * The line under the rules that says what a symbol does: the symbol under the pointer, or else at the caret. The drawing
+ * shows what the symbol became.
+ */
 
 import { byId, html, make } from '../dom.js';
+import { sameDrawing } from '../state.js';
+import { createTrace } from './trace.js';
 
-/** @typedef {import('../protocol.js').Report} Report */
-/** @typedef {Report['legend'][number]} Entry */
+/** @typedef {import('./trace.js').TextField} TextField */
+/** A symbol in a text. @typedef {{field: TextField, offset: number, symbol: string}} Written */
 
 const HINT = 'Point at a symbol to see what it does.';
 
-/** @param {string[]} ids the text areas */
-export function symbolNote(ids) {
+/**
+ * @param {import('../store.js').Store} store
+ * @param {import('../engine.js').Engine} engine
+ * @param {{legend: ReturnType<typeof import('./legend.js').createLegend>, mark: (outline: number[][]) => void}} page `mark` marks a part of the drawing
+ */
+export function symbolNote(store, engine, { legend, mark }) {
     const note = html('symbol-note');
-    const areas = ids.map((id) => byId(id, HTMLTextAreaElement));
-    /** @type {Entry[]} */
-    let legend = [];
+    const fields = /** @type {const} */ (['axiom', 'rules']);
+    const areas = fields.map((id) => byId(id, HTMLTextAreaElement));
+    /** The explained symbol. @type {Written | null} */
+    let shown = null;
 
-    /** The entry of a symbol in a text; none for an arrow, white space or a comment. @param {string} text @param {number} at */
-    function entryAt(text, at) {
-        const start = text.lastIndexOf('\n', at - 1) + 1;
-        const symbol = String.fromCodePoint(text.codePointAt(at) ?? 32);
-        const isArrow = text.startsWith('->', at) || text.startsWith('->', at - 1);
-        if (isArrow || text.slice(start).trimStart().startsWith('//')) return undefined;
-        return legend.find((entry) => entry.symbol.startsWith(symbol));
+    const trace = createTrace(store, engine, (outline, { field, offset }) => {
+        if (shown?.field !== field || shown.offset !== offset) return;
+        mark(outline);
+        say(shown, outline.length);
+    });
+
+    /** The symbol at a place; null for an arrow, white space or a comment. @param {TextField} field @param {string} text @param {number} offset @returns {Written | null} */
+    function symbolAt(field, text, offset) {
+        const start = text.lastIndexOf('\n', offset - 1) + 1;
+        const symbol = String.fromCodePoint(text.codePointAt(offset) ?? 32);
+        const isArrow = text.startsWith('->', offset) || text.startsWith('->', offset - 1);
+        if (isArrow || text.slice(start).trimStart().startsWith('//') || !legend.of(symbol)) return null;
+        return { field, offset, symbol };
     }
 
-    /** @param {Entry | undefined} entry */
-    function show(entry) {
-        if (!entry) return note.replaceChildren(HINT);
-        const rewritten = entry.rewritten ? '; replaced by its rule at each iteration' : '';
-        note.replaceChildren(make('code', {}, entry.symbol), ` ${entry.actions || 'draws nothing'}${rewritten}.`);
+    /** @param {Written} written @param {number} corners of the mark in the drawing */
+    function say({ symbol }, corners) {
+        const meaning = legend.of(symbol);
+        if (!meaning) return note.replaceChildren(HINT);
+        const where = corners > 0 ? ` ${corners > 1 ? 'What it became' : 'Its place'} is marked in the drawing.` : '';
+        note.replaceChildren(make('code', {}, meaning.symbol), ` ${meaning.words}${where}`);
     }
 
-    /** Shows the symbol before the caret, or the one behind it. */
-    function showCaret() {
-        const area = areas.find((area) => area === document.activeElement);
-        if (!area) return show(undefined);
-        const at = area.selectionStart;
-        show((at > 0 && entryAt(area.value, at - 1)) || entryAt(area.value, at));
+    /** @param {Written | null} written @param {boolean} [marking] */
+    function show(written, marking = true) {
+        if (written && marking && shown?.field === written.field && shown.offset === written.offset) return;
+        shown = written;
+        mark([]);
+        if (!written) return note.replaceChildren(HINT);
+        say(written, 0);
+        if (marking) trace({ field: written.field, offset: written.offset });
     }
 
-    for (const area of areas) {
+    /** The symbol before the caret, or the one behind it. */
+    function caretSymbol() {
+        const at = areas.findIndex((area) => area === document.activeElement);
+        const [field, area] = [fields[at], areas[at]];
+        if (!field || !area) return null;
+        const { value, selectionStart: caret } = area;
+        return (caret > 0 && symbolAt(field, value, caret - 1)) || symbolAt(field, value, caret);
+    }
+
+    /** A mark would distract while the reader types. */
+    let typing = false;
+    const showCaret = () => show(caretSymbol(), !typing);
+
+    for (const [at, area] of areas.entries()) {
         area.addEventListener('pointermove', ({ clientX, clientY, pointerType }) => {
             if (pointerType !== 'mouse' || !document.caretPositionFromPoint) return;
             // The nearest border between two characters: the pointer is on either of them.
             const [left, here] = [-4, 4].map((by) => document.caretPositionFromPoint(clientX + by, clientY));
             if (left?.offsetNode !== area || here?.offsetNode !== area) return;
-            show(entryAt(area.value, Math.min(left.offset, here.offset)));
+            show(symbolAt(/** @type {TextField} */ (fields[at]), area.value, Math.min(left.offset, here.offset)));
         });
         area.addEventListener('pointerleave', showCaret);
+        area.addEventListener('input', () => (typing = true));
+        area.addEventListener('keydown', ({ key }) => (typing &&= !/^(Arrow|Home|End|Page)/.test(key)));
+        area.addEventListener('pointerdown', () => (typing = false));
         area.addEventListener('focus', showCaret);
         area.addEventListener('blur', showCaret);
     }
     document.addEventListener('selectionchange', showCaret);
-    show(undefined);
-
-    /** Takes the symbols in use. @param {Report} report */
-    return (report) => {
-        if (report.ok) legend = report.legend;
-    };
+    store.subscribe((state, before) => {
+        if (sameDrawing(state, before)) return;
+        // The drawing changes, so the mark is out of date.
+        shown = null;
+        mark([]);
+    });
+    show(null);
 }

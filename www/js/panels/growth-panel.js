@@ -4,6 +4,7 @@ import { button, byId, html, input, make, setText } from '../dom.js';
 import { dial } from '../controls/dial.js';
 import { listProblems } from '../controls/editor.js';
 import { numberField } from '../controls/number-field.js';
+import { setLayer } from '../layers.js';
 import { grouped, plain, short, shortText } from '../numerals.js';
 import { definitionOf, rangeOf } from '../state.js';
 import { FIELDS } from '../tables.js';
@@ -39,11 +40,17 @@ export function growthPanel(store, source) {
     /** The count that shows all its digits. @type {'symbols' | 'segments' | null} */
     let expanded = null;
     for (const kind of /** @type {const} */ (['symbols', 'segments'])) {
-        button(kind).addEventListener('click', () => {
-            expanded = expanded === kind ? null : kind;
-            if (last) showDigits(last, expanded);
-        });
+        button(kind).addEventListener('click', () => expand(expanded === kind ? null : kind));
     }
+
+    /** @param {'symbols' | 'segments' | null} kind */
+    function expand(kind) {
+        expanded = kind;
+        setLayer(fold, kind !== null);
+        if (last) showDigits(last, expanded);
+    }
+
+    const fold = () => expand(null);
 
     return {
         /** @param {import('../state.js').State} state */

@@ -6,7 +6,7 @@ import { birth, birthOf, descent, origin, visible } from './words.js';
 
 /** @typedef {import('../protocol.js').AncestryLink} AncestryLink */
 /** @typedef {import('../protocol.js').SymbolFacts} SymbolFacts */
-/** The symbol, if loaded, its index and generation, and the drawn generation. @typedef {{symbol: string | undefined, index: bigint, generation: number, iterations: number}} Chosen */
+/** The symbol, if loaded, its meaning in words, its index and generation, and the drawn generation. @typedef {{symbol: string | undefined, words: string, index: bigint, generation: number, iterations: number}} Chosen */
 
 const UNTRACED = 'This derivation is too long to record, so the origin of the symbol is unknown.';
 
@@ -35,6 +35,7 @@ export function createOriginCard(goTo) {
             }
             card.replaceChildren(
                 make('p', { class: 'path-head' }, make('kbd', {}, visible(own.symbol)), make('span', {}, own.symbol.length === 1 ? origin(ancestry) : birthOf(ancestry))),
+                ...(chosen.words ? [make('p', { class: 'note meaning' }, chosen.words.replace(/^./u, (letter) => letter.toUpperCase()))] : []),
                 make('p', { class: 'note' }, part ? drawnText(chosen, part, stroke !== null) : ''),
                 make('ol', { class: 'links', 'aria-label': 'Origin of the symbol, back to the axiom' }, ...descent(ancestry).map((link) => item(link, own))),
             );

@@ -2,10 +2,13 @@
 
 import { button, html } from '../dom.js';
 import { latest } from '../latest.js';
+import { setLayer } from '../layers.js';
 import { createGenerations } from './generations.js';
 import { createOriginCard } from './origin-card.js';
+import { outlineOf } from '../controls/trace.js';
 import { createPlaceField } from './place-field.js';
 import { createTextWindow } from './text-window.js';
+import { partsOf } from './words.js';
 
 /** @typedef {import('../protocol.js').AncestryLink} AncestryLink */
 /** @typedef {import('../state.js').State} State */
@@ -15,9 +18,9 @@ const WRITTEN_BY = ['axiom', 'rules', 'seed', 'dialect', 'overrides'];
 
 /**
  * @param {import('../engine.js').Engine} engine
- * @param {{mark: (outline: number[][]) => void, opened: () => void}} page `mark` marks a part of the drawing
+ * @param {{mark: (outline: number[][]) => void, legend: ReturnType<typeof import('../controls/legend.js').createLegend>, opened: () => void}} page `mark` marks a part of the drawing
  */
-export function createReader(engine, { mark, opened }) {
+export function createReader(engine, { mark, legend, opened }) {
     const area = html('reader-text');
     const frame = createFrame((open) => {
         if (open) {
@@ -36,13 +39,34 @@ export function createReader(engine, { mark, opened }) {
     const text = createTextWindow(area, { read: engine.string, open: () => frame.open, generation: generations.now, marks: () => marked, arrived: () => field.update(), choose });
     const field = createPlaceField({ length: () => text.pages.length, choose });
 
+    /** The symbol under the mouse, shown while no symbol is selected. @type {bigint | null} */
+    let pointed = null;
+
     const fetchFacts = latest(engine.symbol, (facts, generation, index) => {
-        if (generation !== generations.now() || index !== marked.chosen) return;
-        // A symbol that draws nothing is marked at the turtle's position.
-        const outline = facts.part?.outline ?? [];
-        mark(outline.length > 0 || !facts.stroke ? outline : [facts.stroke.fittedFrom]);
-        card.show({ symbol: text.pages.symbolAt(index), index, generation, iterations: generations.iterations }, facts);
+        if (generation !== generations.now() || index !== (marked.chosen ?? pointed)) return;
+        mark(outlineOf(facts));
+        const symbol = text.pages.symbolAt(index);
+        card.show({ symbol, words: meaningOf(symbol), index, generation, iterations: generations.iterations }, facts);
     });
+
+    /** @param {string | undefined} module */
+    const meaningOf = (module) => (module && legend.of(partsOf(module)[0])?.words) || '';
+
+    /** @param {bigint | null} index of the symbol under the mouse */
+    function point(index) {
+        if (index === pointed) return;
+        pointed = index;
+        area.title = index === null ? '' : meaningOf(text.pages.symbolAt(index));
+        if (marked.chosen !== null) return;
+        if (index !== null) return fetchFacts(generations.now(), index);
+        mark([]);
+        card.clear();
+    }
+
+    area.addEventListener('pointermove', ({ pointerType, buttons, clientX, clientY }) => {
+        if (pointerType === 'mouse' && buttons === 0) point(text.symbolUnder(clientX, clientY));
+    });
+    area.addEventListener('pointerleave', () => point(null));
     const descend = createDescent(engine, (index, generation) => generation === generations.now() && choose(index));
 
     function show() {
@@ -61,7 +85,14 @@ export function createReader(engine, { mark, opened }) {
         fetchFacts(generations.now(), place);
     }
 
+    /** Selects a symbol of the last generation, or its ancestor in the shown generation. @param {AncestryLink[]} chain */
+    function select(chain) {
+        const link = chain[generations.now()];
+        if (frame.open && link) choose(BigInt(link.index));
+    }
+
     function forget() {
+        pointed = null;
         marked.forget();
         mark([]);
         card.clear();
@@ -125,10 +156,14 @@ export function createReader(engine, { mark, opened }) {
             show();
         },
 
-        /** @param {AncestryLink[]} chain */
-        choose(chain) {
-            const link = chain[generations.now()];
-            if (frame.open && link) choose(BigInt(link.index));
+        /** Selects a symbol in the open string. @param {AncestryLink[]} chain */
+        choose: select,
+
+        /** Opens the string at a symbol. @param {AncestryLink[]} chain */
+        read(chain) {
+            if (chain.length === 0) return;
+            frame.set(true);
+            select(chain);
         },
     };
 }
@@ -219,20 +254,20 @@ function createFrame(changed) {
         frame.hidden = !open;
         toggle.setAttribute('aria-expanded', String(open));
         document.body.classList.toggle('reading', open);
+        setLayer(close, open);
         changed(open);
+    }
+
+    function close() {
+        set(false);
+        toggle.focus();
     }
 
     toggle.addEventListener('click', () => {
         set(!open);
         if (open) html('reader-text').focus({ preventScroll: true });
     });
-    button('close-reader').addEventListener('click', () => {
-        set(false);
-        toggle.focus();
-    });
-    frame.addEventListener('keydown', (event) => {
-        if (event.key === 'Escape') button('close-reader').click();
-    });
+    button('close-reader').addEventListener('click', close);
 
     return {
         get open() {

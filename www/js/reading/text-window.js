@@ -131,6 +131,12 @@ export function createTextWindow(area, { read, open, generation, marks, arrived,
         goToPart,
         measure,
 
+        /** The loaded symbol at a place in the window. @param {number} clientX @param {number} clientY @returns {bigint | null} */
+        symbolUnder(clientX, clientY) {
+            const index = rows.symbolAt(clientX, clientY);
+            return index !== null && pages.symbolAt(index) !== undefined ? index : null;
+        },
+
         /** The distance that a key scrolls, in CSS pixels. @param {KeyboardEvent} event @returns {number | undefined} */
         scrollOf({ key, shiftKey }) {
             const sheet = rows.height - rows.rowHeight;

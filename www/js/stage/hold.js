@@ -16,13 +16,13 @@ const FAR = 40;
  * @param {object} stage
  * @param {(at: Offset, reach: number) => Promise<import('../protocol.js').Picked>} stage.pick
  * @param {(place: number[]) => Offset} stage.seen projects a place of the drawing
- * @param {(from: number[], to: number[], t: number) => number[]} stage.along a place on a segment
+ * @param {(from: number[], to: number[], t: number) => number[]} stage.pointBetween a place on a segment
  */
-export function createHold({ pick, seen, along }) {
+export function createHold({ pick, seen, pointBetween }) {
     /** The held place. @type {number[] | null} */
     let held = null;
 
-    const ask = latest(pick, ({ stroke }, at) => (held = stroke && nearest(stroke, at, { seen, along })));
+    const ask = latest(pick, ({ stroke }, at) => (held = stroke && nearest(stroke, at, { seen, pointBetween })));
 
     return {
         /** The place to hold while zooming at `at`; null while there is no line near. @param {Offset} at */
@@ -41,14 +41,14 @@ export function createHold({ pick, seen, along }) {
  * The place on a segment that is seen nearest to `at`.
  * @param {{fittedFrom: number[], fittedTo: number[]}} stroke
  * @param {Offset} at
- * @param {{seen: (place: number[]) => Offset, along: (from: number[], to: number[], t: number) => number[]}} stage
+ * @param {{seen: (place: number[]) => Offset, pointBetween: (from: number[], to: number[], t: number) => number[]}} stage
  */
-export function nearest({ fittedFrom, fittedTo }, at, { seen, along }) {
+function nearest({ fittedFrom, fittedTo }, at, { seen, pointBetween }) {
     const [[x, y], [toX, toY]] = [seen(fittedFrom), seen(fittedTo)];
     const [dx, dy] = [toX - x, toY - y];
     const length = dx * dx + dy * dy;
     const t = length > 0 ? ((at[0] - x) * dx + (at[1] - y) * dy) / length : 0;
-    return along(fittedFrom, fittedTo, Math.max(0, Math.min(1, t)));
+    return pointBetween(fittedFrom, fittedTo, Math.max(0, Math.min(1, t)));
 }
 
 /** @param {Offset} a @param {Offset} b */

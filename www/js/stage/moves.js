@@ -11,6 +11,8 @@ import { FITTED, along, between, centredOn, pan, seen, zoomAt } from '../view.js
 /** @typedef {import('../state.js').Camera} Camera */
 
 const GLIDE_MS = 260;
+/** A line that is looked for fills at most this part of the stage's smaller side. */
+const LARGEST = 0.6;
 
 /**
  * @param {import('../store.js').Store} store
@@ -60,6 +62,16 @@ export function createMoves(store, picture, space) {
         glide = requestAnimationFrame(tick);
     }
 
+    /** A place on a segment, at `t` from 0 to 1. @param {number[]} from @param {number[]} to @param {number} t */
+    function pointBetween(from, to, t) {
+        return space() ? from.map((value, axis) => value + ((to[axis] ?? 0) - value) * t) : along(from, to, t);
+    }
+
+    /** The distance of two places, in fitted extents. @param {number[]} a @param {number[]} b */
+    function extentOf([x1 = 0, y1 = 0, z1 = 0, w1 = 0], [x2 = 0, y2 = 0, z2 = 0, w2 = 0]) {
+        return space() ? Math.hypot(x2 - x1, y2 - y1, z2 - z1) : Math.hypot(x2 - x1 + (z2 - z1), y2 - y1 + (w2 - w1));
+    }
+
     return {
         view,
         camera,
@@ -85,18 +97,23 @@ export function createMoves(store, picture, space) {
             else look(zoomAt(view(), factor, ...seen(view(), place, picture.scale), picture.scale));
         },
 
-        /** Moves a place of the drawing to the middle, smoothly. @param {number[]} place */
-        goTo(place) {
-            const [x = 0, y = 0, z = 0] = place;
-            if (space()) glideToCamera({ ...camera(), x, y, z });
-            else glideTo(centredOn(view(), place));
+        /** Shows a line or a polygon in the middle, smoothly, and farther away if it is larger than the stage. @param {number[][]} corners @param {{width: number, height: number}} size of the stage */
+        goTo(corners, size) {
+            const [first] = corners;
+            if (!first) return;
+            const farthest = corners.reduce((most, corner) => (extentOf(first, corner) > extentOf(first, most) ? corner : most), first);
+            const pixels = extentOf(first, farthest) * picture.scale * (space() ? camera() : view()).zoom;
+            const smaller = Math.min(1, (LARGEST * Math.min(size.width, size.height)) / pixels);
+            const middle = pointBetween(first, farthest, 0.5);
+            const [x = 0, y = 0, z = 0] = middle;
+            if (space()) glideToCamera({ ...camera(), x, y, z, zoom: camera().zoom * smaller });
+            else glideTo(centredOn({ ...view(), zoom: view().zoom * smaller }, middle));
         },
 
         /** Where a place of the drawing is seen, in CSS pixels from the middle. @param {number[]} place */
         seen: (place) => (space() ? seenInSpace(camera(), place, picture.scale) : seen(view(), place, picture.scale)),
 
-        /** A place on a segment, at `t` from 0 to 1. @param {number[]} from @param {number[]} to @param {number} t */
-        along: (from, to, t) => (space() ? from.map((value, axis) => value + ((to[axis] ?? 0) - value) * t) : along(from, to, t)),
+        pointBetween,
 
         /** @param {number} dx in CSS pixels @param {number} dy @param {boolean} aside moves the camera instead of turning it */
         drag(dx, dy, aside) {

@@ -1,6 +1,6 @@
-/** The note on a view that shows no part of the drawing, with ways back. */
+/** The note on a view that shows only the background or only one broad line, with ways back. */
 
-import { button, html } from '../dom.js';
+import { button, html, setText } from '../dom.js';
 
 /** The first search reaches this far, in CSS pixels, and each further one this many times as far. */
 const FIRST = 500;
@@ -31,12 +31,13 @@ export function createNothingHere({ pick, goTo, fit }) {
     button('nothing-here-fit').addEventListener('click', fit);
 
     return {
-        /** @param {boolean} empty whether nothing of the drawing is in view */
-        show(empty) {
-            if (note.hidden === !empty) return;
+        /** @param {'background' | 'ink' | null} only the one thing in view, if any */
+        show(only) {
             // The focus must not be lost with the button.
-            if (!empty && note.contains(document.activeElement)) html('drawing').focus({ preventScroll: true });
-            note.hidden = !empty;
+            if (!only && note.contains(document.activeElement)) html('drawing').focus({ preventScroll: true });
+            note.hidden = only === null;
+            setText(html('nothing-here-words'), only === 'ink' ? 'You are inside one line.' : 'Nothing here.');
+            setText(button('nothing-here-back'), only === 'ink' ? 'Show this line' : 'Go to the nearest line');
         },
     };
 }
