@@ -308,6 +308,7 @@ test('a drawing out of view waits, and stops playing when scrolled away', () =>
         await drawn(page, 1);
         assert.equal(page.workers().length, 2);
         await far.click('#open-playback');
+        await far.click('#play');
         await until(async () => (await far.getAttribute('#play', 'aria-label')) === 'Pause', 'it plays');
         await page.evaluate(() => scrollTo(0, 0));
         await until(async () => (await far.getAttribute('#play', 'aria-label')) === 'Play', 'it pauses');

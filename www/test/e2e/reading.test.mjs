@@ -276,7 +276,7 @@ test('symbols and segments of random systems are traced', () =>
         await page.click('#open-reader');
         await until(async () => /^F[F+\-[\]]+$/.test(await symbols(page)), 'the string');
         await goTo(page, '1');
-        await until(async () => /^FF at step 4, by rule [12], first symbolSegment 1, marked/.test(await text(page, '#reader-path')), 'where it comes from');
+        await until(async () => /^FF at step 4, by rule [12], first symbolDraws one step.*Segment 1, marked/.test(await text(page, '#reader-path')), 'where it comes from');
         assert.equal(await page.locator('.links li').count(), 5);
         await page.click('.links li:last-child button');
         await until(async () => (await symbols(page)) === 'F', 'the axiom');
@@ -306,7 +306,7 @@ test('modules with parameters are shown with their numbers, and traced', () =>
         const width = await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.ruler')).getBoundingClientRect().width / 50);
         // In the middle of `F(0.7)`, the fourth module.
         await page.mouse.click(place.x + width * 9, place.y + 8);
-        await until(async () => /^F\(0\.7\)step 2, by rule 1, first symbolSegment 2, marked/.test(await text(page, '#reader-path')), 'its origin');
+        await until(async () => /^F\(0\.7\)step 2, by rule 1, first symbolDraws l.*Segment 2, marked/.test(await text(page, '#reader-path')), 'its origin');
         assert.match(await text(page, '#reader-path'), /A\(0\.7\)step 1, by rule 1, fourth symbolA\(1\)first symbol of the axiom/);
         await page.keyboard.press('ArrowLeft');
         await until(async () => /^\+\+ at step 1/.test(await text(page, '#reader-path')), 'its neighbour');
@@ -335,6 +335,7 @@ test('playback goes from nothing to the whole picture, and shows the turtle’s 
         await page.click('#close-playback');
         const whole = await stillPicture(page);
         await page.click('#open-playback');
+        await page.click('#play');
         await until(async () => (await page.getAttribute('#play', 'aria-label')) === 'Pause', 'it plays');
         await page.click('#play');
         assert.equal(await page.getAttribute('#play', 'aria-label'), 'Play');
@@ -416,6 +417,7 @@ test('on a phone the string, a tapped segment and playback are within reach', ()
         await page.tap('#close-reader');
         assert.ok(await page.isVisible('#panel'));
         await page.tap('#open-playback');
+        await page.tap('#play');
         await until(async () => (await page.getAttribute('#play', 'aria-label')) === 'Pause', 'it plays');
         for (const id of ['play', 'play-slider', 'play-place', 'play-speed', 'play-ten', 'close-playback']) {
             const box = await page.locator(`#${id}`).boundingBox();

@@ -80,11 +80,10 @@ test('growth ends with the former drawing', () =>
     withPage({ hash: PLANT }, async (page) => {
         const before = await stillPicture(page);
         await page.click('#open-playback');
-        await page.click('#play');
         await page.click('#grow');
         await until(async () => (await picture(page)).digest !== before.digest, 'it begins to grow');
         assert.equal(await page.getAttribute('#grow', 'aria-pressed'), 'true');
-        assert.match((await page.textContent('#play-pose')) ?? '', /^Growing: generation \d+ of 5\.$/);
+        assert.match((await page.textContent('#play-total')) ?? '', /^generation \d\.\d of 5$/);
         await page.click('#grow');
         await page.click('#close-playback');
         await until(async () => (await stillPicture(page)).digest === before.digest, 'the whole plant is back');
