@@ -30,6 +30,7 @@ export function createRefusal(store, tabs) {
         hide();
         act();
     });
+    button('refusal-close').addEventListener('click', hide);
     button('refusal-show').addEventListener('click', () => {
         if (!mistake) return;
         const [tab, id] = PLACES[mistake.field];

@@ -13,6 +13,8 @@ import { createNothingHere } from './stage/nothing-here.js';
 import { createPicture } from './stage/picture.js';
 import { watchSize } from './stage/size.js';
 
+/** Zooming in with buttons and keys holds a line within this part of the stage's smaller side from the middle. */
+const HELD = 0.45;
 /** The busy sign appears after this time, in milliseconds. */
 const SLOW_MS = 300;
 
@@ -54,9 +56,11 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
     });
 
     button('fit').addEventListener('click', moves.fit);
-    button('zoom-in').addEventListener('click', () => moves.zoom(ZOOM_STEP));
-    button('zoom-out').addEventListener('click', () => moves.zoom(1 / ZOOM_STEP));
-    listenToKeys(canvas, store, moves, { space: () => space, side: () => Math.min(size.width, size.height), changes: keys });
+    /** Zooms in the middle, and keeps a line in view. @param {number} factor */
+    const zoom = async (factor) => moves.zoom(factor, factor > 1 ? await hold.inMiddle(HELD * Math.min(size.width, size.height)) : null);
+    button('zoom-in').addEventListener('click', () => zoom(ZOOM_STEP));
+    button('zoom-out').addEventListener('click', () => zoom(1 / ZOOM_STEP));
+    listenToKeys(canvas, store, { ...moves, zoom }, { space: () => space, side: () => Math.min(size.width, size.height), changes: keys });
     listenToGestures(canvas, {
         takes,
         drag: moves.drag,

@@ -32,6 +32,19 @@ export function createHold({ pick, seen, pointBetween }) {
             return held;
         },
 
+        /** The place to hold while zooming in the middle; null if no line is within `reach` CSS pixels. @param {number} reach @returns {Promise<number[] | null>} */
+        async inMiddle(reach) {
+            if (held && apart(seen(held), [0, 0]) < reach) return held;
+            try {
+                const { stroke } = await pick([0, 0], reach);
+                held = stroke && nearest(stroke, [0, 0], { seen, pointBetween });
+            } catch {
+                // The worker was replaced; the middle is zoomed.
+                held = null;
+            }
+            return held;
+        },
+
         /** The drawing has changed. */
         forget: () => (held = null),
     };

@@ -13,7 +13,7 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowD
 /**
  * @param {HTMLElement} canvas
  * @param {import('../store.js').Store} store
- * @param {ReturnType<typeof import('./moves.js').createMoves>} moves
+ * @param {Pick<ReturnType<typeof import('./moves.js').createMoves>, 'drag' | 'fit'> & {zoom: (factor: number) => unknown}} moves
  * @param {{space: () => boolean, side: () => number, changes: () => readonly ('angle' | 'iterations')[]}} stage `side` is the
  *   length of the shorter side, in CSS pixels; `changes` tells which fields the arrows change
  */

@@ -11,6 +11,8 @@ import { FITTED, along, between, centredOn, pan, seen, zoomAt } from '../view.js
 /** @typedef {import('../state.js').Camera} Camera */
 
 const GLIDE_MS = 260;
+/** @type {[number, number]} */
+const MIDDLE = [0, 0];
 /** A line that is looked for fills at most this part of the stage's smaller side. */
 const LARGEST = 0.6;
 
@@ -82,8 +84,11 @@ export function createMoves(store, picture, space) {
 
         fit: () => (space() ? glideToCamera(whole(camera())) : glideTo(null)),
 
-        /** Zooms smoothly about the middle. @param {number} factor */
-        zoom: (factor) => (space() ? glideToCamera(zoomed(camera(), factor, 0, 0, picture.scale)) : glideTo(zoomAt(view(), factor, 0, 0, picture.scale))),
+        /** Zooms smoothly about a place of the drawing, or about the middle. @param {number} factor @param {number[] | null} place */
+        zoom(factor, place) {
+            if (space()) glideToCamera(place ? zoomedOn(camera(), factor, place, picture.scale) : zoomed(camera(), factor, 0, 0, picture.scale));
+            else glideTo(zoomAt(view(), factor, ...(place ? seen(view(), place, picture.scale) : MIDDLE), picture.scale));
+        },
 
         /** @param {number} factor @param {number} x of the fixed point, in CSS pixels from the middle @param {number} y */
         zoomAt(factor, x, y) {

@@ -86,6 +86,29 @@ const STATES = {
         await page.click('#qr-frame');
         await page.waitForSelector('#qr-large:visible');
     },
+    'a symbol traced': async (page) => {
+        await tab('rules')(page);
+        await page.focus('#axiom');
+        await page.keyboard.press('Home');
+        await page.keyboard.press('ArrowRight');
+        await until(async () => /marked in the drawing/.test((await page.textContent('#symbol-note')) ?? ''), 'the part is marked');
+    },
+    'refused on the drawing': async (page) => {
+        await tab('rules')(page);
+        await page.fill('#rules', 'A = F[+A]');
+        await page.waitForSelector('#refusal:visible');
+    },
+    'nothing in view': async (page) => {
+        await page.focus('#drawing');
+        for (let press = 0; press < 12; press++) await page.keyboard.press('Shift+ArrowLeft');
+        await page.waitForSelector('#nothing-here:visible');
+    },
+    growth: async (page) => {
+        await page.click('#open-playback');
+        await page.click('#grow');
+        await until(async () => /generation/.test((await page.textContent('#play-total')) ?? ''), 'growth is shown');
+        await page.click('#play');
+    },
     favourites: async (page) => {
         await tab('save')(page);
         await page.click('#open-favourites');
@@ -113,6 +136,7 @@ const STATES = {
 /** Closes everything and shows the tree again. @param {Page} page */
 async function leave(page) {
     while (await page.isVisible('dialog[open]')) await page.keyboard.press('Escape');
+    if (await page.isVisible('#nothing-here')) await page.click('#nothing-here-fit');
     for (const close of ['#close-reader', '#close-playback']) if (await page.isVisible(close)) await page.click(close);
     if (await page.inputValue('#rules') === RULES && await page.inputValue('#axiom') === 'A(1)') return;
     await until(async () => {
@@ -133,6 +157,7 @@ for (const [name, options, states] of /** @type {[string, import('playwright-cor
     ['more contrast', { ...DESKTOP, contrast: 'more' }, SOME],
     ['more contrast, dark', { ...DESKTOP, contrast: 'more', colorScheme: 'dark' }, SOME],
     ['zoomed to 200 %', { viewport: { width: 640, height: 400 } }, SOME],
+    ['zoomed to 400 %', { viewport: { width: 320, height: 256 } }, [...SOME, 'refused on the drawing', 'growth']],
 ])) {
     test(`axe-core finds no violation: ${name}`, async () => {
         const entered = Object.entries(STATES).filter(([state]) => !states || states.includes(state));
@@ -165,6 +190,21 @@ test('axe-core finds no violation: embedded, and in the course page', async () =
         assert.deepEqual(await barriers(page), [], 'a course page');
     });
 });
+
+for (const viewport of [{ width: 640, height: 400 }, { width: 320, height: 256 }]) {
+    test(`controls on the drawing do not overlap: ${viewport.width} pixels wide`, () =>
+        withPage({ hash: TREE, options: { viewport } }, async (page) => {
+            await page.fill('#rules', 'A = F');
+            await page.waitForSelector('#refusal:visible');
+            const overlapping = await page.evaluate(() => {
+                const boxes = [...document.querySelectorAll('.tools:not([hidden])')].map((bar) => bar.getBoundingClientRect()).filter(({ width }) => width > 0);
+                return boxes.some((a, at) => boxes.slice(at + 1).some((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom));
+            });
+            assert.ok(!overlapping);
+            const [note, stage] = [await page.locator('#refusal').boundingBox(), await page.locator('#stage').boundingBox()];
+            assert.ok(note && stage && note.y + note.height <= stage.y + stage.height + 1, 'the refusal is readable');
+        }));
+}
 
 test('the dialog of keys opens with ? and its button, and closes with Escape', () =>
     withPage({ hash: TREE }, async (page) => {
@@ -219,7 +259,7 @@ test('keys on the drawing do what the dialog of keys says', () =>
         await page.keyboard.press('0');
         await until(() => page.evaluate(() => !location.hash.includes('view=')), 'it fits again');
         await page.keyboard.press('+');
-        assert.match((await page.textContent('#zoom')) ?? '', /^150/);
+        await until(async () => /^150/.test((await page.textContent('#zoom')) ?? ''), 'it is zoomed');
         await page.keyboard.press('Space');
         await page.waitForSelector('#playback:visible');
     }));
@@ -335,7 +375,7 @@ test('with reduced motion nothing is animated', () =>
     withPage({ hash: TREE, options: { ...DESKTOP, reducedMotion: 'reduce' } }, async (page) => {
         const before = await stillPicture(page);
         await page.click('#zoom-in');
-        assert.match((await page.textContent('#zoom')) ?? '', /^150/);
+        await until(async () => /^150/.test((await page.textContent('#zoom')) ?? ''), 'it is zoomed');
         assert.notEqual((await nextPicture(page, before)).digest, before.digest);
         const moving = await page.evaluate(() => document.getAnimations().filter((animation) => animation.playState === 'running').length);
         assert.equal(moving, 0);

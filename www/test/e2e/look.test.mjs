@@ -127,6 +127,14 @@ test('zooming in holds on to the line near the pointer', () =>
         assert.ok(!(await page.isVisible('#nothing-here')));
     }));
 
+test('the zoom button keeps a line in view', () =>
+    withPage({ hash: KOCH.replace('n=30', 'n=4') }, async (page) => {
+        for (let press = 0; press < 30; press++) await page.click('#zoom-in');
+        await until(async () => /10/.test(await text(page, '#zoom')), 'it is zoomed in');
+        await stillPicture(page);
+        assert.ok(await hasLines(page));
+    }));
+
 test('a view without lines leads back to the nearest one', () =>
     withPage({ hash: KOCH }, async (page) => {
         const box = await page.locator('#stage').boundingBox();
