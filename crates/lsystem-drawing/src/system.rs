@@ -222,6 +222,8 @@ fn warnings(reading: &Reading, rules: &Rules, actions: &Actions<'_>) -> Vec<Diag
     let mut closed: Vec<(usize, usize)> = Vec::new();
     let arrow_is_idle = is_idle('>', reading, actions);
     for (number, (word, spans)) in words.iter().enumerate() {
+        let idle = |symbol: char| is_idle(symbol, reading, actions);
+        note_foreign(word, spans, idle, if number == 0 { &mut axiom_notes } else { &mut notes });
         let outside = opened.len();
         for (at, module) in word.iter().enumerate() {
             for action in actions.of(module.symbol) {
@@ -263,6 +265,37 @@ fn warnings(reading: &Reading, rules: &Rules, actions: &Actions<'_>) -> Vec<Diag
     let mut all = axiom_notes.finish();
     all.extend(notes.finish());
     all
+}
+
+/// Notes symbols that mean something else in other notations: digits behind a turn or another mark, and `@` with another
+/// character.
+fn note_foreign(word: &[Module], spans: &[Range<usize>], idle: impl Fn(char) -> bool, notes: &mut Notes) {
+    let mut at = 0;
+    while let Some(module) = word.get(at) {
+        let first = at + 1;
+        at = first;
+        let marks = matches!(module.symbol, '+' | '-' | '\\' | '/' | '&' | '^' | '|' | '@' | '~' | '?' | '<' | '>');
+        let plain = |i: usize| {
+            spans[i].start == spans[i - 1].end && spans[i].len() == word[i].symbol.len_utf8() && idle(word[i].symbol)
+        };
+        if !marks || !module.arguments.is_empty() {
+            continue;
+        }
+        let digit = |i: usize| plain(i) && matches!(word[i].symbol, '0'..='9' | '.');
+        let digits: String = (first..word.len()).take_while(|&i| digit(i)).map(|i| word[i].symbol).collect();
+        if digits.parse::<f64>().is_ok() {
+            at += digits.len();
+            let kind = Kind::DigitsBehind { symbol: module.symbol, digits };
+            notes.add(kind, spans[first].start..spans[at - 1].end);
+        } else if module.symbol == '@'
+            && idle('@')
+            && let Some(second) = word.get(first)
+            && spans[first].start == spans[first - 1].end
+            && second.symbol.is_ascii_alphanumeric()
+        {
+            notes.add(Kind::TwoCharacters { second: second.symbol }, spans[first - 1].start..spans[first].end);
+        }
+    }
 }
 
 /// Productions and images, with their places in the text.

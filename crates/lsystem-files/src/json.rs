@@ -28,7 +28,7 @@ use lsystem_syntax::notes::{Notes, excerpt, similar};
 use lsystem_syntax::sorted::repeated;
 use lsystem_syntax::{
     Definition, Diagnostic, Dialect, Expected, FIELDS, Field, Grammar, JsonError, Kind, Module, Production, Style,
-    plain_word, print_axiom, print_rules,
+    print_axiom, print_rules,
 };
 
 /// The keys of an outcome.
@@ -174,9 +174,8 @@ impl JsonFile {
             }
         }
         if let Some(initial) = last(object, "initial") {
-            self.check_spaces(&definition.axiom, initial);
+            grammar.axiom = self.plain_word(&definition.axiom, initial);
         }
-        grammar.axiom = plain_word(&definition.axiom);
         definition.axiom = self.text("axiom", print_axiom(&grammar), object);
         definition.rules = self.text("rules", print_rules(&grammar), object);
     }
@@ -190,8 +189,7 @@ impl JsonFile {
             let Some(symbol) = self.symbol(property).filter(|_| !replaced) else { continue };
             match &property.value {
                 Value::StringLit(successor) => {
-                    self.check_spaces(&successor.value, &property.value);
-                    let successor = plain_word(&successor.value);
+                    let successor = self.plain_word(&successor.value, &property.value);
                     grammar.productions.push(Production::new(symbol, successor));
                 }
                 Value::Array(outcomes) => {
@@ -235,13 +233,13 @@ impl JsonFile {
         let (p, successor) = (read("p", WEIGHT), read("e", Expected::String));
         let mut p = if let Some(Held::Number(p)) = p { p } else { f64::NAN };
         let successor = if let Some(Held::Text(text)) = successor { text } else { String::new() };
-        self.check_spaces(&successor, last(outcome, "e")?);
+        let successor = self.plain_word(&successor, last(outcome, "e")?);
         // Weights this small count as 0.
         if p < 1e-100 {
             p = 0.0;
             self.notes.add(Kind::ProbabilityZero, self.span(last(outcome, "p")?));
         }
-        (p >= 0.0).then(|| (p, plain_word(&successor)))
+        (p >= 0.0).then_some((p, successor))
     }
 
     fn overrides(&mut self, turtle: &Object<'_>, definition: &mut Definition) {

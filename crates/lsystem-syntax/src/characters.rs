@@ -13,7 +13,7 @@ pub(crate) fn is_invisible(ch: char) -> bool {
 
 /// The plain character for a typographic look-alike, as word processors and papers use; `None` for all other
 /// characters.
-pub(crate) fn look_alike(ch: char) -> Option<char> {
+pub fn look_alike(ch: char) -> Option<char> {
     Some(match ch {
         '\u{2010}'..='\u{2015}' | '\u{2212}' | '\u{2796}' | '\u{2d7}' | '\u{fe58}' | '\u{fe63}' => '-',
         '\u{2795}' | '\u{fe62}' => '+',

@@ -160,6 +160,32 @@ pub enum Kind {
     ConditionBehind,
     /// A comment after the successor. It is read as symbols.
     CommentBehind,
+    /// A comment that begins with `/*` and is never closed.
+    CommentUnclosed,
+    /// Quotes around an axiom or a successor. They are read as symbols.
+    Quotes {
+        /// The text between the quotes.
+        inside: String,
+    },
+    /// A comma behind an axiom or a successor. It is read as a symbol.
+    CommaBehind,
+    /// Digits behind a turn or another mark. They are read as symbols.
+    DigitsBehind {
+        /// The symbol before the digits.
+        symbol: char,
+        /// The digits, with a point, if any.
+        digits: String,
+    },
+    /// `@` and a character, which are one symbol elsewhere. They are read as two.
+    TwoCharacters {
+        /// The character behind `@`.
+        second: char,
+    },
+    /// Parentheses that probably mean a branch.
+    ParenthesesForBranch {
+        /// The text in parentheses.
+        inside: String,
+    },
     /// A number at one end of a successor that is probably a weight, but is read as symbols.
     WeightOfSymbols,
     /// A bracket in a left context.
@@ -621,6 +647,11 @@ impl Diagnostic {
             | Kind::ContextForCondition
             | Kind::ConditionBehind
             | Kind::CommentBehind
+            | Kind::CommentUnclosed
+            | Kind::Quotes { .. }
+            | Kind::CommaBehind
+            | Kind::DigitsBehind { .. }
+            | Kind::TwoCharacters { .. }
             | Kind::WeightOfSymbols
             | Kind::ConditionConstant { .. }
             | Kind::UnknownKey { .. }

@@ -52,6 +52,7 @@ pub mod notes;
 mod place;
 
 pub use action::Action;
+pub use characters::look_alike;
 pub use class::Class;
 pub use classify::classify;
 pub use code::{Code, Meaning, Op, Unusable};
@@ -68,8 +69,8 @@ pub use limits::{
 };
 pub use meter::Meter;
 pub use notation::constants::ConstantPlace;
+pub use notation::parse;
 pub use notation::site::{Site, site};
-pub use notation::{parse, plain_word};
 pub use overrides::{parse_overrides, print_overrides};
 pub use place::{byte_offset, render_diagnostic, utf16_letters, utf16_span, visible};
 pub use print::{print_axiom, print_module, print_rules};

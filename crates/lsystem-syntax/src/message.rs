@@ -17,6 +17,9 @@ impl Diagnostic {
     }
 }
 
+/// The hint for marks without a meaning.
+const CUSTOM: &str = "A custom symbol of one character can mean this, as in `K: turn left 90, draw 5`.";
+
 /// The message and the hint of a diagnostic.
 fn words(kind: &Kind) -> (String, Option<String>) {
     let said = |text: String| (text, None);
@@ -94,8 +97,13 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             format!("For a production write `{left} -> {right}`."),
         ),
         Kind::OtherField { word } => hinted(
-            format!("`{word}:` does not belong among the productions"),
-            "The axiom, the angle and the other numbers have their own fields.".into(),
+            format!("`{word}` does not belong among the productions"),
+            match word.as_str() {
+                "endlsystem" | "lsystem" | "seed" => "Leave this line out.".into(),
+                "axiom" | "initial" | "start" | "omega" | "ω" => "The axiom has a field of its own.".into(),
+                "angle" | "delta" | "δ" => "The angle has a field of its own.".into(),
+                _ => "The axiom, the angle and the number of iterations have fields of their own.".into(),
+            },
         ),
         Kind::NoPredecessor => hinted(
             "There is no symbol before the arrow".into(),
@@ -145,7 +153,30 @@ fn words(kind: &Kind) -> (String, Option<String>) {
         ),
         Kind::CommentBehind => hinted(
             "This comment is read as symbols".into(),
-            "A comment needs a line of its own.".into(),
+            "A comment needs a line of its own, or stands between `/*` and `*/`.".into(),
+        ),
+        Kind::CommentUnclosed => hinted("This comment is never closed".into(), "Add `*/`.".into()),
+        Kind::Quotes { inside } => hinted(
+            "These quotes are read as symbols".into(),
+            format!("Strings need no quotes: write `{inside}`."),
+        ),
+        Kind::CommaBehind => {
+            hinted("This comma is read as a symbol".into(), "Lines need no comma at the end.".into())
+        }
+        Kind::DigitsBehind { symbol, digits } => hinted(
+            format!("The digits after {} are read as symbols", named(*symbol)),
+            match symbol {
+                '@' | '~' | '?' => CUSTOM.into(),
+                _ => format!("A number stands in parentheses, as in `{symbol}({digits})`."),
+            },
+        ),
+        Kind::TwoCharacters { second } => hinted(
+            format!("`@{second}` is read as two symbols"),
+            CUSTOM.into(),
+        ),
+        Kind::ParenthesesForBranch { inside } => hinted(
+            "Parentheses hold numbers, not symbols".into(),
+            format!("A branch stands in brackets: write `[{inside}]`."),
         ),
         Kind::WeightOfSymbols => hinted(
             "This number is read as symbols".into(),
@@ -220,6 +251,9 @@ fn words(kind: &Kind) -> (String, Option<String>) {
                 }
                 letter if *role == Role::Condition && letter.is_alphabetic() => {
                     "Conditions are joined by `and`, `or` and `not` in small letters, or by `&&`, `||` and `!`.".into()
+                }
+                ',' if *role == Role::Weight => {
+                    "Each outcome has a line of its own, as in `F -> FF : 0.33`; write decimals with a point.".into()
                 }
                 ',' => "Write decimals with a point, as in 0.33.".into(),
                 '#' => "A comment needs a line of its own.".into(),
@@ -330,7 +364,9 @@ fn words(kind: &Kind) -> (String, Option<String>) {
         }
         Kind::ConstantUnused { name, value } => hinted(
             format!("Nothing uses the constant `{name}`"),
-            if name.chars().nth(1).is_none() {
+            if matches!(name.as_str(), "angle" | "delta" | "δ" | "n" | "iterations" | "depth" | "generations" | "order") {
+                "The angle and the number of iterations have fields of their own.".into()
+            } else if name.chars().nth(1).is_none() {
                 format!("If a production is meant, write `{name} -> {value}`.")
             } else {
                 "Use it in a production, or remove it.".into()

@@ -37,7 +37,8 @@ pub fn print_rules(grammar: &Grammar) -> String {
 fn symbols(heading: &str, list: &[char]) -> String {
     let mut line = heading.to_owned();
     for &ch in list {
-        symbol(ch, false, &mut line);
+        let comment = ch == '*' && line.ends_with('/');
+        symbol(ch, comment, &mut line);
     }
     line
 }
@@ -87,7 +88,7 @@ fn patterns(patterns: &[Pattern], out: &mut String) {
     for one in patterns {
         let empty = patterns.len() == 1 && one.parameters.is_empty() && matches!(one.symbol, '*' | 'ε');
         // A line that begins with two slashes would be a comment.
-        let comment = out.is_empty() && one.symbol == '/';
+        let comment = out.is_empty() && one.symbol == '/' || one.symbol == '*' && out.ends_with('/');
         pattern(one, empty || comment, out);
     }
 }
@@ -111,7 +112,9 @@ fn word(modules: &[Module], out: &mut String) {
                 '>' => at == 1 || at == 2,
                 _ => false,
             };
-        symbol(module.symbol, alone, out);
+        // A slash and a star would begin a comment.
+        let comment = module.symbol == '*' && out.ends_with('/');
+        symbol(module.symbol, alone || comment, out);
         for (at, argument) in module.arguments.iter().enumerate() {
             out.push(if at == 0 { '(' } else { ',' });
             expression(argument, 0, out);

@@ -3,7 +3,7 @@
 use super::*;
 use lsystem_syntax::MAX_PALETTE;
 use lsystem_syntax::Value as Held;
-use lsystem_syntax::decimal;
+use lsystem_syntax::{decimal, look_alike};
 
 impl JsonFile {
     /// Notes unknown keys (unless `known` is empty) and repeated keys.
@@ -97,10 +97,20 @@ impl JsonFile {
         if let Held::Text(text) = text { text } else { String::new() }
     }
 
-    pub(super) fn check_spaces(&mut self, text: &str, value: &Value<'_>) {
+    /// A word of plain characters. Look-alikes are replaced and noted, white space is noted.
+    pub(super) fn plain_word(&mut self, text: &str, value: &Value<'_>) -> Vec<Module> {
+        let span = self.span(value);
         if text.contains(char::is_whitespace) {
-            self.notes.add(Kind::SpaceSymbol, self.span(value));
+            self.notes.add(Kind::SpaceSymbol, span.clone());
         }
+        let plain = text.chars().map(|found| match look_alike(found) {
+            Some(meant) => {
+                self.notes.look_alike(found, meant, span.clone());
+                meant
+            }
+            None => found,
+        });
+        plain.map(Module::from).collect()
     }
 
     pub(super) fn wrong_type(&mut self, key: &str, expected: Expected, value: &Value<'_>) {

@@ -52,7 +52,14 @@ impl RulesReader<'_> {
             let tokens = tokens(self.text, from..line.end, self.notes);
             return self.define(&tokens, line.end);
         }
+        if let Some(note) = foreign_comment(text) {
+            let suggestion = Some(format!("// {note}"));
+            return self.notes.add(Kind::NoArrow { suggestion }, line.end - text.len()..line.end);
+        }
         let tokens = tokens(self.text, line.clone(), self.notes);
+        if self.foreign_heading(&tokens) {
+            return;
+        }
         if let Some((word, after)) = heading(&tokens)
             && self.heading(&word, &tokens, after, line.end)
         {
@@ -75,6 +82,34 @@ impl RulesReader<'_> {
         }
     }
 
+    /// Reads a heading of another program, with or without a colon. Returns whether the line was one.
+    fn foreign_heading(&mut self, tokens: &[Token]) -> bool {
+        let colon = tokens.iter().take(24).position(|t| t.is(':'));
+        let (words, rest) = tokens.split_at(colon.unwrap_or(tokens.len()).min(24));
+        if arrow::find(rest).is_some() || words.iter().any(|t| t.literal || !t.ch.is_alphabetic()) && colon.is_some() {
+            return false;
+        }
+        let place = span_of(words, 0);
+        let parts: Vec<String> =
+            words.chunk_by(|_, next| next.joined).map(|word| text_of(word).to_lowercase()).collect();
+        let parts: Vec<&str> = parts.iter().map(String::as_str).collect();
+        match parts[..] {
+            ["homomorphism" | "interpretation"] if rest.len() <= 1 => self.drawing = true,
+            ["production" | "productions" | "rules"] if rest.len() <= 1 => self.drawing = false,
+            ["derivation", "length"] | ["lsystem" | "seed"] if colon.is_some() => {
+                self.notes.add(Kind::OtherField { word: parts.join(" ") }, place);
+                return true;
+            }
+            ["endlsystem"] | ["axiom" | "angle" | "delta" | "start" | "initial" | "iterations", _] => {
+                self.notes.add(Kind::OtherField { word: parts[0].to_owned() }, place);
+                return true;
+            }
+            _ => return false,
+        }
+        self.notes.class(Class::Heading, span_of(tokens, 0));
+        true
+    }
+
     /// Reads a line that starts with `word:`. Returns whether the word was a heading or a label.
     fn heading(&mut self, word: &str, tokens: &[Token], after: usize, end: usize) -> bool {
         let place = span_of(&tokens[..after], 0);
@@ -93,7 +128,7 @@ impl RulesReader<'_> {
                 self.notes.class(Class::Comment, place);
                 self.statement(&tokens[after..], end);
             }
-            "axiom" | "initial" | "start" | "omega" | "ω" | "angle" | "delta" | "iterations" | "generations"
+            "axiom" | "initial" | "start" | "omega" | "ω" | "angle" | "delta" | "δ" | "iterations" | "generations"
             | "depth" | "step" | "seed"
                 if arrow::find(&tokens[after..]).is_none() =>
             {
@@ -135,6 +170,10 @@ impl RulesReader<'_> {
     /// Reads `name = value`.
     fn constant(&mut self, tokens: &[Token], equals: usize, end: usize) {
         let (name, value) = (&tokens[..equals], &tokens[equals + 1..]);
+        let word: String = name.iter().map(|t| t.ch.to_ascii_lowercase()).collect();
+        if matches!(word.as_str(), "axiom" | "initial" | "omega" | "ω") {
+            return self.notes.add(Kind::OtherField { word }, span_of(name, end));
+        }
         let call = value.iter().position(|t| t.is('(')).is_some_and(|open| {
             expression::function(&value[..open].iter().map(|t| t.ch).collect::<String>()).is_some()
         });
@@ -257,6 +296,13 @@ fn heading(tokens: &[Token]) -> Option<(String, usize)> {
     is_name(word).then(|| (word.iter().map(|t| t.ch.to_ascii_lowercase()).collect(), colon + 1))
 }
 
+/// The text of a line that is a comment in other notations, after `;`, `--` or `%`. A line with an arrow is none.
+fn foreign_comment(line: &str) -> Option<&str> {
+    let note = line.strip_prefix("--").or_else(|| line.strip_prefix([';', '%']))?;
+    let arrow = ["->", "=>", "→"].iter().any(|arrow| note.contains(arrow));
+    (!arrow && note.contains(char::is_alphabetic)).then(|| note.trim())
+}
+
 /// Whether a word is the label of a production: two characters or more, the last a digit. A predecessor has only one
 /// character.
 fn is_label(word: &str) -> bool {
@@ -270,14 +316,74 @@ fn is_mark(token: Token) -> bool {
 
 /// `tokens` with an arrow in place of a mistyped or missing one, or as a constant for `r := 0.9`.
 fn suggestion(tokens: &[Token]) -> Option<String> {
+    let tokens = match tokens {
+        // A pair of a JSON object, without its braces.
+        [open, symbol, close, rest @ ..]
+            if is_quote(*open) && close.is(open.ch) && rest.first().is_some_and(|t| t.is(':')) =>
+        {
+            &[&[*symbol], rest].concat()[..]
+        }
+        tokens => tokens,
+    };
     let [first, rest @ ..] = tokens else { return None };
+    if let Some(equals) = last_equals(tokens) {
+        let [left, right] = [&tokens[..equals], &tokens[equals + 1..]].map(text_of);
+        return Some(format!("{left} -> {right}"));
+    }
     let marks = rest.iter().take_while(|t| is_mark(**t)).count();
-    let word = &rest[marks..];
+    let word = unwrapped(&rest[marks..]);
     let apart = rest.first().is_some_and(|t| !t.joined);
     // `r := 0.9`
     let number = word.first().is_some_and(|t| t.ch.is_ascii_digit() || t.is('.'));
     if number && is_name(&tokens[..1]) && rest[..marks].iter().any(|t| t.is('=')) {
         return Some(format!("{} = {}", first.ch, text_of(word)));
     }
+    let words = if marks == 0 && apart { link_words(word) } else { 0 };
+    let word = &word[words..];
     (!word.is_empty() && (marks > 0 || apart)).then(|| format!("{} -> {}", first.ch, text_of(word)))
+}
+
+fn is_quote(token: Token) -> bool {
+    token.is('"') || token.is('\'')
+}
+
+/// A word without quotes around it and without a comma behind.
+fn unwrapped(word: &[Token]) -> &[Token] {
+    let word = match word {
+        [inside @ .., comma] if comma.is(',') => inside,
+        word => word,
+    };
+    match word {
+        [first, inside @ .., last] if is_quote(*first) && last.is(first.ch) => inside,
+        word => word,
+    }
+}
+
+/// The number of tokens at the start that are English words between a predecessor and a successor, as in `F is replaced
+/// by FF`.
+fn link_words(tokens: &[Token]) -> usize {
+    const WORDS: [&str; 16] = [
+        "to", "into", "is", "are", "replaced", "by", "with", "becomes", "become", "maps", "goes", "turns", "produces",
+        "yields", "gives", "rewrites",
+    ];
+    let words = tokens.chunk_by(|_, next| next.joined);
+    words.take_while(|word| WORDS.contains(&text_of(word).to_lowercase().as_str())).map(<[Token]>::len).sum()
+}
+
+/// The last `=` outside parentheses that is no part of a comparison, if something stands on both sides: the arrow of
+/// other programs, as in `A(i):i<=3=FA(i+1)`.
+fn last_equals(tokens: &[Token]) -> Option<usize> {
+    let is = |at: Option<usize>, marks: [char; 4]| {
+        at.and_then(|at| tokens.get(at)).is_some_and(|t| marks.iter().any(|&mark| t.is(mark)))
+    };
+    let mut depth = 0_usize;
+    let mut found = None;
+    for (at, token) in tokens.iter().enumerate() {
+        depth = (depth + usize::from(token.is('('))).saturating_sub(usize::from(token.is(')')));
+        let compares = is(at.checked_sub(1), ['<', '>', '=', '!']) || is(Some(at + 1), ['=', '>', '<', '=']);
+        if depth == 0 && token.is('=') && !compares && !is(at.checked_sub(1), [':', '~', '|', '-']) {
+            found = Some(at);
+        }
+    }
+    found.filter(|&at| at > 1 && at + 1 < tokens.len())
 }

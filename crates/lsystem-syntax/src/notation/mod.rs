@@ -8,14 +8,14 @@
 //! r = 0.9                                    a constant; also: #define r 0.9
 //! ignore: +-F                                symbols that contexts skip; `consider:` lists the symbols they see
 //! draw:                                      the productions below apply only to the drawing
-//! // a comment                               also: # a comment
+//! // a comment                               also: # a comment, and /* anywhere */
 //! ```
 //!
 //! Each production has its own line; a label that ends with a digit may stand before it, as in `p1: F -> FF`. The arrow
 //! is `->`, `-->`, `=>` or `→`. White space is never a symbol. An empty successor, `*` or `ε` deletes the predecessor;
 //! `*` is also the empty context and the empty condition. A character in backquotes is always a symbol. An invisible
 //! character is written by its number, as in `` `U+0A` ``. Parentheses directly after a symbol hold its arguments. The
-//! text after the last `:` behind the arrow is the weight. An axiom may have several lines and has no comments.
+//! text after the last `:` behind the arrow is the weight. An axiom may have several lines.
 //!
 //! Arithmetic, from loose to tight: `||` or `or`, `&&` or `and`, `not`, comparisons (`=` is `==`), `+ -`, `* / %`,
 //! signs and `!`, `^`; functions as in [`Function`](crate::Function), angles in degrees.
@@ -24,6 +24,7 @@
 //! branches in `[ ]` (ABOP, section 1.8). The same symbol with a different number of parameters is a different letter.
 
 pub(crate) mod arrow;
+mod comment;
 pub(crate) mod constants;
 pub(crate) mod expression;
 mod line;
@@ -33,7 +34,7 @@ pub(crate) mod token;
 pub(crate) mod word;
 
 use crate::notes::Notes;
-use crate::{Diagnostic, Field, Grammar, Kind, LimitName, MAX_TEXT, Module, Role};
+use crate::{Diagnostic, Field, Grammar, Kind, LimitName, MAX_TEXT, Role};
 use constants::Constants;
 use core::ops::Range;
 
@@ -48,12 +49,6 @@ use core::ops::Range;
 pub fn parse(axiom: &str, rules: &str) -> (Grammar, Vec<Diagnostic>) {
     let reading = read(axiom, rules);
     (reading.grammar, reading.diagnostics)
-}
-
-/// A word of plain characters, as in course files: each character is a symbol, including white space.
-#[must_use]
-pub fn plain_word(text: &str) -> Vec<Module> {
-    text.chars().map(Module::from).collect()
 }
 
 /// A grammar, its diagnostics, and the spans of its parts in the text, in bytes.
@@ -101,10 +96,11 @@ pub(crate) fn read_with(axiom: &str, rules: &str, constants: &mut Constants, not
     let mut reading = Reading::default();
     let [notes, rules_notes] = notes;
     if is_short_enough(rules, rules_notes) {
-        line::read(rules, &mut reading, constants, rules_notes);
+        line::read(&comment::without_comments(rules, rules_notes), &mut reading, constants, rules_notes);
     }
     if is_short_enough(axiom, notes) {
-        let tokens = token::tokens(axiom, 0..axiom.len(), notes);
+        let axiom = comment::without_comments(axiom, notes);
+        let tokens = token::tokens(&axiom, 0..axiom.len(), notes);
         let word = word::word(&tokens, Role::Axiom, constants, notes);
         reading.grammar.axiom = word.modules;
         reading.axiom = word.spans;

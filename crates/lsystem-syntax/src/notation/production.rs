@@ -31,7 +31,11 @@ pub(super) fn read(line: &ProductionLine, constants: &mut Constants, reading: &m
         Some(colon) => (&before[..colon], Some(&before[colon..])),
         None => (before, None),
     };
-    if condition.is_some() && is_double && super::arrow::find(after).is_some() {
+    let second = super::arrow::find(after).is_some();
+    // `A(x) : x => 1` has no arrow at all.
+    let incomplete = |condition: &[Token]| condition.iter().all(|t| expression::is_name_part(t.ch) || t.is(':'));
+    let number = after.first().is_some_and(|t| t.ch.is_ascii_digit());
+    if is_double && condition.is_some_and(|condition| second || (number && incomplete(condition))) {
         return notes.add(Kind::ArrowForComparison, arrow);
     }
     let (successor, weight) = match outside_parentheses(after, ':').last() {
@@ -90,6 +94,12 @@ pub(super) fn read(line: &ProductionLine, constants: &mut Constants, reading: &m
 /// Notes words in a successor that are read as symbols but probably mean something else: a condition after `if`, a
 /// comment after `//` or `#`, and a weight at either end.
 fn note_misread(tokens: &[Token], end: usize, notes: &mut Notes) {
+    super::word::note_wrapping(tokens, notes);
+    let weight = tokens.windows(2).position(|pair| pair[0].is(':') && (pair[1].is('.') || pair[1].ch.is_ascii_digit()));
+    if let Some(at) = weight {
+        let digits = tokens[at + 1..].iter().take_while(|t| t.ch.is_ascii_digit() || t.is('.')).count();
+        return notes.add(Kind::WeightOfSymbols, span_of(&tokens[at..at + 1 + digits], end));
+    }
     let after = |found: Option<usize>| found.map_or(0, |at| at + 1);
     let compared = after(tokens.iter().rposition(|t| matches!(t.ch, '<' | '>' | '=' | '≤' | '≥')));
     let active = after(tokens.iter().rposition(|t| Class::of_symbol(t.ch) != Class::Plain));
@@ -106,11 +116,23 @@ fn note_misread(tokens: &[Token], end: usize, notes: &mut Notes) {
         let (kind, slip) = match text.as_str() {
             "if" if !is_first && from < compared => (Kind::ConditionBehind, start),
             "//" | "#" if !is_first && from >= active && is_word(behind) => (Kind::CommentBehind, start),
+            ";" | "--" | "%" if !is_first && is_word(behind) => (Kind::CommentBehind, start),
+            _ if has_note(part, behind) => {
+                let from = part.iter().position(|t| t.is(';')).unwrap_or(0);
+                (Kind::CommentBehind, &start[from..])
+            }
             _ if (is_first || is_last) && is_weight(part) => (Kind::WeightOfSymbols, part),
             _ => continue,
         };
         return notes.add(kind, span_of(slip, end));
     }
+}
+
+/// Whether a comment begins at a `;` in these joined tokens: two words of three letters or more stand behind it.
+fn has_note(part: &[Token], behind: &[Token]) -> bool {
+    let Some(at) = part.iter().position(|t| t.is(';')) else { return false };
+    let joined_word = |tokens: &[Token]| is_word(tokens) && tokens.iter().all(|t| t.ch.is_alphabetic());
+    joined_word(&part[at + 1..]) && behind.iter().take(3).count() == 3 && is_word(behind)
 }
 
 /// Whether the tokens look like a weight: `0.5`, `(.5)` or `50%`.

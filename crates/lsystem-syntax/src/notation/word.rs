@@ -21,6 +21,9 @@ pub(crate) fn word(tokens: &[Token], role: Role, names: &mut dyn Names, notes: &
     if is_empty(tokens) {
         return word;
     }
+    if role == Role::Axiom {
+        note_wrapping(tokens, notes);
+    }
     if let Some(arrow) = stray_arrow(tokens) {
         notes.add(if role == Role::Axiom { Kind::ArrowInAxiom } else { Kind::SecondArrow }, arrow);
     }
@@ -45,6 +48,22 @@ pub(crate) fn patterns(tokens: &[Token], notes: &mut Notes) -> (Vec<Pattern>, Ve
         spans.push(span);
     });
     (patterns, spans)
+}
+
+/// Notes quotes around a word, and a comma behind it, which are read as symbols.
+pub(crate) fn note_wrapping(tokens: &[Token], notes: &mut Notes) {
+    let [inside @ .., last] = tokens else { return };
+    let comma = last.is(',') && !inside.is_empty();
+    let quoted = if comma { inside } else { tokens };
+    match quoted {
+        [first, inside @ .., last]
+            if matches!(first.ch, '"' | '\'') && !first.literal && last.is(first.ch) && !inside.is_empty() =>
+        {
+            notes.add(Kind::Quotes { inside: text_of(inside) }, span_of(tokens, 0));
+        }
+        _ if comma => notes.add(Kind::CommaBehind, last.span()),
+        _ => {}
+    }
 }
 
 /// Whether the tokens are the empty word or context.
@@ -111,6 +130,13 @@ fn is_countable(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> boo
 }
 
 fn arguments(inside: &[Token], span: &Range<usize>, role: Role, names: &mut dyn Names, notes: &mut Notes) -> Vec<Expr> {
+    if is_branch(inside, names) {
+        notes.add(
+            Kind::ParenthesesForBranch { inside: text_of(inside) },
+            span.end - (span_of(inside, 0).len() + 2)..span.end,
+        );
+        return Vec::new();
+    }
     if !is_countable(inside, span, notes) {
         return Vec::new();
     }
@@ -118,6 +144,19 @@ fn arguments(inside: &[Token], span: &Range<usize>, role: Role, names: &mut dyn 
         // A wrong argument is noted, and replaced so that the number of arguments stays right.
         .map(|(part, end)| expression::read(part, end, role, names, notes).unwrap_or(Expr::Number(0.0)))
         .collect()
+}
+
+/// Whether the tokens in parentheses are symbols with turns, such as `+F`, and not arithmetic.
+fn is_branch(inside: &[Token], names: &mut dyn Names) -> bool {
+    let is_letter = |t: &Token| !t.literal && t.ch.is_ascii_alphabetic();
+    let is_turn = |t: &Token| !t.literal && Class::of_symbol(t.ch) != Class::Plain;
+    let single = inside
+        .chunk_by(|a, b| is_letter(a) == is_letter(b))
+        .all(|part| !is_letter(&part[0]) || part.iter().all(|t| t.ch.is_ascii_uppercase()));
+    single
+        && inside.iter().all(|t| is_letter(t) || is_turn(t))
+        && inside.iter().any(is_turn)
+        && inside.iter().any(|t| is_letter(t) && names.meaning(&t.ch.to_string()).is_none())
 }
 
 fn parameters(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> Vec<String> {
