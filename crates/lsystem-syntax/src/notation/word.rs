@@ -31,7 +31,14 @@ pub(crate) fn word(tokens: &[Token], role: Role, names: &mut dyn Names, notes: &
         if !token.literal {
             notes.class(Class::of_symbol(token.ch), token.span());
         }
-        let arguments = inside.map_or(Vec::new(), |inside| arguments(inside, &span, role, names, notes));
+        let arguments = inside.map_or(Vec::new(), |inside| {
+            if is_branch(inside, names) {
+                let parentheses = token.span().end..span.end;
+                notes.add(Kind::ParenthesesForBranch { inside: text_of(inside) }, parentheses);
+                return Vec::new();
+            }
+            arguments(inside, &span, role, names, notes)
+        });
         word.modules.push(Module { symbol: token.ch, arguments });
         word.spans.push(span);
     });
@@ -130,13 +137,6 @@ fn is_countable(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> boo
 }
 
 fn arguments(inside: &[Token], span: &Range<usize>, role: Role, names: &mut dyn Names, notes: &mut Notes) -> Vec<Expr> {
-    if is_branch(inside, names) {
-        notes.add(
-            Kind::ParenthesesForBranch { inside: text_of(inside) },
-            span.end - (span_of(inside, 0).len() + 2)..span.end,
-        );
-        return Vec::new();
-    }
     if !is_countable(inside, span, notes) {
         return Vec::new();
     }
