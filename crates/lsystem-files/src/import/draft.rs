@@ -1,0 +1,226 @@
+//! A system while a reader translates it.
+
+use super::{Entry, Remark};
+use lsystem_drawing::System;
+use lsystem_syntax::notes::excerpt;
+use lsystem_syntax::{
+    Action, Definition, Grammar, MAX_ITERATIONS, Module, Production, parse, parse_overrides, print_axiom, print_rules,
+};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A system while it is read: texts in our notation, and what was not carried over.
+#[derive(Debug, Default)]
+pub(super) struct Draft {
+    /// The result so far.
+    pub(super) definition: Definition,
+    /// The actions of symbols in the words of custom symbols, such as `turn left 90`; empty for no action. Only symbols
+    /// that occur and act differently in the dialect become custom symbols.
+    pub(super) meanings: BTreeMap<char, String>,
+    /// The actions of all other symbols; `None` leaves them to the dialect.
+    pub(super) others: Option<&'static str>,
+    /// Whether the text gives the number of iterations.
+    pub(super) has_iterations: bool,
+    /// The first line of the system in the text, from 1.
+    pub(super) line: usize,
+    remarks: Vec<Remark>,
+}
+
+/// The most remarks of a system.
+const MOST_REMARKS: usize = 100;
+
+impl Draft {
+    /// An empty draft of a system that begins in this line of the text.
+    pub(super) fn new(name: &str, line: usize) -> Self {
+        let name = name.trim().chars().take(200).collect();
+        Self { definition: Definition { name, ..Definition::default() }, line, ..Self::default() }
+    }
+
+    /// Adds a remark: the system is read without this part, or with a part that the text does not give.
+    pub(super) fn note(&mut self, line: usize, text: &str, message: impl Into<String>) {
+        self.remark(line, text, message.into(), false);
+    }
+
+    /// Refuses the system for this reason.
+    pub(super) fn refuse(&mut self, line: usize, text: &str, message: impl Into<String>) {
+        self.remark(line, text, message.into(), true);
+    }
+
+    fn remark(&mut self, line: usize, text: &str, message: String, refused: bool) {
+        let remark = Remark { line, text: excerpt(text), message, refused };
+        if self.remarks.len() < MOST_REMARKS && !self.remarks.contains(&remark) {
+            self.remarks.push(remark);
+        } else if refused && !self.is_refused() {
+            self.remarks.pop();
+            self.remarks.push(remark);
+        }
+    }
+
+    /// Whether the system is refused already.
+    pub(super) fn is_refused(&self) -> bool {
+        self.remarks.iter().any(|remark| remark.refused)
+    }
+
+    /// Sets the actions of a symbol, in the words of custom symbols; empty for no action.
+    pub(super) fn meaning(&mut self, symbol: char, actions: impl Into<String>) {
+        self.meanings.insert(symbol, actions.into());
+    }
+
+    /// Takes over a grammar of plain symbols.
+    pub(super) fn grammar(&mut self, grammar: &Grammar) {
+        self.definition.axiom = print_axiom(grammar);
+        self.definition.rules = print_rules(grammar);
+    }
+
+    /// Takes over the number of iterations, which must be whole and within our limit.
+    pub(super) fn iterations(&mut self, line: usize, text: &str) {
+        let number = text.trim().parse::<f64>().ok().filter(|n| n.is_finite() && *n >= 0.0);
+        match number {
+            Some(n) if n.fract() == 0.0 && n <= f64::from(MAX_ITERATIONS) => {
+                self.definition.iterations = n as u32;
+                self.has_iterations = true;
+            }
+            Some(n) if n.fract() == 0.0 => {
+                self.definition.iterations = MAX_ITERATIONS;
+                self.has_iterations = true;
+                self.note(line, text, format!("At most {MAX_ITERATIONS} iterations are possible"));
+            }
+            _ => self.note(line, text, "The number of iterations cannot be read"),
+        }
+    }
+
+    /// The finished system. It is refused if it does not compile.
+    pub(super) fn finish(mut self) -> Entry {
+        if !self.is_refused() {
+            self.check();
+        }
+        let Self { definition, remarks, .. } = self;
+        let refused = remarks.iter().any(|remark| remark.refused);
+        Entry { name: definition.name.clone(), definition: (!refused).then_some(definition), remarks }
+    }
+
+    /// Completes the definition and checks that it compiles.
+    fn check(&mut self) {
+        if let Some(wrong) = self.definition.out_of_range().first() {
+            return self.refuse(self.line, "", wrong.message());
+        }
+        let (grammar, _) = parse(&self.definition.axiom, &self.definition.rules);
+        self.custom_symbols(&grammar);
+        if !self.has_iterations {
+            self.definition.iterations = fitting_iterations(&grammar);
+            let n = self.definition.iterations;
+            self.note(self.line, "", format!("The text gives no number of iterations; {n} is chosen by the size"));
+        }
+        let mut problems = self.definition.out_of_range();
+        if problems.is_empty() {
+            problems = System::new(&self.definition).1;
+        }
+        if let Some(error) = problems.iter().find(|problem| problem.is_error()) {
+            let found = self.definition.text(error.field).and_then(|text| text.get(error.span.clone()));
+            let (found, message) = (found.unwrap_or_default().to_owned(), error.message());
+            self.refuse(self.line, &found, format!("In our notation: {message}"));
+        }
+    }
+
+    /// Writes the custom symbols: those that occur and act differently in the dialect.
+    fn custom_symbols(&mut self, grammar: &Grammar) {
+        let images = grammar.images.iter().flat_map(|image| &image.successor);
+        let symbols: BTreeSet<char> = grammar.made().chain(images).map(|module| module.symbol).collect();
+        let mut lines = Vec::new();
+        for symbol in symbols {
+            let words = match (self.meanings.get(&symbol), self.others) {
+                (Some(words), _) => words.as_str(),
+                (None, Some(words)) => words,
+                (None, None) => continue,
+            };
+            if actions(words).as_deref() != Some(self.definition.dialect.actions(symbol)) {
+                lines.push(lsystem_syntax::overrides::line(symbol, if words.is_empty() { "nothing" } else { words }));
+            }
+        }
+        self.definition.overrides = lines.join("\n");
+    }
+}
+
+/// The actions that words name; `None` if a word is unknown.
+fn actions(words: &str) -> Option<Vec<Action>> {
+    if words.is_empty() {
+        return Some(Vec::new());
+    }
+    let (mut found, diagnostics) = parse_overrides(&format!("X: {words}"));
+    if diagnostics.is_empty() { Some(found.pop()?.actions) } else { None }
+}
+
+/// A production of plain symbols.
+pub(super) fn production(symbol: char, successor: impl IntoIterator<Item = char>) -> Production {
+    Production::new(symbol, successor.into_iter().map(Module::from).collect())
+}
+
+/// Single characters that a system does not use, for actions and names that need a symbol of their own.
+#[derive(Debug, Default)]
+pub(super) struct FreeSymbols {
+    used: BTreeSet<char>,
+    given: BTreeMap<String, char>,
+}
+
+impl FreeSymbols {
+    /// Marks the characters of a text as used.
+    pub(super) fn add_used(&mut self, text: &str) {
+        self.used.extend(text.chars());
+    }
+
+    /// The symbol for a key, the same one for equal keys.
+    pub(super) fn get(&mut self, key: &str) -> char {
+        if let Some(&symbol) = self.given.get(key) {
+            return symbol;
+        }
+        // Letters without an action in any dialect that readers use, then Greek, then Latin and CJK letters.
+        let letters =
+            ('a'..='z').filter(|c| !matches!(c, 'f' | 'g' | 'v')).chain('α'..='ω').chain('\u{100}'..='\u{17f}');
+        let letters = letters.chain('\u{4e00}'..='\u{9fff}').filter(|c| !matches!(c, 'ε' | 'ς'));
+        let symbol = letters.into_iter().find(|c| !self.used.contains(c)).unwrap_or('\u{ac00}');
+        self.used.insert(symbol);
+        self.given.insert(key.to_owned(), symbol);
+        symbol
+    }
+}
+
+/// A number of iterations that gives a picture of a usual size: the largest whose string has at most 20,000 symbols.
+pub(super) fn fitting_iterations(grammar: &Grammar) -> u32 {
+    const MOST: f64 = 20_000.0;
+    const STEPS: u32 = 16;
+    if !grammar.is_plain() {
+        return 5;
+    }
+    let mut successors: BTreeMap<char, BTreeMap<char, f64>> = BTreeMap::new();
+    for production in &grammar.productions {
+        let count = successors.entry(production.predecessor.symbol).or_default();
+        // Of several random productions, the largest counts.
+        let mut own = BTreeMap::new();
+        for module in &production.successor {
+            *own.entry(module.symbol).or_insert(0.0) += 1.0;
+        }
+        if count.values().sum::<f64>() <= own.values().sum() {
+            *count = own;
+        }
+    }
+    let mut counts: BTreeMap<char, f64> = BTreeMap::new();
+    for module in &grammar.axiom {
+        *counts.entry(module.symbol).or_insert(0.0) += 1.0;
+    }
+    for step in 0..STEPS {
+        let mut next: BTreeMap<char, f64> = BTreeMap::new();
+        for (symbol, count) in &counts {
+            match successors.get(symbol) {
+                Some(made) => made.iter().for_each(|(c, n)| *next.entry(*c).or_insert(0.0) += n * count),
+                None => *next.entry(*symbol).or_insert(0.0) += count,
+            }
+        }
+        if next.values().sum::<f64>() > MOST {
+            return step.max(1);
+        }
+        if next == counts {
+            return step.max(1);
+        }
+        counts = next;
+    }
+    STEPS
+}

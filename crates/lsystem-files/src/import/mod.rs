@@ -1,0 +1,98 @@
+//! Systems in the notations of other programs, of papers and of web pages.
+//!
+//! [`import`] recognises a notation by its content and translates each system in the text into a [`Definition`] in our
+//! own notation. A reader never guesses in silence: every part of the text that is not carried over is a [`Remark`] with
+//! its line. If a part changes the drawing and cannot be expressed, the system is refused. Every definition of the
+//! result compiles.
+//!
+//! Each notation has one file. Work and memory grow in proportion to the text, and a text has at most [`MAX_TEXT`]
+//! bytes. `docs/imports.md` lists what each reader reads, notes and refuses.
+
+mod anvaka;
+mod draft;
+mod fractint;
+mod javascript;
+mod literal;
+mod plain;
+mod prose;
+mod racket;
+mod tikz;
+mod words;
+
+#[cfg(test)]
+mod tests;
+
+use draft::Draft;
+use lsystem_syntax::{Definition, MAX_TEXT};
+
+/// All systems of a text in another notation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Imported {
+    /// The name of the notation, such as `Fractint`.
+    pub notation: &'static str,
+    /// The systems in the order of the text; at least one.
+    pub entries: Vec<Entry>,
+}
+
+/// One system of a text.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// The name in the text; empty if the text gives none.
+    pub name: String,
+    /// The system, which compiles without errors; `None` if it is refused.
+    pub definition: Option<Definition>,
+    /// What was not carried over, and why.
+    pub remarks: Vec<Remark>,
+}
+
+/// A part of a text that was not carried over as it stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Remark {
+    /// The line in the text, from 1.
+    pub line: usize,
+    /// An excerpt of the text; may be empty.
+    pub text: String,
+    /// What was not carried over, and why.
+    pub message: String,
+    /// Whether the system is refused for this reason.
+    pub refused: bool,
+}
+
+/// The most systems that are read from one text.
+pub const MAX_ENTRIES: usize = 4096;
+
+/// A reader: the drafts of all systems in a text, or `None` if the text is in another notation.
+type Reader = fn(&str) -> Option<Vec<Draft>>;
+
+/// All readers by the name of the notation. The first reader that recognises a text reads it.
+const READERS: &[(&str, Reader)] = &[
+    ("Fractint", fractint::read),
+    ("Racket", racket::read),
+    ("TikZ", tikz::read),
+    ("anvaka’s page", anvaka::read),
+    ("JavaScript", javascript::read),
+    ("a description", prose::read),
+];
+
+/// Reads all systems of a text that another program or a person wrote in another notation. Returns `None` if no
+/// notation is recognised, and for texts longer than [`MAX_TEXT`].
+#[must_use]
+pub fn import(text: &str) -> Option<Imported> {
+    if text.len() > MAX_TEXT {
+        return None;
+    }
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let text = &*text.replace("\r\n", "\n").replace('\r', "\n");
+    READERS.iter().find_map(|&(notation, read)| {
+        let drafts = read(text).filter(|drafts| !drafts.is_empty())?;
+        let left_out = drafts.len().saturating_sub(MAX_ENTRIES);
+        let mut entries: Vec<Entry> = drafts.into_iter().take(MAX_ENTRIES).map(Draft::finish).collect();
+        if left_out > 0
+            && let Some(last) = entries.last_mut()
+        {
+            let message = format!("{left_out} more systems are not read: a text may have {MAX_ENTRIES}");
+            last.remarks.push(Remark { line: 1, text: String::new(), message, refused: false });
+        }
+        Some(Imported { notation, entries })
+    })
+}
