@@ -7,6 +7,7 @@ import { button, html, setText, setWords } from './dom.js';
 import { createEngine, isWrong } from './engine.js';
 import { createGallery } from './gallery.js';
 import { createGrowing } from './growing.js';
+import { createImporting } from './importing.js';
 import { createHover } from './hover.js';
 import { withThemeScheme, hasScheme, themeScheme, isDark } from './colour-schemes.js';
 import { createMarks } from './marks.js';
@@ -80,7 +81,9 @@ const showAddress = followAddress(store, { open: opened });
 
 const share = createShare(store, engine);
 const favourites = favouritesPanel(store, engine, { storage, session });
+const importing = createImporting(engine, { open: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()) });
 savePanel(store, engine, {
+    offer: importing.offer,
     address: async () => new URL(await bestLink(store.state), location.href).href,
     select: share.select,
     favourites: favourites.take,

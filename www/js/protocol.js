@@ -75,6 +75,11 @@ export {};
  */
 /** The number of a module in the axiom, or in the successor of a production with this predecessor; numbers count from 0. @typedef {{production: number | null, predecessor: string | null, position: number}} Site */
 /** `text` is the content of a readable text file that has problems. @typedef {{definition: Definition | null, diagnostics: Diagnostic[], text: string | null}} FileRead */
+/**
+ * Systems in the notation of another program or of a paper. `definition` is null if a system cannot be opened; a remark
+ * tells what was not carried over, by line of the text (counted from 1).
+ * @typedef {{notation: string, entries: {name: string, definition: Definition | null, remarks: {line: number, text: string, message: string}[]}[]}} Imported
+ */
 /** A format of exported files. @typedef {keyof typeof import('./tables.js').FORMATS} Format */
 /** `blob` is the file, or null if a limit was exceeded. @typedef {{blob: Blob | null, diagnostics: Diagnostic[]}} Exported */
 
@@ -90,6 +95,7 @@ export {};
  * @property {{asked: {texts: Texts}, answer: Notation}} notation
  * @property {{asked: {texts: Texts, field: 'axiom' | 'rules', offset: number}, answer: {site: Site | null}}} site the module at a UTF-16 offset into a text; null for other text
  * @property {{asked: {file: Blob}, answer: FileRead}} read a file: JSON, or a picture that carries its system
+ * @property {{asked: {text: string}, answer: {imported: Imported | null}}} import the systems of a text; null if it is in no known notation
  * @property {{asked: {format: Format}, answer: Exported}} export
  * @property {{asked: {width: number, height: number, definition: Definition}, answer: {blob: Blob | null, reason: string | null}}} png the current view at another size, with the system in the file; `reason` tells why there is no file
  * @property {{asked: {definition: Definition, width: number, height: number}, answer: {bitmap: ImageBitmap | null, missing: string | null}}} thumb a small fitted picture of another system; `missing` tells why there is none

@@ -19,8 +19,9 @@ const LARGEST_PICTURE = 64 << 20;
 /**
  * @param {import('../store.js').Store} store
  * @param {Engine} engine
- * @param {{address: () => Promise<string>, select: () => void, favourites: (text: string) => void, canvas: () => import('../protocol.js').Canvas}} page
- *   `select` shows the link for the reader to copy, `favourites` imports a file of favourites
+ * @param {{address: () => Promise<string>, select: () => void, favourites: (text: string) => void, offer: (text: string) => Promise<boolean>, canvas: () => import('../protocol.js').Canvas}} page
+ *   `select` shows the link for the reader to copy, `favourites` imports a file of favourites, `offer` opens the text of
+ *   another program, if it is one
  */
 export function savePanel(store, engine, page) {
     const title = input('title');
@@ -88,6 +89,7 @@ export function savePanel(store, engine, page) {
             }
             // The worker reads the file, so that the page stays responsive.
             const { definition, diagnostics, text } = await engine.read(file);
+            if (text !== null && (await page.offer(text))) return;
             listProblems(problems, diagnostics, text ?? undefined);
             if (!definition) {
                 const mistake = diagnostics.find(({ severity }) => severity === 'error');

@@ -151,7 +151,9 @@ fn read_rules(rules: &Literal, draft: &mut Plain, line: usize) {
                         (Some(predecessor), Some(_)) => rule(&predecessor, item, draft, line),
                         // Each object of a list may hold one rule.
                         _ => {
-                            fields.iter().for_each(|(predecessor, successor)| rule(predecessor, successor, draft, line))
+                            fields
+                                .iter()
+                                .for_each(|(predecessor, successor)| rule(predecessor, successor, draft, line));
                         }
                     },
                     Literal::List(pair) => match pair.as_slice() {
@@ -166,7 +168,7 @@ fn read_rules(rules: &Literal, draft: &mut Plain, line: usize) {
             }
         }
         Literal::Text(text) => {
-            text.split(['\n', ';']).filter(|rule| !rule.trim().is_empty()).for_each(|rule| written(rule, draft, line))
+            text.split(['\n', ';']).filter(|rule| !rule.trim().is_empty()).for_each(|rule| written(rule, draft, line));
         }
         _ => draft.draft.refuse(line, "rules", "The rules are code, which is not read"),
     }
@@ -177,7 +179,7 @@ fn written(text: &str, draft: &mut Plain, line: usize) {
     let arrow = ["->", "=>", "→", "=", ":"].iter().find_map(|arrow| text.split_once(arrow));
     match arrow {
         Some((predecessor, successor)) => {
-            rule(predecessor.trim(), &Literal::Text(successor.trim().to_owned()), draft, line)
+            rule(predecessor.trim(), &Literal::Text(successor.trim().to_owned()), draft, line);
         }
         None => draft.draft.refuse(line, text, "This rule has no arrow"),
     }

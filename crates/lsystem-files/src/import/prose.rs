@@ -35,19 +35,16 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
     }
     for (at, predecessor, successor) in rules.iter().filter(|_| is_plain) {
         let mut letters = predecessor.chars();
-        match (letters.next(), letters.next()) {
-            (Some(letter), None) => {
-                let several = rules.iter().filter(|(_, other, _)| other == predecessor).count() > 1;
-                draft.produce(letter, successor, several.then_some(1.0));
-                if several {
-                    draft.draft.note(
-                        line_of(text, *at),
-                        successor,
-                        format!("`{letter}` has several rules; each is as likely as the others"),
-                    );
-                }
+        if let (Some(letter), None) = (letters.next(), letters.next()) {
+            let several = rules.iter().filter(|(_, other, _)| other == predecessor).count() > 1;
+            draft.produce(letter, successor, several.then_some(1.0));
+            if several {
+                draft.draft.note(
+                    line_of(text, *at),
+                    successor,
+                    format!("`{letter}` has several rules; each is as likely as the others"),
+                );
             }
-            _ => {}
         }
     }
     match number(text, ANGLE).or_else(|| degrees(text)) {
@@ -57,9 +54,8 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
             draft.draft.note(1, "", "There is no angle; 90° is taken");
         }
     }
-    match number(text, ITERATIONS) {
-        Some(iterations) => draft.iterate(iterations),
-        None => {}
+    if let Some(iterations) = number(text, ITERATIONS) {
+        draft.iterate(iterations)
     }
     for letter in drawing_letters(text) {
         if draft.symbols().contains(&letter) && letter != 'F' {

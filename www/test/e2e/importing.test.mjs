@@ -1,0 +1,129 @@
+/** Systems of other programs and of papers: pasted, dropped and opened. */
+
+import assert from 'node:assert/strict';
+import { readFile, readdir } from 'node:fs/promises';
+import test, { after } from 'node:test';
+import { DESKTOP, PHONE, close, until, withPage } from './browser.mjs';
+
+after(close);
+
+/** @typedef {import('playwright-core').Page} Page */
+
+const FRACTINT = `; a file
+Koch1 { ; a curve
+  Angle 6
+  Axiom F--F--F
+  F=F+F--F+F
+}
+Dragon { Angle 4
+  Axiom FX
+  X=X+YF+
+  Y=-FX-Y
+}
+Odd { Angle 8
+  Axiom F+D\\30D
+  D=D
+}`;
+const PROSE = 'Fractal plant\nvariables : X F\nconstants : + − [ ]\nstart : X\nrules : (X → F+[[X]-X]-F[-FX]+X), (F → FF)\nangle : 25°';
+
+/** @param {Page} page @param {string} selector */
+const text = async (page, selector) => (await page.textContent(selector)) ?? '';
+
+/** Pastes text into an element, or into the page. @param {Page} page @param {string} selector @param {string} pasted */
+async function paste(page, selector, pasted) {
+    await page.evaluate(
+        ([where = '', words = '']) => {
+            const target = /** @type {HTMLElement} */ (document.querySelector(where));
+            target.focus();
+            const data = new DataTransfer();
+            data.setData('text/plain', words);
+            const event = new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true });
+            if (target.dispatchEvent(event) && target instanceof HTMLTextAreaElement) document.execCommand('insertText', false, words);
+        },
+        [selector, pasted],
+    );
+}
+
+for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['phone', PHONE]])) {
+    test(`a pasted description is offered, opened, and one undo away: ${device}`, () =>
+        withPage({ options }, async (page) => {
+            const before = await page.inputValue('#rules');
+            await paste(page, '#drawing', PROSE);
+            await page.waitForSelector('#import[open]');
+            assert.match(await text(page, '#h-import'), /a description/);
+            assert.equal(await text(page, '#import-name'), 'Fractal plant');
+            await until(() => page.isVisible('.import .thumb.inked'), 'a picture');
+            await page.click('#import-open');
+            await until(async () => (await page.inputValue('#rules')) === 'X -> F+[[X]-X]-F[-FX]+X\nF -> FF', 'the system is open');
+            assert.equal(await page.inputValue('#angle'), '25');
+            await page.click('#undo');
+            assert.equal(await page.inputValue('#rules'), before);
+        }));
+}
+
+test('a whole system pasted into the rules is offered, and may stay a text', () =>
+    withPage({}, async (page) => {
+        await paste(page, '#rules', FRACTINT);
+        await page.waitForSelector('#import-offer:visible');
+        assert.match(await text(page, '#import-what'), /looks like Fractint \(3 systems\)/);
+        await page.click('#import-dismiss');
+        assert.match(await page.inputValue('#rules'), /Koch1/);
+        await page.fill('#rules', '');
+        await paste(page, '#rules', FRACTINT);
+        await page.click('#import-accept');
+        await page.waitForSelector('#import[open]');
+        await page.keyboard.press('Escape');
+        assert.ok(!(await page.isVisible('#import')));
+    }));
+
+test('a file of many systems is a list of pictures, and says what cannot be opened', () =>
+    withPage({}, async (page) => {
+        await page.setInputFiles('#file', { name: 'old.l', mimeType: 'text/plain', buffer: Buffer.from(FRACTINT) });
+        await page.waitForSelector('#import[open]');
+        assert.equal(await page.locator('#import-cards .card').count(), 3);
+        await until(async () => (await page.locator('#import-cards .thumb.inked').count()) === 2, 'two pictures');
+        await page.click('#import-cards .card >> text=Odd');
+        assert.ok(await page.isDisabled('#import-open'));
+        assert.match(await text(page, '#import-remarks'), /Line 13.*one heading/s);
+        await page.click('#import-cards .card >> text=Dragon');
+        await page.click('#import-open');
+        await until(async () => (await page.inputValue('#axiom')) === 'FX', 'the dragon is open');
+    }));
+
+test('rules of our own and ordinary text stay texts', () =>
+    withPage({}, async (page) => {
+        for (const pasted of ['F -> F[+F]F', 'A < B > C -> D\nr = 0.9', 'The course begins on Monday.']) {
+            await page.fill('#rules', '');
+            await paste(page, '#rules', pasted);
+            await page.waitForTimeout(150);
+            assert.ok(!(await page.isVisible('#import-offer')), pasted);
+        }
+    }));
+
+test('every case of the readers opens or is refused in the page', () =>
+    withPage({}, async (page) => {
+        const folder = new URL('../../../crates/lsystem/tests/data/import/', import.meta.url);
+        let opened = 0;
+        for (const name of await readdir(folder)) {
+            const cases = (await readFile(new URL(name, folder), 'utf8')).split('=== ').slice(1);
+            for (const each of cases) {
+                const [title = '', ...lines] = (each.split('--- read\n')[0] ?? '').split('\n');
+                const read = each.split('--- read\n')[1]?.trim() ?? '';
+                await paste(page, '#drawing', lines.join('\n').trimEnd());
+                if (read === 'nothing') {
+                    await page.waitForTimeout(60);
+                    assert.ok(!(await page.isVisible('#import')), title);
+                    continue;
+                }
+                await page.waitForSelector('#import[open]');
+                assert.equal(await page.isDisabled('#import-open'), !/, n \d+/.test(read), title);
+                if (!(await page.isDisabled('#import-open'))) {
+                    await page.click('#import-open');
+                    await until(async () => !(await page.isVisible('#import')), `${title} is open`);
+                    assert.equal(await page.locator('#rules-problems .error').count(), 0, title);
+                    opened += 1;
+                } else await page.click('#import-cancel');
+            }
+        }
+        assert.ok(opened >= 30, `${opened} opened`);
+    }));
