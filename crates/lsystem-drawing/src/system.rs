@@ -4,6 +4,7 @@ use crate::space::Tropism;
 use crate::{Colouring, Turtle};
 use core::ops::Range;
 use lsystem_derive::{Letter, Rules};
+use lsystem_syntax::decimal;
 use lsystem_syntax::notation::{self, Places, Reading};
 use lsystem_syntax::notes::Notes;
 use lsystem_syntax::sorted::{set, sort};
@@ -283,7 +284,7 @@ fn note_foreign(word: &[Module], spans: &[Range<usize>], idle: impl Fn(char) -> 
         }
         let digit = |i: usize| plain(i) && matches!(word[i].symbol, '0'..='9' | '.');
         let digits: String = (first..word.len()).take_while(|&i| digit(i)).map(|i| word[i].symbol).collect();
-        if digits.parse::<f64>().is_ok() {
+        if decimal::read(&digits).is_some() {
             at += digits.len();
             let kind = Kind::DigitsBehind { symbol: module.symbol, digits };
             notes.add(kind, spans[first].start..spans[at - 1].end);

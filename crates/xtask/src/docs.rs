@@ -10,7 +10,7 @@ use markdown::{Document, Site, escape};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 6] = ["lesson", "notation", "links", "embedding", "about", "security"];
+const PAGES: [&str; 7] = ["lesson", "notation", "links", "embedding", "about", "security", "imports"];
 /// The pages in the navigation line, with their names there.
 const NAVIGATION: [(&str, &str); 5] = [
     ("lesson", "Lesson"),

@@ -14,6 +14,7 @@
 
 use super::draft::Draft;
 use super::plain::{Plain, word};
+use lsystem_syntax::decimal;
 use lsystem_syntax::number::number;
 
 /// Reads one system: lines of `key: value`, with indented lists of rules and actions.
@@ -52,7 +53,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
             "actions" => part = "actions",
             "axiom" => draft.grammar.axiom = word(value),
             "depth" => draft.draft.iterations(line_number, value),
-            "angle" => draft.definition().angle = value.parse().unwrap_or(90.0),
+            "angle" => draft.definition().angle = decimal::read(value).unwrap_or(90.0),
             "title" | "name" => value.clone_into(&mut draft.definition().name),
             "direction" => direction(value, line_number, &mut draft),
             "color" | "width" | "stepsPerFrame" | "position" | "size" | "animate" => {}
@@ -65,7 +66,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
 /// The direction at the start, as `[0, 1, 0]`.
 fn direction(value: &str, line: usize, draft: &mut Plain) {
     let numbers: Vec<f64> =
-        value.trim_matches(['[', ']']).split(',').filter_map(|part| part.trim().parse().ok()).collect();
+        value.trim_matches(['[', ']']).split(',').filter_map(|part| decimal::read(part.trim())).collect();
     match numbers[..] {
         [x, y, 0.0] | [x, y] if x != 0.0 || y != 0.0 => draft.definition().heading = libm::atan2(y, x).to_degrees(),
         _ => draft.draft.refuse(line, value, "The direction at the start must lie in the plane"),
@@ -76,7 +77,7 @@ fn direction(value: &str, line: usize, draft: &mut Plain) {
 fn action(symbol: char, code: &str, line: usize, draft: &mut Plain) {
     let (name, inside) = code.split_once('(').unwrap_or((code, ""));
     let argument = inside.trim_end_matches([')', ';', ' ']);
-    let value: Option<f64> = argument.parse().ok();
+    let value = decimal::read(argument);
     let with = |words: &str| value.map_or(words.to_owned(), |value| format!("{words} {}", number(value)));
     let turn = |left: &str, right: &str, default: f64| {
         let value = value.unwrap_or(default);

@@ -95,7 +95,7 @@ fn collect(value: &Literal, name: &str, line: usize, entries: &mut Vec<Draft>) {
 }
 
 fn field<'a>(fields: &'a [(String, Literal)], names: &[&str]) -> Option<&'a Literal> {
-    let found = names.iter().find_map(|name| fields.iter().find(|(key, _)| key.to_lowercase() == **name));
+    let found = names.iter().find_map(|name| fields.iter().find(|(key, _)| key.to_ascii_lowercase() == **name));
     found.map(|(_, value)| value)
 }
 

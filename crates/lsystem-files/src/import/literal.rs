@@ -1,6 +1,6 @@
 //! JavaScript's literals: objects, lists, strings and simple arithmetic. Everything else is kept as text.
 
-use lsystem_syntax::Meter;
+use lsystem_syntax::{Meter, decimal};
 
 /// A value of a script.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,7 +30,7 @@ impl Literal {
     pub(super) fn number(&self) -> Option<(f64, bool)> {
         match self {
             Self::Number { value, has_pi } => Some((*value, *has_pi)),
-            Self::Text(text) => text.trim().trim_end_matches(['°', ' ']).parse().ok().map(|value| (value, false)),
+            Self::Text(text) => decimal::read(text.trim().trim_end_matches(['°', ' '])).map(|value| (value, false)),
             _ => None,
         }
     }
@@ -214,7 +214,7 @@ fn arithmetic(text: &str) -> Option<f64> {
         let end = rest.find(['*', '/']).unwrap_or(rest.len());
         let factor: f64 = match &rest[..end] {
             "π" => core::f64::consts::PI,
-            digits => digits.parse().ok()?,
+            digits => decimal::read(digits)?,
         };
         value = if divide { value / factor } else { value * factor };
         let Some(operator) = rest[end..].chars().next() else { break };

@@ -7,6 +7,7 @@
 use super::draft::Draft;
 use super::plain::{Plain, line_of};
 use super::words::{behind, number, plain};
+use lsystem_syntax::decimal;
 
 const AXIOM: &[&str] = &["axiom", "start", "initiator", "initial string", "initial word", "initial axiom", "ω", "s0"];
 const ANGLE: &[&str] = &["angle", "δ", "delta", "θ", "theta", "turning angle"];
@@ -55,7 +56,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
         }
     }
     if let Some(iterations) = number(text, ITERATIONS) {
-        draft.iterate(iterations)
+        draft.iterate(iterations);
     }
     for letter in drawing_letters(text) {
         if draft.symbols().contains(&letter) && letter != 'F' {
@@ -72,8 +73,8 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
 fn is_constant(line: &str) -> bool {
     let Some((name, value)) = line.split_once('=') else { return false };
     let name = name.trim();
-    let label = [AXIOM, ANGLE, ITERATIONS].concat().contains(&name.to_lowercase().as_str());
-    !label && !name.is_empty() && name.chars().all(char::is_alphanumeric) && value.trim().parse::<f64>().is_ok()
+    let label = [AXIOM, ANGLE, ITERATIONS].concat().contains(&name.to_ascii_lowercase().as_str());
+    !label && !name.is_empty() && name.chars().all(char::is_alphanumeric) && decimal::read(value.trim()).is_some()
 }
 
 /// Whether a line is a title: words without an arrow and without a label.
@@ -156,20 +157,17 @@ fn degrees(text: &str) -> Option<f64> {
     let start = digits
         .rfind(|ch: char| !ch.is_ascii_digit() && ch != '.')
         .map_or(0, |at| at + digits[at..].chars().next().map_or(1, char::len_utf8));
-    digits[start..].parse().ok()
+    decimal::read(&digits[start..])
 }
 
 /// The letters of `A and B both mean draw forward` and the like.
 fn drawing_letters(text: &str) -> Vec<char> {
-    let lower = text.to_lowercase();
+    let lower = text.to_ascii_lowercase();
     let Some(at) =
         lower.find("draw forward").or_else(|| lower.find("draws forward")).or_else(|| lower.find("draw a line"))
     else {
         return Vec::new();
     };
-    if lower.len() != text.len() {
-        return Vec::new();
-    }
     let sentence = text[..at].rsplit(['.', '\n']).next().unwrap_or("");
     let words = sentence.split(|ch: char| !ch.is_alphanumeric());
     words.filter_map(|word| word.chars().next().filter(|ch| word.len() == ch.len_utf8() && ch.is_uppercase())).collect()

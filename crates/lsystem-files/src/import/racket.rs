@@ -15,6 +15,7 @@
 
 use super::draft::Draft;
 use super::plain::Plain;
+use lsystem_syntax::decimal;
 
 /// Reads the systems, which rows of dashes separate.
 pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
@@ -71,9 +72,9 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
 
 fn variable(line: &str, number: usize, draft: &mut Plain) {
     let Some((name, value)) = line.split_once('=') else { return };
-    match (name.trim(), value.trim().parse::<f64>()) {
-        ("n", Ok(value)) => draft.iterate(value),
-        ("θ" | "theta" | "angle", Ok(value)) => draft.definition().angle = value,
+    match (name.trim(), decimal::read(value.trim())) {
+        ("n", Some(value)) => draft.iterate(value),
+        ("θ" | "theta" | "angle", Some(value)) => draft.definition().angle = value,
         ("w" | "h" | "width" | "height" | "margin", _) => {}
         _ => draft.draft.note(number, line, "This variable has no meaning here"),
     }

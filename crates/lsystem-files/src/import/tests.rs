@@ -38,6 +38,7 @@ fn entry(entry: &Entry) -> String {
 
 /// Compares the summary of a text with the expected one.
 #[track_caller]
+#[expect(clippy::needless_pass_by_value, reason = "a literal stands at every call")]
 pub(super) fn check(text: &str, expected: Expect) {
     expected.assert_eq(&summary(text));
 }

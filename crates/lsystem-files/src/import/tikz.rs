@@ -7,6 +7,7 @@
 
 use super::draft::Draft;
 use super::plain::{Plain, line_of};
+use lsystem_syntax::decimal;
 
 /// Reads every declared system with the options of its first use, and every rule set among options.
 pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
@@ -115,8 +116,8 @@ fn finish(mut draft: Plain, options: &str, line: usize) -> Draft {
         }
     }
     // The library's own values, where an option is missing.
-    draft.definition().angle = option("angle").and_then(|angle| angle.parse().ok()).unwrap_or(90.0);
-    draft.iterate(option("order").and_then(|order| order.parse().ok()).unwrap_or(1.0));
+    draft.definition().angle = option("angle").and_then(decimal::read).unwrap_or(90.0);
+    draft.iterate(option("order").and_then(decimal::read).unwrap_or(1.0));
     draft.definition().heading = 0.0;
     for option in ["randomize step percent", "randomize angle percent"] {
         if options.contains(option) {

@@ -1,6 +1,6 @@
 //! Values behind labels in running text, as in `axiom X, angle 25°, n = 5`.
 
-use lsystem_syntax::look_alike;
+use lsystem_syntax::{decimal, look_alike};
 
 /// Text in which typographic look-alikes, LaTeX's commands and markup are replaced. Places in the text change, lines do
 /// not.
@@ -45,11 +45,7 @@ pub(super) fn plain(text: &str) -> String {
 
 /// The text behind the first of some labels, which stand as whole words and may be followed by `:`, `=` or `is`.
 pub(super) fn behind<'a>(text: &'a str, labels: &[&str]) -> Option<&'a str> {
-    let lower = text.to_lowercase();
-    // Lower case may change the length of rare characters; the places are then useless.
-    if lower.len() != text.len() {
-        return None;
-    }
+    let lower = text.to_ascii_lowercase();
     let mut best: Option<usize> = None;
     for label in labels {
         let mut at = 0;
@@ -79,5 +75,5 @@ pub(super) fn number(text: &str, labels: &[&str]) -> Option<f64> {
     let rest = rest.trim_start_matches(['(', '{', '~', '≈', ' ']);
     let end = rest.find(|ch: char| !ch.is_ascii_digit() && ch != '.' && ch != '-').unwrap_or(rest.len());
     let digits = rest[..end].trim_end_matches(['.', '-']);
-    digits.parse().ok()
+    decimal::read(digits)
 }

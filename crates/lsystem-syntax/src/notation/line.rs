@@ -91,7 +91,7 @@ impl RulesReader<'_> {
         }
         let place = span_of(words, 0);
         let parts: Vec<String> =
-            words.chunk_by(|_, next| next.joined).map(|word| text_of(word).to_lowercase()).collect();
+            words.chunk_by(|_, next| next.joined).map(|word| text_of(word).to_ascii_lowercase()).collect();
         let parts: Vec<&str> = parts.iter().map(String::as_str).collect();
         match parts[..] {
             ["homomorphism" | "interpretation"] if rest.len() <= 1 => self.drawing = true,
@@ -367,7 +367,7 @@ fn link_words(tokens: &[Token]) -> usize {
         "yields", "gives", "rewrites",
     ];
     let words = tokens.chunk_by(|_, next| next.joined);
-    words.take_while(|word| WORDS.contains(&text_of(word).to_lowercase().as_str())).map(<[Token]>::len).sum()
+    words.take_while(|word| WORDS.contains(&text_of(word).to_ascii_lowercase().as_str())).map(<[Token]>::len).sum()
 }
 
 /// The last `=` outside parentheses that is no part of a comparison, if something stands on both sides: the arrow of
