@@ -52,7 +52,7 @@ impl Dialect {
             Self::Abop => [
                 "Algorithmic Beauty of Plants",
                 "F and G draw, f and g move; + and − turn, | turns round, [ and ] branch; ! thins and # thickens the \
-                 stroke, ' and ; step through the colours. { and } fill the polygon whose corners F, f and . mark. In \
+                 stroke, ; and , step through the colours. { and } fill the polygon whose corners F, f and . mark. In \
                  space & and ^ pitch down and up, \\ and / roll left and right, and $ rolls upright. Other symbols do \
                  nothing.",
             ],
@@ -112,8 +112,9 @@ impl Dialect {
             (Self::Practical, '<') => &[PitchUp(None)],
             (Self::Abop, '!') => &[Action::ScaleWidth(core::f64::consts::FRAC_1_SQRT_2)],
             (Self::Abop, '#') => &[Action::ScaleWidth(core::f64::consts::SQRT_2)],
-            (Self::Abop, '\'' | ',') => &[Action::AddColour(1)],
-            (Self::Abop, ';') => &[Action::AddColour(-1)],
+            // As in cpfg and L-Py: `;` raises the palette index and `,` lowers it. `'` is ABOP's own.
+            (Self::Abop, '\'' | ';') => &[Action::AddColour(1)],
+            (Self::Abop, ',') => &[Action::AddColour(-1)],
             (Self::Abop, '%') => &[Action::Cut],
             (Self::Abop, '{') => &[Action::OpenPolygon],
             (Self::Abop, '.') => &[Action::Vertex],
