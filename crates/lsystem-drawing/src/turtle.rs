@@ -80,6 +80,8 @@ pub(crate) enum TurtleOp<S: Geometry = Plane> {
     Pop,
     Style(StyleChange),
     OpenPolygon,
+    /// Record the turtle's position as a vertex if the innermost open polygon has none yet.
+    FirstVertex,
     Vertex,
     ClosePolygon,
 }
@@ -193,7 +195,7 @@ impl Turtle {
         let corners = self.actions.iter().flatten().any(|action| *action == Action::OpenPolygon);
         for &action in actions {
             let marks = corners && matches!(action, Action::Draw(_) | Action::Move(_));
-            ops.extend(marks.then_some(TurtleOp::Vertex));
+            ops.extend(marks.then_some(TurtleOp::FirstVertex));
             ops.push(self.op(action));
             ops.extend(marks.then_some(TurtleOp::Vertex));
             if let Some(tropism) = self.tropism.filter(|_| action.draws()) {
@@ -271,10 +273,9 @@ impl<S: Geometry> Score<S> {
         number: Option<f64>,
     ) -> impl Iterator<Item = TurtleOp<S>> {
         let (ops, first) = (&self.ops[letter], turtle.actions[letter].first());
-        // In systems with polygons, a vertex comes before every draw and move.
-        let leaves =
-            matches!(first, Some(Action::Draw(_) | Action::Move(_))) && matches!(ops[..], [TurtleOp::Vertex, ..]);
-        let numbered = number.zip(first).map(|(number, action)| (usize::from(leaves), action.with(number)));
+        // In systems with polygons, an operation for the first vertex comes before a draw or move.
+        let marks = matches!(ops[..], [TurtleOp::FirstVertex, ..]);
+        let numbered = number.zip(first).map(|(number, action)| (usize::from(marks), action.with(number)));
         ops.iter().enumerate().map(move |(index, &op)| match numbered {
             Some((place, action)) if place == index => self.op(turtle, action),
             _ => op,
@@ -421,6 +422,8 @@ pub(crate) trait Paper<S: Geometry> {
     fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange);
     /// Opens a polygon.
     fn open(&mut self, style: &StyleChange);
+    /// Adds a vertex to the innermost open polygon, if any, unless the polygon has vertices already.
+    fn first_vertex(&mut self, at: S::Point);
     /// Adds a vertex to the innermost open polygon, if any.
     fn vertex(&mut self, at: S::Point);
     /// Closes the innermost open polygon, if any.
@@ -464,6 +467,7 @@ impl<S: Geometry> Pen<S> {
                 TurtleOp::Pop => *self = saved.pop().unwrap_or(*self),
                 TurtleOp::Style(change) => self.style = self.style.then(&change),
                 TurtleOp::OpenPolygon => paper.open(&self.style),
+                TurtleOp::FirstVertex => paper.first_vertex(self.at),
                 TurtleOp::Vertex => paper.vertex(self.at),
                 TurtleOp::ClosePolygon => paper.close(),
             }

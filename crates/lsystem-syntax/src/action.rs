@@ -4,7 +4,7 @@
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
     /// Go forward and draw. The length is in model units, times the length scale; `None` is the system's step length.
-    /// Both ends become vertices of an open polygon.
+    /// The end becomes a vertex of an open polygon; the start, too, if the polygon has no vertex yet.
     Draw(Option<f64>),
     /// Go forward without drawing. Length and vertices as in [`Action::Draw`].
     Move(Option<f64>),

@@ -14,7 +14,7 @@
 //! | `draw`, `draw 10` | forward with a line, by the step or by this length |
 //! | `move`, `move 10` | forward without a line |
 //! | `draw unmarked`, `move unmarked` | the same without vertices of an open polygon |
-//! | `open polygon`, `vertex`, `close polygon` | a filled polygon: its vertices are where `draw` and `move` begin and end, and where `vertex` stands |
+//! | `open polygon`, `vertex`, `close polygon` | a filled polygon: its vertices are where the first `draw` or `move` begins, where every `draw` and `move` ends, and where `vertex` stands |
 //! | `turn left`, `turn left 90` | counter-clockwise, by the left angle or by these degrees |
 //! | `turn right`, `turn right 90` | clockwise |
 //! | `turn round` | by 180 degrees |

@@ -189,6 +189,7 @@ fn leafy(reaching: bool) -> impl Strategy<Value = String> {
         "{f}",
         "{}",
         "[{f&f-f}]",
+        "{.[-f.][+f.]}",
     ];
     if reaching {
         parts.extend(["{.-f.+F[A]}", "{", "}", "{", "}", "]"]);

@@ -110,6 +110,8 @@ fn word() -> impl Strategy<Value = String> {
         "[{f+f",
         "f}]",
         "{f{'f+f}+f+f}",
+        "{.[-f.][+f.]}",
+        "{[-f][+f]f}",
     ];
     prop::collection::vec(prop::sample::select(parts), 1..6).prop_map(|parts| parts.concat())
 }
@@ -209,6 +211,35 @@ proptest! {
 
 fn drawn(definition: &Definition, n: u32) -> lsystem::Drawing {
     draw(&system(definition), n, &Limits::default()).unwrap()
+}
+
+#[test]
+fn semicolons_raise_the_colour_and_commas_lower_it() {
+    let colours = |axiom: &str| drawn(&abop(axiom, "", 0.0), 0).segments().map(|s| s.colour).collect::<Vec<_>>();
+    assert_eq!(colours("F;F'F,F"), [0, 1, 2, 1]);
+    assert_eq!(colours(";(5)F,F,(3)F"), [5, 4, 3]);
+}
+
+#[test]
+fn a_polygon_records_the_start_of_its_first_segment_only() {
+    let outlines = |axiom: &str| {
+        let of = |mark| if let Mark::Polygon(vertices, _) = mark { Some(vertices) } else { None };
+        drawn(&abop(axiom, "", 90.0), 0).marks().filter_map(of).collect::<Vec<_>>()
+    };
+    // The turtle starts upwards.
+    let cases: [(&str, &[[f64; 2]]); 6] = [
+        ("{.[-f(2).][+f(2).]}", &[[0.0, 0.0], [2.0, 0.0], [-2.0, 0.0]]),
+        ("{[-f][+f]f}", &[[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0]]),
+        ("{f[+f]f}", &[[0.0, 0.0], [0.0, 1.0], [-1.0, 1.0], [0.0, 2.0]]),
+        ("{F+F+F}", &[[0.0, 0.0], [0.0, 1.0], [-1.0, 1.0], [-1.0, 0.0]]),
+        ("G{f+f+f}", &[[0.0, 1.0], [0.0, 2.0], [-1.0, 2.0], [-1.0, 1.0]]),
+        ("{.Gf+f}", &[[0.0, 0.0], [0.0, 2.0], [-1.0, 2.0]]),
+    ];
+    for (axiom, expected) in cases {
+        let found = outlines(axiom);
+        let exact = found.iter().map(|p| p.iter().map(|v| v.map(|c| (c * 1e9).round() / 1e9 + 0.0)).collect::<Vec<_>>());
+        assert_eq!(exact.collect::<Vec<_>>(), [expected.to_vec()], "{axiom}");
+    }
 }
 
 #[test]

@@ -92,6 +92,12 @@ impl<S: Space> Paper<S> for ItemWriter<'_, S> {
         items.push(Item::Polygon(Polygon { first: 0, count: 0, style: self.styles.id(style), symbol: *symbol }));
     }
 
+    fn first_vertex(&mut self, at: S::Point) {
+        if self.buffer.open.last().is_some_and(|(_, vertices)| vertices.is_empty()) {
+            self.vertex(at);
+        }
+    }
+
     fn vertex(&mut self, at: S::Point) {
         if let Some((_, vertices)) = self.buffer.open.last_mut()
             && vertices.last() != Some(&at)

@@ -128,7 +128,10 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
             }
             state.pen.act(turtle, action);
             if let Some(&place) = open.last().filter(|_| marks) {
-                polygons[place].0.extend([before, state.at]);
+                if polygons[place].0.is_empty() {
+                    polygons[place].0.push(before);
+                }
+                polygons[place].0.push(state.at);
             }
         }
     }

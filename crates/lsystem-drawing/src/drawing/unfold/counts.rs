@@ -31,10 +31,16 @@ impl DrawingCounts {
             TurtleOp::Vertex => self.segments += u64::from(self.outlines > 0),
             TurtleOp::OpenPolygon => {
                 self.outlines += 1;
-                self.segments += 1;
+                // The polygon and its first vertex.
+                self.segments += 2;
             }
             TurtleOp::ClosePolygon => self.outlines = self.outlines.saturating_sub(1),
-            TurtleOp::Move(_) | TurtleOp::Turn(_) | TurtleOp::Upright | TurtleOp::Bend(_) | TurtleOp::Style(_) => {}
+            TurtleOp::Move(_)
+            | TurtleOp::Turn(_)
+            | TurtleOp::Upright
+            | TurtleOp::Bend(_)
+            | TurtleOp::Style(_)
+            | TurtleOp::FirstVertex => {}
         }
     }
 
